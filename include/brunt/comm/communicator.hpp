@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ranks of a run. Every function here is collective unless it says otherwise.
+// mpi.h is seen only through comm/native.hpp.
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brunt/core/types.hpp"
+
+namespace brunt::comm {
+
+class Communicator {
+ public:
+  /// A private copy of all ranks (MPI must be initialised, see comm/session.hpp).
+  static Communicator world();
+  /// This rank alone: for tests and for commands that run on one rank.
+  static Communicator self();
+
+  [[nodiscard]] Rank rank() const;  // not collective
+  [[nodiscard]] int size() const;   // not collective
+  [[nodiscard]] bool is_root() const { return rank() == 0; }
+
+  void barrier() const;
+  [[nodiscard]] double max(double value) const;
+  [[nodiscard]] double min(double value) const;
+  void max(std::span<double> values) const;  ///< element by element, in place
+  [[nodiscard]] GlobalIndex sum(GlobalIndex value) const;
+  void sum(std::span<GlobalIndex> values) const;  ///< wraps modulo 2^64, so it is exact in any order
+  [[nodiscard]] GlobalIndex max(GlobalIndex value) const;
+  [[nodiscard]] bool any(bool value) const;
+  [[nodiscard]] GlobalIndex sum_before(GlobalIndex value) const;  ///< sum over the ranks below this one
+
+  void broadcast(std::vector<std::byte>& bytes, Rank root = 0) const;
+  void broadcast(std::string& text, Rank root = 0) const;
+  /// What each rank gave, by rank, on `root`; empty elsewhere.
+  [[nodiscard]] std::vector<std::vector<std::byte>> gather(std::span<const std::byte> bytes, Rank root = 0) const;
+  [[nodiscard]] std::vector<double> gather_all(double value) const;
+
+ private:
+  struct Native;
+  explicit Communicator(std::shared_ptr<Native> native);
+  std::shared_ptr<Native> native_;
+  friend struct NativeAccess;  // comm/native.hpp
+};
+
+}  // namespace brunt::comm

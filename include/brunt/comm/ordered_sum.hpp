@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nodal sums with the same bits on any number of ranks. Contributions (a corner force of an element, a face's
+// share of a pressure) have a key that is the same however the mesh is split; every rank that holds a node
+// receives all contributions to it, unsummed, and adds them in ascending key order starting from zero.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "brunt/comm/communicator.hpp"
+#include "brunt/comm/halo.hpp"
+#include "brunt/core/ragged.hpp"
+
+namespace brunt::comm {
+
+/// One contribution that this rank computes to a node that other ranks hold too.
+struct Contribution {
+  GlobalIndex key = 0;  ///< orders the sum; unique for a node (element gid * 8 + corner)
+  GlobalIndex node_gid = 0;
+  LocalIndex node = 0;  ///< local index of the node
+};
+
+class OrderedSum {
+ public:
+  OrderedSum() = default;
+  /// `contributions[i]` lives in slot i of the array given to `sum`; only nodes in `shared` matter.
+  /// shared_node: local indices of nodes other ranks hold too; sharers: those ranks, row by row. Collective.
+  OrderedSum(const Communicator& ranks, std::span<const Contribution> contributions,
+             std::span<const LocalIndex> shared_node, std::span<const GlobalIndex> shared_gid,
+             const Ragged<Rank>& sharers);
+
+  /// Sends the slots to the sharers; begin and end may enclose work on interior elements.
+  void begin(std::span<const double> slots, int width);
+  /// node_values[node * stride + c] = ordered sum, for every shared node and c < width. No allocation.
+  void end(std::span<const double> slots, int width, std::span<double> node_values, int stride);
+
+  [[nodiscard]] std::span<const LocalIndex> shared_nodes() const { return shared_node_; }
+
+ private:
+  Halo halo_;  // slots of other ranks -> received_
+  std::vector<LocalIndex> shared_node_;
+  Ragged<LocalIndex> terms_;      // per shared node: slot index, or received index + number of own slots, by key
+  std::vector<double> received_;  // sized for the widest sum
+};
+
+}  // namespace brunt::comm

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of unequal length in two flat arrays: row i is values[offsets[i] .. offsets[i+1]).
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "brunt/core/types.hpp"
+
+namespace brunt {
+
+template <class T>
+struct Ragged {
+  std::vector<LocalIndex> offsets{0};  // size rows + 1
+  std::vector<T> values;
+
+  [[nodiscard]] LocalIndex rows() const { return static_cast<LocalIndex>(offsets.size()) - 1; }
+  [[nodiscard]] std::span<const T> row(LocalIndex i) const {
+    return {values.data() + offsets[static_cast<std::size_t>(i)],
+            static_cast<std::size_t>(offsets[static_cast<std::size_t>(i) + 1] - offsets[static_cast<std::size_t>(i)])};
+  }
+  [[nodiscard]] std::span<T> row(LocalIndex i) {
+    return {values.data() + offsets[static_cast<std::size_t>(i)],
+            static_cast<std::size_t>(offsets[static_cast<std::size_t>(i) + 1] - offsets[static_cast<std::size_t>(i)])};
+  }
+  /// Closes the row that has been pushed to `values` since the last call.
+  void close_row() { offsets.push_back(static_cast<LocalIndex>(values.size())); }
+  void clear() {
+    offsets.assign(1, 0);
+    values.clear();
+  }
+};
+
+}  // namespace brunt

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// A whole mesh as plain arrays, as read from a file or generated (it lives on the root rank only).
+#pragma once
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "brunt/core/types.hpp"
+
+namespace brunt::mesh {
+
+/// Wedges and pyramids come as hex8 with repeated nodes.
+enum class Shape { hex8, tet4 };
+constexpr int nodes_per_element(Shape s) {
+  return s == Shape::hex8 ? 8 : 4;
+}
+constexpr int faces_per_element(Shape s) {
+  return s == Shape::hex8 ? 6 : 4;
+}
+
+struct Block {
+  std::string name;    ///< empty where the file names none
+  GlobalIndex id = 0;  ///< the file's block id
+  Shape shape = Shape::hex8;
+  std::vector<LocalIndex> nodes;        ///< nodes_per_element a row
+  std::vector<GlobalIndex> element_id;  ///< the input's number of each element, for messages
+  [[nodiscard]] LocalIndex count() const { return static_cast<LocalIndex>(nodes.size()) / nodes_per_element(shape); }
+  [[nodiscard]] const LocalIndex* element(LocalIndex e) const {
+    return nodes.data() + static_cast<std::size_t>(e) * static_cast<std::size_t>(nodes_per_element(shape));
+  }
+};
+
+/// One side of one element; faces are numbered as in mesh/topology.hpp.
+struct Side {
+  LocalIndex block = 0, element = 0;
+  std::int32_t face = 0;
+};
+
+struct Mesh {
+  std::vector<Vec3> coordinates;     ///< [length]
+  std::vector<GlobalIndex> node_id;  ///< the input's number of each node, for messages
+  std::vector<Block> blocks;
+  std::map<std::string, std::vector<LocalIndex>> node_sets;  ///< by name, or by number in text where unnamed
+  std::map<std::string, std::vector<Side>> side_sets;
+};
+
+}  // namespace brunt::mesh

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a scene file says, typed, with defaults filled in: the result of scene/read and nothing else.
+// Quantities are in the scene's one consistent unit system.
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "brunt/core/types.hpp"
+#include "brunt/material/law.hpp"
+
+namespace brunt::scene {
+
+struct Rotation {
+  Vec3 axis = Vec3::UnitZ();
+  double degrees = 0;
+};
+
+/// Where a generated or read body is put: scaled, then rotated about the scene's origin, then moved.
+struct Placement {
+  double scale = 1;
+  Rotation rotate;
+  Vec3 at = Vec3::Zero();
+};
+
+struct MeshFile {
+  std::string file;    ///< as resolved: relative to the scene file
+  std::string prefix;  ///< put before the names of its blocks and sets
+};
+struct BoxMesh {
+  std::string part;
+  Vec3 size;  ///< from the corner `at`
+  std::array<int, 3> elements;
+};
+struct CylinderMesh {  ///< solid, butterfly section, axis z, foot centre at the origin
+  std::string part;
+  double radius = 0, length = 0;
+  std::array<int, 2> elements;  ///< across the radius, along the axis
+};
+struct SphereMesh {  ///< solid, centre at the origin
+  std::string part;
+  double radius = 0;
+  int elements = 0;  ///< across the radius
+};
+struct TubeMesh {  ///< axis z, foot centre at the origin
+  std::string part;
+  double inner_radius = 0, outer_radius = 0, length = 0;
+  std::array<int, 3> elements;  ///< through the wall, around, along
+};
+struct PlateMesh {  ///< in the x-y plane, centre of the lower face at the origin
+  std::string part;
+  std::array<double, 2> size;
+  double thickness = 0;
+  std::array<int, 3> elements;
+};
+struct MeshEntry {
+  std::variant<MeshFile, BoxMesh, CylinderMesh, SphereMesh, TubeMesh, PlateMesh> body;
+  Placement placement;
+  std::string key;  ///< key path for messages, "mesh.0"
+};
+
+enum class ElementKind { hex8, hex8_full, hex8_bbar, tet4 };
+enum class HourglassKind { none, viscous, stiffness };
+struct Hourglass {
+  HourglassKind kind = HourglassKind::stiffness;
+  double coefficient = 0.05;
+};
+struct BulkViscosity {
+  double linear = 0.06, quadratic = 1.2;
+};
+struct Part {
+  std::string name, block, material;  ///< block: name or number as text
+  ElementKind element = ElementKind::hex8;
+  Hourglass hourglass;
+  BulkViscosity bulk;
+};
+
+/// A named set made from others in the scene.
+struct SetEntry {
+  std::string name;
+  std::optional<std::string> part, node_set, side_set;
+  std::optional<std::array<Vec3, 2>> box;  ///< nodes of the part (or of all) inside the closed box
+};
+
+using Curve = std::vector<std::array<double, 2>>;  ///< (time, value), linear between, constant beyond
+
+struct InitialMotion {
+  std::string where;  ///< part or set
+  Vec3 velocity = Vec3::Zero();
+  Vec3 spin_axis = Vec3::UnitZ(), spin_point = Vec3::Zero();
+  double spin_rate = 0;  ///< [rad/time]
+};
+struct Fixed {
+  std::string where;
+  std::array<bool, 3> dofs{};
+};
+struct Symmetry {
+  Vec3 point, normal;  ///< all nodes in the plane; faces in it are no contact faces
+};
+struct Prescribed {
+  std::string where;
+  int dof = 0;
+  std::string curve;  ///< velocity over time; empty: constant 1
+  double scale = 1;
+};
+struct Pressure {
+  std::string where;  ///< side set
+  double value = 0;
+  std::string curve;
+};
+struct Gravity {
+  Vec3 vector = Vec3::Zero();
+  std::string curve;
+};
+struct Damping {
+  double alpha = 0, from = 0, to = 0;  ///< f = -alpha m v while from <= t < to
+};
+struct RigidWall {
+  std::string name;
+  Vec3 point, normal;  ///< outward, towards the bodies
+  double friction = 0;
+  bool bilateral = false;
+  std::string motion;  ///< curve of the wall's velocity along its normal; empty: at rest
+};
+
+struct ContactEntry {
+  std::vector<std::string> between;  ///< empty: all; else two parts
+  std::vector<std::array<std::string, 2>> exclude;
+  double friction = 0;
+  double tolerance = 1e-3;
+  int max_iterations = 50;
+  enum class Slave { automatic, first, second } slave = Slave::automatic;
+};
+
+struct Probe {
+  std::string name;
+  enum class Kind { node, set, wall, contact } kind = Kind::node;
+  std::string where, other;  ///< node id as text; set or part; wall; the two parts of a contact
+  std::string field;         ///< node, set: displacement, velocity, position, (set) reaction
+};
+
+struct Run {
+  std::optional<double> end;
+  std::optional<GlobalIndex> steps;
+  double cfl = 0.9;
+  std::optional<double> wall_limit;  ///< [s] of wall-clock time
+};
+struct Output {
+  std::optional<double> every;  ///< absent: first and last state only
+  std::vector<std::string> fields{"displacement", "velocity"};
+};
+
+struct Input {
+  std::string file;  ///< the scene file, for messages
+  std::string title, units;
+  std::vector<MeshEntry> mesh;
+  std::vector<SetEntry> sets;
+  std::map<std::string, Curve> curves;
+  std::map<std::string, material::Law> materials;
+  std::vector<Part> parts;
+  std::vector<InitialMotion> initial;
+  std::vector<Fixed> fixed;
+  std::vector<Symmetry> symmetry;
+  std::vector<Prescribed> prescribed;
+  std::vector<Pressure> pressure;
+  std::optional<Gravity> gravity;
+  std::optional<Damping> damping;
+  std::vector<RigidWall> rigid_walls;
+  std::vector<ContactEntry> contact;
+  std::vector<Probe> probes;
+  Run run;
+  Output output;
+  std::optional<double> history_every;
+  std::optional<double> checkpoint_every;
+};
+
+}  // namespace brunt::scene
