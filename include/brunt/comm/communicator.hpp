@@ -3,6 +3,7 @@
 // mpi.h is seen only through comm/native.hpp.
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -24,7 +25,7 @@ class Communicator {
   [[nodiscard]] bool is_root() const { return rank() == 0; }
 
   void barrier() const;
-  [[nodiscard]] double max(double value) const;
+  [[nodiscard]] double max(double value) const;  ///< a NaN on any rank is NaN on all, here and in `min`
   [[nodiscard]] double min(double value) const;
   void max(std::span<double> values) const;  ///< element by element, in place
   [[nodiscard]] GlobalIndex sum(GlobalIndex value) const;
@@ -37,6 +38,9 @@ class Communicator {
   void broadcast(std::string& text, Rank root = 0) const;
   /// What each rank gave, by rank, on `root`; empty elsewhere.
   [[nodiscard]] std::vector<std::vector<std::byte>> gather(std::span<const std::byte> bytes, Rank root = 0) const;
+  /// What `root` made for this rank; `for_rank` is called on `root` only, once a rank, and sent off at once.
+  [[nodiscard]] std::vector<std::byte> scatter(const std::function<std::vector<std::byte>(Rank)>& for_rank,
+                                               Rank root = 0) const;
   [[nodiscard]] std::vector<double> gather_all(double value) const;
 
  private:

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/comm/session.hpp"
+
+#include <mpi.h>
+#include <petscsys.h>
+
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include "brunt/core/error.hpp"
+
+namespace brunt::comm {
+
+Session::Session(int& argc, char**& argv) {
+  demand(MPI_Init(&argc, &argv) == MPI_SUCCESS, "MPI starts");
+  // PETSc is not given the program's arguments (they are ours) nor the user's ~/.petscrc (it would change results)
+  std::string name = argc > 0 ? argv[0] : "brunt";
+  std::string skip = "-skip_petscrc";
+  std::array<char*, 3> arguments{name.data(), skip.data(), nullptr};
+  int count = 2;
+  char** first = arguments.data();
+  demand(PetscInitialize(&count, &first, nullptr, nullptr) == 0, "PETSc starts");
+  demand(PetscPopSignalHandler() == 0, "PETSc gives up its signal handler");
+}
+
+Session::~Session() {
+  PetscFinalize();
+  MPI_Finalize();
+}
+
+void Session::abort(int exit_code) {
+  MPI_Abort(MPI_COMM_WORLD, exit_code);
+  std::_Exit(exit_code);
+}
+
+}  // namespace brunt::comm
