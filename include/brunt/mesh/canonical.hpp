@@ -16,6 +16,12 @@ struct CanonicalMesh {
   std::vector<std::vector<GlobalIndex>> input_element;  ///< per block: position in the input's block-by-block order
 };
 
+/// Takes out the nodes that no element uses, also from the node sets; the others keep their order. Returns how many.
+LocalIndex drop_unused_nodes(Mesh& mesh);
+
+/// Drops unused nodes first (positions "in the input" count the nodes kept), then orders. The curve is Hilbert's in the
+/// cube over the mesh's bounding box, ties go by input position. Sets come out ascending, each entry once. The origin
+/// is zero in each direction where the box lies within 8 of its sizes from zero; subtracting it is always exact.
 CanonicalMesh canonical_order(Mesh&& mesh);
 
 }  // namespace brunt::mesh

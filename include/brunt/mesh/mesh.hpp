@@ -2,6 +2,7 @@
 // A whole mesh as plain arrays, as read from a file or generated (it lives on the root rank only).
 #pragma once
 #include <array>
+#include <compare>
 #include <map>
 #include <string>
 #include <vector>
@@ -35,6 +36,7 @@ struct Block {
 struct Side {
   LocalIndex block = 0, element = 0;
   std::int32_t face = 0;
+  friend auto operator<=>(const Side&, const Side&) = default;
 };
 
 struct Mesh {
