@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// Closest point on a bilinear quadrilateral or a triangle: Newton, then edges, then sampling as the safe way out.
+#include "brunt/geometry/closest_point.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace brunt::geometry {
+namespace {
+
+using Weights = std::array<double, 4>;
+
+Vec3 combine(Corners corners, const Weights& weights) {
+  Vec3 point = Vec3::Zero();
+  for (std::size_t i = 0; i < corners.size(); ++i) point += weights[i] * corners[i];
+  return point;
+}
+
+struct Tangents {
+  Vec3 xi, eta;
+};
+
+Tangents tangents(Corners c, double xi, double eta) {
+  if (c.size() == 3) return {c[1] - c[0], c[2] - c[0]};
+  return {0.25 * ((1 - eta) * (c[1] - c[0]) + (1 + eta) * (c[2] - c[3])),
+          0.25 * ((1 - xi) * (c[3] - c[0]) + (1 + xi) * (c[2] - c[1]))};
+}
+
+FacePoint face_point(Corners corners, double xi, double eta, Region region) {
+  FacePoint result{.xi = xi, .eta = eta, .weights = face_weights(corners.size(), xi, eta), .region = region};
+  result.point = combine(corners, result.weights);
+  return result;
+}
+
+/// Twice the area between the point and an edge, signed by the side of the edge on which the point lies.
+double edge_area(const Vec3& x, const Vec3& from, const Vec3& to, const Vec3& normal) {
+  return normal.dot((to - from).cross(x - from));
+}
+
+struct Parameters {
+  double xi = 0, eta = 0;
+};
+
+double area_ratio(double low_side, double high_side) {
+  const double sum = low_side + high_side;
+  return sum > 0 ? std::clamp((low_side - high_side) / sum, -1.5, 1.5) : 0.0;
+}
+
+Parameters seed(const Vec3& x, Corners c, const Vec3& area) {
+  const Vec3 n = area.normalized();
+  return {area_ratio(edge_area(x, c[3], c[0], n), edge_area(x, c[1], c[2], n)),
+          area_ratio(edge_area(x, c[0], c[1], n), edge_area(x, c[2], c[3], n))};
+}
+
+/// Unconstrained stationary point near the face; nothing where ten steps do not settle.
+std::optional<Parameters> newton(const Vec3& x, Corners c, Parameters p) {
+  constexpr int max_steps = 10;
+  constexpr double settled = 1e-13, lost = 4.0;
+  const Vec3 twist = 0.25 * (c[0] - c[1] + c[2] - c[3]);
+  for (int step = 0; step < max_steps; ++step) {
+    const Tangents t = tangents(c, p.xi, p.eta);
+    const Vec3 offset = x - combine(c, face_weights(4, p.xi, p.eta));
+    const double a = t.xi.squaredNorm(), b = t.eta.squaredNorm();
+    double mixed = t.xi.dot(t.eta) - offset.dot(twist);
+    if (a * b - mixed * mixed <= 0.05 * a * b) mixed = t.xi.dot(t.eta);  // Gauss-Newton where Newton is not convex
+    const double determinant = a * b - mixed * mixed;
+    if (!(determinant > 1e-12 * a * b)) return std::nullopt;
+    const double f = t.xi.dot(offset), g = t.eta.dot(offset);
+    const double d_xi = (b * f - mixed * g) / determinant, d_eta = (a * g - mixed * f) / determinant;
+    p.xi += d_xi;
+    p.eta += d_eta;
+    if (!(std::abs(p.xi) < lost && std::abs(p.eta) < lost)) return std::nullopt;
+    if (std::abs(d_xi) + std::abs(d_eta) < settled) return p;
+    if (step + 1 == max_steps && std::abs(d_xi) + std::abs(d_eta) < 1e-10) return p;
+  }
+  return std::nullopt;
+}
+
+struct EdgePoint {
+  double along = 0;  ///< 0 at the first corner, 1 at the second
+  double distance2 = std::numeric_limits<double>::infinity();
+  std::size_t edge = 0;
+};
+
+EdgePoint nearest_edge(const Vec3& x, Corners c) {
+  EdgePoint best;
+  for (std::size_t edge = 0; edge < c.size(); ++edge) {
+    const Vec3 &from = c[edge], &to = c[(edge + 1) % c.size()];
+    const double length2 = (to - from).squaredNorm();
+    const double along = length2 > 0 ? std::clamp((x - from).dot(to - from) / length2, 0.0, 1.0) : 0.0;
+    const double distance2 = (x - ((1 - along) * from + along * to)).squaredNorm();
+    if (distance2 < best.distance2) best = {along, distance2, edge};
+  }
+  return best;
+}
+
+Region region_of(const EdgePoint& at, std::size_t corner_count) {
+  constexpr int first_edge = static_cast<int>(Region::edge0), first_vertex = static_cast<int>(Region::vertex0);
+  if (at.along <= 0) return static_cast<Region>(first_vertex + static_cast<int>(at.edge));
+  if (at.along >= 1) return static_cast<Region>(first_vertex + static_cast<int>((at.edge + 1) % corner_count));
+  return static_cast<Region>(first_edge + static_cast<int>(at.edge));
+}
+
+FacePoint on_edge(Corners c, const EdgePoint& at) {
+  const Region region = region_of(at, c.size());
+  const double s = at.along;
+  if (c.size() == 3) {
+    const std::array<Parameters, 3> place{{{s, 0}, {1 - s, s}, {0, 1 - s}}};
+    return face_point(c, place[at.edge].xi, place[at.edge].eta, region);
+  }
+  const std::array<Parameters, 4> place{{{2 * s - 1, -1}, {1, 2 * s - 1}, {1 - 2 * s, 1}, {-1, 1 - 2 * s}}};
+  return face_point(c, place[at.edge].xi, place[at.edge].eta, region);
+}
+
+/// Best of a grid of points, refined around the best again and again: slow, always ends, never leaves the face.
+FacePoint by_sampling(const Vec3& x, Corners c) {
+  constexpr int half = 4;
+  Parameters best;
+  double best_distance2 = std::numeric_limits<double>::infinity(), spacing = 1.0 / half;
+  for (; spacing > 1e-13; spacing *= 0.4) {
+    const Parameters centre = best;
+    for (int i = -half; i <= half; ++i) {
+      for (int j = -half; j <= half; ++j) {
+        const Parameters p{std::clamp(centre.xi + i * spacing, -1.0, 1.0),
+                           std::clamp(centre.eta + j * spacing, -1.0, 1.0)};
+        const double distance2 = (x - combine(c, face_weights(4, p.xi, p.eta))).squaredNorm();
+        if (distance2 < best_distance2) {
+          best_distance2 = distance2;
+          best = p;
+        }
+      }
+    }
+  }
+  const EdgePoint edge = nearest_edge(x, c);
+  if (edge.distance2 <= best_distance2) return on_edge(c, edge);
+  return face_point(c, best.xi, best.eta, Region::face);
+}
+
+bool inside(const Parameters& p, double reach) {
+  return std::abs(p.xi) <= reach && std::abs(p.eta) <= reach;
+}
+
+FacePoint on_quad(const Vec3& x, Corners c, const Vec3& area) {
+  constexpr double reach = 1 + 2 * face_tolerance;  // the parametric width is 2
+  std::optional<Parameters> p = newton(x, c, seed(x, c, area));
+  if (!p) {  // squared distances resolve a place to half the digits only: polish
+    const FacePoint sampled = by_sampling(x, c);
+    p = newton(x, c, {sampled.xi, sampled.eta});
+    if (sampled.region != Region::face || !p || !inside(*p, reach)) return sampled;
+  }
+  if (!inside(*p, reach)) return on_edge(c, nearest_edge(x, c));
+  return face_point(c, std::clamp(p->xi, -1.0, 1.0), std::clamp(p->eta, -1.0, 1.0), Region::face);
+}
+
+FacePoint on_triangle(const Vec3& x, Corners c, const Vec3& area) {
+  const double twice = 2 * area.norm();
+  const Vec3 n = area.normalized();
+  const double w1 = edge_area(x, c[2], c[0], n) / twice, w2 = edge_area(x, c[0], c[1], n) / twice;
+  if (std::min({w1, w2, 1 - w1 - w2}) < -face_tolerance) return on_edge(c, nearest_edge(x, c));
+  const double xi = std::max(w1, 0.0), eta = std::max(w2, 0.0), sum = std::max(xi + eta, 1.0);
+  return face_point(c, xi / sum, eta / sum, Region::face);
+}
+
+}  // namespace
+
+std::array<double, 4> face_weights(std::size_t corner_count, double xi, double eta) {
+  if (corner_count == 3) return {1 - xi - eta, xi, eta, 0};
+  return {0.25 * (1 - xi) * (1 - eta), 0.25 * (1 + xi) * (1 - eta), 0.25 * (1 + xi) * (1 + eta),
+          0.25 * (1 - xi) * (1 + eta)};
+}
+
+Vec3 face_normal(Corners corners, double xi, double eta) {
+  const Tangents t = tangents(corners, xi, eta);
+  const Vec3 cross = t.xi.cross(t.eta);
+  const double floor = 1e-12 * (t.xi.squaredNorm() + t.eta.squaredNorm());
+  return cross.norm() > floor ? cross.normalized() : area_vector(corners).normalized();
+}
+
+Vec3 area_vector(Corners c) {
+  if (c.size() == 3) return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]);
+  return 0.5 * (c[2] - c[0]).cross(c[3] - c[1]);
+}
+
+double longest_edge(Corners corners) {
+  double longest2 = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    longest2 = std::max(longest2, (corners[(i + 1) % corners.size()] - corners[i]).squaredNorm());
+  return std::sqrt(longest2);
+}
+
+std::optional<FacePoint> closest_point(const Vec3& x, Corners corners) {
+  const Vec3 area = area_vector(corners);
+  const double edge = longest_edge(corners);
+  if (!x.allFinite() || !(area.norm() > 1e-12 * edge * edge)) return std::nullopt;
+  return corners.size() == 3 ? on_triangle(x, corners, area) : on_quad(x, corners, area);
+}
+
+}  // namespace brunt::geometry
