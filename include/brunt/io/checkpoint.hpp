@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checkpoints: every saved array of the registry in canonical order, so that any number of ranks reads what any other
+// number wrote, to the same bits. A file is written under another name, has reached the disk when it gets its own,
+// and the last two are kept. Every table carries a hash of its values (model/hash.hpp): a flipped bit is found.
+//
+// Layout: attributes of /: format, fingerprint, step, time, nodes, blocks, and `hash` of the header itself;
+//         /nodes/NAME, /elements/NAME, /globals/NAME: tables [entities][components] with the attribute `hash`.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "brunt/comm/communicator.hpp"
+#include "brunt/model/registry.hpp"
+
+namespace brunt::io {
+
+struct CheckpointHeader {
+  GlobalIndex step = 0;
+  double time = 0;
+  /// Identifies program version and scene: a short text (< 60 kB), the same in every run that may go on from here.
+  std::string fingerprint;
+};
+
+/// Writes folder/checkpoint_<step, 9 digits>.h5 and returns its path; older ones but the last before are removed.
+/// Collective. Throws MachineError with path and reason on all ranks; the checkpoints before stay as they were.
+std::string write_checkpoint(const comm::Communicator& ranks, const std::string& folder, const CheckpointHeader& header,
+                             const model::Registry& registry);
+
+/// Step, time and fingerprint alone. Collective; throws InputError.
+[[nodiscard]] CheckpointHeader read_checkpoint_header(const comm::Communicator& ranks, const std::string& path);
+
+/// Fills every saved array of the registry, nodes of other ranks included. Collective. Throws InputError naming the
+/// file, and the table if one is damaged; or saying how the model differs: fingerprint, counts, array names. Nothing is
+/// changed unless the whole file is sound.
+CheckpointHeader read_checkpoint(const comm::Communicator& ranks, const std::string& path,
+                                 const std::string& fingerprint, const model::Registry& registry);
+
+/// The checkpoint of the highest step in the folder. Not collective.
+[[nodiscard]] std::optional<std::string> latest_checkpoint(const std::string& folder);
+
+}  // namespace brunt::io

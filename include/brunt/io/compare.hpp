@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much two results differ: state files, checkpoints, histories, or result folders, field by field.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "brunt/comm/communicator.hpp"
+
+namespace brunt::io {
+
+/// One field over all records. NaN on either side counts as an infinite difference.
+struct FieldDifference {
+  std::string field;    ///< "node/displacement", "history/kinetic", "nodes/velocity" (of a checkpoint)
+  double absolute = 0;  ///< largest |a - b|
+  double relative = 0;  ///< that over the largest magnitude of the field in A or B, over all records
+  double time = 0;      ///< of the first record with the largest difference
+  std::string where;    ///< entity and component there: "node 17 [2]"; "step 40" in a history
+};
+
+struct Comparison {
+  std::vector<FieldDifference> fields;
+  std::vector<std::string> mismatches;  ///< what cannot be compared: meshes, fields, times; one line each
+
+  /// No mismatch, and no relative difference above `tolerance`; 0 asks for equal values.
+  [[nodiscard]] bool within(double tolerance) const;
+};
+
+/// A and B: both state.h5 files, both checkpoints, both history.csv, or both result folders (then state.h5 and
+/// history.csv are compared). Nodes are named by the input's numbers, elements by position in the input (checkpoint:
+/// canonical index), both as stored in A. Collective. Throws InputError if a file cannot be read or the kinds differ.
+[[nodiscard]] Comparison compare_results(const comm::Communicator& ranks, const std::string& a, const std::string& b);
+
+/// The table that `brunt compare` prints, verdict in the last line.
+[[nodiscard]] std::string comparison_text(const Comparison& comparison, double tolerance);
+
+}  // namespace brunt::io

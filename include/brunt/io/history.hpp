@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// history.csv: one row a history step; the first column is the step.
+#pragma once
+#include <cstdio>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brunt/core/types.hpp"
+
+namespace brunt::io {
+
+struct HistoryColumn {
+  std::string name;  ///< letters, digits, `_`, `.`
+  std::string unit;  ///< shown in brackets; empty: none shown
+};
+
+/// The open file. Not collective: for the root rank. Every row is handed to the operating system at once.
+class HistoryFile {
+ public:
+  /// `columns` come after `step`. With `restart_step` an existing file is continued: rows of later steps, and a row
+  /// that a killed run left unfinished, are dropped; other columns than given are an InputError. Throws MachineError.
+  HistoryFile(std::string path, std::vector<HistoryColumn> columns,
+              std::optional<GlobalIndex> restart_step = std::nullopt);
+  ~HistoryFile();
+  HistoryFile(const HistoryFile&) = delete;
+  HistoryFile& operator=(const HistoryFile&) = delete;
+
+  /// One value a column, in the shortest form that reads back to the same bits.
+  void write(GlobalIndex step, std::span<const double> values);
+
+ private:
+  std::string path_;
+  std::size_t columns_ = 0;
+  std::FILE* file_ = nullptr;
+};
+
+/// A history as read: names without units, and one row of `names.size()` values a history step (step first).
+struct History {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> rows;
+};
+
+/// Throws InputError with file and line.
+[[nodiscard]] History read_history(const std::string& path);
+
+}  // namespace brunt::io

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The folder that holds the results of a run.
+#pragma once
+#include <string>
+
+#include "brunt/comm/communicator.hpp"
+
+namespace brunt::io {
+
+enum class ExistingResults {
+  refuse,   ///< an InputError
+  replace,  ///< --force: result files of an earlier run are removed; files of other names stay
+  keep      ///< --restart: the run goes on in them
+};
+
+/// Makes the folder (and those above it) if need be and checks that files can be written there. Collective; all ranks
+/// throw the same: InputError if results exist and may not, or the path is no folder; MachineError if the disk refuses.
+void prepare_result_folder(const comm::Communicator& ranks, const std::string& folder, ExistingResults existing);
+
+/// True for the names a run writes: summary.json, history.csv, state.h5, state.xdmf, checkpoint_*.h5, log.txt.
+[[nodiscard]] bool is_result_file(const std::string& name);
+
+}  // namespace brunt::io

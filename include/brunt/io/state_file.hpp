@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// state.h5 and state.xdmf: the mesh once, and fields by time in the input's global order. state.xdmf opens in ParaView
+// (reader Xdmf3ReaderS) as a time series. After each record a killed run leaves both readable.
+//
+// Layout of state.h5 (indices are positions in the input, 0-based; doubles and 64-bit integers, little endian):
+//   /                         attributes format, nodes, elements, blocks
+//   /mesh/coordinates         [nodes][3] undeformed [length]
+//   /mesh/node_id             [nodes] the input's own numbers
+//   /mesh/connectivity        [elements][nodes of an element] where all blocks have one shape, else one stream of
+//                             XDMF Mixed cells: type (6 tetrahedron, 9 hexahedron), nodes, type, nodes, ...
+//   /mesh/element_block       [elements] index of the block
+//   /mesh/block_B             attributes name, id, nodes_per_element, first, count (of its elements)
+//   /record_R/node/FIELD      [nodes] or [nodes][components]
+//   /record_R/element/FIELD   [elements] or [elements][components]
+//   /record_R                 attributes step, time [time]: written last, a record without them is incomplete
+#pragma once
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brunt/comm/rendezvous.hpp"
+#include "brunt/io/hdf5.hpp"
+#include "brunt/mesh/local_mesh.hpp"
+
+namespace brunt::io {
+
+struct StateBlock {
+  std::string name;
+  GlobalIndex id = 0;  ///< the input's block id
+  mesh::Shape shape = mesh::Shape::hex8;
+  std::vector<GlobalIndex> element;  ///< of this rank: position in the input; a block's elements are contiguous there
+  std::vector<GlobalIndex> nodes;    ///< nodes_per_element a row: positions of nodes in the input
+};
+
+/// What one rank has of the mesh. Every node and element is given by one rank only; every rank lists all blocks.
+struct StateMesh {
+  GlobalIndex global_nodes = 0, global_elements = 0;
+  std::vector<GlobalIndex> node;     ///< position in the input
+  std::vector<GlobalIndex> node_id;  ///< the input's own number
+  std::vector<double> coordinates;   ///< 3 a node, with the origin put back [length]
+  std::vector<StateBlock> blocks;
+};
+
+/// Nodes owned by `rank`, ascending in local index, and all its elements block by block.
+[[nodiscard]] StateMesh state_mesh(const mesh::LocalMesh& mesh, Rank rank);
+
+enum class Place { node, element };
+
+/// A field of a record. Symmetric tensors: xx, yy, zz, xy, yz, zx.
+struct StateField {
+  std::string name;  ///< letters, digits, `_`
+  Place place = Place::node;
+  int components = 1;
+  /// `components` a row; rows in the order of StateMesh::node, or of the elements of block 0, block 1, ...
+  std::vector<double> values;
+};
+
+/// A complete record of a state file.
+struct StateRecord {
+  std::string group;  ///< /record_000007
+  GlobalIndex step = 0;
+  double time = 0;
+  struct Table {
+    std::string name;
+    Place place = Place::node;
+    int components = 1;
+    bool operator==(const Table&) const = default;
+  };
+  std::vector<Table> tables;
+};
+
+/// Complete records in order. Collective; throws InputError.
+[[nodiscard]] std::vector<StateRecord> state_records(const Hdf5File& file);
+
+class StateFile {
+ public:
+  /// Starts folder/state.h5 anew, or with `restart_step` continues it: records of later steps are dropped, and it is an
+  /// InputError if the file is no state file of this mesh (counts of nodes, elements, blocks); without a file there it
+  /// is started. Collective, as everything here; throws MachineError.
+  StateFile(const comm::Communicator& ranks, std::string folder, const StateMesh& mesh,
+            std::optional<GlobalIndex> restart_step = std::nullopt);
+
+  void write(GlobalIndex step, double time, std::span<const StateField> fields);
+
+ private:
+  void start(const StateMesh& mesh);
+  void resume(const StateMesh& mesh, GlobalIndex restart_step);
+  void write_mesh(const StateMesh& mesh);
+  void write_connectivity(const StateMesh& mesh);
+  void write_xdmf() const;
+
+  comm::Communicator ranks_;
+  std::string folder_;
+  GlobalIndex global_nodes_, global_elements_;
+  std::string topology_;  // the XDMF description of the cells
+  comm::BlockRedistribution nodes_, elements_;
+  std::unique_ptr<Hdf5File> file_;
+  std::vector<StateRecord> records_;
+};
+
+}  // namespace brunt::io

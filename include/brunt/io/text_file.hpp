@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small text files, read and replaced as a whole. Not collective: for the root rank.
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace brunt::io {
+
+/// Writes `path`.tmp, has it on disk, then renames: a reader sees the old text or the new one, never a part.
+/// Throws MachineError.
+void replace_text(const std::string& path, std::string_view text);
+
+/// Throws InputError if the file cannot be read.
+[[nodiscard]] std::string read_text(const std::string& path);
+
+/// Has a finished file on disk under its final name (fsync, rename, fsync of the folder). Throws MachineError.
+void rename_durably(const std::string& from, const std::string& to);
+
+}  // namespace brunt::io

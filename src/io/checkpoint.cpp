@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes, reads, finds and prunes checkpoints (see the header).
+#include "brunt/io/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <filesystem>
+#include <map>
+
+#include "brunt/core/error.hpp"
+#include "brunt/io/hdf5.hpp"
+#include "brunt/io/text_file.hpp"
+#include "brunt/model/hash.hpp"
+#include "checkpoint_tables.hpp"
+#include "on_root.hpp"
+
+namespace brunt::io {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr GlobalIndex format_version = 1;
+
+GlobalIndex header_hash(const CheckpointHeader& header, GlobalIndex nodes) {
+  const auto time = std::bit_cast<std::uint64_t>(header.time);
+  return static_cast<GlobalIndex>(
+      model::hash_text(fmt::format("{} {} {} {} {}", format_version, header.step, time, nodes, header.fingerprint)));
+}
+
+GlobalIndex table_hash(const comm::Communicator& ranks, const SavedTable& table, GlobalIndex first,
+                       std::span<const double> rows) {
+  const bool counted = table.array->entity != model::StateArray::Entity::global || ranks.is_root();
+  const std::uint64_t mine = counted ? model::hash_rows(table.path, first, rows, table.array->components) : 0;
+  return ranks.sum(static_cast<GlobalIndex>(mine));
+}
+
+void write_tables(Hdf5File& file, const CheckpointHeader& header, const model::Registry& registry) {
+  file.set_attribute("/", "format", format_version);
+  file.set_attribute("/", "fingerprint", header.fingerprint);
+  file.set_attribute("/", "step", header.step);
+  file.set_attribute("/", "time", header.time);
+  file.set_attribute("/", "nodes", registry.global_nodes);
+  file.set_attribute("/", "hash", header_hash(header, registry.global_nodes));
+  const TableLayout layout(file.ranks(), registry, TableLayout::Nodes::owned);
+  for (const SavedTable& table : saved_tables(registry)) {
+    std::vector<double> rows = layout.to_blocks(table);
+    const GlobalIndex hash = table_hash(file.ranks(), table, layout.rows(table).first, rows);
+    // The same on every rank: one copy is enough.
+    if (table.array->entity == model::StateArray::Entity::global && !file.ranks().is_root()) rows.clear();
+    file.create_doubles(table.path, table.rows, table.array->components);
+    file.write(table.path, layout.rows(table).first, std::span<const double>(rows));
+    file.set_attribute(table.path, "hash", hash);
+  }
+}
+
+// step -> path
+std::map<GlobalIndex, std::string> checkpoints_in(const std::string& folder) {
+  std::map<GlobalIndex, std::string> found;
+  const std::string prefix = "checkpoint_";
+  std::error_code no_folder;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, no_folder)) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() != ".h5" || name.rfind(prefix, 0) != 0) continue;
+    const std::string digits = name.substr(prefix.size());
+    if (digits.empty() || digits.size() > 18 || digits.find_first_not_of("0123456789") != std::string::npos) continue;
+    found[std::stoll(digits)] = entry.path().string();
+  }
+  return found;
+}
+
+// Keeps the checkpoint just written and the last before it; later ones belong to a run that was given up.
+void prune(const std::string& folder, GlobalIndex step) {
+  const auto found = checkpoints_in(folder);
+  auto before = found.lower_bound(step);
+  const GlobalIndex kept = before == found.begin() ? step : (--before)->first;
+  for (const auto& [other, path] : found)
+    if (other != step && other != kept) fs::remove(path);
+}
+
+CheckpointHeader sound_header(const Hdf5File& file) {
+  const GlobalIndex version = file.integer_attribute("/", "format");
+  if (version != format_version)
+    throw InputError(fmt::format("{}: checkpoint format {} is not known (this program reads {})", file.path(), version,
+                                 format_version));
+  CheckpointHeader header;
+  header.step = file.integer_attribute("/", "step");
+  header.time = file.real_attribute("/", "time");
+  header.fingerprint = file.text_attribute("/", "fingerprint");
+  if (file.integer_attribute("/", "hash") != header_hash(header, file.integer_attribute("/", "nodes")))
+    throw InputError(file.path() + ": the header is damaged (its hash differs from the stored one)");
+  return header;
+}
+
+std::vector<std::string> without(const std::vector<std::string>& names, const std::vector<std::string>& others) {
+  std::vector<std::string> rest;
+  std::set_difference(names.begin(), names.end(), others.begin(), others.end(), std::back_inserter(rest));
+  return rest;
+}
+
+void check_same_tables(const Hdf5File& file, const std::vector<SavedTable>& tables) {
+  std::vector<std::string> wanted;
+  for (const SavedTable& table : tables) wanted.push_back(table.path.substr(1));
+  std::sort(wanted.begin(), wanted.end());
+  const std::vector<std::string> stored = file.datasets("/");
+  std::vector<std::string> faults;
+  for (const std::string& name : without(wanted, stored))
+    faults.push_back(fmt::format("{}: does not fit this model: it has no table {}", file.path(), name));
+  for (const std::string& name : without(stored, wanted))
+    faults.push_back(fmt::format("{}: does not fit this model, which has no {}", file.path(), name));
+  if (!faults.empty()) throw InputError(std::move(faults));
+  for (const SavedTable& table : tables) {
+    const Hdf5File::Extent found = file.extent(table.path);
+    if (found != Hdf5File::Extent{table.rows, table.array->components, Hdf5File::Type::doubles})
+      faults.push_back(fmt::format("{}: does not fit this model: {} is {} x {}, expected {} x {}", file.path(),
+                                   table.path.substr(1), found.rows, found.width, table.rows, table.array->components));
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+std::vector<double> sound_rows(const Hdf5File& file, const SavedTable& table, const RowRange& range) {
+  std::vector<double> rows(static_cast<std::size_t>(range.count) * static_cast<std::size_t>(table.array->components));
+  file.read(table.path, range.first, std::span<double>(rows));
+  if (table_hash(file.ranks(), table, range.first, rows) != file.integer_attribute(table.path, "hash"))
+    throw InputError(
+        fmt::format("{}: {} is damaged (the hash of its values differs from the stored one); restart from "
+                    "the checkpoint before",
+                    file.path(), table.path.substr(1)));
+  return rows;
+}
+
+}  // namespace
+
+std::string write_checkpoint(const comm::Communicator& ranks, const std::string& folder, const CheckpointHeader& header,
+                             const model::Registry& registry) {
+  const std::string path = fmt::format("{}/checkpoint_{:09}.h5", folder, header.step);
+  const std::string draft = path + ".tmp";
+  try {
+    Hdf5File file(ranks, draft, Hdf5File::Mode::create);
+    write_tables(file, header, registry);
+    file.close();
+  } catch (const MachineError&) {
+    std::error_code ignored;  // what matters is why the checkpoint failed
+    if (ranks.is_root()) fs::remove(draft, ignored);
+    throw;
+  }
+  on_root(ranks, [&] {
+    rename_durably(draft, path);
+    prune(folder, header.step);
+  });
+  return path;
+}
+
+CheckpointHeader read_checkpoint_header(const comm::Communicator& ranks, const std::string& path) {
+  return sound_header(Hdf5File(ranks, path, Hdf5File::Mode::read));
+}
+
+CheckpointHeader read_checkpoint(const comm::Communicator& ranks, const std::string& path,
+                                 const std::string& fingerprint, const model::Registry& registry) {
+  const Hdf5File file(ranks, path, Hdf5File::Mode::read);
+  CheckpointHeader header = sound_header(file);
+  if (header.fingerprint != fingerprint)
+    throw InputError(fmt::format("{}: written by another scene or program version (\"{}\", this run is \"{}\")", path,
+                                 header.fingerprint, fingerprint));
+  const std::vector<SavedTable> tables = saved_tables(registry);
+  check_same_tables(file, tables);
+  const TableLayout layout(ranks, registry, TableLayout::Nodes::all);
+  std::vector<std::vector<double>> rows;
+  rows.reserve(tables.size());
+  for (const SavedTable& table : tables) rows.push_back(sound_rows(file, table, layout.rows(table)));
+  for (std::size_t i = 0; i < tables.size(); ++i) layout.from_blocks(tables[i], rows[i]);
+  return header;
+}
+
+std::optional<std::string> latest_checkpoint(const std::string& folder) {
+  const auto found = checkpoints_in(folder);
+  if (found.empty()) return std::nullopt;
+  return found.rbegin()->second;
+}
+
+}  // namespace brunt::io

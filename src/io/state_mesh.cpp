@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// The mesh of a state file: from a rank's piece of the model, and into the file.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "brunt/io/state_file.hpp"
+#include "brunt/io/xdmf.hpp"
+#include "state_topology.hpp"
+
+namespace brunt::io {
+namespace {
+
+constexpr double xdmf_tetrahedron = 6, xdmf_hexahedron = 9;
+
+StateBlock state_block(const mesh::LocalMesh& mesh, std::size_t b) {
+  const mesh::LocalBlock& local = mesh.blocks[b];
+  StateBlock block{mesh.block_name[b], mesh.block_id[b], local.shape, local.input, {}};
+  for (const LocalIndex node : local.nodes) block.nodes.push_back(mesh.input_node[static_cast<std::size_t>(node)]);
+  return block;
+}
+
+std::vector<double> as_doubles(const std::vector<GlobalIndex>& values) {
+  return {values.begin(), values.end()};  // exact: indices stay below 2^53
+}
+
+// Rows of integers that each rank holds by index, brought into blocks and written from row `offset` of the table on.
+void write_integers(Hdf5File& file, const std::string& table, GlobalIndex offset,
+                    const comm::BlockRedistribution& redistribution, const std::vector<double>& held, int width) {
+  const Rank rank = file.ranks().rank();
+  const comm::BlockLayout& layout = redistribution.layout();
+  std::vector<double> block(static_cast<std::size_t>(layout.count(rank)) * static_cast<std::size_t>(width));
+  redistribution.to_blocks(held, block, width);
+  std::vector<std::int64_t> integers;
+  integers.reserve(block.size());
+  for (const double value : block) integers.push_back(std::llround(value));
+  const GlobalIndex table_width = file.extent(table).width;
+  file.write(table, offset + layout.first(rank) * width / table_width, std::span<const std::int64_t>(integers));
+}
+
+// The nodes of each element, led by the type of the cell where shapes are mixed.
+std::vector<double> cells(const StateBlock& block, bool mixed) {
+  if (!mixed) return as_doubles(block.nodes);
+  const auto width = static_cast<std::size_t>(nodes_per_element(block.shape));
+  std::vector<double> stream;
+  for (std::size_t i = 0; i < block.nodes.size(); ++i) {
+    if (i % width == 0) stream.push_back(block.shape == mesh::Shape::hex8 ? xdmf_hexahedron : xdmf_tetrahedron);
+    stream.push_back(static_cast<double>(block.nodes[i]));
+  }
+  return stream;
+}
+
+std::vector<GlobalIndex> element_counts(const comm::Communicator& ranks, const StateMesh& mesh) {
+  std::vector<GlobalIndex> counts;
+  for (const StateBlock& block : mesh.blocks) counts.push_back(static_cast<GlobalIndex>(block.element.size()));
+  ranks.sum(counts);
+  return counts;
+}
+
+XdmfCells cells_of(const StateMesh& mesh, const std::vector<GlobalIndex>& counts) {
+  XdmfCells result;
+  if (!mesh.blocks.empty()) result.shape = mesh.blocks.front().shape;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    result.mixed = result.mixed || mesh.blocks[b].shape != result.shape;
+    result.stream_length += counts[b] * (nodes_per_element(mesh.blocks[b].shape) + 1);
+  }
+  return result;
+}
+
+}  // namespace
+
+StateMesh state_mesh(const mesh::LocalMesh& mesh, Rank rank) {
+  StateMesh result;
+  result.global_nodes = mesh.global_nodes;
+  result.global_elements = mesh.global_elements;
+  for (std::size_t i = 0; i < mesh.node_gid.size(); ++i) {
+    if (mesh.owner[i] != rank) continue;
+    result.node.push_back(mesh.input_node[i]);
+    result.node_id.push_back(mesh.node_id[i]);
+    const Vec3 position = mesh.coordinates[i] + mesh.origin;
+    result.coordinates.insert(result.coordinates.end(), position.begin(), position.end());
+  }
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) result.blocks.push_back(state_block(mesh, b));
+  return result;
+}
+
+std::string state_topology(const comm::Communicator& ranks, const StateMesh& mesh) {
+  return xdmf_topology(cells_of(mesh, element_counts(ranks, mesh)), mesh.global_elements);
+}
+
+void StateFile::write_connectivity(const StateMesh& mesh) {
+  const std::vector<GlobalIndex> counts = element_counts(ranks_, mesh);
+  const XdmfCells kind = cells_of(mesh, counts);
+  const int one_width = nodes_per_element(kind.shape);
+  file_->create_integers("/mesh/connectivity", kind.mixed ? kind.stream_length : global_elements_,
+                         kind.mixed ? 1 : one_width);
+  GlobalIndex first = 0, offset = 0;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const StateBlock& block = mesh.blocks[b];
+    std::vector<GlobalIndex> in_block = block.element;
+    for (GlobalIndex& element : in_block) element -= first;
+    const int width = nodes_per_element(block.shape) + (kind.mixed ? 1 : 0);
+    const comm::BlockRedistribution rows(ranks_, counts[b], in_block);
+    write_integers(*file_, "/mesh/connectivity", offset, rows, cells(block, kind.mixed), width);
+    const std::string group = fmt::format("/mesh/block_{}", b);
+    file_->create_group(group);
+    file_->set_attribute(group, "name", block.name);
+    file_->set_attribute(group, "id", block.id);
+    file_->set_attribute(group, "nodes_per_element", GlobalIndex{nodes_per_element(block.shape)});
+    file_->set_attribute(group, "first", first);
+    file_->set_attribute(group, "count", counts[b]);
+    first += counts[b];
+    offset += kind.mixed ? counts[b] * width : counts[b];
+  }
+}
+
+void StateFile::write_mesh(const StateMesh& mesh) {
+  file_->create_group("/mesh");
+  file_->create_doubles("/mesh/coordinates", global_nodes_, 3);
+  std::vector<double> block(static_cast<std::size_t>(nodes_.layout().count(ranks_.rank())) * 3);
+  nodes_.to_blocks(mesh.coordinates, block, 3);
+  file_->write("/mesh/coordinates", nodes_.layout().first(ranks_.rank()), std::span<const double>(block));
+  file_->create_integers("/mesh/node_id", global_nodes_, 1);
+  write_integers(*file_, "/mesh/node_id", 0, nodes_, as_doubles(mesh.node_id), 1);
+  std::vector<double> element_block;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+    element_block.insert(element_block.end(), mesh.blocks[b].element.size(), static_cast<double>(b));
+  file_->create_integers("/mesh/element_block", global_elements_, 1);
+  write_integers(*file_, "/mesh/element_block", 0, elements_, element_block, 1);
+  write_connectivity(mesh);
+}
+
+}  // namespace brunt::io

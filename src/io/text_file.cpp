@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Text files replaced as a whole (see the header).
+#include "brunt/io/text_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "brunt/core/error.hpp"
+
+namespace brunt::io {
+namespace {
+
+[[noreturn]] void fail(const std::string& path, const char* action) {
+  throw MachineError(path + ": cannot " + action + ": " + std::strerror(errno));
+}
+
+// Some file systems cannot sync folders; the rename itself is atomic all the same.
+void sync_folder_of(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  const int handle = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY);
+  if (handle < 0) return;
+  ::fsync(handle);
+  ::close(handle);
+}
+
+}  // namespace
+
+void rename_durably(const std::string& from, const std::string& to) {
+  const int file = ::open(from.c_str(), O_RDONLY);
+  if (file < 0) fail(from, "open the file");
+  const bool synced = ::fsync(file) == 0;
+  ::close(file);
+  if (!synced) fail(from, "bring the file to disk");
+  if (std::rename(from.c_str(), to.c_str()) != 0) fail(to, "put the file in its place");
+  sync_folder_of(to);
+}
+
+void replace_text(const std::string& path, std::string_view text) {
+  const std::string draft = path + ".tmp";
+  std::FILE* file = std::fopen(draft.c_str(), "wb");
+  if (file == nullptr) fail(draft, "create the file");
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  if (const bool closed = std::fclose(file) == 0; !written || !closed) fail(draft, "write the file");
+  rename_durably(draft, path);
+}
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path))
+    throw InputError(path + ": cannot read the file: " + std::strerror(file ? EISDIR : errno));
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+}  // namespace brunt::io
