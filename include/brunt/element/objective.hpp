@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The objective stress update of one integration point, of second order in the step.
+#pragma once
+#include "brunt/core/simd.hpp"
+#include "brunt/geometry/rotation.hpp"
+
+namespace brunt::element {
+
+/// Strain and rotation of a step, both as seen from its end.
+struct StrainStep {
+  Pack strain[6];    ///< increment, tensor components xx, yy, zz, xy, yz, zx
+  Pack rotation[9];  ///< row major
+};
+
+/// From the velocity gradient L (row major) in the midpoint configuration. The midpoint strain increment d is seen from
+/// the end of the step as R^(1/2) d R^(-1/2) = d + (w d - d w)/2 + O(w^2 d), w the spin increment: without the
+/// second term the update s <- R s R^T + C d is of first order only (T. J. R. Hughes, J. Winget, Int. J. Numer. Meth.
+/// Eng. 15 (1980) 1862 leave it out). Rigid motions give no strain and their exact rotation.
+inline StrainStep strain_step(const Pack (&L)[9], double dt) {
+  const double half = 0.5 * dt;
+  const Pack xx = dt * L[0], yy = dt * L[4], zz = dt * L[8];
+  const Pack xy = half * (L[1] + L[3]), yz = half * (L[5] + L[7]), zx = half * (L[2] + L[6]);
+  const Pack spin[3] = {half * (L[7] - L[5]), half * (L[2] - L[6]), half * (L[3] - L[1])};
+  StrainStep step;
+  geometry::rotation_of_spin(spin, step.rotation);
+  const auto& [wx, wy, wz] = spin;
+  step.strain[0] = xx - wz * xy + wy * zx;
+  step.strain[1] = yy + wz * xy - wx * yz;
+  step.strain[2] = zz - wy * zx + wx * yz;
+  step.strain[3] = xy + 0.5 * (wz * (xx - yy) + wy * yz - wx * zx);
+  step.strain[4] = yz + 0.5 * (wx * (yy - zz) + wz * zx - wy * xy);
+  step.strain[5] = zx + 0.5 * (wy * (zz - xx) + wx * xy - wz * yz);
+  return step;
+}
+
+/// Stress (6 packs), history tensors and scalars of a rate law from t_n - dt to t_n.
+template <class Response>
+inline void update_stress(const Response& law, const StrainStep& step, Pack* stress, Pack* tensors, Pack* scalars) {
+  Pack s[6];
+  for (int c = 0; c < 6; ++c) s[c] = stress[c];
+  geometry::rotate_tensor(step.rotation, s);
+  for (int t = 0; t < Response::tensors; ++t) geometry::rotate_tensor(step.rotation, tensors + 6 * t);
+  law.update(step.strain, s, tensors, scalars);
+  for (int c = 0; c < 6; ++c) stress[c] = s[c];
+}
+
+}  // namespace brunt::element

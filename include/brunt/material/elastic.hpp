@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Isotropic linear elasticity in rate form, and the tangent bound that all rate laws share.
+#pragma once
+#include "brunt/core/simd.hpp"
+#include "brunt/material/law.hpp"
+
+namespace brunt::material {
+
+// Every response gives the element kernels the same words:
+//   hyperelastic     false: rate law, update(); true: stress from the deformation gradient, stress()
+//   tensors          symmetric tensors in the history that the element rotates with the material, after the stress
+//   scalars          further history
+//   density, lambda, mu   constants of the virgin material, for hourglass control and bulk viscosity
+// Symmetric tensors are stored xx, yy, zz, xy, yz, zx with tensor (not engineering) shear components.
+
+/// Bound of the current stiffness of a rate law, initial stress included: for every velocity gradient L with
+/// symmetric part D, the second-order power L : dP/dt (nominal stress P, current reference) obeys
+///   L : dP/dt <= lambda tr(L)^2 + 2 mu L : L.
+/// For the Jaumann rate, L : dP/dt = D : C : D + tr(D) s : D + [W^T W s] + 2 [W s D] - [D D s]. With s = m 1 + dev,
+/// the bracket terms are at most (|m| + |dev|) L : L and tr(D) s : D at most m tr^2 + |dev| (3/2 tr^2 + 1/2 L : L);
+/// the spectral norm |dev| is bounded by the largest row sum. Compression lowers lambda and raises mu.
+inline void rate_law_tangent(double elastic_lambda, double elastic_mu, const Pack (&stress)[6], Pack& lambda,
+                             Pack& mu) {
+  const Pack mean = (stress[0] + stress[1] + stress[2]) * (1.0 / 3.0);
+  const Pack xy = pack_abs(stress[3]), yz = pack_abs(stress[4]), zx = pack_abs(stress[5]);
+  const Pack dev_norm = pack_max(pack_max(pack_abs(stress[0] - mean) + xy + zx, pack_abs(stress[1] - mean) + xy + yz),
+                                 pack_abs(stress[2] - mean) + yz + zx);
+  lambda = elastic_lambda + mean + 1.5 * dev_norm;
+  mu = elastic_mu + 0.5 * pack_abs(mean) + 0.75 * dev_norm;
+}
+
+/// Hooke's law for the increment: d stress = lambda tr(de) 1 + 2 mu de.
+inline void add_elastic_increment(double lambda, double mu, const Pack (&de)[6], Pack (&stress)[6]) {
+  const Pack volumetric = lambda * (de[0] + de[1] + de[2]);
+  const double two_mu = 2.0 * mu;
+  for (int i = 0; i < 3; ++i) {
+    stress[i] += volumetric + two_mu * de[i];
+    stress[i + 3] += two_mu * de[i + 3];
+  }
+}
+
+struct ElasticResponse {
+  static constexpr bool hyperelastic = false;
+  static constexpr int tensors = 0;
+  static constexpr int scalars = 0;
+
+  explicit ElasticResponse(const Elastic& constants) {
+    const ElasticModuli moduli = initial_moduli(constants);
+    density = moduli.density;
+    lambda = moduli.lambda;
+    mu = moduli.mu;
+  }
+
+  /// Stress at the end of the step from the stress rotated to the end of the step and the strain increment de.
+  void update(const Pack (&de)[6], Pack (&stress)[6], Pack* /*tensors*/, Pack* /*scalars*/) const {
+    add_elastic_increment(lambda, mu, de, stress);
+  }
+
+  /// See rate_law_tangent.
+  void tangent(const Pack (&stress)[6], Pack& lambda_bound, Pack& mu_bound) const {
+    rate_law_tangent(lambda, mu, stress, lambda_bound, mu_bound);
+  }
+
+  double density, lambda, mu;
+};
+
+}  // namespace brunt::material

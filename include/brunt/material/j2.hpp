@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// J2 plasticity with associated flow and mixed isotropic-kinematic hardening, by radial return.
+#pragma once
+#include <limits>
+#include <type_traits>
+
+#include "brunt/core/simd.hpp"
+#include "brunt/material/elastic.hpp"
+#include "brunt/material/law.hpp"
+#include "brunt/material/yield_curve.hpp"
+
+namespace brunt::material {
+
+/// Of one return: increment of the equivalent plastic strain, and how far the centre of the yield surface moves.
+struct PlasticReturn {
+  Pack strain, centre;
+};
+
+/// Yield stress a line over the plastic strain: closed form.
+class LinearHardening {
+ public:
+  LinearHardening(const J2& constants, double shear_modulus)
+      : yield_(constants.yield),
+        isotropic_slope_((1 - constants.kinematic) * constants.hardening),
+        kinematic_slope_(constants.kinematic * constants.hardening),
+        inverse_stiffness_(1 / (3 * shear_modulus + constants.hardening)) {}
+
+  [[nodiscard]] PlasticReturn close(Pack equivalent, Pack plastic_strain) const {
+    const Pack excess = equivalent - (yield_ + isotropic_slope_ * plastic_strain);
+    const Pack increment = pack_max(excess, Pack{}) * inverse_stiffness_;
+    return {increment, kinematic_slope_ * increment};
+  }
+
+ private:
+  double yield_, isotropic_slope_, kinematic_slope_, inverse_stiffness_;
+};
+
+/// Yield stress by table: lane by lane, only where a lane could yield.
+class TableHardening {
+ public:
+  TableHardening(const J2& constants, double shear_modulus)
+      : curve_(constants.table, shear_modulus), share_(constants.kinematic), smallest_(radius(curve_.smallest())) {}
+
+  [[nodiscard]] PlasticReturn close(Pack equivalent, Pack plastic_strain) const {
+    PlasticReturn step{};
+    if (!any(equivalent > smallest_)) return step;
+    for (int lane = 0; lane < pack_width; ++lane) {
+      if (!(equivalent[lane] > smallest_)) continue;
+      const double before = curve_.at(plastic_strain[lane]);
+      const double excess = equivalent[lane] - radius(before);
+      if (!(excess > 0)) continue;
+      const double increment = curve_.plastic_increment(plastic_strain[lane], excess);
+      step.strain[lane] = increment;
+      step.centre[lane] = share_ * (curve_.at(plastic_strain[lane] + increment) - before);
+    }
+    return step;
+  }
+
+ private:
+  [[nodiscard]] double radius(double yield) const {
+    return curve_.initial() + (1 - share_) * (yield - curve_.initial());
+  }
+
+  YieldCurve curve_;
+  double share_, smallest_;
+};
+
+/// Radial return (M. L. Wilkins, Methods in Comput. Physics 3 (1964) 211; with back stress R. D. Krieg, S. W. Key 1976;
+/// J. C. Simo, T. J. R. Hughes, Computational Inelasticity (1998), box 3.1).
+/// With Y(p) the hardening curve and k the kinematic share, the yield surface has the radius
+/// Y(0) + (1 - k) (Y(p) - Y(0)) and its centre moves by k dY along the flow. Then for any k the plastic strain
+/// increment solves 3 G dp + dY = q_trial - radius. History: back stress (a deviator) where kinematic, then the
+/// equivalent plastic strain p. `tabulated` is true exactly where constants.table is not empty, `kinematic` wherever
+/// constants.kinematic > 0.
+template <bool tabulated, bool kinematic>
+struct J2Response {
+  static constexpr bool hyperelastic = false;
+  static constexpr int tensors = kinematic ? 1 : 0;
+  static constexpr int scalars = 1;
+
+  /// Throws InputError where the table is not a hardening curve.
+  explicit J2Response(const J2& constants) : J2Response(constants, initial_moduli(constants)) {}
+
+  /// Stress, back stress (six packs) and plastic strain (one) at the end of the step. The tensors come in
+  /// rotated to the end of the step; `de` is the strain increment.
+  void update(const Pack (&de)[6], Pack (&stress)[6], [[maybe_unused]] Pack* back_stress, Pack* plastic_strain) const {
+    add_elastic_increment(lambda, mu, de, stress);
+    const Pack mean = (stress[0] + stress[1] + stress[2]) * (1.0 / 3.0);
+    Pack flow[6];  // trial stress deviator seen from the centre of the yield surface
+    for (int i = 0; i < 6; ++i) {
+      flow[i] = i < 3 ? stress[i] - mean : stress[i];
+      if constexpr (kinematic) flow[i] -= back_stress[i];
+    }
+    const Pack normal = flow[0] * flow[0] + flow[1] * flow[1] + flow[2] * flow[2];
+    const Pack shear = flow[3] * flow[3] + flow[4] * flow[4] + flow[5] * flow[5];
+    // the floor keeps the division finite where the trial stress is zero
+    const Pack floor = broadcast(std::numeric_limits<double>::min());
+    const Pack equivalent = pack_max(pack_sqrt(1.5 * normal + 3.0 * shear), floor);
+
+    const PlasticReturn step = hardening.close(equivalent, plastic_strain[0]);
+    const Pack inverse = 1.0 / equivalent;
+    const Pack back = (3.0 * mu) * step.strain * inverse;
+    for (int i = 0; i < 6; ++i) {
+      stress[i] -= back * flow[i];
+      if constexpr (kinematic) back_stress[i] += step.centre * inverse * flow[i];
+    }
+    plastic_strain[0] += step.strain;
+  }
+
+  /// See rate_law_tangent: plastic flow never stiffens the elastic response.
+  void tangent(const Pack (&stress)[6], Pack& lambda_bound, Pack& mu_bound) const {
+    rate_law_tangent(lambda, mu, stress, lambda_bound, mu_bound);
+  }
+
+  double density, lambda, mu;
+  std::conditional_t<tabulated, TableHardening, LinearHardening> hardening;
+
+ private:
+  J2Response(const J2& constants, const ElasticModuli& moduli)
+      : density(moduli.density), lambda(moduli.lambda), mu(moduli.mu), hardening(constants, moduli.mu) {}
+};
+
+}  // namespace brunt::material

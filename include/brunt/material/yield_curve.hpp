@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Yield stress over equivalent plastic strain, piecewise linear, and the plastic strain that closes a return to it.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace brunt::material {
+
+/// Straight pieces of a hardening table; beyond the last point the curve is flat.
+class YieldCurve {
+ public:
+  /// `table`: (equivalent plastic strain, yield stress) pairs, strains from 0 and rising, stresses positive.
+  /// `shear_modulus` > 0: a piece may soften by less than three times of it, else no return exists.
+  /// Throws InputError with one line a fault.
+  YieldCurve(const std::vector<std::array<double, 2>>& table, double shear_modulus);
+
+  [[nodiscard]] double initial() const { return pieces_.front().yield; }
+  /// The smallest yield stress anywhere on the curve.
+  [[nodiscard]] double smallest() const;
+  /// Yield stress at `plastic_strain` >= 0.
+  [[nodiscard]] double at(double plastic_strain) const;
+
+  /// The increment d >= 0 that solves 3 G d + Y(p + d) - Y(p) = excess, p the plastic strain before the step and
+  /// excess >= 0 the trial equivalent stress above yield. Exact: one division in the piece where the return ends.
+  [[nodiscard]] double plastic_increment(double plastic_strain, double excess) const;
+
+ private:
+  struct Piece {
+    double strain, yield, slope;  ///< at its start; d yield / d strain along it
+  };
+  [[nodiscard]] std::size_t piece_of(double plastic_strain) const;
+
+  std::vector<Piece> pieces_;
+  double three_shear_;
+};
+
+}  // namespace brunt::material

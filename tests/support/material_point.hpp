@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// One material point driven by strain increments or by deformation gradients; all eight lanes do the same.
+#pragma once
+// g++ 12 takes the undefined lanes of its own AVX-512 intrinsics for a fault (GCC bug 105593); Eigen brings them in
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include <Eigen/Dense>
+#include <random>
+
+#include "brunt/core/simd.hpp"
+#include "brunt/element/objective.hpp"
+
+namespace brunt::test {
+
+using Matrix = Eigen::Matrix3d;
+
+inline Matrix symmetric_matrix(const Pack* s, int lane = 0) {
+  Matrix m;
+  m << s[0][lane], s[3][lane], s[5][lane], s[3][lane], s[1][lane], s[4][lane], s[5][lane], s[4][lane], s[2][lane];
+  return m;
+}
+
+inline void set_symmetric(const Matrix& m, Pack (&s)[6]) {
+  const double entry[6] = {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(2, 0)};
+  for (int c = 0; c < 6; ++c) s[c] = broadcast(entry[c]);
+}
+
+inline void set_full(const Matrix& m, Pack (&F)[9]) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) F[3 * i + j] = broadcast(m(i, j));
+}
+
+/// Entries uniform in [-size, size].
+inline Matrix random_matrix(std::mt19937& engine, double size) {
+  std::uniform_real_distribution<double> entry(-size, size);
+  return Matrix::NullaryExpr([&] { return entry(engine); });
+}
+
+inline double equivalent(const Matrix& s) {
+  const Matrix deviator = s - Matrix::Identity() * (s.trace() / 3);
+  return std::sqrt(1.5) * deviator.norm();
+}
+
+/// A rate law and its state.
+template <class Response>
+struct RatePoint {
+  Response law;
+  Pack stress[6]{}, tensors[6]{}, scalars[1]{};
+
+  void strain(const Matrix& increment) {
+    Pack de[6];
+    set_symmetric(increment, de);
+    law.update(de, stress, tensors, scalars);
+  }
+  /// The step an element makes: gradient of the displacement increment in the midpoint configuration.
+  void deform(const Matrix& before, const Matrix& after) {
+    const Matrix gradient = (after - before) * (0.5 * (before + after)).inverse();
+    Pack L[9];
+    set_full(gradient, L);
+    element::update_stress(law, element::strain_step(L, 1.0), stress, tensors, scalars);
+  }
+  [[nodiscard]] Matrix cauchy(int lane = 0) const { return symmetric_matrix(stress, lane); }
+  [[nodiscard]] double plastic_strain(int lane = 0) const { return scalars[0][lane]; }
+};
+
+/// Cauchy stress of a hyperelastic law.
+template <class Response>
+Matrix cauchy_stress(const Response& law, const Matrix& F) {
+  Pack gradient[9], stress[6];
+  set_full(F, gradient);
+  law.stress(gradient, stress);
+  return symmetric_matrix(stress);
+}
+
+using Matrix9 = Eigen::Matrix<double, 9, 9>;
+
+/// The quadratic form lambda tr(L)^2 + 2 mu L : L on the nine entries of L.
+inline Matrix9 bound_form(double lambda, double mu) {
+  const Matrix unit = Matrix::Identity();
+  const Eigen::Map<const Eigen::Matrix<double, 9, 1>> trace(unit.data());
+  return 2 * mu * Matrix9::Identity() + lambda * trace * trace.transpose();
+}
+
+/// The form L : d(nominal stress)/dt for velocity gradients L; `nominal(H)` is the nominal stress after the
+/// displacement gradient H, by central differences.
+template <class Nominal>
+Matrix9 stiffness_form(const Nominal& nominal, double step) {
+  Matrix9 form;
+  for (int c = 0; c < 9; ++c) {
+    Matrix H = Matrix::Zero();
+    H.data()[c] = step;
+    const Matrix rate = (nominal(H) - nominal(-H)) / (2 * step);
+    form.col(c) = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(rate.data());
+  }
+  return 0.5 * (form + form.transpose());
+}
+
+inline double smallest_eigenvalue(const Matrix9& form) {
+  return Eigen::SelfAdjointEigenSolver<Matrix9>(form).eigenvalues()[0];
+}
+
+}  // namespace brunt::test
