@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The data that detection, enforcement and ghosting share: contact nodes and constraint rows.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "brunt/core/types.hpp"
+
+namespace brunt::contact {
+
+/// How a node answers an impulse: its velocity changes by inverse_mass * projector * impulse.
+struct Mobility {
+  double inverse_mass = 0;            ///< [1/mass]; 0 for a node that nothing moves
+  Mat3 projector = Mat3::Identity();  ///< nothing along constrained directions
+};
+
+/// What the step knows of a node before contact.
+struct NodeMotion {
+  Vec3 position = Vec3::Zero();      ///< x_n
+  Vec3 old_velocity = Vec3::Zero();  ///< v at n - 1/2
+  Vec3 predicted = Vec3::Zero();     ///< v*, the velocity at n + 1/2 without contact
+};
+constexpr int node_motion_width = 9;
+static_assert(sizeof(NodeMotion) == node_motion_width * sizeof(double));
+
+/// Which impulses a row admits.
+enum class Cone : std::int8_t {
+  compression,  ///< it pushes or does nothing
+  free          ///< it holds both ways
+};
+
+/// One constraint: sum_i weights[i] normal . v[nodes[i]] >= required (equal, for a free cone).
+/// An impulse lambda [momentum] changes the momentum of node i by lambda weights[i] normal.
+struct Row {
+  GlobalIndex slave_gid = 0;
+  GlobalIndex master_key = 0;         ///< face key; for wall w: -1 - w. Rows are ordered by (slave_gid, master_key)
+  std::array<LocalIndex, 5> nodes{};  ///< contact nodes, the slave first
+  std::array<double, 5> weights{};    ///< +1, then minus the weights of the face's corners
+  std::int32_t node_count = 0;
+  std::int32_t slave_body = 0, master_body = 0;
+  std::int32_t master_block = 0;  ///< no_index for a wall
+  Vec3 normal = Vec3::Zero();     ///< unit, out of the master
+  double gap = 0;                 ///< at x_n: > 0 open, < 0 penetration
+  double required = 0;            ///< least rate [velocity]: -gap/dt when open, a limited recovery when closed
+  Cone cone = Cone::compression;
+};
+
+}  // namespace brunt::contact

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// What enforcement needs from other ranks, without knowing that there are any. Arrays hold `width` doubles for each
+// contact node of this rank; a node has one owner and any number of copies.
+#pragma once
+#include <span>
+
+namespace brunt::contact {
+
+class Exchange {
+ public:
+  virtual ~Exchange() = default;
+  /// Copies take their owner's values.
+  virtual void share(std::span<double> values, int width) = 0;
+  /// The owner's values become the sum over all copies; copies are left as they are. Only for values whose sums are
+  /// exact (slices of binned sums, counts), so that the order does not matter.
+  virtual void sum_to_owner(std::span<double> values, int width) = 0;
+  /// Maximum over all ranks, element by element, in place.
+  virtual void max(std::span<double> values) = 0;
+};
+
+/// One rank with all nodes: nothing to exchange.
+class OneRankExchange final : public Exchange {
+ public:
+  void share(std::span<double> /*values*/, int /*width*/) override {}
+  void sum_to_owner(std::span<double> /*values*/, int /*width*/) override {}
+  void max(std::span<double> /*values*/) override {}
+};
+
+}  // namespace brunt::contact
