@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Generated bodies of hexahedra: one block named after the part, ids from 1, named node sets and side sets.
+//
+// A set PART_xmin is there twice under one name: as the nodes and as the element sides of that surface.
+// Lengths are in the scene's unit. Each function throws InputError (one line a fault) where a length is not positive
+// and finite, or an element count is too small or the mesh would outgrow 32-bit indices.
+#pragma once
+#include <array>
+#include <string>
+
+#include "brunt/mesh/mesh.hpp"
+
+namespace brunt::mesh {
+
+/// From the origin to `size`; nodes and elements in lexicographic order, x fastest.
+/// Sets PART_xmin, _xmax, _ymin, _ymax, _zmin, _zmax.
+Mesh box(const std::string& part, const Vec3& size, const std::array<int, 3>& elements);
+
+/// In the x-y plane, centre of the lower face at the origin; order and sets as in `box`.
+Mesh plate(const std::string& part, const std::array<double, 2>& size, double thickness,
+           const std::array<int, 3>& elements);
+
+/// Solid, axis z, foot centre at the origin. elements: across the radius (>= 2), along the axis. The section is a
+/// butterfly: a rounded square core within rings; all its outer nodes lie on the circle.
+/// Sets PART_bottom, _top, _side.
+Mesh cylinder(const std::string& part, double radius, double length, const std::array<int, 2>& elements);
+
+/// Axis z, foot centre at the origin. elements: through the wall, around (>= 3), along.
+/// Sets PART_bottom, _top, _side (outside), _inner.
+Mesh tube(const std::string& part, double inner_radius, double outer_radius, double length,
+          const std::array<int, 3>& elements);
+
+/// Solid, centre at the origin. elements: across the radius (>= 2). A rounded cube core within shells, each of its
+/// faces projected from the centre with equal angles. Set PART_surface.
+Mesh sphere(const std::string& part, double radius, int elements);
+
+}  // namespace brunt::mesh

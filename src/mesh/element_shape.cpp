@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Legal collapses and Jacobians of single elements.
+#include "element_shape.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+
+#include "brunt/mesh/topology.hpp"
+
+namespace brunt::mesh {
+namespace {
+
+using Corners = unsigned;  // a set of local corners, one bit each
+
+/// Corners at the other ends of the three edges, right-handed: the edges' triple product is positive.
+constexpr std::array<std::array<int, 3>, 8> hex_edges{
+    {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
+
+constexpr Corners bit(int corner) {
+  return 1U << corner;
+}
+
+bool is_edge(Corners set) {
+  if (std::popcount(set) != 2) return false;
+  const int corner = std::countr_zero(set);
+  for (const int other : hex_edges[static_cast<std::size_t>(corner)])
+    if (set == (bit(corner) | bit(other))) return true;
+  return false;
+}
+
+bool is_face(Corners set) {
+  for (const auto& face : hex_faces) {
+    Corners corners = 0;
+    for (const int c : face) corners |= bit(c);
+    if (set == corners) return true;
+  }
+  return false;
+}
+
+double scaled_triple_product(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double lengths = a.norm() * b.norm() * c.norm();
+  return lengths > 0 ? a.cross(b).dot(c) / lengths : 0.0;
+}
+
+}  // namespace
+
+bool corners_are_legal(Shape shape, const LocalIndex* element) {
+  std::vector<Corners> repeated;
+  const int count = nodes_per_element(shape);
+  Corners seen = 0;
+  for (int i = 0; i < count; ++i) {
+    if (seen & bit(i)) continue;
+    Corners same = 0;
+    for (int j = i; j < count; ++j)
+      if (element[j] == element[i]) same |= bit(j);
+    seen |= same;
+    if (std::popcount(same) > 1) repeated.push_back(same);
+  }
+  if (repeated.empty()) return true;
+  if (shape == Shape::tet4) return false;
+  if (repeated.size() == 1) return is_face(repeated[0]);
+  if (repeated.size() > 2) return false;
+  const auto [fewer, more] =
+      std::minmax(repeated[0], repeated[1], [](Corners a, Corners b) { return std::popcount(a) < std::popcount(b); });
+  return is_edge(fewer) && (is_face(more) || (is_edge(more) && is_face(fewer | more)));
+}
+
+WorstJacobian worst_jacobian(Shape shape, const LocalIndex* element, const std::vector<Vec3>& coordinates) {
+  const auto x = [&](int k) -> const Vec3& { return coordinates[static_cast<std::size_t>(element[k])]; };
+  if (shape == Shape::tet4) return {scaled_triple_product(x(1) - x(0), x(2) - x(0), x(3) - x(0)), -1};
+  const Vec3 xi = x(1) + x(2) + x(5) + x(6) - x(0) - x(3) - x(4) - x(7);
+  const Vec3 eta = x(2) + x(3) + x(6) + x(7) - x(0) - x(1) - x(4) - x(5);
+  const Vec3 zeta = x(4) + x(5) + x(6) + x(7) - x(0) - x(1) - x(2) - x(3);
+  WorstJacobian worst{scaled_triple_product(xi, eta, zeta), -1};
+  for (int k = 0; k < 8; ++k) {
+    const auto& ends = hex_edges[static_cast<std::size_t>(k)];
+    const bool collapsed = std::any_of(ends.begin(), ends.end(), [&](int e) { return element[e] == element[k]; });
+    if (collapsed) continue;
+    const double scaled = scaled_triple_product(x(ends[0]) - x(k), x(ends[1]) - x(k), x(ends[2]) - x(k));
+    if (!(scaled >= worst.scaled)) worst = {scaled, k};
+  }
+  return worst;
+}
+
+}  // namespace brunt::mesh

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shared steps of the generated bodies.
+#include "hex_body.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "brunt/core/error.hpp"
+#include "brunt/mesh/topology.hpp"
+
+namespace brunt::mesh {
+
+void ParameterCheck::positive(const char* name, double value) {
+  holds(std::isfinite(value) && value > 0, fmt::format("{} must be positive, got {}", name, value));
+}
+
+void ParameterCheck::at_least(const char* name, int value, int least) {
+  holds(value >= least, fmt::format("{} must be at least {}, got {}", name, least, value));
+}
+
+void ParameterCheck::holds(bool condition, const std::string& fault) {
+  if (!condition) faults_.push_back(fmt::format("{}: {}", body_, fault));
+}
+
+void ParameterCheck::fits(double nodes) {
+  const double most = std::numeric_limits<LocalIndex>::max() / 8;  // eight corners an element in one array
+  holds(nodes <= most, fmt::format("{:.3g} nodes are more than one mesh can hold ({:.3g})", nodes, most));
+}
+
+void ParameterCheck::finish() const {
+  if (!faults_.empty()) throw InputError(faults_);
+}
+
+Mesh hex_body(const std::string& part, std::vector<Vec3> coordinates, std::vector<LocalIndex> nodes) {
+  Mesh mesh;
+  mesh.node_id.resize(coordinates.size());
+  std::iota(mesh.node_id.begin(), mesh.node_id.end(), 1);
+  mesh.coordinates = std::move(coordinates);
+  Block& block = mesh.blocks.emplace_back(Block{part, 1, Shape::hex8, std::move(nodes), {}});
+  block.element_id.resize(static_cast<std::size_t>(block.count()));
+  std::iota(block.element_id.begin(), block.element_id.end(), 1);
+  return mesh;
+}
+
+Mesh extrude(const std::string& part, const Section& section, double length, int layers) {
+  const auto layer_nodes = static_cast<LocalIndex>(section.points.size());
+  std::vector<Vec3> coordinates;
+  coordinates.reserve(section.points.size() * static_cast<std::size_t>(layers + 1));
+  for (int k = 0; k <= layers; ++k)
+    for (const auto& p : section.points) coordinates.emplace_back(p[0], p[1], length * k / layers);
+  std::vector<LocalIndex> nodes;
+  nodes.reserve(8 * section.quads.size() * static_cast<std::size_t>(layers));
+  for (int k = 0; k < layers; ++k)
+    for (const auto& quad : section.quads)
+      for (const int level : {k, k + 1})
+        for (const LocalIndex corner : quad) nodes.push_back(corner + level * layer_nodes);
+  return hex_body(part, std::move(coordinates), std::move(nodes));
+}
+
+void add_surface_sets(Mesh& mesh, const std::vector<SurfaceSet>& sets) {
+  const auto sides = exterior_sides(mesh);
+  for (const auto& [name, on_surface] : sets) {
+    auto& nodes = mesh.node_sets[name];
+    for (LocalIndex n = 0; n < static_cast<LocalIndex>(mesh.coordinates.size()); ++n)
+      if (on_surface(n)) nodes.push_back(n);
+    auto& chosen = mesh.side_sets[name];
+    for (const Side& side : sides) {
+      const Block& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+      const auto face = face_nodes(block.shape, block.element(side.element), side.face);
+      if (std::all_of(face.begin(), face.end(), [&](LocalIndex n) { return n == no_index || on_surface(n); }))
+        chosen.push_back(side);
+    }
+  }
+}
+
+}  // namespace brunt::mesh

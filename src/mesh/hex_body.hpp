@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the generated bodies share: checks of their parameters, extrusion of a section, sets on their surfaces.
+#pragma once
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "brunt/mesh/mesh.hpp"
+
+namespace brunt::mesh {
+
+/// Quadrilaterals in the x-y plane, each counter-clockwise seen from z+.
+struct Section {
+  std::vector<std::array<double, 2>> points;
+  std::vector<std::array<LocalIndex, 4>> quads;
+};
+
+/// Collects faults of one body's parameters; `finish` throws them together.
+class ParameterCheck {
+ public:
+  explicit ParameterCheck(std::string body) : body_(std::move(body)) {}
+  void positive(const char* name, double value);
+  void at_least(const char* name, int value, int least);
+  void holds(bool condition, const std::string& fault);
+  void fits(double nodes);
+  void finish() const;
+
+ private:
+  std::string body_;
+  std::vector<std::string> faults_;
+};
+
+/// One block, ids from 1; `nodes` eight a row.
+Mesh hex_body(const std::string& part, std::vector<Vec3> coordinates, std::vector<LocalIndex> nodes);
+
+/// Layers of the section from z = 0 to `length`, the section's order within each.
+Mesh extrude(const std::string& part, const Section& section, double length, int layers);
+
+/// Adds the nodes for which `on_surface(node)` holds as a node set, and the exterior sides that have only such nodes as
+/// a side set of the same name.
+struct SurfaceSet {
+  std::string name;
+  std::function<bool(LocalIndex node)> on_surface;
+};
+void add_surface_sets(Mesh& mesh, const std::vector<SurfaceSet>& sets);
+
+}  // namespace brunt::mesh

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// Boxes, plates, cylinders and tubes: sections extruded along z.
+#include "brunt/mesh/primitives.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "hex_body.hpp"
+#include "rounded_core.hpp"
+
+namespace brunt::mesh {
+namespace {
+
+struct Placed {
+  double low = 0, size = 0;
+  int cells = 0;
+  [[nodiscard]] double at(int i) const { return low + size * i / cells; }
+};
+
+Section rectangle(const Placed& x, const Placed& y) {
+  Section section;
+  for (int j = 0; j <= y.cells; ++j)
+    for (int i = 0; i <= x.cells; ++i) section.points.push_back({x.at(i), y.at(j)});
+  const int row = x.cells + 1;
+  for (int j = 0; j < y.cells; ++j)
+    for (int i = 0; i < x.cells; ++i) {
+      const LocalIndex corner = i + row * j;
+      section.quads.push_back({corner, corner + 1, corner + 1 + row, corner + row});
+    }
+  return section;
+}
+
+Mesh block_of_cells(const std::string& part, const Placed& x, const Placed& y, double height, int layers) {
+  Mesh mesh = extrude(part, rectangle(x, y), height, layers);
+  const int nx = x.cells, ny = y.cells;
+  const auto i = [nx](LocalIndex n) { return n % (nx + 1); };
+  const auto j = [nx, ny](LocalIndex n) { return n / (nx + 1) % (ny + 1); };
+  const auto k = [nx, ny](LocalIndex n) { return n / ((nx + 1) * (ny + 1)); };
+  add_surface_sets(mesh, {{part + "_xmin", [=](LocalIndex n) { return i(n) == 0; }},
+                          {part + "_xmax", [=](LocalIndex n) { return i(n) == nx; }},
+                          {part + "_ymin", [=](LocalIndex n) { return j(n) == 0; }},
+                          {part + "_ymax", [=](LocalIndex n) { return j(n) == ny; }},
+                          {part + "_zmin", [=](LocalIndex n) { return k(n) == 0; }},
+                          {part + "_zmax", [=](LocalIndex n) { return k(n) == layers; }}});
+  return mesh;
+}
+
+/// Corners of a square's outline of half width k, counter-clockwise from (-k, -k), 8 k of them.
+std::vector<std::array<int, 2>> outline(int k) {
+  std::vector<std::array<int, 2>> corners;
+  for (int i = -k; i < k; ++i) corners.push_back({i, -k});
+  for (int j = -k; j < k; ++j) corners.push_back({k, j});
+  for (int i = k; i > -k; --i) corners.push_back({i, k});
+  for (int j = k; j > -k; --j) corners.push_back({-k, j});
+  return corners;
+}
+
+/// Core cells in rows, then rings from the core outwards.
+Section butterfly(double radius, int n) {
+  const RoundedCore core(radius, n);
+  const int k = core.half_cells(), rings = n - k, row = 2 * k + 1;
+  Section section = rectangle({0, 1, 2 * k}, {0, 1, 2 * k});
+  for (int j = -k; j <= k; ++j)
+    for (int i = -k; i <= k; ++i) {
+      const Vec3 x = core.inside({i, j, 0});
+      section.points[static_cast<std::size_t>(i + k + row * (j + k))] = {x[0], x[1]};
+    }
+  const auto corners = outline(k);
+  const auto around = static_cast<LocalIndex>(corners.size());
+  const auto node = [&](int ring, LocalIndex c) {
+    const auto& [i, j] = corners[static_cast<std::size_t>(c % around)];
+    return ring == 0 ? i + k + row * (j + k) : row * row + (ring - 1) * around + c % around;
+  };
+  for (int ring = 1; ring <= rings; ++ring)
+    for (const auto& [i, j] : corners) {
+      const Vec3 x = core.outside({i, j, 0}, ring);
+      section.points.push_back({x[0], x[1]});
+    }
+  for (int ring = 0; ring < rings; ++ring)
+    for (LocalIndex c = 0; c < around; ++c)
+      section.quads.push_back({node(ring, c), node(ring + 1, c), node(ring + 1, c + 1), node(ring, c + 1)});
+  return section;
+}
+
+Section annulus(double inner, double outer, int through, int around) {
+  Section section;
+  for (int c = 0; c < around; ++c) {
+    const double angle = 2 * std::numbers::pi * c / around;
+    for (int r = 0; r <= through; ++r) {
+      const double radius = inner + (outer - inner) * r / through;
+      section.points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+  }
+  const int row = through + 1;
+  for (int c = 0; c < around; ++c)
+    for (int r = 0; r < through; ++r) {
+      const LocalIndex here = c * row + r, there = (c + 1) % around * row + r;
+      section.quads.push_back({here, here + 1, there + 1, there});
+    }
+  return section;
+}
+
+}  // namespace
+
+Mesh box(const std::string& part, const Vec3& size, const std::array<int, 3>& elements) {
+  ParameterCheck check("box " + part);
+  for (int i = 0; i < 3; ++i) {
+    check.positive("size", size[i]);
+    check.at_least("elements", elements[static_cast<std::size_t>(i)], 1);
+  }
+  check.fits((elements[0] + 1.0) * (elements[1] + 1.0) * (elements[2] + 1.0));
+  check.finish();
+  return block_of_cells(part, {0, size[0], elements[0]}, {0, size[1], elements[1]}, size[2], elements[2]);
+}
+
+Mesh plate(const std::string& part, const std::array<double, 2>& size, double thickness,
+           const std::array<int, 3>& elements) {
+  ParameterCheck check("plate " + part);
+  for (const double s : size) check.positive("size", s);
+  check.positive("thickness", thickness);
+  for (const int n : elements) check.at_least("elements", n, 1);
+  check.fits((elements[0] + 1.0) * (elements[1] + 1.0) * (elements[2] + 1.0));
+  check.finish();
+  return block_of_cells(part, {-size[0] / 2, size[0], elements[0]}, {-size[1] / 2, size[1], elements[1]}, thickness,
+                        elements[2]);
+}
+
+Mesh cylinder(const std::string& part, double radius, double length, const std::array<int, 2>& elements) {
+  ParameterCheck check("cylinder " + part);
+  check.positive("radius", radius);
+  check.positive("length", length);
+  check.at_least("elements across the radius", elements[0], 2);
+  check.at_least("elements along the axis", elements[1], 1);
+  check.fits(4.0 * elements[0] * elements[0] * (elements[1] + 1.0));
+  check.finish();
+  const Section section = butterfly(radius, elements[0]);
+  Mesh mesh = extrude(part, section, length, elements[1]);
+  const auto layer = static_cast<LocalIndex>(section.points.size());
+  const LocalIndex outer = layer - 8 * RoundedCore(radius, elements[0]).half_cells();
+  const LocalIndex top = layer * elements[1];
+  add_surface_sets(mesh, {{part + "_bottom", [=](LocalIndex n) { return n < layer; }},
+                          {part + "_top", [=](LocalIndex n) { return n >= top; }},
+                          {part + "_side", [=](LocalIndex n) { return n % layer >= outer; }}});
+  return mesh;
+}
+
+Mesh tube(const std::string& part, double inner_radius, double outer_radius, double length,
+          const std::array<int, 3>& elements) {
+  ParameterCheck check("tube " + part);
+  check.positive("inner_radius", inner_radius);
+  check.positive("outer_radius", outer_radius);
+  check.holds(inner_radius < outer_radius,
+              fmt::format("inner_radius {} must be below outer_radius {}", inner_radius, outer_radius));
+  check.positive("length", length);
+  check.at_least("elements through the wall", elements[0], 1);
+  check.at_least("elements around", elements[1], 3);
+  check.at_least("elements along the axis", elements[2], 1);
+  check.fits((elements[0] + 1.0) * elements[1] * (elements[2] + 1.0));
+  check.finish();
+  Mesh mesh = extrude(part, annulus(inner_radius, outer_radius, elements[0], elements[1]), length, elements[2]);
+  const LocalIndex row = elements[0] + 1, layer = row * elements[1], top = layer * elements[2];
+  add_surface_sets(mesh, {{part + "_bottom", [=](LocalIndex n) { return n < layer; }},
+                          {part + "_top", [=](LocalIndex n) { return n >= top; }},
+                          {part + "_side", [=](LocalIndex n) { return n % row == row - 1; }},
+                          {part + "_inner", [=](LocalIndex n) { return n % row == 0; }}});
+  return mesh;
+}
+
+}  // namespace brunt::mesh

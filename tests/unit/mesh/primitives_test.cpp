@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Generated bodies against solid geometry: volume, closed surfaces, area and place of the named sets.
+#include "brunt/mesh/primitives.hpp"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "brunt/core/error.hpp"
+#include "brunt/mesh/check.hpp"
+#include "brunt/mesh/topology.hpp"
+
+using namespace brunt;
+using namespace brunt::mesh;
+using std::numbers::pi;
+
+namespace {
+
+const Vec3& at(const Mesh& mesh, LocalIndex node) {
+  return mesh.coordinates[static_cast<std::size_t>(node)];
+}
+
+/// Vector area of a (possibly bilinear) quadrilateral: half the cross product of its diagonals.
+Vec3 vector_area(const Mesh& mesh, const Side& side) {
+  const auto n = face_nodes(Shape::hex8, mesh.blocks[0].element(side.element), side.face);
+  return 0.5 * (at(mesh, n[2]) - at(mesh, n[0])).cross(at(mesh, n[3]) - at(mesh, n[1]));
+}
+
+Vec3 face_centre(const Mesh& mesh, const Side& side) {
+  const auto n = face_nodes(Shape::hex8, mesh.blocks[0].element(side.element), side.face);
+  return 0.25 * (at(mesh, n[0]) + at(mesh, n[1]) + at(mesh, n[2]) + at(mesh, n[3]));
+}
+
+/// Divergence theorem over the exterior; exact for plane faces, of second order else.
+double enclosed_volume(const Mesh& mesh) {
+  double volume = 0;
+  for (const Side& side : exterior_sides(mesh)) volume += face_centre(mesh, side).dot(vector_area(mesh, side)) / 3;
+  return volume;
+}
+
+double area(const Mesh& mesh, const std::string& set) {
+  double sum = 0;
+  for (const Side& side : mesh.side_sets.at(set)) sum += vector_area(mesh, side).norm();
+  return sum;
+}
+
+/// Every edge of the exterior belongs to exactly two of its faces.
+bool closed(const Mesh& mesh) {
+  std::map<std::pair<LocalIndex, LocalIndex>, int> faces_at;
+  for (const Side& side : exterior_sides(mesh)) {
+    const auto n = face_nodes(Shape::hex8, mesh.blocks[0].element(side.element), side.face);
+    for (std::size_t k = 0; k < 4; ++k) ++faces_at[std::minmax(n[k], n[(k + 1) % 4])];
+  }
+  return std::all_of(faces_at.begin(), faces_at.end(), [](const auto& entry) { return entry.second == 2; });
+}
+
+void require_sound(const Mesh& mesh) {
+  const CheckReport report = check(mesh);
+  CHECK(report.faults == std::vector<std::string>{});
+  CHECK(report.warnings == std::vector<std::string>{});
+  CHECK(closed(mesh));
+}
+
+}  // namespace
+
+TEST_CASE("a box is numbered lexicographically", "[primitives]") {
+  const Mesh mesh = box("b", {2, 3, 4}, {2, 3, 5});
+  require_sound(mesh);
+  CHECK(mesh.blocks[0].name == "b");
+  CHECK(mesh.blocks[0].count() == 30);
+  CHECK(at(mesh, 1) == Vec3(1, 0, 0));
+  CHECK(at(mesh, 3) == Vec3(0, 1, 0));
+  CHECK(at(mesh, 12) == Vec3(0, 0, 0.8));
+  CHECK(mesh.coordinates.back() == Vec3(2, 3, 4));
+  CHECK(std::vector(mesh.blocks[0].element(1), mesh.blocks[0].element(2)) ==
+        std::vector<LocalIndex>{1, 2, 5, 4, 13, 14, 17, 16});
+  CHECK(enclosed_volume(mesh) == Approx(24));
+  CHECK(area(mesh, "b_xmin") == Approx(12));
+  CHECK(area(mesh, "b_ymax") == Approx(8));
+  CHECK(area(mesh, "b_zmax") == Approx(6));
+  for (const LocalIndex n : mesh.node_sets.at("b_ymax")) CHECK(at(mesh, n)[1] == 3);
+  CHECK(mesh.node_sets.at("b_ymax").size() == 3 * 6);
+}
+
+TEST_CASE("a plate stands on its centre", "[primitives]") {
+  const Mesh mesh = plate("p", {2, 4}, 0.5, {4, 4, 1});
+  require_sound(mesh);
+  CHECK(mesh.coordinates.front() == Vec3(-1, -2, 0));
+  CHECK(mesh.coordinates.back() == Vec3(1, 2, 0.5));
+  CHECK(area(mesh, "p_zmin") == Approx(8));
+  CHECK(mesh.side_sets.at("p_xmax").size() == 4);
+}
+
+TEST_CASE("a cylinder's section is a regular polygon", "[primitives]") {
+  for (const int n : {2, 3, 5, 8}) {
+    const Mesh mesh = cylinder("c", 2, 3, {n, 4});
+    require_sound(mesh);
+    const double sides = static_cast<double>(mesh.side_sets.at("c_side").size()) / 4;
+    CHECK(enclosed_volume(mesh) == Approx(0.5 * sides * 4 * std::sin(2 * pi / sides) * 3).epsilon(1e-12));
+    CHECK(area(mesh, "c_side") == Approx(sides * 2 * 2 * std::sin(pi / sides) * 3).epsilon(1e-12));
+    CHECK(area(mesh, "c_top") == Approx(area(mesh, "c_bottom")));
+    CHECK(mesh.side_sets.at("c_top").size() * 4 == static_cast<std::size_t>(mesh.blocks[0].count()));
+    for (const LocalIndex node : mesh.node_sets.at("c_side"))
+      CHECK(at(mesh, node).head<2>().norm() == Approx(2).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("a tube has two round surfaces", "[primitives]") {
+  const Mesh mesh = tube("t", 1, 2, 3, {2, 12, 3});
+  require_sound(mesh);
+  CHECK(enclosed_volume(mesh) == Approx(0.5 * 12 * (4 - 1) * std::sin(2 * pi / 12) * 3));
+  CHECK(mesh.side_sets.at("t_inner").size() == 36);
+  CHECK(mesh.side_sets.at("t_side").size() == 36);
+  CHECK(area(mesh, "t_inner") == Approx(12 * 2 * std::sin(pi / 12) * 3));
+  for (const LocalIndex node : mesh.node_sets.at("t_inner"))
+    CHECK(at(mesh, node).head<2>().norm() == Approx(1).epsilon(1e-14));
+}
+
+TEST_CASE("a sphere's volume and surface converge with the square of the element size", "[primitives]") {
+  const auto volume_error = [](int n) {
+    return 1 - enclosed_volume(sphere("s", 1.5, n)) / (4.0 / 3 * pi * 1.5 * 1.5 * 1.5);
+  };
+  for (const int n : {2, 3, 4, 7}) {
+    const Mesh mesh = sphere("s", 1.5, n);
+    require_sound(mesh);
+    CHECK(mesh.side_sets.at("s_surface").size() == exterior_sides(mesh).size());
+    for (const LocalIndex node : mesh.node_sets.at("s_surface"))
+      CHECK(at(mesh, node).norm() == Approx(1.5).epsilon(1e-14));
+    Vec3 centroid = Vec3::Zero();
+    for (const Vec3& x : mesh.coordinates) centroid += x;
+    CHECK(centroid.norm() < 1e-10);
+  }
+  CHECK(volume_error(5) > 0);
+  CHECK(volume_error(5) / volume_error(10) == Approx(4).epsilon(0.1));
+}
+
+TEST_CASE("wrong parameters are named, all at once", "[primitives]") {
+  try {
+    tube("t", 2, 1, -3, {0, 12, 3});
+    FAIL("accepted");
+  } catch (const InputError& error) {
+    REQUIRE(error.faults().size() == 3);
+    CHECK(error.faults()[0] == "tube t: inner_radius 2 must be below outer_radius 1");
+    CHECK(error.faults()[1] == "tube t: length must be positive, got -3");
+    CHECK(error.faults()[2] == "tube t: elements through the wall must be at least 1, got 0");
+  }
+  CHECK_THROWS_AS(box("b", {1, NAN, 1}, {1, 1, 1}), InputError);
+  CHECK_THROWS_AS(box("b", {1, 1, 1}, {2000, 2000, 2000}), InputError);
+  CHECK_THROWS_AS(cylinder("c", 1, 1, {1, 1}), InputError);
+  CHECK_THROWS_AS(sphere("s", 1, 1), InputError);
+}
