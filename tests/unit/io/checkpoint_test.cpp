@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checkpoints: damage is found, other models are refused, the last two are kept, a full disk loses nothing.
+#include "brunt/io/checkpoint.hpp"
+
+#include <sys/resource.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "brunt/core/error.hpp"
+#include "brunt/io/hdf5.hpp"
+#include "scratch_folder.hpp"
+#include "small_model.hpp"
+
+using namespace brunt;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Fixture {
+  comm::Communicator self = comm::Communicator::self();
+  test::ScratchFolder folder{self};
+  test::SmallModel model{self};
+  Fixture() { model.fill_known(); }
+
+  std::string write(GlobalIndex step) {
+    return io::write_checkpoint(self, folder.path(), {step, 0.5, "scene"}, model.registry);
+  }
+  std::string fault_of(const std::string& path, const model::Registry& registry,
+                       const std::string& fingerprint = "scene") {
+    try {
+      io::read_checkpoint(self, path, fingerprint, registry);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write_bytes(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+// No file of this process can grow beyond `bytes`: what a full disk looks like from inside.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Fixture, "checkpoint: the last two are kept, and later ones of a run given up are not") {
+  CHECK_FALSE(io::latest_checkpoint(folder / "none"));
+  for (const int step : {10, 20, 30}) write(step);
+  CHECK_FALSE(fs::exists(folder / "checkpoint_000000010.h5"));
+  CHECK(fs::exists(folder / "checkpoint_000000020.h5"));
+  CHECK(io::latest_checkpoint(folder.path()) == folder / "checkpoint_000000030.h5");
+  write(25);
+  CHECK(fs::exists(folder / "checkpoint_000000020.h5"));
+  CHECK(io::latest_checkpoint(folder.path()) == folder / "checkpoint_000000025.h5");
+  CHECK(io::read_checkpoint_header(self, folder / "checkpoint_000000025.h5").step == 25);
+}
+
+TEST_CASE_METHOD(Fixture, "checkpoint: a file cut anywhere is refused and changes nothing") {
+  const std::string path = write(1);
+  const std::string whole = bytes_of(path);
+  test::SmallModel target(self);
+  const int before = target.wrong_values();
+  for (int tenth = 0; tenth < 10; ++tenth) {
+    write_bytes(path, whole.substr(0, whole.size() * static_cast<std::size_t>(tenth) / 10));
+    const std::string fault = fault_of(path, target.registry);
+    CHECK_THAT(fault, Catch::Contains(path));
+    CHECK(target.wrong_values() == before);
+  }
+}
+
+TEST_CASE_METHOD(Fixture, "checkpoint: a flipped bit among the values is found and the table named") {
+  const std::string path = write(1);
+  std::string bytes = bytes_of(path);
+  const double value = test::SmallModel::known(0, 2, 1);  // velocity of node 2
+  const std::size_t at = bytes.find(std::string(reinterpret_cast<const char*>(&value), sizeof value));
+  REQUIRE(at != std::string::npos);
+  bytes[at] = static_cast<char>(bytes[at] ^ 1);  // the last bit of the mantissa
+  write_bytes(path, bytes);
+  CHECK_THAT(fault_of(path, model.registry), Catch::Contains(path) && Catch::Contains("nodes/velocity is damaged"));
+}
+
+TEST_CASE_METHOD(Fixture, "checkpoint: a bit flipped anywhere is refused, or harmless") {
+  const std::string path = write(1);
+  const std::string whole = bytes_of(path);
+  int refused = 0;
+  for (std::size_t i = 0; i < 250; ++i) {
+    std::string bytes = whole;
+    char& byte = bytes[i * 7919 % whole.size()];
+    byte = static_cast<char>(byte ^ (1 << (i % 8)));
+    write_bytes(path, bytes);
+    test::SmallModel target(self);
+    const bool read = fault_of(path, target.registry).empty();
+    CHECK((read ? target.wrong_values() == 0 : true));
+    refused += read ? 0 : 1;
+  }
+  CHECK(refused > 20);  // the others lie in unused space of the file
+}
+
+TEST_CASE_METHOD(Fixture, "checkpoint: another scene, other arrays, other counts are told") {
+  const std::string path = write(1);
+  CHECK_THAT(fault_of(path, model.registry, "another"), Catch::Contains("another scene or program version"));
+  model::Registry renamed = model.registry;
+  renamed.arrays[0].name = "momentum";
+  CHECK_THAT(fault_of(path, renamed),
+             Catch::Contains("no table nodes/momentum") && Catch::Contains("has no nodes/velocity"));
+  model::Registry larger = model.registry;
+  larger.global_nodes += 1;
+  CHECK_THAT(fault_of(path, larger), Catch::Contains("nodes/velocity is 23 x 3, expected 24 x 3"));
+}
+
+TEST_CASE_METHOD(Fixture, "checkpoint: a full disk is a MachineError and leaves the checkpoints before as they were") {
+  const std::string sound = write(1);
+  {
+    const FileSizeLimit full_disk(4096);
+    CHECK_THROWS_AS(write(2), MachineError);
+  }
+  CHECK(io::latest_checkpoint(folder.path()) == sound);
+  CHECK_FALSE(fs::exists(folder / "checkpoint_000000002.h5.tmp"));
+  CHECK(fault_of(sound, model.registry).empty());
+}
+
+TEST_CASE_METHOD(Fixture, "checkpoint: no folder, and a file in the folder's place") {
+  CHECK_THROWS_WITH(io::write_checkpoint(self, folder / "none", {1, 0, ""}, model.registry),
+                    Catch::Contains("No such file"));
+  write_bytes(folder / "file", "x");
+  CHECK_THROWS_WITH(io::write_checkpoint(self, folder / "file", {1, 0, ""}, model.registry),
+                    Catch::Contains("Not a directory"));
+  CHECK_THAT(fault_of(folder / "none.h5", model.registry), Catch::Contains("No such file"));
+  CHECK_THAT(fault_of(folder / "file", model.registry), Catch::Contains("cannot open as an HDF5 file"));
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// The result folder and its summary.
+#include "brunt/io/result_folder.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "brunt/core/error.hpp"
+#include "brunt/io/summary.hpp"
+#include "brunt/io/text_file.hpp"
+#include "scratch_folder.hpp"
+
+using namespace brunt;
+using io::ExistingResults;
+namespace fs = std::filesystem;
+
+TEST_CASE("result folder: made with those above it; results in it are kept, replaced or refused as asked") {
+  const auto self = comm::Communicator::self();
+  const test::ScratchFolder scratch(self);
+  const std::string folder = scratch / "a/b.out";
+  io::prepare_result_folder(self, folder, ExistingResults::refuse);
+  CHECK(fs::is_empty(folder));
+  io::replace_text(folder + "/notes.txt", "mine");
+  io::prepare_result_folder(self, folder, ExistingResults::refuse);  // the user's own files are no results
+
+  for (const char* name : {"summary.json", "checkpoint_000000001.h5"}) io::replace_text(folder + "/" + name, "");
+  CHECK_THROWS_WITH(io::prepare_result_folder(self, folder, ExistingResults::refuse),
+                    Catch::Contains("checkpoint_000000001.h5") && Catch::Contains("--force"));
+  io::prepare_result_folder(self, folder, ExistingResults::keep);
+  CHECK(fs::exists(folder + "/summary.json"));
+  io::prepare_result_folder(self, folder, ExistingResults::replace);
+  CHECK_FALSE(fs::exists(folder + "/summary.json"));
+  CHECK(fs::exists(folder + "/notes.txt"));
+}
+
+TEST_CASE("result folder: a file in its place is the user's fault, a disk that refuses the machine's") {
+  const auto self = comm::Communicator::self();
+  const test::ScratchFolder scratch(self);
+  io::replace_text(scratch / "file", "");
+  CHECK_THROWS_AS(io::prepare_result_folder(self, scratch / "file", ExistingResults::refuse), InputError);
+  CHECK_THROWS_AS(io::prepare_result_folder(self, "/proc/results", ExistingResults::refuse), MachineError);
+}
+
+TEST_CASE("summary: readable JSON in the order given, numbers that JSON has not become null") {
+  const test::ScratchFolder folder(comm::Communicator::self());
+  nlohmann::ordered_json summary;
+  summary["steps"] = 400;
+  summary["momentum_error"] = std::numeric_limits<double>::quiet_NaN();
+  summary["warnings"] = {"bad \xff byte"};
+  io::write_summary(folder.path(), summary);
+  const auto read = nlohmann::ordered_json::parse(io::read_text(folder / "summary.json"));
+  CHECK(read.begin().key() == "steps");
+  CHECK(read["steps"] == 400);
+  CHECK(read["momentum_error"].is_null());
+  CHECK_FALSE(fs::exists(folder / "summary.json.tmp"));
+  CHECK_THROWS_AS(io::write_summary(folder / "none", summary), MachineError);
+}
