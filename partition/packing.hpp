@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// A piece of mesh as bytes, to be sent between ranks of one run (never to a file: the layout is this program's).
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "brunt/mesh/local_mesh.hpp"
+
+namespace brunt::partition {
+
+std::vector<std::byte> pack(mesh::LocalMesh piece);
+
+/// The inverse of `pack`.
+mesh::LocalMesh unpack(std::span<const std::byte> bytes);
+
+}  // namespace brunt::partition

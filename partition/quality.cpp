@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "partition/quality.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "brunt/core/error.hpp"
+#include "partition/sharing.hpp"
+
+namespace brunt::partition {
+
+namespace {
+
+template <class T>
+double imbalance(const std::vector<T>& weight, std::span<const Rank> part, int parts) {
+  std::vector<double> load(static_cast<std::size_t>(parts), 0.0);
+  for (std::size_t e = 0; e < weight.size(); ++e)
+    load[static_cast<std::size_t>(part[e])] += static_cast<double>(weight[e]);
+  const double total = std::accumulate(load.begin(), load.end(), 0.0);
+  return total > 0.0 ? *std::ranges::max_element(load) * parts / total : 1.0;
+}
+
+GlobalIndex cut_edges(const Ragged<LocalIndex>& graph, std::span<const Rank> part) {
+  GlobalIndex cut = 0;
+  for (LocalIndex e = 0; e < graph.rows(); ++e)
+    for (const LocalIndex other : graph.row(e))
+      if (other > e && part[static_cast<std::size_t>(other)] != part[static_cast<std::size_t>(e)]) ++cut;
+  return cut;
+}
+
+std::vector<int> neighbours_of_parts(const Sharing& sharing, int parts) {
+  std::set<std::pair<Rank, Rank>> pairs;
+  for (LocalIndex i = 0; i < sharing.holders.rows(); ++i)
+    for (const Rank a : sharing.holders.row(i))
+      for (const Rank b : sharing.holders.row(i))
+        if (a != b) pairs.emplace(a, b);
+  std::vector<int> neighbours(static_cast<std::size_t>(parts), 0);
+  for (const auto& [a, b] : pairs) ++neighbours[static_cast<std::size_t>(a)];
+  return neighbours;
+}
+
+}  // namespace
+
+Quality quality(const mesh::Mesh& mesh, const Ragged<LocalIndex>& graph, const Weights& weights,
+                std::span<const Rank> part, int parts) {
+  demand(parts >= 1 && part.size() == static_cast<std::size_t>(graph.rows()) && part.size() == weights.cost.size(),
+         "each element has a part and a weight");
+  const Sharing sharing = share_nodes(mesh, part);
+  const std::vector<int> neighbours = neighbours_of_parts(sharing, parts);
+  const std::set<Rank> used(part.begin(), part.end());
+  Quality q;
+  q.parts = parts;
+  q.empty_parts = parts - static_cast<int>(used.size());
+  q.elements = graph.rows();
+  q.contact_faces = std::accumulate(weights.contact_faces.begin(), weights.contact_faces.end(), GlobalIndex{0});
+  q.element_imbalance = imbalance(weights.cost, part, parts);
+  q.contact_imbalance = imbalance(weights.contact_faces, part, parts);
+  q.edge_cut = cut_edges(graph, part);
+  q.shared_nodes = static_cast<GlobalIndex>(sharing.shared.size());
+  q.neighbours_max = *std::ranges::max_element(neighbours);
+  q.neighbours_mean = std::accumulate(neighbours.begin(), neighbours.end(), 0.0) / parts;
+  return q;
+}
+
+}  // namespace brunt::partition
