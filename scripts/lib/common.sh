@@ -1,0 +1,45 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: Apache-2.0
+# What the scripts share: where the project is, how it is built, what MPI needs on this machine. Sourced, never run.
+
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+export BRUNT="${BRUNT:-$project/build/release/brunt}"  # the program that run, demo and study start
+
+# fail CODE MESSAGE: says what is wrong and ends the script with this code (2 wrong input, 4 the machine).
+fail() {
+  local code=$1
+  shift
+  printf '%s: %s\n' "${0##*/}" "$*" >&2
+  exit "$code"
+}
+
+# comment_block FILE: the comment at the top of a script is its help.
+comment_block() {
+  awk 'NR > 2 { if (!/^#/) exit; sub(/^# ?/, ""); print }' "$1"
+}
+
+# build_release [cmake --build options]: configures and builds with all cores.
+build_release() {
+  (cd "$project" && cmake --preset release >&2 && cmake --build --preset release --parallel "$(nproc)" "$@" >&2) ||
+    fail 4 "the build failed (see above)"
+}
+
+# mpi_environment RANKS: exports what Open MPI needs for RANKS ranks here; what the user has set stays.
+mpi_environment() {
+  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+  # Ranks are never tied to cores: two jobs of one rank would otherwise share core 0.
+  export OMPI_MCA_hwloc_base_binding_policy="${OMPI_MCA_hwloc_base_binding_policy:-none}"
+  export OMPI_MCA_rmaps_base_oversubscribe=1
+  # mpirun waits this long [s] between SIGTERM and SIGKILL, whenever it ends ranks: a checkpoint takes more than the
+  # usual second. A rank that returns a code in good order is no reason to end the others.
+  export OMPI_MCA_odls_base_sigkill_timeout="${OMPI_MCA_odls_base_sigkill_timeout:-10}"
+  export OMPI_MCA_orte_abort_on_non_zero_status=0
+  # Within one node: shared memory alone starts faster, and copying through it beats the kernel's copy.
+  if [ "${SLURM_JOB_NUM_NODES:-1}" -eq 1 ] && [ -z "${OMPI_MCA_orte_default_hostfile:-}" ]; then
+    export OMPI_MCA_pml="${OMPI_MCA_pml:-ob1}" OMPI_MCA_btl="${OMPI_MCA_btl:-self,vader}"
+    export OMPI_MCA_btl_vader_single_copy_mechanism="${OMPI_MCA_btl_vader_single_copy_mechanism:-none}"
+    if [ "$1" -gt "$(nproc)" ]; then
+      export OMPI_MCA_mpi_yield_when_idle="${OMPI_MCA_mpi_yield_when_idle:-1}"
+    fi
+  fi
+}
