@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "brunt/core/types.hpp"
+#include "brunt/element/options.hpp"
 #include "brunt/material/law.hpp"
 
 namespace brunt::scene {
@@ -62,15 +63,11 @@ struct MeshEntry {
   std::string key;  ///< key path for messages, "mesh.0"
 };
 
-enum class ElementKind { hex8, hex8_full, hex8_bbar, tet4 };
-enum class HourglassKind { none, viscous, stiffness };
-struct Hourglass {
-  HourglassKind kind = HourglassKind::stiffness;
-  double coefficient = 0.05;
-};
-struct BulkViscosity {
-  double linear = 0.06, quadratic = 1.2;
-};
+using element::BulkViscosity;
+using element::ElementKind;
+using element::Hourglass;
+using element::HourglassKind;
+
 struct Part {
   std::string name, block, material;  ///< block: name or number as text
   ElementKind element = ElementKind::hex8;
@@ -98,12 +95,12 @@ struct Fixed {
   std::array<bool, 3> dofs{};
 };
 struct Symmetry {
-  Vec3 point, normal;  ///< all nodes in the plane; faces in it are no contact faces
+  Vec3 point, normal;  ///< unit normal; all nodes in the plane; faces in it are no contact faces
 };
 struct Prescribed {
   std::string where;
   int dof = 0;
-  std::string curve;  ///< velocity over time; empty: constant 1
+  std::string curve;  ///< velocity over time, times `scale`; empty: constant 1
   double scale = 1;
 };
 struct Pressure {
@@ -120,7 +117,7 @@ struct Damping {
 };
 struct RigidWall {
   std::string name;
-  Vec3 point, normal;  ///< outward, towards the bodies
+  Vec3 point, normal;  ///< unit normal, outward, towards the bodies
   double friction = 0;
   bool bilateral = false;
   std::string motion;  ///< curve of the wall's velocity along its normal; empty: at rest
@@ -133,6 +130,7 @@ struct ContactEntry {
   double tolerance = 1e-3;
   int max_iterations = 50;
   enum class Slave { automatic, first, second } slave = Slave::automatic;
+  enum class InitialOverlap { error, warn } initial_overlap = InitialOverlap::error;
 };
 
 struct Probe {
@@ -175,6 +173,7 @@ struct Input {
   Output output;
   std::optional<double> history_every;
   std::optional<double> checkpoint_every;
+  std::vector<std::string> warnings;  ///< accepted, but worth a line to the user
 };
 
 }  // namespace brunt::scene

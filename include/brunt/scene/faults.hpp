@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The faults found while a scene is read: all are collected, then thrown at once.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace brunt::scene {
+
+/// Where a piece of a scene was written.
+struct Place {
+  std::string source{};  ///< the scene file, or "--set key.path=value"
+  int line = 0;          ///< in the file, from 1; 0 for an override
+};
+
+class Faults {
+ public:
+  /// One line: `FILE:LINE: key.path: what`; the path may be empty.
+  void add(const Place& place, std::string_view path, std::string_view what);
+  [[nodiscard]] bool any() const { return !lines_.empty(); }
+  /// Throws InputError with all faults, those of the file by line, then those of overrides.
+  void throw_if_any();
+
+ private:
+  struct Line {
+    int line;
+    std::string text;
+  };
+  std::vector<Line> lines_;
+};
+
+}  // namespace brunt::scene

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Typed reading of a scene's tree: each `read` checks one value, says what is accepted if it is wrong, and leaves the
+// target as it was.
+#pragma once
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "brunt/core/types.hpp"
+#include "brunt/scene/tree.hpp"
+
+namespace brunt::scene {
+
+/// What a name in a scene may refer to.
+enum class Named { material, curve, part, wall };
+
+/// A name used at one place that must be defined at another; checked when everything is read.
+struct Reference {
+  Place place;
+  std::string path, name;
+  Named kind;
+};
+
+/// What reading gathers beside the input itself.
+struct Findings {
+  Faults faults;
+  std::vector<Reference> references;
+};
+
+/// A value to read: where it stands in the tree (null if it is missing) and what it is called.
+struct Key {
+  const Tree* tree;
+  Place place;  ///< of the value, or of the map that lacks it
+  std::string path;
+  Findings* findings;
+};
+
+void fault(const Key& key, std::string_view what);
+/// "WHAT IS THERE; accepted: ACCEPTED": always false, so that a reader can return it.
+bool wrong(const Key& key, std::string_view accepted);
+/// The fault of a value or key that belongs to a later version: always false.
+bool later(const Key& key, std::string_view what, std::string_view accepted);
+
+struct Range {
+  double low, high;
+  bool low_included, high_included;
+  std::string_view words;
+  [[nodiscard]] bool holds(double x) const;
+};
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range any_number{-infinity, infinity, false, false, "a number"};
+constexpr Range positive{0, infinity, false, false, "a number > 0"};
+constexpr Range not_negative{0, infinity, true, false, "a number >= 0"};
+constexpr Range poisson_ratio{-1, 0.5, false, false, "a number > -1 and < 0.5"};
+constexpr Range share{0, 1, true, true, "a number from 0 to 1"};
+constexpr Range courant{0, 1, false, true, "a number > 0 and <= 1"};
+
+struct Count {
+  GlobalIndex low;
+  GlobalIndex high = std::numeric_limits<std::int32_t>::max();
+};
+
+enum class Vector { any, direction };  ///< a direction is not zero and comes back with length 1
+
+template <class Value>
+struct Choices {
+  std::vector<std::pair<std::string, Value>> now;
+  std::vector<std::string> later;  ///< words of the vocabulary that this version does not have
+};
+
+bool read(const Key& key, double& target, const Range& range);
+bool read(const Key& key, std::optional<double>& target, const Range& range);
+bool read(const Key& key, GlobalIndex& target, Count count);
+bool read(const Key& key, int& target, Count count);
+bool read(const Key& key, bool& target);
+bool read(const Key& key, std::string& target, std::string_view accepted);
+bool read(const Key& key, std::string& target, Named kind);  ///< also notes the reference
+bool read(const Key& key, Vec3& target, Vector kind);
+
+/// Entries of a list of `size` entries (any number for 0); nothing and a fault if it is something else.
+std::vector<Key> items(const Key& key, std::string_view accepted, std::size_t size = 0);
+/// Entries of a map of names; nothing and a fault if it is something else.
+std::vector<std::pair<std::string, Key>> entries(const Key& key, std::string_view accepted);
+
+template <std::size_t N>
+bool read(const Key& key, std::array<int, N>& target, Count count, std::string_view accepted) {
+  const std::vector<Key> counts = items(key, accepted, N);
+  bool good = counts.size() == N;
+  for (std::size_t i = 0; i < counts.size(); ++i) good = read(counts[i], target[i], count) && good;
+  return good;
+}
+template <std::size_t N>
+bool read(const Key& key, std::array<double, N>& target, const Range& range, std::string_view accepted) {
+  const std::vector<Key> numbers = items(key, accepted, N);
+  bool good = numbers.size() == N;
+  for (std::size_t i = 0; i < numbers.size(); ++i) good = read(numbers[i], target[i], range) && good;
+  return good;
+}
+
+/// Position of the value's word in `now`; `now.size()` and a fault if it is another one.
+std::size_t read_choice(const Key& key, const std::vector<std::string>& now, const std::vector<std::string>& later);
+
+template <class Value>
+bool read(const Key& key, Value& target, const Choices<Value>& choices) {
+  std::vector<std::string> now;
+  for (const auto& choice : choices.now) now.push_back(choice.first);
+  const std::size_t chosen = read_choice(key, now, choices.later);
+  if (chosen < now.size()) target = choices.now[chosen].second;
+  return chosen < now.size();
+}
+
+/// A map with known keys. Every key asked for is a known one; at the end of the section's life its other keys are
+/// faults that name the nearest known key.
+class Section {
+ public:
+  Section(const Key& key, std::string_view accepted);
+  Section(const Section&) = delete;
+  Section& operator=(const Section&) = delete;
+  ~Section();
+
+  [[nodiscard]] const Key& key() const { return key_; }
+  [[nodiscard]] bool is_map() const { return is_map_; }
+  /// Is the key there? It becomes a known key.
+  bool has(std::string_view name);
+  /// The value of a key, or a missing one.
+  Key at(std::string_view name);
+  /// A key of the vocabulary that this version does not have: a fault if it is there.
+  void not_yet(std::string_view name, std::string_view accepted);
+
+  /// Reads the key into a target; that it is missing is a fault.
+  template <class... Target>
+  bool required(std::string_view name, Target&&... target) {
+    const Key value = at(name);
+    return is_map_ && read(value, std::forward<Target>(target)...);
+  }
+  /// Reads the key into a target if it is there.
+  template <class... Target>
+  bool optional(std::string_view name, Target&&... target) {
+    return has(name) && read(at(name), std::forward<Target>(target)...);
+  }
+
+ private:
+  void know(std::string_view name);
+
+  Key key_;
+  bool is_map_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace brunt::scene

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sections of a scene file, each read by one function; `scene` is the section of the top-level keys.
+#pragma once
+#include <string>
+
+#include "brunt/scene/input.hpp"
+#include "brunt/scene/reader.hpp"
+
+namespace brunt::scene {
+
+void read_mesh(Section& scene, Input& input);
+void read_sets(Section& scene, Input& input);
+void read_curves(Section& scene, Input& input);
+void read_materials(Section& scene, Input& input);
+void read_parts(Section& scene, Input& input);
+void read_initial(Section& scene, Input& input);
+void read_supports(Section& scene, Input& input);  ///< fixed, symmetry, prescribed
+void read_loads(Section& scene, Input& input);     ///< pressure, gravity, damping
+void read_rigid_walls(Section& scene, Input& input);
+void read_contact(Section& scene, Input& input);
+void read_probes(Section& scene, Input& input);
+void read_run(Section& scene, Input& input);  ///< run, output, history, checkpoint
+
+/// A selection: exactly one of the keys `part` (noted as a reference) and `set`.
+bool read_selection(Section& entry, std::string& where);
+/// A friction coefficient, or a map of static, kinetic and decay: this version has 0 only.
+void read_no_friction(Section& entry, double& friction);
+
+/// Names that are used but not defined, generated parts without an entry in `parts`, names used twice.
+void check_references(const Input& input, Section& scene);
+
+}  // namespace brunt::scene

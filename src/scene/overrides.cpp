@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/scene/overrides.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+
+namespace brunt::scene {
+namespace {
+
+std::vector<std::string> steps_of(const std::string& path) {
+  std::vector<std::string> steps(1);
+  for (const char c : path) {
+    if (c == '.') {
+      steps.emplace_back();
+    } else {
+      steps.back() += c;
+    }
+  }
+  return steps;
+}
+
+Tree* list_entry(Tree& list, const std::string& step, const std::string& path, const Place& place, Faults& faults) {
+  std::size_t index = list.children.size();
+  const char* last = step.data() + step.size();
+  const auto [end, error] = std::from_chars(step.data(), last, index);
+  if (error == std::errc{} && end == last && index < list.children.size()) return &list.children[index];
+  faults.add(place, path, fmt::format("no such entry; accepted: an index from 0 below {}", list.children.size()));
+  return nullptr;
+}
+
+Tree* map_entry(Tree& map, const std::string& step, const Place& place) {
+  if (Tree* found = map.find(step)) return found;
+  map.kind = Tree::Kind::map;
+  map.keys.push_back(step);
+  map.children.push_back(Tree{.place = place});
+  return &map.children.back();
+}
+
+void erase(Tree& map, const std::string& key) {
+  for (std::size_t i = 0; i < map.keys.size(); ++i) {
+    if (map.keys[i] != key) continue;
+    map.keys.erase(map.keys.begin() + static_cast<std::ptrdiff_t>(i));
+    map.children.erase(map.children.begin() + static_cast<std::ptrdiff_t>(i));
+    return;
+  }
+}
+
+void apply(Tree& scene, const std::string& path, const Tree& value, const Place& place, Faults& faults) {
+  const std::vector<std::string> steps = steps_of(path);
+  Tree* at = &scene;
+  Tree* parent = nullptr;
+  std::string walked;
+  for (const std::string& step : steps) {
+    const bool lone_mesh = walked == "mesh" && at->kind == Tree::Kind::map && step == "0";
+    walked += (walked.empty() ? "" : ".") + step;
+    if (lone_mesh) continue;  // a mesh of one body may be written without the list
+    if (at->kind == Tree::Kind::value) {
+      return faults.add(place, walked, "its parent is a single value; accepted: a path through maps and lists");
+    }
+    parent = at;
+    at = at->kind == Tree::Kind::list ? list_entry(*at, step, walked, place, faults) : map_entry(*at, step, place);
+    if (at == nullptr) return;
+  }
+  const bool take_away = value.kind == Tree::Kind::null && parent != nullptr && parent->kind == Tree::Kind::map;
+  if (take_away) return erase(*parent, steps.back());
+  *at = value;
+}
+
+}  // namespace
+
+void apply_overrides(Tree& scene, std::span<const std::string> overrides, Faults& faults) {
+  for (const std::string& override_text : overrides) {
+    const Place place{"--set " + override_text, 0};
+    const std::size_t equals = override_text.find('=');
+    const std::string path = override_text.substr(0, equals);
+    const bool empty_step =
+        path.empty() || path.front() == '.' || path.back() == '.' || path.find("..") != std::string::npos;
+    if (equals == std::string::npos || empty_step) {
+      faults.add(place, "", "no key with a value; accepted: --set key.path=value, such as run.end=1.0e-5");
+      continue;
+    }
+    const std::optional<Tree> value = parse_value(override_text.substr(equals + 1), place, faults);
+    if (value) apply(scene, path, *value, place, faults);
+  }
+}
+
+}  // namespace brunt::scene

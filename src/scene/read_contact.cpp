@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact between parts.
+#include <fmt/format.h>
+
+#include "brunt/scene/sections.hpp"
+
+namespace brunt::scene {
+namespace {
+
+using Overlap = ContactEntry::InitialOverlap;
+using Slave = ContactEntry::Slave;
+
+/// Two different parts.
+bool read_pair(const Key& key, std::array<std::string, 2>& pair, std::string_view accepted) {
+  const std::vector<Key> names = items(key, accepted, 2);
+  if (names.size() != 2 || !read(names[0], pair[0], Named::part) || !read(names[1], pair[1], Named::part)) return false;
+  if (pair[0] != pair[1]) return true;
+  return later(key, fmt::format("self-contact (of '{}')", pair[0]), "two different parts");
+}
+
+void read_between(Section& entry, ContactEntry& contact) {
+  constexpr std::string_view accepted = "all, or two parts [a, b]";
+  const Key key = entry.at("between");
+  const bool word = key.tree == nullptr || key.tree->kind != Tree::Kind::list;
+  if (word) {
+    static const Choices<bool> choices{{{"all", true}}, {"self"}};
+    bool all = true;
+    if (key.tree == nullptr || key.tree->kind != Tree::Kind::value) {
+      wrong(key, accepted);
+    } else {
+      read(key, all, choices);
+    }
+    return;
+  }
+  std::array<std::string, 2> pair;
+  if (read_pair(key, pair, accepted)) contact.between = {pair[0], pair[1]};
+}
+
+void read_exclude(const Key& key, ContactEntry& contact) {
+  for (const Key& entry : items(key, "a list of pairs of parts [[a, b], ...]")) {
+    std::array<std::string, 2> pair;
+    if (read_pair(entry, pair, "a pair of parts [a, b]")) contact.exclude.push_back(pair);
+  }
+}
+
+void read_slave(const Key& key, ContactEntry& contact) {
+  std::vector<std::string> words{"auto", "first", "second"};
+  const std::vector<std::string>& parts = contact.between;
+  words.insert(words.end(), parts.begin(), parts.end());
+  const std::size_t chosen = read_choice(key, words, {});
+  if (chosen == words.size() || chosen == 0) return;
+  if (parts.empty())
+    return fault(key, "'all' has no first and second; accepted: auto, or a slave where between: [a, b]");
+  contact.slave = chosen % 2 == 1 ? Slave::first : Slave::second;
+}
+
+/// Words of the vocabulary of which this version has one meaning only.
+void read_settled(Section& entry) {
+  static const Choices<bool> methods{
+      {{"rate", true}},
+      {"penalty", "gap_rate_penalty", "partitioned", "partitioned_kinematic", "kinematic", "reference", "tied"}};
+  static const Choices<bool> passes{{{"auto", true}, {"one", true}}, {"two", "2"}};
+  static const Choices<bool> thicknesses{{{"auto", true}}, {}};
+  bool only = true;
+  entry.optional("method", only, methods);
+  entry.optional("passes", only, passes);
+  if (entry.has("thickness") && entry.at("thickness").tree->text != "auto") {
+    later(entry.at("thickness"), "thickness in contact", "auto");
+  }
+  entry.not_yet("tied", "contact that may open and slide");
+  entry.not_yet("self", "contact of different parts");
+}
+
+ContactEntry read_entry(Section& entry) {
+  static const Choices<Overlap> overlaps{{{"error", Overlap::error}, {"warn", Overlap::warn}},
+                                         {"adjust", "remove", "keep", "ignore", "resolve"}};
+  ContactEntry contact;
+  read_between(entry, contact);
+  if (entry.has("exclude")) read_exclude(entry.at("exclude"), contact);
+  read_no_friction(entry, contact.friction);
+  if (entry.has("slave")) read_slave(entry.at("slave"), contact);
+  entry.optional("tolerance", contact.tolerance, Range{0, 1, false, false, "a number > 0 and < 1"});
+  entry.optional("max_iterations", contact.max_iterations, Count{1});
+  entry.optional("initial_overlap", contact.initial_overlap, overlaps);
+  read_settled(entry);
+  return contact;
+}
+
+}  // namespace
+
+void read_no_friction(Section& entry, double& friction) {
+  if (!entry.has("friction")) return;
+  const Key key = entry.at("friction");
+  double largest = 0;
+  if (key.tree->kind == Tree::Kind::map) {
+    Section law(key, "a map {static: number, kinetic: number, decay: number}");
+    double fixed = 0, sliding = 0, decay = 0;
+    law.required("static", fixed, not_negative);
+    law.optional("kinetic", sliding, not_negative);
+    law.optional("decay", decay, not_negative);
+    largest = std::max(fixed, sliding);
+  } else {
+    read(key, largest, not_negative);
+  }
+  if (largest > 0) fault(key, "friction comes in a later version; accepted: 0");
+  friction = 0;
+}
+
+void read_contact(Section& scene, Input& input) {
+  if (!scene.has("contact")) return;
+  for (const Key& key : items(scene.at("contact"), "a list of {between: all} or {between: [a, b]}")) {
+    Section entry(key, "a map {between: all} or {between: [a, b]}");
+    if (entry.is_map()) input.contact.push_back(read_entry(entry));
+  }
+}
+
+}  // namespace brunt::scene

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// What moves, holds and loads the bodies.
+#include <fmt/format.h>
+
+#include "brunt/scene/sections.hpp"
+
+namespace brunt::scene {
+namespace {
+
+const Choices<int> directions{{{"x", 0}, {"y", 1}, {"z", 2}}, {"rx", "ry", "rz"}};
+
+/// Reads each entry of an optional list with `reader(Section&)`.
+template <class Reader>
+void read_list(Section& scene, std::string_view name, std::string_view accepted, Reader reader) {
+  if (!scene.has(name)) return;
+  for (const Key& key : items(scene.at(name), fmt::format("a list of {}", accepted))) {
+    Section entry(key, accepted);
+    if (entry.is_map()) reader(entry);
+  }
+}
+
+InitialMotion read_motion(Section& entry) {
+  InitialMotion motion;
+  read_selection(entry, motion.where);
+  entry.optional("velocity", motion.velocity, Vector::any);
+  if (entry.has("rotation")) {
+    Section rotation(entry.at("rotation"), "a map {axis: [x, y, z], point: [x, y, z], rate: number}");
+    rotation.required("axis", motion.spin_axis, Vector::direction);
+    rotation.optional("point", motion.spin_point, Vector::any);
+    rotation.required("rate", motion.spin_rate, any_number);
+  } else if (!entry.has("velocity")) {
+    fault(entry.key(), "no motion is given; accepted: velocity, rotation, or both");
+  }
+  return motion;
+}
+
+Fixed read_fixed(Section& entry) {
+  constexpr std::string_view accepted = "a list of x, y, z";
+  Fixed fixed;
+  read_selection(entry, fixed.where);
+  const Key dofs = entry.at("dofs");
+  const std::vector<Key> directions_given = items(dofs, accepted);
+  for (const Key& key : directions_given) {
+    int direction = 0;
+    if (!read(key, direction, directions)) continue;
+    bool& flag = fixed.dofs[static_cast<std::size_t>(direction)];
+    if (flag) fault(key, fmt::format("'{}' stands twice; accepted: each direction once", key.tree->text));
+    flag = true;
+  }
+  const bool empty_list = directions_given.empty() && dofs.tree != nullptr && dofs.tree->kind == Tree::Kind::list;
+  if (empty_list) wrong(dofs, accepted);
+  return fixed;
+}
+
+Prescribed read_prescribed(Section& entry) {
+  Prescribed motion;
+  read_selection(entry, motion.where);
+  entry.required("dof", motion.dof, directions);
+  entry.optional("scale", motion.scale, any_number);
+  const Key velocity = entry.at("velocity");
+  const std::string_view text = velocity.tree == nullptr ? std::string_view{} : velocity.tree->text;
+  const bool numeric = !text.empty() && !velocity.tree->quoted &&
+                       std::string_view("+-.0123456789").find(text.front()) != std::string_view::npos;
+  if (numeric) {
+    double constant = 0;
+    if (read(velocity, constant, any_number)) motion.scale *= constant;
+  } else if (velocity.tree == nullptr) {
+    wrong(velocity, "the name of a curve, or a number for a constant velocity");
+  } else {
+    read(velocity, motion.curve, Named::curve);
+  }
+  return motion;
+}
+
+Pressure read_one_pressure(Section& entry) {
+  Pressure pressure;
+  entry.required("set", pressure.where, "the name of a side set");
+  entry.required("value", pressure.value, any_number);
+  entry.optional("curve", pressure.curve, Named::curve);
+  return pressure;
+}
+
+RigidWall read_wall(Section& entry, std::size_t index) {
+  RigidWall wall{.name = fmt::format("wall{}", index), .point = Vec3::Zero(), .normal = Vec3::UnitZ(), .motion = {}};
+  entry.optional("name", wall.name, "a name");
+  entry.required("point", wall.point, Vector::any);
+  entry.required("normal", wall.normal, Vector::direction);
+  read_no_friction(entry, wall.friction);
+  entry.optional("bilateral", wall.bilateral);
+  entry.optional("motion", wall.motion, Named::curve);
+  return wall;
+}
+
+void read_gravity(const Key& key, Input& input) {
+  Section section(key, "a map {vector: [x, y, z], curve: name}");
+  Gravity gravity;
+  section.required("vector", gravity.vector, Vector::any);
+  section.optional("curve", gravity.curve, Named::curve);
+  input.gravity = gravity;
+}
+
+void read_damping(const Key& key, Input& input) {
+  Section section(key, "a map {alpha: number, from: time, to: time}");
+  Damping damping{.to = infinity};
+  section.required("alpha", damping.alpha, not_negative);
+  section.optional("from", damping.from, not_negative);
+  const bool ends = section.optional("to", damping.to, not_negative);
+  if (ends && damping.to <= damping.from) {
+    fault(section.at("to"),
+          fmt::format("{} is not later than from {}; accepted: a later time", damping.to, damping.from));
+  }
+  input.damping = damping;
+}
+
+}  // namespace
+
+void read_initial(Section& scene, Input& input) {
+  read_list(scene, "initial", "{part: name, velocity: [x, y, z]}",
+            [&](Section& entry) { input.initial.push_back(read_motion(entry)); });
+}
+
+void read_supports(Section& scene, Input& input) {
+  read_list(scene, "fixed", "{set: name, dofs: [x, y, z]}",
+            [&](Section& entry) { input.fixed.push_back(read_fixed(entry)); });
+  read_list(scene, "symmetry", "{point: [x, y, z], normal: [x, y, z]}", [&](Section& entry) {
+    Symmetry plane{Vec3::Zero(), Vec3::UnitX()};
+    entry.required("point", plane.point, Vector::any);
+    entry.required("normal", plane.normal, Vector::direction);
+    input.symmetry.push_back(plane);
+  });
+  read_list(scene, "prescribed", "{set: name, dof: x, y or z, velocity: curve}",
+            [&](Section& entry) { input.prescribed.push_back(read_prescribed(entry)); });
+}
+
+void read_loads(Section& scene, Input& input) {
+  read_list(scene, "pressure", "{set: name, value: number, curve: name}",
+            [&](Section& entry) { input.pressure.push_back(read_one_pressure(entry)); });
+  if (scene.has("gravity")) read_gravity(scene.at("gravity"), input);
+  if (scene.has("damping")) read_damping(scene.at("damping"), input);
+}
+
+void read_rigid_walls(Section& scene, Input& input) {
+  read_list(scene, "rigid_walls", "{point: [x, y, z], normal: [x, y, z]}",
+            [&](Section& entry) { input.rigid_walls.push_back(read_wall(entry, input.rigid_walls.size())); });
+}
+
+}  // namespace brunt::scene

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Materials by model, and the plausibility of their density in the scene's units.
+#include <fmt/format.h>
+
+#include "brunt/scene/sections.hpp"
+#include "brunt/scene/units.hpp"
+
+namespace brunt::scene {
+namespace {
+
+enum class Model { elastic, j2, neo_hookean };
+
+material::Elastic read_elastic(Section& material) {
+  material::Elastic law;
+  material.required("density", law.density, positive);
+  material.required("young", law.young, positive);
+  material.required("poisson", law.poisson, poisson_ratio);
+  return law;
+}
+
+void read_hardening_table(const Key& key, material::J2& law) {
+  constexpr std::string_view accepted = "a list of [plastic strain, yield stress], the first at strain 0";
+  for (const Key& row : items(key, accepted)) {
+    std::array<double, 2> point{};
+    if (!read(row, point, not_negative, "[plastic strain, yield stress]")) return;
+    const bool first = law.table.empty();
+    if (first && point[0] != 0) return fault(row, "the first plastic strain is not 0; accepted: 0");
+    if (point[1] <= 0) return fault(row, "the yield stress is not positive; accepted: a number > 0");
+    if (!first && point[0] <= law.table.back()[0]) {
+      return fault(row, "the plastic strain does not increase; accepted: strictly increasing strains");
+    }
+    if (!first && point[1] < law.table.back()[1]) {
+      return fault(row, "the yield stress falls (softening); accepted: stresses that do not decrease");
+    }
+    law.table.push_back(point);
+  }
+  if (law.table.empty() && key.tree->kind == Tree::Kind::list && key.tree->children.empty()) wrong(key, accepted);
+  if (!law.table.empty()) law.yield = law.table.front()[1];
+}
+
+material::J2 read_j2(Section& material) {
+  const material::Elastic elastic = read_elastic(material);
+  material::J2 law{.density = elastic.density, .young = elastic.young, .poisson = elastic.poisson, .table = {}};
+  const bool has_table = material.has("hardening_table");
+  for (const char* name : {"yield", "hardening"}) {
+    if (has_table && material.has(name)) {
+      fault(material.at(name), "given beside hardening_table; accepted: yield and hardening, or the table alone");
+    }
+  }
+  if (has_table) {
+    read_hardening_table(material.at("hardening_table"), law);
+  } else {
+    material.required("yield", law.yield, positive);
+    material.optional("hardening", law.hardening, not_negative);
+  }
+  material.optional("kinematic", law.kinematic, share);
+  return law;
+}
+
+/// lambda = K - 2/3 G, or lambda = E nu / ((1 + nu)(1 - 2 nu)), mu = G = E / (2 (1 + nu)).
+material::NeoHookean read_neo_hookean(Section& material) {
+  material::NeoHookean law;
+  material.required("density", law.density, positive);
+  const bool by_bulk = material.has("bulk") || material.has("shear");
+  const bool by_young = material.has("young") || material.has("poisson");
+  if (by_bulk && by_young) {
+    fault(material.key(), "both pairs of constants are given; accepted: young and poisson, or bulk and shear");
+  } else if (by_bulk) {
+    double bulk = 0;
+    material.required("bulk", bulk, positive);
+    material.required("shear", law.mu, positive);
+    law.lambda = bulk - 2.0 / 3.0 * law.mu;
+  } else {
+    double young = 0, poisson = 0;
+    material.required("young", young, positive);
+    material.required("poisson", poisson, poisson_ratio);
+    law.lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson));
+    law.mu = young / (2 * (1 + poisson));
+  }
+  return law;
+}
+
+material::Law read_law(Section& material) {
+  static const Choices<Model> models{
+      {{"elastic", Model::elastic}, {"j2", Model::j2}, {"neo_hookean", Model::neo_hookean}},
+      {"johnson_cook", "foam", "crushable_foam", "rigid"}};
+  Model model{};
+  if (!material.required("model", model, models)) {
+    for (const std::string& name : material.key().tree->keys) material.has(name);  // whose keys, nobody knows
+    return material::Elastic{};
+  }
+  for (const char* name : {"damage", "failure", "erosion", "eos"}) material.not_yet(name, "a law without it");
+  switch (model) {
+    case Model::elastic:
+      return read_elastic(material);
+    case Model::j2:
+      return read_j2(material);
+    default:
+      return read_neo_hookean(material);
+  }
+}
+
+/// Densities of matter lie between aerogel and osmium; one outside tells of mixed-up units.
+void warn_of_density(const Key& key, const material::Law& law, Input& input) {
+  const UnitSystem* units = find_unit_system(input.units);
+  const double density = std::visit([](const auto& some) { return some.density; }, law);
+  if (units == nullptr || units->metre == 0 || density == 0) return;
+  const double in_si = density * units->kilogram / (units->metre * units->metre * units->metre);
+  if (in_si >= 1 && in_si <= 25000) return;
+  input.warnings.push_back(fmt::format("{}:{}: {}.density: {:g} {} is {:.3g} kg/m^3: is it given in the units '{}'?",
+                                       key.place.source, key.place.line, key.path, density, units->density, in_si,
+                                       units->name));
+}
+
+}  // namespace
+
+void read_materials(Section& scene, Input& input) {
+  for (const auto& [name, key] : entries(scene.at("materials"), "a map of names, each {model: ..., density: ...}")) {
+    Section material(key, "a map {model: elastic, j2 or neo_hookean, density: ...}");
+    input.materials[name] = material.is_map() ? read_law(material) : material::Elastic{};
+    warn_of_density(key, input.materials[name], input);
+  }
+}
+
+}  // namespace brunt::scene

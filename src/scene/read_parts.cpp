@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts (what a block of the mesh is made of), named sets, curves.
+#include <fmt/format.h>
+
+#include "brunt/scene/sections.hpp"
+
+namespace brunt::scene {
+namespace {
+
+const Choices<ElementKind> element_kinds{{{"hex8", ElementKind::hex8},
+                                          {"hex8_full", ElementKind::hex8_full},
+                                          {"hex8_bbar", ElementKind::hex8_bbar},
+                                          {"tet4", ElementKind::tet4}},
+                                         {"shell4", "quad4"}};
+const Choices<HourglassKind> hourglass_kinds{
+    {{"none", HourglassKind::none}, {"viscous", HourglassKind::viscous}, {"stiffness", HourglassKind::stiffness}}, {}};
+
+void read_hourglass(const Key& key, Hourglass& hourglass) {
+  Section section(key, "a map {kind: none, viscous or stiffness, coefficient: number}");
+  section.optional("kind", hourglass.kind, hourglass_kinds);
+  constexpr double default_viscous = 0.1, default_stiffness = 0.05;
+  hourglass.coefficient = hourglass.kind == HourglassKind::viscous ? default_viscous : default_stiffness;
+  if (hourglass.kind == HourglassKind::none) hourglass.coefficient = 0;
+  section.optional("coefficient", hourglass.coefficient, share);
+}
+
+void read_bulk(const Key& key, BulkViscosity& bulk) {
+  Section section(key, "a map {linear: number, quadratic: number}");
+  section.optional("linear", bulk.linear, not_negative);
+  section.optional("quadratic", bulk.quadratic, not_negative);
+}
+
+Part read_part(const std::string& name, Section& section) {
+  Part part;
+  part.name = part.block = name;
+  section.optional("block", part.block, "the name or number of a block of the mesh");
+  section.required("material", part.material, Named::material);
+  section.optional("element", part.element, element_kinds);
+  if (section.has("hourglass")) read_hourglass(section.at("hourglass"), part.hourglass);
+  if (section.has("bulk")) read_bulk(section.at("bulk"), part.bulk);
+  section.not_yet("thickness", "solid elements without it");
+  section.not_yet("rigid", "deformable parts");
+  return part;
+}
+
+void read_box(const Key& key, SetEntry& set) {
+  constexpr std::string_view accepted = "two corners [[x, y, z], [x, y, z]], the lower one first";
+  const std::vector<Key> corners = items(key, accepted, 2);
+  std::array<Vec3, 2> box{Vec3::Zero(), Vec3::Zero()};
+  if (corners.size() != 2 || !read(corners[0], box[0], Vector::any) || !read(corners[1], box[1], Vector::any)) return;
+  if ((box[0].array() > box[1].array()).any())
+    return fault(key, fmt::format("the box is inside out; accepted: {}", accepted));
+  set.box = box;
+}
+
+SetEntry read_set(const std::string& name, const Key& key) {
+  SetEntry set;
+  set.name = name;
+  Section section(key, "a map with one of part, node_set, side_set, or with a box");
+  std::string word;
+  int sources = 0;
+  if (section.has("part")) {
+    if (section.required("part", word, Named::part)) set.part = word;
+    ++sources;
+  }
+  if (section.has("node_set")) {
+    if (section.required("node_set", word, "the name or number of a node set")) set.node_set = word;
+    ++sources;
+  }
+  if (section.has("side_set")) {
+    if (section.required("side_set", word, "the name or number of a side set")) set.side_set = word;
+    ++sources;
+  }
+  const bool has_box = section.has("box");
+  if (has_box) read_box(section.at("box"), set);
+  const bool box_of_other = has_box && (section.has("node_set") || section.has("side_set"));
+  if (section.is_map() && (sources > 1 || (sources == 0 && !has_box) || box_of_other)) {
+    fault(key, "no single selection; accepted: one of part, node_set, side_set; box, alone or with part");
+  }
+  return set;
+}
+
+Curve read_curve(const Key& key) {
+  constexpr std::string_view accepted = "a list of points [time, value], times increasing";
+  Curve curve;
+  const std::vector<Key> rows = items(key, accepted);
+  for (const Key& row : rows) {
+    std::array<double, 2> point{};
+    if (!read(row, point, any_number, "a point [time, value]")) break;
+    if (!curve.empty() && point[0] <= curve.back()[0]) {
+      fault(row,
+            fmt::format("time {} does not follow {}; accepted: strictly increasing times", point[0], curve.back()[0]));
+      break;
+    }
+    curve.push_back(point);
+  }
+  if (key.tree->kind == Tree::Kind::list && rows.empty()) wrong(key, accepted);
+  return curve;
+}
+
+}  // namespace
+
+void read_parts(Section& scene, Input& input) {
+  for (const auto& [name, key] : entries(scene.at("parts"), "a map of names, each {material: name, ...}")) {
+    Section section(key, "a map {material: name, ...}");
+    input.parts.push_back(read_part(name, section));
+  }
+}
+
+void read_sets(Section& scene, Input& input) {
+  if (!scene.has("sets")) return;
+  for (const auto& [name, key] : entries(scene.at("sets"), "a map of names, each a selection")) {
+    input.sets.push_back(read_set(name, key));
+  }
+}
+
+void read_curves(Section& scene, Input& input) {
+  if (!scene.has("curves")) return;
+  for (const auto& [name, key] : entries(scene.at("curves"), "a map of names, each a list of points [time, value]")) {
+    input.curves[name] = read_curve(key);
+  }
+}
+
+}  // namespace brunt::scene

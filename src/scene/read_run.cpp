@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// How long to run and what to write.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "brunt/scene/duration.hpp"
+#include "brunt/scene/sections.hpp"
+
+namespace brunt::scene {
+namespace {
+
+void read_wall_limit(const Key& key, Run& run) {
+  constexpr std::string_view accepted = "a duration > 0 such as 3h55m, 90s, 2h, or a number of seconds";
+  std::string text;
+  if (!read(key, text, accepted)) return;
+  run.wall_limit = parse_duration(text);
+  if (!run.wall_limit) wrong(key, accepted);
+}
+
+void read_fields(const Key& key, Output& output) {
+  static const std::vector<std::string> fields{"displacement",   "velocity",         "stress",
+                                               "plastic_strain", "contact_pressure", "gap"};
+  output.fields.clear();
+  for (const Key& entry : items(key, "a list of fields, such as [displacement, velocity, stress]")) {
+    const std::size_t chosen = read_choice(entry, fields, {});
+    if (chosen == fields.size()) continue;
+    if (std::find(output.fields.begin(), output.fields.end(), fields[chosen]) != output.fields.end()) {
+      fault(entry, fmt::format("'{}' stands twice; accepted: each field once", fields[chosen]));
+    }
+    output.fields.push_back(fields[chosen]);
+  }
+}
+
+void read_every(Section& scene, std::string_view name, std::optional<double>& every) {
+  if (!scene.has(name)) return;
+  Section section(scene.at(name), "a map {every: time}");
+  section.required("every", every, positive);
+}
+
+}  // namespace
+
+void read_run(Section& scene, Input& input) {
+  Section run(scene.at("run"), "a map {end: time} or {steps: count}");
+  run.optional("end", input.run.end, positive);
+  if (run.has("steps")) {
+    GlobalIndex steps = 0;
+    if (run.required("steps", steps, Count{1, 1'000'000'000'000})) input.run.steps = steps;
+  }
+  if (run.is_map() && !run.has("end") && !run.has("steps")) {
+    fault(run.key(), "no end is given; accepted: end: time, or steps: count");
+  }
+  run.optional("cfl", input.run.cfl, courant);
+  if (run.has("wall_limit")) read_wall_limit(run.at("wall_limit"), input.run);
+  if (scene.has("output")) {
+    Section output(scene.at("output"), "a map {every: time, fields: [...]}");
+    output.optional("every", input.output.every, positive);
+    if (output.has("fields")) read_fields(output.at("fields"), input.output);
+  }
+  read_every(scene, "history", input.history_every);
+  read_every(scene, "checkpoint", input.checkpoint_every);
+}
+
+}  // namespace brunt::scene

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/scene/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "brunt/scene/nearest.hpp"
+
+namespace brunt::scene {
+namespace {
+
+std::string described(const Key& key) {
+  if (key.tree == nullptr) return "missing";
+  switch (key.tree->kind) {
+    case Tree::Kind::null:
+      return "nothing is given";
+    case Tree::Kind::list:
+      return fmt::format("a list of {} is given", key.tree->children.size());
+    case Tree::Kind::map:
+      return "a map is given";
+    default:
+      return fmt::format("{}'{}' is given", key.tree->quoted ? "the quoted text " : "", key.tree->text);
+  }
+}
+
+bool is_plain_value(const Key& key) {
+  return key.tree != nullptr && key.tree->kind == Tree::Kind::value && !key.tree->quoted;
+}
+
+/// A number written in full, such as 3, -2.5, 80.0e-6, .5; also inf and nan, which the caller refuses.
+std::optional<double> number_in(const Key& key) {
+  if (!is_plain_value(key)) return {};
+  std::string_view text = key.tree->text;
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  if (text == ".inf" || text == "-.inf" || text == ".nan") return infinity;
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (end != text.data() + text.size()) return {};
+  return error == std::errc{} ? number : infinity;
+}
+
+Key child(const Key& parent, const Tree& tree, std::string_view name) {
+  return {&tree, tree.place, fmt::format("{}{}{}", parent.path, parent.path.empty() ? "" : ".", name), parent.findings};
+}
+
+}  // namespace
+
+void fault(const Key& key, std::string_view what) {
+  key.findings->faults.add(key.place, key.path, what);
+}
+
+bool wrong(const Key& key, std::string_view accepted) {
+  fault(key, fmt::format("{}; accepted: {}", described(key), accepted));
+  return false;
+}
+
+bool later(const Key& key, std::string_view what, std::string_view accepted) {
+  fault(key, fmt::format("this version does not have {} yet; accepted: {}", what, accepted));
+  return false;
+}
+
+bool Range::holds(double x) const {
+  return (low_included ? x >= low : x > low) && (high_included ? x <= high : x < high);
+}
+
+bool read(const Key& key, double& target, const Range& range) {
+  const std::optional<double> number = number_in(key);
+  if (!number) return wrong(key, range.words);
+  if (!std::isfinite(*number)) {
+    fault(key, fmt::format("{} is not a finite number; accepted: {}", key.tree->text, range.words));
+    return false;
+  }
+  if (!range.holds(*number)) {
+    fault(key, fmt::format("{} is out of range; accepted: {}", key.tree->text, range.words));
+    return false;
+  }
+  target = *number;
+  return true;
+}
+
+bool read(const Key& key, std::optional<double>& target, const Range& range) {
+  double number = 0;
+  if (!read(key, number, range)) return false;
+  target = number;
+  return true;
+}
+
+bool read(const Key& key, GlobalIndex& target, Count count) {
+  const std::string accepted = fmt::format("an integer from {} to {}", count.low, count.high);
+  const std::optional<double> number = number_in(key);
+  if (!number) return wrong(key, accepted);
+  constexpr double exact = 9007199254740992.0;  // 2^53: integers up to here are doubles
+  const bool integer = std::abs(*number) < exact && std::trunc(*number) == *number;
+  const GlobalIndex value = integer ? static_cast<GlobalIndex>(*number) : 0;
+  if (!integer || value < count.low || value > count.high) {
+    fault(key,
+          fmt::format("{} is {}; accepted: {}", key.tree->text, integer ? "out of range" : "no integer", accepted));
+    return false;
+  }
+  target = value;
+  return true;
+}
+
+bool read(const Key& key, int& target, Count count) {
+  GlobalIndex value = 0;
+  if (!read(key, value, count)) return false;
+  target = static_cast<int>(value);
+  return true;
+}
+
+bool read(const Key& key, bool& target) {
+  const bool yes = is_plain_value(key) && key.tree->text == "true";
+  const bool no = is_plain_value(key) && key.tree->text == "false";
+  if (!yes && !no) return wrong(key, "true or false");
+  target = yes;
+  return true;
+}
+
+bool read(const Key& key, std::string& target, std::string_view accepted) {
+  if (key.tree == nullptr || key.tree->kind != Tree::Kind::value || key.tree->text.empty()) return wrong(key, accepted);
+  target = key.tree->text;
+  return true;
+}
+
+bool read(const Key& key, std::string& target, Named kind) {
+  constexpr std::array words{"the name of a material", "the name of a curve", "the name of a part",
+                             "the name of a rigid wall"};
+  if (!read(key, target, words[static_cast<std::size_t>(kind)])) return false;
+  key.findings->references.push_back({key.place, key.path, target, kind});
+  return true;
+}
+
+bool read(const Key& key, Vec3& target, Vector kind) {
+  const bool direction = kind == Vector::direction;
+  const std::string_view accepted = direction ? "three numbers [x, y, z], not all zero" : "three numbers [x, y, z]";
+  std::array<double, 3> numbers{};
+  if (!read(key, numbers, any_number, accepted)) return false;
+  const Vec3 vector(numbers[0], numbers[1], numbers[2]);
+  if (direction && !(vector.cwiseAbs().maxCoeff() > 0)) {
+    fault(key, fmt::format("the zero vector has no direction; accepted: {}", accepted));
+    return false;
+  }
+  target = direction ? vector.stableNormalized() : vector;
+  return true;
+}
+
+std::vector<Key> items(const Key& key, std::string_view accepted, std::size_t size) {
+  const bool is_list = key.tree != nullptr && key.tree->kind == Tree::Kind::list;
+  if (!is_list || (size != 0 && key.tree->children.size() != size)) {
+    wrong(key, accepted);
+    return {};
+  }
+  std::vector<Key> keys;
+  for (const Tree& entry : key.tree->children) keys.push_back(child(key, entry, std::to_string(keys.size())));
+  return keys;
+}
+
+std::vector<std::pair<std::string, Key>> entries(const Key& key, std::string_view accepted) {
+  if (key.tree == nullptr || key.tree->kind != Tree::Kind::map) {
+    wrong(key, accepted);
+    return {};
+  }
+  std::vector<std::pair<std::string, Key>> named;
+  for (std::size_t i = 0; i < key.tree->keys.size(); ++i) {
+    const std::string& name = key.tree->keys[i];
+    named.emplace_back(name, child(key, key.tree->children[i], name));
+    if (name.empty()) fault(named.back().second, "an empty name; accepted: a name");
+  }
+  return named;
+}
+
+std::size_t read_choice(const Key& key, const std::vector<std::string>& now, const std::vector<std::string>& not_yet) {
+  const std::string accepted = listed(now);
+  std::string word;
+  if (!read(key, word, accepted)) return now.size();
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now[i] == word) return i;
+  }
+  for (const std::string& known : not_yet) {
+    if (known != word) continue;
+    later(key, "'" + word + "'", accepted);
+    return now.size();
+  }
+  fault(key, fmt::format("'{}' is unknown, nearest is '{}'; accepted: {}", word, nearest(word, now), accepted));
+  return now.size();
+}
+
+Section::Section(const Key& key, std::string_view accepted)
+    : key_(key), is_map_(key.tree != nullptr && key.tree->kind == Tree::Kind::map) {
+  if (!is_map_) wrong(key, accepted);
+}
+
+Section::~Section() {
+  if (!is_map_) return;
+  for (std::size_t i = 0; i < key_.tree->keys.size(); ++i) {
+    const std::string& name = key_.tree->keys[i];
+    if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
+    fault(child(key_, key_.tree->children[i], name),
+          fmt::format("unknown key, nearest is '{}'; accepted: {}", nearest(name, known_), listed(known_)));
+  }
+}
+
+void Section::know(std::string_view name) {
+  if (std::find(known_.begin(), known_.end(), name) == known_.end()) known_.emplace_back(name);
+}
+
+bool Section::has(std::string_view name) {
+  know(name);
+  return is_map_ && key_.tree->find(name) != nullptr;
+}
+
+Key Section::at(std::string_view name) {
+  know(name);
+  const Tree* tree = is_map_ ? key_.tree->find(name) : nullptr;
+  if (tree != nullptr) return child(key_, *tree, name);
+  return {nullptr, key_.place, fmt::format("{}{}{}", key_.path, key_.path.empty() ? "" : ".", name), key_.findings};
+}
+
+void Section::not_yet(std::string_view name, std::string_view accepted) {
+  if (!is_map_ || key_.tree->find(name) == nullptr) return;
+  later(at(name), fmt::format("'{}'", name), accepted);
+}
+
+}  // namespace brunt::scene

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be checked only when the whole scene is read: names used are defined, defined once, and every body has its
+// part. Sets and blocks of mesh files are not known here; they are checked when the model is built.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "brunt/scene/nearest.hpp"
+#include "brunt/scene/sections.hpp"
+
+namespace brunt::scene {
+namespace {
+
+std::vector<std::string> defined(const Input& input, Named kind) {
+  std::vector<std::string> names;
+  switch (kind) {
+    case Named::material:
+      for (const auto& [name, law] : input.materials) names.push_back(name);
+      break;
+    case Named::curve:
+      for (const auto& [name, curve] : input.curves) names.push_back(name);
+      break;
+    case Named::part:
+      for (const Part& part : input.parts) names.push_back(part.name);
+      break;
+    case Named::wall:
+      for (const RigidWall& wall : input.rigid_walls) names.push_back(wall.name);
+      break;
+  }
+  return names;
+}
+
+void check_uses(const Input& input, Findings& findings) {
+  constexpr std::array words{"material", "curve", "part", "rigid wall"};
+  constexpr std::array sections{"materials", "curves", "parts", "rigid_walls"};
+  for (const Reference& use : findings.references) {
+    const auto kind = static_cast<std::size_t>(use.kind);
+    const std::vector<std::string> names = defined(input, use.kind);
+    if (std::find(names.begin(), names.end(), use.name) != names.end()) continue;
+    const std::string what = fmt::format("unknown {} '{}'", words[kind], use.name);
+    const std::string accepted =
+        names.empty() ? fmt::format("; accepted: a name defined in {}, which is empty", sections[kind])
+                      : fmt::format(", nearest is '{}'; accepted: {}", nearest(use.name, names), listed(names));
+    findings.faults.add(use.place, use.path, what + accepted);
+  }
+}
+
+std::string generated_part(const MeshEntry& entry) {
+  return std::visit(
+      [](const auto& body) -> std::string {
+        if constexpr (requires { body.part; }) return body.part;
+        return {};
+      },
+      entry.body);
+}
+
+bool is_number(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// Keys of entry i of the mesh, which may be one map or a list.
+Key mesh_key(Section& scene, std::size_t i) {
+  const Key mesh = scene.at("mesh");
+  if (mesh.tree == nullptr || mesh.tree->kind != Tree::Kind::list) return mesh;
+  return items(mesh, "")[i];
+}
+
+/// Every generated body has a part, and where the whole mesh is generated every part has a body.
+void check_bodies(const Input& input, Section& scene) {
+  std::vector<std::string> bodies;
+  bool any_file = input.mesh.empty();
+  std::size_t position = 0;
+  for (const MeshEntry& entry : input.mesh) {
+    any_file = any_file || std::holds_alternative<MeshFile>(entry.body);
+    const std::string part = generated_part(entry);
+    const Key key = mesh_key(scene, position++);
+    if (part.empty()) continue;
+    if (std::find(bodies.begin(), bodies.end(), part) != bodies.end()) {
+      fault(key, fmt::format("a second body of the part '{}'; accepted: a part of its own for each body", part));
+    }
+    bodies.push_back(part);
+    const bool has_part =
+        std::any_of(input.parts.begin(), input.parts.end(), [&](const Part& known) { return known.block == part; });
+    if (!has_part && !input.parts.empty()) {
+      fault(key,
+            fmt::format("the generated body '{0}' has no entry in parts; accepted: parts: {{{0}: {{material: ...}}}}",
+                        part));
+    }
+  }
+  for (const Part& part : input.parts) {
+    if (any_file || is_number(part.block)) continue;
+    if (std::find(bodies.begin(), bodies.end(), part.block) != bodies.end()) continue;
+    Section parts(scene.at("parts"), "");
+    for (const std::string& name : parts.key().tree->keys) parts.has(name);
+    fault(parts.at(part.name), fmt::format("no body of the mesh makes the block '{}', nearest is '{}'; accepted: {}",
+                                           part.block, nearest(part.block, bodies), listed(bodies)));
+  }
+}
+
+/// A name that would be two things where one is looked up.
+void check_twice(const Key& section, const std::vector<std::string>& names, std::string_view what) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) ==
+        names.begin() + static_cast<std::ptrdiff_t>(i)) {
+      continue;
+    }
+    const Tree& entry = section.tree->children[std::min(i, section.tree->children.size() - 1)];
+    section.findings->faults.add(entry.place, fmt::format("{}.{}", section.path, i),
+                                 fmt::format("duplicate name '{}'; accepted: each {} its own name", names[i], what));
+  }
+}
+
+}  // namespace
+
+void check_references(const Input& input, Section& scene) {
+  Findings& findings = *scene.key().findings;
+  check_uses(input, findings);
+  check_bodies(input, scene);
+  std::vector<std::string> probes;
+  for (const Probe& probe : input.probes) probes.push_back(probe.name);
+  check_twice(scene.at("probes"), probes, "probe");
+  check_twice(scene.at("rigid_walls"), defined(input, Named::wall), "rigid wall");
+  const std::vector<std::string> parts = defined(input, Named::part);
+  for (const SetEntry& set : input.sets) {
+    if (std::find(parts.begin(), parts.end(), set.name) == parts.end()) continue;
+    Section sets(scene.at("sets"), "");
+    for (const std::string& name : sets.key().tree->keys) sets.has(name);
+    fault(sets.at(set.name), "duplicate name: a part is called so too; accepted: a name of its own");
+  }
+}
+
+}  // namespace brunt::scene

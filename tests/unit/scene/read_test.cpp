@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/scene/read.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "unit/scene/good_scene.hpp"
+
+using namespace brunt;
+using namespace brunt::scene;
+
+namespace {
+
+constexpr std::string_view full_scene = R"(
+title: "everything: a scene"
+units: mm-ms-kg
+space: 3d
+mesh:
+  - {file: meshes/bar.exo, scale: 1.0e-3, at: [1, 2, 3], rotate: {axis: [0, 0, 2], degrees: 10}, prefix: a_}
+  - {file: /else/b.msh}
+  - {box: {part: left, size: [1, 2, 3], elements: [4, 5, 6], at: [-1, 0, 0], scale: 2, rotate: {axis: [1, 0, 0], degrees: -90}}}
+  - {cylinder: {part: rod, radius: 3.2, length: 32.4, elements: [4, 20]}}
+  - {sphere: {part: ball, radius: 5, elements: 6}}
+  - {tube: {part: pipe, inner_radius: 1, outer_radius: 1.5, length: 10, elements: [2, 24, 10]}}
+  - {plate: {part: target, size: [10, 20], thickness: 0.5, elements: [10, 20, 2]}}
+sets:
+  foot: {part: rod, box: [[0, 0, 0], [1, 1, 0.01]]}
+  load: {side_set: 3}
+  nodes: {node_set: top}
+  corner: {box: [[0, 0, 0], [0, 0, 0]]}
+curves: {ramp: [[0, 0], [1.0e-3, 1]], hold: [[0, 5]]}
+materials:
+  aluminium: {model: elastic, density: 2.7e-6, young: 70, poisson: 0.33}
+  steel: {model: j2, density: 7.8e-6, young: 200, poisson: 0.3, yield: 0.4, hardening: 1, kinematic: 0.5}
+  table: {model: j2, density: 7.8e-6, young: 200, poisson: 0.3, hardening_table: [[0, 0.4], [1, 0.5], [2, 0.5]]}
+  rubber: {model: neo_hookean, density: 1.1e-6, bulk: 2, shear: 0.3}
+  gum: {model: neo_hookean, density: 1.1e-6, young: 2.6, poisson: 0.3}
+parts:
+  bar: {block: 1, material: aluminium, element: hex8_full, hourglass: {kind: viscous}, bulk: {linear: 0, quadratic: 1.5}}
+  odd: {block: Block 2, material: gum, element: tet4}
+  left: {material: steel, hourglass: {kind: stiffness, coefficient: 0.1}}
+  rod: {material: table, element: hex8_bbar}
+  ball: {material: rubber}
+  pipe: {material: steel, hourglass: {kind: none}}
+  target: {material: steel, hourglass: {kind: viscous, coefficient: 0.15}}
+initial:
+  - {part: left, velocity: [0, 0, -227]}
+  - {set: foot, rotation: {axis: [0, 3, 0], point: [1, 0, 0], rate: 75}}
+fixed: [{set: foot, dofs: [x, z]}]
+symmetry: [{point: [0, 0, 0], normal: [2, 0, 0]}]
+prescribed:
+  - {set: nodes, dof: z, velocity: ramp, scale: 5}
+  - {part: rod, dof: x, velocity: -2.5, scale: 2}
+pressure: [{set: load, value: 1.0e6, curve: ramp}]
+gravity: {vector: [0, 0, -9.81e-3], curve: ramp}
+damping: {alpha: 100, from: 1, to: 2}
+rigid_walls:
+  - {point: [0, 0, 0], normal: [0, 0, 4], friction: 0}
+  - {name: press, point: [0, 0, 9], normal: [0, 0, -1], bilateral: true, motion: ramp}
+contact:
+  - {between: all, exclude: [[rod, ball]], friction: {static: 0, kinetic: 0, decay: 0}, method: rate, passes: auto,
+     slave: auto, tolerance: 1.0e-4, max_iterations: 20, initial_overlap: warn, thickness: auto}
+  - {between: [rod, target], slave: target}
+  - {between: [ball, target], slave: first, passes: one}
+probes:
+  - {name: tip, node: 17, field: velocity}
+  - {name: squeeze, contact: [rod, target]}
+  - {name: wall, wall: press}
+  - {name: foot, set: foot, field: reaction}
+run: {end: 80.0e-6, steps: 1e4, cfl: 0.5, wall_limit: 3h55m}
+output: {every: 2.0e-6, fields: [displacement, velocity, stress, plastic_strain, contact_pressure, gap]}
+history: {every: 1.0e-7}
+checkpoint: {every: 20.0e-6}
+)";
+
+Input full() {
+  return read_scene(std::string(full_scene), "folder/full.yaml");
+}
+
+}  // namespace
+
+TEST_CASE("a small scene is read with its defaults", "[scene]") {
+  const Input input = read_scene(std::string(small_scene), "small.yaml");
+  CHECK(input.file == "small.yaml");
+  CHECK(input.units == "SI");
+  REQUIRE(input.parts.size() == 2);
+  const Part& left = input.parts[0];
+  CHECK(left.block == "left");
+  CHECK(left.element == ElementKind::hex8);
+  CHECK(left.hourglass.kind == HourglassKind::stiffness);
+  CHECK(left.hourglass.coefficient == 0.05);
+  CHECK(left.bulk.linear == 0.06);
+  CHECK(left.bulk.quadratic == 1.2);
+  CHECK(input.mesh[0].placement.scale == 1);
+  CHECK(input.mesh[0].placement.at == Vec3(0, 0, 0));
+  CHECK(std::get<material::J2>(input.materials.at("steel")).hardening == 0);
+  CHECK(input.rigid_walls[0].name == "wall0");
+  CHECK_FALSE(input.rigid_walls[0].bilateral);
+  CHECK(input.contact[0].tolerance == 1e-3);
+  CHECK(input.contact[0].max_iterations == 50);
+  CHECK(input.contact[0].initial_overlap == ContactEntry::InitialOverlap::error);
+  CHECK(input.run.end == 1e-3);
+  CHECK_FALSE(input.run.steps);
+  CHECK_FALSE(input.history_every);
+  CHECK(input.warnings.empty());
+}
+
+TEST_CASE("every mesh entry is read", "[scene]") {
+  const Input input = full();
+  REQUIRE(input.mesh.size() == 7);
+  const auto& file = std::get<MeshFile>(input.mesh[0].body);
+  CHECK(file.file == "folder/meshes/bar.exo");
+  CHECK(file.prefix == "a_");
+  CHECK(input.mesh[0].key == "mesh.0");
+  CHECK(input.mesh[0].placement.scale == 1e-3);
+  CHECK(input.mesh[0].placement.at == Vec3(1, 2, 3));
+  CHECK(input.mesh[0].placement.rotate.axis == Vec3(0, 0, 1));
+  CHECK(input.mesh[0].placement.rotate.degrees == 10);
+  CHECK(std::get<MeshFile>(input.mesh[1].body).file == "/else/b.msh");
+  const auto& box = std::get<BoxMesh>(input.mesh[2].body);
+  CHECK(box.size == Vec3(1, 2, 3));
+  CHECK(box.elements == std::array{4, 5, 6});
+  CHECK(input.mesh[2].placement.rotate.degrees == -90);
+  const auto& rod = std::get<CylinderMesh>(input.mesh[3].body);
+  CHECK(rod.radius == 3.2);
+  CHECK(rod.length == 32.4);
+  CHECK(rod.elements == std::array{4, 20});
+  CHECK(std::get<SphereMesh>(input.mesh[4].body).elements == 6);
+  const auto& tube = std::get<TubeMesh>(input.mesh[5].body);
+  CHECK(tube.inner_radius == 1);
+  CHECK(tube.outer_radius == 1.5);
+  CHECK(tube.elements == std::array{2, 24, 10});
+  const auto& plate = std::get<PlateMesh>(input.mesh[6].body);
+  CHECK(plate.size == std::array{10.0, 20.0});
+  CHECK(plate.thickness == 0.5);
+}
+
+TEST_CASE("materials and parts are read", "[scene]") {
+  const Input input = full();
+  CHECK(std::get<material::Elastic>(input.materials.at("aluminium")).poisson == 0.33);
+  const auto& steel = std::get<material::J2>(input.materials.at("steel"));
+  CHECK(steel.hardening == 1);
+  CHECK(steel.kinematic == 0.5);
+  const auto& table = std::get<material::J2>(input.materials.at("table"));
+  CHECK(table.yield == 0.4);
+  CHECK(table.table.size() == 3);
+  const auto& rubber = std::get<material::NeoHookean>(input.materials.at("rubber"));
+  CHECK(rubber.mu == 0.3);
+  CHECK(rubber.lambda == Approx(1.8));  // K - 2/3 G
+  const auto& gum = std::get<material::NeoHookean>(input.materials.at("gum"));
+  CHECK(gum.mu == Approx(1.0));      // E / (2 (1 + nu)) = 2.6 / 2.6
+  CHECK(gum.lambda == Approx(1.5));  // 2 mu nu / (1 - 2 nu) = 0.6 / 0.4
+  REQUIRE(input.parts.size() == 7);
+  CHECK(input.parts[0].block == "1");
+  CHECK(input.parts[0].element == ElementKind::hex8_full);
+  CHECK(input.parts[0].hourglass.coefficient == 0.1);
+  CHECK(input.parts[0].bulk.linear == 0);
+  CHECK(input.parts[1].block == "Block 2");
+  CHECK(input.parts[1].element == ElementKind::tet4);
+  CHECK(input.parts[2].hourglass.coefficient == 0.1);
+  CHECK(input.parts[5].hourglass.kind == HourglassKind::none);
+  CHECK(input.parts[6].hourglass.coefficient == 0.15);
+}
+
+TEST_CASE("sets, motions and loads are read", "[scene]") {
+  const Input input = full();
+  REQUIRE(input.sets.size() == 4);
+  CHECK(input.sets[0].part == "rod");
+  CHECK((*input.sets[0].box)[1] == Vec3(1, 1, 0.01));
+  CHECK(input.sets[1].side_set == "3");
+  CHECK(input.sets[2].node_set == "top");
+  CHECK(input.curves.at("ramp")[1] == std::array{1e-3, 1.0});
+  CHECK(input.initial[0].velocity == Vec3(0, 0, -227));
+  CHECK(input.initial[1].where == "foot");
+  CHECK(input.initial[1].spin_axis == Vec3(0, 1, 0));
+  CHECK(input.initial[1].spin_rate == 75);
+  CHECK(input.fixed[0].dofs == std::array{true, false, true});
+  CHECK(input.symmetry[0].normal == Vec3(1, 0, 0));
+  CHECK(input.prescribed[0].curve == "ramp");
+  CHECK(input.prescribed[0].dof == 2);
+  CHECK(input.prescribed[0].scale == 5);
+  CHECK(input.prescribed[1].curve.empty());
+  CHECK(input.prescribed[1].scale == -5);
+  CHECK(input.pressure[0].value == 1e6);
+  CHECK(input.gravity->vector == Vec3(0, 0, -9.81e-3));
+  CHECK(input.damping->to == 2);
+  CHECK(input.rigid_walls[0].normal == Vec3(0, 0, 1));
+  CHECK(input.rigid_walls[1].bilateral);
+  CHECK(input.rigid_walls[1].motion == "ramp");
+}
+
+TEST_CASE("contact, probes and the run are read", "[scene]") {
+  using Slave = ContactEntry::Slave;
+  const Input input = full();
+  REQUIRE(input.contact.size() == 3);
+  CHECK(input.contact[0].between.empty());
+  CHECK(input.contact[0].exclude[0] == std::array<std::string, 2>{"rod", "ball"});
+  CHECK(input.contact[0].tolerance == 1e-4);
+  CHECK(input.contact[0].max_iterations == 20);
+  CHECK(input.contact[0].initial_overlap == ContactEntry::InitialOverlap::warn);
+  CHECK(input.contact[1].slave == Slave::second);
+  CHECK(input.contact[2].slave == Slave::first);
+  REQUIRE(input.probes.size() == 4);
+  CHECK(input.probes[0].where == "17");
+  CHECK(input.probes[1].kind == Probe::Kind::contact);
+  CHECK(input.probes[1].other == "target");
+  CHECK(input.probes[2].where == "press");
+  CHECK(input.probes[3].field == "reaction");
+  CHECK(input.run.end == 80e-6);
+  CHECK(input.run.steps == 10000);
+  CHECK(input.run.cfl == 0.5);
+  CHECK(input.run.wall_limit == 14100);
+  CHECK(input.output.fields.size() == 6);
+  CHECK(input.history_every == 1e-7);
+  CHECK(input.checkpoint_every == 20e-6);
+}
+
+TEST_CASE("overrides change, create and take away", "[scene]") {
+  const std::vector<std::string> overrides{"mesh.0.box.elements=[40, 40, 40]", "run.end=1e-5", "history.every=1e-7",
+                                           "materials.steel.yield=3e8",        "contact=null", "run.end=2e-5"};
+  const Input input = read_scene(std::string(small_scene), "small.yaml", overrides);
+  CHECK(std::get<BoxMesh>(input.mesh[0].body).elements == std::array{40, 40, 40});
+  CHECK(input.run.end == 2e-5);
+  CHECK(input.history_every == 1e-7);
+  CHECK(std::get<material::J2>(input.materials.at("steel")).yield == 3e8);
+  CHECK(input.contact.empty());
+}
+
+TEST_CASE("a mesh of one body needs no list, and its overrides no change", "[scene]") {
+  const std::string text = R"(units: none
+mesh: {box: {part: a, size: [1, 1, 1], elements: [1, 1, 1]}}
+materials: {m: {model: elastic, density: 1, young: 1, poisson: 0}}
+parts: {a: {material: m}}
+run: {steps: 4}
+)";
+  const std::vector<std::string> overrides{"mesh.0.box.elements=[2, 3, 4]"};
+  const Input input = read_scene(text, "one.yaml", overrides);
+  REQUIRE(input.mesh.size() == 1);
+  CHECK(std::get<BoxMesh>(input.mesh[0].body).elements == std::array{2, 3, 4});
+  CHECK(input.run.steps == 4);
+}
+
+TEST_CASE("a density that no matter has draws a warning", "[scene]") {
+  const std::vector<std::string> overrides{"units=mm-s-tonne"};  // 7800 t/mm^3 for 7800 kg/m^3
+  const Input input = read_scene(std::string(small_scene), "small.yaml", overrides);
+  REQUIRE(input.warnings.size() == 1);
+  CHECK_THAT(input.warnings[0], Catch::Contains("materials.steel.density"));
+  CHECK_THAT(input.warnings[0], Catch::Contains("7.8e+15 kg/m^3"));
+}

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// One spoilt line at a time: the message must name the line, the key path, and what is wrong.
+#include <catch2/catch.hpp>
+
+#include "brunt/core/error.hpp"
+#include "brunt/scene/read.hpp"
+#include "unit/scene/good_scene.hpp"
+
+using namespace brunt;
+using namespace brunt::scene;
+
+namespace {
+
+struct Wrong {
+  std::string from, to;           ///< text of the small scene, and what it is spoilt to
+  std::string where;              ///< the message's beginning
+  std::vector<std::string> told;  ///< phrases of it
+};
+
+std::vector<std::string> faults_of(const std::string& text, std::vector<std::string> overrides = {}) {
+  try {
+    read_scene(text, "bar.yaml", overrides);
+  } catch (const InputError& error) {
+    return error.faults();
+  }
+  return {};
+}
+
+std::string spoilt(const std::string& from, const std::string& to) {
+  std::string text(small_scene);
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+void check_message(const std::vector<std::string>& faults, const std::string& where,
+                   const std::vector<std::string>& told) {
+  INFO("faults:\n" << InputError(faults).what());
+  REQUIRE(faults.size() == 1);
+  CHECK_THAT(faults[0], Catch::StartsWith(where + ": "));
+  for (const std::string& phrase : told) CHECK_THAT(faults[0], Catch::Contains(phrase));
+}
+
+void check_all(const std::vector<Wrong>& table) {
+  for (const Wrong& wrong : table) {
+    INFO("spoilt: " << wrong.from << " -> " << wrong.to);
+    check_message(faults_of(spoilt(wrong.from, wrong.to)), wrong.where, wrong.told);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("wrong numbers", "[scene]") {
+  check_all({
+      {"7800", "-7800", "bar.yaml:16: materials.steel.density", {"-7800 is out of range", "a number > 0"}},
+      {"7800", "0", "bar.yaml:16: materials.steel.density", {"out of range"}},
+      {"7800", "\"7800\"", "bar.yaml:16: materials.steel.density", {"quoted text '7800'", "a number > 0"}},
+      {"7800", "7800 kg", "bar.yaml:16: materials.steel.density", {"'7800 kg'", "a number > 0"}},
+      {"7800", "7,800", "bar.yaml:16: materials.steel.density", {"'7,800'"}},
+      {"7800", "", "bar.yaml:16: materials.steel.density", {"nothing is given"}},
+      {"7800", "[1, 2]", "bar.yaml:16: materials.steel.density", {"a list of 2 is given"}},
+      {"2.0e11", ".inf", "bar.yaml:17: materials.steel.young", {"not a finite number"}},
+      {"2.0e11", "nan", "bar.yaml:17: materials.steel.young", {"not a finite number"}},
+      {"2.0e11", "1e999", "bar.yaml:17: materials.steel.young", {"not a finite number"}},
+      {"0.3", "0.5", "bar.yaml:18: materials.steel.poisson", {"out of range", "> -1 and < 0.5"}},
+      {"0.3", "-1", "bar.yaml:18: materials.steel.poisson", {"out of range"}},
+      {"1.0e-3", "0", "bar.yaml:42: run.end", {"0 is out of range", "a number > 0"}},
+      {"1.0e-3", "-1", "bar.yaml:42: run.end", {"out of range"}},
+      {"cfl: 0.9", "cfl: 1.01", "bar.yaml:43: run.cfl", {"out of range", "> 0 and <= 1"}},
+      {"cfl: 0.9", "wall_limit: soon", "bar.yaml:43: run.wall_limit", {"'soon'", "3h55m"}},
+      {"cfl: 0.9", "steps: 2.5", "bar.yaml:43: run.steps", {"no integer"}},
+      {"cfl: 0.9", "steps: 0", "bar.yaml:43: run.steps", {"out of range", "from 1"}},
+      {"every: 1.0e-4", "every: 0", "bar.yaml:45: output.every", {"out of range"}},
+      {"node: 1", "node: -1", "bar.yaml:39: probes.0.node", {"out of range"}},
+      {"[2, 2, 2]", "[2, 2, 0]", "bar.yaml:7: mesh.0.box.elements.2", {"out of range", "from 1"}},
+      {"[2, 2, 2]", "[2, 2]", "bar.yaml:7: mesh.0.box.elements", {"a list of 2", "three integers"}},
+      {"[2, 2, 2]", "[2000, 2000, 2000]", "bar.yaml:7: mesh.0.box.elements", {"too many"}},
+      {"[1, 1, 1]", "[1, 1, -1]", "bar.yaml:6: mesh.0.box.size.2", {"out of range"}},
+  });
+}
+
+TEST_CASE("wrong keys and words", "[scene]") {
+  check_all({
+      {"yield: 4.0e8",
+       "yield: 4.0e8\n    hardning: 1.0e8",
+       "bar.yaml:20: materials.steel.hardning",
+       {"unknown key", "nearest is 'hardening'"}},
+      {"model: j2", "model: elastic", "bar.yaml:19: materials.steel.yield", {"unknown key"}},
+      {"model: j2", "model: J3", "bar.yaml:15: materials.steel.model", {"'J3' is unknown", "nearest is 'j2'"}},
+      {"output:", "ouput:", "bar.yaml:44: ouput", {"unknown key", "nearest is 'output'"}},
+      {"cfl:", "clf:", "bar.yaml:43: run.clf", {"unknown key", "nearest is 'cfl'"}},
+      {"units: SI", "units: si", "bar.yaml:2: units", {"'si' is unknown", "nearest is 'SI'", "mm-ms-kg", "none"}},
+      {"units: SI\n", "", "bar.yaml:1: units", {"missing", "mm-ms-kg"}},
+      {"    density: 7800\n", "", "bar.yaml:14: materials.steel.density", {"missing", "a number > 0"}},
+      {"    yield: 4.0e8\n", "", "bar.yaml:14: materials.steel.yield", {"missing"}},
+      {"  end: 1.0e-3\n", "", "bar.yaml:41: run", {"no end is given", "steps"}},
+      {"run:\n  end: 1.0e-3\n  cfl: 0.9\n", "", "bar.yaml:1: run", {"missing"}},
+      {"run:\n  end: 1.0e-3\n  cfl: 0.9\n", "run: 1.0e-3\n", "bar.yaml:41: run", {"'1.0e-3' is given", "a map"}},
+      {"fields: [displacement]",
+       "fields: [displacment]",
+       "bar.yaml:46: output.fields.0",
+       {"nearest is 'displacement'"}},
+      {"fields: [displacement]", "fields: displacement", "bar.yaml:46: output.fields", {"a list of fields"}},
+      {"field: velocity", "field: reaction", "bar.yaml:40: probes.0.field", {"'reaction' is unknown", "position"}},
+      {"normal: [0, 0, 1]", "normal: [0, 0, 0]", "bar.yaml:32: rigid_walls.0.normal", {"no direction"}},
+      {"friction: 0", "bilateral: yes", "bar.yaml:33: rigid_walls.0.bilateral", {"true or false"}},
+      {"    velocity: [1, 0, 0]\n", "", "bar.yaml:28: initial.0", {"no motion"}},
+      {"velocity: [1, 0, 0]",
+       "velocity: [1, 0, 0]\n    velocity: [2, 0, 0]",
+       "bar.yaml:30: initial.0.velocity",
+       {"duplicate key", "line 29"}},
+      {"density: 7800",
+       "density: 7800\n    density: 7850",
+       "bar.yaml:17: materials.steel.density",
+       {"duplicate key", "first in line 16"}},
+      {"yield: 4.0e8",
+       "hardening_table: [[0, 4.0e8], [0, 5.0e8]]",
+       "bar.yaml:19: materials.steel.hardening_table.1",
+       {"does not increase"}},
+      {"yield: 4.0e8",
+       "hardening_table: [[0, 4.0e8], [1, 3.0e8]]",
+       "bar.yaml:19: materials.steel.hardening_table.1",
+       {"falls"}},
+      {"yield: 4.0e8", "hardening_table: [[0.1, 4.0e8]]", "bar.yaml:19: materials.steel.hardening_table.0", {"not 0"}},
+      {"[[0, 0], [1, 1]]", "[[0, 0], [0, 1]]", "bar.yaml:26: curves.ramp.1", {"strictly increasing"}},
+      {"[[0, 0], [1, 1]]", "[]", "bar.yaml:26: curves.ramp", {"a list of points"}},
+      {"name: tip", "name: a,b", "bar.yaml:38: probes.0.name", {"cannot head a column"}},
+  });
+}
+
+TEST_CASE("names that do not fit together", "[scene]") {
+  check_all({
+      {"material: steel",
+       "material: stel",
+       "bar.yaml:22: parts.left.material",
+       {"unknown material 'stel'", "nearest is 'steel'"}},
+      {"- part: left", "- part: lefd", "bar.yaml:28: initial.0.part", {"unknown part 'lefd'", "nearest is 'left'"}},
+      {"friction: 0", "motion: ram", "bar.yaml:33: rigid_walls.0.motion", {"unknown curve 'ram'", "nearest is 'ramp'"}},
+      {"node: 1\n    field: velocity",
+       "wall: wall1",
+       "bar.yaml:39: probes.0.wall",
+       {"unknown rigid wall 'wall1'", "nearest is 'wall0'"}},
+      {"[left, right]", "[left, rigth]", "bar.yaml:35: contact.0.between.1", {"nearest is 'right'"}},
+      {"  right:\n    material: steel\n",
+       "  right: {material: steel, block: 7}\n",
+       "bar.yaml:8: mesh.1",
+       {"the generated body 'right' has no entry in parts"}},
+      {"  right:\n    material: steel\n",
+       "  right: {material: steel}\n  middle: {material: steel}\n",
+       "bar.yaml:24: parts.middle",
+       {"no body of the mesh makes the block 'middle'"}},
+      {"field: velocity",
+       "field: velocity\n  - {name: tip, node: 2, field: velocity}",
+       "bar.yaml:41: probes.1",
+       {"duplicate name 'tip'"}},
+      {"node: 1\n", "set: left\n    node: 1\n", "bar.yaml:38: probes.0", {"2 places to probe"}},
+      {"curves:\n",
+       "sets:\n  left: {box: [[0, 0, 0], [1, 1, 1]]}\ncurves:\n",
+       "bar.yaml:26: sets.left",
+       {"duplicate name"}},
+      {"curves:\n",
+       "sets:\n  foot: {part: left, side_set: 3}\ncurves:\n",
+       "bar.yaml:26: sets.foot",
+       {"no single selection"}},
+      {"curves:\n",
+       "sets:\n  foot: {box: [[0, 0, 1], [1, 1, 0]]}\ncurves:\n",
+       "bar.yaml:26: sets.foot.box",
+       {"inside out"}},
+  });
+}
+
+TEST_CASE("what later versions bring is recognised and refused", "[scene]") {
+  const std::string not_yet = "this version does not have";
+  check_all({
+      {"title: small", "space: axisymmetric", "bar.yaml:1: space", {not_yet, "accepted: 3d"}},
+      {"material: steel", "material: steel\n    element: shell4", "bar.yaml:23: parts.left.element", {not_yet, "hex8"}},
+      {"material: steel", "material: steel\n    thickness: 0.1", "bar.yaml:23: parts.left.thickness", {not_yet}},
+      {"model: j2", "model: johnson_cook", "bar.yaml:15: materials.steel.model", {not_yet, "elastic, j2, neo_hookean"}},
+      {"model: j2", "model: rigid", "bar.yaml:15: materials.steel.model", {not_yet}},
+      {"friction: 0", "friction: 0.1", "bar.yaml:33: rigid_walls.0.friction", {"friction comes in a later version"}},
+      {"slave: auto",
+       "friction: {static: 0.3, kinetic: 0.2}",
+       "bar.yaml:36: contact.0.friction",
+       {"friction comes in a later version"}},
+      {"[left, right]", "[left, left]", "bar.yaml:35: contact.0.between", {not_yet, "self-contact"}},
+      {"slave: auto", "tied: true", "bar.yaml:36: contact.0.tied", {not_yet}},
+      {"slave: auto", "method: penalty", "bar.yaml:36: contact.0.method", {not_yet, "accepted: rate"}},
+      {"slave: auto", "passes: two", "bar.yaml:36: contact.0.passes", {not_yet, "auto, one"}},
+      {"slave: auto", "thickness: 0.1", "bar.yaml:36: contact.0.thickness", {not_yet, "auto"}},
+      {"slave: auto", "initial_overlap: adjust", "bar.yaml:36: contact.0.initial_overlap", {not_yet, "error, warn"}},
+      {"slave: auto", "slave: middle", "bar.yaml:36: contact.0.slave", {"'middle' is unknown", "first, second, left"}},
+      {"[left, right]\n    slave: auto",
+       "all\n    slave: first",
+       "bar.yaml:36: contact.0.slave",
+       {"no first and second"}},
+  });
+}
+
+TEST_CASE("broken YAML", "[scene]") {
+  check_message(faults_of(""), "bar.yaml:1", {"empty", "units"});
+  check_message(faults_of("# nothing but a comment\n"), "bar.yaml:1", {"empty"});
+  check_message(faults_of("just text"), "bar.yaml:1", {"'just text' is given", "sections"});
+  check_message(faults_of(spoilt("[0, 0, 1]", "[0, 0, 1")), "bar.yaml:33", {"YAML syntax error, column 13"});
+  check_message(faults_of(spoilt("  cfl: 0.9", "\tcfl: 0.9")), "bar.yaml:43", {"tab", "spaces"});
+  check_message(faults_of(spoilt("title", " title")), "bar.yaml:2", {"second YAML document", "one column"});
+  check_message(faults_of(spoilt("title: small", "title: @small")), "bar.yaml:1", {"YAML syntax error, column 8"});
+  check_message(faults_of(std::string("a: 1\0b: 2", 9)), "bar.yaml:1", {"zero bytes"});
+}
+
+TEST_CASE("wrong overrides are named as such", "[scene]") {
+  const std::string good(small_scene);
+  check_message(faults_of(good, {"run.ned=1"}), "--set run.ned=1: run.ned", {"unknown key", "nearest is 'end'"});
+  check_message(faults_of(good, {"run.end=-1"}), "--set run.end=-1: run.end", {"out of range"});
+  check_message(faults_of(good, {"run.end"}), "--set run.end", {"--set key.path=value"});
+  check_message(faults_of(good, {"run..end=1"}), "--set run..end=1", {"--set key.path=value"});
+  check_message(faults_of(good, {"mesh.2.box.scale=1"}), "--set mesh.2.box.scale=1: mesh.2", {"no such entry"});
+  check_message(faults_of(good, {"run.end.x=1"}), "--set run.end.x=1: run.end.x", {"its parent is a single value"});
+  check_message(faults_of(good, {"mesh.0.box.size=[1"}), "--set mesh.0.box.size=[1", {"YAML syntax error"});
+  check_message(faults_of(good, {"materials.steel.yield=\"3\""}),
+                "--set materials.steel.yield=\"3\": materials.steel.yield", {"quoted text"});
+}
+
+TEST_CASE("all faults of a scene are told at once, in the order of its lines", "[scene]") {
+  std::string text = spoilt("7800", "-1");
+  text.replace(text.find("cfl: 0.9"), 8, "cfl: 2.0");
+  text.replace(text.find("part: left\n    velocity"), 10, "part: lost");
+  const std::vector<std::string> faults = faults_of(text, {"output.every=0"});
+  REQUIRE(faults.size() == 4);
+  CHECK_THAT(faults[0], Catch::StartsWith("bar.yaml:16: materials.steel.density: "));
+  CHECK_THAT(faults[1], Catch::StartsWith("bar.yaml:28: initial.0.part: "));
+  CHECK_THAT(faults[2], Catch::StartsWith("bar.yaml:43: run.cfl: "));
+  CHECK_THAT(faults[3], Catch::StartsWith("--set output.every=0: output.every: "));
+}
