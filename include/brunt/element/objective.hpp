@@ -16,7 +16,7 @@ struct StrainStep {
 /// the end of the step as R^(1/2) d R^(-1/2) = d + (w d - d w)/2 + O(w^2 d), w the spin increment: without the
 /// second term the update s <- R s R^T + C d is of first order only (T. J. R. Hughes, J. Winget, Int. J. Numer. Meth.
 /// Eng. 15 (1980) 1862 leave it out). Rigid motions give no strain and their exact rotation.
-inline StrainStep strain_step(const Pack (&L)[9], double dt) {
+BRUNT_INLINE StrainStep strain_step(const Pack (&L)[9], double dt) {
   const double half = 0.5 * dt;
   const Pack xx = dt * L[0], yy = dt * L[4], zz = dt * L[8];
   const Pack xy = half * (L[1] + L[3]), yz = half * (L[5] + L[7]), zx = half * (L[2] + L[6]);
@@ -35,7 +35,8 @@ inline StrainStep strain_step(const Pack (&L)[9], double dt) {
 
 /// Stress (6 packs), history tensors and scalars of a rate law from t_n - dt to t_n.
 template <class Response>
-inline void update_stress(const Response& law, const StrainStep& step, Pack* stress, Pack* tensors, Pack* scalars) {
+BRUNT_INLINE void update_stress(const Response& law, const StrainStep& step, Pack* stress, Pack* tensors,
+                                Pack* scalars) {
   Pack s[6];
   for (int c = 0; c < 6; ++c) s[c] = stress[c];
   geometry::rotate_tensor(step.rotation, s);

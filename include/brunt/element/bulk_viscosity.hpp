@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Viscous pressure that spreads shocks over a few elements and damps the highest frequency.
+#pragma once
+#include "brunt/element/batch.hpp"
+#include "brunt/element/options.hpp"
+
+namespace brunt::element {
+
+/// Viscosity z of the pressure -z e, e the rate of volume strain: linear rho c L + quadratic^2 rho L^2 |e|, the second
+/// in compression only (J. von Neumann, R. D. Richtmyer 1950; R. Landshoff 1955). `modulus` = rho c^2, `rho_length2` =
+/// rho L^2, L the thickness of the element.
+BRUNT_INLINE Pack bulk_viscosity(const BulkViscosity& bulk, double modulus, Pack rho_length2, Pack volume_rate) {
+  const Pack compression = pack_max(-volume_rate, broadcast(0.0));
+  return bulk.linear * pack_sqrt(modulus * rho_length2) + (bulk.quadratic * bulk.quadratic) * rho_length2 * compression;
+}
+
+}  // namespace brunt::element

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// One of the 2x2x2 Gauss points of the trilinear hexahedron, in the basis of its nodal modes (hex8_modes.hpp): there
+// the parent gradient of a field costs four terms a direction, and no shape functions are needed.
+#pragma once
+#include "brunt/core/simd.hpp"
+#include "brunt/element/hex8_modes.hpp"
+
+namespace brunt::element {
+
+constexpr int hex_points = 8;
+
+/// Parent coordinates of Gauss point p, all weights 1; points in the order of the nodes' xi fastest, zeta slowest.
+struct HexPoint {
+  double xi, eta, zeta;
+  explicit constexpr HexPoint(int p) : xi(p & 1 ? at : -at), eta(p & 2 ? at : -at), zeta(p & 4 ? at : -at) {}
+  static constexpr double at = 0.57735026918962576451;  ///< 1/sqrt(3)
+};
+
+/// G_ij = du_i/dxi_j (row major) of the field with modes u[m][component].
+BRUNT_INLINE void parent_gradient(const HexPoint& p, const Pack (&u)[hex_modes][3], Pack (&G)[9]) {
+  for (int i = 0; i < 3; ++i) {
+    G[3 * i] = 0.125 * (u[0][i] + p.zeta * u[4][i] + p.eta * u[5][i] + p.eta * p.zeta * u[6][i]);
+    G[3 * i + 1] = 0.125 * (u[1][i] + p.zeta * u[3][i] + p.xi * u[5][i] + p.zeta * p.xi * u[6][i]);
+    G[3 * i + 2] = 0.125 * (u[2][i] + p.eta * u[3][i] + p.xi * u[4][i] + p.xi * p.eta * u[6][i]);
+  }
+}
+
+/// force[i][m] -= A_ij d(mode m)/dxi_j / 8, the transpose of parent_gradient.
+BRUNT_INLINE void subtract_parent_force(const HexPoint& p, const Pack (&A)[9], Pack (&force)[3][hex_modes]) {
+  for (int i = 0; i < 3; ++i) {
+    const Pack x = 0.125 * A[3 * i], y = 0.125 * A[3 * i + 1], z = 0.125 * A[3 * i + 2];
+    force[i][0] -= x;
+    force[i][1] -= y;
+    force[i][2] -= z;
+    force[i][3] -= p.zeta * y + p.eta * z;
+    force[i][4] -= p.zeta * x + p.xi * z;
+    force[i][5] -= p.eta * x + p.xi * y;
+    force[i][6] -= (p.eta * p.zeta) * x + (p.zeta * p.xi) * y + (p.xi * p.eta) * z;
+  }
+}
+
+/// Cofactors K of J (K = det J times the inverse transposed) and the determinant.
+BRUNT_INLINE Pack cofactors(const Pack (&J)[9], Pack (&K)[9]) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      K[3 * i + j] = J[3 * i1 + j1] * J[3 * i2 + j2] - J[3 * i1 + j2] * J[3 * i2 + j1];
+    }
+  return J[0] * K[0] + J[1] * K[1] + J[2] * K[2];
+}
+
+/// Gradient du_i/dx_j in space from parent gradients: (du/dxi) (dx/dxi)^-1. Returns det(dx/dxi).
+BRUNT_INLINE Pack space_gradient(const Pack (&u_parent)[9], const Pack (&x_parent)[9], Pack (&L)[9]) {
+  Pack K[9];
+  const Pack det = cofactors(x_parent, K);
+  const Pack over = 1.0 / det;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      L[3 * i + j] =
+          over * (u_parent[3 * i] * K[3 * j] + u_parent[3 * i + 1] * K[3 * j + 1] + u_parent[3 * i + 2] * K[3 * j + 2]);
+  return det;
+}
+
+/// A = s K for a symmetric s = (xx, yy, zz, xy, yz, zx): the force of a stress on the parent directions.
+BRUNT_INLINE void stress_times_cofactors(const Pack (&s)[6], const Pack (&K)[9], Pack (&A)[9]) {
+  const Pack full[9] = {s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2]};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      A[3 * i + j] = full[3 * i] * K[j] + full[3 * i + 1] * K[3 + j] + full[3 * i + 2] * K[6 + j];
+}
+
+}  // namespace brunt::element

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// The four-node tetrahedron: constant gradient, so one point is full integration. Stiff (locks) in bending and in
+// nearly incompressible flow; prefer hexahedra there.
+//
+// With B_I = V grad N_I and S = sum_I B_I B_I^T, corner mass m/4: f_I = -s B_I and, for the free element,
+//   omega^2 <= 4/(m V) [lambda tr S + 2 mu s_max(S)].
+#pragma once
+#include <vector>
+
+#include "brunt/element/batch.hpp"
+#include "brunt/element/bulk_viscosity.hpp"
+#include "brunt/element/objective.hpp"
+#include "brunt/element/options.hpp"
+
+namespace brunt::element {
+
+template <class Response>
+struct Tet4 {
+  static constexpr int nodes = 4;
+
+  Response law;
+  BulkViscosity bulk;
+
+  // history in this order; the mass is set once by the model
+  static constexpr int at_mass = 0;
+  static constexpr int at_stress = 1;
+  static constexpr int at_tensors = at_stress + 6;
+  static constexpr int at_scalars = at_tensors + 6 * Response::tensors;
+  static constexpr int at_bulk_energy = at_scalars + Response::scalars;
+  static constexpr int history_size = at_bulk_energy + 1;
+
+  static std::vector<HistoryField> history() {
+    std::vector<HistoryField> fields{{"mass", 1}, {"stress", 6}};
+    if (Response::tensors > 0) fields.push_back({"back_stress", 6 * Response::tensors});
+    if (Response::scalars > 0) fields.push_back({"plastic_strain", Response::scalars});
+    fields.push_back({"bulk_energy", 1});
+    return fields;
+  }
+
+  void operator()(const BatchMotion<4>& in, Pack* history, BatchForce<4>& out) const;
+};
+
+namespace tet4_detail {
+
+/// e[k][i] = u_(k+1),i - u_0,i
+BRUNT_INLINE void edges(const Pack (&u)[3][4], Pack (&e)[3][3]) {
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 3; ++i) e[k][i] = u[i][k + 1] - u[i][0];
+}
+
+/// B_k = V grad N_k of nodes 1, 2, 3 (that of node 0 is minus their sum) from the edges; returns the volume V.
+BRUNT_INLINE Pack gradients(const Pack (&e)[3][3], Pack (&B)[3][3]) {
+  for (int k = 0; k < 3; ++k) {
+    const auto &a = e[(k + 1) % 3], &b = e[(k + 2) % 3];
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, l = (i + 2) % 3;
+      B[k][i] = (a[j] * b[l] - a[l] * b[j]) * (1.0 / 6.0);
+    }
+  }
+  return e[0][0] * B[0][0] + e[0][1] * B[0][1] + e[0][2] * B[0][2];
+}
+
+/// du_i/dx_j (row major) of the field with edge differences u.
+BRUNT_INLINE void gradient(const Pack (&u)[3][3], const Pack (&B)[3][3], Pack volume, Pack (&L)[9]) {
+  const Pack over = 1.0 / volume;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) L[3 * i + j] = over * (u[0][i] * B[0][j] + u[1][i] * B[1][j] + u[2][i] * B[2][j]);
+}
+
+}  // namespace tet4_detail
+
+template <class Response>
+void Tet4<Response>::operator()(const BatchMotion<4>& in, Pack* history, BatchForce<4>& out) const {
+  using namespace tet4_detail;
+  Pack x[3][3], v[3][3], x_mid[3][3], B[3][3], B_mid[3][3], L[9];
+  edges(in.x, x);
+  edges(in.v, v);
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 3; ++i) x_mid[k][i] = x[k][i] - (0.5 * in.dt) * v[k][i];
+  const Pack volume_mid = gradients(x_mid, B_mid);
+  gradient(v, B_mid, volume_mid, L);
+  const Pack volume = gradients(x, B);
+
+  Pack* stress = history + at_stress;
+  Pack s[6], lambda, mu;
+  if constexpr (Response::hyperelastic) {
+    Pack X[3][3], B_reference[3][3], F[9];
+    edges(in.X, X);
+    const Pack reference_volume = gradients(X, B_reference);
+    gradient(x, B_reference, reference_volume, F);
+    law.stress(F, s);
+    law.tangent(F, lambda, mu);
+    for (int c = 0; c < 6; ++c) stress[c] = s[c];
+  } else {
+    update_stress(law, strain_step(L, in.dt), stress, history + at_tensors, history + at_scalars);
+    for (int c = 0; c < 6; ++c) s[c] = stress[c];
+    law.tangent(s, lambda, mu);
+  }
+
+  constexpr int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
+  Pack first[3], S[6];  // B of node 0
+  for (int i = 0; i < 3; ++i) first[i] = -(B[0][i] + B[1][i] + B[2][i]);
+  for (int c = 0; c < 6; ++c) {
+    S[c] = first[row[c]] * first[column[c]];
+    for (int k = 0; k < 3; ++k) S[c] += B[k][row[c]] * B[k][column[c]];
+  }
+  const Pack trace = S[0] + S[1] + S[2], largest = largest_eigenvalue_bound(S);
+  const Pack mass = history[at_mass];
+  const Pack volume_rate = L[0] + L[4] + L[8];
+  const Pack viscosity = bulk_viscosity(bulk, law.lambda + 2.0 * law.mu, mass * volume / largest, volume_rate);
+  history[at_bulk_energy] += (in.dt * volume) * viscosity * volume_rate * volume_rate;
+
+  for (int i = 0; i < 3; ++i) s[i] += viscosity * volume_rate;
+  const Pack full[9] = {s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2]};
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k)
+      out.f[i][k + 1] = -(full[3 * i] * B[k][0] + full[3 * i + 1] * B[k][1] + full[3 * i + 2] * B[k][2]);
+    out.f[i][0] = -(out.f[i][1] + out.f[i][2] + out.f[i][3]);
+  }
+
+  const Pack factor = 4.0 / (mass * volume);
+  out.rate =
+      stable_rate(factor * (pack_max(lambda, broadcast(0.0)) * trace + 2.0 * mu * largest), factor * trace * viscosity);
+  out.volume = volume;
+}
+
+}  // namespace brunt::element
