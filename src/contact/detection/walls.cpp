@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Node against rigid wall, and the order of rows.
+#include <algorithm>
+
+#include "brunt/contact/detection/detection.hpp"
+
+namespace brunt::contact {
+
+void detect_walls(std::span<const WallCandidate> candidates, std::span<const Wall> walls,
+                  std::span<const GlobalIndex> gid, std::span<const NodeMotion> motion, double dt,
+                  const DetectionSettings& settings, std::vector<Row>& rows) {
+  for (const WallCandidate& candidate : candidates) {
+    const Wall& wall = walls[static_cast<std::size_t>(candidate.wall)];
+    const NodeMotion& node = motion[static_cast<std::size_t>(candidate.node)];
+    const double gap = (node.position - wall.point).dot(wall.normal);
+    const double wall_rate = wall.velocity.dot(wall.normal);
+    const double next_gap = gap + dt * (node.predicted.dot(wall.normal) - wall_rate);
+    const bool held = wall.bilateral && candidate.held;
+    if (!held && std::min(gap, next_gap) > settings.capture * settings.wall_size) continue;
+    const bool closed = held || gap < 0;
+    const double limit = settings.recovery_limit * settings.wall_size;
+    const double recovery = std::clamp(-settings.recovery * gap, -limit, limit);
+    Row row{.slave_gid = gid[static_cast<std::size_t>(candidate.node)], .master_key = -1 - candidate.wall};
+    row.nodes[0] = candidate.node;
+    row.weights[0] = 1;
+    row.node_count = 1;
+    row.slave_body = candidate.body;
+    row.master_body = no_index;
+    row.master_block = no_index;
+    row.normal = wall.normal;
+    row.gap = gap;
+    row.required = wall_rate + (closed ? recovery : -gap) / dt;
+    row.cone = held ? Cone::free : Cone::compression;
+    rows.push_back(row);
+  }
+}
+
+void sort_rows(std::vector<Row>& rows) {
+  std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+    return a.slave_gid != b.slave_gid ? a.slave_gid < b.slave_gid : a.master_key < b.master_key;
+  });
+}
+
+}  // namespace brunt::contact

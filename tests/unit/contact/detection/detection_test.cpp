@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which rows a node gets, on faces, edges and corners of a cube and on walls.
+#include "brunt/contact/detection/detection.hpp"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+
+using namespace brunt;
+using namespace brunt::contact;
+
+namespace {
+
+/// The unit cube as master (contact nodes 0-7, numbered as a hex8) and one slave node (8) of another body whose
+/// surface has the facets given.
+struct CubeAndNode {
+  std::vector<MasterFace> faces;
+  std::vector<GlobalIndex> gid{0, 1, 2, 3, 4, 5, 6, 7, 8};
+  std::vector<NodeMotion> motion;
+  std::vector<Vec3> facets;
+  Candidates candidates;
+  DetectionSettings settings;
+
+  CubeAndNode() {
+    constexpr std::array<std::array<LocalIndex, 4>, 6> sides{
+        {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
+    for (std::size_t f = 0; f < 6; ++f) faces.push_back({.key = static_cast<GlobalIndex>(f), .nodes = sides[f]});
+    for (const Vec3& x : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(1, 0, 1),
+                          Vec3(1, 1, 1), Vec3(0, 1, 1)})
+      motion.push_back({.position = x});
+    motion.emplace_back();
+    facets = {Vec3(0, 0, -1)};
+    candidates.slave = {8};
+    candidates.body = {1};
+    candidates.faces.values = {0, 1, 2, 3, 4, 5};
+    candidates.faces.close_row();
+  }
+
+  std::vector<Row> detect(const Vec3& position, const Vec3& velocity = Vec3::Zero(), double dt = 1e-3) {
+    motion[8] = {position, velocity, velocity};
+    candidates.slave_facets.clear();
+    for (std::size_t f = 0; f < facets.size(); ++f)
+      candidates.slave_facets.values.push_back(static_cast<LocalIndex>(f));
+    candidates.slave_facets.close_row();
+    std::vector<Row> rows;
+    std::vector<Encounter> scratch;
+    detect_faces(candidates, faces, gid, motion, facets, dt, settings, scratch, rows);
+    return rows;
+  }
+};
+
+constexpr GlobalIndex top = 5;
+
+}  // namespace
+
+TEST_CASE("a node above a face: gap, normal, weights and right-hand side") {
+  CubeAndNode scene;
+  const auto rows = scene.detect({0.25, 0.5, 1.1});
+  REQUIRE(rows.size() == 1);
+  const Row& row = rows[0];
+  CHECK(row.master_key == top);
+  CHECK(row.slave_gid == 8);
+  CHECK(row.gap == Approx(0.1).epsilon(1e-12));
+  CHECK(row.required == Approx(-0.1 / 1e-3).epsilon(1e-12));
+  CHECK((row.normal - Vec3::UnitZ()).norm() < 1e-15);
+  CHECK(row.node_count == 5);
+  Vec3 moment = Vec3::Zero();
+  double sum = 0;
+  for (std::size_t i = 0; i < 5; ++i) {
+    sum += row.weights[i];
+    moment += row.weights[i] * scene.motion[static_cast<std::size_t>(row.nodes[i])].position;
+  }
+  CHECK(std::abs(sum) < 1e-15);                    // no momentum
+  CHECK(moment.cross(row.normal).norm() < 1e-14);  // no moment
+}
+
+TEST_CASE("a penetration is recovered at a limited rate") {
+  CubeAndNode scene;
+  auto rows = scene.detect({0.5, 0.5, 1 - 1e-3});
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].gap == Approx(-1e-3).epsilon(1e-9));
+  CHECK(rows[0].required == Approx(0.05 * 1e-3 / 1e-3).epsilon(1e-9));
+  rows = scene.detect({0.5, 0.5, 0.9});
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].required == Approx(1e-3 / 1e-3));
+  CHECK(scene.detect({0.5, 0.5, 0.7}).empty());  // deeper than the capture: not this face's business
+}
+
+TEST_CASE("what cannot touch in this step makes no row, what comes fast does") {
+  CubeAndNode scene;
+  CHECK(scene.detect({0.5, 0.5, 1.3}).empty());
+  CHECK(scene.detect({0.5, 0.5, 1.3}, {0, 0, -100}).size() == 1);
+  CHECK(scene.detect({0.5, 0.5, 1.3}, {0, 0, 100}).empty());
+}
+
+TEST_CASE("a corner on a corner meets the opposed face, not the sides, whatever the lateral offset") {
+  CubeAndNode scene;
+  scene.facets = {Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(0, 1, 0)};  // the corner of a cube standing on this one
+  for (const double offset : {0.0, 1e-16, 1e-9, 1e-4, 1e-2, -1e-9, -1e-3}) {
+    for (const double gap : {0.0, 1e-12, -1e-12, 1e-3, -1e-3}) {
+      const auto rows = scene.detect({1 + offset, 1 + offset, 1 + gap});
+      REQUIRE(rows.size() == 1);
+      CHECK(rows[0].master_key == top);
+      CHECK(rows[0].gap == Approx(gap).margin(1e-15));
+      CHECK((rows[0].normal - Vec3::UnitZ()).norm() < 1e-14);
+    }
+  }
+}
+
+TEST_CASE("outside a convex edge the connecting line is the normal") {
+  CubeAndNode scene;
+  scene.facets = {Vec3(-1, 0, -1)};
+  const auto rows = scene.detect({1.1, 0.5, 1.1});
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].gap == Approx(0.1 * std::sqrt(2.0)));
+  CHECK((rows[0].normal - Vec3(1, 0, 1).normalized()).norm() < 1e-12);
+  CHECK(rows[0].node_count == 3);  // the slave and the two ends of the edge
+}
+
+TEST_CASE("a face seen from behind is no master: a slave under a thin body does not jump through it") {
+  CubeAndNode scene;
+  scene.facets = {Vec3(0, 0, 1)};  // the slave's surface looks up
+  CHECK(scene.detect({0.5, 0.5, 1.05}).empty());
+  const auto below = scene.detect({0.5, 0.5, -0.05});
+  REQUIRE(below.size() == 1);
+  CHECK(below[0].master_key == 4);
+}
+
+TEST_CASE("a longer list of candidates changes nothing") {
+  CubeAndNode scene;
+  const auto expected = scene.detect({0.3, 0.6, 1.01});
+  scene.candidates.faces.clear();
+  scene.candidates.faces.values = {5};
+  scene.candidates.faces.close_row();
+  const auto shorter = scene.detect({0.3, 0.6, 1.01});
+  REQUIRE(expected.size() == 1);
+  REQUIRE(shorter.size() == 1);
+  CHECK(shorter[0].master_key == expected[0].master_key);
+  CHECK(shorter[0].gap == expected[0].gap);
+  CHECK(shorter[0].weights == expected[0].weights);
+}
+
+TEST_CASE("rigid walls") {
+  const std::vector<GlobalIndex> gid{4, 2};
+  std::vector<NodeMotion> motion(2);
+  motion[0] = {Vec3(0, 0, 0.5), Vec3(0, 0, -600), Vec3(0, 0, -600)};
+  motion[1] = {Vec3(3, 1, -0.01), Vec3::Zero(), Vec3::Zero()};
+  std::vector<Wall> walls{{.velocity = Vec3(7, 0, 2)}};
+  std::vector<WallCandidate> candidates{{0, 0, 0, false}, {1, 0, 0, false}};
+  DetectionSettings settings;
+  settings.wall_size = 1;
+  std::vector<Row> rows;
+
+  detect_walls(candidates, walls, gid, motion, 1e-3, settings, rows);
+  sort_rows(rows);
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].slave_gid == 2);
+  CHECK(rows[0].master_key == -1);
+  CHECK(rows[0].required == Approx(2 + 0.05 * 0.01 / 1e-3));
+  CHECK(rows[1].required == Approx(2 - 0.5 / 1e-3));
+  CHECK(rows[1].cone == Cone::compression);
+
+  rows.clear();
+  walls[0].bilateral = true;
+  candidates[0].held = true;
+  motion[0].position.z() = 10;  // far, but it belongs to the plane
+  detect_walls(candidates, walls, gid, motion, 1e-3, settings, rows);
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].cone == Cone::free);
+  CHECK(rows[0].required == Approx(2 - 1e-3 / 1e-3));
+  CHECK(rows[1].cone == Cone::compression);
+
+  rows.clear();
+  motion[1].position.z() = 0.3;
+  candidates.erase(candidates.begin());
+  detect_walls(candidates, walls, gid, motion, 1e-3, settings, rows);
+  CHECK(rows.empty());
+}
