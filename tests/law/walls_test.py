@@ -1,0 +1,73 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Each wall stops what it is there to stop: small trees with one fault each."""
+import os
+import tempfile
+import unittest
+
+import budget
+import includes
+import text
+
+LAYERS = "core:\nmesh:\ncontact: mesh\ncontact/search: contact\napp: *\nvendor mpi.h: src/comm\n"
+
+
+class Walls(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.root = self.folder.name
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def write(self, path, content):
+        full = os.path.join(self.root, path)
+        os.makedirs(os.path.dirname(full), exist_ok=True)
+        with open(full, "w", encoding="utf-8") as stream:
+            stream.write(content)
+
+    def include_faults(self, layers=LAYERS):
+        return "\n".join(includes.check(self.root, layers)[0])
+
+    def test_allowed_includes_pass(self):
+        self.write("include/brunt/mesh/a.hpp", "")
+        self.write("src/contact/b.cpp", '#include "brunt/mesh/a.hpp"\n')
+        self.assertEqual(self.include_faults(), "")
+
+    def test_forbidden_room(self):
+        self.write("include/brunt/contact/search/a.hpp", "")
+        self.write("src/mesh/b.cpp", '#include "brunt/contact/search/a.hpp"\n')
+        self.assertIn("mesh may not include contact/search", self.include_faults())
+
+    def test_circle_of_files(self):
+        self.write("include/brunt/mesh/a.hpp", '#include "brunt/mesh/b.hpp"\n')
+        self.write("include/brunt/mesh/b.hpp", '#include "brunt/mesh/a.hpp"\n')
+        self.assertIn("circle of files", self.include_faults())
+
+    def test_circle_of_rooms(self):
+        self.assertIn("circle of rooms", self.include_faults("core:\na: b\nb: a\n"))
+
+    def test_vendor_out_of_its_place(self):
+        self.write("src/mesh/b.cpp", "#include <mpi.h>\n")
+        self.assertIn("mpi.h is allowed in src/comm only", self.include_faults())
+
+    def test_included_source_and_unknown_room(self):
+        self.write("src/attic/b.cpp", '#include "x.cpp"\n')
+        self.assertIn("includes a source file", self.include_faults())
+        self.assertIn("lies in no room", self.include_faults())
+
+    def test_long_file_and_long_function(self):
+        self.write("src/mesh/a.cpp", "namespace m {\nint f(int x) {\n" + "  x += 1;  // }\n" * 80 + "  return x;\n}\n}\n")
+        self.write("src/mesh/b.cpp", "int g();\n" * 401)
+        faults = "\n".join(budget.check(self.root)[0])
+        self.assertIn("a.cpp:2: f has 83 lines", faults)
+        self.assertIn("b.cpp: 401 lines", faults)
+
+    def test_licence_and_leftovers(self):
+        self.write("src/mesh/a.cpp", "int x;  // TO" + "DO later\n")
+        self.assertEqual(len(text.check_licence(self.root)[0]), 1)
+        self.assertIn("a.cpp:1", text.check_leftovers(self.root)[0][0])
+
+
+if __name__ == "__main__":
+    unittest.main()
