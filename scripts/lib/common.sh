@@ -30,10 +30,9 @@ mpi_environment() {
   # Ranks are never tied to cores: two jobs of one rank would otherwise share core 0.
   export OMPI_MCA_hwloc_base_binding_policy="${OMPI_MCA_hwloc_base_binding_policy:-none}"
   export OMPI_MCA_rmaps_base_oversubscribe=1
-  # mpirun waits this long [s] between SIGTERM and SIGKILL, whenever it ends ranks: a checkpoint takes more than the
-  # usual second. A rank that returns a code in good order is no reason to end the others.
-  export OMPI_MCA_odls_base_sigkill_timeout="${OMPI_MCA_odls_base_sigkill_timeout:-10}"
-  export OMPI_MCA_orte_abort_on_non_zero_status=0
+  # Where mpirun ends the ranks itself, it waits this long [s] (twice) between SIGTERM and SIGKILL, needed or not: enough
+  # to save a middling model. scripts/run stops runs in another way, without this limit.
+  export OMPI_MCA_odls_base_sigkill_timeout="${OMPI_MCA_odls_base_sigkill_timeout:-5}"
   # Within one node: shared memory alone starts faster, and copying through it beats the kernel's copy.
   if [ "${SLURM_JOB_NUM_NODES:-1}" -eq 1 ] && [ -z "${OMPI_MCA_orte_default_hostfile:-}" ]; then
     export OMPI_MCA_pml="${OMPI_MCA_pml:-ob1}" OMPI_MCA_btl="${OMPI_MCA_btl:-self,vader}"
