@@ -14,6 +14,7 @@
 #include "brunt/io/text_file.hpp"
 #include "brunt/model/hash.hpp"
 #include "checkpoint_tables.hpp"
+#include "disk_space.hpp"
 #include "on_root.hpp"
 
 namespace brunt::io {
@@ -52,6 +53,12 @@ void write_tables(Hdf5File& file, const CheckpointHeader& header, const model::R
     file.write(table.path, layout.rows(table).first, std::span<const double>(rows));
     file.set_attribute(table.path, "hash", hash);
   }
+}
+
+GlobalIndex bytes_of(const model::Registry& registry) {
+  GlobalIndex bytes = 16384;
+  for (const SavedTable& table : saved_tables(registry)) bytes += table_bytes(table.rows, table.array->components);
+  return bytes;
 }
 
 // step -> path
@@ -136,6 +143,7 @@ std::string write_checkpoint(const comm::Communicator& ranks, const std::string&
   const std::string path = fmt::format("{}/checkpoint_{:09}.h5", folder, header.step);
   const std::string draft = path + ".tmp";
   try {
+    demand_disk_space(ranks, draft, bytes_of(registry));
     Hdf5File file(ranks, draft, Hdf5File::Mode::create);
     write_tables(file, header, registry);
     file.close();

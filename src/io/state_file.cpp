@@ -10,6 +10,7 @@
 #include "brunt/core/error.hpp"
 #include "brunt/io/text_file.hpp"
 #include "brunt/io/xdmf.hpp"
+#include "disk_space.hpp"
 #include "on_root.hpp"
 #include "state_topology.hpp"
 
@@ -87,6 +88,8 @@ StateFile::StateFile(const comm::Communicator& ranks, std::string folder, const 
 }
 
 void StateFile::start(const StateMesh& mesh) {
+  const GlobalIndex bytes = 65536 + table_bytes(global_nodes_, 4) + table_bytes(global_elements_, 10);
+  demand_disk_space(ranks_, folder_ + "/state.h5", bytes);
   file_ = std::make_unique<Hdf5File>(ranks_, folder_ + "/state.h5", Hdf5File::Mode::create);
   file_->set_attribute("/", "format", format_version);
   file_->set_attribute("/", "nodes", mesh.global_nodes);
@@ -113,6 +116,10 @@ void StateFile::resume(const StateMesh& mesh, GlobalIndex restart_step) {
 
 void StateFile::write(GlobalIndex step, double time, std::span<const StateField> fields) {
   StateRecord record{fmt::format("/record_{:06}", records_.size()), step, time, {}};
+  GlobalIndex bytes = 16384;
+  for (const StateField& field : fields)
+    bytes += table_bytes(field.place == Place::node ? global_nodes_ : global_elements_, field.components);
+  demand_disk_space(ranks_, file_->path(), bytes);
   file_->create_group(record.group);
   for (const StateField& field : fields) {
     const comm::BlockRedistribution& redistribution = field.place == Place::node ? nodes_ : elements_;

@@ -3,11 +3,11 @@
 #include "brunt/io/checkpoint.hpp"
 
 #include <catch2/catch.hpp>
-#include <csignal>
 #include <filesystem>
 
 #include "brunt/core/error.hpp"
 #include "brunt/model/hash.hpp"
+#include "unit/io/file_size_limit.hpp"
 #include "unit/io/scratch_folder.hpp"
 #include "unit/io/small_model.hpp"
 
@@ -64,4 +64,17 @@ TEST_CASE("checkpoint: a damaged file and an unwritable folder are told on all r
   CHECK_THROWS_AS(io::read_checkpoint(world, path, header.fingerprint, model.registry), InputError);
   CHECK_THROWS_WITH(io::write_checkpoint(world, folder / "none", header, model.registry),
                     Catch::Contains("No such file"));
+}
+
+TEST_CASE("checkpoint: a full disk throws on all ranks, none waits, and the run can go on") {
+  const auto world = comm::Communicator::world();
+  const test::ScratchFolder folder(world);
+  test::SmallModel model(world);
+  model.fill_known();
+  {
+    const test::FileSizeLimit full_disk(4096);
+    CHECK_THROWS_AS(io::write_checkpoint(world, folder.path(), header, model.registry), MachineError);
+  }
+  const std::string path = io::write_checkpoint(world, folder.path(), header, model.registry);
+  CHECK(io::read_checkpoint(world, path, header.fingerprint, model.registry).step == 42);
 }

@@ -7,6 +7,7 @@
 
 #include "brunt/core/error.hpp"
 #include "brunt/io/compare.hpp"
+#include "unit/io/file_size_limit.hpp"
 #include "unit/io/scratch_folder.hpp"
 #include "unit/io/small_mesh.hpp"
 
@@ -65,4 +66,19 @@ TEST_CASE("state file: after a restart the records of later steps are gone and w
   test::SmallMesh other(world);
   other.mesh.global_elements += 1;
   CHECK_THROWS_WITH(io::StateFile(world, folder.path(), other.mesh, 15), Catch::Contains("another mesh"));
+}
+
+TEST_CASE("state file: a full disk throws on all ranks and the records before stay readable") {
+  const auto world = comm::Communicator::world();
+  const test::ScratchFolder folder(world);
+  const test::SmallMesh split(world);
+  {
+    io::StateFile file(world, folder.path(), split.mesh);
+    file.write(0, 0, split.fields(0));
+    world.barrier();
+    const test::FileSizeLimit full_disk(std::filesystem::file_size(folder / "state.h5"));
+    CHECK_THROWS_AS(file.write(10, 1, split.fields(10)), MachineError);
+    world.barrier();
+  }
+  CHECK(io::state_records(io::Hdf5File(world, folder / "state.h5", io::Hdf5File::Mode::read)).size() == 1);
 }

@@ -2,15 +2,12 @@
 // Checkpoints: damage is found, other models are refused, the last two are kept, a full disk loses nothing.
 #include "brunt/io/checkpoint.hpp"
 
-#include <sys/resource.h>
-
 #include <catch2/catch.hpp>
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 
 #include "brunt/core/error.hpp"
-#include "brunt/io/hdf5.hpp"
+#include "file_size_limit.hpp"
 #include "scratch_folder.hpp"
 #include "small_model.hpp"
 
@@ -47,26 +44,6 @@ std::string bytes_of(const std::string& path) {
 void write_bytes(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
-
-// No file of this process can grow beyond `bytes`: what a full disk looks like from inside.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
 
 }  // namespace
 
@@ -138,7 +115,7 @@ TEST_CASE_METHOD(Fixture, "checkpoint: another scene, other arrays, other counts
 TEST_CASE_METHOD(Fixture, "checkpoint: a full disk is a MachineError and leaves the checkpoints before as they were") {
   const std::string sound = write(1);
   {
-    const FileSizeLimit full_disk(4096);
+    const test::FileSizeLimit full_disk(4096);
     CHECK_THROWS_AS(write(2), MachineError);
   }
   CHECK(io::latest_checkpoint(folder.path()) == sound);

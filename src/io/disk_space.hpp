@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a file may grow, asked before the ranks write together: if the disk fills up inside a collective HDF5 call,
+// the ranks that fail leave it and the others wait for ever.
+#pragma once
+#include <string>
+
+#include "brunt/comm/communicator.hpp"
+#include "brunt/core/types.hpp"
+
+namespace brunt::io {
+
+/// Lets the file (made if need be) grow by `bytes` and shrinks it again. Throws MachineError on all ranks if the disk,
+/// a quota or a limit refuses; file systems that cannot allocate ahead are taken at their word. Collective.
+void demand_disk_space(const comm::Communicator& ranks, const std::string& path, GlobalIndex bytes);
+
+/// What a table takes, with its share of the file's own records.
+constexpr GlobalIndex table_bytes(GlobalIndex rows, int width) {
+  return rows * width * 8 + 4096;
+}
+
+}  // namespace brunt::io
