@@ -26,7 +26,7 @@ void Hdf5File::create_table(const std::string& name, GlobalIndex rows, int width
   H5Pset_create_intermediate_group(links.id(), 1);
   const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_fill_time(layout.id(), H5D_FILL_TIME_NEVER);  // every row is written right after
-  H5Pset_obj_track_times(layout.id(), false);           // the same run writes the same bytes
+  H5Pset_obj_track_times(layout.id(), false);          // the same run writes the same bytes
   const Handle table(H5Dcreate2(file_, name.c_str(), type, space.id(), links.id(), layout.id(), H5P_DEFAULT), H5Dclose);
   require_written(table.good(), "create the table", name);
 }
