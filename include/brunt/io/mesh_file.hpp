@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads a mesh file of any kind known. Not collective: for the root rank.
+#pragma once
+#include <string>
+
+#include "brunt/mesh/mesh.hpp"
+
+namespace brunt::io {
+
+/// Tells the kind by the first bytes (Exodus: netCDF or HDF5 signature; Gmsh: $MeshFormat or $Comments), whatever the
+/// file's name. Throws InputError if the file cannot be read, is of no known kind, or is faulty.
+mesh::Mesh read_mesh(const std::string& path);
+
+}  // namespace brunt::io

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exodus II through its library, with the checks that the library leaves out.
+#include "brunt/io/exodus.hpp"
+
+#include <exodusII.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <limits>
+
+#include "brunt/core/error.hpp"
+#include "netcdf_layout.hpp"
+#include "sound_mesh.hpp"
+
+namespace brunt::io {
+namespace {
+
+using mesh::Block;
+using mesh::Mesh;
+using mesh::Shape;
+using Integers = std::vector<std::int64_t>;
+
+class ExodusFile {
+ public:
+  explicit ExodusFile(const std::string& path) : path_(path) {
+    std::error_code unreadable;
+    const auto size = std::filesystem::file_size(path, unreadable);
+    if (unreadable) fail("cannot be read: " + unreadable.message());
+    const std::string fault = netcdf_layout_fault(path);
+    if (!fault.empty()) fail(fault);
+    most_ = std::min<std::int64_t>(static_cast<std::int64_t>(size), std::numeric_limits<LocalIndex>::max() / 8);
+    ex_opts(0);  // the library's own messages would go to the terminal
+    int our_word = 8, file_word = 0;
+    float version = 0;
+    id_ = ex_open(path.c_str(), EX_READ | EX_ALL_INT64_API, &our_word, &file_word, &version);
+    if (id_ < 0) fail("is no Exodus II file that the library can open");
+    ex_set_max_name_length(id_, name_length);
+  }
+  ~ExodusFile() {
+    if (id_ >= 0) ex_close(id_);
+  }
+  ExodusFile(const ExodusFile&) = delete;
+  ExodusFile& operator=(const ExodusFile&) = delete;
+
+  [[nodiscard]] int id() const { return id_; }
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(path_ + ": " + what); }
+  void succeed(int status, const std::string& what) const {
+    if (status < 0) fail("the library cannot read its " + what + ": damaged");
+  }
+  /// Before anything is allocated: a damaged header may claim any number.
+  std::size_t plausible(std::int64_t count, const std::string& what) const {
+    if (count < 0 || count > most_) fail(fmt::format("claims {} {}; the file cannot hold so many", count, what));
+    return static_cast<std::size_t>(count);
+  }
+  Integers ids(ex_entity_type type, std::int64_t count, const std::string& what) const {
+    Integers values(plausible(count, what));
+    if (count > 0) succeed(ex_get_ids(id_, type, values.data()), what + " ids");
+    return values;
+  }
+  std::string name(ex_entity_type type, std::int64_t id) const {
+    std::vector<char> text(name_length + 2, '\0');
+    if (ex_get_name(id_, type, id, text.data()) < 0) return {};
+    return std::string(text.data());
+  }
+
+ private:
+  static constexpr int name_length = 256;
+  std::string path_;
+  std::int64_t most_ = 0;
+  int id_ = -1;
+};
+
+/// What the file's elements are called in Exodus, by first letters and number of nodes.
+struct Kind {
+  Shape shape;
+  int nodes;
+};
+
+bool known_kind(std::string type, std::int64_t nodes, Kind& kind) {
+  std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return std::toupper(c); });
+  const auto is = [&](const char* start, int count) { return type.starts_with(start) && nodes == count; };
+  if (is("HEX", 8)) return kind = {Shape::hex8, 8}, true;
+  if (is("TET", 4)) return kind = {Shape::tet4, 4}, true;
+  if (is("WEDGE", 6)) return kind = {Shape::hex8, 6}, true;
+  if (is("PYRAMID", 5)) return kind = {Shape::hex8, 5}, true;
+  return false;
+}
+
+/// One block and, for side sets, how many nodes its elements have in the file.
+struct BlockRead {
+  Block block;
+  int nodes = 0;
+};
+
+LocalIndex zero_based(std::int64_t number) {
+  constexpr std::int64_t most = std::numeric_limits<LocalIndex>::max();
+  return number < 1 || number > most ? no_index : static_cast<LocalIndex>(number - 1);
+}
+
+BlockRead read_block(const ExodusFile& file, std::int64_t id, std::vector<std::string>& faults) {
+  ex_block header{};
+  header.id = id;
+  header.type = EX_ELEM_BLOCK;
+  file.succeed(ex_get_block_param(file.id(), &header), fmt::format("element block {}", id));
+  BlockRead read;
+  read.block.name = file.name(EX_ELEM_BLOCK, id);
+  read.block.id = id;
+  const std::size_t count = file.plausible(header.num_entry, fmt::format("elements in block {}", id));
+  if (count == 0) return read;
+  Kind kind{};
+  if (!known_kind(header.topology, header.num_nodes_per_entry, kind)) {
+    const std::string shown = read.block.name.empty() ? "" : " (" + read.block.name + ")";
+    faults.push_back(fmt::format("{}: block {}{} has elements {} with {} nodes; accepted: HEX8, TET4, WEDGE6, PYRAMID5",
+                                 file.path(), id, shown, header.topology, header.num_nodes_per_entry));
+    return read;
+  }
+  read.block.shape = kind.shape;
+  read.nodes = kind.nodes;
+  Integers corners(count * static_cast<std::size_t>(kind.nodes));
+  file.plausible(static_cast<std::int64_t>(corners.size()), fmt::format("element corners in block {}", id));
+  file.succeed(ex_get_conn(file.id(), EX_ELEM_BLOCK, id, corners.data(), nullptr, nullptr),
+               fmt::format("elements of block {}", id));
+  const auto order = hex_corners(kind.nodes);
+  const auto ours = static_cast<std::size_t>(nodes_per_element(kind.shape));
+  read.block.nodes.reserve(count * ours);
+  for (std::size_t e = 0; e < count; ++e)
+    for (std::size_t k = 0; k < ours; ++k)
+      read.block.nodes.push_back(
+          zero_based(corners[e * static_cast<std::size_t>(kind.nodes) + static_cast<std::size_t>(order[k])]));
+  return read;
+}
+
+void read_nodes(const ExodusFile& file, const ex_init_params& sizes, Mesh& mesh) {
+  const std::size_t count = file.plausible(sizes.num_nodes, "nodes");
+  std::vector<double> x(count), y(count), z(count);
+  file.succeed(ex_get_coord(file.id(), x.data(), y.data(), z.data()), "coordinates");
+  mesh.coordinates.reserve(count);
+  for (std::size_t n = 0; n < count; ++n) mesh.coordinates.emplace_back(x[n], y[n], z[n]);
+  mesh.node_id.resize(count);
+  file.succeed(ex_get_id_map(file.id(), EX_NODE_MAP, mesh.node_id.data()), "node numbers");
+}
+
+std::vector<int> read_blocks(const ExodusFile& file, const ex_init_params& sizes, Mesh& mesh) {
+  std::vector<std::string> faults;
+  std::vector<int> nodes;
+  std::size_t total = 0;
+  for (const std::int64_t id : file.ids(EX_ELEM_BLOCK, sizes.num_elem_blk, "element blocks")) {
+    auto [block, count] = read_block(file, id, faults);
+    total += static_cast<std::size_t>(block.count());
+    mesh.blocks.push_back(std::move(block));
+    nodes.push_back(count);
+  }
+  if (!faults.empty()) throw InputError(faults);
+  if (total != static_cast<std::size_t>(sizes.num_elem))
+    file.fail(fmt::format("has {} elements in its blocks, its header says {}", total, sizes.num_elem));
+  Integers numbers(total);
+  file.succeed(ex_get_id_map(file.id(), EX_ELEM_MAP, numbers.data()), "element numbers");
+  auto next = numbers.begin();
+  for (Block& block : mesh.blocks) {
+    block.element_id.assign(next, next + block.count());
+    next += block.count();
+  }
+  return nodes;
+}
+
+/// The set's own name, or its number where it has none or the name is taken.
+template <class Sets>
+std::string free_name(const ExodusFile& file, ex_entity_type type, std::int64_t id, const Sets& sets) {
+  const std::string name = file.name(type, id);
+  return name.empty() || sets.count(name) ? std::to_string(id) : name;
+}
+
+std::size_t set_size(const ExodusFile& file, ex_entity_type type, std::int64_t id, const std::string& what) {
+  std::int64_t count = 0, factors = 0;
+  file.succeed(ex_get_set_param(file.id(), type, id, &count, &factors), what);
+  return file.plausible(count, "entries in " + what);
+}
+
+void read_node_sets(const ExodusFile& file, const ex_init_params& sizes, Mesh& mesh) {
+  for (const std::int64_t id : file.ids(EX_NODE_SET, sizes.num_node_sets, "node sets")) {
+    const std::string what = fmt::format("node set {}", id);
+    Integers nodes(set_size(file, EX_NODE_SET, id, what));
+    if (!nodes.empty()) file.succeed(ex_get_set(file.id(), EX_NODE_SET, id, nodes.data(), nullptr), what);
+    auto& set = mesh.node_sets[free_name(file, EX_NODE_SET, id, mesh.node_sets)];
+    for (const std::int64_t n : nodes) set.push_back(zero_based(n));
+  }
+}
+
+/// Side numbers of hexahedra, tetrahedra and pyramids run as ours; a wedge has no side where its hexahedron's third is.
+int our_face(std::int64_t side, int nodes) {
+  if (side < 1 || side > (nodes == 8 ? 6 : nodes == 4 ? 4 : 5)) return -1;
+  const int face = static_cast<int>(side - 1);
+  return nodes == 6 && face >= 2 ? face + 1 : face;
+}
+
+void read_side_sets(const ExodusFile& file, const ex_init_params& sizes, const std::vector<int>& nodes, Mesh& mesh) {
+  Integers first{0};  // element position where each block starts
+  for (const Block& block : mesh.blocks) first.push_back(first.back() + block.count());
+  for (const std::int64_t id : file.ids(EX_SIDE_SET, sizes.num_side_sets, "side sets")) {
+    const std::string what = fmt::format("side set {}", id);
+    Integers elements(set_size(file, EX_SIDE_SET, id, what)), sides(elements.size());
+    if (!elements.empty()) file.succeed(ex_get_set(file.id(), EX_SIDE_SET, id, elements.data(), sides.data()), what);
+    auto& set = mesh.side_sets[free_name(file, EX_SIDE_SET, id, mesh.side_sets)];
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const std::int64_t element = elements[i] - 1;
+      if (element < 0 || element >= first.back())
+        file.fail(fmt::format("{}: element {}, the mesh has {}", what, elements[i], first.back()));
+      const auto block =
+          static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), element) - first.begin() - 1);
+      set.push_back({static_cast<LocalIndex>(block), static_cast<LocalIndex>(element - first[block]),
+                     our_face(sides[i], nodes[block])});
+    }
+  }
+}
+
+}  // namespace
+
+Mesh read_exodus(const std::string& path) {
+  const ExodusFile file(path);
+  ex_init_params sizes{};
+  file.succeed(ex_get_init_ext(file.id(), &sizes), "header");
+  if (sizes.num_dim != 3) file.fail(fmt::format("has {} dimensions; accepted: 3", sizes.num_dim));
+  Mesh mesh;
+  read_nodes(file, sizes, mesh);
+  const auto nodes = read_blocks(file, sizes, mesh);
+  read_node_sets(file, sizes, mesh);
+  read_side_sets(file, sizes, nodes, mesh);
+  return sound_mesh(path, std::move(mesh));
+}
+
+}  // namespace brunt::io

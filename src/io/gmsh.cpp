@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a Gmsh file's elements and groups to blocks and sets.
+#include "brunt/io/gmsh.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "brunt/core/error.hpp"
+#include "brunt/mesh/topology.hpp"
+#include "gmsh_sections.hpp"
+#include "sound_mesh.hpp"
+
+namespace brunt::io {
+namespace {
+
+using mesh::Block;
+using mesh::Mesh;
+using mesh::Shape;
+using mesh::Side;
+using FaceKey = std::array<LocalIndex, 4>;
+
+/// Volume elements of one physical group (or, without one, of one entity) and one shape.
+struct VolumeKey {
+  bool grouped;
+  std::int64_t number;
+  Shape shape;
+  auto operator<=>(const VolumeKey&) const = default;
+};
+
+VolumeKey volume_of(const GmshElement& element) {
+  const bool grouped = element.physical != 0;
+  return {grouped, grouped ? element.physical : element.entity, element.corners == 4 ? Shape::tet4 : Shape::hex8};
+}
+
+std::string group_name(const GmshFile& file, int dimension, std::int64_t number) {
+  const auto found = file.name.find({dimension, number});
+  return found == file.name.end() ? "" : found->second;
+}
+
+/// Physical groups in ascending number first, then entities outside them.
+void add_blocks(const GmshFile& file, Mesh& mesh) {
+  std::map<VolumeKey, std::size_t> position;
+  std::int64_t last_id = 0;
+  for (const GmshElement& element : file.elements)
+    if (element.dimension == 3) {
+      position[volume_of(element)] = 0;
+      last_id = std::max(last_id, element.physical);
+    }
+  std::vector<VolumeKey> order;
+  for (const auto& [key, unused] : position) order.push_back(key);
+  std::sort(order.begin(), order.end(), [](const VolumeKey& a, const VolumeKey& b) {
+    return std::tuple(!a.grouped, a.number, a.shape) < std::tuple(!b.grouped, b.number, b.shape);
+  });
+  for (const VolumeKey& key : order) {
+    position[key] = mesh.blocks.size();
+    Block block;
+    block.name = key.grouped ? group_name(file, 3, key.number) : fmt::format("volume_{}", key.number);
+    block.shape = key.shape;
+    const bool second = key.shape == Shape::tet4 && position.count({key.grouped, key.number, Shape::hex8});
+    block.id = key.grouped && !second ? key.number : ++last_id;
+    if (second) block.name = fmt::format("{}_tet4", block.name.empty() ? std::to_string(key.number) : block.name);
+    mesh.blocks.push_back(std::move(block));
+  }
+  for (const GmshElement& element : file.elements) {
+    if (element.dimension != 3) continue;
+    Block& block = mesh.blocks[position[volume_of(element)]];
+    const auto corners = hex_corners(element.corners);
+    for (int k = 0; k < nodes_per_element(block.shape); ++k)
+      block.nodes.push_back(element.nodes[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])]);
+    block.element_id.push_back(element.number);
+  }
+}
+
+FaceKey sorted(FaceKey nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+FaceKey surface_nodes(const GmshElement& element) {
+  return {element.nodes[0], element.nodes[1], element.nodes[2], element.corners == 4 ? element.nodes[3] : no_index};
+}
+
+/// Does b run round the face in the same sense as a? Both have the same nodes.
+bool same_sense(const FaceKey& a, const FaceKey& b) {
+  const std::size_t count = a[3] == no_index ? 3 : 4;
+  const auto start = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
+  return b[(start + 1) % count] == a[1];
+}
+
+/// The element side that a surface element lies on, found by its nodes; block -1 where there is none.
+class SideFinder {
+ public:
+  SideFinder(const GmshFile& file, const Mesh& mesh) {
+    for (const GmshElement& element : file.elements)
+      if (element.dimension == 2 && element.physical != 0) sides_[sorted(surface_nodes(element))];
+    for (std::size_t b = 0; !sides_.empty() && b < mesh.blocks.size(); ++b) {
+      const Block& block = mesh.blocks[b];
+      for (LocalIndex e = 0; e < block.count(); ++e)
+        for (int f = 0; f < faces_per_element(block.shape); ++f) {
+          const FaceKey nodes = mesh::face_nodes(block.shape, block.element(e), f);
+          const auto found = sides_.find(sorted(nodes));
+          if (found != sides_.end()) found->second.push_back({nodes, {static_cast<LocalIndex>(b), e, f}});
+        }
+    }
+  }
+
+  [[nodiscard]] Side side_of(const GmshElement& element) const {
+    const FaceKey nodes = surface_nodes(element);
+    const auto& candidates = sides_.at(sorted(nodes));
+    for (const auto& [face, side] : candidates)
+      if (same_sense(nodes, face)) return side;
+    return candidates.empty() ? Side{-1, 0, 0} : candidates.front().second;
+  }
+
+ private:
+  std::map<FaceKey, std::vector<std::pair<FaceKey, Side>>> sides_;
+};
+
+void add_sets(const LineReader& in, const GmshFile& file, Mesh& mesh) {
+  const SideFinder finder(file, mesh);
+  std::map<std::string, std::set<LocalIndex>> nodes;
+  for (const GmshElement& element : file.elements) {
+    if (element.dimension != 2 || element.physical == 0) continue;
+    const Side side = finder.side_of(element);
+    if (side.block < 0)
+      in.fail_at(element.line, fmt::format("surface element {} is no face of a volume element", element.number));
+    std::string name = group_name(file, 2, element.physical);
+    if (name.empty()) name = std::to_string(element.physical);
+    mesh.side_sets[name].push_back(side);
+    nodes[name].insert(element.nodes.begin(), element.nodes.begin() + element.corners);
+  }
+  for (const auto& [name, set] : nodes) mesh.node_sets[name].assign(set.begin(), set.end());
+}
+
+}  // namespace
+
+Mesh read_gmsh(const std::string& path) {
+  LineReader in(path);
+  GmshFile file = read_gmsh_sections(in);
+  Mesh mesh;
+  mesh.coordinates = std::move(file.coordinates);
+  mesh.node_id.assign(file.node_number.begin(), file.node_number.end());
+  add_blocks(file, mesh);
+  if (mesh.blocks.empty())
+    throw InputError(path + ": no volume elements; accepted: tetrahedra, hexahedra, prisms, pyramids");
+  add_sets(in, file, mesh);
+  return sound_mesh(path, std::move(mesh));
+}
+
+}  // namespace brunt::io

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sections of MSH 2.2 and 4.1, both in ASCII.
+#include "gmsh_sections.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <unordered_map>
+
+namespace brunt::io {
+namespace {
+
+struct Kind {
+  int dimension, nodes;
+};
+
+class Sections {
+ public:
+  explicit Sections(LineReader& in) : in_(in) {}
+
+  GmshFile read() {
+    while (in_.next_line()) {
+      const std::string section(in_.rest());
+      if (section[0] != '$')
+        in_.fail(fmt::format("'{}' where a section ($Nodes, ...) should begin", section.substr(0, 40)));
+      if (version_ == Version::unknown && section != "$MeshFormat" && section != "$Comments")
+        in_.fail("the file must begin with $MeshFormat");
+      read_section(section);
+    }
+    if (version_ == Version::unknown) in_.fail("no $MeshFormat section");
+    if (!nodes_seen_) in_.fail("the file has no $Nodes section: it is cut off or holds no mesh");
+    if (!elements_seen_) in_.fail("the file has no $Elements section: it is cut off or holds no mesh");
+    return std::move(file_);
+  }
+
+ private:
+  enum class Version { unknown, two, four };
+
+  void read_section(const std::string& section) {
+    const std::string end = "$End" + section.substr(1);
+    if (section == "$MeshFormat") {
+      read_format();
+    } else if (section == "$PhysicalNames") {
+      read_names();
+    } else if (section == "$Entities") {
+      read_entities();
+    } else if (section == "$PartitionedEntities") {
+      in_.fail("partitioned meshes are not read; write the mesh without partitions");
+    } else if (section == "$Nodes") {
+      once(nodes_seen_, section);
+      version_ == Version::two ? read_nodes_2() : read_nodes_4();
+    } else if (section == "$Elements") {
+      if (!nodes_seen_) in_.fail("$Elements before $Nodes");
+      once(elements_seen_, section);
+      version_ == Version::two ? read_elements_2() : read_elements_4();
+    } else {
+      do in_.need_line(end);
+      while (in_.rest() != end);
+      return;
+    }
+    in_.need_line(end);
+    if (in_.rest() != end) in_.fail(fmt::format("'{}' where {} should stand", in_.rest().substr(0, 40), end));
+  }
+  void once(bool& seen, const std::string& section) {
+    if (seen) in_.fail("a second section " + section);
+    seen = true;
+  }
+
+  void read_format() {
+    in_.need_line("the format's version");
+    const double version = in_.real("the format's version");
+    const std::int64_t binary = in_.integer("the file type");
+    constexpr auto accepted = "accepted: 2.2 and 4.1 in ASCII (gmsh -format msh22 or msh41)";
+    if (version != 2.2 && version != 4.1) in_.fail(fmt::format("MSH version {}; {}", version, accepted));
+    if (binary != 0) in_.fail(fmt::format("a binary MSH file; {}", accepted));
+    version_ = version == 2.2 ? Version::two : Version::four;
+  }
+
+  void read_names() {
+    in_.need_line("the number of names");
+    for (std::int64_t left = in_.count("the number of names"); left > 0; --left) {
+      in_.need_line("a physical name");
+      const auto dimension = static_cast<int>(in_.integer("a dimension"));
+      const std::int64_t number = in_.integer("a physical number");
+      file_.name[{dimension, number}] = in_.quoted("a physical name");
+    }
+  }
+
+  void read_entities() {
+    in_.need_line("the numbers of entities");
+    std::array<std::int64_t, 4> count{};
+    for (auto& n : count) n = in_.count("a number of entities");
+    for (int dimension = 0; dimension < 4; ++dimension)
+      for (std::int64_t left = count[static_cast<std::size_t>(dimension)]; left > 0; --left) {
+        in_.need_line("an entity");
+        const std::int64_t entity = in_.integer("an entity's number");
+        for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) in_.real("a bound of the entity");
+        auto& groups = groups_[{dimension, entity}];
+        for (std::int64_t more = in_.count("the number of physical groups"); more > 0; --more)
+          groups.push_back(std::abs(in_.integer("a physical number")));
+        if (dimension == 3 && groups.size() > 1)
+          in_.fail(fmt::format("volume {} is in {} physical groups; accepted: one", entity, groups.size()));
+      }
+  }
+
+  void add_node(std::int64_t number, const Vec3& x) {
+    if (!index_.emplace(number, static_cast<LocalIndex>(file_.coordinates.size())).second)
+      in_.fail(fmt::format("a second node {}", number));
+    file_.coordinates.push_back(x);
+    file_.node_number.push_back(number);
+  }
+  Vec3 coordinates() {
+    Vec3 x;
+    for (int i = 0; i < 3; ++i) x[i] = in_.real("a coordinate");
+    return x;
+  }
+  void read_nodes_2() {
+    in_.need_line("the number of nodes");
+    for (std::int64_t left = in_.count("the number of nodes"); left > 0; --left) {
+      in_.need_line("a node");
+      const std::int64_t number = in_.integer("a node number");
+      add_node(number, coordinates());
+    }
+  }
+  void read_nodes_4() {
+    in_.need_line("the numbers of entity blocks and nodes");
+    std::int64_t blocks = in_.count("the number of entity blocks");
+    const std::int64_t total = in_.count("the number of nodes");
+    for (; blocks > 0; --blocks) {
+      in_.need_line("a block of nodes");
+      for (int i = 0; i < 3; ++i) in_.integer("an entity's dimension, number and whether it is parametric");
+      std::vector<std::int64_t> numbers(static_cast<std::size_t>(in_.count("the number of nodes in the block")));
+      for (auto& number : numbers) {
+        in_.need_line("a node number");
+        number = in_.integer("a node number");
+      }
+      for (const std::int64_t number : numbers) {
+        in_.need_line("a node's coordinates");
+        add_node(number, coordinates());
+      }
+    }
+    if (static_cast<std::int64_t>(file_.coordinates.size()) != total)
+      in_.fail(fmt::format("{} nodes in the blocks, {} promised", file_.coordinates.size(), total));
+  }
+
+  Kind kind_of(std::int64_t type) const {
+    switch (type) {
+      case 1:
+        return {1, 2};
+      case 2:
+        return {2, 3};
+      case 3:
+        return {2, 4};
+      case 4:
+        return {3, 4};
+      case 5:
+        return {3, 8};
+      case 6:
+        return {3, 6};
+      case 7:
+        return {3, 5};
+      case 15:
+        return {0, 1};
+      default:
+        break;
+    }
+    in_.fail(
+        fmt::format("element type {} (of second order, or unknown); accepted: first-order tetrahedra, hexahedra, "
+                    "prisms and pyramids, with triangles and quadrilaterals on their faces",
+                    type));
+  }
+  void read_corners(GmshElement& element, const Kind& kind) {
+    element.dimension = kind.dimension;
+    element.corners = kind.nodes;
+    element.line = in_.line();
+    for (int k = 0; k < kind.nodes; ++k) {
+      const std::int64_t number = in_.integer("a node number");
+      const auto found = index_.find(number);
+      if (found == index_.end())
+        in_.fail(fmt::format("element {} has node {}, which the file does not define", element.number, number));
+      element.nodes[static_cast<std::size_t>(k)] = found->second;
+    }
+    if (!in_.rest().empty()) in_.fail(fmt::format("more nodes than the {} of the element's type", kind.nodes));
+  }
+  void read_elements_2() {
+    in_.need_line("the number of elements");
+    for (std::int64_t left = in_.count("the number of elements"); left > 0; --left) {
+      in_.need_line("an element");
+      GmshElement element;
+      element.number = in_.integer("an element number");
+      const Kind kind = kind_of(in_.integer("an element type"));
+      const std::int64_t tags = in_.count("the number of tags");
+      for (std::int64_t t = 0; t < tags; ++t) {
+        const std::int64_t tag = in_.integer("a tag");
+        if (t == 0) element.physical = std::abs(tag);
+        if (t == 1) element.entity = tag;
+      }
+      read_corners(element, kind);
+      if (kind.dimension >= 2) file_.elements.push_back(element);
+    }
+  }
+  void read_elements_4() {
+    in_.need_line("the numbers of entity blocks and elements");
+    std::int64_t blocks = in_.count("the number of entity blocks");
+    const std::int64_t total = in_.count("the number of elements");
+    std::int64_t seen = 0;
+    for (; blocks > 0; --blocks) {
+      in_.need_line("a block of elements");
+      const auto dimension = static_cast<int>(in_.integer("an entity's dimension"));
+      GmshElement element;
+      element.entity = in_.integer("an entity's number");
+      const Kind kind = kind_of(in_.integer("an element type"));
+      if (kind.dimension != dimension) in_.fail("the element type does not fit the entity's dimension");
+      auto groups = groups_[{dimension, element.entity}];
+      if (groups.empty()) groups.push_back(0);
+      for (std::int64_t left = in_.count("the number of elements in the block"); left > 0; --left, ++seen) {
+        in_.need_line("an element");
+        element.number = in_.integer("an element number");
+        read_corners(element, kind);
+        for (const std::int64_t group : groups) {
+          element.physical = group;
+          if (dimension >= 2) file_.elements.push_back(element);
+        }
+      }
+    }
+    if (seen != total) in_.fail(fmt::format("{} elements in the blocks, {} promised", seen, total));
+  }
+
+  LineReader& in_;
+  GmshFile file_;
+  Version version_ = Version::unknown;
+  bool nodes_seen_ = false, elements_seen_ = false;
+  std::unordered_map<std::int64_t, LocalIndex> index_;
+  std::map<std::pair<int, std::int64_t>, std::vector<std::int64_t>> groups_;  // of each entity
+};
+
+}  // namespace
+
+GmshFile read_gmsh_sections(LineReader& in) {
+  return Sections(in).read();
+}
+
+}  // namespace brunt::io

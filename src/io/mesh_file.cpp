@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which reader for which file, and what all readers end with.
+#include "brunt/io/mesh_file.hpp"
+
+#include <fmt/core.h>
+
+#include <fstream>
+
+#include "brunt/core/error.hpp"
+#include "brunt/io/exodus.hpp"
+#include "brunt/io/gmsh.hpp"
+#include "brunt/mesh/check.hpp"
+#include "sound_mesh.hpp"
+
+namespace brunt::io {
+
+mesh::Mesh sound_mesh(const std::string& path, mesh::Mesh&& mesh) {
+  auto faults = mesh::check(mesh).faults;
+  for (auto& fault : faults) fault = fmt::format("{}: {}", path, fault);
+  if (!faults.empty()) throw InputError(faults);
+  return std::move(mesh);
+}
+
+std::array<int, 8> hex_corners(int count) {
+  if (count == 6) return {0, 1, 2, 2, 3, 4, 5, 5};
+  if (count == 5) return {0, 1, 2, 3, 4, 4, 4, 4};
+  return {0, 1, 2, 3, 4, 5, 6, 7};
+}
+
+mesh::Mesh read_mesh(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string start(16, '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  if (file.bad() || (!file && file.gcount() == 0))
+    throw InputError(fmt::format("{}: cannot be read, or is empty; a mesh file is wanted", path));
+  if (start.starts_with("CDF") || start.starts_with("\x89HDF")) return read_exodus(path);
+  if (start.starts_with("$MeshFormat") || start.starts_with("$Comments")) return read_gmsh(path);
+  throw InputError(fmt::format("{}: not a mesh file of a known kind; accepted: Exodus II, Gmsh MSH 2.2 and 4.1", path));
+}
+
+}  // namespace brunt::io

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exodus meshes written by the library itself, then read, cut off, damaged.
+#include "brunt/io/exodus.hpp"
+
+#include <exodusII.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "brunt/core/error.hpp"
+#include "brunt/io/mesh_file.hpp"
+#include "brunt/mesh/topology.hpp"
+
+using namespace brunt;
+using mesh::Side;
+
+namespace {
+
+/// A file of its own for each test process, gone with the test.
+struct TemporaryFile {
+  std::string path =
+      (std::filesystem::temp_directory_path() / ("brunt_exodus_" + std::to_string(getpid()) + ".g")).string();
+  ~TemporaryFile() { std::filesystem::remove(path); }
+};
+
+struct Options {
+  std::string first_type = "HEX8";
+  int dimensions = 3;
+  int bad_corner = 0;  ///< if not 0: the last node of the tetrahedron
+  int bad_side = 0;    ///< if not 0: the wedge's side
+};
+
+/// A unit cube, on it (z > 1) a wedge, beside the wedge's slope nothing, and a tetrahedron apart.
+///   block 10 "cube": nodes 1-8; block 20, unnamed: wedge 5 6 7 | 9 10 11 above the cube; block 30 "tip": 12-15
+void write(const std::string& path, const Options& options = {}) {
+  int word = 8, file_word = 8;
+  const int id = ex_create(path.c_str(), EX_CLOBBER, &word, &file_word);
+  REQUIRE(id > 0);
+  std::vector<double> x{0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 5, 6, 5, 5};
+  std::vector<double> y{0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0};
+  std::vector<double> z{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 0, 0, 0, 1};
+  REQUIRE(ex_put_init(id, "small", options.dimensions, 15, 3, 3, 2, 2) >= 0);
+  ex_put_coord(id, x.data(), y.data(), z.data());
+  const std::vector<int> hex{1, 2, 3, 4, 5, 6, 7, 8}, wedge{5, 6, 7, 9, 10, 11};
+  const std::vector<int> tet{12, 13, 14, options.bad_corner == 0 ? 15 : options.bad_corner};
+  ex_put_block(id, EX_ELEM_BLOCK, 10, options.first_type.c_str(), 1, 8, 0, 0, 0);
+  ex_put_block(id, EX_ELEM_BLOCK, 20, "WEDGE", 1, 6, 0, 0, 0);
+  ex_put_block(id, EX_ELEM_BLOCK, 30, "tetra", 1, 4, 0, 0, 0);
+  ex_put_conn(id, EX_ELEM_BLOCK, 10, hex.data(), nullptr, nullptr);
+  ex_put_conn(id, EX_ELEM_BLOCK, 20, wedge.data(), nullptr, nullptr);
+  ex_put_conn(id, EX_ELEM_BLOCK, 30, tet.data(), nullptr, nullptr);
+  ex_put_name(id, EX_ELEM_BLOCK, 10, "cube");
+  ex_put_name(id, EX_ELEM_BLOCK, 30, "tip");
+  const std::vector<int> numbers{101, 102, 103};
+  ex_put_id_map(id, EX_ELEM_MAP, numbers.data());
+  const std::vector<int> foot{1, 2, 3, 4}, one{15};
+  ex_put_set_param(id, EX_NODE_SET, 1, 4, 0);
+  ex_put_set(id, EX_NODE_SET, 1, foot.data(), nullptr);
+  ex_put_set_param(id, EX_NODE_SET, 2, 1, 0);
+  ex_put_set(id, EX_NODE_SET, 2, one.data(), nullptr);
+  ex_put_name(id, EX_NODE_SET, 1, "foot");
+  const std::vector<int> hex_and_tet{1, 3}, their_sides{5, 4};
+  ex_put_set_param(id, EX_SIDE_SET, 7, 2, 0);
+  ex_put_set(id, EX_SIDE_SET, 7, hex_and_tet.data(), their_sides.data());
+  const std::vector<int> wedges(5, 2), all_sides{1, 2, 3, 4, options.bad_side == 0 ? 5 : options.bad_side};
+  ex_put_set_param(id, EX_SIDE_SET, 8, 5, 0);
+  ex_put_set(id, EX_SIDE_SET, 8, wedges.data(), all_sides.data());
+  ex_put_name(id, EX_SIDE_SET, 8, "wedge");
+  REQUIRE(ex_close(id) >= 0);
+}
+
+std::string fault_of(const std::string& path) {
+  try {
+    io::read_mesh(path);
+  } catch (const InputError& error) {
+    REQUIRE(error.faults().size() == 1);
+    return error.faults()[0];
+  }
+  return "none";
+}
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void put_bytes(const std::string& path, std::string_view bytes) {
+  std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+}  // namespace
+
+TEST_CASE("blocks, names, numbers and sets are read", "[exodus]") {
+  const TemporaryFile file;
+  write(file.path);
+  const mesh::Mesh mesh = io::read_mesh(file.path);
+  REQUIRE(mesh.blocks.size() == 3);
+  CHECK(mesh.blocks[0].name == "cube");
+  CHECK(mesh.blocks[1].name.empty());
+  CHECK(mesh.blocks[1].id == 20);
+  CHECK(mesh.blocks[1].nodes == std::vector<LocalIndex>{4, 5, 6, 6, 8, 9, 10, 10});
+  CHECK(mesh.blocks[2].shape == mesh::Shape::tet4);
+  CHECK(mesh.blocks[2].element_id == std::vector<GlobalIndex>{103});
+  CHECK(mesh.coordinates[10] == Vec3(1, 1, 2));
+  CHECK(mesh.node_id[14] == 15);
+  CHECK(mesh.node_sets.at("foot") == std::vector<LocalIndex>{0, 1, 2, 3});
+  CHECK(mesh.node_sets.at("2") == std::vector<LocalIndex>{14});
+  CHECK(mesh.side_sets.at("7") == std::vector<Side>{{0, 0, 4}, {2, 0, 3}});
+}
+
+TEST_CASE("a wedge's sides have the nodes that the format's manual gives them", "[exodus]") {
+  const TemporaryFile file;
+  write(file.path);
+  const mesh::Mesh mesh = io::read_exodus(file.path);
+  // sides 1-5 of the wedge (1 2 3 | 4 5 6): 1254, 2365, 1463, 132, 456; here 1-6 are nodes 4 5 6 8 9 10
+  const std::vector<std::array<LocalIndex, 4>> expected{
+      {4, 5, 9, 8}, {5, 6, 10, 9}, {4, 8, 10, 6}, {4, 6, 5, no_index}, {8, 9, 10, no_index}};
+  const auto& sides = mesh.side_sets.at("wedge");
+  REQUIRE(sides.size() == 5);
+  for (std::size_t i = 0; i < 5; ++i)
+    CHECK(mesh::face_nodes(mesh::Shape::hex8, mesh.blocks[1].element(sides[i].element), sides[i].face) == expected[i]);
+}
+
+TEST_CASE("an Exodus mesh that cannot be used is refused by name", "[exodus]") {
+  const TemporaryFile file;
+  write(file.path, {.first_type = "SHELL8"});
+  CHECK(fault_of(file.path) == file.path +
+                                   ": block 10 (cube) has elements SHELL8 with 8 nodes; accepted: HEX8, TET4, "
+                                   "WEDGE6, PYRAMID5");
+  write(file.path, {.dimensions = 2});
+  CHECK(fault_of(file.path) == file.path + ": has 2 dimensions; accepted: 3");
+  write(file.path, {.bad_corner = 16});
+  CHECK(fault_of(file.path) ==
+        file.path + ": element 103 (block tip): corner 4 names node position 16, the mesh has 15 nodes");
+  write(file.path, {.bad_side = 6});
+  CHECK(fault_of(file.path).find(": side set wedge: side") != std::string::npos);
+  CHECK(fault_of("/no/such/mesh.g").find("/no/such/mesh.g: cannot be read") == 0);
+}
+
+TEST_CASE("an Exodus file cut off anywhere is refused", "[exodus]") {
+  const TemporaryFile file;
+  write(file.path);
+  const std::string whole = bytes_of(file.path);
+  for (std::size_t length = 4; length < whole.size() - 4; length += 13) {
+    put_bytes(file.path, std::string_view(whole).substr(0, length));
+    INFO("cut to " << length << " of " << whole.size() << " bytes");
+    REQUIRE(fault_of(file.path) != "none");
+  }
+}
+
+TEST_CASE("a damaged file gives a fault or a sound mesh, never a crash", "[exodus]") {
+  const TemporaryFile file;
+  write(file.path);
+  const std::string whole = bytes_of(file.path);
+  std::mt19937 random(11);
+  int refused = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    std::string damaged = whole;
+    auto& byte = damaged[random() % damaged.size()];
+    byte = static_cast<char>(byte ^ (1 << (random() % 8)));
+    put_bytes(file.path, damaged);
+    try {
+      io::read_exodus(file.path);
+    } catch (const InputError& error) {
+      ++refused;
+      CHECK(std::string(error.what()).find(file.path) == 0);
+    }
+  }
+  CHECK(refused > 30);
+}

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small Gmsh files, both versions, and what is refused with its line.
+#include "brunt/io/gmsh.hpp"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "brunt/core/error.hpp"
+#include "brunt/io/mesh_file.hpp"
+#include "brunt/mesh/topology.hpp"
+
+using namespace brunt;
+using mesh::Side;
+
+namespace {
+
+struct TemporaryFile {
+  std::string path =
+      (std::filesystem::temp_directory_path() / ("brunt_gmsh_" + std::to_string(getpid()) + ".msh")).string();
+  ~TemporaryFile() { std::filesystem::remove(path); }
+  void put(const std::string& text) const { std::ofstream(path) << text; }
+};
+
+/// A cube, a prism on its face x = 1, and a tetrahedron of the same volume group apart.
+const std::string version_2 = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+2 5 "foot"
+3 1 "body of steel"
+$EndPhysicalNames
+$Nodes
+14
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+5 0 0 1
+6 1 0 1
+7 1 1 1
+8 0 1 1
+9 2 0 0
+10 2 0 1
+21 5 0 0
+22 6 0 0
+23 5 1 0
+24 5 0 1
+$EndNodes
+$Elements
+7
+1 15 2 0 1 1
+2 1 2 0 1 1 2
+3 3 2 5 1 1 4 3 2
+4 2 2 6 2 2 3 9
+5 5 2 1 1 1 2 3 4 5 6 7 8
+6 6 2 1 1 2 9 3 6 10 7
+7 4 2 1 1 21 22 23 24
+$EndElements
+)";
+
+const std::string version_4 = R"($MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+2 5 "foot"
+$EndPhysicalNames
+$Entities
+1 0 1 2
+1 0 0 0 0
+3 0 0 0 1 1 0 2 5 6 0
+1 0 0 0 1 1 1 1 40 0
+2 0 0 1 1 1 2 0 0
+$EndEntities
+$Nodes
+2 12 1 12
+2 3 0 4
+1
+2
+3
+4
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+3 1 0 8
+5
+6
+7
+8
+9
+10
+11
+12
+0 0 1
+1 0 1
+1 1 1
+0 1 1
+0 0 2
+1 0 2
+1 1 2
+0 1 2
+$EndNodes
+$Elements
+3 3 1 3
+2 3 3 1
+1 1 4 3 2
+3 1 5 1
+2 1 2 3 4 5 6 7 8
+3 2 5 1
+3 5 6 7 8 9 10 11 12
+$EndElements
+)";
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  const auto at = text.find(what);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, what.size(), by);
+}
+
+/// The fault without the path, so "LINE: what".
+std::string fault_of(const std::string& text) {
+  const TemporaryFile file;
+  file.put(text);
+  try {
+    io::read_mesh(file.path);
+  } catch (const InputError& error) {
+    REQUIRE(error.faults().size() == 1);
+    REQUIRE(error.faults()[0].find(file.path + ":") == 0);
+    return error.faults()[0].substr(file.path.size() + 1);
+  }
+  return "none";
+}
+
+}  // namespace
+
+TEST_CASE("version 2.2: groups become blocks and sets", "[gmsh]") {
+  const TemporaryFile file;
+  file.put(version_2);
+  const mesh::Mesh mesh = io::read_mesh(file.path);
+  REQUIRE(mesh.blocks.size() == 2);
+  CHECK(mesh.blocks[0].name == "body of steel");
+  CHECK(mesh.blocks[0].id == 1);
+  CHECK(mesh.blocks[0].element_id == std::vector<GlobalIndex>{5, 6});
+  CHECK(std::vector(mesh.blocks[0].element(1), mesh.blocks[0].element(1) + 8) ==
+        std::vector<LocalIndex>{1, 8, 2, 2, 5, 9, 6, 6});
+  CHECK(mesh.blocks[1].name == "body of steel_tet4");
+  CHECK(mesh.blocks[1].id == 2);
+  CHECK(mesh.blocks[1].nodes == std::vector<LocalIndex>{10, 11, 12, 13});
+  CHECK(mesh.node_id[10] == 21);
+  CHECK(mesh.side_sets.at("foot") == std::vector<Side>{{0, 0, 4}});
+  CHECK(mesh.side_sets.at("6") == std::vector<Side>{{0, 1, 4}});  // the prism's triangle
+  CHECK(mesh.node_sets.at("foot") == std::vector<LocalIndex>{0, 1, 2, 3});
+  CHECK(mesh.node_sets.at("6") == std::vector<LocalIndex>{1, 2, 8});
+  CHECK(mesh::exterior_sides(mesh).size() == 6 + 5 - 2 + 4);
+}
+
+TEST_CASE("version 4.1: entities carry the groups", "[gmsh]") {
+  const TemporaryFile file;
+  file.put(version_4);
+  const mesh::Mesh mesh = io::read_gmsh(file.path);
+  REQUIRE(mesh.blocks.size() == 2);
+  CHECK(mesh.blocks[0].name.empty());
+  CHECK(mesh.blocks[0].id == 40);
+  CHECK(mesh.blocks[1].name == "volume_2");
+  CHECK(mesh.blocks[1].id == 41);
+  CHECK(mesh.coordinates[4] == Vec3(0, 0, 1));
+  CHECK(mesh.side_sets.at("foot") == std::vector<Side>{{0, 0, 4}});
+  CHECK(mesh.side_sets.at("6") == mesh.side_sets.at("foot"));  // one surface in two groups
+  CHECK(mesh::exterior_sides(mesh).size() == 10);
+}
+
+TEST_CASE("an inner surface belongs to the element that its normal points out of", "[gmsh]") {
+  const TemporaryFile file;
+  file.put(replaced(version_4, "1 1 4 3 2", "1 5 6 7 8"));
+  CHECK(io::read_gmsh(file.path).side_sets.at("foot") == std::vector<Side>{{0, 0, 5}});
+  file.put(replaced(version_4, "1 1 4 3 2", "1 6 5 8 7"));
+  CHECK(io::read_gmsh(file.path).side_sets.at("foot") == std::vector<Side>{{1, 0, 4}});
+}
+
+TEST_CASE("what cannot be used is refused with its line", "[gmsh]") {
+  CHECK(fault_of(replaced(version_2, "2.2 0 8", "3.0 0 8")).find("2: MSH version 3; accepted: 2.2 and 4.1") == 0);
+  CHECK(fault_of(replaced(version_4, "4.1 0 8", "4.1 1 8")).find("2: a binary MSH file; accepted") == 0);
+  CHECK(fault_of(replaced(version_2, "7 4 2 1 1 21", "7 11 2 1 1 21")).find("34: element type 11") == 0);
+  CHECK(fault_of(replaced(version_2, "21 22 23 24\n", "21 22 23 25\n")) ==
+        "34: element 7 has node 25, which the file does not define");
+  CHECK(fault_of(replaced(version_2, "21 22 23 24\n", "21 22 23\n")) ==
+        "34: the line ends where a node number should stand");
+  CHECK(fault_of(replaced(version_2, "21 22 23 24\n", "21 22 23 24 1\n")) ==
+        "34: more nodes than the 4 of the element's type");
+  CHECK(fault_of(replaced(version_2, "24 5 0 1", "24 5 0 1x")) == "24: '1x' where a coordinate should stand");
+  CHECK(fault_of(replaced(version_2, "24 5 0 1", "23 5 0 1")) == "24: a second node 23");
+  CHECK(fault_of(replaced(version_2, "\n14\n", "\n13\n")).find("24: '24 5 0 1' where $EndNodes should stand") == 0);
+  CHECK(fault_of(replaced(version_2, "\n14\n", "\n140000000000\n")).find("10: the number of nodes is") == 0);
+  CHECK(fault_of(replaced(version_2, "1 4 3 2", "1 4 3 9")) == "30: surface element 3 is no face of a volume element");
+  CHECK(fault_of(replaced(version_4, "1 1 40 0", "1 2 40 41 0")) ==
+        "12: volume 1 is in 2 physical groups; accepted: one");
+  CHECK(fault_of(replaced(version_4, "2 12 1 12", "2 13 1 13")).find("12 nodes in the blocks, 13 promised") !=
+        std::string::npos);
+  CHECK(fault_of(replaced(version_2, "21 22 23 24\n", "21 23 22 24\n"))
+            .find(" element 7 (block body of steel_tet4): the Jacobian") == 0);
+  CHECK(fault_of(replaced(version_2, "24 5 0 1", "24 5 0 nan")).find(" node 24: coordinates") == 0);
+}
+
+TEST_CASE("a Gmsh file cut off anywhere is refused", "[gmsh]") {
+  for (const std::string& text : {version_2, version_4})
+    for (std::size_t length = 15; length < text.size() - 1; ++length) {
+      INFO("cut to " << length << " of " << text.size() << " bytes");
+      REQUIRE(fault_of(text.substr(0, length)) != "none");
+    }
+}
