@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a hurried user gets wrong. Each entry is one change of the good scene and what the message must say of it."""
+from dataclasses import dataclass, field
+
+import tiny_meshes as mesh
+
+GOOD = """\
+title: one cube against a wall
+units: SI
+mesh: {file: bar.msh}
+materials:
+  steel: {model: elastic, density: 7800, young: 2.0e11, poisson: 0.3}
+parts:
+  bar: {block: bar, material: steel, element: hex8}
+sets:
+  foot: {part: bar, box: [[0, 0, 0], [1, 1, 0.01]]}
+initial:
+  - {part: bar, velocity: [0, 0, -1]}
+fixed:
+  - {set: foot, dofs: [x]}
+run: {end: 1.0e-5}
+output: {every: 5.0e-6, fields: [displacement, velocity]}
+history: {every: 1.0e-6}
+"""
+
+
+@dataclass
+class Wrong:
+    name: str
+    says: list                    # phrases that one line of the message must hold together, in any case of letters
+    change: tuple = ()            # (text of the good scene, what stands there instead)
+    scene: object = None          # the whole scene instead: text or bytes
+    files: dict = field(default_factory=dict)  # more files beside the scene: name -> bytes; None: not there
+    arguments: list = field(default_factory=list)
+    command: str = "check"
+    target: str = "scene.yaml"    # what is given as the scene
+    keeps: list = field(default_factory=list)  # files that must be left as they were
+
+
+def changed(name, old, new, *says, **more):
+    return Wrong(name, list(says), (old, new), **more)
+
+
+def with_mesh(name, content, *says, file="bar.msh"):
+    return Wrong(name, list(says), ("bar.msh", file), files={file: content})
+
+
+exo, msh = mesh.exodus(), mesh.gmsh()
+flat = [(x, y, 0) for x, y, _ in mesh.CUBE]
+not_finite = [(float("nan"), 0, 0)] + mesh.CUBE[1:]
+
+FILES = [
+    Wrong("scene is not there", ["nowhere.yaml"], target="nowhere.yaml"),
+    Wrong("scene in a folder that is not there", ["no/such/folder"], target="no/such/folder/scene.yaml"),
+    Wrong("scene is a folder", ["folder"], target="folder", files={"folder/x": b""}),
+    Wrong("scene is empty", ["scene.yaml"], scene=""),
+    Wrong("scene is a comment", ["scene.yaml"], scene="# later\n"),
+    Wrong("scene is a list", ["scene.yaml"], scene="- a\n- b\n"),
+    Wrong("scene is binary", ["scene.yaml"], scene=bytes(range(256)) * 8),
+    Wrong("scene is the mesh", ["bar.msh"], target="bar.msh"),
+    changed("tab in YAML", "  steel:", "\tsteel:", "scene.yaml", "5"),
+    changed("bracket not closed", "[0, 0, -1]}", "[0, 0, -1}", "scene.yaml"),
+    changed("key twice", "units: SI", "units: SI\nunits: SI", "units"),
+    changed("mesh file is not there", "bar.msh", "missing.exo", "missing.exo"),
+    changed("mesh file of no known kind", "bar.msh", "bar.step", "bar.step", files={"bar.step": b"ISO-10303-21;"}),
+    with_mesh("mesh file is empty", b"", "bar.msh"),
+    with_mesh("mesh file is text", b"hello\n", "bar.msh"),
+    with_mesh("Gmsh file cut in its elements", msh[:-30], "bar.msh"),
+    with_mesh("Gmsh file without elements", mesh.gmsh(elements=()), "bar.msh", "element"),
+    with_mesh("Gmsh element inverted", mesh.gmsh(elements=[mesh.INVERTED]), "element 1"),
+    with_mesh("Gmsh element flat", mesh.gmsh(nodes=flat), "element 1"),
+    with_mesh("Gmsh node out of range", mesh.gmsh(elements=[[1, 2, 3, 4, 5, 6, 7, 99]]), "99"),
+    with_mesh("Gmsh node not finite", mesh.gmsh(nodes=not_finite), "bar.msh", "1"),
+    with_mesh("Exodus file cut in its header", exo[:200], "bar.exo", file="bar.exo"),
+    with_mesh("Exodus file cut in its data", exo[:-20], "bar.exo", file="bar.exo"),
+    with_mesh("Exodus file is text", b"hello\n", "bar.exo", file="bar.exo"),
+    with_mesh("Exodus node out of range", mesh.exodus(elements=[[1, 2, 3, 4, 5, 6, 7, 99]]), "bar.exo", "99", file="bar.exo"),
+    with_mesh("Exodus element inverted", mesh.exodus(elements=[mesh.INVERTED]), "element 1", file="bar.exo"),
+]
+
+SCENES = [
+    changed("unit missing", "units: SI\n", "", "units"),
+    changed("unit unknown", "units: SI", "units: furlong-fortnight-stone", "units", "furlong-fortnight-stone"),
+    changed("misspelt section", "materials:", "matrials:", "matrials", "materials"),
+    changed("misspelt key", "density:", "densty:", "densty", "density"),
+    changed("unknown model", "model: elastic", "model: elasic", "elasic", "elastic"),
+    changed("unknown material", "material: steel", "material: stel", "stel", "steel"),
+    changed("no material", ", material: steel", "", "material", "bar"),
+    changed("unknown element", "element: hex8", "element: hex9", "hex9", "hex8"),
+    changed("element of another shape", "element: hex8", "element: tet4", "tet4"),
+    changed("negative density", "7800", "-7800", "density", "-7800"),
+    changed("zero density", "7800", "0", "density"),
+    changed("density not a number", "7800", ".nan", "density"),
+    changed("density infinite", "7800", ".inf", "density"),
+    changed("number with a unit", "7800", "7800 kg", "density", "7800 kg"),
+    changed("decimal comma", "7800", "'7,8'", "density", "7,8"),
+    changed("number too large", "2.0e11", "2.0e999", "young"),
+    changed("Poisson's ratio one half", "poisson: 0.3", "poisson: 0.5", "poisson", "0.5"),
+    changed("list instead of a number", "7800", "[7800]", "density"),
+    changed("vector of two", "[0, 0, -1]", "[0, -1]", "velocity"),
+    changed("text in a vector", "[0, 0, -1]", "[0, 0, down]", "velocity", "down"),
+    changed("part without block", "block: bar", "block: rod", "rod"),
+    changed("block without part", "  bar: {block: bar, material: steel, element: hex8}\n", "", "parts"),
+    changed("two parts of one block", "sets:", "  twin: {block: bar, material: steel}\nsets:", "twin", "bar"),
+    changed("end time zero", "end: 1.0e-5", "end: 0", "end", "0"),
+    changed("end time negative", "end: 1.0e-5", "end: -1", "end", "-1"),
+    changed("no end", "{end: 1.0e-5}", "{cfl: 0.9}", "run", "end"),
+    changed("step factor above one", "{end: 1.0e-5}", "{end: 1.0e-5, cfl: 1.5}", "cfl", "1.5"),
+    changed("unknown output field", "[displacement, velocity]", "[displacment]", "displacment", "displacement"),
+    changed("output interval zero", "every: 5.0e-6", "every: 0", "output", "every"),
+    changed("set selects nothing", "[1, 1, 0.01]", "[1, 1, -0.01]", "foot"),
+    changed("box beside the part", "[[0, 0, 0], [1, 1, 0.01]]", "[[5, 5, 5], [6, 6, 6]]", "foot"),
+    changed("unknown set", "set: foot", "set: food", "food", "foot"),
+    changed("unknown direction", "dofs: [x]", "dofs: [w]", "dofs", "w"),
+    changed("initial motion of an unknown part", "part: bar, velocity", "part: baz, velocity", "baz", "bar"),
+    changed("contact of unknown parts", "run:", "contact:\n  - {between: [bar, plate]}\nrun:", "plate"),
+    changed("unknown curve", "run:", "gravity: {vector: [0, 0, -9.81], curve: rmp}\nrun:", "rmp"),
+    changed("curve going back", "run:", "curves: {r: [[0, 0], [2, 1], [1, 0]]}\nrun:", "curves"),
+    changed("rigid wall without direction", "run:", "rigid_walls:\n  - {point: [0, 0, 0], normal: [0, 0, 0]}\nrun:", "normal"),
+    changed("box of no elements", "{file: bar.msh}", "{box: {part: bar, size: [1, 1, 1], elements: [0, 1, 1]}}", "elements"),
+    changed("box of half an element", "{file: bar.msh}", "{box: {part: bar, size: [1, 1, 1], elements: [1.5, 1, 1]}}", "elements", "1.5"),
+    changed("box without size", "{file: bar.msh}", "{box: {part: bar, size: [1, 0, 1], elements: [1, 1, 1]}}", "size"),
+    changed("unknown body", "{file: bar.msh}", "{bx: {part: bar, size: [1, 1, 1], elements: [1, 1, 1]}}", "bx"),
+    changed("probe of a node that is not there", "run:", "probes:\n  - {name: tip, node: 4711, field: velocity}\nrun:", "4711"),
+    changed("probe of an unknown field", "run:", "probes:\n  - {name: tip, node: 1, field: speed}\nrun:", "speed"),
+]
+
+OPTIONS = [
+    Wrong("no command", ["run"], command="", target=""),
+    Wrong("misspelt command", ["chek"], command="chek"),
+    Wrong("misspelt option", ["--ot"], command="run", arguments=["--ot", "x"]),
+    Wrong("no scene given", ["scene"], command="run", target=""),
+    Wrong("override of an unknown key", ["run.ent"], arguments=["--set", "run.ent=1"]),
+    Wrong("override without a value", ["run.end"], arguments=["--set", "run.end"]),
+    Wrong("override of the wrong type", ["run.end", "soon"], arguments=["--set", "run.end=soon"]),
+    Wrong("override beyond a list", ["initial.7"], arguments=["--set", "initial.7.part=bar"]),
+    Wrong("restart file is not there", ["missing.h5"], command="run", arguments=["--restart", "missing.h5"]),
+    Wrong("restart from an empty folder", ["old"], command="run", arguments=["--restart", "old"], files={"old/x": b""}),
+    Wrong("restart from a file of another kind", ["bar.msh"], command="run", arguments=["--restart", "bar.msh"]),
+    Wrong("result folder is there already", ["here.out", "--force"], command="run", arguments=["--out", "here.out"],
+          files={"here.out/summary.json": b"precious"}, keeps=["here.out/summary.json"]),
+    Wrong("result folder is a file", ["here.out"], command="run", arguments=["--out", "here.out"],
+          files={"here.out": b"precious"}, keeps=["here.out"]),
+    Wrong("result folder is the scene", ["scene.yaml"], command="run", arguments=["--out", "scene.yaml"],
+          keeps=["scene.yaml"]),
+    Wrong("partition into no ranks", ["-n"], command="partition", arguments=["-n", "0"]),
+    Wrong("compare with nothing", ["missing"], command="compare", target="missing", arguments=["missing2"]),
+]
+
+ALL = FILES + SCENES + OPTIONS
