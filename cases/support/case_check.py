@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the checks of all cases share: run a scene, read its results, hold them against references.
+
+A check reads like this (run by hand: cases/NAME/check.py, after a build):
+
+    case = Case(__file__)
+    result = case.run("scene.yaml", ranks=2)
+    case.assert_close("length after impact [mm]", 21.42, result.last("tip.displacement_z"), 0.01, source="Wilkins 1973")
+    case.assert_energy(result)
+    case.finish()
+"""
+import argparse
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import numpy
+import yaml
+
+PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+SKIP_CODE = 77  # ctest reports the case as skipped
+
+
+class SceneLoader(yaml.SafeLoader):
+    """Reads 2.0e11 and 1e3 as the numbers they are; YAML 1.1 takes them for text."""
+
+
+SceneLoader.add_implicit_resolver("tag:yaml.org,2002:float", re.compile(r"^[-+]?(\d+\.?\d*|\.\d+)[eE][-+]?\d+$"),
+                                  list("-+.0123456789"))
+
+
+class Result:
+    """A result folder: summary (a dict), history (a column of numbers by name), seconds of wall time of the run."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        with open(os.path.join(folder, "summary.json"), encoding="utf-8") as stream:
+            self.summary = json.load(stream)
+        self._history = None
+
+    @property
+    def history(self):
+        if self._history is None:
+            with open(os.path.join(self.folder, "history.csv"), encoding="utf-8") as stream:
+                lines = [line for line in stream if line.strip() and not line.startswith("#")]
+            # A column's head may carry its unit: "time [s]" is found as "time".
+            names = [head.split("[")[0].strip() for head in lines[0].split(",")]
+            rows = numpy.array([[float(value) for value in line.split(",")] for line in lines[1:]])
+            self._history = {name: rows[:, i] for i, name in enumerate(names)}
+        return self._history
+
+    def last(self, column):
+        return float(self.history[column][-1])
+
+    def at(self, column, time):
+        """The column's value at a time, linear between rows."""
+        return float(numpy.interp(time, self.history["time"], self.history[column]))
+
+
+class Case:
+    def __init__(self, check_file):
+        self.folder = os.path.dirname(os.path.abspath(check_file))
+        self.name = os.path.basename(self.folder)
+        parser = argparse.ArgumentParser(description=f"Checks the case {self.name} against its references.")
+        parser.add_argument("--brunt", default=os.path.join(PROJECT, "build/release/brunt"), help="the program")
+        parser.add_argument("--work", default=os.path.join(PROJECT, "build/cases", self.name), help="folder for results")
+        parser.add_argument("--long", action="store_true", help="the thorough form of the check")
+        given = parser.parse_args()
+        self.brunt, self.work, self.long = os.path.abspath(given.brunt), os.path.abspath(given.work), given.long
+        self.rows = []  # (quantity, reference, ours, error, gate, good, source)
+
+    def scene(self, name="scene.yaml"):
+        """The scene as plain data: references are computed from its numbers."""
+        with open(os.path.join(self.folder, name), encoding="utf-8") as stream:
+            return yaml.load(stream, SceneLoader)
+
+    def run(self, scene="scene.yaml", overrides=None, ranks=1, name=None, options=(), expected_code=0):
+        """Runs the scene (a path relative to the case) into work/name with --set overrides {key path: value}."""
+        name = name or f"np{ranks}"
+        out = os.path.join(self.work, name)
+        shutil.rmtree(out, ignore_errors=True)
+        os.makedirs(self.work, exist_ok=True)
+        command = [os.path.join(PROJECT, "scripts/run"), "-np", str(ranks), os.path.join(self.folder, scene)]
+        command += ["--out", out, "--quiet", *options]
+        for key, value in (overrides or {}).items():
+            command += ["--set", f"{key}={json.dumps(value)}"]
+        run = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "BRUNT": self.brunt})
+        if run.returncode != expected_code:
+            print(" ".join(command), run.stdout, run.stderr, sep="\n")
+            sys.exit(f"{self.name}: exit code {run.returncode}, expected {expected_code}")
+        return Result(out)
+
+    def assert_close(self, quantity, reference, ours, gate, source="", absolute=False):
+        """|ours - reference| <= gate, as a share of |reference| unless absolute."""
+        error = abs(ours - reference)
+        if not absolute:
+            error = error / abs(reference) if reference else math.inf
+        self._row(quantity, f"{reference:.6g}", f"{ours:.6g}", f"{error:.2e}", f"{gate:.2g}", error <= gate, source)
+
+    def assert_below(self, quantity, ours, gate, source=""):
+        self._row(quantity, "0", f"{ours:.6g}", f"{abs(ours):.2e}", f"{gate:.2g}", abs(ours) <= gate, source)
+
+    def assert_equal(self, quantity, reference, ours, source=""):
+        self._row(quantity, str(reference), str(ours), "", "equal", reference == ours, source)
+
+    def assert_energy(self, result, energy_gate=1e-2, momentum_gate=1e-9):
+        """Balance of energy and momentum, asserted on every case."""
+        self.assert_below("energy error ratio", result.summary["energy"]["error_ratio"], energy_gate)
+        self.assert_below("momentum error", result.summary["momentum_error"], momentum_gate)
+
+    def assert_same_on_ranks(self, counts=(1, 2, 3), **run_arguments):
+        """The state has the same bits on every number of ranks."""
+        hashes = [self.run(ranks=n, name=f"hash_np{n}", **run_arguments).summary["state_hash"] for n in counts]
+        for count, state_hash in zip(counts[1:], hashes[1:]):
+            self.assert_equal(f"state on {count} ranks", hashes[0], state_hash, f"{counts[0]} rank(s)")
+
+    def skip(self, why):
+        print(f"{self.name}: skipped, {why}")
+        sys.exit(SKIP_CODE)
+
+    def finish(self):
+        """Prints the table and ends the check."""
+        print("| quantity | reference | ours | error | gate | ok | source |\n|---|---|---|---|---|---|---|")
+        for *cells, good, source in self.rows:
+            print("| " + " | ".join(cells) + f" | {'yes' if good else '**NO**'} | {source} |")
+        failed = [row[0] for row in self.rows if not row[5]]
+        if not self.rows:
+            failed = ["nothing was checked"]
+        print(f"{self.name}: {len(self.rows)} checks, {len(failed)} failed" + "".join(f"; {f}" for f in failed))
+        sys.exit(1 if failed else 0)
+
+    def _row(self, *cells):
+        # A NaN is never below a gate, so it fails without a word of its own.
+        self.rows.append(cells)
+
