@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact and rigid walls of one step, on all ranks: lists that last, rows, impulses, corrected velocities. Keeps
+// nothing from step to step that the results depend on, so a restart needs nothing of it.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "brunt/comm/communicator.hpp"
+#include "brunt/comm/exact_sum.hpp"
+#include "brunt/contact/detection/detection.hpp"
+#include "brunt/contact/enforcement/rate_constraint.hpp"
+#include "brunt/contact/lists.hpp"
+#include "brunt/contact/surface/surface.hpp"
+#include "brunt/mesh/local_mesh.hpp"
+
+namespace brunt::contact {
+
+/// Vectors of the model's local nodes, wherever they lie: node i starts at data[i * stride].
+struct VectorView {
+  const double* data = nullptr;
+  std::ptrdiff_t stride = 3;
+  [[nodiscard]] Vec3 operator[](LocalIndex node) const { return Vec3(data + node * stride); }
+};
+struct MutableVectorView {
+  double* data = nullptr;
+  std::ptrdiff_t stride = 3;
+  [[nodiscard]] Vec3 operator[](LocalIndex node) const { return Vec3(data + node * stride); }
+  void set(LocalIndex node, const Vec3& value) const { Eigen::Map<Vec3>(data + node * stride) = value; }
+};
+
+/// Nodes that something holds, with what is left of their freedom.
+struct ConstrainedNode {
+  LocalIndex node = 0;  ///< local node of the mesh
+  Mat3 projector = Mat3::Identity();
+};
+
+/// When lists are rebuilt; no result depends on it.
+struct Rebuild {
+  enum class When : std::int8_t { motion_used_up, every, random } when = When::motion_used_up;
+  int steps = 1;           ///< for `every`, besides when the motion is used up
+  std::uint64_t seed = 1;  ///< for `random`, in about one step of four
+};
+
+struct ContactSettings {
+  PairTable pairs;     ///< of blocks; no blocks: no contact between bodies, walls only
+  bool bodies = true;  ///< search for contact between bodies
+  DetectionSettings detection;
+  RateSettings rate;
+  double motion_share = 0.3;  ///< of the mean face edge: how far nodes may move before lists are rebuilt
+  Rebuild rebuild;
+  std::vector<std::array<std::int32_t, 2>> tracked;  ///< pairs of blocks whose impulse is summed
+};
+
+/// Sums over the run, on this rank, exact: they are reduced only when wanted (see `collect`).
+struct ContactSums {
+  comm::ExactAccumulator contact_work;  ///< energy taken from the bodies by contact between them [energy]
+  comm::ExactAccumulator wall_work;     ///< and by walls
+  std::vector<std::array<comm::ExactAccumulator, 3>> wall_impulse;     ///< by each wall on the bodies [momentum]
+  std::vector<std::array<comm::ExactAccumulator, 3>> tracked_impulse;  ///< on the first block of each tracked pair
+};
+
+/// The same after reduction over all ranks.
+struct ContactTotals {
+  double contact_work = 0, wall_work = 0;
+  std::vector<Vec3> wall_impulse, tracked_impulse;
+  GlobalIndex pairs = 0, active = 0;  ///< candidate pairs now; rows with an impulse in the last step
+  double penetration = 0;             ///< largest of the run [length]
+};
+
+struct ContactStatistics {  ///< the same on every rank
+  GlobalIndex steps = 0, searches = 0, solved_steps = 0, iterations = 0;
+  int most_iterations = 0;
+  double largest_residual = 0;
+  RateResult last;
+};
+
+class Contact {
+ public:
+  /// excluded: one flag for each of mesh.faces (faces in a symmetry plane). inverse_mass: of the mesh's local nodes.
+  /// walls: at the start (a bilateral wall holds the nodes that lie in its plane within 1e-6 of the mean face edge).
+  /// Collective.
+  Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const char> excluded,
+          std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained,
+          std::span<const Wall> walls, ContactSettings settings);
+
+  /// How much of the motion allowed would be used after this step, as a share (1: all): the caller takes the maximum
+  /// over all ranks (with its other reductions) and hands it to `correct`. predicted: v*.
+  [[nodiscard]] double motion_used(VectorView position, VectorView predicted, std::span<const Wall> walls,
+                                   double dt) const;
+
+  /// Replaces v* by v = v* + W G^T impulses on every local node, the same bits on every copy. walls: at t_n.
+  /// Collective.
+  void correct(VectorView position, VectorView old_velocity, MutableVectorView velocity, std::span<const Wall> walls,
+               double dt, double global_motion_used);
+
+  /// Impulse [momentum] of the last step on each node owned here is added to `impulse` (a row a local node of the
+  /// mesh), held components included: what the step books as reaction of fixed and prescribed nodes.
+  void add_impulses(std::span<Vec3> impulse) const;
+
+  [[nodiscard]] ContactTotals collect() const;  ///< collective
+  [[nodiscard]] const ContactStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] ContactSums& sums() { return sums_; }
+  [[nodiscard]] const Surface& surface() const { return surface_; }
+  [[nodiscard]] std::span<const Row> rows() const { return rows_; }             ///< of the last step, on this rank
+  [[nodiscard]] std::span<const double> impulses() const { return impulses_; }  ///< of those rows
+
+ private:
+  [[nodiscard]] bool must_rebuild(double global_motion_used) const;
+  void rebuild(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt);
+  void gather(VectorView position, VectorView old_velocity, MutableVectorView velocity);
+  void detect(std::span<const Wall> walls, double dt);
+  void scatter(MutableVectorView velocity);
+  void book();
+
+  comm::Communicator ranks_;
+  ContactSettings settings_;
+  Surface surface_;
+  Roles roles_;
+  std::vector<Mobility> surface_mobility_;
+  std::vector<char> held_;  // wall by wall, a flag a surface node
+  comm::Halo surface_copies_;
+  std::vector<LocalIndex> foreign_;  // surface nodes owned elsewhere
+  std::vector<double> surface_velocity_, foreign_velocity_;
+
+  ContactLists lists_;
+  bool have_lists_ = false;
+  double motion_ = 0;                // allowed
+  std::vector<Vec3> list_position_;  // of surface nodes when the lists were built
+  std::vector<Vec3> list_wall_;      // points of walls then
+
+  std::vector<NodeMotion> motion_of_;  // contact nodes
+  std::vector<Mobility> mobility_;
+  std::vector<Vec3> velocity_;
+  std::vector<Vec3> own_area_, facet_area_;
+  std::vector<Encounter> encounters_;
+  std::vector<Row> rows_;
+  std::vector<double> impulses_;
+  RateScratch scratch_;
+
+  ContactSums sums_;
+  ContactStatistics statistics_;
+  double penetration_ = 0;
+};
+
+}  // namespace brunt::contact

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The exchange of contact nodes between ranks.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "brunt/comm/communicator.hpp"
+#include "brunt/comm/halo.hpp"
+#include "brunt/contact/exchange.hpp"
+#include "brunt/core/types.hpp"
+
+namespace brunt::contact {
+
+/// What connects the contact nodes of this rank with those of others.
+struct NodeLinks {
+  std::vector<LocalIndex> copies;             ///< contact nodes owned elsewhere
+  std::vector<comm::RemoteSlot> source;       ///< of each copy: the contact node on its owner
+  std::vector<LocalIndex> copied;             ///< contact nodes owned here, once for each copy elsewhere
+  std::vector<comm::RemoteSlot> destination;  ///< those copies: the contact node on the other rank
+};
+
+class HaloExchange final : public Exchange {
+ public:
+  HaloExchange() = default;
+  /// Collective. Room for sums and shares of up to `widest` doubles a node is made here, none later.
+  HaloExchange(const comm::Communicator& ranks, LocalIndex node_count, NodeLinks links, int widest);
+
+  void share(std::span<double> values, int width) override;
+  void sum_to_owner(std::span<double> values, int width) override;
+  void max(std::span<double> values) override;
+
+ private:
+  std::vector<comm::Communicator> ranks_;  ///< one, or none before the first list
+  NodeLinks links_;
+  comm::Halo to_copies_, to_owners_;
+  bool linked_ = false;  ///< some rank has a copy
+  std::vector<double> received_;
+};
+
+}  // namespace brunt::contact

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The surface of the whole model, each rank its part, with owners that know all faces around their nodes.
+#pragma once
+#include <span>
+
+#include "brunt/comm/communicator.hpp"
+#include "brunt/contact/surface/surface.hpp"
+#include "brunt/mesh/local_mesh.hpp"
+
+namespace brunt::contact {
+
+/// excluded: one flag for each of mesh.faces; such faces (in a symmetry plane) touch nothing, their nodes still meet
+/// walls. inverse_mass: of the mesh's nodes. Figures of bodies are taken in the reference state. Collective.
+Surface join_surface(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const char> excluded,
+                     std::span<const double> inverse_mass);
+
+}  // namespace brunt::contact

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// The candidate lists of one rank: which nodes and faces may touch until the motion allowed is used up, the contact
+// nodes they need, and the links to the other ranks' copies of those.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "brunt/comm/communicator.hpp"
+#include "brunt/comm/halo.hpp"
+#include "brunt/contact/detection/detection.hpp"
+#include "brunt/contact/halo_exchange.hpp"
+#include "brunt/contact/surface/surface.hpp"
+
+namespace brunt::contact {
+
+/// Contact nodes in ascending gid: slaves and wall candidates owned here, corners of candidate faces, and what other
+/// ranks need of the nodes owned here.
+struct NodeTable {
+  std::vector<GlobalIndex> gid;
+  std::vector<Place> home;               ///< surface node on the owner
+  std::vector<LocalIndex> surface_node;  ///< here, or no_index where this rank's mesh does not have it
+};
+
+struct ContactLists {
+  NodeTable nodes;
+  std::vector<MasterFace> faces;
+  Candidates candidates;
+  std::vector<WallCandidate> wall_candidates;
+  HaloExchange exchange;
+  comm::Halo facets;               ///< roots: area vectors of this rank's surface faces; leaves: slave facets
+  std::vector<char> facet_needed;  ///< surface faces whose area vector some rank needs
+  LocalIndex facet_count = 0;
+  bool any_facets = false;  ///< on any rank: else nothing is near anything
+  bool any_rows = false;    ///< on any rank: candidates of faces or walls exist
+  std::size_t most_rows = 0, most_faces_of_a_slave = 0;
+};
+
+struct ListSettings {
+  double capture = 0.25;    ///< DetectionSettings::capture
+  double wall_capture = 0;  ///< [length]
+  double motion = 0;        ///< each node and wall may move this far [length], the coming step included
+  bool faces = true;        ///< search faces at all
+};
+
+/// positions: of this rank's surface nodes. held(wall, surface node) as flags, wall by wall; empty without walls.
+/// Collective.
+ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface, const PairTable& pairs,
+                         const Roles& roles, std::span<const Vec3> positions, std::span<const Wall> walls,
+                         std::span<const char> held, const ListSettings& settings);
+
+}  // namespace brunt::contact

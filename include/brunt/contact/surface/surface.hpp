@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// The faces and nodes that may touch, and which of two bodies is the slave.
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "brunt/core/ragged.hpp"
+#include "brunt/core/types.hpp"
+#include "brunt/mesh/local_mesh.hpp"
+
+namespace brunt::contact {
+
+/// An entry of an array on some rank: a surface node on its owner, a face on the rank of its element.
+struct Place {
+  Rank rank = 0;
+  LocalIndex index = 0;
+  friend auto operator<=>(const Place&, const Place&) = default;
+};
+
+struct SurfaceFace {
+  GlobalIndex key = 0;
+  std::array<LocalIndex, 4> nodes{};  ///< surface nodes, counter-clockwise seen from outside
+  std::int32_t corner_count = 4;
+  std::int32_t body = 0, block = 0;
+};
+
+/// What decides who is slave; the same on every rank.
+struct BodyFigures {
+  double mean_area = 0;  ///< of its contact faces [length^2]
+  double mean_mass = 0;  ///< of its surface nodes [mass]; infinite where one cannot move at all
+};
+
+/// One rank's part of the surface of all bodies. Nodes: those of this rank's mesh that lie on any exterior face of the
+/// whole model, in ascending gid.
+struct Surface {
+  std::vector<GlobalIndex> gid;
+  std::vector<LocalIndex> model_node;  ///< local node of the mesh
+  std::vector<Place> home;             ///< surface node on the owner
+  std::vector<std::int32_t> body;      ///< known for nodes owned here, else no_index
+  Ragged<std::int32_t> blocks;         ///< for nodes owned here: blocks of their contact faces, ascending
+  Ragged<Place> facets;                ///< for nodes owned here: their contact faces by key
+  std::vector<SurfaceFace> faces;      ///< contact faces of this rank's elements, by key
+  std::vector<BodyFigures> bodies;     ///< of the whole model
+  double mean_edge = 0;                ///< mean over all contact faces of their longest edge [length]
+
+  [[nodiscard]] bool owns(LocalIndex node, Rank rank) const {
+    return home[static_cast<std::size_t>(node)].rank == rank;
+  }
+};
+
+/// What a pair of blocks (a, b) may do.
+enum class PairRule : std::int8_t { apart, automatic, slave, master };  ///< slave: a is the slave of b
+
+class PairTable {
+ public:
+  PairTable() = default;
+  PairTable(std::int32_t block_count, PairRule rule);
+  /// Sets (a, b), and (b, a) to match.
+  void set(std::int32_t a, std::int32_t b, PairRule rule);
+  [[nodiscard]] PairRule at(std::int32_t a, std::int32_t b) const;
+  [[nodiscard]] bool forces_a_side() const;  ///< some rule names the slave
+
+ private:
+  std::int32_t block_count_ = 0;
+  std::vector<PairRule> rule_;
+};
+
+/// Is body a the slave where it meets body b? The finer (smaller mean face area) is; where these agree within 1 %, the
+/// lighter; else the lower number. (One exact pass with the finer, lighter side as slave converges fastest and leaves
+/// the least error on the other side.)
+bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t b);
+
+/// Which bodies can be slave, or master, of any other: the rest need not be searched as such.
+struct Roles {
+  std::vector<char> slave, master;
+};
+Roles roles_of(std::span<const BodyFigures> bodies, const PairTable& pairs);
+
+/// May a node of these blocks and body be held off by a face of this block and body?
+bool may_meet(const PairTable& pairs, std::span<const BodyFigures> bodies, std::span<const std::int32_t> node_blocks,
+              std::int32_t node_body, std::int32_t face_block, std::int32_t face_body);
+
+}  // namespace brunt::contact

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+// The conductor: gather, detect, enforce, scatter, book.
+#include "brunt/contact/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "brunt/contact/join_surface.hpp"
+#include "brunt/core/binned_sum.hpp"
+#include "brunt/core/error.hpp"
+#include "brunt/geometry/closest_point.hpp"
+
+namespace brunt::contact {
+namespace {
+
+template <class T>
+std::span<double> as_doubles(std::vector<T>& values) {
+  return {reinterpret_cast<double*>(values.data()), values.size() * sizeof(T) / sizeof(double)};
+}
+
+std::vector<char> held_by_walls(const Surface& surface, const std::vector<Vec3>& reference,
+                                std::span<const Wall> walls) {
+  constexpr double in_plane = 1e-6;
+  std::vector<char> held;
+  held.reserve(walls.size() * surface.gid.size());
+  for (const Wall& wall : walls)
+    for (const LocalIndex node : surface.model_node) {
+      const double gap = (reference[static_cast<std::size_t>(node)] - wall.point).dot(wall.normal);
+      held.push_back(wall.bilateral && std::abs(gap) <= in_plane * surface.mean_edge ? 1 : 0);
+    }
+  return held;
+}
+
+void add_vector(std::array<comm::ExactAccumulator, 3>& sum, const Vec3& value) {
+  for (std::size_t c = 0; c < 3; ++c) sum[c].add(value[static_cast<int>(c)]);
+}
+
+}  // namespace
+
+Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const char> excluded,
+                 std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained,
+                 std::span<const Wall> walls, ContactSettings settings)
+    : ranks_(ranks),
+      settings_(std::move(settings)),
+      surface_(join_surface(ranks, mesh, excluded, inverse_mass)),
+      roles_(roles_of(surface_.bodies, settings_.pairs)) {
+  settings_.detection.wall_size = surface_.mean_edge;
+  std::vector<comm::RemoteSlot> source;
+  for (std::size_t i = 0; i < surface_.gid.size(); ++i) {
+    surface_mobility_.push_back({inverse_mass[static_cast<std::size_t>(surface_.model_node[i])], Mat3::Identity()});
+    if (surface_.owns(static_cast<LocalIndex>(i), ranks.rank())) continue;
+    foreign_.push_back(static_cast<LocalIndex>(i));
+    source.push_back({surface_.home[i].rank, surface_.home[i].index});
+  }
+  for (const ConstrainedNode& held : constrained) {
+    const auto found = std::lower_bound(surface_.model_node.begin(), surface_.model_node.end(), held.node);
+    if (found == surface_.model_node.end() || *found != held.node) continue;
+    surface_mobility_[static_cast<std::size_t>(found - surface_.model_node.begin())].projector = held.projector;
+  }
+  surface_copies_ = comm::Halo(ranks, static_cast<LocalIndex>(surface_.gid.size()), source);
+  surface_velocity_.resize(3 * surface_.gid.size());
+  foreign_velocity_.resize(3 * foreign_.size());
+  held_ = held_by_walls(surface_, mesh.coordinates, walls);
+  sums_.wall_impulse.resize(walls.size());
+  sums_.tracked_impulse.resize(settings_.tracked.size());
+}
+
+double Contact::motion_used(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt) const {
+  if (!have_lists_) return std::numeric_limits<double>::infinity();
+  double largest = 0;
+  const auto keep = [&](double moved) {  // what is not finite must not be lost
+    if (!(moved <= largest)) largest = moved;
+  };
+  for (std::size_t i = 0; i < surface_.gid.size(); ++i) {
+    const LocalIndex node = surface_.model_node[i];
+    keep((position[node] - list_position_[i]).norm() + dt * predicted[node].norm());
+  }
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    keep((walls[w].point - list_wall_[w]).norm() + dt * walls[w].velocity.norm());
+  return largest / motion_;
+}
+
+bool Contact::must_rebuild(double global_motion_used) const {
+  if (!(global_motion_used < 1)) return true;
+  const auto step = static_cast<std::uint64_t>(statistics_.steps);
+  switch (settings_.rebuild.when) {
+    case Rebuild::When::every:
+      return step % static_cast<std::uint64_t>(settings_.rebuild.steps) == 0;
+    case Rebuild::When::random:
+      return ((step + settings_.rebuild.seed) * 0x9E3779B97F4A7C15ULL >> 40) % 4 == 0;
+    case Rebuild::When::motion_used_up:
+      break;
+  }
+  return false;
+}
+
+void Contact::rebuild(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt) {
+  double fastest = 0;
+  list_position_.clear();
+  for (const LocalIndex node : surface_.model_node) {
+    list_position_.push_back(position[node]);
+    const double speed = predicted[node].norm();
+    if (!(speed <= fastest)) fastest = speed;
+  }
+  list_wall_.clear();
+  for (const Wall& wall : walls) {
+    list_wall_.push_back(wall.point);
+    fastest = std::max(fastest, wall.velocity.norm());
+  }
+  motion_ = std::max(settings_.motion_share * surface_.mean_edge, 4 * dt * ranks_.max(fastest));
+  const ListSettings reach{.capture = settings_.detection.capture,
+                           .wall_capture = settings_.detection.capture * settings_.detection.wall_size,
+                           .motion = motion_,
+                           .faces = settings_.bodies};
+  lists_ = build_lists(ranks_, surface_, settings_.pairs, roles_, list_position_, walls, held_, reach);
+  have_lists_ = true;
+  ++statistics_.searches;
+
+  const std::size_t nodes = lists_.nodes.gid.size();
+  motion_of_.assign(nodes, {});
+  velocity_.assign(nodes, Vec3::Zero());
+  mobility_.assign(nodes, {});
+  for (std::size_t i = 0; i < nodes; ++i)
+    if (lists_.nodes.surface_node[i] != no_index)
+      mobility_[i] = surface_mobility_[static_cast<std::size_t>(lists_.nodes.surface_node[i])];
+  static_assert(sizeof(Mobility) == 10 * sizeof(double));
+  lists_.exchange.share(as_doubles(mobility_), 10);
+  own_area_.assign(surface_.faces.size(), Vec3::Zero());
+  facet_area_.assign(static_cast<std::size_t>(lists_.facet_count), Vec3::Zero());
+  encounters_.reserve(lists_.most_faces_of_a_slave);
+  rows_.reserve(lists_.most_rows);
+  impulses_.reserve(lists_.most_rows);
+  scratch_.reserve(lists_.most_rows, nodes);
+}
+
+void Contact::gather(VectorView position, VectorView old_velocity, MutableVectorView velocity) {
+  for (std::size_t i = 0; i < motion_of_.size(); ++i) {
+    const LocalIndex here = lists_.nodes.surface_node[i];
+    if (here == no_index) continue;
+    const LocalIndex node = surface_.model_node[static_cast<std::size_t>(here)];
+    motion_of_[i] = {position[node], old_velocity[node], velocity[node]};
+  }
+  lists_.exchange.share(as_doubles(motion_of_), node_motion_width);
+  if (!lists_.any_facets) return;
+  for (std::size_t f = 0; f < surface_.faces.size(); ++f) {
+    if (lists_.facet_needed[f] == 0) continue;
+    const SurfaceFace& face = surface_.faces[f];
+    const auto count = static_cast<std::size_t>(face.corner_count);
+    std::array<Vec3, 4> corners;
+    for (std::size_t i = 0; i < count; ++i)
+      corners[i] = position[surface_.model_node[static_cast<std::size_t>(face.nodes[i])]];
+    own_area_[f] = geometry::area_vector({corners.data(), count});
+  }
+  lists_.facets.forward(as_doubles(own_area_), as_doubles(facet_area_), 3);
+}
+
+void Contact::detect(std::span<const Wall> walls, double dt) {
+  detect_faces(lists_.candidates, lists_.faces, lists_.nodes.gid, motion_of_, facet_area_, dt, settings_.detection,
+               encounters_, rows_);
+  detect_walls(lists_.wall_candidates, walls, lists_.nodes.gid, motion_of_, dt, settings_.detection, rows_);
+  sort_rows(rows_);
+  for (const Row& row : rows_) penetration_ = std::max(penetration_, -row.gap);
+}
+
+void Contact::scatter(MutableVectorView velocity) {
+  for (std::size_t i = 0; i < velocity_.size(); ++i) {
+    const LocalIndex here = lists_.nodes.surface_node[i];
+    if (here != no_index) velocity.set(surface_.model_node[static_cast<std::size_t>(here)], velocity_[i]);
+  }
+  for (std::size_t i = 0; i < surface_.gid.size(); ++i)
+    Eigen::Map<Vec3>(surface_velocity_.data() + 3 * i) = velocity[surface_.model_node[i]];
+  surface_copies_.forward(surface_velocity_, foreign_velocity_, 3);
+  for (std::size_t i = 0; i < foreign_.size(); ++i)
+    velocity.set(surface_.model_node[static_cast<std::size_t>(foreign_[i])], Vec3(&foreign_velocity_[3 * i]));
+}
+
+void Contact::book() {
+  for (std::size_t q = 0; q < rows_.size(); ++q) {
+    if (impulses_[q] == 0) continue;
+    const Row& row = rows_[q];
+    double twice_rate = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
+      const auto node = static_cast<std::size_t>(row.nodes[i]);
+      twice_rate += row.weights[i] * row.normal.dot(motion_of_[node].old_velocity + velocity_[node]);
+    }
+    const double taken = -0.5 * impulses_[q] * twice_rate;
+    const Vec3 impulse = impulses_[q] * row.normal;
+    if (row.master_key < 0) {
+      sums_.wall_work.add(taken);
+      add_vector(sums_.wall_impulse[static_cast<std::size_t>(-1 - row.master_key)], impulse);
+      continue;
+    }
+    sums_.contact_work.add(taken);
+    const LocalIndex slave = lists_.nodes.surface_node[static_cast<std::size_t>(row.nodes[0])];
+    const auto blocks = std::as_const(surface_.blocks).row(slave);
+    for (std::size_t t = 0; t < settings_.tracked.size(); ++t) {
+      const auto [first, second] = settings_.tracked[t];
+      const auto slave_in = [&](std::int32_t block) { return std::binary_search(blocks.begin(), blocks.end(), block); };
+      if (slave_in(first) && row.master_block == second)
+        add_vector(sums_.tracked_impulse[t], impulse);
+      else if (slave_in(second) && row.master_block == first)
+        add_vector(sums_.tracked_impulse[t], -impulse);
+    }
+  }
+}
+
+void Contact::correct(VectorView position, VectorView old_velocity, MutableVectorView velocity,
+                      std::span<const Wall> walls, double dt, double global_motion_used) {
+  demand(walls.size() == sums_.wall_impulse.size(), "contact was made for another number of walls");
+  if (must_rebuild(global_motion_used)) rebuild(position, {velocity.data, velocity.stride}, walls, dt);
+  ++statistics_.steps;
+  statistics_.last = {};
+  rows_.clear();
+  impulses_.clear();
+  if (!lists_.any_rows) return;
+  gather(position, old_velocity, velocity);
+  detect(walls, dt);
+  impulses_.assign(rows_.size(), 0.0);
+  const RateResult result = enforce_rate_constraint(rows_, motion_of_, mobility_, settings_.rate, lists_.exchange,
+                                                    impulses_, velocity_, scratch_);
+  statistics_.last = result;
+  if (result.iterations == 0) return;  // v* is what it was
+  ++statistics_.solved_steps;
+  statistics_.iterations += result.iterations;
+  statistics_.most_iterations = std::max(statistics_.most_iterations, result.iterations);
+  statistics_.largest_residual = std::max(statistics_.largest_residual, result.residual);
+  scatter(velocity);
+  book();
+}
+
+void Contact::add_impulses(std::span<Vec3> impulse) const {
+  if (statistics_.last.iterations == 0) return;
+  for (std::size_t i = 0; i < lists_.nodes.gid.size(); ++i) {
+    if (lists_.nodes.home[i].rank != ranks_.rank()) continue;
+    const double* parts = &scratch_.impulse_parts[i * 3 * bin_slices];
+    const LocalIndex node = surface_.model_node[static_cast<std::size_t>(lists_.nodes.surface_node[i])];
+    impulse[static_cast<std::size_t>(node)] +=
+        Vec3(binned_value(parts), binned_value(parts + bin_slices), binned_value(parts + 2 * bin_slices));
+  }
+}
+
+ContactTotals Contact::collect() const {
+  std::vector<comm::ExactAccumulator> sums{sums_.contact_work, sums_.wall_work};
+  for (const auto* vectors : {&sums_.wall_impulse, &sums_.tracked_impulse})
+    for (const auto& vector : *vectors) sums.insert(sums.end(), vector.begin(), vector.end());
+  std::vector<double> totals(sums.size());
+  comm::exact_sum(ranks_, sums, totals);
+
+  ContactTotals result;
+  result.contact_work = totals[0];
+  result.wall_work = totals[1];
+  std::size_t next = 2;
+  for (auto [count, vectors] : {std::pair{sums_.wall_impulse.size(), &result.wall_impulse},
+                                std::pair{sums_.tracked_impulse.size(), &result.tracked_impulse}})
+    for (std::size_t i = 0; i < count; ++i, next += 3) vectors->push_back(Vec3(&totals[next]));
+  result.pairs = ranks_.sum(static_cast<GlobalIndex>(lists_.candidates.faces.values.size()));
+  result.active = ranks_.sum(static_cast<GlobalIndex>(
+      std::count_if(impulses_.begin(), impulses_.end(), [](double impulse) { return impulse != 0; })));
+  result.penetration = ranks_.max(penetration_);
+  return result;
+}
+
+}  // namespace brunt::contact

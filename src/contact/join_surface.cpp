@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// Once a run: who owns which surface node, and what lies around it.
+#include "brunt/contact/join_surface.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "brunt/comm/exact_sum.hpp"
+#include "brunt/comm/rendezvous.hpp"
+#include "brunt/core/error.hpp"
+#include "brunt/geometry/closest_point.hpp"
+
+namespace brunt::contact {
+namespace {
+
+/// A face tells the owner of each of its nodes that it is there.
+struct NodeUse {
+  GlobalIndex gid = 0, key = 0;
+  std::int32_t block = no_index;  ///< no_index for an excluded face
+  std::int32_t body = 0;
+  Place face;
+};
+
+std::size_t corner_count(const mesh::ExteriorFace& face) {
+  return face.nodes[3] == no_index ? 3 : 4;
+}
+
+/// In order of gid, then face key: the same whoever sent them.
+std::vector<NodeUse> uses_of_owned_nodes(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
+                                         std::span<const char> excluded) {
+  std::vector<std::vector<NodeUse>> outgoing(static_cast<std::size_t>(ranks.size()));
+  LocalIndex contact_face = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const mesh::ExteriorFace& face = mesh.faces[f];
+    const bool touches = excluded[f] == 0;
+    for (std::size_t i = 0; i < corner_count(face); ++i) {
+      const auto node = static_cast<std::size_t>(face.nodes[i]);
+      outgoing[static_cast<std::size_t>(mesh.owner[node])].push_back(
+          {mesh.node_gid[node], face.key, touches ? face.block : no_index, face.body, {ranks.rank(), contact_face}});
+    }
+    if (touches) ++contact_face;
+  }
+  std::vector<NodeUse> uses = comm::exchange(ranks, outgoing).values;
+  std::sort(uses.begin(), uses.end(),
+            [](const NodeUse& a, const NodeUse& b) { return a.gid != b.gid ? a.gid < b.gid : a.key < b.key; });
+  return uses;
+}
+
+LocalIndex index_of(const std::vector<GlobalIndex>& ascending, GlobalIndex gid) {
+  const auto found = std::lower_bound(ascending.begin(), ascending.end(), gid);
+  demand(found != ascending.end() && *found == gid, "a surface node is not where its owner says");
+  return static_cast<LocalIndex>(found - ascending.begin());
+}
+
+/// Owned surface nodes are told to all ranks that hold them, so that every copy is known as surface.
+void collect_nodes(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const std::vector<NodeUse>& uses,
+                   Surface& surface) {
+  std::vector<GlobalIndex> owned;
+  for (const NodeUse& use : uses)
+    if (owned.empty() || owned.back() != use.gid) owned.push_back(use.gid);
+  std::vector<std::vector<GlobalIndex>> told(static_cast<std::size_t>(ranks.size()));
+  for (std::size_t s = 0; s < mesh.shared.size(); ++s) {
+    const auto node = static_cast<std::size_t>(mesh.shared[s]);
+    const GlobalIndex gid = mesh.node_gid[node];
+    if (mesh.owner[node] != ranks.rank() || !std::binary_search(owned.begin(), owned.end(), gid)) continue;
+    for (const Rank sharer : mesh.sharers.row(static_cast<LocalIndex>(s)))
+      if (sharer != ranks.rank()) told[static_cast<std::size_t>(sharer)].push_back(gid);
+  }
+  const Ragged<GlobalIndex> heard = comm::exchange(ranks, told);
+  surface.gid = owned;
+  surface.gid.insert(surface.gid.end(), heard.values.begin(), heard.values.end());
+  std::sort(surface.gid.begin(), surface.gid.end());
+  for (const GlobalIndex gid : surface.gid) surface.model_node.push_back(index_of(mesh.node_gid, gid));
+
+  std::vector<std::vector<LocalIndex>> place_at(told.size());
+  for (std::size_t r = 0; r < told.size(); ++r)
+    for (const GlobalIndex gid : told[r]) place_at[r].push_back(index_of(surface.gid, gid));
+  const Ragged<LocalIndex> places = comm::exchange(ranks, place_at);
+  for (std::size_t i = 0; i < surface.gid.size(); ++i)
+    surface.home.push_back({ranks.rank(), static_cast<LocalIndex>(i)});
+  for (Rank r = 0; r < ranks.size(); ++r) {
+    const auto gids = heard.row(r);
+    const auto there = places.row(r);
+    for (std::size_t i = 0; i < gids.size(); ++i)
+      surface.home[static_cast<std::size_t>(index_of(surface.gid, gids[i]))] = {r, there[i]};
+  }
+}
+
+void attach_faces(const std::vector<NodeUse>& uses, Surface& surface) {
+  surface.body.assign(surface.gid.size(), no_index);
+  auto use = uses.begin();
+  for (std::size_t i = 0; i < surface.gid.size(); ++i) {
+    std::vector<std::int32_t> blocks;
+    for (; use != uses.end() && use->gid == surface.gid[i]; ++use) {
+      surface.body[i] = use->body;
+      if (use->block == no_index) continue;
+      surface.facets.values.push_back(use->face);
+      blocks.push_back(use->block);
+    }
+    std::sort(blocks.begin(), blocks.end());
+    surface.blocks.values.insert(surface.blocks.values.end(), blocks.begin(),
+                                 std::unique(blocks.begin(), blocks.end()));
+    surface.facets.close_row();
+    surface.blocks.close_row();
+  }
+}
+
+void collect_faces(const mesh::LocalMesh& mesh, std::span<const char> excluded, Surface& surface) {
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (excluded[f] != 0) continue;
+    const mesh::ExteriorFace& from = mesh.faces[f];
+    SurfaceFace face{.key = from.key,
+                     .corner_count = static_cast<std::int32_t>(corner_count(from)),
+                     .body = from.body,
+                     .block = from.block};
+    for (std::size_t i = 0; i < corner_count(from); ++i)
+      face.nodes[i] = index_of(surface.gid, mesh.node_gid[static_cast<std::size_t>(from.nodes[i])]);
+    surface.faces.push_back(face);
+  }
+}
+
+double mean(double sum, GlobalIndex count) {
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const double> inverse_mass,
+                    Surface& surface) {
+  GlobalIndex last_body = -1;
+  for (const mesh::ExteriorFace& face : mesh.faces) last_body = std::max<GlobalIndex>(last_body, face.body);
+  const auto body_count = static_cast<std::size_t>(ranks.max(last_body) + 1);
+  std::vector<comm::ExactAccumulator> sums(2 * body_count + 1);  // areas, masses, and edges of all bodies
+  std::vector<GlobalIndex> counts(3 * body_count, 0);            // faces, nodes, nodes that cannot move
+  for (const SurfaceFace& face : surface.faces) {
+    std::array<Vec3, 4> corners;
+    const auto count = static_cast<std::size_t>(face.corner_count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const LocalIndex node = surface.model_node[static_cast<std::size_t>(face.nodes[i])];
+      corners[i] = mesh.coordinates[static_cast<std::size_t>(node)];
+    }
+    const geometry::Corners view(corners.data(), count);
+    const auto body = static_cast<std::size_t>(face.body);
+    sums[body].add(geometry::area_vector(view).norm());
+    sums[2 * body_count].add(geometry::longest_edge(view));
+    ++counts[body];
+  }
+  for (std::size_t i = 0; i < surface.gid.size(); ++i) {
+    if (!surface.owns(static_cast<LocalIndex>(i), ranks.rank())) continue;
+    const auto body = static_cast<std::size_t>(surface.body[i]);
+    const double inverse = inverse_mass[static_cast<std::size_t>(surface.model_node[i])];
+    ++counts[body_count + body];
+    if (inverse > 0)
+      sums[body_count + body].add(1 / inverse);
+    else
+      ++counts[2 * body_count + body];
+  }
+  std::vector<double> totals(sums.size());
+  comm::exact_sum(ranks, sums, totals);
+  ranks.sum(counts);
+  GlobalIndex faces = 0;
+  for (std::size_t body = 0; body < body_count; ++body) {
+    const double mass = mean(totals[body_count + body], counts[body_count + body]);
+    const bool held = counts[2 * body_count + body] > 0;
+    surface.bodies.push_back({mean(totals[body], counts[body]), held ? std::numeric_limits<double>::infinity() : mass});
+    faces += counts[body];
+  }
+  surface.mean_edge = mean(totals[2 * body_count], faces);
+}
+
+}  // namespace
+
+Surface join_surface(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const char> excluded,
+                     std::span<const double> inverse_mass) {
+  demand(excluded.size() == mesh.faces.size(), "one exclusion flag for each exterior face");
+  demand(inverse_mass.size() == mesh.node_gid.size(), "one inverse mass for each node");
+  Surface surface;
+  const std::vector<NodeUse> uses = uses_of_owned_nodes(ranks, mesh, excluded);
+  collect_nodes(ranks, mesh, uses, surface);
+  attach_faces(uses, surface);
+  collect_faces(mesh, excluded, surface);
+  measure_bodies(ranks, mesh, inverse_mass, surface);
+  return surface;
+}
+
+}  // namespace brunt::contact
