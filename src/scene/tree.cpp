@@ -2,6 +2,7 @@
 #include "brunt/scene/tree.hpp"
 
 #include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -69,15 +70,46 @@ bool indented_by_tabs(const std::string& text, const std::string& file, Faults& 
   return false;
 }
 
-/// All documents of a text; a syntax error is a fault at its line (or at an override's place).
-std::optional<std::vector<YAML::Node>> load(const std::string& text, const Place& base, Faults& faults) {
+/// Notes where a document starts and lets everything else pass.
+struct DocumentStart : YAML::EventHandler {
+  YAML::Mark mark = YAML::Mark::null_mark();
+  void OnDocumentStart(const YAML::Mark& at) override { mark = at; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+};
+
+/// Where a second document starts, if there is one. (YAML::LoadAll is no way to ask: it never returns on a text that
+/// starts with a comma.)
+std::optional<YAML::Mark> second_document(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  DocumentStart start;
+  if (!parser.HandleNextDocument(start) || !parser.HandleNextDocument(start)) return {};
+  return start.mark;
+}
+
+/// The one document of a text; a syntax error or a second document is a fault at its line (or at an override's place).
+std::optional<YAML::Node> load(const std::string& text, const Place& base, Faults& faults) {
+  const auto at = [&](const YAML::Mark& mark) {
+    return base.line > 0 && !mark.is_null() ? Place{base.source, mark.line + 1} : base;
+  };
   try {
-    return YAML::LoadAll(text);
+    YAML::Node document = YAML::Load(text);
+    if (const std::optional<YAML::Mark> second = second_document(text)) {
+      faults.add(at(*second), "", "a second YAML document starts here; accepted: one, all top keys in one column");
+      return std::nullopt;
+    }
+    return document;
   } catch (const YAML::Exception& error) {
     const bool known = base.line > 0 && !error.mark.is_null();
-    const Place at = known ? Place{base.source, error.mark.line + 1} : base;
     const std::string column = known ? fmt::format(", column {}", error.mark.column + 1) : "";
-    faults.add(at, "", fmt::format("YAML syntax error{}: {}; accepted: YAML 1.2", column, error.msg));
+    faults.add(at(error.mark), "", fmt::format("YAML syntax error{}: {}; accepted: YAML 1.2", column, error.msg));
     return std::nullopt;
   }
 }
@@ -100,25 +132,19 @@ Tree parse_yaml(const std::string& text, const std::string& file, Faults& faults
     return {};
   }
   if (indented_by_tabs(text, file, faults)) return {};
-  const std::optional<std::vector<YAML::Node>> documents = load(text, start, faults);
-  if (!documents) return {};
-  if (documents->empty() || documents->front().IsNull()) {
+  const std::optional<YAML::Node> document = load(text, start, faults);
+  if (!document) return {};
+  if (document->IsNull()) {
     faults.add(start, "", "the file is empty; accepted: a scene with units, mesh, materials, parts and run");
     return {};
   }
-  if (documents->size() > 1) {
-    const int line = (*documents)[1].Mark().line + 1;
-    faults.add({file, line}, "", "a second YAML document starts here; accepted: one, all top keys in one column");
-    return {};
-  }
-  return Converter{start, faults}.convert(documents->front(), start, "");
+  return Converter{start, faults}.convert(*document, start, "");
 }
 
 std::optional<Tree> parse_value(const std::string& text, const Place& place, Faults& faults) {
-  const std::optional<std::vector<YAML::Node>> documents = load(text, place, faults);
-  if (!documents) return {};
-  if (documents->empty()) return Tree{.place = place};
-  return Converter{place, faults}.convert(documents->front(), place, "");
+  const std::optional<YAML::Node> document = load(text, place, faults);
+  if (!document) return {};
+  return Converter{place, faults}.convert(*document, place, "");
 }
 
 }  // namespace brunt::scene

@@ -204,6 +204,7 @@ TEST_CASE("broken YAML", "[scene]") {
   check_message(faults_of(spoilt("  cfl: 0.9", "\tcfl: 0.9")), "bar.yaml:43", {"tab", "spaces"});
   check_message(faults_of(spoilt("title", " title")), "bar.yaml:2", {"second YAML document", "one column"});
   check_message(faults_of(spoilt("title: small", "title: @small")), "bar.yaml:1", {"YAML syntax error, column 8"});
+  check_message(faults_of(",title: a comma too many\n"), "bar.yaml:1", {"second YAML document"});
   check_message(faults_of(std::string("a: 1\0b: 2", 9)), "bar.yaml:1", {"zero bytes"});
 }
 
