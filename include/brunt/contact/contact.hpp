@@ -99,6 +99,15 @@ class Contact {
   /// mesh), held components included: what the step books as reaction of fixed and prescribed nodes.
   void add_impulses(std::span<Vec3> impulse) const;
 
+  /// Energy that the second half of the last step's impulses took, lambda n . v_{n+1/2} / 2: the sums hold whole steps,
+  /// a ledger at t_n takes this off. Of this rank.
+  void add_second_half(comm::ExactAccumulator& contact, comm::ExactAccumulator& walls) const;
+
+  /// Of the last step, by local node of the mesh, for slaves owned here, zero elsewhere: impulse over dt and the area
+  /// around the node [stress]; smallest gap [length].
+  [[nodiscard]] std::vector<double> pressures(double dt) const;
+  [[nodiscard]] std::vector<double> gaps() const;
+
   [[nodiscard]] ContactTotals collect() const;  ///< collective
   [[nodiscard]] const ContactStatistics& statistics() const { return statistics_; }
   [[nodiscard]] ContactSums& sums() { return sums_; }
@@ -113,6 +122,8 @@ class Contact {
   void detect(std::span<const Wall> walls, double dt);
   void scatter(MutableVectorView velocity);
   void book();
+  [[nodiscard]] std::size_t surface_node_count() const;           ///< local nodes up to the last one on the surface
+  [[nodiscard]] std::size_t model_node_of(const Row& row) const;  ///< the slave
 
   comm::Communicator ranks_;
   ContactSettings settings_;

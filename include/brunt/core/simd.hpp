@@ -14,54 +14,63 @@ using PackMask =
     std::int64_t __attribute__((vector_size(64)));     ///< -1 where true, 0 where false (a comparison's result)
 using Quad = double __attribute__((vector_size(32)));  ///< four doubles: x, y, z and one to spare
 
-inline Pack broadcast(double a) {
+/// Kernels are long straight code on 64-byte values: a call that is not inlined spills all of them.
+#define BRUNT_INLINE [[gnu::always_inline]] inline
+
+BRUNT_INLINE Pack broadcast(double a) {
   return Pack{a, a, a, a, a, a, a, a};
 }
-inline Pack select(PackMask mask, Pack yes, Pack no) {
+BRUNT_INLINE Pack select(PackMask mask, Pack yes, Pack no) {
   return mask ? yes : no;
 }
-inline Pack pack_max(Pack a, Pack b) {
+BRUNT_INLINE Pack pack_max(Pack a, Pack b) {
   return a > b ? a : b;
 }
-inline Pack pack_min(Pack a, Pack b) {
+BRUNT_INLINE Pack pack_min(Pack a, Pack b) {
   return a < b ? a : b;
 }
-inline Pack pack_abs(Pack a) {
+BRUNT_INLINE Pack pack_abs(Pack a) {
   return a < 0.0 ? -a : a;
 }
 
-inline Pack pack_sqrt(Pack a) {
+BRUNT_INLINE Pack pack_sqrt(Pack a) {
   Pack root;
   for (int lane = 0; lane < pack_width; ++lane) root[lane] = std::sqrt(a[lane]);
   return root;
 }
 
-inline bool any(PackMask mask) {
+BRUNT_INLINE bool any(PackMask mask) {
   std::int64_t seen = 0;
   for (int lane = 0; lane < pack_width; ++lane) seen |= mask[lane];
   return seen != 0;
 }
 
-/// Rows become columns: a[i] lane j and a[j] lane i change places.
-inline void transpose(Pack a[8]) {
-#define BRUNT_SHUFFLE __builtin_shufflevector
-  Pack b[8];
-  for (int i = 0; i < 8; i += 2) {
-    b[i] = BRUNT_SHUFFLE(a[i], a[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-    b[i + 1] = BRUNT_SHUFFLE(a[i], a[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-  }
-  Pack c[8];
-  for (int i = 0; i < 8; i += 4) {
-    for (int k = 0; k < 2; ++k) {
-      c[i + k] = BRUNT_SHUFFLE(b[i + k], b[i + k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-      c[i + k + 2] = BRUNT_SHUFFLE(b[i + k], b[i + k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-  }
-  for (int i = 0; i < 4; ++i) {
-    a[i] = BRUNT_SHUFFLE(c[i], c[i + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-    a[i + 4] = BRUNT_SHUFFLE(c[i], c[i + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-  }
-#undef BRUNT_SHUFFLE
+/// First three components of eight quads, component by component: x[lane] = quad(lane)[0] ...
+/// `quad(lane)` is called once a lane. Half of the moves are loads straight into the upper half of a register.
+template <class QuadOfLane>
+BRUNT_INLINE void components_of(const QuadOfLane& quad, Pack& x, Pack& y, Pack& z) {
+  Pack pair[4];  // quads of lanes k and k+4
+  for (int k = 0; k < 4; ++k) pair[k] = __builtin_shufflevector(quad(k), quad(k + 4), 0, 1, 2, 3, 4, 5, 6, 7);
+  const Pack even01 = __builtin_shufflevector(pair[0], pair[1], 0, 8, 2, 10, 4, 12, 6, 14);
+  const Pack odd01 = __builtin_shufflevector(pair[0], pair[1], 1, 9, 3, 11, 5, 13, 7, 15);
+  const Pack even23 = __builtin_shufflevector(pair[2], pair[3], 0, 8, 2, 10, 4, 12, 6, 14);
+  const Pack odd23 = __builtin_shufflevector(pair[2], pair[3], 1, 9, 3, 11, 5, 13, 7, 15);
+  x = __builtin_shufflevector(even01, even23, 0, 1, 8, 9, 4, 5, 12, 13);
+  y = __builtin_shufflevector(odd01, odd23, 0, 1, 8, 9, 4, 5, 12, 13);
+  z = __builtin_shufflevector(even01, even23, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+
+/// The way back: pair[k] holds the quads (x, y, z, 0) of lanes k and k+4.
+BRUNT_INLINE void quads_of(Pack x, Pack y, Pack z, Pack (&pair)[4]) {
+  const Pack zero = broadcast(0.0);
+  const Pack xy_even = __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14);
+  const Pack xy_odd = __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15);
+  const Pack z_even = __builtin_shufflevector(z, zero, 0, 8, 2, 10, 4, 12, 6, 14);
+  const Pack z_odd = __builtin_shufflevector(z, zero, 1, 9, 3, 11, 5, 13, 7, 15);
+  pair[0] = __builtin_shufflevector(xy_even, z_even, 0, 1, 8, 9, 4, 5, 12, 13);
+  pair[1] = __builtin_shufflevector(xy_odd, z_odd, 0, 1, 8, 9, 4, 5, 12, 13);
+  pair[2] = __builtin_shufflevector(xy_even, z_even, 2, 3, 10, 11, 6, 7, 14, 15);
+  pair[3] = __builtin_shufflevector(xy_odd, z_odd, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 
 }  // namespace brunt

@@ -8,7 +8,7 @@
 namespace brunt::geometry {
 
 /// R = (I - W/2)^-1 (I + W/2) for the skew W with axial vector w (W u = w x u), row major; orthogonal for any w.
-inline void rotation_of_spin(const Pack (&w)[3], Pack (&R)[9]) {
+BRUNT_INLINE void rotation_of_spin(const Pack (&w)[3], Pack (&R)[9]) {
   const Pack xx = w[0] * w[0], yy = w[1] * w[1], zz = w[2] * w[2];
   const Pack a = 1.0 / (1.0 + 0.25 * (xx + yy + zz));  // R = I + a (W + W^2/2)
   const Pack h = 0.5 * a;
@@ -25,7 +25,7 @@ inline void rotation_of_spin(const Pack (&w)[3], Pack (&R)[9]) {
 }
 
 /// u <- R u
-inline void rotate_vector(const Pack (&R)[9], Pack& x, Pack& y, Pack& z) {
+BRUNT_INLINE void rotate_vector(const Pack (&R)[9], Pack& x, Pack& y, Pack& z) {
   const Pack a = R[0] * x + R[1] * y + R[2] * z;
   const Pack b = R[3] * x + R[4] * y + R[5] * z;
   z = R[6] * x + R[7] * y + R[8] * z;
@@ -34,7 +34,7 @@ inline void rotate_vector(const Pack (&R)[9], Pack& x, Pack& y, Pack& z) {
 }
 
 /// s <- R s R^T for s = (xx, yy, zz, xy, yz, zx)
-inline void rotate_tensor(const Pack (&R)[9], Pack* s) {
+BRUNT_INLINE void rotate_tensor(const Pack (&R)[9], Pack* s) {
   Pack t[9];  // R s
   for (int i = 0; i < 3; ++i) {
     const Pack &p = R[3 * i], &q = R[3 * i + 1], &r = R[3 * i + 2];

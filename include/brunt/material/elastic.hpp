@@ -19,8 +19,8 @@ namespace brunt::material {
 /// For the Jaumann rate, L : dP/dt = D : C : D + tr(D) s : D + [W^T W s] + 2 [W s D] - [D D s]. With s = m 1 + dev,
 /// the bracket terms are at most (|m| + |dev|) L : L and tr(D) s : D at most m tr^2 + |dev| (3/2 tr^2 + 1/2 L : L);
 /// the spectral norm |dev| is bounded by the largest row sum. Compression lowers lambda and raises mu.
-inline void rate_law_tangent(double elastic_lambda, double elastic_mu, const Pack (&stress)[6], Pack& lambda,
-                             Pack& mu) {
+BRUNT_INLINE void rate_law_tangent(double elastic_lambda, double elastic_mu, const Pack (&stress)[6], Pack& lambda,
+                                   Pack& mu) {
   const Pack mean = (stress[0] + stress[1] + stress[2]) * (1.0 / 3.0);
   const Pack xy = pack_abs(stress[3]), yz = pack_abs(stress[4]), zx = pack_abs(stress[5]);
   const Pack dev_norm = pack_max(pack_max(pack_abs(stress[0] - mean) + xy + zx, pack_abs(stress[1] - mean) + xy + yz),
@@ -30,7 +30,7 @@ inline void rate_law_tangent(double elastic_lambda, double elastic_mu, const Pac
 }
 
 /// Hooke's law for the increment: d stress = lambda tr(de) 1 + 2 mu de.
-inline void add_elastic_increment(double lambda, double mu, const Pack (&de)[6], Pack (&stress)[6]) {
+BRUNT_INLINE void add_elastic_increment(double lambda, double mu, const Pack (&de)[6], Pack (&stress)[6]) {
   const Pack volumetric = lambda * (de[0] + de[1] + de[2]);
   const double two_mu = 2.0 * mu;
   for (int i = 0; i < 3; ++i) {

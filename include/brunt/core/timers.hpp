@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the time of the loop goes: wall-clock seconds of this rank by phase.
+#pragma once
+#include <array>
+#include <chrono>
+#include <cstddef>
+
+namespace brunt {
+
+enum class Phase { element, search, enforcement, halo, other, output };
+constexpr std::size_t phases = 6;
+
+class Timers {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// Books the time from its making to its end to one phase.
+  class Measure {
+   public:
+    Measure(Timers& timers, Phase phase) : timers_(timers), phase_(phase), start_(Clock::now()) {}
+    ~Measure() { timers_.add(phase_, std::chrono::duration<double>(Clock::now() - start_).count()); }
+    Measure(const Measure&) = delete;
+    Measure& operator=(const Measure&) = delete;
+
+   private:
+    Timers& timers_;
+    Phase phase_;
+    Clock::time_point start_;
+  };
+
+  [[nodiscard]] Measure measure(Phase phase) { return Measure(*this, phase); }
+  void add(Phase phase, double seconds) { seconds_[static_cast<std::size_t>(phase)] += seconds; }
+  [[nodiscard]] double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
+
+ private:
+  std::array<double, phases> seconds_{};
+};
+
+}  // namespace brunt

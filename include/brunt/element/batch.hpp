@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an element kernel is handed and what it hands back: eight elements at once.
+//
+// A kernel is a small struct with its constants, templated over a material response, and
+//   static constexpr int nodes;                          corners an element
+//   static std::vector<HistoryField> history();          what each element remembers, in order
+//   void operator()(const BatchMotion<nodes>&, Pack* history, BatchForce<nodes>&) const;
+// It knows neither MPI nor files nor how elements are stored.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "brunt/core/simd.hpp"
+
+namespace brunt::element {
+
+/// One named part of an element's memory: `components` doubles for each element.
+struct HistoryField {
+  std::string name;  ///< "stress", "plastic_strain", "hourglass_force" ...
+  int components = 1;
+};
+
+template <int nodes>
+struct BatchMotion {
+  Pack x[3][nodes];  ///< positions at t_n [length]
+  Pack v[3][nodes];  ///< velocities at t_{n-1/2} [length/time]
+  Pack X[3][nodes];  ///< reference positions, filled for hyperelastic laws only
+  double dt = 0;     ///< t_n - t_{n-1}; zero in the first step, when nothing has been strained yet
+};
+
+template <int nodes>
+struct BatchForce {
+  Pack f[3][nodes];  ///< minus the internal force on each corner [force]
+  Pack rate;         ///< at least 1 / (largest stable step) of the free element [1/time]
+  Pack volume;       ///< not positive (or NaN) for an inverted element [length^3]
+};
+
+/// Upper bound of the largest eigenvalue of a symmetric positive 3x3 (xx,yy,zz,xy,yz,zx): trace/3 + sqrt(2/3)
+/// |deviator|, exact when two eigenvalues are equal and the third is not smaller.
+BRUNT_INLINE Pack largest_eigenvalue_bound(const Pack (&s)[6]) {
+  const Pack mean = (s[0] + s[1] + s[2]) * (1.0 / 3.0);
+  const Pack a = s[0] - mean, b = s[1] - mean, c = s[2] - mean;
+  const Pack norm2 = a * a + b * b + c * c + 2.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
+  return mean + pack_sqrt((2.0 / 3.0) * norm2);
+}
+
+/// 1/(largest stable step) of central differences with damping taken at the half step before:
+/// dt = 2/omega (sqrt(1+xi^2) - xi) with xi = damping / (2 omega) (T. Belytschko, W. K. Liu, B. Moran, Nonlinear Finite
+/// Elements for Continua and Structures, 2000, eq (6.2.26)), written without a division.
+BRUNT_INLINE Pack stable_rate(Pack omega2, Pack damping) {
+  return 0.5 * pack_sqrt(omega2 + 0.25 * damping * damping) + 0.25 * damping;
+}
+
+}  // namespace brunt::element

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a user chooses for the elements of a part.
+#pragma once
+
+namespace brunt::element {
+
+enum class ElementKind {
+  hex8,       ///< eight nodes, one point, hourglass control
+  hex8_full,  ///< eight nodes, 2x2x2 points
+  hex8_bbar,  ///< eight nodes, 2x2x2 points, dilatation averaged over the element (B-bar)
+  tet4        ///< four nodes, one point; stiff (locks) in bending and in nearly incompressible flow
+};
+
+enum class HourglassKind { none, viscous, stiffness };
+
+struct Hourglass {
+  HourglassKind kind = HourglassKind::stiffness;
+  double coefficient = 0.05;  ///< dimensionless
+};
+
+/// Bulk viscosity: pressure -(linear rho c L e + quadratic^2 rho L^2 |e| e, the second in compression only), e the rate
+/// of volume strain.
+struct BulkViscosity {
+  double linear = 0.06, quadratic = 1.2;  ///< dimensionless
+};
+
+}  // namespace brunt::element

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forces from outside the elements: gravity, damping in proportion to mass, pressure on faces.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "brunt/model/model.hpp"
+
+namespace brunt::force {
+
+/// Gravity and damping at t_n on every local node, into scratch.load (and the damping's share into scratch.damping).
+void body_loads(const model::Model& model, const model::State& state, model::Scratch& scratch);
+
+/// Forces of pressure on current faces, one Quad for each node of each face of each load, in order; `slots` as long as
+/// pressure_corners(model) lists.
+void pressure_forces(const model::Model& model, const model::State& state, std::span<Quad> slots);
+
+struct PressureCorner {
+  GlobalIndex key = 0;  ///< unique at a node, the same on any number of ranks
+  LocalIndex node = 0;
+};
+std::vector<PressureCorner> pressure_corners(const model::Model& model);
+
+}  // namespace brunt::force

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lumped mass: every corner takes an equal share of its element's mass.
+#pragma once
+#include "brunt/model/model.hpp"
+
+namespace brunt::force {
+
+/// Writes the mass of each element to its history, and the sum of corner shares to the first component of
+/// scratch.force (border nodes: unsummed in scratch.slots). Throws GuardError for an element without volume.
+void lump_mass(const model::Model& model, model::State& state, model::Scratch& scratch);
+
+/// Volume of one hexahedron (exact for trilinear faces) or tetrahedron with reference corners X.
+double element_volume(const model::ElementBlock& block, const Quad* reference, LocalIndex element);
+
+}  // namespace brunt::force

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values over time given by points.
+#pragma once
+#include "brunt/model/model.hpp"
+
+namespace brunt::model {
+
+/// Linear between the points, constant beyond the first and the last; 1 for an empty curve.
+double value_at(const Curve& curve, double time);
+
+}  // namespace brunt::model

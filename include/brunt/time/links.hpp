@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the ranks of a run hang together during a step: built once, used in every step.
+#pragma once
+#include "brunt/comm/communicator.hpp"
+#include "brunt/comm/ordered_sum.hpp"
+#include "brunt/contact/detection/detection.hpp"
+#include "brunt/core/aligned.hpp"
+#include "brunt/core/simd.hpp"
+#include "brunt/core/timers.hpp"
+#include "brunt/force/loads.hpp"
+#include "brunt/model/model.hpp"
+
+namespace brunt::time {
+
+struct Links {
+  comm::Communicator ranks;
+  comm::OrderedSum corner_forces;  ///< corner forces of elements at the border between ranks
+  std::vector<force::PressureCorner> pressure_corners;
+  comm::OrderedSum pressure;
+  AlignedVector<Quad> pressure_slots;
+  AlignedVector<Quad> pressure_sum;  ///< by node; empty without pressure
+  std::vector<contact::Wall> walls;  ///< where the model's walls are at t_n
+  Timers timers;
+};
+
+/// Numbers the slots of border corners in the model and links the ranks. Collective.
+Links link_ranks(const comm::Communicator& ranks, model::Model& model);
+
+}  // namespace brunt::time

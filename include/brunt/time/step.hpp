@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// One time step of the central difference method, THE page: `evaluate` finds the forces at t_n, `advance` moves on.
+//
+//   f  = - internal(u_n, history) + loads(t_n)             summed over elements in canonical order
+//   v* = v_{n-1/2} + (dt_{n-1/2} + dt_{n+1/2})/2 W f       W the mobility: inverse mass times the free directions
+//   v_{n+1/2} = v* + W G^T impulses                        contact and walls
+//   u_{n+1} = u_n + dt_{n+1/2} v_{n+1/2}
+//
+// Fields written for t_n are those between the two calls: u_n and stresses of t_n.
+#pragma once
+#include "brunt/force/internal.hpp"
+#include "brunt/model/model.hpp"
+#include "brunt/time/links.hpp"
+
+namespace brunt::contact {
+class Contact;
+}
+
+namespace brunt::time {
+
+struct StepControl {
+  double cfl = 0.9;              ///< share of the stable step that is used
+  double largest_growth = 1.02;  ///< of dt from one step to the next
+};
+
+/// What all ranks know of the step at t_n.
+struct StepReport {
+  double dt = 0;                  ///< t_{n+1} - t_n
+  double dt_mean = 0;             ///< (dt_{n-1/2} + dt_{n+1/2}) / 2: the time over which forces at t_n act
+  force::ElementReport elements;  ///< of this rank
+  bool stop = false;              ///< some rank asks to stop (a guard here or there)
+};
+
+/// Forces, stresses and history at t_n, and the size of the step to come. Collective.
+StepReport evaluate(const model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
+                    const StepControl& control);
+
+/// The rigid walls as contact sees them: place at t_n, velocity at `time`.
+std::vector<contact::Wall> walls_at(const model::Model& model, const model::State& state, double time);
+
+/// From t_n to t_{n+1}. `contact` is null where the scene has neither contact nor walls. Collective.
+void advance(const model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
+             contact::Contact* contact, const StepReport& step);
+
+}  // namespace brunt::time

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands beside `run`. Each is collective, returns the exit code and throws InputError on all ranks.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "brunt/comm/communicator.hpp"
+
+namespace brunt::app {
+
+struct CheckOptions {
+  std::string scene;
+  std::vector<std::string> overrides;
+};
+/// Parts, masses, stable step, gaps and overlaps at the start, estimated cost.
+int check(const comm::Communicator& ranks, const CheckOptions& options);
+
+struct PartitionOptions {
+  std::string scene;
+  std::vector<std::string> overrides;
+  int parts = 1;
+};
+int partition(const comm::Communicator& ranks, const PartitionOptions& options);
+
+struct CompareOptions {
+  std::string a, b;
+  double tolerance = 0;
+};
+int compare(const comm::Communicator& ranks, const CompareOptions& options);
+
+struct SearchOptions {
+  std::string file, method = "binary";
+  int repeat = 1;
+  bool list = false;
+};
+int search(const comm::Communicator& ranks, const SearchOptions& options);
+
+int info(const comm::Communicator& ranks);
+std::string version();
+
+}  // namespace brunt::app

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact_setup.hpp"
+
+#include <algorithm>
+
+#include "brunt/core/error.hpp"
+#include "brunt/time/step.hpp"
+
+namespace brunt::app {
+namespace {
+
+contact::PairTable pair_table(const model::Model& model) {
+  const std::size_t n = model.blocks.size();
+  const auto blocks = static_cast<std::int32_t>(n);
+  contact::PairTable table(blocks, contact::PairRule::apart);
+  for (std::int32_t a = 0; a < blocks; ++a)
+    for (std::int32_t b = a; b < blocks; ++b) {
+      const std::size_t pair = static_cast<std::size_t>(a) * n + static_cast<std::size_t>(b);
+      if (!model.contact.active[pair]) continue;
+      const std::int8_t forced = model.contact.forced_slave[pair];
+      table.set(a, b,
+                forced > 0   ? contact::PairRule::slave
+                : forced < 0 ? contact::PairRule::master
+                             : contact::PairRule::automatic);
+    }
+  return table;
+}
+
+/// The pairs of blocks that probes watch.
+void track_pairs(Prepared& run, contact::ContactSettings& settings) {
+  const auto block_of = [&](const std::string& part) {
+    const auto found = std::ranges::find(run.model.blocks, part, &model::ElementBlock::part);
+    return static_cast<std::int32_t>(found - run.model.blocks.begin());
+  };
+  for (const scene::Probe& probe : run.input.probes)
+    if (probe.kind == scene::Probe::Kind::contact) {
+      run.tracked.push_back({probe.where, probe.other});
+      settings.tracked.push_back({block_of(probe.where), block_of(probe.other)});
+    }
+}
+
+/// Calls visit(accumulator) for each sum in a fixed order.
+template <class Visit>
+void for_each_sum(contact::ContactSums& sums, Visit&& visit) {
+  visit(sums.contact_work);
+  visit(sums.wall_work);
+  for (auto* list : {&sums.wall_impulse, &sums.tracked_impulse})
+    for (auto& vector : *list)
+      for (comm::ExactAccumulator& component : vector) visit(component);
+}
+
+}  // namespace
+
+void make_contact(Prepared& run) {
+  const model::Model& model = run.model;
+  if (!model.contact.any && model.walls.empty()) return;
+  contact::ContactSettings settings;
+  settings.bodies = model.contact.any;
+  settings.pairs = pair_table(model);
+  settings.rate = {model.contact.tolerance, model.contact.max_iterations};
+  track_pairs(run, settings);
+
+  std::vector<double> inverse_mass;
+  for (const model::NodeLine& node : run.state.nodes) inverse_mass.push_back(1.0 / node.mass);
+  std::vector<contact::ConstrainedNode> constrained;
+  for (const model::ConstrainedNode& node : model.constrained) constrained.push_back({node.node, node.free});
+  const std::vector<contact::Wall> walls = time::walls_at(model, run.state, 0.0);
+  run.contact = std::make_unique<contact::Contact>(run.links.ranks, model.mesh, model.in_symmetry_plane, inverse_mass,
+                                                   constrained, walls, settings);
+}
+
+std::vector<double> save_sums(const comm::Communicator& ranks, contact::Contact& contact) {
+  std::vector<GlobalIndex> limbs;
+  for_each_sum(contact.sums(), [&](comm::ExactAccumulator& sum) {
+    const std::span<std::int64_t> raw = sum.raw();
+    limbs.insert(limbs.end(), raw.begin(), raw.end());
+  });
+  ranks.sum(limbs);
+  // carried over once more, the limbs depend on the sum alone and not on how the ranks had it split
+  std::vector<double> saved;
+  for (std::size_t first = 0; first < limbs.size(); first += comm::ExactAccumulator::limbs + 1) {
+    comm::ExactAccumulator whole;
+    const std::span<std::int64_t> raw = whole.raw();
+    std::copy_n(limbs.begin() + static_cast<std::ptrdiff_t>(first), raw.size(), raw.begin());
+    for (const std::int64_t limb : whole.raw()) saved.push_back(static_cast<double>(limb));
+  }
+  return saved;
+}
+
+void restore_sums(const comm::Communicator& ranks, const std::vector<double>& saved, contact::Contact& contact) {
+  std::size_t next = 0;
+  for_each_sum(contact.sums(), [&](comm::ExactAccumulator& sum) {
+    sum.clear();
+    for (std::int64_t& limb : sum.raw()) {
+      demand(next < saved.size(), "the sums of contact in a checkpoint are complete");
+      limb = ranks.is_root() ? static_cast<std::int64_t>(saved[next]) : 0;
+      ++next;
+    }
+  });
+}
+
+}  // namespace brunt::app

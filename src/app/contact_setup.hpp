@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact of a prepared run: from the model's rules to the contact room, and its sums to and from checkpoints.
+#pragma once
+#include <vector>
+
+#include "prepare.hpp"
+
+namespace brunt::app {
+
+/// Makes Prepared::contact where the scene has contact or walls. Collective.
+void make_contact(Prepared& run);
+
+/// The exact sums of all ranks as doubles (each a 32-bit limb with carries): the same whatever the number of ranks.
+/// Collective.
+std::vector<double> save_sums(const comm::Communicator& ranks, contact::Contact& contact);
+/// The root takes them over, the other ranks start from zero.
+void restore_sums(const comm::Communicator& ranks, const std::vector<double>& saved, contact::Contact& contact);
+
+}  // namespace brunt::app

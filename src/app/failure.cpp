@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "failure.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <new>
+
+#include "brunt/comm/session.hpp"
+
+namespace brunt::app {
+namespace {
+
+int code_of(ExitCode code) {
+  return static_cast<int>(code);
+}
+
+/// The other ranks may be waiting for this one in a collective call: only ending them all frees them.
+int fail_alone(const comm::Communicator& ranks, const std::string& what) {
+  fmt::print(stderr, "brunt: rank {}: {}\n", ranks.rank(), what);
+  leave_exit_code(code_of(ExitCode::machine), true);
+  if (ranks.size() > 1) comm::Session::abort(code_of(ExitCode::machine));
+  return code_of(ExitCode::machine);
+}
+
+}  // namespace
+
+int guarded(const comm::Communicator& ranks, const std::function<int()>& command) {
+  int code = code_of(ExitCode::done);
+  try {
+    code = command();
+  } catch (const InputError& error) {  // thrown on all ranks
+    if (ranks.is_root())
+      for (const std::string& fault : error.faults()) fmt::print(stderr, "brunt: {}\n", fault);
+    code = code_of(ExitCode::wrong_input);
+  } catch (const GuardError& error) {  // thrown on all ranks
+    if (ranks.is_root()) fmt::print(stderr, "brunt: stopped: {}\n", error.what());
+    code = code_of(ExitCode::guard);
+  } catch (const std::bad_alloc&) {
+    return fail_alone(ranks, "out of memory");
+  } catch (const std::exception& error) {
+    return fail_alone(ranks, error.what());
+  }
+  std::fflush(stdout);
+  return leave_exit_code(code, ranks.is_root());
+}
+
+void share_faults(const comm::Communicator& ranks, std::vector<std::string> faults) {
+  std::string text;
+  for (const std::string& fault : faults) text += fault + '\n';
+  ranks.broadcast(text);
+  if (text.empty()) return;
+  faults.clear();
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t to = text.find('\n', from);
+    faults.push_back(text.substr(from, to - from));
+    from = to + 1;
+  }
+  throw InputError(std::move(faults));
+}
+
+int leave_exit_code(int code, bool root) {
+  const char* path = std::getenv("BRUNT_EXIT_FILE");
+  if (!path) return code;
+  if (root) std::ofstream(path) << code << '\n';
+  return 0;
+}
+
+}  // namespace brunt::app

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+#include <metis.h>
+#include <petscversion.h>
+
+#include <CLI/Version.hpp>
+#include <Eigen/Core>
+
+#include "brunt/comm/native.hpp"
+#include "brunt/core/simd.hpp"
+#include "commands.hpp"
+
+namespace brunt::app {
+
+std::string version() {
+  return "brunt " BRUNT_VERSION;
+}
+
+int info(const comm::Communicator& ranks) {
+  if (!ranks.is_root()) return 0;
+  char mpi[MPI_MAX_LIBRARY_VERSION_STRING];
+  int length = 0;
+  MPI_Get_library_version(mpi, &length);
+  const std::string library(mpi, static_cast<std::size_t>(length));
+  fmt::print("{}\n", version());
+  fmt::print("compiled     {} for {}\n", __VERSION__, BRUNT_PORTABLE ? "any CPU with AVX2" : "the CPU at hand");
+  fmt::print("MPI          {}\n", library.substr(0, library.find(',')));
+  fmt::print("PETSc        {}.{}.{}\n", PETSC_VERSION_MAJOR, PETSC_VERSION_MINOR, PETSC_VERSION_SUBMINOR);
+  fmt::print("METIS        {}.{}.{}\n", METIS_VER_MAJOR, METIS_VER_MINOR, METIS_VER_SUBMINOR);
+  fmt::print("Eigen        {}.{}.{}\n", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
+  fmt::print("limits       2^31 - 1 nodes or elements a rank, and in the mesh as the root reads it\n");
+  fmt::print("elements     hex8 (one point, hourglass control), hex8_full (2x2x2), hex8_bbar (2x2x2, B-bar), tet4\n");
+  fmt::print("materials    elastic, j2 (linear or tabulated, isotropic to kinematic), neo_hookean\n");
+  fmt::print("contact      frictionless node to face between bodies, one pass; iterative rate constraint\n");
+  fmt::print("meshes       Exodus II, Gmsh 2.2 and 4.1 ASCII; box, cylinder, sphere, tube, plate\n");
+  return 0;
+}
+
+}  // namespace brunt::app

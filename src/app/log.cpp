@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "log.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "brunt/core/error.hpp"
+
+namespace brunt::app {
+
+Log::Log(bool speaks, bool quiet) : speaks_(speaks), quiet_(quiet), terminal_(isatty(STDOUT_FILENO) != 0) {}
+
+Log::~Log() {
+  clear_bar();
+  if (file_) std::fclose(file_);
+}
+
+void Log::open(const std::string& folder, bool append) {
+  if (!speaks_) return;
+  const std::string path = folder + "/log.txt";
+  file_ = std::fopen(path.c_str(), append ? "a" : "w");
+  if (!file_) throw MachineError(path + ": cannot be written");
+  fmt::print(file_, "{}", before_open_);
+  std::fflush(file_);
+}
+
+void Log::line(const std::string& text) {
+  if (!speaks_) return;
+  clear_bar();
+  if (!quiet_) {
+    fmt::print("{}\n", text);
+    std::fflush(stdout);
+  }
+  if (file_) {
+    fmt::print(file_, "{}\n", text);
+    std::fflush(file_);
+  } else {
+    before_open_ += text + '\n';
+  }
+}
+
+void Log::warning(const std::string& text) {
+  ++warnings_;
+  line("warning: " + text);
+}
+
+void Log::progress(double share, double seconds_left) {
+  if (!speaks_ || quiet_ || !terminal_) return;
+  constexpr int width = 40;
+  const int full = static_cast<int>(std::clamp(share, 0.0, 1.0) * width);
+  fmt::print("\r[{:#<{}}{:.<{}}] {:3.0f} %  {:.0f} s left   ", "", full, "", width - full, 100 * share, seconds_left);
+  std::fflush(stdout);
+  bar_shown_ = true;
+}
+
+void Log::clear_bar() {
+  if (!bar_shown_) return;
+  fmt::print("\r{:80}\r", "");
+  bar_shown_ = false;
+}
+
+}  // namespace brunt::app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the user sees: lines on the terminal and, the same, in log.txt; a progress bar on the terminal alone.
+#pragma once
+#include <cstdio>
+#include <string>
+
+namespace brunt::app {
+
+class Log {
+ public:
+  /// Silent on ranks other than the root.
+  Log(bool speaks, bool quiet);
+  ~Log();
+  Log(const Log&) = delete;
+  Log& operator=(const Log&) = delete;
+
+  /// Starts log.txt in the folder, or goes on in it. What was said before is written to it first.
+  void open(const std::string& folder, bool append);
+  void line(const std::string& text);
+  void warning(const std::string& text);
+  /// Redraws the bar in place if the terminal is one; `share` 0..1.
+  void progress(double share, double seconds_left);
+  [[nodiscard]] int warnings() const { return warnings_; }
+
+ private:
+  void clear_bar();
+  bool speaks_, quiet_, terminal_;
+  bool bar_shown_ = false;
+  int warnings_ = 0;
+  std::string before_open_;
+  std::FILE* file_ = nullptr;
+};
+
+}  // namespace brunt::app

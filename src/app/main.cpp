@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program `brunt`: its commands and their options.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "brunt/comm/communicator.hpp"
+#include "brunt/comm/session.hpp"
+#include "commands.hpp"
+#include "failure.hpp"
+#include "run.hpp"
+
+namespace {
+
+using namespace brunt;
+using Command = std::function<int(const comm::Communicator&)>;
+
+void add_run(CLI::App& program, app::RunOptions& options, Command& chosen) {
+  CLI::App* run = program.add_subcommand("run", "Run a scene");
+  run->add_option("scene", options.scene, "Scene file (YAML)")->required();
+  run->add_option("--out", options.out, "Result folder; default: SCENE.out");
+  run->add_option("--set", options.overrides, "Change a value of the scene: key.path=value; may be given again");
+  run->add_option("--restart", options.restart, "Go on from a checkpoint file or the latest of a result folder");
+  run->add_flag("--force", options.force, "Replace the results of an earlier run");
+  run->add_flag("--quiet", options.quiet, "Nothing on the terminal but faults (log.txt is written all the same)");
+  run->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::run(ranks, options); }; });
+}
+
+void add_check(CLI::App& program, app::CheckOptions& options, Command& chosen) {
+  CLI::App* check = program.add_subcommand("check", "Read and validate a scene, list what is in it; runs nothing");
+  check->add_option("scene", options.scene, "Scene file (YAML)")->required();
+  check->add_option("--set", options.overrides, "Change a value of the scene: key.path=value; may be given again");
+  check->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::check(ranks, options); }; });
+}
+
+void add_partition(CLI::App& program, app::PartitionOptions& options, Command& chosen) {
+  CLI::App* partition = program.add_subcommand("partition", "Split the mesh of a scene and tell how good the split is");
+  partition->add_option("scene", options.scene, "Scene file (YAML)")->required();
+  partition->add_option("-n", options.parts, "Number of parts")->required()->check(CLI::Range(1, 1000000));
+  partition->add_option("--set", options.overrides, "Change a value of the scene: key.path=value; may be given again");
+  partition->callback(
+      [&] { chosen = [&](const comm::Communicator& ranks) { return app::partition(ranks, options); }; });
+}
+
+void add_compare(CLI::App& program, app::CompareOptions& options, Command& chosen) {
+  CLI::App* compare = program.add_subcommand("compare", "Largest difference of two results, field by field");
+  compare->add_option("a", options.a, "Result folder, state.h5, checkpoint or history.csv")->required();
+  compare->add_option("b", options.b, "The same of another run")->required();
+  compare->add_option("--tol", options.tolerance, "Largest relative difference allowed; default 0")
+      ->check(CLI::NonNegativeNumber);
+  compare->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::compare(ranks, options); }; });
+}
+
+void add_search(CLI::App& program, app::SearchOptions& options, Command& chosen) {
+  CLI::App* search = program.add_subcommand("search", "Contact search alone, on a text scene of nodes and boxes");
+  search->add_option("file", options.file, "Text scene (scene1 NAME n m ...)")->required();
+  search->add_option("--method", options.method, "binary: sort along the axes, then bisect")
+      ->check(CLI::IsMember({"binary"}));
+  search->add_option("--repeat", options.repeat, "Time the best of so many runs")->check(CLI::Range(1, 1000));
+  search->add_flag("--list", options.list, "Print the pairs, a line `face node` each");
+  search->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::search(ranks, options); }; });
+}
+
+/// CLI11 speaks on every rank; one of them is enough.
+int parse_failure(const CLI::App& program, const CLI::ParseError& error, bool root) {
+  if (!root) return error.get_exit_code() == 0 ? 0 : 2;
+  if (error.get_exit_code() == 0) return program.exit(error);
+  fmt::print(stderr, "brunt: {}; see brunt --help\n", error.what());
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const comm::Session session(argc, argv);
+  const comm::Communicator ranks = comm::Communicator::world();
+  CLI::App program("Brunt: explicit finite elements for contact, crash and penetration");
+  program.require_subcommand(1);
+  program.set_version_flag("--version", app::version());
+  Command chosen;
+  app::RunOptions run;
+  app::CheckOptions check;
+  app::PartitionOptions partition;
+  app::CompareOptions compare;
+  app::SearchOptions search;
+  add_run(program, run, chosen);
+  add_check(program, check, chosen);
+  add_partition(program, partition, chosen);
+  add_compare(program, compare, chosen);
+  add_search(program, search, chosen);
+  program.add_subcommand("info", "Version, libraries, limits, elements and materials")->callback([&] {
+    chosen = app::info;
+  });
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app::leave_exit_code(parse_failure(program, error, ranks.is_root()), ranks.is_root());
+  }
+  return app::guarded(ranks, [&] { return chosen(ranks); });
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prepare.hpp"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <type_traits>
+#include <variant>
+
+#include "brunt/io/mesh_file.hpp"
+#include "brunt/io/text_file.hpp"
+#include "brunt/mesh/assemble.hpp"
+#include "brunt/mesh/check.hpp"
+#include "brunt/mesh/primitives.hpp"
+#include "brunt/mesh/topology.hpp"
+#include "brunt/scene/build.hpp"
+#include "brunt/scene/fingerprint.hpp"
+#include "brunt/scene/read.hpp"
+#include "brunt/scene/select.hpp"
+#include "brunt/time/initialise.hpp"
+#include "contact_setup.hpp"
+#include "failure.hpp"
+#include "partition/distribute.hpp"
+#include "partition/dual_graph.hpp"
+#include "partition/split.hpp"
+
+namespace brunt::app {
+namespace {
+
+mesh::Mesh generate(const scene::MeshEntry& entry) {
+  return std::visit(
+      [](const auto& body) {
+        using Body = std::decay_t<decltype(body)>;
+        if constexpr (std::is_same_v<Body, scene::MeshFile>)
+          return io::read_mesh(body.file);
+        else if constexpr (std::is_same_v<Body, scene::BoxMesh>)
+          return mesh::box(body.part, body.size, body.elements);
+        else if constexpr (std::is_same_v<Body, scene::CylinderMesh>)
+          return mesh::cylinder(body.part, body.radius, body.length, body.elements);
+        else if constexpr (std::is_same_v<Body, scene::SphereMesh>)
+          return mesh::sphere(body.part, body.radius, body.elements);
+        else if constexpr (std::is_same_v<Body, scene::TubeMesh>)
+          return mesh::tube(body.part, body.inner_radius, body.outer_radius, body.length, body.elements);
+        else
+          return mesh::plate(body.part, body.size, body.thickness, body.elements);
+      },
+      entry.body);
+}
+
+mesh::Mesh assemble(const scene::Input& input, std::vector<std::string>& warnings) {
+  mesh::Mesh whole;
+  std::vector<std::string> faults;
+  for (const scene::MeshEntry& entry : input.mesh) {
+    const auto* file = std::get_if<scene::MeshFile>(&entry.body);
+    const std::string where = file ? file->file : fmt::format("{}: {}", input.file, entry.key);
+    try {
+      mesh::Mesh piece = generate(entry);
+      const mesh::CheckReport report = mesh::check(piece);
+      for (const std::string& fault : report.faults) faults.push_back(where + ": " + fault);
+      for (const std::string& warning : report.warnings) warnings.push_back(where + ": " + warning);
+      if (!report.faults.empty()) continue;
+      const scene::Placement& placement = entry.placement;
+      mesh::place(piece, placement.scale, placement.rotate.axis, placement.rotate.degrees, placement.at);
+      mesh::append(whole, std::move(piece), file ? file->prefix : "");
+    } catch (const InputError& error) {
+      for (const std::string& fault : error.faults())
+        faults.push_back(fault.find(where) == std::string::npos ? where + ": " + fault : fault);
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return whole;
+}
+
+}  // namespace
+
+scene::Input read_input(const comm::Communicator& ranks, const std::string& scene_file,
+                        const std::vector<std::string>& overrides, std::string* fingerprint) {
+  std::string text;
+  on_root(ranks, [&] {
+    if (std::filesystem::is_directory(scene_file))
+      throw InputError(scene_file + ": is a folder; give the scene file in it");
+    text = io::read_text(scene_file);
+  });
+  ranks.broadcast(text);
+  if (fingerprint) *fingerprint = scene::fingerprint(text, scene_file, overrides);
+  return scene::read_scene(text, scene_file, overrides);
+}
+
+mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::string>& warnings) {
+  mesh::CanonicalMesh whole = mesh::canonical_order(assemble(input, warnings));
+  scene::select(input, whole);
+  return whole;
+}
+
+std::vector<double> block_costs(const scene::Input& input, const mesh::Mesh& mesh) {
+  std::vector<double> costs;
+  for (const std::size_t part : scene::parts_of_blocks(input, mesh)) {
+    const element::ElementKind kind = input.parts[part].element;
+    // measured with tests/bench: time of an element relative to the one-point hexahedron
+    costs.push_back(kind == element::ElementKind::hex8 ? 1.0 : kind == element::ElementKind::tet4 ? 0.5 : 5.0);
+  }
+  return costs;
+}
+
+model::Registry Prepared::registry() {
+  model::Registry registry = time::state_registry(model, state);
+  if (contact) {
+    contact_sums = save_sums(links.ranks, *contact);
+    registry.arrays.push_back({"contact_sums", model::StateArray::Entity::global, -1, 1,
+                               static_cast<int>(contact_sums.size()), contact_sums.data(), 1, 1, 1, 0, true, true});
+  }
+  return registry;
+}
+
+void Prepared::after_restart() {
+  time::update_positions(model, state);
+  if (contact) restore_sums(links.ranks, contact_sums, *contact);
+}
+
+std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
+                                  const std::vector<std::string>& overrides) {
+  auto prepared = std::make_unique<Prepared>(
+      Prepared{{}, {}, {}, {}, {}, {}, time::Links{ranks, {}, {}, {}, {}, {}, {}, {}}, nullptr, {}, {}});
+  prepared->input = read_input(ranks, scene_file, overrides, &prepared->fingerprint);
+  mesh::CanonicalMesh whole;
+  std::vector<Rank> part;
+  on_root(ranks, [&] {
+    prepared->warnings = prepared->input.warnings;
+    whole = whole_mesh(prepared->input, prepared->warnings);
+    const std::vector<double> costs = block_costs(prepared->input, whole.mesh);
+    part = partition::split(partition::dual_graph(whole.mesh),
+                            partition::weigh(whole.mesh, mesh::exterior_sides(whole.mesh), costs), ranks.size());
+  });
+  mesh::LocalMesh local = partition::distribute(ranks, whole, part);
+  whole = {};
+
+  std::vector<std::string> faults;
+  try {
+    prepared->model = scene::build_model(prepared->input, std::move(local));
+  } catch (const InputError& error) {
+    faults = error.faults();
+  }
+  // a fault may show on one rank only: the first rank that has one speaks for all
+  for (Rank r = 0; r < ranks.size(); ++r) {
+    std::string text;
+    for (const std::string& fault : faults) text += (text.empty() ? "" : "\n") + fault;
+    ranks.broadcast(text, r);
+    if (!text.empty()) throw InputError(text);
+  }
+  prepared->links = time::link_ranks(ranks, prepared->model);
+  time::initialise(prepared->model, prepared->state, prepared->scratch, prepared->links,
+                   scene::initial_velocities(prepared->input, prepared->model));
+  make_contact(*prepared);
+  return prepared;
+}
+
+}  // namespace brunt::app

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a scene file to everything that a run needs, on all ranks.
+#pragma once
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "brunt/comm/communicator.hpp"
+#include "brunt/contact/contact.hpp"
+#include "brunt/mesh/canonical.hpp"
+#include "brunt/model/model.hpp"
+#include "brunt/model/registry.hpp"
+#include "brunt/scene/input.hpp"
+#include "brunt/time/links.hpp"
+
+namespace brunt::app {
+
+struct Prepared {
+  scene::Input input;
+  std::string fingerprint;            ///< what may not change over a restart
+  std::vector<std::string> warnings;  ///< on the root
+  model::Model model;
+  model::State state;
+  model::Scratch scratch;
+  time::Links links;
+  std::unique_ptr<contact::Contact> contact;        ///< null without contact and walls
+  std::vector<std::array<std::string, 2>> tracked;  ///< pairs of parts whose impulse is summed, as in the probes
+  std::vector<double> contact_sums;                 ///< exact sums of contact as a checkpoint holds them
+
+  /// All arrays of the state, the sums of contact among them. Collective.
+  model::Registry registry();
+  /// Makes the state what a checkpoint has filled the registry with.
+  void after_restart();
+};
+
+/// The typed scene, the same on every rank. Collective; throws InputError on all ranks.
+scene::Input read_input(const comm::Communicator& ranks, const std::string& scene_file,
+                        const std::vector<std::string>& overrides, std::string* fingerprint = nullptr);
+
+/// The whole mesh of a scene, checked and in canonical order, with the scene's selections as sets. Root only.
+mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::string>& warnings);
+
+/// Relative cost of the elements of each block of the mesh, for the partition.
+std::vector<double> block_costs(const scene::Input& input, const mesh::Mesh& mesh);
+
+/// Collective; throws InputError on all ranks.
+std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
+                                  const std::vector<std::string>& overrides);
+
+}  // namespace brunt::app

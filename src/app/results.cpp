@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "brunt/core/error.hpp"
+#include "brunt/io/checkpoint.hpp"
+#include "brunt/io/summary.hpp"
+#include "brunt/model/hash.hpp"
+#include "brunt/scene/units.hpp"
+#include "brunt/time/initialise.hpp"
+#include "fields.hpp"
+
+namespace brunt::app {
+namespace {
+
+const scene::UnitSystem& units_of(const Prepared& run) {
+  return *scene::find_unit_system(run.input.units);
+}
+
+std::vector<io::HistoryColumn> ledger_columns(const scene::UnitSystem& units) {
+  std::vector<io::HistoryColumn> columns{{"time", units.time}, {"dt", units.time}};
+  for (const char* term : {"kinetic", "internal", "hourglass", "bulk", "damping", "contact", "friction", "walls",
+                           "external", "eroded", "total"})
+    columns.push_back({term, units.energy});
+  columns.push_back({"mass", units.mass});
+  for (const char* c : {"x", "y", "z"}) columns.push_back({fmt::format("momentum_{}", c), units.momentum});
+  columns.push_back({"active_contacts", ""});
+  columns.push_back({"max_penetration", units.length});
+  return columns;
+}
+
+/// Name of the element that controls the step, told to the root by the rank that has it.
+std::string controlling_element(const Prepared& run, const time::StepReport& step) {
+  const double largest = run.links.ranks.max(step.elements.rate);
+  const bool mine = step.elements.rate == largest && step.elements.block >= 0;
+  GlobalIndex gid = -1;
+  if (mine)
+    gid = run.model.blocks[static_cast<std::size_t>(step.elements.block)]
+              .input[static_cast<std::size_t>(step.elements.element)];
+  gid = run.links.ranks.max(gid);  // where two have the same rate, one of them is named
+  return fmt::format("{}", gid + 1);
+}
+
+}  // namespace
+
+Results::Results(Prepared& run, std::string folder, std::optional<GlobalIndex> restart_step, Log& log)
+    : run_(run), folder_(std::move(folder)), log_(log), probes_(run, units_of(run)) {
+  std::vector<io::HistoryColumn> columns = ledger_columns(units_of(run));
+  columns.insert(columns.end(), probes_.columns().begin(), probes_.columns().end());
+  if (run.links.ranks.is_root())
+    history_ = std::make_unique<io::HistoryFile>(folder_ + "/history.csv", columns, restart_step);
+  states_ = std::make_unique<io::StateFile>(run.links.ranks, folder_,
+                                            io::state_mesh(run.model.mesh, run.links.ranks.rank()), restart_step);
+}
+
+void Results::write_fields() {
+  const auto timed = run_.links.timers.measure(Phase::output);
+  states_->write(static_cast<GlobalIndex>(run_.state.step), run_.state.time, state_fields(run_, run_.contact.get()));
+}
+
+void Results::write_history(const time::Ledger& ledger, const time::StepReport& step) {
+  const auto timed = run_.links.timers.measure(Phase::output);
+  const std::vector<double> probes = probes_.values(run_, ledger.contact_totals);
+  if (!history_) return;
+  std::vector<double> row{run_.state.time_before,
+                          step.dt,
+                          ledger.kinetic,
+                          ledger.internal,
+                          ledger.hourglass,
+                          ledger.bulk,
+                          ledger.damping,
+                          ledger.contact,
+                          ledger.friction,
+                          ledger.walls,
+                          ledger.external,
+                          ledger.eroded,
+                          ledger.total(),
+                          ledger.mass,
+                          ledger.momentum[0],
+                          ledger.momentum[1],
+                          ledger.momentum[2],
+                          static_cast<double>(ledger.contact_totals.active),
+                          ledger.contact_totals.penetration};
+  row.insert(row.end(), probes.begin(), probes.end());
+  history_->write(static_cast<GlobalIndex>(run_.state.step) - 1, row);
+}
+
+void Results::watch(const time::Ledger& ledger, double time) {
+  last_ledger_ = ledger;
+  Extremes& seen = extremes_;
+  const Vec3 own_momentum = ledger.momentum - ledger.impulse_given;
+  if (!watched_) {
+    seen.start_total = ledger.total();
+    seen.start_momentum = own_momentum;
+    watched_ = true;
+  }
+  seen.largest_energy = std::max({seen.largest_energy, ledger.kinetic + ledger.internal, std::abs(ledger.external)});
+  seen.momentum_scale = std::max(seen.momentum_scale, ledger.momentum_scale);
+  if (seen.largest_energy > 0)
+    seen.error_ratio = std::max(seen.error_ratio, std::abs(ledger.total() - seen.start_total) / seen.largest_energy);
+  if (seen.momentum_scale > 0)
+    seen.momentum_error =
+        std::max(seen.momentum_error, (own_momentum - seen.start_momentum).norm() / seen.momentum_scale);
+  // the ledger closes even while a run explodes: what gives it away is kinetic energy from nowhere
+  const double given = seen.start_total + std::max(ledger.external, 0.0);
+  if (!std::isfinite(ledger.total()) || ledger.kinetic > 1.5 * given + 1e-3 * seen.largest_energy)
+    throw GuardError(
+        fmt::format("energy grows at t = {:g}: kinetic {:g} of {:g} given; the step may be too large for the "
+                    "materials or the elements too distorted",
+                    time, ledger.kinetic, given));
+}
+
+std::string Results::write_checkpoint() {
+  const auto timed = run_.links.timers.measure(Phase::output);
+  const io::CheckpointHeader header{static_cast<GlobalIndex>(run_.state.step), run_.state.time, run_.fingerprint};
+  return io::write_checkpoint(run_.links.ranks, folder_, header, run_.registry());
+}
+
+void Results::seal() {
+  const comm::Communicator& ranks = run_.links.ranks;
+  hash_ = static_cast<std::uint64_t>(
+      ranks.sum(static_cast<GlobalIndex>(model::hash_of_rank(run_.registry(), ranks.is_root()))));
+  steps_ = run_.state.step;
+  end_time_ = run_.state.time;
+}
+
+void Results::write_summary(const std::string& stopped_by, int exit_code, double wall_seconds, double loop_seconds,
+                            double passes) {
+  const comm::Communicator& ranks = run_.links.ranks;
+  std::array<double, phases> seconds{};
+  for (std::size_t p = 0; p < phases; ++p) seconds[p] = run_.links.timers.seconds(static_cast<Phase>(p));
+  ranks.max(seconds);  // the slowest rank in each phase
+  const double output = seconds[static_cast<std::size_t>(Phase::output)];
+  const double loop = std::max(loop_seconds - output, 1e-12);
+  double measured = 0;
+  for (std::size_t p = 0; p < phases; ++p)
+    if (p != static_cast<std::size_t>(Phase::output)) measured += seconds[p];
+  if (!ranks.is_root()) return;
+
+  const auto elements = static_cast<double>(run_.model.mesh.global_elements);
+  const time::Ledger& e = last_ledger_;
+  nlohmann::ordered_json summary;
+  summary["title"] = run_.input.title;
+  summary["units"] = run_.input.units;
+  summary["steps"] = static_cast<GlobalIndex>(steps_);
+  summary["end_time"] = end_time_;
+  summary["elements"] = run_.model.mesh.global_elements;
+  summary["nodes"] = run_.model.mesh.global_nodes;
+  summary["ranks"] = ranks.size();
+  summary["wall_s"] = wall_seconds;
+  summary["loop_s"] = loop_seconds;
+  summary["ns_per_element_step"] = passes > 0 ? loop * 1e9 * ranks.size() / (elements * passes) : 0.0;
+  const char* names[phases] = {"element", "search", "enforcement", "halo", "other", "output"};
+  const double scale = std::max(loop, measured);
+  double booked = 0;
+  for (std::size_t p = 0; p < phases; ++p) {
+    if (p == static_cast<std::size_t>(Phase::output) || p == static_cast<std::size_t>(Phase::other)) continue;
+    summary["share"][names[p]] = seconds[p] / scale;
+    booked += seconds[p] / scale;
+  }
+  summary["share"]["other"] = 1.0 - booked;
+  summary["warnings"] = log_.warnings();
+  summary["energy"] = {{"kinetic", e.kinetic},   {"internal", e.internal}, {"hourglass", e.hourglass},
+                       {"bulk", e.bulk},         {"damping", e.damping},   {"contact", e.contact},
+                       {"friction", e.friction}, {"walls", e.walls},       {"external", e.external},
+                       {"eroded", e.eroded},     {"total", e.total()},     {"error_ratio", extremes_.error_ratio}};
+  summary["momentum_error"] = extremes_.momentum_error;
+  summary["max_penetration"] = e.contact_totals.penetration;
+  const contact::ContactStatistics contact = run_.contact ? run_.contact->statistics() : contact::ContactStatistics{};
+  const auto solved = static_cast<double>(std::max<GlobalIndex>(contact.solved_steps, 1));
+  summary["contact"] = {{"searches", contact.searches},
+                        {"pairs", e.contact_totals.pairs},
+                        {"active", e.contact_totals.active},
+                        {"iterations_mean", static_cast<double>(contact.iterations) / solved},
+                        {"iterations_max", contact.most_iterations},
+                        {"residual_max", contact.largest_residual}};
+  summary["state_hash"] = model::hash_digits(hash_);
+  summary["stopped_by"] = stopped_by;
+  summary["exit_code"] = exit_code;
+  io::write_summary(folder_, summary);
+}
+
+void Results::table_header() {
+  const scene::UnitSystem& units = units_of(run_);
+  log_.line(fmt::format("{:>8} {:>11} {:>10} {:>9} {:>11} {:>11} {:>11} {:>9} {:>7} {:>10}", "step", "time", "dt",
+                        "by elem", "kinetic", "internal", "total", "error", "active", "penetr."));
+  log_.line(fmt::format("{:>8} {:>11} {:>10} {:>9} {:>11} {:>11} {:>11} {:>9} {:>7} {:>10}", "", units.time, units.time,
+                        "", units.energy, units.energy, units.energy, "", "", units.length));
+}
+
+void Results::table_line(const time::Ledger& ledger, const time::StepReport& step) {
+  const std::string element = controlling_element(run_, step);
+  log_.line(fmt::format("{:>8} {:>11.4e} {:>10.3e} {:>9} {:>11.4e} {:>11.4e} {:>11.4e} {:>9.1e} {:>7} {:>10.2e}",
+                        static_cast<GlobalIndex>(run_.state.step) - 1, run_.state.time_before, step.dt, element,
+                        ledger.kinetic, ledger.internal, ledger.total(),
+                        (ledger.total() - extremes_.start_total) / std::max(extremes_.largest_energy, 1e-300),
+                        ledger.contact_totals.active, ledger.contact_totals.penetration));
+}
+
+}  // namespace brunt::app

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// All files of a run: history, fields, checkpoints, summary, and what of them goes to the terminal.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "brunt/io/history.hpp"
+#include "brunt/io/state_file.hpp"
+#include "brunt/time/ledger.hpp"
+#include "log.hpp"
+#include "prepare.hpp"
+#include "probes.hpp"
+
+namespace brunt::app {
+
+/// What the whole run has seen, for the summary and the guards.
+struct Extremes {
+  double start_total = 0;     ///< energy at t = 0
+  double largest_energy = 0;  ///< largest kinetic + internal, the scale of errors
+  double error_ratio = 0;     ///< largest |total - start| over that scale
+  Vec3 start_momentum = Vec3::Zero();
+  double momentum_error = 0;  ///< largest |p - p0 - impulses given| over the largest sum of m |v|
+  double momentum_scale = 0;
+};
+
+class Results {
+ public:
+  /// Opens the files of the folder; `restart_step`: goes on in them. Collective.
+  Results(Prepared& run, std::string folder, std::optional<GlobalIndex> restart_step, Log& log);
+
+  /// Between evaluate and advance: fields and probes of t_n.
+  void write_fields();
+  void read_probes() { probes_.read_motion(run_); }
+  /// After advance: the row of t_n.
+  void write_history(const time::Ledger& ledger, const time::StepReport& step);
+  /// Keeps account of a ledger, and throws GuardError where the energy cannot be right. Collective.
+  void watch(const time::Ledger& ledger, double time);
+  std::string write_checkpoint();
+  /// Remembers where the run stands: the summary is about this state, also if one more record is taken. Collective.
+  void seal();
+  void write_summary(const std::string& stopped_by, int exit_code, double wall_seconds, double loop_seconds,
+                     double passes);
+  void table_header();
+  void table_line(const time::Ledger& ledger, const time::StepReport& step);
+  [[nodiscard]] const std::string& folder() const { return folder_; }
+  [[nodiscard]] const Extremes& extremes() const { return extremes_; }
+
+ private:
+  Prepared& run_;
+  std::string folder_;
+  Log& log_;
+  Probes probes_;
+  std::unique_ptr<io::HistoryFile> history_;
+  std::unique_ptr<io::StateFile> states_;
+  time::Ledger last_ledger_;
+  Extremes extremes_;
+  bool watched_ = false;
+  std::uint64_t hash_ = 0;
+  double steps_ = 0, end_time_ = 0;
+};
+
+}  // namespace brunt::app

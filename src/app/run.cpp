@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "brunt/core/error.hpp"
+#include "brunt/io/checkpoint.hpp"
+#include "brunt/io/result_folder.hpp"
+#include "brunt/time/initialise.hpp"
+#include "brunt/time/ledger.hpp"
+#include "brunt/time/step.hpp"
+#include "failure.hpp"
+#include "prepare.hpp"
+#include "results.hpp"
+#include "schedule.hpp"
+#include "signals.hpp"
+
+namespace brunt::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+constexpr int steps_between_watches = 200;  // the ledger costs a pass over all nodes
+constexpr int table_lines = 20;             // about so many over a run
+
+/// Why the loop ended.
+struct Outcome {
+  std::string stopped_by = "end";
+  ExitCode code = ExitCode::done;
+  std::string message;
+};
+
+class Loop {
+ public:
+  Loop(Prepared& run, Results& results, Log& log) : run_(run), results_(results), log_(log) {}
+
+  Outcome go() {
+    results_.table_header();
+    Outcome outcome;
+    try {
+      while (!finished(outcome)) {
+        pass(false);
+        if (due_after_step()) results_.write_checkpoint();
+      }
+    } catch (const GuardError& error) {
+      outcome = {"guard", ExitCode::guard, error.what()};
+    }
+    loop_seconds_ = seconds_since(start_);
+    return outcome;
+  }
+
+  /// Evaluates t_N once more for its fields and its ledger; the step that this takes is not part of the run.
+  void last_record() { pass(true); }
+
+  [[nodiscard]] double loop_seconds() const { return loop_seconds_; }
+  [[nodiscard]] double passes() const { return passes_; }
+
+ private:
+  /// One step, with what is to be written about t_n.
+  void pass(bool last) {
+    const scene::Input& input = run_.input;
+    const model::State& state = run_.state;
+    const time::StepControl control{input.run.cfl, 1.02};
+    const bool fields = last || state.step == 0 || due(state, input.output.every);
+    const bool row = last || state.step == 0 || due(state, input.history_every);
+    const bool line = last || progress(state, input.run) * table_lines >= lines_;
+    const auto watch = static_cast<GlobalIndex>(state.step) % steps_between_watches == 0;
+
+    const time::StepReport step = time::evaluate(run_.model, run_.state, run_.scratch, run_.links, control);
+    if (step.stop) stop_for_element(step);
+    if (fields) results_.write_fields();
+    if (row) results_.read_probes();
+    time::advance(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);
+    if (!last) ++passes_;
+    if (row || line || watch) {
+      const time::Ledger ledger =
+          time::ledger(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);
+      if (row) results_.write_history(ledger, step);
+      results_.watch(ledger, state.time_before);
+      if (line) {
+        results_.table_line(ledger, step);
+        lines_ = static_cast<int>(progress(state, input.run) * table_lines) + 1;
+      }
+    }
+    if (static_cast<GlobalIndex>(state.step) % 20 == 0) {
+      const double share = progress(state, input.run);
+      log_.progress(share, share > 0 ? seconds_since(start_) * (1 - share) / share : 0);
+    }
+  }
+
+  bool due_after_step() { return run_.state.step > 0 && due(run_.state, run_.input.checkpoint_every); }
+
+  /// End, wall limit, signals and the control file; all ranks decide the same.
+  bool finished(Outcome& outcome) {
+    if (at_end(run_.state, run_.input.run)) {
+      outcome.stopped_by = run_.input.run.end && run_.state.time >= *run_.input.run.end ? "end" : "steps";
+      return true;
+    }
+    constexpr int steps_between_looks = 10;
+    if (static_cast<GlobalIndex>(run_.state.step) % steps_between_looks != 0) return false;
+    const Requests asked = take_requests();
+    const bool root = run_.links.ranks.is_root();
+    const bool late = root && run_.input.run.wall_limit && seconds_since(start_) > *run_.input.run.wall_limit;
+    const bool control = root && std::filesystem::exists(results_.folder() + "/stop");
+    double flags[4] = {asked.checkpoint ? 1.0 : 0.0, asked.stop ? 1.0 : 0.0, late ? 1.0 : 0.0, control ? 1.0 : 0.0};
+    run_.links.ranks.max(flags);
+    if (flags[0] > 0) log_.line("checkpoint on request: " + results_.write_checkpoint());
+    if (flags[1] + flags[2] + flags[3] == 0) return false;
+    outcome.code = ExitCode::on_request;
+    outcome.stopped_by = flags[1] > 0 ? "signal" : flags[2] > 0 ? "wall_limit" : "control";
+    if (control) std::filesystem::remove(results_.folder() + "/stop");
+    return true;
+  }
+
+  [[noreturn]] void stop_for_element(const time::StepReport& step) {
+    GlobalIndex element = -1;
+    if (step.elements.inverted_block >= 0)
+      element = run_.model.blocks[static_cast<std::size_t>(step.elements.inverted_block)]
+                    .input[static_cast<std::size_t>(step.elements.inverted_element)];
+    element = run_.links.ranks.max(element);
+    throw GuardError(
+        fmt::format("element {} (position in the input) has no volume left or is not a number at t = {:g}, step {}",
+                    element + 1, run_.state.time, static_cast<GlobalIndex>(run_.state.step)));
+  }
+
+  Prepared& run_;
+  Results& results_;
+  Log& log_;
+  Clock::time_point start_ = Clock::now();
+  double loop_seconds_ = 0, passes_ = 0;
+  int lines_ = 0;
+};
+
+/// The checkpoint that `--restart` means.
+std::string checkpoint_of(const comm::Communicator& ranks, const std::string& restart) {
+  std::string path = restart;
+  on_root(ranks, [&] {
+    if (!std::filesystem::exists(restart)) throw InputError(restart + ": no such file or folder to restart from");
+    if (!std::filesystem::is_directory(restart)) return;
+    const std::optional<std::string> latest = io::latest_checkpoint(restart);
+    if (!latest) throw InputError(restart + ": has no checkpoint_*.h5 to restart from");
+    path = *latest;
+  });
+  ranks.broadcast(path);
+  return path;
+}
+
+void announce(const Prepared& run, Log& log) {
+  const model::Model& model = run.model;
+  log.line(fmt::format("{} ({} units)", run.input.title.empty() ? run.input.file : run.input.title, run.input.units));
+  log.line(fmt::format("{} elements, {} nodes, {} parts, {} rank{}", model.mesh.global_elements,
+                       model.mesh.global_nodes, model.blocks.size(), run.links.ranks.size(),
+                       run.links.ranks.size() == 1 ? "" : "s"));
+}
+
+}  // namespace
+
+int run(const comm::Communicator& ranks, const RunOptions& options) {
+  const Clock::time_point start = Clock::now();
+  Log log(ranks.is_root(), options.quiet);
+  const std::unique_ptr<Prepared> prepared = prepare(ranks, options.scene, options.overrides);
+  const std::string checkpoint = options.restart.empty() ? "" : checkpoint_of(ranks, options.restart);
+  const std::string folder =
+      options.out.empty() ? std::filesystem::path(options.scene).replace_extension(".out").string() : options.out;
+
+  std::optional<GlobalIndex> restart_step;
+  if (!checkpoint.empty()) {
+    restart_step = io::read_checkpoint(ranks, checkpoint, prepared->fingerprint, prepared->registry()).step;
+    prepared->after_restart();
+  }
+  io::prepare_result_folder(ranks, folder,
+                            options.force  ? io::ExistingResults::replace
+                            : restart_step ? io::ExistingResults::keep
+                                           : io::ExistingResults::refuse);
+  if (ranks.is_root()) log.open(folder, restart_step.has_value());
+  announce(*prepared, log);
+  for (const std::string& warning : prepared->warnings) log.warning(warning);
+  if (restart_step) log.line(fmt::format("restart from {} at step {}", checkpoint, *restart_step));
+
+  catch_signals();
+  Results results(*prepared, folder, restart_step, log);
+  Loop loop(*prepared, results, log);
+  const Outcome outcome = loop.go();
+  if (!outcome.message.empty()) log.line("stopped: " + outcome.message);
+  if (outcome.code != ExitCode::guard) results.write_checkpoint();
+  const int code = static_cast<int>(outcome.code);
+  results.seal();
+  if (outcome.code == ExitCode::guard)
+    results.write_fields();  // the motion at the last step that was right
+  else
+    loop.last_record();
+  results.write_summary(outcome.stopped_by, code, seconds_since(start), loop.loop_seconds(), loop.passes());
+  log.line(fmt::format("{}; results in {}",
+                       outcome.code == ExitCode::done    ? "done"
+                       : outcome.code == ExitCode::guard ? "stopped by a guard"
+                                                         : "stopped on request, checkpoint written",
+                       folder));
+  return code;
+}
+
+}  // namespace brunt::app

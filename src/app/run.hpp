@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// `brunt run`: the loop over time steps, and when to write what.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brunt/comm/communicator.hpp"
+
+namespace brunt::app {
+
+struct RunOptions {
+  std::string scene;
+  std::string out;  ///< empty: SCENE.out beside the scene's name
+  std::vector<std::string> overrides;
+  std::string restart;  ///< result folder or checkpoint file; empty: from the start
+  bool force = false;
+  bool quiet = false;
+};
+
+/// Returns the exit code. Collective.
+int run(const comm::Communicator& ranks, const RunOptions& options);
+
+}  // namespace brunt::app

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// What contact tells of its last step, for ledgers and pictures.
+#include <algorithm>
+#include <cmath>
+
+#include "brunt/contact/contact.hpp"
+
+namespace brunt::contact {
+
+void Contact::add_second_half(comm::ExactAccumulator& contact, comm::ExactAccumulator& walls) const {
+  for (std::size_t q = 0; q < rows_.size(); ++q) {
+    if (impulses_[q] == 0) continue;
+    const Row& row = rows_[q];
+    double rate = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
+      rate += row.weights[i] * row.normal.dot(velocity_[static_cast<std::size_t>(row.nodes[i])]);
+    (row.master_key < 0 ? walls : contact).add(-0.5 * impulses_[q] * rate);
+  }
+}
+
+std::vector<double> Contact::pressures(double dt) const {
+  std::vector<double> pressure(surface_node_count(), 0.0);
+  if (!(dt > 0)) return pressure;
+  for (std::size_t q = 0; q < rows_.size(); ++q) {
+    const Row& row = rows_[q];
+    if (row.master_key < 0) continue;
+    const auto slave = std::ranges::find(lists_.candidates.slave, row.nodes[0]) - lists_.candidates.slave.begin();
+    double area = 0;  // a quarter of the faces around the slave
+    for (const LocalIndex facet : lists_.candidates.slave_facets.row(static_cast<LocalIndex>(slave)))
+      area += 0.25 * facet_area_[static_cast<std::size_t>(facet)].norm();
+    if (area > 0) pressure[model_node_of(row)] += impulses_[q] / (dt * area);
+  }
+  return pressure;
+}
+
+std::vector<double> Contact::gaps() const {
+  std::vector<double> gap(surface_node_count(), 0.0);
+  std::vector<char> seen(gap.size(), 0);
+  for (const Row& row : rows_) {
+    const std::size_t node = model_node_of(row);
+    gap[node] = seen[node] ? std::min(gap[node], row.gap) : row.gap;
+    seen[node] = 1;
+  }
+  return gap;
+}
+
+std::size_t Contact::surface_node_count() const {
+  return surface_.model_node.empty() ? 0 : static_cast<std::size_t>(surface_.model_node.back()) + 1;
+}
+
+std::size_t Contact::model_node_of(const Row& row) const {
+  const LocalIndex surface_node = lists_.nodes.surface_node[static_cast<std::size_t>(row.nodes[0])];
+  return static_cast<std::size_t>(surface_.model_node[static_cast<std::size_t>(surface_node)]);
+}
+
+}  // namespace brunt::contact

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// The loop over the batches of a block, for any kernel. No allocation, no branch on options.
+#pragma once
+#include <algorithm>
+#include <type_traits>
+
+#include "brunt/element/batch.hpp"
+#include "brunt/force/internal.hpp"
+#include "brunt/model/model.hpp"
+
+namespace brunt::force {
+
+/// Corner values of eight elements: one cache line a node in, components out.
+template <int nodes>
+BRUNT_INLINE void gather_motion(const LocalIndex* node, const model::NodeLine* lines,
+                                element::BatchMotion<nodes>& motion) {
+  for (int c = 0; c < nodes; ++c) {
+    const LocalIndex* corner = node + c * pack_width;
+    const auto position = [&](int lane) { return *reinterpret_cast<const Quad*>(lines[corner[lane]].x); };
+    const auto velocity = [&](int lane) { return *reinterpret_cast<const Quad*>(lines[corner[lane]].v); };
+    components_of(position, motion.x[0][c], motion.x[1][c], motion.x[2][c]);
+    components_of(velocity, motion.v[0][c], motion.v[1][c], motion.v[2][c]);
+  }
+}
+
+template <int nodes>
+BRUNT_INLINE void gather_reference(const LocalIndex* node, const Quad* reference, element::BatchMotion<nodes>& motion) {
+  for (int c = 0; c < nodes; ++c) {
+    const LocalIndex* corner = node + c * pack_width;
+    components_of([&](int lane) { return reference[corner[lane]]; }, motion.X[0][c], motion.X[1][c], motion.X[2][c]);
+  }
+}
+
+/// Adds corner forces to the nodes, element after element in canonical order; keeps those of border nodes aside.
+template <int nodes>
+BRUNT_INLINE void scatter_forces(const LocalIndex* node, int lanes, const Pack (&f)[3][nodes],
+                                 std::span<const model::BorderCorner> border, Quad* force, Quad* slots) {
+  Pack pair[nodes][4];
+  const auto quad = [&](int c, int lane) -> const Quad& {
+    return reinterpret_cast<const Quad*>(&pair[c][lane % 4])[lane / 4];
+  };
+  for (int c = 0; c < nodes; ++c) quads_of(f[0][c], f[1][c], f[2][c], pair[c]);
+  if (lanes == pack_width) {
+    for (int lane = 0; lane < pack_width; ++lane)
+      for (int c = 0; c < nodes; ++c) force[node[c * pack_width + lane]] += quad(c, lane);
+  } else {
+    for (int lane = 0; lane < lanes; ++lane)
+      for (int c = 0; c < nodes; ++c) force[node[c * pack_width + lane]] += quad(c, lane);
+  }
+  for (const model::BorderCorner& kept : border) slots[kept.slot] = quad(kept.corner, kept.lane);
+}
+
+template <class Kernel>
+void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalIndex block_index,
+               const model::Model& model, model::State& state, model::Scratch& scratch, ElementReport& report) {
+  constexpr int nodes = Kernel::nodes;
+  element::BatchMotion<nodes> motion;
+  motion.dt = state.dt;
+  element::BatchForce<nodes> out;
+  Pack* history = reinterpret_cast<Pack*>(state.history[static_cast<std::size_t>(block_index)].data());
+  Quad* slots = reinterpret_cast<Quad*>(scratch.slots.data());
+  Pack largest = broadcast(report.rate);
+  for (LocalIndex batch = 0; batch < block.batches(); ++batch) {
+    const LocalIndex* node = block.node.data() + static_cast<std::ptrdiff_t>(batch) * nodes * pack_width;
+    gather_motion<nodes>(node, state.nodes.data(), motion);
+    if constexpr (std::decay_t<decltype(kernel.law)>::hyperelastic)
+      gather_reference<nodes>(node, model.reference.data(), motion);
+    kernel(motion, history + static_cast<std::ptrdiff_t>(batch) * Kernel::history_size, out);
+    const int lanes = std::min(pack_width, block.count - batch * pack_width);
+    scatter_forces<nodes>(node, lanes, out.f, block.border.row(batch), scratch.force.data(), slots);
+
+    if (any(out.rate > largest)) {  // rare: only where an element is quicker than all before it
+      for (int lane = 0; lane < pack_width; ++lane)
+        if (out.rate[lane] > report.rate) {
+          report.rate = out.rate[lane];
+          report.block = block_index;
+          report.element = std::min(batch * pack_width + lane, block.count - 1);
+        }
+      largest = broadcast(report.rate);
+    }
+    if (any(~(out.volume > 0.0)) && report.inverted_block < 0) {
+      for (int lane = pack_width - 1; lane >= 0; --lane)
+        if (!(out.volume[lane] > 0.0)) report.inverted_element = std::min(batch * pack_width + lane, block.count - 1);
+      report.inverted_block = block_index;
+    }
+  }
+}
+
+}  // namespace brunt::force

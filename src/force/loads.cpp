@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/force/loads.hpp"
+
+#include <Eigen/Geometry>
+
+#include "brunt/model/curve.hpp"
+
+namespace brunt::force {
+namespace {
+
+Vec3 position(const model::State& state, LocalIndex node) {
+  return Eigen::Map<const Vec3>(state.nodes[static_cast<std::size_t>(node)].x);
+}
+
+}  // namespace
+
+void body_loads(const model::Model& model, const model::State& state, model::Scratch& scratch) {
+  const Vec3 gravity = model.gravity * (model.has_gravity() ? model::value_at(model.gravity_curve, state.time) : 0.0);
+  const bool damped = model.damping > 0 && state.time >= model.damping_from && state.time < model.damping_to;
+  const double alpha = damped ? model.damping : 0.0;
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    const model::NodeLine& node = state.nodes[i];
+    const double m = node.mass;
+    const Quad weight{m * gravity[0], m * gravity[1], m * gravity[2]};
+    const Quad drag{-alpha * m * node.v[0], -alpha * m * node.v[1], -alpha * m * node.v[2]};
+    scratch.load[i] = weight + drag;
+    scratch.damping[i] = drag;
+  }
+}
+
+void pressure_forces(const model::Model& model, const model::State& state, std::span<Quad> slots) {
+  std::size_t slot = 0;
+  for (const model::PressureLoad& load : model.pressure) {
+    const double p = load.value * model::value_at(load.curve, state.time);
+    for (const mesh::ExteriorFace& face : load.faces) {
+      const int corners = face.nodes[3] == no_index ? 3 : 4;
+      const Vec3 a = position(state, face.nodes[0]), b = position(state, face.nodes[1]),
+                 c = position(state, face.nodes[2]);
+      // area vector of a bilinear face: half the cross product of its diagonals
+      const Vec3 area = corners == 3 ? Vec3(0.5 * (b - a).cross(c - a))
+                                     : Vec3(0.5 * (c - a).cross(position(state, face.nodes[3]) - b));
+      const Vec3 share = -p / corners * area;
+      for (int k = 0; k < corners; ++k) slots[slot++] = Quad{share[0], share[1], share[2]};
+    }
+  }
+}
+
+std::vector<PressureCorner> pressure_corners(const model::Model& model) {
+  std::vector<PressureCorner> corners;
+  GlobalIndex load_number = 0;
+  for (const model::PressureLoad& load : model.pressure) {
+    for (const mesh::ExteriorFace& face : load.faces)
+      for (int k = 0; k < (face.nodes[3] == no_index ? 3 : 4); ++k)
+        corners.push_back({(load_number << 56) + face.key * 4 + k, face.nodes[static_cast<std::size_t>(k)]});
+    ++load_number;
+  }
+  return corners;
+}
+
+}  // namespace brunt::force

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/model/curve.hpp"
+
+#include <algorithm>
+
+namespace brunt::model {
+
+double value_at(const Curve& curve, double time) {
+  if (curve.empty()) return 1.0;
+  if (time <= curve.front()[0]) return curve.front()[1];
+  if (time >= curve.back()[0]) return curve.back()[1];
+  const auto after = std::upper_bound(curve.begin(), curve.end(), time,
+                                      [](double t, const std::array<double, 2>& point) { return t < point[0]; });
+  const std::array<double, 2>&a = *(after - 1), &b = *after;
+  return a[1] + (b[1] - a[1]) * ((time - a[0]) / (b[0] - a[0]));
+}
+
+}  // namespace brunt::model

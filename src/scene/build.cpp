@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/scene/build.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "brunt/scene/select.hpp"
+#include "constraints.hpp"
+
+namespace brunt::scene {
+namespace {
+
+const std::vector<LocalIndex>& selected(const mesh::LocalMesh& mesh, const std::string& kind, std::size_t entry) {
+  return mesh.node_sets.at(selection_name(kind, entry));
+}
+
+model::Curve curve_of(const Input& input, const std::string& name) {
+  return name.empty() ? model::Curve{} : input.curves.at(name);
+}
+
+const Part& part_of_block(const Input& input, const mesh::LocalMesh& mesh, std::size_t b) {
+  return *std::ranges::find_if(input.parts, [&](const Part& part) {
+    return part.block == mesh.block_name[b] || part.block == std::to_string(mesh.block_id[b]);
+  });
+}
+
+/// Connectivity in batches of eight: [batch][corner][lane], the last batch filled up with its last element.
+AlignedVector<LocalIndex> batched(const std::vector<LocalIndex>& nodes, int corners, LocalIndex count) {
+  const LocalIndex batches = (count + pack_width - 1) / pack_width;
+  AlignedVector<LocalIndex> result(static_cast<std::size_t>(batches) * static_cast<std::size_t>(corners * pack_width));
+  for (LocalIndex batch = 0; batch < batches; ++batch)
+    for (int c = 0; c < corners; ++c)
+      for (int lane = 0; lane < pack_width; ++lane) {
+        const LocalIndex element = std::min(batch * pack_width + lane, count - 1);
+        result[static_cast<std::size_t>((batch * corners + c) * pack_width + lane)] =
+            nodes[static_cast<std::size_t>(element * corners + c)];
+      }
+  return result;
+}
+
+model::ElementBlock build_block(const Part& part, const Input& input, const mesh::LocalBlock& source) {
+  model::ElementBlock block;
+  block.part = part.name;
+  block.material = part.material;
+  block.kind = part.element;
+  block.law = input.materials.at(part.material);
+  block.hourglass = part.hourglass;
+  if (part.element != ElementKind::hex8) block.hourglass = {HourglassKind::none, 0};
+  block.bulk = part.bulk;
+  block.corners = mesh::nodes_per_element(source.shape);
+  block.count = static_cast<LocalIndex>(source.gid.size());
+  block.gid = source.gid;
+  block.input = source.input;
+  block.node = batched(source.nodes, block.corners, block.count);
+  return block;
+}
+
+void build_loads(const Input& input, model::Model& model) {
+  if (input.gravity) {
+    model.gravity = input.gravity->vector;
+    model.gravity_curve = curve_of(input, input.gravity->curve);
+  }
+  if (input.damping) {
+    model.damping = input.damping->alpha;
+    model.damping_from = input.damping->from;
+    model.damping_to = input.damping->to;
+  }
+  for (std::size_t k = 0; k < input.pressure.size(); ++k)
+    model.pressure.push_back({model.mesh.side_sets.at(selection_name("pressure", k)), input.pressure[k].value,
+                              curve_of(input, input.pressure[k].curve)});
+  for (const RigidWall& wall : input.rigid_walls)
+    model.walls.push_back({wall.name, wall.point - model.mesh.origin, wall.normal.normalized(), wall.bilateral,
+                           curve_of(input, wall.motion), !wall.motion.empty()});
+}
+
+/// Faces of which all nodes lie in a plane of symmetry are inside the whole body: nothing can touch them.
+void mark_symmetry_faces(const Input& input, model::Model& model) {
+  model.in_symmetry_plane.assign(model.mesh.faces.size(), 0);
+  for (std::size_t k = 0; k < input.symmetry.size(); ++k) {
+    const std::vector<LocalIndex>& plane = selected(model.mesh, "symmetry", k);
+    for (std::size_t f = 0; f < model.mesh.faces.size(); ++f)
+      if (std::ranges::all_of(model.mesh.faces[f].nodes, [&](LocalIndex node) {
+            return node == no_index || std::ranges::binary_search(plane, node);
+          }))
+        model.in_symmetry_plane[f] = 1;
+  }
+}
+
+/// A later entry wins for a pair of parts.
+void build_contact_rule(const Input& input, model::Model& model) {
+  const std::size_t n = model.blocks.size();
+  model::ContactRule& rule = model.contact;
+  rule.active.assign(n * n, 0);
+  rule.forced_slave.assign(n * n, 0);
+  const auto matches = [](const std::vector<std::string>& names, const std::string& a, const std::string& b) {
+    return names.empty() || (names[0] == a && names[1] == b);
+  };
+  for (const ContactEntry& entry : input.contact) {
+    rule.tolerance = entry.tolerance;
+    rule.max_iterations = entry.max_iterations;
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = 0; b < n; ++b) {
+        const std::string &first = model.blocks[a].part, &second = model.blocks[b].part;
+        const bool straight = matches(entry.between, first, second), turned = matches(entry.between, second, first);
+        if (!straight && !turned) continue;
+        const bool excluded = std::ranges::any_of(entry.exclude, [&](const std::array<std::string, 2>& pair) {
+          return (pair[0] == first && pair[1] == second) || (pair[0] == second && pair[1] == first);
+        });
+        rule.active[a * n + b] = excluded ? 0 : 1;
+        if (entry.slave != ContactEntry::Slave::automatic && !entry.between.empty())
+          rule.forced_slave[a * n + b] = (entry.slave == ContactEntry::Slave::first) == straight ? 1 : -1;
+        else
+          rule.forced_slave[a * n + b] = 0;
+      }
+  }
+  rule.any = std::ranges::any_of(rule.active, [](std::int8_t on) { return on != 0; });
+}
+
+/// Nodes that contact, walls or constraints may still change after the prediction.
+std::vector<LocalIndex> late_nodes(const model::Model& model) {
+  std::vector<LocalIndex> late;
+  for (const model::ConstrainedNode& constrained : model.constrained) late.push_back(constrained.node);
+  if (model.contact.any || !model.walls.empty()) {
+    const std::vector<LocalIndex>& surface = model.mesh.node_sets.at(surface_set);
+    late.insert(late.end(), surface.begin(), surface.end());
+  }
+  std::ranges::sort(late);
+  late.erase(std::unique(late.begin(), late.end()), late.end());
+  return late;
+}
+
+}  // namespace
+
+model::Model build_model(const Input& input, mesh::LocalMesh&& mesh) {
+  model::Model model;
+  model.mesh = std::move(mesh);
+  for (std::size_t b = 0; b < model.mesh.blocks.size(); ++b)
+    model.blocks.push_back(build_block(part_of_block(input, model.mesh, b), input, model.mesh.blocks[b]));
+  for (const Vec3& X : model.mesh.coordinates) model.reference.push_back(Quad{X[0], X[1], X[2]});
+  build_loads(input, model);
+  build_constraints(input, model);
+  mark_symmetry_faces(input, model);
+  build_contact_rule(input, model);
+  model.late = late_nodes(model);
+  return model;
+}
+
+std::vector<Vec3> initial_velocities(const Input& input, const model::Model& model) {
+  std::vector<Vec3> velocity(model.mesh.node_gid.size(), Vec3::Zero());
+  for (std::size_t k = 0; k < input.initial.size(); ++k) {
+    const InitialMotion& entry = input.initial[k];
+    const Vec3 spin = entry.spin_rate * entry.spin_axis.normalized();
+    const Vec3 point = entry.spin_point - model.mesh.origin;
+    for (const LocalIndex node : selected(model.mesh, "initial", k)) {
+      const auto i = static_cast<std::size_t>(node);
+      velocity[i] = entry.velocity + spin.cross(model.mesh.coordinates[i] - point);
+    }
+  }
+  return velocity;
+}
+
+}  // namespace brunt::scene

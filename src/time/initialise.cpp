@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/time/initialise.hpp"
+
+#include "brunt/force/internal.hpp"
+#include "brunt/force/mass.hpp"
+
+namespace brunt::time {
+namespace {
+
+void size_histories(model::Model& model, model::State& state) {
+  for (model::ElementBlock& block : model.blocks) {
+    block.history.clear();
+    block.history_size = 0;
+    for (const element::HistoryField& field : force::history_fields(block)) {
+      block.history.push_back({field.name, block.history_size, field.components});
+      block.history_size += field.components;
+    }
+    state.history.emplace_back(static_cast<std::size_t>(block.batches()) *
+                               static_cast<std::size_t>(block.history_size) * pack_width);
+  }
+}
+
+void size_nodes(const model::Model& model, model::State& state, model::Scratch& scratch) {
+  const auto n = static_cast<std::size_t>(model.nodes());
+  state.displacement.assign(n, Quad{});
+  state.nodes.assign(n, model::NodeLine{});
+  scratch.force.resize(n);
+  scratch.before.assign(model.late.empty() ? 0 : n, Vec3::Zero());
+  scratch.reaction.resize(model.constrained.size());
+  std::size_t slots = 0;
+  for (const model::ElementBlock& block : model.blocks) slots += block.border.values.size();
+  scratch.slots.assign(4 * slots, 0.0);
+  if (model.loaded()) {
+    state.load_work.assign(n, 0.0);
+    state.damping_work.assign(n, 0.0);
+    state.load_impulse.assign(3 * n, 0.0);
+    scratch.load.resize(n);
+    scratch.damping.resize(n);
+  }
+  if (model.any_constrained) {
+    state.reaction_work.assign(n, 0.0);
+    state.reaction_impulse.assign(3 * n, 0.0);
+    if (model.contact.any || !model.walls.empty()) scratch.contact_impulse.assign(n, Vec3::Zero());
+  }
+  state.wall_position.assign(model.walls.size(), 0.0);
+}
+
+model::StateArray nodal(const std::string& name, std::vector<double>& values, int components, LocalIndex nodes) {
+  return {name, model::StateArray::Entity::node, -1, nodes, components, values.data(), 1, components, 1, 0, true, true};
+}
+
+model::StateArray global(const std::string& name, double* values, int components) {
+  return {name, model::StateArray::Entity::global, -1, 1, components, values, 1, components, 1, 0, true, true};
+}
+
+}  // namespace
+
+void initialise(model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
+                std::span<const Vec3> velocity) {
+  // asked of all ranks: a registry must list the same arrays everywhere
+  model.any_constrained = links.ranks.any(!model.constrained.empty());
+  model.block_size.clear();
+  for (const model::ElementBlock& block : model.blocks)
+    model.block_size.push_back(links.ranks.sum(GlobalIndex{block.count}));
+  size_histories(model, state);
+  size_nodes(model, state, scratch);
+  model.owned.clear();
+  for (LocalIndex i = 0; i < model.nodes(); ++i)
+    if (model.mesh.owner[static_cast<std::size_t>(i)] == links.ranks.rank()) model.owned.push_back(i);
+
+  force::lump_mass(model, state, scratch);
+  links.corner_forces.begin(scratch.slots, 4);
+  links.corner_forces.end(scratch.slots, 4, {reinterpret_cast<double*>(scratch.force.data()), 4 * scratch.force.size()},
+                          4);
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    state.nodes[i].mass = scratch.force[i][0];
+    for (int c = 0; c < 3; ++c) state.nodes[i].v[c] = velocity[i][c];
+  }
+  for (const LocalIndex node : model.late) state.nodes[static_cast<std::size_t>(node)].late = 1.0;
+  for (const model::ConstrainedNode& constrained : model.constrained) {
+    Eigen::Map<Vec3> v(state.nodes[static_cast<std::size_t>(constrained.node)].v);
+    v = constrained.free * v;  // a held direction is at rest from the start; driven ones follow in the first step
+  }
+  update_positions(model, state);
+}
+
+void update_positions(const model::Model& model, model::State& state) {
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+    for (int c = 0; c < 3; ++c) state.nodes[i].x[c] = model.reference[i][c] + state.displacement[i][c];
+}
+
+model::Registry state_registry(const model::Model& model, model::State& state) {
+  model::Registry registry;
+  const mesh::LocalMesh& mesh = model.mesh;
+  registry.global_nodes = mesh.global_nodes;
+  registry.node_gid = mesh.node_gid;
+  for (const LocalIndex node : model.owned) {
+    registry.owned_node.push_back(node);
+    registry.owned_node_gid.push_back(mesh.node_gid[static_cast<std::size_t>(node)]);
+  }
+  const LocalIndex n = model.nodes();
+  auto& arrays = registry.arrays;
+  arrays.push_back(global("time", &state.time, 1));
+  arrays.push_back(global("time_before", &state.time_before, 1));
+  arrays.push_back(global("dt", &state.dt, 1));
+  arrays.push_back(global("step", &state.step, 1));
+  if (!state.wall_position.empty())
+    arrays.push_back(global("wall_position", state.wall_position.data(), static_cast<int>(state.wall_position.size())));
+  const auto strided = [&](const char* name, double* first, int components, int stride) {
+    arrays.push_back({name, model::StateArray::Entity::node, -1, n, components, first, 1, stride, 1, 0, true, true});
+  };
+  auto* u = reinterpret_cast<double*>(state.displacement.data());
+  constexpr int line = sizeof(model::NodeLine) / sizeof(double);
+  strided("displacement", u, 3, 4);
+  strided("internal_work", u + 3, 1, 4);
+  strided("velocity", reinterpret_cast<double*>(state.nodes.data()) + 4, 3, line);
+  if (model.loaded()) {
+    arrays.push_back(nodal("load_work", state.load_work, 1, n));
+    arrays.push_back(nodal("damping_work", state.damping_work, 1, n));
+    arrays.push_back(nodal("load_impulse", state.load_impulse, 3, n));
+  }
+  if (model.any_constrained) {
+    arrays.push_back(nodal("reaction_work", state.reaction_work, 1, n));
+    arrays.push_back(nodal("reaction_impulse", state.reaction_impulse, 3, n));
+  }
+  GlobalIndex first = 0;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const model::ElementBlock& block = model.blocks[b];
+    registry.element_gid.emplace_back(block.gid);
+    registry.block_first.push_back(first);
+    registry.block_count.push_back(model.block_size[b]);
+    first += model.block_size[b];
+    for (const model::HistoryRange& range : block.history)
+      arrays.push_back({"block/" + block.part + "/" + range.name, model::StateArray::Entity::element,
+                        static_cast<std::int32_t>(b), block.count, range.components,
+                        state.history[b].data() + range.first * pack_width, pack_width, block.history_size * pack_width,
+                        pack_width, 1, true, true});
+  }
+  return registry;
+}
+
+}  // namespace brunt::time

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/time/ledger.hpp"
+
+#include <array>
+
+#include "brunt/comm/exact_sum.hpp"
+#include "brunt/contact/contact.hpp"
+
+namespace brunt::time {
+namespace {
+
+enum Term {
+  kinetic,
+  element_work,
+  load_work,
+  damping_work,
+  reaction_work,
+  hourglass,
+  bulk,
+  mass,
+  momentum_scale,
+  momentum_x,
+  momentum_y,
+  momentum_z,
+  impulse_x,
+  impulse_y,
+  impulse_z,
+  terms
+};
+using Sums = std::array<comm::ExactAccumulator, terms>;
+
+Vec3 of(const Quad& q) {
+  return {q[0], q[1], q[2]};
+}
+
+/// Adds one node: accounts hold the work of whole steps, so half of the last impulse's work is taken off again.
+void add_node(const model::Model& model, const model::State& state, const model::Scratch& scratch, double dt_mean,
+              const Vec3* before, const Vec3* reaction, std::size_t i, Sums& sums) {
+  const model::NodeLine& node = state.nodes[i];
+  const Vec3 v = Eigen::Map<const Vec3>(node.v);
+  const Vec3 element_impulse = dt_mean * of(scratch.force[i]);
+  Vec3 impulse = element_impulse;
+  sums[element_work].add(state.displacement[i][3] - 0.5 * v.dot(element_impulse));
+  if (model.loaded()) {
+    const Vec3 drag = dt_mean * of(scratch.damping[i]), load = dt_mean * of(scratch.load[i]) - drag;
+    impulse += load + drag;
+    sums[load_work].add(state.load_work[i] - 0.5 * v.dot(load));
+    sums[damping_work].add(state.damping_work[i] - 0.5 * v.dot(drag));
+    for (std::size_t c = 0; c < 3; ++c) sums[impulse_x + c].add(state.load_impulse[3 * i + c]);
+  }
+  if (model.any_constrained) {
+    sums[reaction_work].add(state.reaction_work[i] - (reaction ? 0.5 * v.dot(*reaction) : 0.0));
+    for (std::size_t c = 0; c < 3; ++c) sums[impulse_x + c].add(state.reaction_impulse[3 * i + c]);
+  }
+  const Vec3 momentum_before = before ? Vec3(node.mass * *before) : Vec3(node.mass * v - impulse);
+  sums[kinetic].add(0.5 * v.dot(momentum_before));
+  sums[mass].add(node.mass);
+  for (int c = 0; c < 3; ++c) sums[static_cast<std::size_t>(momentum_x + c)].add(node.mass * v[c]);
+  sums[momentum_scale].add(node.mass * v.norm());
+}
+
+void add_nodes(const model::Model& model, const model::State& state, const model::Scratch& scratch, double dt_mean,
+               Sums& sums) {
+  std::size_t next_constrained = 0;
+  for (const LocalIndex node : model.owned) {
+    const Vec3 *before = nullptr, *reaction = nullptr;
+    if (state.nodes[static_cast<std::size_t>(node)].late != 0.0)
+      before = &scratch.before[static_cast<std::size_t>(node)];
+    while (next_constrained < model.constrained.size() && model.constrained[next_constrained].node < node)
+      ++next_constrained;
+    if (next_constrained < model.constrained.size() && model.constrained[next_constrained].node == node)
+      reaction = &scratch.reaction[next_constrained];
+    add_node(model, state, scratch, dt_mean, before, reaction, static_cast<std::size_t>(node), sums);
+  }
+}
+
+void add_elements(const model::Model& model, const model::State& state, Sums& sums) {
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const model::ElementBlock& block = model.blocks[b];
+    const auto add = [&](const char* name, Term term) {
+      const model::HistoryRange* range = block.find(name);
+      if (!range) return;
+      for (LocalIndex e = 0; e < block.count; ++e)
+        sums[term].add(state.history[b][static_cast<std::size_t>(
+            (e / pack_width * block.history_size + range->first) * pack_width + e % pack_width)]);
+    };
+    add("hourglass_energy", hourglass);
+    add("bulk_energy", bulk);
+  }
+}
+
+/// What contact and walls have taken, half of the last step's impulses not counted.
+void add_contact(const Links& links, const contact::Contact& contact, Ledger& result) {
+  result.contact_totals = contact.collect();
+  const contact::ContactTotals& totals = result.contact_totals;
+  std::array<comm::ExactAccumulator, 2> late_half;
+  contact.add_second_half(late_half[0], late_half[1]);
+  std::array<double, 2> half{};
+  comm::exact_sum(links.ranks, late_half, half);
+  result.contact = totals.contact_work - half[0];
+  result.walls = totals.wall_work - half[1];
+  for (const Vec3& impulse : totals.wall_impulse) result.impulse_given += impulse;
+}
+
+}  // namespace
+
+Ledger ledger(const model::Model& model, const model::State& state, const model::Scratch& scratch, const Links& links,
+              const contact::Contact* contact, const StepReport& step) {
+  Sums sums;
+  add_nodes(model, state, scratch, step.dt_mean, sums);
+  add_elements(model, state, sums);
+  std::array<double, terms> value{};
+  comm::exact_sum(links.ranks, sums, value);
+
+  Ledger result;
+  if (contact) add_contact(links, *contact, result);
+  result.kinetic = value[kinetic];
+  result.hourglass = value[hourglass];
+  result.bulk = value[bulk];
+  result.internal = -value[element_work] - value[hourglass] - value[bulk];
+  result.damping = -value[damping_work];
+  result.external = value[load_work] + value[reaction_work];
+  result.mass = value[mass];
+  result.momentum = {value[momentum_x], value[momentum_y], value[momentum_z]};
+  result.impulse_given += Vec3{value[impulse_x], value[impulse_y], value[impulse_z]};
+  result.momentum_scale = value[momentum_scale];
+  return result;
+}
+
+}  // namespace brunt::time

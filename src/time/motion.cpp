@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/time/motion.hpp"
+
+#include "brunt/model/curve.hpp"
+
+namespace brunt::time {
+namespace {
+
+using model::NodeLine;
+
+/// Dot product of the first three components.
+inline double dot(const Quad& a, const Quad& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline void book_loads(model::State& state, const model::Scratch& scratch, std::size_t i, double dt_mean,
+                       const Quad& twice_mean_v) {
+  const double damping = dot(twice_mean_v, scratch.damping[i]);
+  state.load_work[i] += 0.5 * dt_mean * (dot(twice_mean_v, scratch.load[i]) - damping);
+  state.damping_work[i] += 0.5 * dt_mean * damping;
+  for (std::size_t c = 0; c < 3; ++c) state.load_impulse[3 * i + c] += dt_mean * scratch.load[i][c];
+}
+
+/// Books the work of the element forces and moves the node.
+inline void move(const Quad& X, const Quad& force, NodeLine& node, Quad& u, double dt, double dt_mean,
+                 const Quad& twice_mean_v) {
+  const Quad velocity = __builtin_shufflevector(node.v_late(), Quad{}, 0, 1, 2, 7);
+  const Quad work{0.0, 0.0, 0.0, 0.5 * dt_mean * dot(twice_mean_v, force)};
+  u += dt * velocity + work;
+  node.x_mass() = __builtin_shufflevector(X + u, node.x_mass(), 0, 1, 2, 7);
+}
+
+template <bool loaded>
+void predict_all(const model::Model& model, model::State& state, model::Scratch& scratch, double dt, double dt_mean) {
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    NodeLine& node = state.nodes[i];
+    Quad force = scratch.force[i];  // its fourth component is zero: `late` stays as it is
+    if constexpr (loaded) force += scratch.load[i];
+    const Quad before = node.v_late();
+    const Quad after = before + (dt_mean / node.mass) * force;
+    node.v_late() = after;
+    if (node.late != 0.0) continue;
+    if constexpr (loaded) book_loads(state, scratch, i, dt_mean, before + after);
+    move(model.reference[i], scratch.force[i], node, state.displacement[i], dt, dt_mean, before + after);
+  }
+}
+
+/// The given velocity of a constrained node at the half step to come.
+Vec3 driven_velocity(const model::Model& model, const model::ConstrainedNode& constrained, double time) {
+  Vec3 velocity = Vec3::Zero();
+  for (int c = 0; c < 3; ++c) {
+    const std::int32_t drive = constrained.drive[static_cast<std::size_t>(c)];
+    if (drive >= 0) {
+      const model::Drive& given = model.drives[static_cast<std::size_t>(drive)];
+      velocity[c] = given.scale * model::value_at(given.curve, time);
+    }
+  }
+  return velocity;
+}
+
+}  // namespace
+
+void predict(const model::Model& model, model::State& state, model::Scratch& scratch, double dt, double dt_mean) {
+  for (const LocalIndex node : model.late) {
+    const auto i = static_cast<std::size_t>(node);
+    scratch.before[i] = Eigen::Map<const Vec3>(state.nodes[i].v);
+  }
+  if (model.loaded())
+    predict_all<true>(model, state, scratch, dt, dt_mean);
+  else
+    predict_all<false>(model, state, scratch, dt, dt_mean);
+  for (std::size_t k = 0; k < model.constrained.size(); ++k) {
+    const model::ConstrainedNode& constrained = model.constrained[k];
+    NodeLine& node = state.nodes[static_cast<std::size_t>(constrained.node)];
+    Eigen::Map<Vec3> v(node.v);
+    const Vec3 given = driven_velocity(model, constrained, state.time + 0.5 * dt);
+    const Vec3 allowed = constrained.free * v + given;
+    scratch.reaction[k] = node.mass * (allowed - v);
+    v = allowed;
+  }
+}
+
+void finish_late(const model::Model& model, model::State& state, model::Scratch& scratch, double dt, double dt_mean) {
+  std::size_t next_constrained = 0;
+  for (std::size_t k = 0; k < model.late.size(); ++k) {
+    const auto i = static_cast<std::size_t>(model.late[k]);
+    NodeLine& node = state.nodes[i];
+    const Vec3& before = scratch.before[i];
+    const Quad twice_mean_v = node.v_late() + Quad{before[0], before[1], before[2]};
+    if (model.loaded()) book_loads(state, scratch, i, dt_mean, twice_mean_v);
+    if (next_constrained < model.constrained.size() && model.constrained[next_constrained].node == model.late[k]) {
+      const Vec3& reaction = scratch.reaction[next_constrained];
+      state.reaction_work[i] += 0.5 * dot(twice_mean_v, Quad{reaction[0], reaction[1], reaction[2]});
+      for (int c = 0; c < 3; ++c) state.reaction_impulse[3 * i + static_cast<std::size_t>(c)] += reaction[c];
+      ++next_constrained;
+    }
+    move(model.reference[i], scratch.force[i], node, state.displacement[i], dt, dt_mean, twice_mean_v);
+  }
+}
+
+}  // namespace brunt::time

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/time/step.hpp"
+
+#include <algorithm>
+
+#include "brunt/contact/contact.hpp"
+#include "brunt/force/loads.hpp"
+#include "brunt/model/curve.hpp"
+#include "brunt/time/motion.hpp"
+
+namespace brunt::time {
+namespace {
+
+/// Sums of corner forces at the border between ranks, with the loads computed while the messages travel.
+void sum_forces(const model::Model& model, const model::State& state, model::Scratch& scratch, Links& links) {
+  links.corner_forces.begin(scratch.slots, 4);
+  if (model.loaded()) force::body_loads(model, state, scratch);
+  links.corner_forces.end(scratch.slots, 4, {reinterpret_cast<double*>(scratch.force.data()), 4 * scratch.force.size()},
+                          4);
+  if (model.pressure.empty()) return;
+
+  force::pressure_forces(model, state, links.pressure_slots);
+  const std::span<const double> slots{reinterpret_cast<const double*>(links.pressure_slots.data()),
+                                      4 * links.pressure_slots.size()};
+  std::fill(links.pressure_sum.begin(), links.pressure_sum.end(), Quad{});
+  for (std::size_t k = 0; k < links.pressure_corners.size(); ++k)
+    links.pressure_sum[static_cast<std::size_t>(links.pressure_corners[k].node)] += links.pressure_slots[k];
+  links.pressure.begin(slots, 4);
+  links.pressure.end(slots, 4, {reinterpret_cast<double*>(links.pressure_sum.data()), 4 * links.pressure_sum.size()},
+                     4);
+  for (std::size_t i = 0; i < scratch.load.size(); ++i) scratch.load[i] += links.pressure_sum[i];
+}
+
+/// The step to come: cfl times the stable step of the stiffest element anywhere, growing slowly.
+double next_dt(const model::State& state, const StepControl& control, double largest_rate) {
+  const double stable = control.cfl / largest_rate;
+  return state.dt > 0 ? std::min(stable, control.largest_growth * state.dt) : stable;
+}
+
+double wall_speed(const model::RigidWall& wall, double time) {
+  return wall.moves ? model::value_at(wall.motion, time) : 0.0;
+}
+
+/// v = v* + W G^T impulses on the nodes that touch something.
+void correct_contact(const model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
+                     contact::Contact& contact, double dt) {
+  links.walls = walls_at(model, state, state.time + 0.5 * dt);
+  constexpr int line = sizeof(model::NodeLine) / sizeof(double);
+  auto* nodes = reinterpret_cast<double*>(state.nodes.data());
+  const contact::VectorView position{nodes, line}, predicted{nodes + 4, line};
+  const contact::VectorView before{reinterpret_cast<const double*>(scratch.before.data()), 3};
+  double used = 0;
+  {
+    const auto timed = links.timers.measure(Phase::search);
+    used = links.ranks.max(contact.motion_used(position, predicted, links.walls, dt));
+  }
+  const auto timed = links.timers.measure(Phase::enforcement);
+  contact.correct(position, before, {nodes + 4, line}, links.walls, dt, used);
+  if (scratch.contact_impulse.empty()) return;
+  // what contact pushes into held directions goes to whatever holds them
+  for (const model::ConstrainedNode& constrained : model.constrained)
+    scratch.contact_impulse[static_cast<std::size_t>(constrained.node)].setZero();
+  contact.add_impulses(scratch.contact_impulse);
+  for (std::size_t k = 0; k < model.constrained.size(); ++k) {
+    const model::ConstrainedNode& constrained = model.constrained[k];
+    const Vec3& impulse = scratch.contact_impulse[static_cast<std::size_t>(constrained.node)];
+    scratch.reaction[k] -= impulse - constrained.free * impulse;
+  }
+}
+
+}  // namespace
+
+std::vector<contact::Wall> walls_at(const model::Model& model, const model::State& state, double time) {
+  std::vector<contact::Wall> walls;
+  walls.reserve(model.walls.size());
+  for (std::size_t w = 0; w < model.walls.size(); ++w) {
+    const model::RigidWall& wall = model.walls[w];
+    walls.push_back({wall.point + state.wall_position[w] * wall.normal, wall.normal,
+                     wall_speed(wall, time) * wall.normal, wall.bilateral});
+  }
+  return walls;
+}
+
+StepReport evaluate(const model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
+                    const StepControl& control) {
+  StepReport report;
+  {
+    const auto timed = links.timers.measure(Phase::element);
+    report.elements = force::internal_forces(model, state, scratch);
+  }
+  const auto timed = links.timers.measure(Phase::halo);
+  sum_forces(model, state, scratch, links);
+  double reduced[2] = {report.elements.rate, report.elements.inverted_block >= 0 ? 1.0 : 0.0};
+  links.ranks.max(reduced);
+  report.stop = reduced[1] > 0;
+  report.dt = next_dt(state, control, reduced[0]);
+  report.dt_mean = 0.5 * (state.dt + report.dt);
+  return report;
+}
+
+void advance(const model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
+             contact::Contact* contact, const StepReport& step) {
+  {
+    const auto timed = links.timers.measure(Phase::other);
+    predict(model, state, scratch, step.dt, step.dt_mean);
+  }
+  if (contact) correct_contact(model, state, scratch, links, *contact, step.dt);
+  const auto timed = links.timers.measure(Phase::other);
+  finish_late(model, state, scratch, step.dt, step.dt_mean);
+  for (std::size_t w = 0; w < model.walls.size(); ++w)
+    state.wall_position[w] += step.dt * wall_speed(model.walls[w], state.time + 0.5 * step.dt);
+  state.time_before = state.time;
+  state.time += step.dt;
+  state.dt = step.dt;
+  ++state.step;
+}
+
+}  // namespace brunt::time
