@@ -19,7 +19,6 @@ struct MassPoints {
   std::vector<contact::ConstrainedNode> constrained;
   std::vector<contact::Wall> walls;
   std::vector<Vec3> x, v;
-  double contact_work_start = 0;
 
   MassPoints(const comm::Communicator& on, const mesh::Mesh& whole, const std::function<Rank(GlobalIndex)>& rank_of,
              const std::function<double(const Vec3&)>& mass, const std::function<Vec3(const Vec3&)>& velocity)
@@ -38,8 +37,9 @@ struct MassPoints {
 
   void step(contact::Contact& contact, double dt) {
     const std::vector<Vec3> old = v;
-    const contact::VectorView position{x.front().data()}, before{old.front().data()};
-    const contact::MutableVectorView after{v.front().data()};
+    const contact::VectorView position{reinterpret_cast<const double*>(x.data())},
+        before{reinterpret_cast<const double*>(old.data())};
+    const contact::MutableVectorView after{reinterpret_cast<double*>(v.data())};
     const double used = ranks.max(contact.motion_used(position, before, walls, dt));
     contact.correct(position, before, after, walls, dt, used);
     for (std::size_t n = 0; n < x.size(); ++n) x[n] += dt * v[n];

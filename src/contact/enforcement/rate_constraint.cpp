@@ -38,9 +38,20 @@ double shortfall(const Row& row, std::span<const Vec3> velocity) {
   return row.cone == Cone::free ? std::abs(missing) : std::max(missing, 0.0);
 }
 
-/// |G_qn P_n|
+/// |G_qn P_n|; what is left of a projector's rounding along a direction that is held counts as nothing.
 double projected_weight(const Row& row, std::size_t i, const Mobility& mobility) {
-  return std::abs(row.weights[i]) * (mobility.projector * row.normal).norm();
+  constexpr double held = 1e-6;
+  const double free_part = (mobility.projector * row.normal).norm();
+  return free_part > held ? std::abs(row.weights[i]) * free_part : 0.0;
+}
+
+/// Can an impulse in this row change its rate? Else the row is left out: prescribed motion has the authority.
+bool can_act(const System& system, const Row& row) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
+    const Mobility& mobility = system.mobility[static_cast<std::size_t>(row.nodes[i])];
+    if (mobility.inverse_mass > 0 && projected_weight(row, i, mobility) > 0) return true;
+  }
+  return false;
 }
 
 void sum_rows_of_nodes(const System& system, Exchange& exchange, RateScratch& scratch) {
@@ -132,7 +143,10 @@ void apply_impulses(const System& system, std::span<const double> impulses, doub
 
 double largest_shortfall(const System& system, std::span<const Vec3> velocity, Exchange& exchange) {
   double largest = 0;
-  for (const Row& row : system.rows) keep_max(largest, shortfall(row, velocity));
+  for (const Row& row : system.rows) {
+    const double missing = shortfall(row, velocity);
+    if (missing != 0 && can_act(system, row)) keep_max(largest, missing);
+  }
   exchange.max({&largest, 1});
   return largest;
 }

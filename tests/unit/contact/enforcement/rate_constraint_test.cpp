@@ -154,7 +154,22 @@ TEST_CASE("constrained nodes do not move along what holds them") {
   p.mobility[static_cast<std::size_t>(ball)].inverse_mass = 0;  // nothing can move: no impulse, no division by zero
   const RateResult stuck = p.solve({1e-12, 10});
   CHECK(stuck.iterations == 0);
+  CHECK(stuck.violation == 0);
   CHECK(p.impulses[0] == 0);
+}
+
+TEST_CASE("the rounding of a projector along a held direction is no freedom") {
+  Problem p;
+  const Vec3 normal = Vec3(1, 2, 3).normalized();
+  const LocalIndex held = p.add_node(1, {0, 0, 0}), free = p.add_node(1, {0, 0, -1});
+  p.mobility[static_cast<std::size_t>(held)].projector = Mat3::Identity() - normal * normal.transpose();
+  p.add_row({{held, 1}}, normal, 1.0);
+  p.add_row({{free, 1}}, Vec3::UnitZ());
+  const RateResult result = p.solve({1e-12, 10});
+  CHECK(result.violation == 1.0);
+  CHECK(p.impulses[0] == 0);
+  CHECK(p.impulses[1] == Approx(1));
+  CHECK(p.velocity[0] == Vec3::Zero());
 }
 
 TEST_CASE("a free row pulls, a compression row does not") {

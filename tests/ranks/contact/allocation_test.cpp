@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// A step with contact allocates nothing, but for the steps that rebuild lists.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <new>
+
+#include "tests/support/mass_points.hpp"
+
+namespace {
+long allocations = 0;
+}
+
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t /*size*/) noexcept {
+  std::free(memory);
+}
+
+TEST_CASE("no allocation in a step of contact") {
+  using namespace brunt;
+  const comm::Communicator world = comm::Communicator::world();
+  mesh::Mesh mesh;
+  support::append_box(mesh, {0, 0, 0}, {4, 4, 1}, {4, 4, 1});
+  support::append_box(mesh, {0.3, 0.2, 1.001}, {3.1, 3.3, 0.5}, {6, 6, 1});
+  support::MassPoints points(
+      world, mesh, [&](GlobalIndex gid) { return static_cast<Rank>(gid % world.size()); },
+      [](const Vec3&) { return 1.0; }, [](const Vec3& x) { return Vec3(0, 0, x.z() > 1 ? -1.0 : 0.0); });
+  points.walls = {{.point = Vec3(0, 0, -0.02), .normal = Vec3::UnitZ()}};
+  contact::Contact contact = points.make_contact({});
+  int quiet_steps = 0, solved = 0;
+  for (int step = 0; step < 20; ++step) {
+    const std::vector<Vec3> old = points.v;
+    const contact::VectorView position{reinterpret_cast<const double*>(points.x.data())},
+        before{reinterpret_cast<const double*>(old.data())};
+    const contact::MutableVectorView after{reinterpret_cast<double*>(points.v.data())};
+    const double used = world.max(contact.motion_used(position, before, points.walls, 0.005));
+    const auto searches = contact.statistics().searches;
+    const auto solved_before = contact.statistics().solved_steps;
+    const long start = allocations;
+    contact.correct(position, before, after, points.walls, 0.005, used);
+    const long made = allocations - start;
+    for (std::size_t n = 0; n < points.x.size(); ++n) points.x[n] += 0.005 * points.v[n];
+    if (contact.statistics().searches != searches || step < 2) continue;  // halos make their datatypes at first use
+    CHECK(made == 0);
+    ++quiet_steps;
+    solved += contact.statistics().solved_steps > solved_before ? 1 : 0;
+  }
+  CHECK(quiet_steps >= 10);
+  CHECK(solved >= 5);
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who is slave, and who meets whom.
+#include "brunt/contact/surface/surface.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+using namespace brunt;
+using namespace brunt::contact;
+
+TEST_CASE("the finer side is slave, then the lighter, then the lower number; never both") {
+  const std::vector<BodyFigures> bodies{
+      {1.0, 5.0}, {0.5, 9.0}, {1.005, 2.0}, {1.0, 5.01}, {1.0, std::numeric_limits<double>::infinity()}};
+  CHECK(is_slave(bodies, 1, 0));  // finer, though heavier
+  CHECK(is_slave(bodies, 2, 0));  // as fine within 1 %, lighter
+  CHECK(is_slave(bodies, 0, 3));  // alike: the lower number
+  CHECK(is_slave(bodies, 3, 4));  // what cannot move is master
+  for (std::int32_t a = 0; a < 5; ++a)
+    for (std::int32_t b = 0; b < 5; ++b)
+      if (a != b) CHECK(is_slave(bodies, a, b) != is_slave(bodies, b, a));
+}
+
+TEST_CASE("rules of pairs of blocks") {
+  const std::vector<BodyFigures> bodies{{1.0, 5.0}, {0.5, 9.0}};
+  PairTable pairs(3, PairRule::automatic);
+  const std::vector<std::int32_t> block0{0}, block1{1};
+  CHECK(may_meet(pairs, bodies, block1, 1, 0, 0));
+  CHECK_FALSE(may_meet(pairs, bodies, block0, 0, 1, 1));
+  CHECK_FALSE(may_meet(pairs, bodies, block1, 1, 0, 1));  // one body with itself
+  CHECK_FALSE(pairs.forces_a_side());
+
+  pairs.set(0, 1, PairRule::slave);
+  CHECK(pairs.at(1, 0) == PairRule::master);
+  CHECK(may_meet(pairs, bodies, block0, 0, 1, 1));
+  CHECK_FALSE(may_meet(pairs, bodies, block1, 1, 0, 0));
+  CHECK(pairs.forces_a_side());
+
+  pairs.set(1, 0, PairRule::apart);
+  CHECK_FALSE(may_meet(pairs, bodies, block0, 0, 1, 1));
+  CHECK_FALSE(may_meet(pairs, bodies, block1, 1, 0, 0));
+  CHECK(may_meet(pairs, bodies, std::vector<std::int32_t>{1, 2}, 1, 0, 0));  // through its other block
+}
+
+TEST_CASE("bodies that are never master, or never slave, are known") {
+  const std::vector<BodyFigures> bodies{{1.0, 5.0}, {0.5, 9.0}, {2.0, 9.0}};
+  const Roles roles = roles_of(bodies, PairTable(3, PairRule::automatic));
+  CHECK(roles.slave == std::vector<char>{1, 1, 0});
+  CHECK(roles.master == std::vector<char>{1, 0, 1});
+}
