@@ -14,4 +14,12 @@ BRUNT_INLINE Pack bulk_viscosity(const BulkViscosity& bulk, double modulus, Pack
   return bulk.linear * pack_sqrt(modulus * rho_length2) + (bulk.quadratic * bulk.quadratic) * rho_length2 * compression;
 }
 
+/// Books the work of the viscous stress over the step to t_n (trapezoidal, as every other work of the ledger).
+/// account: energy, then the viscous stress times volume of the last step.
+BRUNT_INLINE void book_bulk_work(Pack* account, Pack viscous_stress, Pack volume, Pack volume_rate, double dt) {
+  const Pack now = viscous_stress * volume;
+  account[0] += (0.5 * dt) * (account[1] + now) * volume_rate;
+  account[1] = now;
+}
+
 }  // namespace brunt::element

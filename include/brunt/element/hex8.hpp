@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "brunt/element/batch.hpp"
+#include "brunt/element/bulk_viscosity.hpp"
 #include "brunt/element/hex8_modes.hpp"
 #include "brunt/element/objective.hpp"
 #include "brunt/element/options.hpp"
@@ -33,7 +34,7 @@ struct Hex8 {
   static constexpr int at_tensors = at_stress + 6;
   static constexpr int at_scalars = at_tensors + 6 * Response::tensors;
   static constexpr int at_bulk_energy = at_scalars + Response::scalars;
-  static constexpr int at_hourglass_energy = at_bulk_energy + 1;
+  static constexpr int at_hourglass_energy = at_bulk_energy + 2;
   static constexpr int at_hourglass_force = at_hourglass_energy + (hourglass == HourglassKind::none ? 0 : 1);
   static constexpr int history_size = at_hourglass_force + (hourglass == HourglassKind::stiffness ? 12 : 0);
 
@@ -42,15 +43,39 @@ struct Hex8 {
     if (Response::tensors > 0) fields.push_back({"back_stress", 6 * Response::tensors});
     if (Response::scalars > 0) fields.push_back({"plastic_strain", Response::scalars});
     fields.push_back({"bulk_energy", 1});
+    fields.push_back({"bulk_force", 1});
     if (hourglass != HourglassKind::none) fields.push_back({"hourglass_energy", 1});
     if (hourglass == HourglassKind::stiffness) fields.push_back({"hourglass_force", 12});
     return fields;
   }
 
   void operator()(const BatchMotion<8>& in, Pack* history, BatchForce<8>& out) const;
-};
 
-namespace hex8_detail {
+ private:
+  /// Modes of positions and velocities, gradients now and the velocity gradient at the midpoint.
+  struct Kinematics {
+    Pack x[hex_modes][3], v[hex_modes][3], h_mid[4][3];  // h_mid: hourglass modes of the midpoint configuration
+    Pack g[6][3], L[9], S[6];
+    Pack volume, over_volume;
+    StrainStep strain;
+  };
+  /// Stress and what of it the stable step needs.
+  struct Tangent {
+    Pack lambda, mu;
+  };
+  /// Forces that act through B as a stress (row major) and through the hourglass shapes, and bounds of the step.
+  struct Resistance {
+    Pack stress[9], Q[4][3];
+    Pack omega2, damping;
+    Pack hourglass_rate = broadcast(0.0);
+  };
+
+  BRUNT_INLINE void move(const BatchMotion<8>& in, Kinematics& k) const;
+  BRUNT_INLINE Tangent update(const BatchMotion<8>& in, const Kinematics& k, Pack* history) const;
+  BRUNT_INLINE void resist(const Kinematics& k, const Tangent& tangent, double dt, Pack* history, Resistance& r) const;
+  BRUNT_INLINE void resist_hourglass(const Kinematics& k, double dt, Pack over_mass, Pack mass, Pack trace,
+                                     Pack largest, Pack* history, Resistance& r) const;
+};
 
 /// Modes of a nodal vector field: mode[m][component].
 BRUNT_INLINE void vector_modes(const Pack (&u)[3][8], Pack (&mode)[hex_modes][3]) {
@@ -71,140 +96,156 @@ BRUNT_INLINE void mean_gradient(const Pack (&u)[hex_modes][3], const Pack (&g)[6
     }
 }
 
-}  // namespace hex8_detail
+/// T y for T = (xx, yy, zz, xy, yz, zx).
+BRUNT_INLINE void times(const Pack (&T)[6], const Pack (&y)[3], Pack (&result)[3]) {
+  result[0] = T[0] * y[0] + T[3] * y[1] + T[5] * y[2];
+  result[1] = T[3] * y[0] + T[1] * y[1] + T[4] * y[2];
+  result[2] = T[5] * y[0] + T[4] * y[1] + T[2] * y[2];
+}
+
+BRUNT_INLINE Pack dot(const Pack (&a)[3], const Pack (&b)[3]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class Response, HourglassKind hourglass>
+void Hex8<Response, hourglass>::move(const BatchMotion<8>& in, Kinematics& k) const {
+  vector_modes(in.x, k.x);
+  vector_modes(in.v, k.v);
+  Pack x_mid[hex_modes][3], g_mid[6][3];  // modes are linear in the coordinates: no second gather
+  for (int m = 0; m < hex_modes; ++m)
+    for (int i = 0; i < 3; ++i) x_mid[m][i] = k.x[m][i] - (0.5 * in.dt) * k.v[m][i];
+  const Pack volume_mid = gradient_modes(x_mid, g_mid);
+  mean_gradient(k.v, g_mid, 1.0 / volume_mid, k.L);
+  for (int a = 0; a < 4; ++a)
+    for (int i = 0; i < 3; ++i) k.h_mid[a][i] = x_mid[3 + a][i];
+  k.strain = strain_step(k.L, in.dt);
+  k.volume = gradient_modes(k.x, k.g);
+  k.over_volume = 1.0 / k.volume;
+  gradient_gram(k.g, k.S);
+}
+
+template <class Response, HourglassKind hourglass>
+typename Hex8<Response, hourglass>::Tangent Hex8<Response, hourglass>::update(const BatchMotion<8>& in,
+                                                                              const Kinematics& k,
+                                                                              Pack* history) const {
+  Tangent tangent;
+  Pack* stress = history + at_stress;
+  Pack s[6];
+  if constexpr (Response::hyperelastic) {
+    Pack X[hex_modes][3], G[6][3], F[9];
+    vector_modes(in.X, X);
+    const Pack reference_volume = gradient_modes(X, G);
+    mean_gradient(k.x, G, 1.0 / reference_volume, F);
+    law.stress(F, s);
+    law.tangent(F, tangent.lambda, tangent.mu);
+    for (int c = 0; c < 6; ++c) stress[c] = s[c];
+  } else {
+    update_stress(law, k.strain, stress, history + at_tensors, history + at_scalars);
+    for (int c = 0; c < 6; ++c) s[c] = stress[c];
+    law.tangent(s, tangent.lambda, tangent.mu);
+  }
+  return tangent;
+}
+
+template <class Response, HourglassKind hourglass>
+void Hex8<Response, hourglass>::resist(const Kinematics& k, const Tangent& tangent, double dt, Pack* history,
+                                       Resistance& r) const {
+  const Pack trace = k.S[0] + k.S[1] + k.S[2];
+  const Pack largest = largest_eigenvalue_bound(k.S);
+  const Pack mass = history[at_mass];
+  const Pack over_both = 1.0 / (mass * largest);  // one division for 1/mass and 1/s_max
+  const Pack over_mass = largest * over_both;
+
+  // rho L^2 = m V / (2 s_max): L is the thickness of the element in its thinnest direction
+  const Pack volume_rate = k.L[0] + k.L[4] + k.L[8];
+  const Pack rho_length2 = 0.5 * mass * mass * k.volume * over_both;
+  const Pack viscosity = bulk_viscosity(bulk, law.lambda + 2.0 * law.mu, rho_length2, volume_rate);
+  const Pack viscous = viscosity * volume_rate;
+  book_bulk_work(history + at_bulk_energy, viscous, k.volume, volume_rate, dt);
+
+  const Pack frequency_factor = 8.0 * k.over_volume * over_mass;
+  r.omega2 = frequency_factor * (tangent.lambda * trace + 2.0 * tangent.mu * largest);
+  r.damping = frequency_factor * trace * viscosity;
+  const Pack* s = history + at_stress;
+  constexpr int place[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};
+  for (int c = 0; c < 9; ++c) r.stress[c] = s[place[c]];
+  for (int c = 0; c < 9; c += 4) r.stress[c] += viscous;
+  if constexpr (hourglass != HourglassKind::none) resist_hourglass(k, dt, over_mass, mass, trace, largest, history, r);
+}
+
+template <class Response, HourglassKind hourglass>
+void Hex8<Response, hourglass>::resist_hourglass(const Kinematics& k, double dt, Pack over_mass, Pack mass, Pack trace,
+                                                 Pack largest, Pack* history, Resistance& r) const {
+  Pack gamma2 = broadcast(8.0);  // sum over a of |gamma_a|^2, less 24: 8 for a parallelepiped
+  for (int a = 0; a < 4; ++a) {
+    const auto& h = k.x[3 + a];
+    Pack Sh[3];
+    times(k.S, h, Sh);
+    Pack correction = k.over_volume * dot(h, Sh);
+    if (a < 3) correction -= 16.0 * dot(h, k.g[3 + a]);
+    gamma2 += k.over_volume * correction;
+  }
+  gamma2 = pack_max(gamma2, broadcast(8.0));
+
+  [[maybe_unused]] Pack stiffness, viscous;
+  if constexpr (hourglass == HourglassKind::stiffness) {
+    stiffness = (control.coefficient / 8.0 * law.mu) * trace * k.over_volume;
+    r.omega2 += 8.0 * stiffness * gamma2 * over_mass;
+  } else {  // J. O. Hallquist's form: coefficient/4 rho c V^(2/3), V^(2/3) = sqrt(2 s_max) for a cube
+    viscous =
+        (0.25 * control.coefficient) * pack_sqrt((law.lambda + 2.0 * law.mu) * mass * k.over_volume * 2.0 * largest);
+    r.hourglass_rate = 4.0 * viscous * gamma2 * over_mass;
+  }
+
+  Pack work = broadcast(0.0);
+  for (int a = 0; a < 4; ++a) {
+    const auto& h = k.h_mid[a];
+    Pack* stored = history + at_hourglass_force + 3 * a;
+    Pack old[3] = {broadcast(0.0), broadcast(0.0), broadcast(0.0)};
+    if constexpr (hourglass == HourglassKind::stiffness) {
+      for (int i = 0; i < 3; ++i) old[i] = stored[i];
+      geometry::rotate_vector(k.strain.rotation, old[0], old[1], old[2]);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const Pack q = k.v[3 + a][i] - (k.L[3 * i] * h[0] + k.L[3 * i + 1] * h[1] + k.L[3 * i + 2] * h[2]);
+      if constexpr (hourglass == HourglassKind::stiffness) {
+        r.Q[a][i] = old[i] + (stiffness * dt) * q;
+        work += 0.5 * (old[i] + r.Q[a][i]) * q;
+        stored[i] = r.Q[a][i];
+      } else {
+        r.Q[a][i] = viscous * q;
+        work += r.Q[a][i] * q;
+      }
+    }
+  }
+  history[at_hourglass_energy] += dt * work;
+
+  for (int i = 0; i < 3; ++i)  // gamma has a part along B: it acts like a stress
+    for (int j = 0; j < 3; ++j) {
+      Pack sum = r.Q[0][i] * k.x[3][j];
+      for (int a = 1; a < 4; ++a) sum += r.Q[a][i] * k.x[3 + a][j];
+      r.stress[3 * i + j] -= k.over_volume * sum;
+    }
+}
 
 template <class Response, HourglassKind hourglass>
 void Hex8<Response, hourglass>::operator()(const BatchMotion<8>& in, Pack* history, BatchForce<8>& out) const {
-  using namespace hex8_detail;
-  const double dt = in.dt;
-  Pack x[hex_modes][3], v[hex_modes][3];
-  vector_modes(in.x, x);
-  vector_modes(in.v, v);
-
-  // the midpoint configuration: modes are linear in the coordinates
-  Pack L[9], x_mid[hex_modes][3];
-  {
-    Pack g_mid[6][3];
-    for (int m = 0; m < hex_modes; ++m)
-      for (int i = 0; i < 3; ++i) x_mid[m][i] = x[m][i] - (0.5 * dt) * v[m][i];
-    const Pack v_mid = gradient_modes(x_mid, g_mid);
-    mean_gradient(v, g_mid, 1.0 / v_mid, L);
-  }
-  const StrainStep strain = strain_step(L, dt);
-
-  Pack g[6][3];
-  const Pack volume = gradient_modes(x, g);
-  const Pack over_volume = 1.0 / volume;
-  Pack lambda, mu;  // of the current tangent
-  Pack* stress = history + at_stress;
-  if constexpr (Response::hyperelastic) {
-    Pack X[hex_modes][3], G[6][3], F[9], s[6];
-    vector_modes(in.X, X);
-    const Pack reference_volume = gradient_modes(X, G);
-    mean_gradient(x, G, 1.0 / reference_volume, F);
-    law.stress(F, s);
-    law.tangent(F, lambda, mu);
-    for (int c = 0; c < 6; ++c) stress[c] = s[c];
-  } else {
-    update_stress(law, strain, stress, history + at_tensors, history + at_scalars);
-    Pack s[6];
-    for (int c = 0; c < 6; ++c) s[c] = stress[c];
-    law.tangent(s, lambda, mu);
-  }
-
-  // S = B B^T: lengths, frequency and hourglass stiffness all follow from it
-  Pack S[6];
-  constexpr int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
-  for (int c = 0; c < 6; ++c) {
-    Pack sum = g[0][row[c]] * g[0][column[c]];
-    for (int m = 1; m < 6; ++m) sum += g[m][row[c]] * g[m][column[c]];
-    S[c] = 8.0 * sum;
-  }
-  const Pack trace = S[0] + S[1] + S[2];
-  const Pack largest = largest_eigenvalue_bound(S);
-  const Pack mass = history[at_mass];
-
-  // bulk viscosity, rho L^2 = mV/(2 s_max): L is the thickness of the element in its thinnest direction
-  const Pack rate_of_volume = L[0] + L[4] + L[8];
-  const Pack over_both = 1.0 / (mass * largest);  // one division for 1/mass and 1/s_max
-  const Pack over_mass = largest * over_both;
-  const Pack rho_length2 = 0.5 * mass * mass * volume * over_both;
-  const Pack compression = select(rate_of_volume < 0.0, -rate_of_volume, broadcast(0.0));
-  const Pack viscosity = bulk.linear * pack_sqrt((law.lambda + 2.0 * law.mu) * rho_length2) +
-                         (bulk.quadratic * bulk.quadratic) * rho_length2 * compression;
-  history[at_bulk_energy] += (dt * volume) * viscosity * rate_of_volume * rate_of_volume;
-
-  const Pack frequency_factor = 8.0 * over_volume * over_mass;
-  Pack omega2 = frequency_factor * (lambda * trace + 2.0 * mu * largest);
-  const Pack damping = frequency_factor * trace * viscosity;
-
-  // effective stress: material, viscous, and the part of the hourglass force that acts through B
-  Pack sigma[9] = {stress[0] + viscosity * rate_of_volume, stress[3], stress[5], stress[3],
-                   stress[1] + viscosity * rate_of_volume, stress[4], stress[5], stress[4],
-                   stress[2] + viscosity * rate_of_volume};
-  Pack force_mode[3][hex_modes];
-  Pack hourglass_rate = broadcast(0.0);
-  for (int i = 0; i < 3; ++i) force_mode[i][6] = broadcast(0.0);
-  Pack Q[4][3];
-  if constexpr (hourglass != HourglassKind::none) {
-    Pack gamma2 = broadcast(8.0);  // sum over a of |gamma_a|^2, less 24: 8 for a parallelepiped
-    for (int a = 0; a < 4; ++a) {
-      const auto& h = x[3 + a];
-      const Pack Sh[3] = {S[0] * h[0] + S[3] * h[1] + S[5] * h[2], S[3] * h[0] + S[1] * h[1] + S[4] * h[2],
-                          S[5] * h[0] + S[4] * h[1] + S[2] * h[2]};
-      Pack correction = over_volume * (h[0] * Sh[0] + h[1] * Sh[1] + h[2] * Sh[2]);
-      if (a < 3) correction -= 16.0 * (h[0] * g[3 + a][0] + h[1] * g[3 + a][1] + h[2] * g[3 + a][2]);
-      gamma2 += over_volume * correction;
-    }
-    gamma2 = pack_max(gamma2, broadcast(8.0));
-    Pack stiffness = broadcast(0.0), viscous = broadcast(0.0);
-    if constexpr (hourglass == HourglassKind::stiffness) {
-      stiffness = (control.coefficient / 8.0 * law.mu) * trace * over_volume;
-      omega2 += 8.0 * stiffness * gamma2 * over_mass;
-    } else {  // J. O. Hallquist's form: coefficient/4 rho c V^(2/3), V^(2/3) = sqrt(2 s_max) for a cube
-      viscous =
-          (0.25 * control.coefficient) * pack_sqrt((law.lambda + 2.0 * law.mu) * mass * over_volume * 2.0 * largest);
-      hourglass_rate = 4.0 * viscous * gamma2 * over_mass;
-    }
-    Pack work = broadcast(0.0);
-    for (int a = 0; a < 4; ++a) {
-      const auto& h = x_mid[3 + a];
-      Pack q[3];
-      for (int i = 0; i < 3; ++i) q[i] = v[3 + a][i] - (L[3 * i] * h[0] + L[3 * i + 1] * h[1] + L[3 * i + 2] * h[2]);
-      if constexpr (hourglass == HourglassKind::stiffness) {
-        Pack* stored = history + at_hourglass_force + 3 * a;
-        Pack old[3] = {stored[0], stored[1], stored[2]};
-        geometry::rotate_vector(strain.rotation, old[0], old[1], old[2]);
-        for (int i = 0; i < 3; ++i) {
-          Q[a][i] = old[i] + (stiffness * dt) * q[i];
-          work += 0.5 * (old[i] + Q[a][i]) * q[i];
-          stored[i] = Q[a][i];
-        }
-      } else {
-        for (int i = 0; i < 3; ++i) {
-          Q[a][i] = viscous * q[i];
-          work += Q[a][i] * q[i];
-        }
-      }
-    }
-    history[at_hourglass_energy] += dt * work;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        Pack sum = Q[0][i] * x[3][j];
-        for (int a = 1; a < 4; ++a) sum += Q[a][i] * x[3 + a][j];
-        sigma[3 * i + j] -= over_volume * sum;
-      }
-  }
-
+  Kinematics k;
+  Resistance r;
+  move(in, k);
+  const Tangent tangent = update(in, k, history);
+  resist(k, tangent, in.dt, history, r);
   for (int i = 0; i < 3; ++i) {
+    Pack force[hex_modes];
     for (int m = 0; m < 6; ++m)
-      force_mode[i][m] = -(sigma[3 * i] * g[m][0] + sigma[3 * i + 1] * g[m][1] + sigma[3 * i + 2] * g[m][2]);
+      force[m] = -(r.stress[3 * i] * k.g[m][0] + r.stress[3 * i + 1] * k.g[m][1] + r.stress[3 * i + 2] * k.g[m][2]);
+    force[6] = broadcast(0.0);
     if constexpr (hourglass != HourglassKind::none)
-      for (int a = 0; a < 4; ++a) force_mode[i][3 + a] -= Q[a][i];
-    from_modes(force_mode[i], out.f[i]);
+      for (int a = 0; a < 4; ++a) force[3 + a] -= r.Q[a][i];
+    from_modes(force, out.f[i]);
   }
-  out.rate = pack_max(stable_rate(omega2, damping), hourglass_rate);
-  out.volume = volume;
+  out.rate = pack_max(stable_rate(r.omega2, r.damping), r.hourglass_rate);
+  out.volume = k.volume;
 }
 
 }  // namespace brunt::element

@@ -48,16 +48,6 @@ BRUNT_INLINE Pack largest_row_sum(const Pack (&m)[10]) {
   return largest;
 }
 
-/// S = B B^T (xx, yy, zz, xy, yz, zx) from the gradient modes.
-BRUNT_INLINE void gradient_gram(const Pack (&g)[6][3], Pack (&S)[6]) {
-  constexpr int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
-  for (int c = 0; c < 6; ++c) {
-    Pack sum = g[0][row[c]] * g[0][column[c]];
-    for (int m = 1; m < 6; ++m) sum += g[m][row[c]] * g[m][column[c]];
-    S[c] = 8.0 * sum;
-  }
-}
-
 /// Bound of the largest eigenvalue of the stiffness (force a length), corner masses apart. x: modes of the coordinates;
 /// g, volume, S as above; lambda, mu: largest of all points; `point_modulus`: bounds
 /// lambda tr(L')^2 + 2 mu L' : L' <= point_modulus L' : L', that is 3 lambda + 2 mu, or 2 mu where B-bar averages tr L.

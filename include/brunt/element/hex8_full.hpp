@@ -34,13 +34,14 @@ struct Hex8Full {
   static constexpr int at_tensors = at_stress + 6 * hex_points;
   static constexpr int at_scalars = at_tensors + 6 * Response::tensors * hex_points;
   static constexpr int at_bulk_energy = at_scalars + Response::scalars * hex_points;
-  static constexpr int history_size = at_bulk_energy + 1;
+  static constexpr int history_size = at_bulk_energy + 2;
 
   static std::vector<HistoryField> history() {
     std::vector<HistoryField> fields{{"mass", 1}, {"stress", 6 * hex_points}};
     if (Response::tensors > 0) fields.push_back({"back_stress", 6 * Response::tensors * hex_points});
     if (Response::scalars > 0) fields.push_back({"plastic_strain", Response::scalars * hex_points});
     fields.push_back({"bulk_energy", 1});
+    fields.push_back({"bulk_force", 1});
     return fields;
   }
 
@@ -179,7 +180,7 @@ void Hex8Full<Response, bbar>::operator()(const BatchMotion<8>& in, Pack* histor
   const Pack mass = history[at_mass];
   const Pack rho_length2 = mass * volume / (2.0 * largest_eigenvalue_bound(S));
   const Pack viscosity = bulk_viscosity(bulk, law.lambda + 2.0 * law.mu, rho_length2, volume_rate);
-  history[at_bulk_energy] += (in.dt * volume) * viscosity * volume_rate * volume_rate;
+  book_bulk_work(history + at_bulk_energy, viscosity * volume_rate, volume, volume_rate, in.dt);
   const Pack through_mean = viscosity * volume_rate + sums.pressure / volume;
   for (int i = 0; i < 3; ++i) {
     for (int m = 0; m < 6; ++m) sums.force[i][m] -= through_mean * g[m][i];

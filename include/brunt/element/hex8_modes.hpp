@@ -74,4 +74,14 @@ BRUNT_INLINE Pack gradient_modes(const Pack (&x)[hex_modes][3], Pack (&g)[6][3])
   return a1[0] * g[0][0] + a1[1] * g[0][1] + a1[2] * g[0][2] + (h1[0] * g[3][0] + h1[1] * g[3][1] + h1[2] * g[3][2]);
 }
 
+/// S = B B^T (xx, yy, zz, xy, yz, zx) from the gradient modes.
+BRUNT_INLINE void gradient_gram(const Pack (&g)[6][3], Pack (&S)[6]) {
+  constexpr int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
+  for (int c = 0; c < 6; ++c) {
+    Pack sum = g[0][row[c]] * g[0][column[c]];
+    for (int m = 1; m < 6; ++m) sum += g[m][row[c]] * g[m][column[c]];
+    S[c] = 8.0 * sum;
+  }
+}
+
 }  // namespace brunt::element

@@ -27,13 +27,14 @@ struct Tet4 {
   static constexpr int at_tensors = at_stress + 6;
   static constexpr int at_scalars = at_tensors + 6 * Response::tensors;
   static constexpr int at_bulk_energy = at_scalars + Response::scalars;
-  static constexpr int history_size = at_bulk_energy + 1;
+  static constexpr int history_size = at_bulk_energy + 2;
 
   static std::vector<HistoryField> history() {
     std::vector<HistoryField> fields{{"mass", 1}, {"stress", 6}};
     if (Response::tensors > 0) fields.push_back({"back_stress", 6 * Response::tensors});
     if (Response::scalars > 0) fields.push_back({"plastic_strain", Response::scalars});
     fields.push_back({"bulk_energy", 1});
+    fields.push_back({"bulk_force", 1});
     return fields;
   }
 
@@ -108,7 +109,7 @@ void Tet4<Response>::operator()(const BatchMotion<4>& in, Pack* history, BatchFo
   const Pack mass = history[at_mass];
   const Pack volume_rate = L[0] + L[4] + L[8];
   const Pack viscosity = bulk_viscosity(bulk, law.lambda + 2.0 * law.mu, mass * volume / largest, volume_rate);
-  history[at_bulk_energy] += (in.dt * volume) * viscosity * volume_rate * volume_rate;
+  book_bulk_work(history + at_bulk_energy, viscosity * volume_rate, volume, volume_rate, in.dt);
 
   for (int i = 0; i < 3; ++i) s[i] += viscosity * volume_rate;
   const Pack full[9] = {s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2]};
