@@ -129,7 +129,7 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
   lists_.exchange.share(as_doubles(mobility_), 10);
   own_area_.assign(surface_.faces.size(), Vec3::Zero());
   facet_area_.assign(static_cast<std::size_t>(lists_.facet_count), Vec3::Zero());
-  encounters_.reserve(lists_.most_faces_of_a_slave);
+  detection_.reserve(lists_.faces.size(), facet_area_.size(), lists_.most_faces_of_a_slave);
   rows_.reserve(lists_.most_rows);
   impulses_.reserve(lists_.most_rows);
   scratch_.reserve(lists_.most_rows, nodes);
@@ -158,7 +158,7 @@ void Contact::gather(VectorView position, VectorView old_velocity, MutableVector
 
 void Contact::detect(std::span<const Wall> walls, double dt) {
   detect_faces(lists_.candidates, lists_.faces, lists_.nodes.gid, motion_of_, facet_area_, dt, settings_.detection,
-               encounters_, rows_);
+               detection_, rows_);
   detect_walls(lists_.wall_candidates, walls, lists_.nodes.gid, motion_of_, dt, settings_.detection, rows_);
   sort_rows(rows_);
   for (const Row& row : rows_) penetration_ = std::max(penetration_, -row.gap);

@@ -145,7 +145,7 @@ class Contact {
   std::vector<Mobility> mobility_;
   std::vector<Vec3> velocity_;
   std::vector<Vec3> own_area_, facet_area_;
-  std::vector<Encounter> encounters_;
+  DetectionScratch detection_;
   std::vector<Row> rows_;
   std::vector<double> impulses_;
   RateScratch scratch_;

@@ -13,6 +13,7 @@ using geometry::Box;
 struct Scene {
   std::span<const MasterFace> faces;
   std::span<const NodeMotion> motion;
+  std::span<const FaceReach> reach;
   double dt;
   const DetectionSettings& settings;
 
@@ -24,29 +25,42 @@ void extend_by_sweep(Box& box, const NodeMotion& node, double dt) {
   geometry::extend(box, node.position + dt * node.predicted);
 }
 
-double opposition(const Vec3& normal, std::span<const LocalIndex> facets, std::span<const Vec3> facet_area) {
-  double least = 1;
-  for (const LocalIndex facet : facets) {
-    const Vec3& area = facet_area[static_cast<std::size_t>(facet)];
-    const double size = area.norm();
-    if (size > 0) least = std::min(least, area.dot(normal) / size);
+/// The positions of a face's corners.
+geometry::Corners gather_corners(std::span<const NodeMotion> motion, const MasterFace& face,
+                                 std::array<Vec3, 4>& storage) {
+  const auto count = static_cast<std::size_t>(face.corner_count);
+  for (std::size_t i = 0; i < count; ++i) storage[i] = motion[static_cast<std::size_t>(face.nodes[i])].position;
+  return {storage.data(), count};
+}
+
+void measure_reach(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, double dt, double capture,
+                   std::vector<FaceReach>& reach) {
+  reach.clear();
+  std::array<Vec3, 4> storage;
+  for (const MasterFace& face : faces) {
+    Box sweep;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i)
+      extend_by_sweep(sweep, motion[static_cast<std::size_t>(face.nodes[i])], dt);
+    const double size = geometry::longest_edge(gather_corners(motion, face, storage));
+    reach.push_back({geometry::grown(sweep, capture * size), size});
   }
+}
+
+double opposition(const Vec3& normal, std::span<const LocalIndex> facets, std::span<const Vec3> facet_normal) {
+  double least = 1;
+  for (const LocalIndex facet : facets)
+    least = std::min(least, facet_normal[static_cast<std::size_t>(facet)].dot(normal));
   return -least;
 }
 
 Encounter encounter(const Scene& scene, const NodeMotion& slave, const Box& slave_sweep, LocalIndex face_index) {
+  const FaceReach& face_reach = scene.reach[static_cast<std::size_t>(face_index)];
+  Encounter result{.face = face_index, .size = face_reach.size};
+  if (!geometry::overlaps(face_reach.box, slave_sweep)) return result;
   const MasterFace& face = scene.faces[static_cast<std::size_t>(face_index)];
-  const auto corner_count = static_cast<std::size_t>(face.corner_count);
-  std::array<Vec3, 4> corner_storage;
-  Box sweep;
-  for (std::size_t i = 0; i < corner_count; ++i) {
-    corner_storage[i] = scene.at(face.nodes[i]).position;
-    extend_by_sweep(sweep, scene.at(face.nodes[i]), scene.dt);
-  }
-  const geometry::Corners corners(corner_storage.data(), corner_count);
-  Encounter result{.face = face_index, .size = geometry::longest_edge(corners)};
   const double reach = scene.settings.capture * result.size;
-  if (!geometry::overlaps(geometry::grown(sweep, reach), slave_sweep)) return result;
+  std::array<Vec3, 4> storage;
+  const geometry::Corners corners = gather_corners(scene.motion, face, storage);
   const auto closest = geometry::closest_point(slave.position, corners);
   if (!closest) return result;
 
@@ -109,8 +123,11 @@ Row row_of(const Encounter& e, const MasterFace& face, LocalIndex slave, double 
 
 void detect_faces(const Candidates& candidates, std::span<const MasterFace> faces, std::span<const GlobalIndex> gid,
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_area, double dt,
-                  const DetectionSettings& settings, std::vector<Encounter>& scratch, std::vector<Row>& rows) {
-  const Scene scene{faces, motion, dt, settings};
+                  const DetectionSettings& settings, DetectionScratch& scratch, std::vector<Row>& rows) {
+  measure_reach(faces, motion, dt, settings.capture, scratch.reach);
+  scratch.facet_normal.clear();
+  for (const Vec3& area : facet_area) scratch.facet_normal.push_back(area.normalized());
+  const Scene scene{faces, motion, scratch.reach, dt, settings};
   for (std::size_t s = 0; s < candidates.slave.size(); ++s) {
     const LocalIndex slave = candidates.slave[s];
     const NodeMotion& node = scene.at(slave);
@@ -122,14 +139,14 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
 
     for (std::size_t i = 0; i < near.size();) {
       const std::int32_t body = body_of(i);
-      scratch.clear();
+      scratch.encounters.clear();
       for (; i < near.size() && body_of(i) == body; ++i) {
         const Encounter met = encounter(scene, node, slave_sweep, near[i]);
         if (met.meeting == Meeting::none) continue;
-        scratch.push_back(met);
-        scratch.back().opposition = opposition(met.normal, facets, facet_area);
+        scratch.encounters.push_back(met);
+        scratch.encounters.back().opposition = opposition(met.normal, facets, scratch.facet_normal);
       }
-      const Encounter best = choose(scratch);
+      const Encounter best = choose(scratch.encounters);
       if (best.meeting == Meeting::none) continue;
       Row row = row_of(best, faces[static_cast<std::size_t>(best.face)], slave, required_rate(best, dt, settings));
       row.slave_gid = gid[static_cast<std::size_t>(slave)];

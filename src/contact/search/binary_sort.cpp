@@ -23,15 +23,15 @@ struct Range {
   [[nodiscard]] bool holds(LocalIndex place) const { return first <= place && place < last; }
 };
 
-SortedAxis sort_along(std::span<const Vec3> points, const std::vector<LocalIndex>& finite, int axis) {
+SortedAxis sort_along(std::span<const Vec3> points, const std::vector<LocalIndex>& near, int axis) {
   SortedAxis sorted;
-  sorted.point = finite;
+  sorted.point = near;
   const auto coordinate = [&](LocalIndex p) { return points[static_cast<std::size_t>(p)][axis]; };
   std::sort(sorted.point.begin(), sorted.point.end(), [&](LocalIndex a, LocalIndex b) {
     return coordinate(a) != coordinate(b) ? coordinate(a) < coordinate(b) : a < b;
   });
   sorted.rank.resize(points.size());
-  sorted.value.reserve(finite.size());
+  sorted.value.reserve(near.size());
   for (std::size_t place = 0; place < sorted.point.size(); ++place) {
     sorted.rank[static_cast<std::size_t>(sorted.point[place])] = static_cast<LocalIndex>(place);
     sorted.value.push_back(coordinate(sorted.point[place]));
@@ -63,18 +63,31 @@ void points_in_box(const std::array<SortedAxis, 3>& axes, const geometry::Box& b
   std::sort(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
 }
 
+/// Points in the box around all boxes: what lies outside need not be sorted.
+std::vector<LocalIndex> points_in_reach(std::span<const geometry::Box> boxes, std::span<const Vec3> points) {
+  geometry::Box all;
+  for (const geometry::Box& box : boxes) {
+    if (!(box.low.array() <= box.high.array()).all()) continue;
+    geometry::extend(all, box.low);
+    geometry::extend(all, box.high);
+  }
+  std::vector<LocalIndex> near;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (geometry::contains(all, points[p])) near.push_back(static_cast<LocalIndex>(p));
+  return near;
+}
+
 }  // namespace
 
 void find_pairs(std::span<const geometry::Box> boxes, std::span<const Vec3> points, Ragged<LocalIndex>& pairs) {
-  std::vector<LocalIndex> finite;
-  finite.reserve(points.size());
-  for (std::size_t p = 0; p < points.size(); ++p)
-    if (points[p].allFinite()) finite.push_back(static_cast<LocalIndex>(p));
+  const std::vector<LocalIndex> near = points_in_reach(boxes, points);
+  geometry::Box occupied;
+  for (const LocalIndex p : near) geometry::extend(occupied, points[static_cast<std::size_t>(p)]);
   std::array<SortedAxis, 3> axes;
-  for (int a = 0; a < 3; ++a) axes[static_cast<std::size_t>(a)] = sort_along(points, finite, a);
+  for (int a = 0; a < 3; ++a) axes[static_cast<std::size_t>(a)] = sort_along(points, near, a);
   pairs.clear();
   for (const geometry::Box& box : boxes) {
-    points_in_box(axes, box, pairs.values);
+    if (geometry::overlaps(box, occupied)) points_in_box(axes, box, pairs.values);
     pairs.close_row();
   }
 }

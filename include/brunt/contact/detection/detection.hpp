@@ -58,14 +58,32 @@ struct Encounter {
   std::array<double, 4> weights{};
 };
 
+/// What of a master face is the same for all slaves near it.
+struct FaceReach {
+  geometry::Box box;  ///< swept over the step and grown by the capture
+  double size = 0;    ///< longest edge [length]
+};
+
+/// Arrays of detection, sized where lists are rebuilt so that a step allocates nothing.
+struct DetectionScratch {
+  std::vector<FaceReach> reach;
+  std::vector<Vec3> facet_normal;  ///< unit; zero for a facet without area
+  std::vector<Encounter> encounters;
+
+  void reserve(std::size_t faces, std::size_t facets, std::size_t most_faces_of_a_slave) {
+    reach.reserve(faces);
+    facet_normal.reserve(facets);
+    encounters.reserve(most_faces_of_a_slave);
+  }
+};
+
 /// Appends at most one row for each slave and master body. Among the faces that the slave's own surface opposes by at
 /// least half of the best: one that contains the projection with the smallest |gap|, else one that misses it by the
 /// overhang, else the nearest edge or corner of a face seen from outside (its normal is the connecting line). Ties go
-/// to the lower key. facet_area: area vectors [length^2] of the slaves' own faces. scratch: room for the most faces
-/// that a slave has.
+/// to the lower key. facet_area: area vectors [length^2] of the slaves' own faces.
 void detect_faces(const Candidates& candidates, std::span<const MasterFace> faces, std::span<const GlobalIndex> gid,
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_area, double dt,
-                  const DetectionSettings& settings, std::vector<Encounter>& scratch, std::vector<Row>& rows);
+                  const DetectionSettings& settings, DetectionScratch& scratch, std::vector<Row>& rows);
 
 /// Candidates of walls: node, wall, and whether the node started in a bilateral wall's plane (it is always a row).
 struct WallCandidate {

@@ -42,7 +42,7 @@ struct CubeAndNode {
       candidates.slave_facets.values.push_back(static_cast<LocalIndex>(f));
     candidates.slave_facets.close_row();
     std::vector<Row> rows;
-    std::vector<Encounter> scratch;
+    DetectionScratch scratch;
     detect_faces(candidates, faces, gid, motion, facets, dt, settings, scratch, rows);
     return rows;
   }
@@ -108,7 +108,7 @@ TEST_CASE("a corner on a corner meets the opposed face, not the sides, whatever 
 
 TEST_CASE("outside a convex edge the connecting line is the normal") {
   CubeAndNode scene;
-  scene.facets = {Vec3(-1, 0, -1)};
+  scene.facets = {Vec3(-1, 0, -1).normalized()};
   const auto rows = scene.detect({1.1, 0.5, 1.1});
   REQUIRE(rows.size() == 1);
   CHECK(rows[0].gap == Approx(0.1 * std::sqrt(2.0)));
