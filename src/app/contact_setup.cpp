@@ -58,6 +58,8 @@ void make_contact(Prepared& run) {
   settings.bodies = model.contact.any;
   settings.pairs = pair_table(model);
   settings.rate = {model.contact.tolerance, model.contact.max_iterations};
+  if (model.contact.rebuild_every > 0) settings.rebuild = {contact::Rebuild::When::every, model.contact.rebuild_every};
+  if (model.contact.rebuild_every < 0) settings.rebuild.when = contact::Rebuild::When::random;
   track_pairs(run, settings);
 
   std::vector<double> inverse_mass;

@@ -79,8 +79,7 @@ class Loop {
     time::advance(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);
     if (!last) ++passes_;
     if (row || line || watch) {
-      const time::Ledger ledger =
-          time::ledger(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);
+      const time::Ledger ledger = energies(step);
       if (row) results_.write_history(ledger, step);
       results_.watch(ledger, state.time_before);
       if (line) {
@@ -92,6 +91,11 @@ class Loop {
       const double share = progress(state, input.run);
       log_.progress(share, share > 0 ? seconds_since(start_) * (1 - share) / share : 0);
     }
+  }
+
+  time::Ledger energies(const time::StepReport& step) {
+    const auto timed = run_.links.timers.measure(Phase::output);
+    return time::ledger(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);
   }
 
   bool due_after_step() { return run_.state.step > 0 && due(run_.state, run_.input.checkpoint_every); }

@@ -98,6 +98,7 @@ void build_contact_rule(const Input& input, model::Model& model) {
   for (const ContactEntry& entry : input.contact) {
     rule.tolerance = entry.tolerance;
     rule.max_iterations = entry.max_iterations;
+    rule.rebuild_every = entry.rebuild_every;
     for (std::size_t a = 0; a < n; ++a)
       for (std::size_t b = 0; b < n; ++b) {
         const std::string &first = model.blocks[a].part, &second = model.blocks[b].part;

@@ -54,6 +54,16 @@ void read_slave(const Key& key, ContactEntry& contact) {
   contact.slave = chosen % 2 == 1 ? Slave::first : Slave::second;
 }
 
+/// When lists are rebuilt changes no result: a check of that, not a choice of method.
+void read_rebuild(const Key& key, ContactEntry& contact) {
+  if (key.tree->kind == Tree::Kind::value && key.tree->text == "auto") return;
+  if (key.tree->kind == Tree::Kind::value && key.tree->text == "random") {
+    contact.rebuild_every = -1;
+    return;
+  }
+  read(key, contact.rebuild_every, Count{1});
+}
+
 /// Words of the vocabulary of which this version has one meaning only.
 void read_settled(Section& entry) {
   static const Choices<bool> methods{
@@ -81,6 +91,7 @@ ContactEntry read_entry(Section& entry) {
   if (entry.has("slave")) read_slave(entry.at("slave"), contact);
   entry.optional("tolerance", contact.tolerance, Range{0, 1, false, false, "a number > 0 and < 1"});
   entry.optional("max_iterations", contact.max_iterations, Count{1});
+  if (entry.has("rebuild")) read_rebuild(entry.at("rebuild"), contact);
   entry.optional("initial_overlap", contact.initial_overlap, overlaps);
   read_settled(entry);
   return contact;

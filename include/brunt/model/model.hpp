@@ -56,6 +56,7 @@ struct ContactRule {
   std::vector<std::int8_t> forced_slave;  ///< 0 automatic, 1: block_a is slave of block_b, -1 the other way
   double tolerance = 1e-3;
   int max_iterations = 50;
+  int rebuild_every = 0;  ///< steps; 0: when the motion is used up; -1: also at random
   bool any = false;
 };
 

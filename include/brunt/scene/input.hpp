@@ -129,6 +129,7 @@ struct ContactEntry {
   double friction = 0;
   double tolerance = 1e-3;
   int max_iterations = 50;
+  int rebuild_every = 0;  ///< steps; 0: lists are rebuilt when the motion is used up; -1: also at random (for tests)
   enum class Slave { automatic, first, second } slave = Slave::automatic;
   enum class InitialOverlap { error, warn } initial_overlap = InitialOverlap::error;
 };
