@@ -109,6 +109,9 @@ model::Registry Prepared::registry() {
     registry.arrays.push_back({"contact_sums", model::StateArray::Entity::global, -1, 1,
                                static_cast<int>(contact_sums.size()), contact_sums.data(), 1, 1, 1, 0, true, true});
   }
+  if (!force_memory.empty())  // makes columns go on smoothly; says nothing of the bodies
+    registry.arrays.push_back({"force_memory", model::StateArray::Entity::global, -1, 1,
+                               static_cast<int>(force_memory.size()), force_memory.data(), 1, 1, 1, 0, true, false});
   return registry;
 }
 
@@ -120,7 +123,7 @@ void Prepared::after_restart() {
 std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
                                   const std::vector<std::string>& overrides) {
   auto prepared = std::make_unique<Prepared>(
-      Prepared{{}, {}, {}, {}, {}, {}, time::Links{ranks, {}, {}, {}, {}, {}, {}, {}}, nullptr, {}, {}});
+      Prepared{{}, {}, {}, {}, {}, {}, time::Links{ranks, {}, {}, {}, {}, {}, {}, {}}, nullptr, {}, {}, {}});
   prepared->input = read_input(ranks, scene_file, overrides, &prepared->fingerprint);
   mesh::CanonicalMesh whole;
   std::vector<Rank> part;
@@ -151,6 +154,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   time::initialise(prepared->model, prepared->state, prepared->scratch, prepared->links,
                    scene::initial_velocities(prepared->input, prepared->model));
   make_contact(*prepared);
+  prepared->force_memory.assign(4 * prepared->input.probes.size(), 0.0);
   return prepared;
 }
 

@@ -28,6 +28,8 @@ struct Prepared {
   std::vector<std::array<std::string, 2>> tracked;  ///< pairs of parts whose impulse is summed, as in the probes
   std::vector<double> contact_sums;                 ///< exact sums of contact as a checkpoint holds them
 
+  std::vector<double> force_memory;  ///< of force probes: impulse (3) and time of the last row
+
   /// All arrays of the state, the sums of contact among them. Collective.
   model::Registry registry();
   /// Makes the state what a checkpoint has filled the registry with.

@@ -56,8 +56,7 @@ Vec3 reaction_impulse(const Prepared& run, std::size_t index) {
 
 }  // namespace
 
-Probes::Probes(const Prepared& run, const scene::UnitSystem& units)
-    : motion_(run.input.probes.size(), Vec3::Zero()), force_(run.input.probes.size()) {
+Probes::Probes(const Prepared& run, const scene::UnitSystem& units) : motion_(run.input.probes.size(), Vec3::Zero()) {
   for (const Probe& probe : run.input.probes)
     for (const char* component : {"x", "y", "z"}) {
       if (!is_force(probe)) {
@@ -74,7 +73,7 @@ void Probes::read_motion(const Prepared& run) {
     if (!is_force(run.input.probes[k])) motion_[k] = mean_motion(run, k);
 }
 
-std::vector<double> Probes::values(const Prepared& run, const contact::ContactTotals& totals) {
+std::vector<double> Probes::values(Prepared& run, const contact::ContactTotals& totals) {
   std::vector<double> row;
   for (std::size_t k = 0; k < motion_.size(); ++k) {
     if (!is_force(run.input.probes[k])) {
@@ -82,11 +81,13 @@ std::vector<double> Probes::values(const Prepared& run, const contact::ContactTo
       continue;
     }
     const Vec3 total = impulse(run, totals, k);
-    Force& force = force_[k];
-    const double passed = run.state.time - force.last_time;
-    const Vec3 mean = passed > 0 ? Vec3((total - force.last_impulse) / passed) : Vec3::Zero();
+    double* memory = &run.force_memory[4 * k];
+    Eigen::Map<Vec3> last(memory);
+    const double passed = run.state.time - memory[3];
+    const Vec3 mean = passed > 0 ? Vec3((total - last) / passed) : Vec3::Zero();
     for (int c = 0; c < 3; ++c) row.insert(row.end(), {mean[c], total[c]});
-    force = {total, run.state.time};
+    last = total;
+    memory[3] = run.state.time;
   }
   return row;
 }

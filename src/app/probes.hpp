@@ -20,19 +20,15 @@ class Probes {
 
   /// Reads what belongs to t_n (motion of nodes and sets), before the step moves on. Collective.
   void read_motion(const Prepared& run);
-  /// Reads impulses up to t_{n+1/2}, after the step, and returns all values in the order of the columns. Collective.
-  std::vector<double> values(const Prepared& run, const contact::ContactTotals& totals);
+  /// Reads impulses up to t_{n+1/2}, after the step, and returns all values in the order of the columns: forces are
+  /// means since the last row, with the impulse beside them. Collective.
+  std::vector<double> values(Prepared& run, const contact::ContactTotals& totals);
 
  private:
-  struct Force {  ///< a force column: mean since the last row, with the impulse beside it
-    Vec3 last_impulse = Vec3::Zero();
-    double last_time = 0;
-  };
   Vec3 impulse(const Prepared& run, const contact::ContactTotals& totals, std::size_t probe) const;
 
   std::vector<io::HistoryColumn> columns_;
   std::vector<Vec3> motion_;
-  std::vector<Force> force_;
 };
 
 }  // namespace brunt::app

@@ -188,7 +188,8 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   if (restart_step) log.line(fmt::format("restart from {} at step {}", checkpoint, *restart_step));
 
   catch_signals();
-  Results results(*prepared, folder, restart_step, log);
+  // the step of the checkpoint is evaluated again: its own records come anew
+  Results results(*prepared, folder, restart_step ? std::optional(*restart_step - 1) : std::nullopt, log);
   Loop loop(*prepared, results, log);
   const Outcome outcome = loop.go();
   if (!outcome.message.empty()) log.line("stopped: " + outcome.message);

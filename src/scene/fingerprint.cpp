@@ -14,7 +14,7 @@
 namespace brunt::scene {
 namespace {
 
-constexpr std::array<std::string_view, 8> free_to_change{"title",  "output",  "history",   "checkpoint",
+constexpr std::array<std::string_view, 7> free_to_change{"title",  "output",  "history",   "checkpoint",
                                                          "probes", "run.end", "run.steps", "run.wall_limit"};
 
 /// Keys in alphabetical order, so that a scene written in another order is the same scene.

@@ -7,7 +7,7 @@
 namespace brunt::scene {
 
 /// The scene after overrides as one line of text, without what a restart may change (run.end, run.steps,
-/// run.wall_limit, output, history, checkpoint, probes, title), shortened to a hash. Empty for a faulty scene.
+/// run.wall_limit, output, history, checkpoint, title), shortened to a hash. Empty for a faulty scene.
 std::string fingerprint(const std::string& text, const std::string& file_name, std::span<const std::string> overrides);
 
 }  // namespace brunt::scene
