@@ -14,8 +14,8 @@
 namespace brunt::scene {
 namespace {
 
-constexpr std::array<std::string_view, 7> free_to_change{"title",  "output",  "history",   "checkpoint",
-                                                         "probes", "run.end", "run.steps", "run.wall_limit"};
+constexpr std::array<std::string_view, 7> free_to_change{"title",   "output",    "history",       "checkpoint",
+                                                         "run.end", "run.steps", "run.wall_limit"};
 
 /// Keys in alphabetical order, so that a scene written in another order is the same scene.
 void append(const Tree& tree, const std::string& path, std::string& text) {
