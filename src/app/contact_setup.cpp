@@ -86,6 +86,7 @@ std::vector<double> save_sums(const comm::Communicator& ranks, contact::Contact&
     std::copy_n(limbs.begin() + static_cast<std::ptrdiff_t>(first), raw.size(), raw.begin());
     for (const std::int64_t limb : whole.raw()) saved.push_back(static_cast<double>(limb));
   }
+  saved.push_back(ranks.max(contact.sums().penetration));
   return saved;
 }
 
@@ -99,6 +100,8 @@ void restore_sums(const comm::Communicator& ranks, const std::vector<double>& sa
       ++next;
     }
   });
+  demand(next + 1 == saved.size(), "the sums of contact in a checkpoint are of this scene");
+  contact.sums().penetration = saved[next];
 }
 
 }  // namespace brunt::app

@@ -48,31 +48,38 @@ io::StateField mises(const Prepared& run) {
   return field;
 }
 
-/// Zero where contact says nothing of a node.
-io::StateField nodal_of_contact(const Prepared& run, const std::string& name, const std::vector<double>& values) {
-  return nodal(run, name, 1, [&](std::size_t i, int) { return i < values.size() ? values[i] : 0.0; });
+bool is_contact_field(const std::string& name) {
+  return name == "contact_pressure" || name == "gap";
 }
 
 }  // namespace
 
-std::vector<io::StateField> state_fields(const Prepared& run, const contact::Contact* contact) {
+std::vector<io::StateField> state_fields(const Prepared& run) {
   std::vector<io::StateField> fields;
   for (const std::string& name : run.input.output.fields) {
+    if (is_contact_field(name)) continue;
     if (name == "displacement")
       fields.push_back(nodal(run, name, 3, [&](std::size_t i, int c) { return run.state.displacement[i][c]; }));
     else if (name == "velocity")
       fields.push_back(nodal(run, name, 3, [&](std::size_t i, int c) { return run.state.nodes[i].v[c]; }));
     else if (name == "mass")
       fields.push_back(nodal(run, name, 1, [&](std::size_t i, int) { return run.state.nodes[i].mass; }));
-    else if (name == "contact_pressure")
-      fields.push_back(nodal_of_contact(run, name, contact ? contact->pressures(run.state.dt) : std::vector<double>()));
-    else if (name == "gap")
-      fields.push_back(nodal_of_contact(run, name, contact ? contact->gaps() : std::vector<double>()));
     else if (name == "mises")
       fields.push_back(mises(run));
     else
       fields.push_back(elemental(run, name, name == "stress" ? 6 : 1));
   }
+  return fields;
+}
+
+std::vector<io::StateField> contact_fields(const Prepared& run, double dt_mean) {
+  std::vector<io::StateField> fields;
+  for (const std::string& name : run.input.output.fields)
+    if (is_contact_field(name)) {
+      std::vector<double> values;  // empty without contact: zero everywhere
+      if (run.contact) values = name == "gap" ? run.contact->gaps() : run.contact->pressures(dt_mean);
+      fields.push_back(nodal(run, name, 1, [&](std::size_t i, int) { return i < values.size() ? values[i] : 0.0; }));
+    }
   return fields;
 }
 

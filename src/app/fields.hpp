@@ -10,7 +10,11 @@
 
 namespace brunt::app {
 
-/// In the order of `io::state_mesh`: owned nodes, elements block by block.
-std::vector<io::StateField> state_fields(const Prepared& run, const contact::Contact* contact);
+/// Fields of the motion and the elements, to be read between evaluate and advance, in the order of `io::state_mesh`:
+/// owned nodes, elements block by block.
+std::vector<io::StateField> state_fields(const Prepared& run);
+
+/// Fields of contact at t_n, to be read after advance; `dt_mean`: the time over which impulses act.
+std::vector<io::StateField> contact_fields(const Prepared& run, double dt_mean);
 
 }  // namespace brunt::app

@@ -58,9 +58,19 @@ Results::Results(Prepared& run, std::string folder, std::optional<GlobalIndex> r
                                             io::state_mesh(run.model.mesh, run.links.ranks.rank()), restart_step);
 }
 
-void Results::write_fields() {
+void Results::read_fields() {
   const auto timed = run_.links.timers.measure(Phase::output);
-  states_->write(static_cast<GlobalIndex>(run_.state.step), run_.state.time, state_fields(run_, run_.contact.get()));
+  fields_ = state_fields(run_);
+  fields_step_ = run_.state.step;
+  fields_time_ = run_.state.time;
+}
+
+void Results::write_fields(const time::StepReport* step) {
+  const auto timed = run_.links.timers.measure(Phase::output);
+  const std::vector<io::StateField> contact = contact_fields(run_, step ? step->dt_mean : 0.0);
+  fields_.insert(fields_.end(), contact.begin(), contact.end());
+  states_->write(static_cast<GlobalIndex>(fields_step_), fields_time_, fields_);
+  fields_.clear();
 }
 
 void Results::write_history(const time::Ledger& ledger, const time::StepReport& step) {

@@ -31,8 +31,10 @@ class Results {
   Results(Prepared& run, std::string folder, std::optional<GlobalIndex> restart_step, Log& log);
 
   /// Between evaluate and advance: fields and probes of t_n.
-  void write_fields();
+  void read_fields();
   void read_probes() { probes_.read_motion(run_); }
+  /// The fields that were read, with those of contact where `step` has been taken. Collective.
+  void write_fields(const time::StepReport* step);
   /// After advance: the row of t_n.
   void write_history(const time::Ledger& ledger, const time::StepReport& step);
   /// Keeps account of a ledger, and throws GuardError where the energy cannot be right. Collective.
@@ -54,6 +56,8 @@ class Results {
   Probes probes_;
   std::unique_ptr<io::HistoryFile> history_;
   std::unique_ptr<io::StateFile> states_;
+  std::vector<io::StateField> fields_;
+  double fields_step_ = 0, fields_time_ = 0;
   time::Ledger last_ledger_;
   Extremes extremes_;
   bool watched_ = false;

@@ -74,10 +74,11 @@ class Loop {
 
     const time::StepReport step = time::evaluate(run_.model, run_.state, run_.scratch, run_.links, control);
     if (step.stop) stop_for_element(step);
-    if (fields) results_.write_fields();
+    if (fields) results_.read_fields();
     if (row) results_.read_probes();
     time::advance(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);
     if (!last) ++passes_;
+    if (fields) results_.write_fields(&step);
     if (row || line || watch) {
       const time::Ledger ledger = energies(step);
       if (row) results_.write_history(ledger, step);
@@ -196,10 +197,12 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   if (outcome.code != ExitCode::guard) results.write_checkpoint();
   const int code = static_cast<int>(outcome.code);
   results.seal();
-  if (outcome.code == ExitCode::guard)
-    results.write_fields();  // the motion at the last step that was right
-  else
+  if (outcome.code == ExitCode::guard) {
+    results.read_fields();  // the motion at the last step that was right
+    results.write_fields(nullptr);
+  } else {
     loop.last_record();
+  }
   results.write_summary(outcome.stopped_by, code, seconds_since(start), loop.loop_seconds(), loop.passes());
   log.line(fmt::format("{}; results in {}",
                        outcome.code == ExitCode::done    ? "done"

@@ -161,7 +161,7 @@ void Contact::detect(std::span<const Wall> walls, double dt) {
                detection_, rows_);
   detect_walls(lists_.wall_candidates, walls, lists_.nodes.gid, motion_of_, dt, settings_.detection, rows_);
   sort_rows(rows_);
-  for (const Row& row : rows_) penetration_ = std::max(penetration_, -row.gap);
+  for (const Row& row : rows_) sums_.penetration = std::max(sums_.penetration, -row.gap);
 }
 
 void Contact::scatter(MutableVectorView velocity) {
@@ -258,7 +258,7 @@ ContactTotals Contact::collect() const {
   result.pairs = ranks_.sum(static_cast<GlobalIndex>(lists_.candidates.faces.values.size()));
   result.active = ranks_.sum(static_cast<GlobalIndex>(
       std::count_if(impulses_.begin(), impulses_.end(), [](double impulse) { return impulse != 0; })));
-  result.penetration = ranks_.max(penetration_);
+  result.penetration = ranks_.max(sums_.penetration);
   return result;
 }
 

@@ -53,12 +53,13 @@ struct ContactSettings {
   std::vector<std::array<std::int32_t, 2>> tracked;  ///< pairs of blocks whose impulse is summed
 };
 
-/// Sums over the run, on this rank, exact: they are reduced only when wanted (see `collect`).
+/// Sums over the run, on this rank, exact: sums are reduced only when wanted (see `collect`).
 struct ContactSums {
   comm::ExactAccumulator contact_work;  ///< energy taken from the bodies by contact between them [energy]
   comm::ExactAccumulator wall_work;     ///< and by walls
   std::vector<std::array<comm::ExactAccumulator, 3>> wall_impulse;     ///< by each wall on the bodies [momentum]
   std::vector<std::array<comm::ExactAccumulator, 3>> tracked_impulse;  ///< on the first block of each tracked pair
+  double penetration = 0;                                              ///< largest so far [length]
 };
 
 /// The same after reduction over all ranks.
@@ -152,7 +153,6 @@ class Contact {
 
   ContactSums sums_;
   ContactStatistics statistics_;
-  double penetration_ = 0;
 };
 
 }  // namespace brunt::contact
