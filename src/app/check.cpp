@@ -38,19 +38,6 @@ std::vector<PartFigures> part_figures(const Prepared& run) {
   return figures;
 }
 
-const char* name_of(element::ElementKind kind) {
-  switch (kind) {
-    case element::ElementKind::hex8:
-      return "hex8";
-    case element::ElementKind::hex8_full:
-      return "hex8_full";
-    case element::ElementKind::hex8_bbar:
-      return "hex8_bbar";
-    default:
-      return "tet4";
-  }
-}
-
 }  // namespace
 
 int check(const comm::Communicator& ranks, const CheckOptions& options) {
@@ -69,7 +56,7 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
              "mass [" + units.mass + "]");
   for (std::size_t b = 0; b < figures.size(); ++b) {
     const model::ElementBlock& block = run->model.blocks[b];
-    fmt::print("{:<16} {:<10} {:<14} {:>10} {:>14.6g}\n", block.part, name_of(block.kind), block.material,
+    fmt::print("{:<16} {:<10} {:<14} {:>10} {:>14.6g}\n", block.part, element::name_of(block.kind), block.material,
                figures[b].elements, figures[b].mass);
   }
   fmt::print("nodes            {}\n", run->model.mesh.global_nodes);

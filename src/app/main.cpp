@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -64,6 +65,13 @@ void add_search(CLI::App& program, app::SearchOptions& options, Command& chosen)
   search->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::search(ranks, options); }; });
 }
 
+/// CLI11 would say only that a command is missing.
+bool names_unknown_command(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return false;
+  const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
+  return std::ranges::none_of(commands, [&](const CLI::App* command) { return command->get_name() == argv[1]; });
+}
+
 /// CLI11 speaks on every rank; one of them is enough.
 int parse_failure(const CLI::App& program, const CLI::ParseError& error, bool root) {
   if (!root) return error.get_exit_code() == 0 ? 0 : 2;
@@ -94,6 +102,10 @@ int main(int argc, char** argv) {
   program.add_subcommand("info", "Version, libraries, limits, elements and materials")->callback([&] {
     chosen = app::info;
   });
+  if (names_unknown_command(program, argc, argv)) {
+    if (ranks.is_root()) fmt::print(stderr, "brunt: no command '{}'; see brunt --help\n", argv[1]);
+    return app::leave_exit_code(2, ranks.is_root());
+  }
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

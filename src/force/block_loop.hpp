@@ -7,6 +7,7 @@
 #include "brunt/element/batch.hpp"
 #include "brunt/force/internal.hpp"
 #include "brunt/model/model.hpp"
+#include "kernels.hpp"
 
 namespace brunt::force {
 
@@ -51,9 +52,9 @@ BRUNT_INLINE void scatter_forces(const LocalIndex* node, int lanes, const Pack (
 }
 
 template <class Kernel>
-void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalIndex block_index,
-               const model::Model& model, model::State& state, model::Scratch& scratch, ElementReport& report) {
+void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalIndex block_index, const BlockPass& pass) {
   constexpr int nodes = Kernel::nodes;
+  const auto& [model, state, scratch, report] = pass;
   element::BatchMotion<nodes> motion;
   motion.dt = state.dt;
   element::BatchForce<nodes> out;
@@ -70,16 +71,17 @@ void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalInde
     scatter_forces<nodes>(node, lanes, out.f, block.border.row(batch), scratch.force.data(), slots);
 
     if (any(out.rate > largest)) {  // rare: only where an element is quicker than all before it
-      for (int lane = 0; lane < pack_width; ++lane)
+      // lanes of padding have no say: their histories are neither saved nor restored
+      for (int lane = 0; lane < lanes; ++lane)
         if (out.rate[lane] > report.rate) {
           report.rate = out.rate[lane];
           report.block = block_index;
-          report.element = std::min(batch * pack_width + lane, block.count - 1);
+          report.element = batch * pack_width + lane;
         }
       largest = broadcast(report.rate);
     }
     if (any(~(out.volume > 0.0)) && report.inverted_block < 0) {
-      for (int lane = pack_width - 1; lane >= 0; --lane)
+      for (int lane = pack_width - 1; lane >= 0; --lane)  // padding repeats the last element
         if (!(out.volume[lane] > 0.0)) report.inverted_element = std::min(batch * pack_width + lane, block.count - 1);
       report.inverted_block = block_index;
     }

@@ -90,8 +90,11 @@ class Selector {
   void unknown(const std::string& where, const std::string& key) {
     std::string known;
     for (const std::string& part : part_of_block_) known += (known.empty() ? "" : ", ") + part;
-    faults_.push_back(fmt::format("{}: {}: no part or set '{}'; parts: {}; node sets: {}; side sets: {}", input_.file,
-                                  key, where, known, names(whole_.mesh.node_sets), names(whole_.mesh.side_sets)));
+    std::string sets;
+    for (const SetEntry& set : input_.sets) sets += (sets.empty() ? "" : ", ") + set.name;
+    faults_.push_back(fmt::format(
+        "{}: {}: no part or set '{}'; parts: {}; sets: {}; of the mesh: node sets: {}; side sets: {}", input_.file, key,
+        where, known, sets.empty() ? "none" : sets, names(whole_.mesh.node_sets), names(whole_.mesh.side_sets)));
   }
 
   Nodes nodes_of_part(const std::string& part) const {
@@ -202,8 +205,9 @@ std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& m
                                      part.block, input.parts[part_of[b]].name));
       part_of[b] = p;
       if ((part.element == ElementKind::tet4) != (block.shape == mesh::Shape::tet4))
-        faults.push_back(fmt::format("{}: parts.{}.element: does not fit the block's elements; accepted: {}",
-                                     input.file, part.name, fitting_elements(block.shape)));
+        faults.push_back(fmt::format("{}: parts.{}.element: {} does not fit the block's elements; accepted: {}",
+                                     input.file, part.name, element::name_of(part.element),
+                                     fitting_elements(block.shape)));
       break;
     }
     if (!found)

@@ -11,6 +11,21 @@ enum class ElementKind {
   tet4        ///< four nodes, one point; stiff (locks) in bending and in nearly incompressible flow
 };
 
+/// As it stands in a scene.
+constexpr const char* name_of(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::hex8:
+      return "hex8";
+    case ElementKind::hex8_full:
+      return "hex8_full";
+    case ElementKind::hex8_bbar:
+      return "hex8_bbar";
+    case ElementKind::tet4:
+      return "tet4";
+  }
+  return "";
+}
+
 enum class HourglassKind { none, viscous, stiffness };
 
 struct Hourglass {

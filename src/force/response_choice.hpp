@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the constants of a material to the response that a kernel calls in its loop.
+#pragma once
+#include <type_traits>
+#include <variant>
+
+#include "brunt/material/elastic.hpp"
+#include "brunt/material/j2.hpp"
+#include "brunt/material/law.hpp"
+#include "brunt/material/neo_hookean.hpp"
+
+namespace brunt::force {
+
+/// Calls `use(response)` with the response of the law: options are decided here, once a block, never in the loop.
+template <class Use>
+auto with_response(const material::Law& law, Use&& use) {
+  return std::visit(
+      [&](const auto& constants) {
+        using Constants = std::decay_t<decltype(constants)>;
+        if constexpr (std::is_same_v<Constants, material::Elastic>) {
+          return use(material::ElasticResponse(constants));
+        } else if constexpr (std::is_same_v<Constants, material::J2>) {
+          const bool table = !constants.table.empty(), kinematic = constants.kinematic > 0;
+          if (table && kinematic) return use(material::J2Response<true, true>(constants));
+          if (table) return use(material::J2Response<true, false>(constants));
+          if (kinematic) return use(material::J2Response<false, true>(constants));
+          return use(material::J2Response<false, false>(constants));
+        } else {
+          return use(material::NeoHookeanResponse(constants));
+        }
+      },
+      law);
+}
+
+}  // namespace brunt::force
