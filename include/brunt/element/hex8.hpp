@@ -201,21 +201,26 @@ void Hex8<Response, hourglass>::resist_hourglass(const Kinematics& k, double dt,
   for (int a = 0; a < 4; ++a) {
     const auto& h = k.h_mid[a];
     Pack* stored = history + at_hourglass_force + 3 * a;
-    Pack old[3] = {broadcast(0.0), broadcast(0.0), broadcast(0.0)};
+    for (int i = 0; i < 3; ++i)
+      r.Q[a][i] = k.v[3 + a][i] - (k.L[3 * i] * h[0] + k.L[3 * i + 1] * h[1] + k.L[3 * i + 2] * h[2]);
+    Pack(&Q)[3] = r.Q[a];
     if constexpr (hourglass == HourglassKind::stiffness) {
-      for (int i = 0; i < 3; ++i) old[i] = stored[i];
-      geometry::rotate_vector(k.strain.rotation, old[0], old[1], old[2]);
-    }
-    for (int i = 0; i < 3; ++i) {
-      const Pack q = k.v[3 + a][i] - (k.L[3 * i] * h[0] + k.L[3 * i + 1] * h[1] + k.L[3 * i + 2] * h[2]);
-      if constexpr (hourglass == HourglassKind::stiffness) {
-        r.Q[a][i] = old[i] + (stiffness * dt) * q;
-        work += 0.5 * (old[i] + r.Q[a][i]) * q;
-        stored[i] = r.Q[a][i];
-      } else {
-        r.Q[a][i] = viscous * q;
-        work += r.Q[a][i] * q;
+      // q is seen from the midpoint: (1 + R)/2 turns it by exactly half the step's rotation, like R the stored force.
+      // Left as it is, it would feed energy from the rotation of a body into hourglass modes.
+      Pack turned[3], q[3];
+      for (int i = 0; i < 3; ++i) {
+        q[i] = Q[i];
+        turned[i] = stored[i] + (0.5 * stiffness * dt) * q[i];
       }
+      geometry::rotate_vector(k.strain.rotation, turned[0], turned[1], turned[2]);
+      for (int i = 0; i < 3; ++i) {
+        Q[i] = turned[i] + (0.5 * stiffness * dt) * q[i];
+        work += 0.5 * (stored[i] + Q[i]) * q[i];
+        stored[i] = Q[i];
+      }
+    } else {
+      work += viscous * dot(Q, Q);
+      for (int i = 0; i < 3; ++i) Q[i] *= viscous;
     }
   }
   history[at_hourglass_energy] += dt * work;
