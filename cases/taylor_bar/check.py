@@ -101,6 +101,8 @@ def main():
     assert_bar(case, others[0], scale, 3e-2, 5e-3)
     others.append(Bar(case, f"hex8 {n} one-sided wall", n, one_sided))
     case.assert_energy(others[-1].result)
+    depth = others[-1].result.summary["max_penetration"] / scene["mesh"]["cylinder"]["radius"]
+    case.assert_below("one-sided wall: penetration, share of the radius", depth, 1e-12, "no node passes the wall")
     others.append(Bar(case, f"hex8_full {n}", n, {"parts.bar.element": "hex8_full"}))  # locks: reported, not gated
     case.assert_energy(others[-1].result)
     if case.long:
@@ -110,8 +112,7 @@ def main():
         for name, change in {"hourglass 0.05": {"parts.bar.hourglass": stiff},
                              "viscous hourglass 0.03": {"parts.bar.hourglass": viscous},
                              "bulk viscosity": {"parts.bar.bulk": bulk}}.items():
-            for m in (4, 8):
-                others.append(Bar(case, f"hex8 {m} {name}", m, change))
+            others.append(Bar(case, f"hex8 8 {name}", 8, change))
         others.append(Bar(case, "hex8_bbar 4 one-sided wall", 4, {"parts.bar.element": "hex8_bbar", **one_sided}))
         others.append(Bar(case, "hex8_bbar 8", 8, {"parts.bar.element": "hex8_bbar"}))
         others.append(Bar(case, "hex8 8 one-sided wall", 8, one_sided))
