@@ -104,6 +104,11 @@ class Case:
     def assert_below(self, quantity, ours, gate, source=""):
         self._row(quantity, "0", f"{ours:.6g}", f"{abs(ours):.2e}", f"{gate:.2g}", abs(ours) <= gate, source)
 
+    def assert_within(self, quantity, low, high, ours, source=""):
+        """low <= ours <= high, for references that are bounds."""
+        outside = max(low - ours, ours - high, 0.0)
+        self._row(quantity, f"{low:.6g} .. {high:.6g}", f"{ours:.6g}", f"{outside:.2e}", "0", low <= ours <= high, source)
+
     def assert_equal(self, quantity, reference, ours, source=""):
         self._row(quantity, str(reference), str(ours), "", "equal", reference == ours, source)
 
@@ -117,6 +122,16 @@ class Case:
         hashes = [self.run(ranks=n, name=f"hash_np{n}", **run_arguments).summary["state_hash"] for n in counts]
         for count, state_hash in zip(counts[1:], hashes[1:]):
             self.assert_equal(f"state on {count} ranks", hashes[0], state_hash, f"{counts[0]} rank(s)")
+
+    def assert_same_after_restart(self, reference, middle, before=2, after=3, **run_arguments):
+        """Stopped at the time `middle` on some ranks and continued on others: the state of the result `reference`."""
+        overrides = run_arguments.pop("overrides", None) or {}
+        half = {**overrides, "run.end": middle, "checkpoint.every": middle}
+        first = self.run(ranks=before, name="restart_before", overrides=half, **run_arguments)
+        second = self.run(ranks=after, name="restart_after", overrides={**overrides, "checkpoint.every": middle},
+                          options=("--restart", first.folder), **run_arguments)
+        self.assert_equal(f"state after a restart from {before} on {after} ranks", reference.summary["state_hash"],
+                          second.summary["state_hash"], "the run without a stop")
 
     def skip(self, why):
         print(f"{self.name}: skipped, {why}")
