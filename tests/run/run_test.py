@@ -1,0 +1,154 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""The program end to end. Needs BRUNT (the program) and BRUNT_RUN (scripts/run) in the environment."""
+import json
+import os
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+import scenes
+
+BRUNT, RUN = os.environ["BRUNT"], os.environ["BRUNT_RUN"]
+PATIENCE = 60  # [s] until a run has done what was asked of it
+
+
+class Program(unittest.TestCase):
+    def setUp(self):
+        self.keeper = tempfile.TemporaryDirectory()
+        self.addCleanup(self.keeper.cleanup)
+        self.folder = self.keeper.name
+
+    def write(self, name, text):
+        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as stream:
+            stream.write(text)
+
+    def run_scene(self, ranks, *arguments, code=0):
+        done = subprocess.run([RUN, "-np", str(ranks), *arguments, "--quiet"], cwd=self.folder, capture_output=True,
+                              text=True, timeout=4 * PATIENCE)
+        self.assertEqual(done.returncode, code, done.stderr + done.stdout)
+        return done.stderr
+
+    def brunt(self, *arguments):
+        return subprocess.run([BRUNT, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE)
+
+    def summary(self, result):
+        with open(os.path.join(self.folder, result, "summary.json"), encoding="utf-8") as stream:
+            return json.load(stream)
+
+    def text(self, *path):
+        with open(os.path.join(self.folder, *path), encoding="utf-8") as stream:
+            return stream.read()
+
+    def wait_for(self, *path):
+        end = time.monotonic() + PATIENCE
+        while not os.path.exists(os.path.join(self.folder, *path)):
+            self.assertLess(time.monotonic(), end, f"no {'/'.join(path)} in time")
+            time.sleep(0.05)
+
+    def checkpoints(self, result):
+        return [n for n in os.listdir(os.path.join(self.folder, result)) if n.startswith("checkpoint_")]
+
+
+class Ranks(Program):
+    def setUp(self):
+        super().setUp()
+        self.write("mixed.msh", scenes.mixed_mesh())
+        self.write("scene.yaml", scenes.MIXED)
+
+    def test_same_bits_on_any_number_of_ranks(self):
+        hashes = {}
+        for ranks in (1, 2, 3, 4, 7):
+            self.run_scene(ranks, "scene.yaml", "--out", f"r{ranks}")
+            found = self.summary(f"r{ranks}")
+            self.assertGreater(found["energy"]["contact"], 0, "the bodies never met: the test proves nothing")
+            hashes[ranks] = found["state_hash"]
+        self.assertEqual(len(set(hashes.values())), 1, hashes)
+        self.assertEqual(self.text("r1", "history.csv"), self.text("r7", "history.csv"))
+        self.assertEqual(self.brunt("compare", "r1", "r7").returncode, 0)
+
+    def test_restart_on_another_number_of_ranks_continues_bitwise(self):
+        self.run_scene(2, "scene.yaml", "--out", "whole")
+        self.run_scene(2, "scene.yaml", "--out", "part", "--set", "run.end=0.02")
+        self.run_scene(3, "scene.yaml", "--out", "part", "--restart", "part")
+        self.assertEqual(self.summary("part")["state_hash"], self.summary("whole")["state_hash"])
+        self.assertEqual(self.text("part", "history.csv"), self.text("whole", "history.csv"))
+        compared = self.brunt("compare", "whole/state.h5", "part/state.h5")
+        self.assertEqual(compared.returncode, 0, compared.stdout)
+
+    def test_compare_tells_results_apart(self):
+        self.run_scene(1, "scene.yaml", "--out", "a", "--set", "run.steps=5")
+        self.run_scene(1, "scene.yaml", "--out", "b", "--set", "run.steps=5", "--set", "initial.0.velocity=[0.5,0,-1.001]")
+        self.assertEqual(self.brunt("compare", "a", "a").returncode, 0)
+        self.assertEqual(self.brunt("compare", "a", "b").returncode, 1)
+
+
+class Stops(Program):
+    def setUp(self):
+        super().setUp()
+        self.write("long.yaml", scenes.LONG)
+
+    def start(self, ranks=2):
+        run = subprocess.Popen([RUN, "-np", str(ranks), "long.yaml", "--out", "out"], cwd=self.folder,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(lambda: run.poll() is None and run.terminate())
+        self.addCleanup(run.stderr.close)
+        self.wait_for("out", "history.csv")
+        time.sleep(0.3)  # the handlers are set before the files are opened; some steps shall have passed
+        return run
+
+    def assert_stopped(self, run, by):
+        self.assertEqual(run.wait(PATIENCE), 5, run.stderr.read())
+        self.assertEqual(self.summary("out")["stopped_by"], by)
+        self.assertEqual(self.summary("out")["exit_code"], 5)
+        self.assertTrue(self.checkpoints("out"))
+
+    def test_signals_that_stop(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGUSR2):
+            with self.subTest(signal=number.name):
+                run = self.start()
+                run.send_signal(number)
+                self.assert_stopped(run, "signal")
+                subprocess.run(["rm", "-r", "out"], cwd=self.folder, check=True)
+
+    def test_usr1_checkpoints_and_goes_on(self):
+        run = self.start()
+        run.send_signal(signal.SIGUSR1)
+        end = time.monotonic() + PATIENCE
+        while not self.checkpoints("out") and time.monotonic() < end:
+            time.sleep(0.05)
+        self.assertTrue(self.checkpoints("out"))
+        self.assertIsNone(run.poll())
+        run.send_signal(signal.SIGTERM)
+        self.assert_stopped(run, "signal")
+
+    def test_control_file(self):
+        run = self.start(1)
+        self.write("out/stop", "")
+        self.assert_stopped(run, "control")
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "out", "stop")))
+
+    def test_wall_limit_and_restart_to_the_end(self):
+        self.run_scene(2, "long.yaml", "--out", "out", "--set", "run.wall_limit=1s", code=5)
+        stopped = self.summary("out")
+        self.assertEqual(stopped["stopped_by"], "wall_limit")
+        wanted = stopped["steps"] + 50
+        self.run_scene(1, "long.yaml", "--out", "out", "--restart", "out", "--set", f"run.steps={wanted}")
+        self.assertEqual(self.summary("out")["steps"], wanted)
+
+    def test_guard(self):
+        self.write("guard.yaml", scenes.ENERGY_FROM_NOWHERE)
+        self.assertIn("stopped", self.run_scene(2, "guard.yaml", "--out", "out", code=3) + self.text("out", "log.txt"))
+        self.assertEqual(self.summary("out")["stopped_by"], "guard")
+
+    def test_results_are_not_overwritten_unasked(self):
+        self.run_scene(1, "long.yaml", "--out", "out", "--set", "run.steps=3")
+        self.assertIn("--force", self.run_scene(2, "long.yaml", "--out", "out", "--set", "run.steps=3", code=2))
+        self.run_scene(1, "long.yaml", "--out", "out", "--set", "run.steps=4", "--force")
+        self.assertEqual(self.summary("out")["steps"], 4)
+
+
+if __name__ == "__main__":
+    unittest.main()

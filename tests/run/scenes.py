@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Small scenes, with meshes written here, that use much of the program at once."""
+
+# A cube of hexahedra, on it one of tetrahedra, beside it one of fully integrated hexahedra.
+EDGE = 3  # elements along an edge of a cube
+
+
+def node_grid(nx, ny, nz, at):
+    return [(at[0] + i / nx, at[1] + j / ny, at[2] + k / nz) for k in range(nz + 1) for j in range(ny + 1)
+            for i in range(nx + 1)]
+
+
+def hexahedra(n, first):
+    def node(i, j, k):
+        return first + i + (n + 1) * (j + (n + 1) * k)
+    return [[node(i, j, k), node(i + 1, j, k), node(i + 1, j + 1, k), node(i, j + 1, k), node(i, j, k + 1),
+             node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1), node(i, j + 1, k + 1)]
+            for k in range(n) for j in range(n) for i in range(n)]
+
+
+def tetrahedra(hexes):
+    ring = [1, 2, 3, 7, 4, 5, 1]  # six around the diagonal 0-6
+    return [[h[0], h[ring[k]], h[ring[k + 1]], h[6]] for h in hexes for k in range(6)]
+
+
+def mixed_mesh():
+    """Gmsh 2.2: blocks low (hexahedra), beside (hexahedra), top (tetrahedra, a small gap above low)."""
+    places = [(0, 0, 0), (1.001, 0, 0), (0, 0, 1.001)]
+    grids = [node_grid(EDGE, EDGE, EDGE, at) for at in places]
+    nodes = [x for grid in grids for x in grid]
+    blocks = [hexahedra(EDGE, 1 + b * len(grids[0])) for b in range(3)]
+    blocks[2] = tetrahedra(blocks[2])
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "4", '3 1 "low"', '3 2 "beside"', '3 3 "top"',
+             '2 4 "load"', "$EndPhysicalNames", "$Nodes", str(len(nodes))]
+    lines += [f"{i} {x!r} {y!r} {z!r}" for i, (x, y, z) in enumerate(nodes, 1)] + ["$EndNodes", "$Elements"]
+    elements = [(b + 1, e) for b, block in enumerate(blocks) for e in block]
+    elements += [(4, h[4:8]) for h in blocks[1][-EDGE * EDGE:]]  # the upper side of `beside`
+    kind = {(4, True): 3, (4, False): 4, (8, False): 5}  # by nodes and whether it is a face
+    lines += [str(len(elements))]
+    lines += [f"{i} {kind[len(e), b == 4]} 2 {b} {b} " + " ".join(map(str, e)) for i, (b, e) in enumerate(elements, 1)]
+    return "\n".join(lines + ["$EndElements", ""])
+
+
+MIXED = """\
+title: three kinds of element in contact
+units: SI
+mesh:
+  - {file: mixed.msh}
+  - {box: {part: floor, size: [4, 4, 0.5], elements: [4, 4, 1], at: [-1, -1, -0.501]}}
+materials:
+  soft: {model: j2, density: 1000, young: 1.0e6, poisson: 0.3, yield: 2.0e3, hardening: 1.0e5}
+  hard: {model: elastic, density: 2000, young: 1.0e7, poisson: 0.2}
+parts:
+  low: {block: low, material: soft, element: hex8}
+  beside: {block: beside, material: hard, element: hex8_full}
+  top: {block: top, material: soft, element: tet4}
+  floor: {block: floor, material: hard}
+sets:
+  under: {part: floor, box: [[-9, -9, -0.6], [9, 9, -0.5]]}
+  lid: {part: top, box: [[-9, -9, 2], [9, 9, 9]]}
+curves: {ramp: [[0, 0], [0.01, 1]]}
+initial:
+  - {part: low, velocity: [0.5, 0, -1]}
+  - {part: top, velocity: [0, 0, -2]}
+fixed: [{set: under, dofs: [x, z]}]
+symmetry: [{point: [0, 0, 0], normal: [0, 1, 0]}]
+prescribed: [{set: lid, dof: x, velocity: ramp, scale: 0.5}]
+pressure: [{set: load, value: 1.0e3, curve: ramp}]
+gravity: {vector: [0, 0, -9.81]}
+rigid_walls: [{name: stop, point: [2.01, 0, 0], normal: [-1, 0, 0]}]
+contact: [{between: all, exclude: [[beside, floor]]}]
+probes: [{name: wall, wall: stop}, {name: held, set: under, field: reaction}, {name: lid, set: lid, field: velocity}]
+run: {end: 0.04}
+output: {every: 0.01, fields: [displacement, velocity, stress, plastic_strain]}
+history: {every: 0.001}
+"""
+
+LONG = """\
+units: SI
+mesh: {box: {part: cube, size: [1, 1, 1], elements: [4, 4, 4]}}
+materials: {steel: {model: elastic, density: 7800, young: 2.0e11, poisson: 0.3}}
+parts: {cube: {block: cube, material: steel}}
+initial: [{part: cube, velocity: [0, 0, -1]}]
+run: {steps: 100000000}
+"""
+
+ENERGY_FROM_NOWHERE = LONG.replace("velocity: [0, 0, -1]", "velocity: [0, 0, -1.0e8]").replace(
+    "run:", "rigid_walls: [{point: [0, 0, 0], normal: [0, 0, 1]}]\nrun:")
