@@ -60,6 +60,11 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
                figures[b].elements, figures[b].mass);
   }
   fmt::print("nodes            {}\n", run->model.mesh.global_nodes);
+  if (const InitialGaps& gaps = run->gaps; gaps.smallest >= 0)
+    fmt::print("smallest gap     {:.6g} {} between {} and {}\n", gaps.smallest, units.length,
+               run->input.parts[gaps.part].name, run->input.parts[gaps.other].name);
+  else if (!run->input.contact.empty())
+    fmt::print("smallest gap     no two parts are nearer than an element's edge\n");
   fmt::print("first step       {:.6g} {} (cfl {:g})\n", step.dt, units.time, run->input.run.cfl);
   double steps = run->input.run.steps ? static_cast<double>(*run->input.run.steps) : 0;
   if (run->input.run.end) steps = std::ceil(*run->input.run.end / step.dt);

@@ -123,13 +123,15 @@ void Prepared::after_restart() {
 std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
                                   const std::vector<std::string>& overrides) {
   auto prepared = std::make_unique<Prepared>(
-      Prepared{{}, {}, {}, {}, {}, {}, time::Links{ranks, {}, {}, {}, {}, {}, {}, {}}, nullptr, {}, {}, {}});
+      Prepared{{}, {}, {}, {}, {}, {}, {}, time::Links{ranks, {}, {}, {}, {}, {}, {}, {}}, nullptr, {}, {}, {}});
   prepared->input = read_input(ranks, scene_file, overrides, &prepared->fingerprint);
   mesh::CanonicalMesh whole;
   std::vector<Rank> part;
   on_root(ranks, [&] {
     prepared->warnings = prepared->input.warnings;
     whole = whole_mesh(prepared->input, prepared->warnings);
+    prepared->gaps = initial_gaps(prepared->input, whole.mesh);
+    judge_overlaps(prepared->input, prepared->gaps, prepared->warnings);
     const std::vector<double> costs = block_costs(prepared->input, whole.mesh);
     part = partition::split(partition::dual_graph(whole.mesh),
                             partition::weigh(whole.mesh, mesh::exterior_sides(whole.mesh), costs), ranks.size());

@@ -13,6 +13,7 @@
 #include "brunt/model/registry.hpp"
 #include "brunt/scene/input.hpp"
 #include "brunt/time/links.hpp"
+#include "initial_gaps.hpp"
 
 namespace brunt::app {
 
@@ -20,6 +21,7 @@ struct Prepared {
   scene::Input input;
   std::string fingerprint;            ///< what may not change over a restart
   std::vector<std::string> warnings;  ///< on the root
+  InitialGaps gaps;                   ///< on the root
   model::Model model;
   model::State state;
   model::Scratch scratch;

@@ -86,15 +86,22 @@ void mark_symmetry_faces(const Input& input, model::Model& model) {
   }
 }
 
+bool names_pair(const ContactEntry& entry, const std::string& a, const std::string& b) {
+  return entry.between.empty() || (entry.between[0] == a && entry.between[1] == b);
+}
+
+bool excludes(const ContactEntry& entry, const std::string& a, const std::string& b) {
+  return std::ranges::any_of(entry.exclude, [&](const std::array<std::string, 2>& pair) {
+    return (pair[0] == a && pair[1] == b) || (pair[0] == b && pair[1] == a);
+  });
+}
+
 /// A later entry wins for a pair of parts.
 void build_contact_rule(const Input& input, model::Model& model) {
   const std::size_t n = model.blocks.size();
   model::ContactRule& rule = model.contact;
   rule.active.assign(n * n, 0);
   rule.forced_slave.assign(n * n, 0);
-  const auto matches = [](const std::vector<std::string>& names, const std::string& a, const std::string& b) {
-    return names.empty() || (names[0] == a && names[1] == b);
-  };
   for (const ContactEntry& entry : input.contact) {
     rule.tolerance = entry.tolerance;
     rule.max_iterations = entry.max_iterations;
@@ -102,12 +109,9 @@ void build_contact_rule(const Input& input, model::Model& model) {
     for (std::size_t a = 0; a < n; ++a)
       for (std::size_t b = 0; b < n; ++b) {
         const std::string &first = model.blocks[a].part, &second = model.blocks[b].part;
-        const bool straight = matches(entry.between, first, second), turned = matches(entry.between, second, first);
+        const bool straight = names_pair(entry, first, second), turned = names_pair(entry, second, first);
         if (!straight && !turned) continue;
-        const bool excluded = std::ranges::any_of(entry.exclude, [&](const std::array<std::string, 2>& pair) {
-          return (pair[0] == first && pair[1] == second) || (pair[0] == second && pair[1] == first);
-        });
-        rule.active[a * n + b] = excluded ? 0 : 1;
+        rule.active[a * n + b] = excludes(entry, first, second) ? 0 : 1;
         if (entry.slave != ContactEntry::Slave::automatic && !entry.between.empty())
           rule.forced_slave[a * n + b] = (entry.slave == ContactEntry::Slave::first) == straight ? 1 : -1;
         else
@@ -144,6 +148,16 @@ model::Model build_model(const Input& input, mesh::LocalMesh&& mesh) {
   build_contact_rule(input, model);
   model.late = late_nodes(model);
   return model;
+}
+
+std::optional<ContactEntry::InitialOverlap> overlap_rule(const Input& input, const std::string& a,
+                                                         const std::string& b) {
+  std::optional<ContactEntry::InitialOverlap> rule;
+  for (const ContactEntry& entry : input.contact) {
+    if (!names_pair(entry, a, b) && !names_pair(entry, b, a)) continue;
+    rule = excludes(entry, a, b) ? std::nullopt : std::optional(entry.initial_overlap);
+  }
+  return rule;
 }
 
 std::vector<Vec3> initial_velocities(const Input& input, const model::Model& model) {

@@ -18,7 +18,7 @@ import wrong_inputs
 TIMEOUT = 60  # [s] a wrong input is found in far less; a hang is a fault
 CRASH = re.compile(r"terminate called|what\(\)|Traceback|MPI_ABORT|mpirun|\[\d+\] ?PETSC|Segmentation|Signal|std::|errno", re.I)
 LONGEST_LINE = 400
-MOST_LINES = 6  # a fault may well bring a few of its followers along, never a page
+MOST_LINES = 12  # a fault may well bring a few of its followers along, never a page
 
 
 def prepare(wrong, folder):

@@ -125,6 +125,17 @@ SCENES = [
     changed("probe of an unknown field", "run:", "probes:\n  - {name: tip, node: 1, field: speed}\nrun:", "speed"),
 ]
 
+TWO_BOXES = """\
+units: SI
+mesh:
+  - {box: {part: left, size: [1, 1, 1], elements: [4, 4, 4]}}
+  - {box: {part: right, size: [1, 1, 1], elements: [3, 3, 3], at: [0.4, 0.1, 0.1]}}
+materials: {steel: {model: elastic, density: 7800, young: 2.0e11, poisson: 0.3}}
+parts: {left: {block: left, material: steel}, right: {block: right, material: steel}}
+contact: [{between: all}]
+run: {end: 1.0e-5}
+"""
+
 OPTIONS = [
     Wrong("no command", ["run"], command="", target=""),
     Wrong("misspelt command", ["chek"], command="chek"),
@@ -134,6 +145,7 @@ OPTIONS = [
     Wrong("override without a value", ["run.end"], arguments=["--set", "run.end"]),
     Wrong("override of the wrong type", ["run.end", "soon"], arguments=["--set", "run.end=soon"]),
     Wrong("override beyond a list", ["initial.7"], arguments=["--set", "initial.7.part=bar"]),
+    Wrong("bodies overlap at the start", ["node", "left", "inside", "right"], scene=TWO_BOXES, command="run"),
     Wrong("restart file is not there", ["missing.h5"], command="run", arguments=["--restart", "missing.h5"]),
     Wrong("restart from an empty folder", ["old"], command="run", arguments=["--restart", "old"], files={"old/x": b""}),
     Wrong("restart from a file of another kind", ["bar.msh"], command="run", arguments=["--restart", "bar.msh"]),

@@ -150,5 +150,35 @@ class Stops(Program):
         self.assertEqual(self.summary("out")["steps"], 4)
 
 
+class Start(Program):
+    """Cubes of edge 1, the right one at x = at: apart by at - 1, or overlapping."""
+
+    def check(self, at, rule="error"):
+        self.write("pair.yaml", scenes.PAIR.replace("AT", str(at)).replace("RULE", rule))
+        done = self.brunt("check", "pair.yaml")
+        return done.returncode, done.stdout + done.stderr
+
+    def test_gap_is_listed(self):
+        self.assertIn("smallest gap     0.05 m", self.check(1.05)[1])
+        self.assertIn("smallest gap     0 m", self.check(1.0)[1])
+        self.assertIn("no two parts are nearer", self.check(3)[1])
+
+    def test_shallow_and_deep_overlap_is_an_error(self):
+        for at in (0.99, 0.4, 0.05):  # 0.05: by almost a whole cube
+            code, output = self.check(at)
+            self.assertEqual(code, 2, output)
+            self.assertRegex(output, r"node \d+ of part '(left|right)' lies [\d.]+ inside part '(left|right)'")
+        self.assertIn("lies 0.01 inside", self.check(0.99)[1])
+
+    def test_overlap_that_is_accepted_is_a_warning(self):
+        code, output = self.check(0.99, "warn")
+        self.assertEqual(code, 0, output)
+        self.assertIn("warning: pair.yaml: contact: node", output)
+
+    def test_touching_is_no_overlap(self):
+        self.assertEqual(self.check(1.0)[0], 0)
+        self.assertEqual(self.check(1 - 1e-9)[0], 0)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -86,3 +86,15 @@ run: {steps: 100000000}
 
 ENERGY_FROM_NOWHERE = LONG.replace("velocity: [0, 0, -1]", "velocity: [0, 0, -1.0e8]").replace(
     "run:", "rigid_walls: [{point: [0, 0, 0], normal: [0, 0, 1]}]\nrun:")
+
+# Two cubes; the right one stands at x = AT.
+PAIR = """\
+units: SI
+mesh:
+  - {box: {part: left, size: [1, 1, 1], elements: [8, 8, 8]}}
+  - {box: {part: right, size: [1, 1, 1], elements: [6, 6, 6], at: [AT, 0.1, 0.1]}}
+materials: {steel: {model: elastic, density: 7800, young: 2.0e11, poisson: 0.3}}
+parts: {left: {block: left, material: steel}, right: {block: right, material: steel}}
+contact: [{between: all, initial_overlap: RULE}]
+run: {steps: 1}
+"""

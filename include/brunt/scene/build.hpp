@@ -11,6 +11,10 @@ namespace brunt::scene {
 /// incompatible constraints (both are named).
 model::Model build_model(const Input& input, mesh::LocalMesh&& mesh);
 
+/// What the scene wants where these two parts overlap at the start; none where they have no contact.
+std::optional<ContactEntry::InitialOverlap> overlap_rule(const Input& input, const std::string& a,
+                                                         const std::string& b);
+
 /// Velocity of each local node at t = 0 [length/time].
 std::vector<Vec3> initial_velocities(const Input& input, const model::Model& model);
 
