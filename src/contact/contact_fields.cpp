@@ -24,7 +24,8 @@ std::vector<double> Contact::pressures(double dt) const {
   for (std::size_t q = 0; q < rows_.size(); ++q) {
     const Row& row = rows_[q];
     if (row.master_key < 0) continue;
-    const auto slave = std::ranges::lower_bound(lists_.candidates.slave, row.nodes[0]) - lists_.candidates.slave.begin();
+    const auto slave =
+        std::ranges::lower_bound(lists_.candidates.slave, row.nodes[0]) - lists_.candidates.slave.begin();
     double area = 0;  // a quarter of the faces around the slave
     for (const LocalIndex facet : lists_.candidates.slave_facets.row(static_cast<LocalIndex>(slave)))
       area += 0.25 * facet_area_[static_cast<std::size_t>(facet)].norm();
