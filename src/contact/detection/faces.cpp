@@ -85,10 +85,11 @@ Encounter encounter(const Scene& scene, const NodeMotion& slave, const Box& slav
 
 /// Best of the encounters with the faces of one body, in ascending key; none where no face opposes the slave.
 Encounter choose(std::span<const Encounter> encounters) {
+  constexpr double sideways = 1e-6;  // what is left of surfaces at right angles after rounding opposes nothing
   double most_opposed = 0;
   for (const Encounter& e : encounters) most_opposed = std::max(most_opposed, e.opposition);
   Encounter best;
-  if (most_opposed == 0) return best;
+  if (most_opposed <= sideways) return best;
   for (const Encounter& e : encounters) {
     if (e.opposition < 0.5 * most_opposed) continue;
     const bool nearer = e.meeting == best.meeting && std::abs(e.gap) < std::abs(best.gap);

@@ -106,6 +106,14 @@ TEST_CASE("a corner on a corner meets the opposed face, not the sides, whatever 
   }
 }
 
+TEST_CASE("a surface at right angles to a face, but for rounding, has nothing to do with it") {
+  CubeAndNode scene;
+  scene.facets = {Vec3(-1e-15, 0, 1)};
+  CHECK(scene.detect({1.01, 0.5, 1}).empty());
+  scene.facets = {Vec3(-1e-3, 0, 1)};
+  CHECK(scene.detect({1.01, 0.5, 1}).size() == 1);
+}
+
 TEST_CASE("outside a convex edge the connecting line is the normal") {
   CubeAndNode scene;
   scene.facets = {Vec3(-1, 0, -1).normalized()};
