@@ -41,10 +41,20 @@ double wall_speed(const model::RigidWall& wall, double time) {
   return wall.moves ? model::value_at(wall.motion, time) : 0.0;
 }
 
+/// `walls` keeps its memory from step to step.
+void place_walls(const model::Model& model, const model::State& state, double time, std::vector<contact::Wall>& walls) {
+  walls.clear();
+  for (std::size_t w = 0; w < model.walls.size(); ++w) {
+    const model::RigidWall& wall = model.walls[w];
+    walls.push_back({wall.point + state.wall_position[w] * wall.normal, wall.normal,
+                     wall_speed(wall, time) * wall.normal, wall.bilateral});
+  }
+}
+
 /// v = v* + W G^T impulses on the nodes that touch something.
 void correct_contact(const model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
                      contact::Contact& contact, double dt) {
-  links.walls = walls_at(model, state, state.time + 0.5 * dt);
+  place_walls(model, state, state.time + 0.5 * dt, links.walls);
   constexpr int line = sizeof(model::NodeLine) / sizeof(double);
   auto* nodes = reinterpret_cast<double*>(state.nodes.data());
   const contact::VectorView position{nodes, line}, predicted{nodes + 4, line};
@@ -72,12 +82,7 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
 
 std::vector<contact::Wall> walls_at(const model::Model& model, const model::State& state, double time) {
   std::vector<contact::Wall> walls;
-  walls.reserve(model.walls.size());
-  for (std::size_t w = 0; w < model.walls.size(); ++w) {
-    const model::RigidWall& wall = model.walls[w];
-    walls.push_back({wall.point + state.wall_position[w] * wall.normal, wall.normal,
-                     wall_speed(wall, time) * wall.normal, wall.bilateral});
-  }
+  place_walls(model, state, time, walls);
   return walls;
 }
 
