@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/simulation.hpp"
+
+#include <algorithm>
+
+#include "brunt/mesh/canonical.hpp"
+#include "brunt/scene/build.hpp"
+#include "brunt/scene/read.hpp"
+#include "brunt/scene/select.hpp"
+#include "brunt/time/initialise.hpp"
+#include "partition/distribute.hpp"
+
+namespace brunt::test {
+namespace {
+
+std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation) {
+  const model::Model& model = simulation.model;
+  if (!model.contact.any && model.walls.empty()) return nullptr;
+  contact::ContactSettings settings;
+  settings.bodies = model.contact.any;
+  settings.pairs = contact::PairTable(static_cast<std::int32_t>(model.blocks.size()), contact::PairRule::automatic);
+  settings.rate = {model.contact.tolerance, model.contact.max_iterations};
+  std::vector<double> inverse_mass;
+  for (const model::NodeLine& node : simulation.state.nodes) inverse_mass.push_back(1.0 / node.mass);
+  std::vector<contact::ConstrainedNode> constrained;
+  for (const model::ConstrainedNode& node : model.constrained) constrained.push_back({node.node, node.free});
+  return std::make_unique<contact::Contact>(simulation.links.ranks, model.mesh, model.in_symmetry_plane, inverse_mass,
+                                            constrained, time::walls_at(model, simulation.state, 0.0), settings);
+}
+
+}  // namespace
+
+Simulation::Simulation(mesh::Mesh mesh, const std::string& scene)
+    : input(scene::read_scene("units: none\nmesh: {file: of_the_test}\nrun: {end: 1}\n" + scene, "scene of the test")),
+      links{comm::Communicator::world(), {}, {}, {}, {}, {}, {}, {}},
+      control{input.run.cfl, 1.02} {
+  mesh::CanonicalMesh whole = mesh::canonical_order(std::move(mesh));
+  scene::select(input, whole);
+  std::size_t elements = 0;
+  for (const mesh::Block& block : whole.mesh.blocks) elements += static_cast<std::size_t>(block.count());
+  model = scene::build_model(input, partition::distribute(links.ranks, whole, std::vector<Rank>(elements, 0)));
+  links = time::link_ranks(links.ranks, model);
+  time::initialise(model, state, scratch, links, scene::initial_velocities(input, model));
+  contact = make_contact(*this);
+}
+
+void Simulation::step(std::optional<double> dt) {
+  report = time::evaluate(model, state, scratch, links, control);
+  if (dt) {
+    report.dt = *dt;
+    report.dt_mean = 0.5 * (state.dt + *dt);
+  }
+  time::advance(model, state, scratch, links, contact.get(), report);
+}
+
+time::Ledger Simulation::ledger() const {
+  return time::ledger(model, state, scratch, links, contact.get(), report);
+}
+
+void Simulation::displace(std::span<const Vec3> u, double dt) {
+  for (LocalIndex i = 0; i < nodes(); ++i) {
+    const auto local = static_cast<std::size_t>(i);
+    const Vec3& move = u[static_cast<std::size_t>(model.mesh.input_node[local])];
+    for (int c = 0; c < 3; ++c) {
+      state.displacement[local][c] += move[c];
+      state.nodes[local].v[c] = move[c] / dt;
+    }
+  }
+  time::update_positions(model, state);
+  state.dt = dt;
+  report = time::evaluate(model, state, scratch, links, control);
+}
+
+LocalIndex Simulation::node(GlobalIndex input_node) const {
+  return static_cast<LocalIndex>(std::ranges::find(model.mesh.input_node, input_node) - model.mesh.input_node.begin());
+}
+
+Vec3 Simulation::displacement(LocalIndex i) const {
+  const Quad& u = state.displacement[static_cast<std::size_t>(i)];
+  return {u[0], u[1], u[2]};
+}
+Vec3 Simulation::position(LocalIndex i) const {
+  return Eigen::Map<const Vec3>(state.nodes[static_cast<std::size_t>(i)].x);
+}
+Vec3 Simulation::velocity(LocalIndex i) const {
+  return Eigen::Map<const Vec3>(state.nodes[static_cast<std::size_t>(i)].v);
+}
+Vec3 Simulation::force(LocalIndex i) const {
+  Quad f = scratch.force[static_cast<std::size_t>(i)];
+  if (model.loaded()) f += scratch.load[static_cast<std::size_t>(i)];
+  return {f[0], f[1], f[2]};
+}
+
+double Simulation::history(std::size_t block, const std::string& field, LocalIndex element, int component) const {
+  const model::ElementBlock& of = model.blocks[block];
+  const int place = (element / pack_width * of.history_size + of.find(field)->first + component) * pack_width;
+  return state.history[block][static_cast<std::size_t>(place + element % pack_width)];
+}
+
+Vec3 Simulation::angular_momentum() const {
+  Vec3 sum = Vec3::Zero();
+  for (LocalIndex i = 0; i < nodes(); ++i) sum += mass(i) * position(i).cross(velocity(i));
+  return sum;
+}
+
+}  // namespace brunt::test

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// A time step allocates nothing, with all kinds of loads, walls and contact, but for steps that rebuild contact lists.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <new>
+
+#include "brunt/mesh/assemble.hpp"
+#include "brunt/mesh/primitives.hpp"
+#include "support/simulation.hpp"
+
+namespace {
+long allocations = 0;
+
+void* counted(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  const std::size_t whole = (size / alignment + 1) * alignment;
+  if (void* memory = std::aligned_alloc(alignment, whole)) return memory;
+  throw std::bad_alloc();
+}
+}  // namespace
+
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  return counted(size, alignof(std::max_align_t));
+}
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
+  return counted(size, static_cast<std::size_t>(alignment));
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t /*size*/) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t /*alignment*/) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept {
+  std::free(memory);
+}
+
+using namespace brunt;
+
+TEST_CASE("a step with loads, damping, given motion, pressure and every kind of hexahedron allocates nothing") {
+  mesh::Mesh mesh;
+  const char* kinds[] = {"hex8", "hex8_full", "hex8_bbar"};
+  std::string parts = "parts:\n";
+  for (int k = 0; k < 3; ++k) {
+    mesh::Mesh box = mesh::box(kinds[k], {1, 1, 1}, {3, 3, 3});
+    mesh::place(box, 1, {0, 0, 1}, 0, {2.0 * k, 0, 0});
+    mesh::append(mesh, std::move(box));
+    parts += std::string("  ") + kinds[k] + ": {material: m, element: " + kinds[k] + "}\n";
+  }
+  test::Simulation run(std::move(mesh),
+                       "materials: {m: {model: j2, density: 8000, young: 2.0e11, poisson: 0.3, yield: 4.0e8}}\n" +
+                           parts +
+                           "curves: {ramp: [[0, 0], [1, 1]]}\n"
+                           "gravity: {vector: [0, 0, -9.81], curve: ramp}\n"
+                           "damping: {alpha: 10}\n"
+                           "pressure: [{set: hex8_xmin, value: 1.0e6, curve: ramp}]\n"
+                           "fixed: [{set: hex8_zmin, dofs: [x, y, z]}]\n"
+                           "prescribed: [{set: hex8_full_xmax, dof: x, velocity: ramp}]\n");
+  run.step();
+  const long start = allocations;
+  run.steps(20);
+  CHECK(allocations - start == 0);
+  CHECK(start > 0);
+}
+
+TEST_CASE("a step with contact and a wall allocates nothing between rebuilds of its lists") {
+  mesh::Mesh mesh = mesh::box("below", {4, 4, 1}, {4, 4, 1}), above = mesh::box("above", {3, 3, 1}, {5, 5, 2});
+  mesh::place(above, 1, {0, 0, 1}, 0, {0.4, 0.3, 1.001});
+  mesh::append(mesh, std::move(above));
+  test::Simulation run(std::move(mesh),
+                       "materials: {m: {model: elastic, density: 8000, young: 2.0e11, poisson: 0.3}}\n"
+                       "parts: {below: {material: m}, above: {material: m}}\n"
+                       "initial: [{part: above, velocity: [0, 0, -50]}]\n"
+                       "rigid_walls: [{point: [0, 0, -0.0001], normal: [0, 0, 1]}]\n"
+                       "contact: [{between: all}]\n");
+  int quiet_steps = 0, solved_steps = 0;
+  for (int i = 0; i < 60; ++i) {
+    const contact::ContactStatistics before = run.contact->statistics();
+    const long start = allocations;
+    run.step();
+    const long made = allocations - start;
+    const contact::ContactStatistics& after = run.contact->statistics();
+    if (i < 2 || after.searches != before.searches) continue;
+    CHECK(made == 0);
+    ++quiet_steps;
+    solved_steps += after.solved_steps > before.solved_steps ? 1 : 0;
+  }
+  CHECK(quiet_steps >= 30);
+  CHECK(solved_steps >= 10);
+}
