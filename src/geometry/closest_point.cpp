@@ -54,11 +54,14 @@ Parameters seed(const Vec3& x, Corners c, const Vec3& area) {
           area_ratio(edge_area(x, c[0], c[1], n), edge_area(x, c[2], c[3], n))};
 }
 
-/// Unconstrained stationary point near the face; nothing where ten steps do not settle.
+/// Unconstrained stationary point; nothing where ten steps do not settle. On a nearly flat face Newton's method does
+/// not stray: an iterate far outside stands for a point far outside, and the nearest edge will decide.
 std::optional<Parameters> newton(const Vec3& x, Corners c, Parameters p) {
   constexpr int max_steps = 10;
   constexpr double settled = 1e-13, lost = 4.0;
   const Vec3 twist = 0.25 * (c[0] - c[1] + c[2] - c[3]);
+  const Tangents middle = tangents(c, 0, 0);
+  const bool nearly_flat = twist.squaredNorm() < 0.01 * std::min(middle.xi.squaredNorm(), middle.eta.squaredNorm());
   for (int step = 0; step < max_steps; ++step) {
     const Tangents t = tangents(c, p.xi, p.eta);
     const Vec3 offset = x - combine(c, face_weights(4, p.xi, p.eta));
@@ -71,7 +74,8 @@ std::optional<Parameters> newton(const Vec3& x, Corners c, Parameters p) {
     const double d_xi = (b * f - mixed * g) / determinant, d_eta = (a * g - mixed * f) / determinant;
     p.xi += d_xi;
     p.eta += d_eta;
-    if (!(std::abs(p.xi) < lost && std::abs(p.eta) < lost)) return std::nullopt;
+    if (!(std::abs(p.xi) < lost && std::abs(p.eta) < lost))
+      return nearly_flat && std::isfinite(p.xi) && std::isfinite(p.eta) ? std::optional(p) : std::nullopt;
     if (std::abs(d_xi) + std::abs(d_eta) < settled) return p;
     if (step + 1 == max_steps && std::abs(d_xi) + std::abs(d_eta) < 1e-10) return p;
   }
