@@ -5,12 +5,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "brunt/core/error.hpp"
 
 namespace brunt::app {
 
-Log::Log(bool speaks, bool quiet) : speaks_(speaks), quiet_(quiet), terminal_(isatty(STDOUT_FILENO) != 0) {}
+Log::Log(bool speaks, bool quiet)
+    : speaks_(speaks), quiet_(quiet), terminal_(isatty(STDOUT_FILENO) != 0 && !std::getenv("BRUNT_NO_BAR")) {}
 
 Log::~Log() {
   clear_bar();

@@ -8,7 +8,8 @@ namespace brunt::app {
 
 class Log {
  public:
-  /// Silent on ranks other than the root.
+  /// Silent on ranks other than the root. mpirun gives a rank a terminal even where its own output goes to a file:
+  /// BRUNT_NO_BAR in the environment then keeps the bar away.
   Log(bool speaks, bool quiet);
   ~Log();
   Log(const Log&) = delete;

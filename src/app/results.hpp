@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "brunt/core/timers.hpp"
 #include "brunt/io/history.hpp"
 #include "brunt/io/state_file.hpp"
 #include "brunt/time/ledger.hpp"
@@ -25,6 +26,12 @@ struct Extremes {
   double momentum_scale = 0;
 };
 
+/// The loop as it ended: what is written after it is not its cost.
+struct LoopCost {
+  double seconds = 0, passes = 0;  ///< wall clock [s], output included; steps
+  Timers timers;
+};
+
 class Results {
  public:
   /// Opens the files of the folder; `restart_step`: goes on in them. Collective.
@@ -42,8 +49,7 @@ class Results {
   std::string write_checkpoint();
   /// Remembers where the run stands: the summary is about this state, also if one more record is taken. Collective.
   void seal();
-  void write_summary(const std::string& stopped_by, int exit_code, double wall_seconds, double loop_seconds,
-                     double passes);
+  void write_summary(const std::string& stopped_by, int exit_code, double wall_seconds, const LoopCost& cost);
   void table_header();
   void table_line(const time::Ledger& ledger, const time::StepReport& step);
   [[nodiscard]] const std::string& folder() const { return folder_; }

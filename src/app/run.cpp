@@ -51,15 +51,14 @@ class Loop {
     } catch (const GuardError& error) {
       outcome = {"guard", ExitCode::guard, error.what()};
     }
-    loop_seconds_ = seconds_since(start_);
+    cost_ = {seconds_since(start_), passes_, run_.links.timers};
     return outcome;
   }
 
   /// Evaluates t_N once more for its fields and its ledger; the step that this takes is not part of the run.
   void last_record() { pass(true); }
 
-  [[nodiscard]] double loop_seconds() const { return loop_seconds_; }
-  [[nodiscard]] double passes() const { return passes_; }
+  [[nodiscard]] const LoopCost& cost() const { return cost_; }
 
  private:
   /// One step, with what is to be written about t_n.
@@ -138,7 +137,8 @@ class Loop {
   Results& results_;
   Log& log_;
   Clock::time_point start_ = Clock::now();
-  double loop_seconds_ = 0, passes_ = 0;
+  LoopCost cost_;
+  double passes_ = 0;
   int lines_ = 0;
 };
 
@@ -203,7 +203,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   } else {
     loop.last_record();
   }
-  results.write_summary(outcome.stopped_by, code, seconds_since(start), loop.loop_seconds(), loop.passes());
+  results.write_summary(outcome.stopped_by, code, seconds_since(start), loop.cost());
   log.line(fmt::format("{}; results in {}",
                        outcome.code == ExitCode::done    ? "done"
                        : outcome.code == ExitCode::guard ? "stopped by a guard"

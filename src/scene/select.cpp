@@ -67,6 +67,22 @@ class Selector {
     whole_.mesh.node_sets[reserved] = std::move(nodes);
   }
 
+  /// Bodies start in front of every wall: a node behind it would be held there for the whole run.
+  void require_in_front(const RigidWall& wall, const std::string& key) {
+    std::size_t behind = 0;
+    double deepest = 0;
+    for (const Vec3& X : whole_.mesh.coordinates) {
+      const double depth = (wall.point - whole_.origin - X).dot(wall.normal.normalized());
+      behind += depth > on_plane_ ? 1 : 0;
+      deepest = std::max(deepest, depth);
+    }
+    if (behind > 0)
+      faults_.push_back(
+          fmt::format("{}: {}: {} nodes start behind the wall, the deepest by {:g}; accepted: bodies in front of "
+                      "it, on the side that its normal points to",
+                      input_.file, key, behind, deepest));
+  }
+
   void add_surface() { whole_.mesh.node_sets[surface_set] = nodes_of_sides(mesh::exterior_sides(whole_.mesh)); }
 
   void add_node(const std::string& reserved, const std::string& id_text, const std::string& key) {
@@ -248,6 +264,7 @@ void select(const Input& input, mesh::CanonicalMesh& whole) {
   each(input.rigid_walls, [&](const RigidWall& entry, std::size_t k) {
     selector.add_plane(selection_name("wall", k), entry.point, entry.normal, fmt::format("rigid_walls.{}", k),
                        entry.bilateral);
+    selector.require_in_front(entry, fmt::format("rigid_walls.{}", k));
   });
   each(input.probes, [&](const Probe& entry, std::size_t k) {
     const std::string key = fmt::format("probes.{}", k), reserved = selection_name("probe", k);
