@@ -106,6 +106,28 @@ void attach_faces(const std::vector<NodeUse>& uses, Surface& surface) {
   }
 }
 
+/// How far the element reaches behind its face.
+double element_depth(const mesh::LocalMesh& mesh, const mesh::ExteriorFace& face) {
+  const mesh::LocalBlock& block = mesh.blocks[static_cast<std::size_t>(face.block)];
+  const auto found = std::lower_bound(block.gid.begin(), block.gid.end(), face.key / 8);
+  demand(found != block.gid.end() && *found == face.key / 8, "the element of an exterior face is on its rank");
+  const auto corner = [&](LocalIndex node) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(node)]; };
+  const std::size_t count = corner_count(face);
+  std::array<Vec3, 4> corners;
+  Vec3 centre = Vec3::Zero();
+  for (std::size_t i = 0; i < count; ++i) {
+    corners[i] = corner(face.nodes[i]);
+    centre += corners[i] / static_cast<double>(count);
+  }
+  const Vec3 inwards = -geometry::area_vector({corners.data(), count}).normalized();
+  const int nodes = mesh::nodes_per_element(block.shape);
+  const std::ptrdiff_t first = (found - block.gid.begin()) * nodes;
+  double depth = 0;
+  for (int i = 0; i < nodes; ++i)
+    depth = std::max(depth, (corner(block.nodes[static_cast<std::size_t>(first + i)]) - centre).dot(inwards));
+  return depth;
+}
+
 void collect_faces(const mesh::LocalMesh& mesh, std::span<const char> excluded, Surface& surface) {
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     if (excluded[f] != 0) continue;
@@ -113,7 +135,8 @@ void collect_faces(const mesh::LocalMesh& mesh, std::span<const char> excluded, 
     SurfaceFace face{.key = from.key,
                      .corner_count = static_cast<std::int32_t>(corner_count(from)),
                      .body = from.body,
-                     .block = from.block};
+                     .block = from.block,
+                     .depth = element_depth(mesh, from)};
     for (std::size_t i = 0; i < corner_count(from); ++i)
       face.nodes[i] = index_of(surface.gid, mesh.node_gid[static_cast<std::size_t>(from.nodes[i])]);
     surface.faces.push_back(face);

@@ -31,6 +31,7 @@ std::vector<TravellingFace> own_masters(const Build& build) {
   for (const SurfaceFace& face : build.surface.faces) {
     if (build.roles.master[static_cast<std::size_t>(face.body)] == 0) continue;
     TravellingFace master{.key = face.key, .corner_count = face.corner_count, .body = face.body, .block = face.block};
+    master.depth = face.depth;
     const auto count = static_cast<std::size_t>(face.corner_count);
     std::array<Vec3, 4> corners;
     for (std::size_t i = 0; i < count; ++i) {
@@ -180,6 +181,7 @@ void fill_candidates(const Build& build, const std::vector<Pair>& pairs, const s
     face = static_cast<LocalIndex>(lists.faces.size());
     const TravellingFace& from = masters[static_cast<std::size_t>(pair.face)];
     MasterFace master{.key = from.key, .corner_count = from.corner_count, .body = from.body, .block = from.block};
+    master.depth = from.depth;
     for (std::size_t i = 0; i < static_cast<std::size_t>(from.corner_count); ++i)
       master.nodes[i] = table_index(lists.nodes, from.gid[i]);
     lists.faces.push_back(master);

@@ -138,6 +138,17 @@ class Stops(Program):
         self.run_scene(1, "long.yaml", "--out", "out", "--restart", "out", "--set", f"run.steps={wanted}")
         self.assertEqual(self.summary("out")["steps"], wanted)
 
+    def test_a_moving_wall_brings_energy_and_trips_no_guard(self):
+        self.write("wall.yaml", scenes.PUSHED_BY_WALL)
+        self.run_scene(2, "wall.yaml", "--out", "out", code=0)
+        self.assertLess(self.summary("out")["energy"]["walls"], 0)
+
+    def test_flat_plates_at_rest_stay_at_rest(self):
+        self.write("plates.yaml", scenes.FLAT_PLATES_AT_REST)
+        self.run_scene(2, "plates.yaml", "--out", "out", code=0)
+        self.assertEqual(self.summary("out")["energy"]["kinetic"], 0)
+        self.assertEqual(self.summary("out")["max_penetration"], 0)
+
     def test_guard(self):
         self.write("guard.yaml", scenes.ENERGY_FROM_NOWHERE)
         self.assertIn("stopped", self.run_scene(2, "guard.yaml", "--out", "out", code=3) + self.text("out", "log.txt"))

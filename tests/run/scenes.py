@@ -98,3 +98,24 @@ parts: {left: {block: left, material: steel}, right: {block: right, material: st
 contact: [{between: all, initial_overlap: RULE}]
 run: {steps: 1}
 """
+
+# A body at rest, hit by a wall that brings the energy.
+PUSHED_BY_WALL = """units: none
+mesh: {box: {part: b, size: [1, 1, 1], elements: [2, 2, 2], at: [0, 0, 0.02]}}
+materials: {m: {model: elastic, density: 1, young: 100, poisson: 0.3}}
+parts: {b: {material: m}}
+curves: {push: [[0, 1], [1, 1]]}
+rigid_walls: [{point: [0, 0, 0], normal: [0, 0, 1], motion: push}]
+run: {end: 0.2}
+"""
+
+# Two flat plates at rest, one just above the other: both together thinner than the capture of a face.
+FLAT_PLATES_AT_REST = """units: none
+mesh:
+  - {plate: {part: a, size: [4, 4], thickness: 0.1, elements: [4, 4, 1]}}
+  - {plate: {part: b, size: [4, 4], thickness: 0.1, elements: [4, 4, 1], at: [0.3, 0.2, 0.105]}}
+materials: {m: {model: elastic, density: 1, young: 100, poisson: 0.3}}
+parts: {a: {material: m}, b: {material: m}}
+contact: [{between: all}]
+run: {steps: 20}
+"""

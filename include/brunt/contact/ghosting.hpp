@@ -21,6 +21,7 @@ struct TravellingFace {
   std::array<Place, 4> home{};
   std::int32_t corner_count = 0, body = 0, block = 0;
   std::array<double, 3> low{}, high{};  ///< capture box
+  double depth = 0;                     ///< of its element
 
   [[nodiscard]] geometry::Box box() const { return {Vec3(low.data()), Vec3(high.data())}; }
 };

@@ -70,7 +70,7 @@ Encounter encounter(const Scene& scene, const NodeMotion& slave, const Box& slav
   const double height = offset.dot(result.normal);
   const double beside = (offset - height * result.normal).norm();
   result.gap = height;
-  if (height < -reach) return result;
+  if (height < -std::min(reach, scene.settings.element_share * face.depth)) return result;
   if (closest->region == geometry::Region::face) {
     result.meeting = Meeting::on_face;
   } else if (beside <= scene.settings.overhang * result.size) {

@@ -4,6 +4,7 @@
 // of candidates changes no bit.
 #pragma once
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct MasterFace {
   std::array<LocalIndex, 4> nodes{};  ///< contact nodes, counter-clockwise seen from outside
   std::int32_t corner_count = 4;
   std::int32_t body = 0, block = 0;
+  double depth = std::numeric_limits<double>::infinity();  ///< of its element behind it, at the start [length]
 };
 
 /// Candidate pairs, slave by slave in ascending gid.
@@ -39,6 +41,8 @@ struct Wall {
 struct DetectionSettings {
   double capture = 0.25;         ///< a node farther than this share of the longest edge from a face's swept box, or
                                  ///< deeper than this below it, has nothing to do with the face
+  double element_share = 0.5;    ///< nor has one deeper than this share of the face's element: behind flat elements lie
+                                 ///< other bodies that touch the far side
   double overhang = 0.02;        ///< a node beside a face by up to this share of the longest edge still meets it
   double recovery = 0.05;        ///< share of a penetration that a step may recover
   double recovery_limit = 1e-3;  ///< the same limited to this share of the longest edge

@@ -23,6 +23,7 @@ struct SurfaceFace {
   std::array<LocalIndex, 4> nodes{};  ///< surface nodes, counter-clockwise seen from outside
   std::int32_t corner_count = 4;
   std::int32_t body = 0, block = 0;
+  double depth = 0;  ///< of its element behind it, at the start [length]
 };
 
 /// What decides who is slave; the same on every rank.
