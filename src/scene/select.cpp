@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -67,20 +69,27 @@ class Selector {
     whole_.mesh.node_sets[reserved] = std::move(nodes);
   }
 
-  /// Bodies start in front of every wall: a node behind it would be held there for the whole run.
-  void require_in_front(const RigidWall& wall, const std::string& key) {
-    std::size_t behind = 0;
-    double deepest = 0;
-    for (const Vec3& X : whole_.mesh.coordinates) {
-      const double depth = (wall.point - whole_.origin - X).dot(wall.normal.normalized());
-      behind += depth > on_plane_ ? 1 : 0;
-      deepest = std::max(deepest, depth);
-    }
-    if (behind > 0)
-      faults_.push_back(
-          fmt::format("{}: {}: {} nodes start behind the wall, the deepest by {:g}; accepted: bodies in front of "
-                      "it, on the side that its normal points to",
-                      input_.file, key, behind, deepest));
+  /// No body starts on both sides of a wall: its nodes behind would be held there for the whole run. (A body that lies
+  /// behind as a whole never meets the wall.)
+  void require_one_side(const RigidWall& wall, const std::string& key) {
+    const std::vector<std::int32_t> body = mesh::bodies(whole_.mesh);
+    std::map<std::int32_t, std::array<double, 2>> range;  // of the height over the wall
+    std::size_t element = 0;
+    for (const mesh::Block& block : whole_.mesh.blocks)
+      for (LocalIndex e = 0; e < block.count(); ++e, ++element)
+        for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c) {
+          const Vec3& X = whole_.mesh.coordinates[static_cast<std::size_t>(block.element(e)[c])];
+          const double height = (X + whole_.origin - wall.point).dot(wall.normal.normalized());
+          auto& [lowest, highest] = range.try_emplace(body[element], std::array{height, height}).first->second;
+          lowest = std::min(lowest, height);
+          highest = std::max(highest, height);
+        }
+    for (const auto& [number, heights] : range)
+      if (heights[0] < -on_plane_ && heights[1] > on_plane_)
+        faults_.push_back(
+            fmt::format("{}: {}: goes through a body, which reaches {:g} behind the wall; accepted: bodies on one "
+                        "side of it",
+                        input_.file, key, -heights[0]));
   }
 
   void add_surface() { whole_.mesh.node_sets[surface_set] = nodes_of_sides(mesh::exterior_sides(whole_.mesh)); }
@@ -264,7 +273,7 @@ void select(const Input& input, mesh::CanonicalMesh& whole) {
   each(input.rigid_walls, [&](const RigidWall& entry, std::size_t k) {
     selector.add_plane(selection_name("wall", k), entry.point, entry.normal, fmt::format("rigid_walls.{}", k),
                        entry.bilateral);
-    selector.require_in_front(entry, fmt::format("rigid_walls.{}", k));
+    selector.require_one_side(entry, fmt::format("rigid_walls.{}", k));
   });
   each(input.probes, [&](const Probe& entry, std::size_t k) {
     const std::string key = fmt::format("probes.{}", k), reserved = selection_name("probe", k);

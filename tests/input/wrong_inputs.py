@@ -117,7 +117,7 @@ SCENES = [
     changed("unknown curve", "run:", "gravity: {vector: [0, 0, -9.81], curve: rmp}\nrun:", "rmp"),
     changed("curve going back", "run:", "curves: {r: [[0, 0], [2, 1], [1, 0]]}\nrun:", "curves"),
     changed("rigid wall through the body", "run:", "rigid_walls:\n  - {point: [0, 0, 0.5], normal: [0, 0, 1]}\nrun:",
-            "rigid_walls.0", "behind the wall"),
+            "rigid_walls.0", "goes through a body"),
     changed("rigid wall without direction", "run:", "rigid_walls:\n  - {point: [0, 0, 0], normal: [0, 0, 0]}\nrun:", "normal"),
     changed("box of no elements", "{file: bar.msh}", "{box: {part: bar, size: [1, 1, 1], elements: [0, 1, 1]}}", "elements"),
     changed("box of half an element", "{file: bar.msh}", "{box: {part: bar, size: [1, 1, 1], elements: [1.5, 1, 1]}}", "elements", "1.5"),
