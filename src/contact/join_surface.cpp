@@ -106,8 +106,11 @@ void attach_faces(const std::vector<NodeUse>& uses, Surface& surface) {
   }
 }
 
-/// How far the element reaches behind its face.
+/// How far the element reaches behind its face; infinite for a surface without elements.
 double element_depth(const mesh::LocalMesh& mesh, const mesh::ExteriorFace& face) {
+  if (static_cast<std::size_t>(face.block) >= mesh.blocks.size() ||
+      mesh.blocks[static_cast<std::size_t>(face.block)].gid.empty())
+    return std::numeric_limits<double>::infinity();
   const mesh::LocalBlock& block = mesh.blocks[static_cast<std::size_t>(face.block)];
   const auto found = std::lower_bound(block.gid.begin(), block.gid.end(), face.key / 8);
   demand(found != block.gid.end() && *found == face.key / 8, "the element of an exterior face is on its rank");

@@ -46,7 +46,7 @@ title: three kinds of element in contact
 units: SI
 mesh:
   - {file: mixed.msh}
-  - {box: {part: floor, size: [4, 4, 0.5], elements: [4, 4, 1], at: [-1, -1, -0.501]}}
+  - {box: {part: floor, size: [3, 4, 0.5], elements: [3, 4, 1], at: [-1, -1, -0.501]}}
 materials:
   soft: {model: j2, density: 1000, young: 1.0e6, poisson: 0.3, yield: 2.0e3, hardening: 1.0e5}
   hard: {model: elastic, density: 2000, young: 1.0e7, poisson: 0.2}
