@@ -10,7 +10,9 @@
 #include <set>
 
 #include "brunt/core/error.hpp"
+#include "brunt/io/checkpoint.hpp"
 #include "brunt/io/history.hpp"
+#include "brunt/io/record_pairs.hpp"
 #include "brunt/io/state_file.hpp"
 #include "compare_tables.hpp"
 
@@ -73,28 +75,37 @@ std::vector<StateRecord::Table> common_tables(const std::vector<StateRecord>& a,
   return common;
 }
 
+RecordPairs pair_up(const std::vector<Instant>& a, const std::vector<Instant>& b, const std::string& what,
+                    Comparison& result) {
+  RecordPairs pairs = pair_records(a, b);
+  for (std::string& line : unpaired_lines(pairs, a, b, what)) result.mismatches.push_back(std::move(line));
+  return pairs;
+}
+
 void compare_states(const comm::Communicator& ranks, const std::string& path_a, const std::string& path_b,
                     Comparison& result) {
   const Hdf5File a(ranks, path_a, Hdf5File::Mode::read), b(ranks, path_b, Hdf5File::Mode::read);
   if (!same_mesh(a, b, result)) return;
   const std::vector<StateRecord> records_a = state_records(a), records_b = state_records(b);
-  const std::size_t count = std::min(records_a.size(), records_b.size());
-  if (records_a.size() != records_b.size())
-    result.mismatches.push_back(
-        fmt::format("records: {} in A, {} in B; the first {} are compared", records_a.size(), records_b.size(), count));
+  const auto instants = [](const std::vector<StateRecord>& records) {
+    std::vector<Instant> of_records;
+    for (const StateRecord& record : records) of_records.push_back({record.step, record.time});
+    return of_records;
+  };
+  const RecordPairs pairs = pair_up(instants(records_a), instants(records_b), "record", result);
   FieldTally times("time");
-  for (std::size_t r = 0; r < count; ++r) {
-    const double time_a = records_a[r].time, time_b = records_b[r].time;
+  for (const auto& [i, j] : pairs.both) {
+    const double time_a = records_a[i].time, time_b = records_b[j].time;
     if (times.take(difference_of(time_a, time_b), std::max(std::abs(time_a), std::abs(time_b)), time_a))
-      times.name_place(fmt::format("record {}", r));
+      times.name_place(fmt::format("step {}", records_a[i].step));
   }
   result.fields.push_back(times.finish());
   for (const StateRecord::Table& table : common_tables(records_a, records_b, result)) {
     FieldTally tally(table_path(table));
-    for (std::size_t r = 0; r < count; ++r) {
+    for (const auto& [i, j] : pairs.both) {
       const std::string name = fmt::format("/{}", table_path(table));
-      const LargestDifference at = largest_difference(a, records_a[r].group + name, b, records_b[r].group + name);
-      if (tally.take(at.difference, at.magnitude, records_a[r].time)) tally.name_place(place_text(a, table.place, at));
+      const LargestDifference at = largest_difference(a, records_a[i].group + name, b, records_b[j].group + name);
+      if (tally.take(at.difference, at.magnitude, records_a[i].time)) tally.name_place(place_text(a, table.place, at));
     }
     result.fields.push_back(tally.finish());
   }
@@ -107,6 +118,9 @@ void compare_checkpoints(const comm::Communicator& ranks, const std::string& pat
   std::vector<std::string> all;
   std::set_union(names_a.begin(), names_a.end(), names_b.begin(), names_b.end(), std::back_inserter(all));
   const double time = a.real_attribute("/", "time");
+  const GlobalIndex step_a = a.integer_attribute("/", "step"), step_b = b.integer_attribute("/", "step");
+  if (step_a != step_b)
+    result.mismatches.push_back(fmt::format("checkpoints of different steps: {} in A, {} in B", step_a, step_b));
   for (const std::string& name : all) {
     const std::string table = fmt::format("/{}", name);
     const bool in_a = a.contains(table), in_b = b.contains(table);
@@ -124,13 +138,18 @@ void compare_checkpoints(const comm::Communicator& ranks, const std::string& pat
   }
 }
 
+std::vector<Instant> instants_of(const History& history) {
+  const auto column = static_cast<std::size_t>(std::ranges::find(history.names, "time") - history.names.begin());
+  std::vector<Instant> instants;
+  for (const std::vector<double>& row : history.rows)
+    instants.push_back({static_cast<GlobalIndex>(row[0]), column < row.size() ? row[column] : 0});
+  return instants;
+}
+
 void compare_histories(const std::string& path_a, const std::string& path_b, Comparison& result) {
   const History a = read_history(path_a), b = read_history(path_b);
-  const std::size_t count = std::min(a.rows.size(), b.rows.size());
-  if (a.rows.size() != b.rows.size())
-    result.mismatches.push_back(
-        fmt::format("history: {} rows in A, {} in B; the first {} are compared", a.rows.size(), b.rows.size(), count));
-  const auto time_column = std::find(a.names.begin(), a.names.end(), "time") - a.names.begin();
+  const std::vector<Instant> instants_a = instants_of(a), instants_b = instants_of(b);
+  const RecordPairs pairs = pair_up(instants_a, instants_b, "history row", result);
   for (const std::string& name : b.names)
     if (std::find(a.names.begin(), a.names.end(), name) == a.names.end())
       result.mismatches.push_back(fmt::format("history: column {} is not in A", name));
@@ -142,14 +161,12 @@ void compare_histories(const std::string& path_a, const std::string& path_b, Com
     }
     const auto j = static_cast<std::size_t>(found - b.names.begin());
     FieldTally tally("history/" + a.names[i]);
-    for (std::size_t r = 0; r < count; ++r) {
-      const double in_a = a.rows[r][i], in_b = b.rows[r][j];
-      const auto t = static_cast<std::size_t>(time_column);
-      const double time = t < a.names.size() ? a.rows[r][t] : 0;
+    for (const auto& [row_a, row_b] : pairs.both) {
+      const double in_a = a.rows[row_a][i], in_b = b.rows[row_b][j];
       const double magnitude =
           std::max(std::isfinite(in_a) ? std::abs(in_a) : 0, std::isfinite(in_b) ? std::abs(in_b) : 0);
-      if (tally.take(difference_of(in_a, in_b), magnitude, time))
-        tally.name_place(fmt::format("step {}", a.rows[r][0]));
+      if (tally.take(difference_of(in_a, in_b), magnitude, instants_a[row_a].time))
+        tally.name_place(fmt::format("step {}", instants_a[row_a].step));
     }
     result.fields.push_back(tally.finish());
   }
@@ -161,6 +178,18 @@ Kind kind_of(const std::string& path) {
   if (fs::is_directory(path)) return Kind::folder;
   if (fs::path(path).extension() == ".csv") return Kind::history;
   return fs::path(path).filename().string().rfind("checkpoint", 0) == 0 ? Kind::checkpoint : Kind::state;
+}
+
+// The file of this kind in a result folder.
+std::string file_in(const std::string& folder, Kind kind) {
+  if (kind == Kind::checkpoint) {
+    const std::optional<std::string> latest = latest_checkpoint(folder);
+    if (!latest) throw InputError(folder + ": has no checkpoint_*.h5 to compare");
+    return *latest;
+  }
+  const std::string path = (fs::path(folder) / (kind == Kind::history ? "history.csv" : "state.h5")).string();
+  if (!fs::exists(path)) throw InputError(path + ": does not exist (the other side of the comparison is such a file)");
+  return path;
 }
 
 // True if both folders have the file.
@@ -181,11 +210,16 @@ Comparison compare_results(const comm::Communicator& ranks, const std::string& a
   Comparison result;
   for (const std::string& path : {a, b})
     if (!fs::exists(path)) throw InputError(path + ": does not exist (expected a result folder or file)");
-  const Kind kind = kind_of(a);
-  if (kind != kind_of(b)) throw InputError(a + " and " + b + ": results of different kinds cannot be compared");
-  if (kind == Kind::state) compare_states(ranks, a, b, result);
-  if (kind == Kind::checkpoint) compare_checkpoints(ranks, a, b, result);
-  if (kind == Kind::history) compare_histories(a, b, result);
+  const Kind kind = kind_of(a) == Kind::folder ? kind_of(b) : kind_of(a);
+  const auto file_of = [&](const std::string& path) {
+    return kind != Kind::folder && kind_of(path) == Kind::folder ? file_in(path, kind) : path;
+  };
+  const std::string file_a = file_of(a), file_b = file_of(b);
+  if (kind_of(file_a) != kind_of(file_b))
+    throw InputError(a + " and " + b + ": results of different kinds cannot be compared");
+  if (kind == Kind::state) compare_states(ranks, file_a, file_b, result);
+  if (kind == Kind::checkpoint) compare_checkpoints(ranks, file_a, file_b, result);
+  if (kind == Kind::history) compare_histories(file_a, file_b, result);
   if (kind != Kind::folder) return result;
   const bool states = in_both(a, b, "state.h5", result), histories = in_both(a, b, "history.csv", result);
   if (!states && !histories && result.mismatches.empty())

@@ -19,15 +19,17 @@ struct FieldDifference {
 
 struct Comparison {
   std::vector<FieldDifference> fields;
-  std::vector<std::string> mismatches;  ///< what cannot be compared: meshes, fields, times; one line each
+  std::vector<std::string> mismatches;  ///< what cannot be compared: meshes, fields, records of one side; one line each
 
   /// No mismatch, and no relative difference above `tolerance`; 0 asks for equal values.
   [[nodiscard]] bool within(double tolerance) const;
 };
 
 /// A and B: both state.h5 files, both checkpoints, both history.csv, or both result folders (then state.h5 and
-/// history.csv are compared). Nodes are named by the input's numbers, elements by position in the input (checkpoint:
-/// canonical index), both as stored in A. Collective. Throws InputError if a file cannot be read or the kinds differ.
+/// history.csv are compared); or a folder and a file, compared with that file of the folder (the latest checkpoint).
+/// Records and rows are paired by step, what is left by time; those without a partner are mismatches. Nodes are named
+/// by the input's numbers, elements by position in the input (checkpoint: canonical index), both as stored in A.
+/// Collective. Throws InputError if a file cannot be read or the kinds differ.
 [[nodiscard]] Comparison compare_results(const comm::Communicator& ranks, const std::string& a, const std::string& b);
 
 /// The table that `brunt compare` prints, verdict in the last line.

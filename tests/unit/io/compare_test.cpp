@@ -85,7 +85,7 @@ TEST_CASE_METHOD(Fixture, "compare: other meshes, fields and record counts are d
   }
   SECTION("records") {
     io::StateFile(self, b, small.mesh).write(0, 0, small.fields(0));
-    CHECK_THAT(io::comparison_text(compare(), 1), Catch::Contains("records: 2 in A, 1 in B"));
+    CHECK_THAT(io::comparison_text(compare(), 1), Catch::Contains("record: step 10 (time 2.5) is only in A"));
   }
   CHECK_FALSE(compare().within(1e9));
 }
@@ -102,6 +102,30 @@ TEST_CASE_METHOD(Fixture, "compare: histories by column and step") {
   CHECK(row.time == 0.2);
 }
 
+TEST_CASE_METHOD(Fixture, "compare: records of the same step belong together, whatever stands between them") {
+  {
+    io::StateFile file(self, b, small.mesh);
+    file.write(0, 0, small.fields(0));
+    file.write(5, 1.25, small.fields(5));
+    file.write(10, 2.5, fields);
+  }
+  io::replace_text(a + "/history.csv", "step,time,kinetic\n1,0.1,8\n4,0.4,3\n");
+  io::replace_text(b + "/history.csv", "step,time,kinetic\n1,0.1,8\n2,0.2,9\n3,0.3,9\n4,0.4,3\n");
+  const io::Comparison comparison = compare();
+  CHECK(comparison.mismatches ==
+        std::vector<std::string>{"record: step 5 (time 1.25) is only in B", "history rows: steps 2, 3 are only in B"});
+  for (const io::FieldDifference& row : comparison.fields) CHECK(row.absolute == 0);
+  CHECK_FALSE(comparison.within(1e9));
+}
+
+TEST_CASE_METHOD(Fixture, "compare: a folder stands for its file of the other side's kind") {
+  write_state(b);
+  io::replace_text(a + "/history.csv", "step,time,kinetic\n1,0.1,8\n");
+  CHECK(io::compare_results(self, a + "/state.h5", b).within(0));
+  CHECK(io::compare_results(self, a, b + "/state.h5").within(0));
+  CHECK_THROWS_WITH(io::compare_results(self, a + "/history.csv", b), Catch::Contains("b/history.csv: does not exist"));
+}
+
 TEST_CASE_METHOD(Fixture, "compare: checkpoints by table; kinds that do not fit are refused") {
   const test::SmallModel model(self);
   const std::string path_a = io::write_checkpoint(self, a, {1, 0.5, ""}, model.registry);
@@ -111,6 +135,7 @@ TEST_CASE_METHOD(Fixture, "compare: checkpoints by table; kinds that do not fit 
   CHECK(field(comparison, "nodes/velocity").absolute == 3);
   CHECK(field(comparison, "nodes/velocity").where == "row 5 [2]");
   CHECK(field(comparison, "globals/clock").absolute == 0);
-  CHECK_THROWS_AS(io::compare_results(self, path_a, b), InputError);
+  CHECK_THROWS_AS(io::compare_results(self, path_a, a + "/state.h5"), InputError);
+  CHECK(field(io::compare_results(self, path_a, b), "nodes/velocity").absolute == 3);
   CHECK_THROWS_AS(io::compare_results(self, path_a, folder / "none"), InputError);
 }
