@@ -37,7 +37,7 @@ Hdf5File::Hdf5File(const comm::Communicator& ranks, std::string path, Mode mode)
   file_ = mode == Mode::create ? create_parallel(ranks_, path_, reason)
                                : open_parallel(ranks_, path_, mode == Mode::append, reason);
   if (!ranks_.any(file_ < 0)) return;
-  if (reason.empty()) reason = first_reason(ranks_, file_ < 0 ? hdf5_reason() : "");
+  reason = first_reason(ranks_, reason);
   if (mode == Mode::create) throw MachineError(path_ + ": cannot create the file: " + reason);
   throw InputError(path_ + ": cannot open as an HDF5 file (missing, truncated or damaged?): " + reason);
 }

@@ -34,8 +34,8 @@ std::string hdf5_reason();
 /// The first non-empty text in order of rank, on all ranks. Collective.
 std::string first_reason(const comm::Communicator& ranks, const std::string& mine);
 
-/// Ids of files opened by all ranks together; negative on failure. `reason` says what the operating system answered
-/// the root rank (the same text on all ranks, empty where the file itself could be opened). Collective.
+/// Ids of files opened by all ranks together; negative on failure, then `reason` says why: what the operating system
+/// answered the root rank, else what HDF5 said on this one. Collective.
 hid_t create_parallel(const comm::Communicator& ranks, const std::string& path, std::string& reason);
 hid_t open_parallel(const comm::Communicator& ranks, const std::string& path, bool writable, std::string& reason);
 

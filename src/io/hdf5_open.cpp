@@ -44,14 +44,18 @@ hid_t create_parallel(const comm::Communicator& ranks, const std::string& path, 
   reason = system_reason(ranks, path, O_WRONLY | O_CREAT);
   if (!reason.empty()) return -1;
   const Handle access(parallel_access(ranks), H5Pclose);
-  return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id());
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id());
+  if (file < 0) reason = hdf5_reason();  // before the next call of HDF5 clears it
+  return file;
 }
 
 hid_t open_parallel(const comm::Communicator& ranks, const std::string& path, bool writable, std::string& reason) {
   reason = system_reason(ranks, path, writable ? O_RDWR : O_RDONLY);
   if (!reason.empty()) return -1;
   const Handle access(parallel_access(ranks), H5Pclose);
-  return H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access.id());
+  const hid_t file = H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access.id());
+  if (file < 0) reason = hdf5_reason();
+  return file;
 }
 
 hid_t collective_transfer() {

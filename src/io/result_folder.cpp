@@ -2,13 +2,17 @@
 // Prepares the result folder (see the header).
 #include "brunt/io/result_folder.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <filesystem>
+#include <system_error>
 #include <vector>
 
 #include "brunt/core/error.hpp"
-#include "brunt/io/text_file.hpp"
 #include "on_root.hpp"
 
 namespace brunt::io {
@@ -24,16 +28,28 @@ std::vector<fs::path> result_files(const fs::path& folder) {
   return found;
 }
 
+// A place where nothing may be written is the user's choice; a disk that is full or fails is the machine's fault.
+[[noreturn]] void refuse_place(const fs::path& folder, const std::error_code& error) {
+  for (const std::errc fault : {std::errc::no_space_on_device, std::errc::io_error, std::errc::not_enough_memory})
+    if (error == fault) throw MachineError(folder.string() + ": " + error.message());
+  throw InputError(folder.string() + ": cannot be a result folder (" + error.message() +
+                   "); choose another with --out");
+}
+
 void check_writable(const fs::path& folder) {
   const std::string probe = (folder / "write_probe").string();
-  replace_text(probe, "");
+  const int file = ::open(probe.c_str(), O_WRONLY | O_CREAT, 0666);
+  if (file < 0) refuse_place(folder, std::error_code(errno, std::generic_category()));
+  ::close(file);
   fs::remove(probe);
 }
 
 void prepare_on_root(const fs::path& folder, ExistingResults existing) {
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw InputError(folder.string() + ": the result folder's name is taken by a file; choose another with --out");
-  fs::create_directories(folder);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) refuse_place(folder, error);
   const std::vector<fs::path> found = result_files(folder);
   if (!found.empty() && existing == ExistingResults::refuse)
     throw InputError(folder.string() + ": holds results already (" + found.front().filename().string() +

@@ -14,7 +14,8 @@ enum class ExistingResults {
 };
 
 /// Makes the folder (and those above it) if need be and checks that files can be written there. Collective; all ranks
-/// throw the same: InputError if results exist and may not, or the path is no folder; MachineError if the disk refuses.
+/// throw the same: InputError if results exist and may not, or nothing can be written there; MachineError if the disk
+/// is full or fails.
 void prepare_result_folder(const comm::Communicator& ranks, const std::string& folder, ExistingResults existing);
 
 /// True for the names a run writes: summary.json, history.csv, state.h5, state.xdmf, checkpoint_*.h5, log.txt.

@@ -35,12 +35,17 @@ TEST_CASE("result folder: made with those above it; results in it are kept, repl
   CHECK(fs::exists(folder + "/notes.txt"));
 }
 
-TEST_CASE("result folder: a file in its place is the user's fault, a disk that refuses the machine's") {
+TEST_CASE("result folder: a file in its place and a place where nothing can be made are the user's fault") {
   const auto self = comm::Communicator::self();
   const test::ScratchFolder scratch(self);
   io::replace_text(scratch / "file", "");
   CHECK_THROWS_AS(io::prepare_result_folder(self, scratch / "file", ExistingResults::refuse), InputError);
-  CHECK_THROWS_AS(io::prepare_result_folder(self, "/proc/results", ExistingResults::refuse), MachineError);
+  CHECK_THROWS_AS(io::prepare_result_folder(self, scratch / "file/below", ExistingResults::refuse), InputError);
+  for (const char* place : {"/proc", "/proc/results", "/proc/results/x"}) {
+    INFO(place);
+    CHECK_THROWS_AS(io::prepare_result_folder(self, place, ExistingResults::refuse), InputError);
+    CHECK_THROWS_WITH(io::prepare_result_folder(self, place, ExistingResults::refuse), Catch::Contains("--out"));
+  }
 }
 
 TEST_CASE("summary: readable JSON in the order given, numbers that JSON has not become null") {
