@@ -88,4 +88,15 @@ void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalInde
   }
 }
 
+/// Choice::with_kernel(block, use) calls use(kernel) with the kernel of the block.
+template <class Choice>
+constexpr Kernels kernels_of() {
+  return {[](const model::ElementBlock& block) {
+            return Choice::with_kernel(block, [](const auto& kernel) { return kernel.history(); });
+          },
+          [](const model::ElementBlock& block, LocalIndex block_index, const BlockPass& pass) {
+            Choice::with_kernel(block, [&](const auto& kernel) { run_block(kernel, block, block_index, pass); });
+          }};
+}
+
 }  // namespace brunt::force

@@ -7,25 +7,20 @@
 namespace brunt::force {
 namespace {
 
-/// Calls `use(kernel)` with the kernel of the block.
-template <class Use>
-auto with_kernel(const model::ElementBlock& block, Use&& use) {
-  return with_response(block.law, [&](const auto& response) {
-    using Response = std::decay_t<decltype(response)>;
-    if (block.kind == element::ElementKind::hex8_bbar)
-      return use(element::Hex8Full<Response, true>{response, block.bulk});
-    return use(element::Hex8Full<Response, false>{response, block.bulk});
-  });
-}
+struct Hex8FullChoice {
+  template <class Use>
+  static auto with_kernel(const model::ElementBlock& block, Use&& use) {
+    return with_response(block.law, [&](const auto& response) {
+      using Response = std::decay_t<decltype(response)>;
+      if (block.kind == element::ElementKind::hex8_bbar)
+        return use(element::Hex8Full<Response, true>{response, block.bulk});
+      return use(element::Hex8Full<Response, false>{response, block.bulk});
+    });
+  }
+};
 
 }  // namespace
 
-std::vector<element::HistoryField> hex8_full_history(const model::ElementBlock& block) {
-  return with_kernel(block, [](const auto& kernel) { return kernel.history(); });
-}
-
-void hex8_full_forces(const model::ElementBlock& block, LocalIndex block_index, const BlockPass& pass) {
-  with_kernel(block, [&](const auto& kernel) { run_block(kernel, block, block_index, pass); });
-}
+constinit const Kernels hex8_full_kernels = kernels_of<Hex8FullChoice>();
 
 }  // namespace brunt::force

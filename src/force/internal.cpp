@@ -6,18 +6,25 @@
 #include "kernels.hpp"
 
 namespace brunt::force {
+namespace {
 
-std::vector<element::HistoryField> history_fields(const model::ElementBlock& block) {
-  switch (block.kind) {
+const Kernels& kernels_of(element::ElementKind kind) {
+  switch (kind) {
     case element::ElementKind::hex8:
-      return hex8_history(block);
+      return hex8_kernels;
     case element::ElementKind::hex8_full:
     case element::ElementKind::hex8_bbar:
-      return hex8_full_history(block);
+      return hex8_full_kernels;
     case element::ElementKind::tet4:
-      return tet4_history(block);
+      break;
   }
-  return {};
+  return tet4_kernels;
+}
+
+}  // namespace
+
+std::vector<element::HistoryField> history_fields(const model::ElementBlock& block) {
+  return kernels_of(block.kind).history(block);
 }
 
 ElementReport internal_forces(const model::Model& model, model::State& state, model::Scratch& scratch) {
@@ -26,20 +33,7 @@ ElementReport internal_forces(const model::Model& model, model::State& state, mo
   const BlockPass pass{model, state, scratch, report};
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const model::ElementBlock& block = model.blocks[b];
-    const auto index = static_cast<LocalIndex>(b);
-    if (block.count == 0) continue;
-    switch (block.kind) {
-      case element::ElementKind::hex8:
-        hex8_forces(block, index, pass);
-        break;
-      case element::ElementKind::hex8_full:
-      case element::ElementKind::hex8_bbar:
-        hex8_full_forces(block, index, pass);
-        break;
-      case element::ElementKind::tet4:
-        tet4_forces(block, index, pass);
-        break;
-    }
+    if (block.count > 0) kernels_of(block.kind).forces(block, static_cast<LocalIndex>(b), pass);
   }
   return report;
 }

@@ -16,12 +16,14 @@ struct BlockPass {
   ElementReport& report;
 };
 
-std::vector<element::HistoryField> hex8_history(const model::ElementBlock& block);
-std::vector<element::HistoryField> hex8_full_history(const model::ElementBlock& block);  ///< hex8_bbar too
-std::vector<element::HistoryField> tet4_history(const model::ElementBlock& block);
+/// The kernels of one kind of element with every law; called once a block.
+struct Kernels {
+  std::vector<element::HistoryField> (*history)(const model::ElementBlock& block);
+  void (*forces)(const model::ElementBlock& block, LocalIndex block_index, const BlockPass& pass);
+};
 
-void hex8_forces(const model::ElementBlock& block, LocalIndex block_index, const BlockPass& pass);
-void hex8_full_forces(const model::ElementBlock& block, LocalIndex block_index, const BlockPass& pass);
-void tet4_forces(const model::ElementBlock& block, LocalIndex block_index, const BlockPass& pass);
+extern const Kernels hex8_kernels;
+extern const Kernels hex8_full_kernels;  ///< hex8_bbar too
+extern const Kernels tet4_kernels;
 
 }  // namespace brunt::force

@@ -7,23 +7,18 @@
 namespace brunt::force {
 namespace {
 
-/// Calls `use(kernel)` with the kernel of the block.
-template <class Use>
-auto with_kernel(const model::ElementBlock& block, Use&& use) {
-  return with_response(block.law, [&](const auto& response) {
-    using Response = std::decay_t<decltype(response)>;
-    return use(element::Tet4<Response>{response, block.bulk});
-  });
-}
+struct Tet4Choice {
+  template <class Use>
+  static auto with_kernel(const model::ElementBlock& block, Use&& use) {
+    return with_response(block.law, [&](const auto& response) {
+      using Response = std::decay_t<decltype(response)>;
+      return use(element::Tet4<Response>{response, block.bulk});
+    });
+  }
+};
 
 }  // namespace
 
-std::vector<element::HistoryField> tet4_history(const model::ElementBlock& block) {
-  return with_kernel(block, [](const auto& kernel) { return kernel.history(); });
-}
-
-void tet4_forces(const model::ElementBlock& block, LocalIndex block_index, const BlockPass& pass) {
-  with_kernel(block, [&](const auto& kernel) { run_block(kernel, block, block_index, pass); });
-}
+constinit const Kernels tet4_kernels = kernels_of<Tet4Choice>();
 
 }  // namespace brunt::force

@@ -39,7 +39,7 @@ struct ElementBench {
 
   ElementBench(const Kernel& kernel_, const Positions& X_, double mass)
       : kernel(kernel_), X(X_), history(Kernel::history_size, Pack{}) {
-    history[Kernel::at_mass] = broadcast(mass);
+    history[Kernel::Memory::at_mass] = broadcast(mass);
   }
 
   /// Moves the corners to x over dt with the velocity (x - before) / dt.
@@ -73,11 +73,11 @@ struct ElementBench {
     return K;
   }
 
-  Matrix stress(int point = 0) const { return symmetric_matrix(&history[Kernel::at_stress + 6 * point]); }
+  Matrix stress(int point = 0) const { return symmetric_matrix(&history[Kernel::Memory::at_stress + 6 * point]); }
   void set_stress(const Matrix& s, int point = 0) {
     Pack packs[6];
     set_symmetric(s, packs);
-    for (int c = 0; c < 6; ++c) history[static_cast<std::size_t>(Kernel::at_stress + 6 * point + c)] = packs[c];
+    for (int c = 0; c < 6; ++c) history[static_cast<std::size_t>(Kernel::Memory::at_stress + 6 * point + c)] = packs[c];
   }
 
   Kernel kernel;

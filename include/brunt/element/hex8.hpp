@@ -15,6 +15,7 @@
 #include "brunt/element/batch.hpp"
 #include "brunt/element/bulk_viscosity.hpp"
 #include "brunt/element/hex8_modes.hpp"
+#include "brunt/element/memory.hpp"
 #include "brunt/element/objective.hpp"
 #include "brunt/element/options.hpp"
 
@@ -28,22 +29,13 @@ struct Hex8 {
   Hourglass control;
   BulkViscosity bulk;
 
-  // history in this order; the mass is set once by the model
-  static constexpr int at_mass = 0;
-  static constexpr int at_stress = 1;
-  static constexpr int at_tensors = at_stress + 6;
-  static constexpr int at_scalars = at_tensors + 6 * Response::tensors;
-  static constexpr int at_bulk_energy = at_scalars + Response::scalars;
-  static constexpr int at_hourglass_energy = at_bulk_energy + 2;
+  using Memory = SolidMemory<Response, 1>;
+  static constexpr int at_hourglass_energy = Memory::size;
   static constexpr int at_hourglass_force = at_hourglass_energy + (hourglass == HourglassKind::none ? 0 : 1);
   static constexpr int history_size = at_hourglass_force + (hourglass == HourglassKind::stiffness ? 12 : 0);
 
   static std::vector<HistoryField> history() {
-    std::vector<HistoryField> fields{{"mass", 1}, {"stress", 6}};
-    if (Response::tensors > 0) fields.push_back({"back_stress", 6 * Response::tensors});
-    if (Response::scalars > 0) fields.push_back({"plastic_strain", Response::scalars});
-    fields.push_back({"bulk_energy", 1});
-    fields.push_back({"bulk_force", 1});
+    std::vector<HistoryField> fields = Memory::fields();
     if (hourglass != HourglassKind::none) fields.push_back({"hourglass_energy", 1});
     if (hourglass == HourglassKind::stiffness) fields.push_back({"hourglass_force", 12});
     return fields;
@@ -129,7 +121,7 @@ typename Hex8<Response, hourglass>::Tangent Hex8<Response, hourglass>::update(co
                                                                               const Kinematics& k,
                                                                               Pack* history) const {
   Tangent tangent;
-  Pack* stress = history + at_stress;
+  Pack* stress = history + Memory::at_stress;
   Pack s[6];
   if constexpr (Response::hyperelastic) {
     Pack X[hex_modes][3], G[6][3], F[9];
@@ -140,7 +132,7 @@ typename Hex8<Response, hourglass>::Tangent Hex8<Response, hourglass>::update(co
     law.tangent(F, tangent.lambda, tangent.mu);
     for (int c = 0; c < 6; ++c) stress[c] = s[c];
   } else {
-    update_stress(law, k.strain, stress, history + at_tensors, history + at_scalars);
+    update_stress(law, k.strain, stress, history + Memory::at_tensors, history + Memory::at_scalars);
     for (int c = 0; c < 6; ++c) s[c] = stress[c];
     law.tangent(s, tangent.lambda, tangent.mu);
   }
@@ -152,7 +144,7 @@ void Hex8<Response, hourglass>::resist(const Kinematics& k, const Tangent& tange
                                        Resistance& r) const {
   const Pack trace = k.S[0] + k.S[1] + k.S[2];
   const Pack largest = largest_eigenvalue_bound(k.S);
-  const Pack mass = history[at_mass];
+  const Pack mass = history[Memory::at_mass];
   const Pack over_both = 1.0 / (mass * largest);  // one division for 1/mass and 1/s_max
   const Pack over_mass = largest * over_both;
 
@@ -161,12 +153,12 @@ void Hex8<Response, hourglass>::resist(const Kinematics& k, const Tangent& tange
   const Pack rho_length2 = 0.5 * mass * mass * k.volume * over_both;
   const Pack viscosity = bulk_viscosity(bulk, law.lambda + 2.0 * law.mu, rho_length2, volume_rate);
   const Pack viscous = viscosity * volume_rate;
-  book_bulk_work(history + at_bulk_energy, viscous, k.volume, volume_rate, dt);
+  book_bulk_work(history + Memory::at_bulk_energy, viscous, k.volume, volume_rate, dt);
 
   const Pack frequency_factor = 8.0 * k.over_volume * over_mass;
   r.omega2 = frequency_factor * (tangent.lambda * trace + 2.0 * tangent.mu * largest);
   r.damping = frequency_factor * trace * viscosity;
-  const Pack* s = history + at_stress;
+  const Pack* s = history + Memory::at_stress;
   constexpr int place[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};
   for (int c = 0; c < 9; ++c) r.stress[c] = s[place[c]];
   for (int c = 0; c < 9; c += 4) r.stress[c] += viscous;

@@ -16,6 +16,7 @@
 #include "brunt/element/hex8_frequency.hpp"
 #include "brunt/element/hex8_modes.hpp"
 #include "brunt/element/hex8_point.hpp"
+#include "brunt/element/memory.hpp"
 #include "brunt/element/objective.hpp"
 #include "brunt/element/options.hpp"
 
@@ -28,22 +29,10 @@ struct Hex8Full {
   Response law;
   BulkViscosity bulk;
 
-  // history in this order: all stresses (six a point), all history tensors, all scalars; the mass is set by the model
-  static constexpr int at_mass = 0;
-  static constexpr int at_stress = 1;
-  static constexpr int at_tensors = at_stress + 6 * hex_points;
-  static constexpr int at_scalars = at_tensors + 6 * Response::tensors * hex_points;
-  static constexpr int at_bulk_energy = at_scalars + Response::scalars * hex_points;
-  static constexpr int history_size = at_bulk_energy + 2;
+  using Memory = SolidMemory<Response, hex_points>;
+  static constexpr int history_size = Memory::size;
 
-  static std::vector<HistoryField> history() {
-    std::vector<HistoryField> fields{{"mass", 1}, {"stress", 6 * hex_points}};
-    if (Response::tensors > 0) fields.push_back({"back_stress", 6 * Response::tensors * hex_points});
-    if (Response::scalars > 0) fields.push_back({"plastic_strain", Response::scalars * hex_points});
-    fields.push_back({"bulk_energy", 1});
-    fields.push_back({"bulk_force", 1});
-    return fields;
-  }
+  static std::vector<HistoryField> history() { return Memory::fields(); }
 
   void operator()(const BatchMotion<8>& in, Pack* history, BatchForce<8>& out) const;
 };
@@ -144,7 +133,7 @@ void Hex8Full<Response, bbar>::operator()(const BatchMotion<8>& in, Pack* histor
   }
   for (int p = 0; p < hex_points; ++p) {
     const HexPoint point(p);
-    Pack* stress = history + at_stress + 6 * p;
+    Pack* stress = history + Memory::at_stress + 6 * p;
     Pack s[6], lambda, mu, weight = broadcast(1.0);
     if constexpr (Response::hyperelastic) {
       Pack F[9];
@@ -166,8 +155,8 @@ void Hex8Full<Response, bbar>::operator()(const BatchMotion<8>& in, Pack* histor
         const Pack correction = (volume_rate - (L[0] + L[4] + L[8])) * (1.0 / 3.0);
         for (int i = 0; i < 3; ++i) L[4 * i] += correction;
       }
-      update_stress(law, strain_step(L, in.dt), stress, history + at_tensors + 6 * Response::tensors * p,
-                    history + at_scalars + Response::scalars * p);
+      update_stress(law, strain_step(L, in.dt), stress, history + Memory::at_tensors + 6 * Response::tensors * p,
+                    history + Memory::at_scalars + Response::scalars * p);
       for (int c = 0; c < 6; ++c) s[c] = stress[c];
       law.tangent(s, lambda, mu);
     }
@@ -177,10 +166,10 @@ void Hex8Full<Response, bbar>::operator()(const BatchMotion<8>& in, Pack* histor
 
   Pack S[6];
   gradient_gram(g, S);
-  const Pack mass = history[at_mass];
+  const Pack mass = history[Memory::at_mass];
   const Pack rho_length2 = mass * volume / (2.0 * largest_eigenvalue_bound(S));
   const Pack viscosity = bulk_viscosity(bulk, law.lambda + 2.0 * law.mu, rho_length2, volume_rate);
-  book_bulk_work(history + at_bulk_energy, viscosity * volume_rate, volume, volume_rate, in.dt);
+  book_bulk_work(history + Memory::at_bulk_energy, viscosity * volume_rate, volume, volume_rate, in.dt);
   const Pack through_mean = viscosity * volume_rate + sums.pressure / volume;
   for (int i = 0; i < 3; ++i) {
     for (int m = 0; m < 6; ++m) sums.force[i][m] -= through_mean * g[m][i];

@@ -9,6 +9,7 @@
 
 #include "brunt/element/batch.hpp"
 #include "brunt/element/bulk_viscosity.hpp"
+#include "brunt/element/memory.hpp"
 #include "brunt/element/objective.hpp"
 #include "brunt/element/options.hpp"
 
@@ -21,22 +22,10 @@ struct Tet4 {
   Response law;
   BulkViscosity bulk;
 
-  // history in this order; the mass is set once by the model
-  static constexpr int at_mass = 0;
-  static constexpr int at_stress = 1;
-  static constexpr int at_tensors = at_stress + 6;
-  static constexpr int at_scalars = at_tensors + 6 * Response::tensors;
-  static constexpr int at_bulk_energy = at_scalars + Response::scalars;
-  static constexpr int history_size = at_bulk_energy + 2;
+  using Memory = SolidMemory<Response, 1>;
+  static constexpr int history_size = Memory::size;
 
-  static std::vector<HistoryField> history() {
-    std::vector<HistoryField> fields{{"mass", 1}, {"stress", 6}};
-    if (Response::tensors > 0) fields.push_back({"back_stress", 6 * Response::tensors});
-    if (Response::scalars > 0) fields.push_back({"plastic_strain", Response::scalars});
-    fields.push_back({"bulk_energy", 1});
-    fields.push_back({"bulk_force", 1});
-    return fields;
-  }
+  static std::vector<HistoryField> history() { return Memory::fields(); }
 
   void operator()(const BatchMotion<4>& in, Pack* history, BatchForce<4>& out) const;
 };
@@ -82,7 +71,7 @@ void Tet4<Response>::operator()(const BatchMotion<4>& in, Pack* history, BatchFo
   gradient(v, B_mid, volume_mid, L);
   const Pack volume = gradients(x, B);
 
-  Pack* stress = history + at_stress;
+  Pack* stress = history + Memory::at_stress;
   Pack s[6], lambda, mu;
   if constexpr (Response::hyperelastic) {
     Pack X[3][3], B_reference[3][3], F[9];
@@ -93,7 +82,7 @@ void Tet4<Response>::operator()(const BatchMotion<4>& in, Pack* history, BatchFo
     law.tangent(F, lambda, mu);
     for (int c = 0; c < 6; ++c) stress[c] = s[c];
   } else {
-    update_stress(law, strain_step(L, in.dt), stress, history + at_tensors, history + at_scalars);
+    update_stress(law, strain_step(L, in.dt), stress, history + Memory::at_tensors, history + Memory::at_scalars);
     for (int c = 0; c < 6; ++c) s[c] = stress[c];
     law.tangent(s, lambda, mu);
   }
@@ -106,10 +95,10 @@ void Tet4<Response>::operator()(const BatchMotion<4>& in, Pack* history, BatchFo
     for (int k = 0; k < 3; ++k) S[c] += B[k][row[c]] * B[k][column[c]];
   }
   const Pack trace = S[0] + S[1] + S[2], largest = largest_eigenvalue_bound(S);
-  const Pack mass = history[at_mass];
+  const Pack mass = history[Memory::at_mass];
   const Pack volume_rate = L[0] + L[4] + L[8];
   const Pack viscosity = bulk_viscosity(bulk, law.lambda + 2.0 * law.mu, mass * volume / largest, volume_rate);
-  book_bulk_work(history + at_bulk_energy, viscosity * volume_rate, volume, volume_rate, in.dt);
+  book_bulk_work(history + Memory::at_bulk_energy, viscosity * volume_rate, volume, volume_rate, in.dt);
 
   for (int i = 0; i < 3; ++i) s[i] += viscosity * volume_rate;
   const Pack full[9] = {s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2]};

@@ -144,7 +144,7 @@ TEST_CASE("tetrahedron: bulk viscosity resists the rate of volume, books its ene
   ElementBench<Tet4<ElasticResponse>> viscous({ElasticResponse({1, 1, 0.3}), {0.06, 1.2}}, X, volume_of(X));
   auto plain = elastic_bench(X, 0.3, volume_of(X));
   const Corners<4> before = 1.01 * X;  // compressed to X over the step
-  constexpr int at_bulk_energy = Tet4<ElasticResponse>::at_bulk_energy;
+  constexpr int at_bulk_energy = Tet4<ElasticResponse>::Memory::at_bulk_energy;
   const auto with = viscous.move(before, X), without = plain.move(before, X);
   const Corners<4> drag = with.force - without.force, motion = X - before;
   CHECK(drag.cwiseProduct(motion).sum() < 0);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every solid element remembers, and where: the same list for all kinds and laws.
+#pragma once
+#include <vector>
+
+#include "brunt/element/batch.hpp"
+
+namespace brunt::element {
+
+/// Doubles of one element with `points` integration points, in this order: mass (set once by the model), all stresses
+/// (xx,yy,zz,xy,yz,zx a point), all tensors of the law, all its scalars, then energy and last force of bulk viscosity.
+template <class Response, int points>
+struct SolidMemory {
+  static constexpr int at_mass = 0;
+  static constexpr int at_stress = 1;
+  static constexpr int at_tensors = at_stress + 6 * points;
+  static constexpr int at_scalars = at_tensors + 6 * Response::tensors * points;
+  static constexpr int at_bulk_energy = at_scalars + Response::scalars * points;
+  static constexpr int size = at_bulk_energy + 2;
+
+  static std::vector<HistoryField> fields() {
+    std::vector<HistoryField> fields{{"mass", 1}, {"stress", 6 * points}};
+    if (Response::tensors > 0) fields.push_back({"back_stress", 6 * Response::tensors * points});
+    if (Response::scalars > 0) fields.push_back({"plastic_strain", Response::scalars * points});
+    fields.push_back({"bulk_energy", 1});
+    fields.push_back({"bulk_force", 1});
+    return fields;
+  }
+};
+
+}  // namespace brunt::element
