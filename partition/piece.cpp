@@ -72,9 +72,10 @@ Cutter::RankSides Cutter::by_rank(const std::vector<mesh::Side>& sides, std::spa
   RankSides sorted(at(parts));
   for (const mesh::Side& side : sides) sorted[at(part[gid(side)])].push_back(side);
   const auto key = [&](const mesh::Side& side) { return gid(side) * 8 + at(side.face); };
+  const auto same = [&](const mesh::Side& a, const mesh::Side& b) { return key(a) == key(b); };
   for (std::vector<mesh::Side>& row : sorted) {
     std::ranges::sort(row, {}, key);
-    row.erase(std::ranges::unique(row, {}, key).begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end(), same), row.end());
   }
   return sorted;
 }

@@ -102,6 +102,7 @@ bool every_part_has_elements(const std::vector<idx_t>& part, int parts) {
 std::vector<Rank> contiguous(LocalIndex elements, int parts) {
   const comm::BlockLayout layout{elements, parts};
   std::vector<Rank> part;
+  part.reserve(static_cast<std::size_t>(elements));
   for (LocalIndex e = 0; e < elements; ++e) part.push_back(layout.owner(e));
   return part;
 }
@@ -119,8 +120,10 @@ Weights weigh(const mesh::Mesh& mesh, std::span<const mesh::Side> exterior, std:
   }
   weights.contact_faces.assign(weights.cost.size(), 0);
   const std::vector<LocalIndex> first = first_of_block(mesh);
-  for (const mesh::Side& side : exterior)
-    ++weights.contact_faces[static_cast<std::size_t>(first[static_cast<std::size_t>(side.block)] + side.element)];
+  for (const mesh::Side& side : exterior) {
+    const LocalIndex element = first[static_cast<std::size_t>(side.block)] + side.element;
+    ++weights.contact_faces[static_cast<std::size_t>(element)];
+  }
   return weights;
 }
 

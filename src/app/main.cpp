@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
+#include <exception>
 #include <functional>
 #include <string>
 #include <vector>
@@ -58,8 +60,8 @@ void add_compare(CLI::App& program, app::CompareOptions& options, Command& chose
 void add_search(CLI::App& program, app::SearchOptions& options, Command& chosen) {
   CLI::App* search = program.add_subcommand("search", "Contact search alone, on a text scene of nodes and boxes");
   search->add_option("file", options.file, "Text scene (scene1 NAME n m ...)")->required();
-  search->add_option("--method", options.method, "binary: sort along the axes, then bisect")
-      ->check(CLI::IsMember({"binary"}));
+  search->add_option("--method", options.method, "blocks: the one in use; bucket, binary: those of the paper")
+      ->check(CLI::IsMember({"blocks", "bucket", "binary"}));
   search->add_option("--repeat", options.repeat, "Time the best of so many runs")->check(CLI::Range(1, 1000));
   search->add_flag("--list", options.list, "Print the pairs, a line `face node` each");
   search->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::search(ranks, options); }; });
@@ -80,11 +82,7 @@ int parse_failure(const CLI::App& program, const CLI::ParseError& error, bool ro
   return 2;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const comm::Session session(argc, argv);
-  const comm::Communicator ranks = comm::Communicator::world();
+int run_command(const comm::Communicator& ranks, int argc, char** argv) {
   CLI::App program("Brunt: explicit finite elements for contact, crash and penetration");
   program.require_subcommand(1);
   program.set_version_flag("--version", app::version());
@@ -104,12 +102,27 @@ int main(int argc, char** argv) {
   });
   if (names_unknown_command(program, argc, argv)) {
     if (ranks.is_root()) fmt::print(stderr, "brunt: no command '{}'; see brunt --help\n", argv[1]);
-    return app::leave_exit_code(2, ranks.is_root());
+    return 2;
   }
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app::leave_exit_code(parse_failure(program, error, ranks.is_root()), ranks.is_root());
+    return parse_failure(program, error, ranks.is_root());
   }
-  return app::guarded(ranks, [&] { return chosen(ranks); });
+  return chosen(ranks);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const comm::Session session(argc, argv);
+    const comm::Communicator ranks = comm::Communicator::world();
+    return app::guarded(ranks, [&] { return run_command(ranks, argc, argv); });
+  } catch (const std::exception& error) {  // MPI or PETSc itself did not start
+    std::fputs("brunt: ", stderr);
+    std::fputs(error.what(), stderr);
+    std::fputs("\n", stderr);
+    return 4;
+  }
 }

@@ -112,7 +112,7 @@ void Halo::end(std::span<const double> roots, std::span<double> leaves, int widt
 void Halo::backward(std::span<const double> leaves, std::span<double> roots, int width) const {
   if (!forest_) return;
   forest_->demand_sizes(roots.size(), leaves.size(), width);
-  const MPI_Datatype type = forest_->type_of(width);
+  MPI_Datatype type = forest_->type_of(width);
   check(PetscSFReduceBegin(forest_->sf, type, leaves.data(), roots.data(), MPI_REPLACE), "PetscSFReduceBegin");
   check(PetscSFReduceEnd(forest_->sf, type, leaves.data(), roots.data(), MPI_REPLACE), "PetscSFReduceEnd");
 }

@@ -107,6 +107,7 @@ std::vector<std::string> without(const std::vector<std::string>& names, const st
 
 void check_same_tables(const Hdf5File& file, const std::vector<SavedTable>& tables) {
   std::vector<std::string> wanted;
+  wanted.reserve(tables.size());
   for (const SavedTable& table : tables) wanted.push_back(table.path.substr(1));
   std::sort(wanted.begin(), wanted.end());
   const std::vector<std::string> stored = file.datasets("/");
@@ -140,7 +141,7 @@ std::vector<double> sound_rows(const Hdf5File& file, const SavedTable& table, co
 
 std::string write_checkpoint(const comm::Communicator& ranks, const std::string& folder, const CheckpointHeader& header,
                              const model::Registry& registry) {
-  const std::string path = fmt::format("{}/checkpoint_{:09}.h5", folder, header.step);
+  std::string path = fmt::format("{}/checkpoint_{:09}.h5", folder, header.step);
   const std::string draft = path + ".tmp";
   try {
     demand_disk_space(ranks, draft, bytes_of(registry));

@@ -27,7 +27,7 @@ void ParameterCheck::holds(bool condition, const std::string& fault) {
 }
 
 void ParameterCheck::fits(double nodes) {
-  const double most = std::numeric_limits<LocalIndex>::max() / 8;  // eight corners an element in one array
+  const double most = std::numeric_limits<LocalIndex>::max() / 8.0;  // eight corners an element in one array
   holds(nodes <= most, fmt::format("{:.3g} nodes are more than one mesh can hold ({:.3g})", nodes, most));
 }
 
@@ -63,15 +63,15 @@ Mesh extrude(const std::string& part, const Section& section, double length, int
 
 void add_surface_sets(Mesh& mesh, const std::vector<SurfaceSet>& sets) {
   const auto sides = exterior_sides(mesh);
-  for (const auto& [name, on_surface] : sets) {
-    auto& nodes = mesh.node_sets[name];
+  for (const SurfaceSet& set : sets) {
+    auto& nodes = mesh.node_sets[set.name];
     for (LocalIndex n = 0; n < static_cast<LocalIndex>(mesh.coordinates.size()); ++n)
-      if (on_surface(n)) nodes.push_back(n);
-    auto& chosen = mesh.side_sets[name];
+      if (set.on_surface(n)) nodes.push_back(n);
+    auto& chosen = mesh.side_sets[set.name];
     for (const Side& side : sides) {
       const Block& block = mesh.blocks[static_cast<std::size_t>(side.block)];
       const auto face = face_nodes(block.shape, block.element(side.element), side.face);
-      if (std::all_of(face.begin(), face.end(), [&](LocalIndex n) { return n == no_index || on_surface(n); }))
+      if (std::all_of(face.begin(), face.end(), [&](LocalIndex n) { return n == no_index || set.on_surface(n); }))
         chosen.push_back(side);
     }
   }

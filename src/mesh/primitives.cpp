@@ -65,7 +65,8 @@ Section butterfly(double radius, int n) {
   for (int j = -k; j <= k; ++j)
     for (int i = -k; i <= k; ++i) {
       const Vec3 x = core.inside({i, j, 0});
-      section.points[static_cast<std::size_t>(i + k + row * (j + k))] = {x[0], x[1]};
+      const int point = i + k + row * (j + k);
+      section.points[static_cast<std::size_t>(point)] = {x[0], x[1]};
     }
   const auto corners = outline(k);
   const auto around = static_cast<LocalIndex>(corners.size());

@@ -33,7 +33,7 @@ class RoundedCore {
   /// `shell` 0 is the core's surface, elements - half_cells the circle or sphere; `cell` lies on the core's surface.
   [[nodiscard]] Vec3 outside(const std::array<int, 3>& cell, int shell) const {
     const int shells = elements_ - half_cells_;
-    const Vec3 outer = radius_ * direction(cell, half_cells_);
+    Vec3 outer = radius_ * direction(cell, half_cells_);
     if (shell == shells) return outer;
     const Vec3 inner = inside(cell);
     return inner + (outer - inner) * shell / shells;

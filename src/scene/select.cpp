@@ -59,7 +59,8 @@ class Selector {
     whole_.mesh.side_sets[reserved] = found->second;
   }
 
-  void add_plane(const std::string& reserved, Vec3 point, const Vec3& normal, const std::string& key, bool must_hold) {
+  void add_plane(const std::string& reserved, const Vec3& point, const Vec3& normal, const std::string& key,
+                 bool must_hold) {
     Nodes nodes;
     for (std::size_t i = 0; i < whole_.mesh.coordinates.size(); ++i)
       if (std::abs((whole_.mesh.coordinates[i] - (point - whole_.origin)).dot(normal.normalized())) <= on_plane_)
