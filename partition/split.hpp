@@ -16,11 +16,13 @@ namespace brunt::partition {
 /// What each element brings to its rank, over all blocks in order.
 struct Weights {
   std::vector<double> cost;                 ///< of computing it, relative to the others, > 0
-  std::vector<std::int32_t> contact_faces;  ///< number of its exterior faces
+  std::vector<std::int32_t> contact_faces;  ///< number of its faces that bring contact its work
 };
 
-/// block_cost: cost of one element of each block; where empty, a hex8 counts 1 and a tet4 one half.
-Weights weigh(const mesh::Mesh& mesh, std::span<const mesh::Side> exterior, std::span<const double> block_cost = {});
+/// contact_sides: faces that bring contact its work; none: the cost alone is balanced. block_cost: cost of one element
+/// of each block; where empty, a hex8 counts 1 and a tet4 one half.
+Weights weigh(const mesh::Mesh& mesh, std::span<const mesh::Side> contact_sides,
+              std::span<const double> block_cost = {});
 
 /// Part of each element. No part is empty where there are at least as many elements as parts; with fewer elements the
 /// last parts are. `parts` >= 1.

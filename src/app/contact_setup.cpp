@@ -9,23 +9,6 @@
 namespace brunt::app {
 namespace {
 
-contact::PairTable pair_table(const model::Model& model) {
-  const std::size_t n = model.blocks.size();
-  const auto blocks = static_cast<std::int32_t>(n);
-  contact::PairTable table(blocks, contact::PairRule::apart);
-  for (std::int32_t a = 0; a < blocks; ++a)
-    for (std::int32_t b = a; b < blocks; ++b) {
-      const std::size_t pair = static_cast<std::size_t>(a) * n + static_cast<std::size_t>(b);
-      if (!model.contact.active[pair]) continue;
-      const std::int8_t forced = model.contact.forced_slave[pair];
-      table.set(a, b,
-                forced > 0   ? contact::PairRule::slave
-                : forced < 0 ? contact::PairRule::master
-                             : contact::PairRule::automatic);
-    }
-  return table;
-}
-
 /// The pairs of blocks that probes watch.
 void track_pairs(Prepared& run, contact::ContactSettings& settings) {
   const auto block_of = [&](const std::string& part) {
@@ -51,12 +34,28 @@ void for_each_sum(contact::ContactSums& sums, Visit&& visit) {
 
 }  // namespace
 
+contact::PairTable pair_table(const model::ContactRule& rule, std::size_t n) {
+  const auto blocks = static_cast<std::int32_t>(n);
+  contact::PairTable table(blocks, contact::PairRule::apart);
+  for (std::int32_t a = 0; a < blocks; ++a)
+    for (std::int32_t b = a; b < blocks; ++b) {
+      const std::size_t pair = static_cast<std::size_t>(a) * n + static_cast<std::size_t>(b);
+      if (!rule.active[pair]) continue;
+      const std::int8_t forced = rule.forced_slave[pair];
+      table.set(a, b,
+                forced > 0   ? contact::PairRule::slave
+                : forced < 0 ? contact::PairRule::master
+                             : contact::PairRule::automatic);
+    }
+  return table;
+}
+
 void make_contact(Prepared& run) {
   const model::Model& model = run.model;
   if (!model.contact.any && model.walls.empty()) return;
   contact::ContactSettings settings;
   settings.bodies = model.contact.any;
-  settings.pairs = pair_table(model);
+  settings.pairs = pair_table(model.contact, model.blocks.size());
   settings.rate = {model.contact.tolerance, model.contact.max_iterations};
   if (model.contact.rebuild_every > 0) settings.rebuild = {contact::Rebuild::When::every, model.contact.rebuild_every};
   if (model.contact.rebuild_every < 0) settings.rebuild.when = contact::Rebuild::When::random;

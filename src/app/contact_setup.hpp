@@ -7,6 +7,9 @@
 
 namespace brunt::app {
 
+/// The rules for pairs of blocks as the contact room reads them.
+contact::PairTable pair_table(const model::ContactRule& rule, std::size_t blocks);
+
 /// Makes Prepared::contact where the scene has contact or walls. Collective.
 void make_contact(Prepared& run);
 

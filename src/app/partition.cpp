@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include "brunt/mesh/topology.hpp"
 #include "commands.hpp"
 #include "failure.hpp"
 #include "partition/dual_graph.hpp"
 #include "partition/quality.hpp"
 #include "partition/split.hpp"
 #include "prepare.hpp"
+#include "weights.hpp"
 
 namespace brunt::app {
 namespace {
@@ -32,8 +32,7 @@ int partition(const comm::Communicator& ranks, const PartitionOptions& options) 
     std::vector<std::string> warnings;
     const mesh::CanonicalMesh whole = whole_mesh(input, warnings);
     const Ragged<LocalIndex> graph = partition::dual_graph(whole.mesh);
-    const partition::Weights weights =
-        partition::weigh(whole.mesh, mesh::exterior_sides(whole.mesh), block_costs(input, whole.mesh));
+    const partition::Weights weights = weigh(input, whole);
     const std::vector<Rank> part = partition::split(graph, weights, options.parts);
     print(partition::quality(whole.mesh, graph, weights, part, options.parts));
   });

@@ -12,7 +12,6 @@
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/check.hpp"
 #include "brunt/mesh/primitives.hpp"
-#include "brunt/mesh/topology.hpp"
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/fingerprint.hpp"
 #include "brunt/scene/read.hpp"
@@ -23,6 +22,7 @@
 #include "partition/distribute.hpp"
 #include "partition/dual_graph.hpp"
 #include "partition/split.hpp"
+#include "weights.hpp"
 
 namespace brunt::app {
 namespace {
@@ -92,16 +92,6 @@ mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::strin
   return whole;
 }
 
-std::vector<double> block_costs(const scene::Input& input, const mesh::Mesh& mesh) {
-  std::vector<double> costs;
-  for (const std::size_t part : scene::parts_of_blocks(input, mesh)) {
-    const element::ElementKind kind = input.parts[part].element;
-    // measured with tests/bench: time of an element relative to the one-point hexahedron
-    costs.push_back(kind == element::ElementKind::hex8 ? 1.0 : kind == element::ElementKind::tet4 ? 0.5 : 5.0);
-  }
-  return costs;
-}
-
 model::Registry Prepared::registry() {
   model::Registry registry = time::state_registry(model, state);
   if (contact) {
@@ -132,9 +122,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
     whole = whole_mesh(prepared->input, prepared->warnings);
     prepared->gaps = initial_gaps(prepared->input, whole.mesh);
     judge_overlaps(prepared->input, prepared->gaps, prepared->warnings);
-    const std::vector<double> costs = block_costs(prepared->input, whole.mesh);
-    part = partition::split(partition::dual_graph(whole.mesh),
-                            partition::weigh(whole.mesh, mesh::exterior_sides(whole.mesh), costs), ranks.size());
+    part = partition::split(partition::dual_graph(whole.mesh), weigh(prepared->input, whole), ranks.size());
   });
   mesh::LocalMesh local = partition::distribute(ranks, whole, part);
   whole = {};

@@ -45,9 +45,6 @@ scene::Input read_input(const comm::Communicator& ranks, const std::string& scen
 /// The whole mesh of a scene, checked and in canonical order, with the scene's selections as sets. Root only.
 mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::string>& warnings);
 
-/// Relative cost of the elements of each block of the mesh, for the partition.
-std::vector<double> block_costs(const scene::Input& input, const mesh::Mesh& mesh);
-
 /// Collective; throws InputError on all ranks.
 std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
                                   const std::vector<std::string>& overrides);

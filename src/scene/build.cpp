@@ -96,31 +96,6 @@ bool excludes(const ContactEntry& entry, const std::string& a, const std::string
   });
 }
 
-/// A later entry wins for a pair of parts.
-void build_contact_rule(const Input& input, model::Model& model) {
-  const std::size_t n = model.blocks.size();
-  model::ContactRule& rule = model.contact;
-  rule.active.assign(n * n, 0);
-  rule.forced_slave.assign(n * n, 0);
-  for (const ContactEntry& entry : input.contact) {
-    rule.tolerance = entry.tolerance;
-    rule.max_iterations = entry.max_iterations;
-    rule.rebuild_every = entry.rebuild_every;
-    for (std::size_t a = 0; a < n; ++a)
-      for (std::size_t b = 0; b < n; ++b) {
-        const std::string &first = model.blocks[a].part, &second = model.blocks[b].part;
-        const bool straight = names_pair(entry, first, second), turned = names_pair(entry, second, first);
-        if (!straight && !turned) continue;
-        rule.active[a * n + b] = excludes(entry, first, second) ? 0 : 1;
-        if (entry.slave != ContactEntry::Slave::automatic && !entry.between.empty())
-          rule.forced_slave[a * n + b] = (entry.slave == ContactEntry::Slave::first) == straight ? 1 : -1;
-        else
-          rule.forced_slave[a * n + b] = 0;
-      }
-  }
-  rule.any = std::ranges::any_of(rule.active, [](std::int8_t on) { return on != 0; });
-}
-
 /// Nodes that contact, walls or constraints may still change after the prediction.
 std::vector<LocalIndex> late_nodes(const model::Model& model) {
   std::vector<LocalIndex> late;
@@ -145,9 +120,36 @@ model::Model build_model(const Input& input, mesh::LocalMesh&& mesh) {
   build_loads(input, model);
   build_constraints(input, model);
   mark_symmetry_faces(input, model);
-  build_contact_rule(input, model);
+  std::vector<std::string> part_of_block;
+  for (const model::ElementBlock& block : model.blocks) part_of_block.push_back(block.part);
+  model.contact = contact_rule(input, part_of_block);
   model.late = late_nodes(model);
   return model;
+}
+
+model::ContactRule contact_rule(const Input& input, std::span<const std::string> part_of_block) {
+  const std::size_t n = part_of_block.size();
+  model::ContactRule rule;
+  rule.active.assign(n * n, 0);
+  rule.forced_slave.assign(n * n, 0);
+  for (const ContactEntry& entry : input.contact) {
+    rule.tolerance = entry.tolerance;
+    rule.max_iterations = entry.max_iterations;
+    rule.rebuild_every = entry.rebuild_every;
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = 0; b < n; ++b) {
+        const std::string &first = part_of_block[a], &second = part_of_block[b];
+        const bool straight = names_pair(entry, first, second), turned = names_pair(entry, second, first);
+        if (!straight && !turned) continue;
+        rule.active[a * n + b] = excludes(entry, first, second) ? 0 : 1;
+        if (entry.slave != ContactEntry::Slave::automatic && !entry.between.empty())
+          rule.forced_slave[a * n + b] = (entry.slave == ContactEntry::Slave::first) == straight ? 1 : -1;
+        else
+          rule.forced_slave[a * n + b] = 0;
+      }
+  }
+  rule.any = std::ranges::any_of(rule.active, [](std::int8_t on) { return on != 0; });
+  return rule;
 }
 
 std::optional<ContactEntry::InitialOverlap> overlap_rule(const Input& input, const std::string& a,
@@ -160,18 +162,23 @@ std::optional<ContactEntry::InitialOverlap> overlap_rule(const Input& input, con
   return rule;
 }
 
-std::vector<Vec3> initial_velocities(const Input& input, const model::Model& model) {
-  std::vector<Vec3> velocity(model.mesh.node_gid.size(), Vec3::Zero());
+std::vector<Vec3> initial_velocities(const Input& input, std::span<const Vec3> coordinates, const Vec3& origin,
+                                     const NodeSets& sets) {
+  std::vector<Vec3> velocity(coordinates.size(), Vec3::Zero());
   for (std::size_t k = 0; k < input.initial.size(); ++k) {
     const InitialMotion& entry = input.initial[k];
     const Vec3 spin = entry.spin_rate * entry.spin_axis.normalized();
-    const Vec3 point = entry.spin_point - model.mesh.origin;
-    for (const LocalIndex node : selected(model.mesh, "initial", k)) {
+    const Vec3 point = entry.spin_point - origin;
+    for (const LocalIndex node : sets.at(selection_name("initial", k))) {
       const auto i = static_cast<std::size_t>(node);
-      velocity[i] = entry.velocity + spin.cross(model.mesh.coordinates[i] - point);
+      velocity[i] = entry.velocity + spin.cross(coordinates[i] - point);
     }
   }
   return velocity;
+}
+
+std::vector<Vec3> initial_velocities(const Input& input, const model::Model& model) {
+  return initial_velocities(input, model.mesh.coordinates, model.mesh.origin, model.mesh.node_sets);
 }
 
 }  // namespace brunt::scene

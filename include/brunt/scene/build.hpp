@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // From what the scene says and this rank's piece of the mesh to the Model. Local to the rank.
 #pragma once
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
 #include "brunt/mesh/local_mesh.hpp"
 #include "brunt/model/model.hpp"
 #include "brunt/scene/input.hpp"
@@ -15,7 +21,16 @@ model::Model build_model(const Input& input, mesh::LocalMesh&& mesh);
 std::optional<ContactEntry::InitialOverlap> overlap_rule(const Input& input, const std::string& a,
                                                          const std::string& b);
 
-/// Velocity of each local node at t = 0 [length/time].
+/// Which parts may touch which, by pairs of blocks; a later entry wins for a pair of parts. part_of_block: names.
+model::ContactRule contact_rule(const Input& input, std::span<const std::string> part_of_block);
+
+using NodeSets = std::map<std::string, std::vector<LocalIndex>>;
+
+/// Velocity of each node at t = 0 [length/time]. coordinates: less `origin`; sets: with those of scene::select.
+std::vector<Vec3> initial_velocities(const Input& input, std::span<const Vec3> coordinates, const Vec3& origin,
+                                     const NodeSets& sets);
+
+/// The same of a rank's local nodes.
 std::vector<Vec3> initial_velocities(const Input& input, const model::Model& model);
 
 }  // namespace brunt::scene

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "weights.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "brunt/contact/likely_slaves.hpp"
+#include "brunt/mesh/topology.hpp"
+#include "brunt/scene/build.hpp"
+#include "brunt/scene/select.hpp"
+#include "contact_setup.hpp"
+
+namespace brunt::app {
+namespace {
+
+/// Time of an element relative to the one-point hexahedron, measured with tests/bench.
+double cost_of(element::ElementKind kind) {
+  return kind == element::ElementKind::hex8 ? 1.0 : kind == element::ElementKind::tet4 ? 0.5 : 5.0;
+}
+
+/// Exterior faces but for those in planes of symmetry.
+std::vector<mesh::Side> contact_faces(const scene::Input& input, const mesh::Mesh& mesh) {
+  std::vector<mesh::Side> faces = mesh::exterior_sides(mesh);
+  for (std::size_t k = 0; k < input.symmetry.size(); ++k) {
+    const std::vector<LocalIndex>& plane = mesh.node_sets.at(scene::selection_name("symmetry", k));
+    std::erase_if(faces, [&](const mesh::Side& side) {
+      const mesh::Block& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+      return std::ranges::all_of(
+          mesh::face_nodes(block.shape, block.element(side.element), side.face),
+          [&](LocalIndex node) { return node == no_index || std::ranges::binary_search(plane, node); });
+    });
+  }
+  return faces;
+}
+
+}  // namespace
+
+partition::Weights weigh(const scene::Input& input, const mesh::CanonicalMesh& whole) {
+  std::vector<std::string> names;
+  std::vector<double> cost, density;
+  for (const std::size_t p : scene::parts_of_blocks(input, whole.mesh)) {
+    const scene::Part& part = input.parts[p];
+    names.push_back(part.name);
+    cost.push_back(cost_of(part.element));
+    density.push_back(material::initial_moduli(input.materials.at(part.material)).density);
+  }
+  const model::ContactRule rule = scene::contact_rule(input, names);
+  if (!rule.any) return partition::weigh(whole.mesh, {}, cost);
+  const std::vector<Vec3> velocity =
+      scene::initial_velocities(input, whole.mesh.coordinates, whole.origin, whole.mesh.node_sets);
+  const double duration = input.run.end.value_or(std::numeric_limits<double>::infinity());
+  return partition::weigh(whole.mesh,
+                          contact::likely_slaves(whole.mesh, contact_faces(input, whole.mesh),
+                                                 pair_table(rule, names.size()), {density, velocity, duration}),
+                          cost);
+}
+
+}  // namespace brunt::app

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the elements of a scene cost, for the split over the ranks.
+#pragma once
+#include "brunt/mesh/canonical.hpp"
+#include "brunt/scene/input.hpp"
+#include "partition/split.hpp"
+
+namespace brunt::app {
+
+/// Costs of the elements and their faces that will bring contact its work (none without contact between parts: rows
+/// of walls cost little). whole: with the selections of the scene.
+partition::Weights weigh(const scene::Input& input, const mesh::CanonicalMesh& whole);
+
+}  // namespace brunt::app
