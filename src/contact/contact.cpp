@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "brunt/comm/rendezvous.hpp"
 #include "brunt/contact/join_surface.hpp"
 #include "brunt/core/binned_sum.hpp"
 #include "brunt/core/error.hpp"
@@ -59,7 +60,11 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
     if (found == surface_.model_node.end() || *found != held.node) continue;
     surface_mobility_[static_cast<std::size_t>(found - surface_.model_node.begin())].projector = held.projector;
   }
-  surface_copies_ = comm::Halo(ranks, static_cast<LocalIndex>(surface_.gid.size()), source);
+  std::vector<std::vector<LocalIndex>> wanted(static_cast<std::size_t>(ranks.size()));
+  for (const comm::RemoteSlot& slot : source) wanted[static_cast<std::size_t>(slot.rank)].push_back(slot.index);
+  lent_ = comm::exchange(ranks, wanted).values;
+  any_copies_ = ranks.any(!lent_.empty());
+  if (any_copies_) surface_copies_ = comm::Halo(ranks, static_cast<LocalIndex>(surface_.gid.size()), source);
   surface_velocity_.resize(3 * surface_.gid.size());
   foreign_velocity_.resize(3 * foreign_.size());
   held_ = held_by_walls(surface_, mesh.coordinates, walls);
@@ -70,15 +75,17 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
 double Contact::motion_used(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt) const {
   if (!have_lists_) return std::numeric_limits<double>::infinity();
   double largest = 0;
-  const auto keep = [&](double moved) {  // what is not finite must not be lost
-    if (!(moved <= largest)) largest = moved;
+  const auto keep = [&](const Vec3& moved, const Vec3& velocity) {  // what is not finite must not be lost
+    const Vec3 coming = dt * velocity;
+    if (2 * (moved.squaredNorm() + coming.squaredNorm()) <= largest * largest) return;  // (a + b)^2 <= 2 (a^2 + b^2)
+    const double used = moved.norm() + coming.norm();
+    if (!(used <= largest)) largest = used;
   };
   for (std::size_t i = 0; i < surface_.gid.size(); ++i) {
     const LocalIndex node = surface_.model_node[i];
-    keep((position[node] - list_position_[i]).norm() + dt * predicted[node].norm());
+    keep(position[node] - list_position_[i], predicted[node]);
   }
-  for (std::size_t w = 0; w < walls.size(); ++w)
-    keep((walls[w].point - list_wall_[w]).norm() + dt * walls[w].velocity.norm());
+  for (std::size_t w = 0; w < walls.size(); ++w) keep(walls[w].point - list_wall_[w], walls[w].velocity);
   return largest / motion_;
 }
 
@@ -169,8 +176,11 @@ void Contact::scatter(MutableVectorView velocity) {
     const LocalIndex here = lists_.nodes.surface_node[i];
     if (here != no_index) velocity.set(surface_.model_node[static_cast<std::size_t>(here)], velocity_[i]);
   }
-  for (std::size_t i = 0; i < surface_.gid.size(); ++i)
+  if (!any_copies_) return;
+  for (const LocalIndex node : lent_) {
+    const auto i = static_cast<std::size_t>(node);
     Eigen::Map<Vec3>(surface_velocity_.data() + 3 * i) = velocity[surface_.model_node[i]];
+  }
   surface_copies_.forward(surface_velocity_, foreign_velocity_, 3);
   for (std::size_t i = 0; i < foreign_.size(); ++i)
     velocity.set(surface_.model_node[static_cast<std::size_t>(foreign_[i])], Vec3(&foreign_velocity_[3 * i]));

@@ -3,7 +3,6 @@
 #include "brunt/contact/lists.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "brunt/comm/rendezvous.hpp"
@@ -123,16 +122,29 @@ LocalIndex table_index(const NodeTable& table, GlobalIndex gid) {
   return static_cast<LocalIndex>(found - table.gid.begin());
 }
 
+struct NeededNode {
+  GlobalIndex gid = 0;
+  Place home;
+  friend auto operator<=>(const NeededNode&, const NeededNode&) = default;
+};
+
+template <class T>
+void sort_unique(std::vector<T>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
 /// The nodes needed here, and those of this rank that others need.
-NodeTable make_table(const Build& build, std::map<GlobalIndex, Place> needed,
-                     std::vector<std::vector<LocalIndex>>& requests, Ragged<LocalIndex>& requested) {
+NodeTable make_table(const Build& build, std::vector<NeededNode> needed, Ragged<LocalIndex>& requested) {
   const Rank here = build.ranks.rank();
-  requests.assign(static_cast<std::size_t>(build.ranks.size()), {});
+  std::vector<std::vector<LocalIndex>> requests(static_cast<std::size_t>(build.ranks.size()));
+  sort_unique(needed);
   for (const auto& [gid, home] : needed)
     if (home.rank != here) requests[static_cast<std::size_t>(home.rank)].push_back(home.index);
   requested = comm::exchange(build.ranks, requests);
   for (const LocalIndex node : requested.values)
-    needed[build.surface.gid[static_cast<std::size_t>(node)]] = Place{here, node};
+    needed.push_back({build.surface.gid[static_cast<std::size_t>(node)], {here, node}});
+  sort_unique(needed);
   NodeTable table;
   for (const auto& [gid, home] : needed) {
     const auto found = std::lower_bound(build.surface.gid.begin(), build.surface.gid.end(), gid);
@@ -207,23 +219,24 @@ void fill_candidates(const Build& build, const std::vector<Pair>& pairs, const s
 
 /// Where the area vectors of the slaves' own faces come from, and whose are needed.
 void link_facets(const Build& build, const std::vector<Pair>& pairs, ContactLists& lists) {
-  std::map<Place, LocalIndex> leaf;
+  std::vector<Place> leaves;
   const auto each_slave = [&](auto&& visit) {
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (i == 0 || pairs[i].slave != pairs[i - 1].slave) visit(build.surface.facets.row(pairs[i].slave));
   };
-  each_slave([&](std::span<const Place> facets) {
-    for (const Place& facet : facets) leaf.emplace(facet, 0);
-  });
+  each_slave([&](std::span<const Place> facets) { leaves.insert(leaves.end(), facets.begin(), facets.end()); });
+  sort_unique(leaves);
   std::vector<comm::RemoteSlot> source;
   std::vector<std::vector<LocalIndex>> needs(static_cast<std::size_t>(build.ranks.size()));
-  for (auto& [place, index] : leaf) {
-    index = static_cast<LocalIndex>(source.size());
+  for (const Place& place : leaves) {
     source.push_back({place.rank, place.index});
     needs[static_cast<std::size_t>(place.rank)].push_back(place.index);
   }
   each_slave([&](std::span<const Place> facets) {
-    for (const Place& facet : facets) lists.candidates.slave_facets.values.push_back(leaf.at(facet));
+    for (const Place& facet : facets) {
+      const auto leaf = std::lower_bound(leaves.begin(), leaves.end(), facet);
+      lists.candidates.slave_facets.values.push_back(static_cast<LocalIndex>(leaf - leaves.begin()));
+    }
     lists.candidates.slave_facets.close_row();
   });
   lists.facet_needed.assign(build.surface.faces.size(), 0);
@@ -233,6 +246,27 @@ void link_facets(const Build& build, const std::vector<Pair>& pairs, ContactList
   lists.any_facets = build.ranks.any(!source.empty());
   if (lists.any_facets)
     lists.facets = comm::Halo(build.ranks, static_cast<LocalIndex>(build.surface.faces.size()), source);
+}
+
+/// Slaves and wall candidates, and the corners of the faces; some more than once.
+std::vector<NeededNode> needed_nodes(const Build& build, const std::vector<Pair>& pairs,
+                                     const std::vector<TravellingFace>& masters,
+                                     std::span<const WallCandidate> wall_candidates) {
+  std::vector<NeededNode> needed;
+  const auto need = [&](LocalIndex node) {
+    const auto i = static_cast<std::size_t>(node);
+    needed.push_back({build.surface.gid[i], build.surface.home[i]});
+  };
+  std::vector<char> has_corners(masters.size(), 0);
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (p == 0 || pairs[p].slave != pairs[p - 1].slave) need(pairs[p].slave);
+    const auto f = static_cast<std::size_t>(pairs[p].face);
+    if (std::exchange(has_corners[f], 1) != 0) continue;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(masters[f].corner_count); ++i)
+      needed.push_back({masters[f].gid[i], masters[f].home[i]});
+  }
+  for (const WallCandidate& candidate : wall_candidates) need(candidate.node);
+  return needed;
 }
 
 }  // namespace
@@ -254,21 +288,8 @@ ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface
   }
   lists.wall_candidates = walls_in_reach(build, walls, held);
 
-  std::map<GlobalIndex, Place> needed;
-  const auto need = [&](LocalIndex node) {
-    needed.emplace(surface.gid[static_cast<std::size_t>(node)], surface.home[static_cast<std::size_t>(node)]);
-  };
-  for (const Pair& pair : found) {
-    need(pair.slave);
-    const TravellingFace& master = masters[static_cast<std::size_t>(pair.face)];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(master.corner_count); ++i)
-      needed.emplace(master.gid[i], master.home[i]);
-  }
-  for (const WallCandidate& candidate : lists.wall_candidates) need(candidate.node);
-
-  std::vector<std::vector<LocalIndex>> requests;
   Ragged<LocalIndex> requested;
-  lists.nodes = make_table(build, std::move(needed), requests, requested);
+  lists.nodes = make_table(build, needed_nodes(build, found, masters, lists.wall_candidates), requested);
   for (WallCandidate& candidate : lists.wall_candidates)
     candidate.node = table_index(lists.nodes, surface.gid[static_cast<std::size_t>(candidate.node)]);
   fill_candidates(build, found, masters, lists);

@@ -134,6 +134,8 @@ class Contact {
   std::vector<char> held_;  // wall by wall, a flag a surface node
   comm::Halo surface_copies_;
   std::vector<LocalIndex> foreign_;  // surface nodes owned elsewhere
+  std::vector<LocalIndex> lent_;     // surface nodes owned here, once for each copy elsewhere
+  bool any_copies_ = false;          // on any rank
   std::vector<double> surface_velocity_, foreign_velocity_;
 
   ContactLists lists_;

@@ -20,7 +20,7 @@ struct Scene {
   [[nodiscard]] const NodeMotion& at(LocalIndex node) const { return motion[static_cast<std::size_t>(node)]; }
 };
 
-void extend_by_sweep(Box& box, const NodeMotion& node, double dt) {
+inline void extend_by_sweep(Box& box, const NodeMotion& node, double dt) {
   geometry::extend(box, node.position);
   geometry::extend(box, node.position + dt * node.predicted);
 }
