@@ -2,8 +2,10 @@
 // `brunt check`: what a run would start from, without running it.
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/core/error.hpp"
@@ -38,39 +40,95 @@ std::vector<PartFigures> part_figures(const Prepared& run) {
   return figures;
 }
 
+/// What a step costs here and now, contact included.
+struct StepCost {
+  double seconds = 0;
+  int steps = 0;  ///< measured
+};
+
+/// Takes some steps with nothing written, the first one (it searches and fills caches) untimed. Collective.
+StepCost measure_steps(Prepared& run, const time::StepReport& first) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double patience = 0.5;  // s
+  constexpr int most_steps = 50;
+  time::advance(run.model, run.state, run.scratch, run.links, run.contact.get(), first);
+  StepCost cost;
+  double spent = 0;
+  const Clock::time_point start = Clock::now();
+  while (cost.steps < most_steps && spent < patience) {
+    const time::StepReport step =
+        time::evaluate(run.model, run.state, run.scratch, run.links, {run.input.run.cfl, 1.02});
+    if (run.links.ranks.any(step.stop)) break;
+    time::advance(run.model, run.state, run.scratch, run.links, run.contact.get(), step);
+    spent = run.links.ranks.max(std::chrono::duration<double>(Clock::now() - start).count());
+    ++cost.steps;
+  }
+  if (cost.steps > 0) cost.seconds = spent / cost.steps;
+  return cost;
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 120) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+void print_parts(const Prepared& run, const std::vector<PartFigures>& figures, const scene::UnitSystem& units) {
+  fmt::print("{:<16} {:<10} {:<14} {:>10} {:>14}\n", "part", "element", "material", "elements",
+             "mass [" + units.mass + "]");
+  for (std::size_t b = 0; b < figures.size(); ++b) {
+    const model::ElementBlock& block = run.model.blocks[b];
+    fmt::print("{:<16} {:<10} {:<14} {:>10} {:>14.6g}\n", block.part, element::name_of(block.kind), block.material,
+               figures[b].elements, figures[b].mass);
+  }
+  fmt::print("nodes            {}\n", run.model.mesh.global_nodes);
+}
+
+void print_gaps(const Prepared& run, const scene::UnitSystem& units) {
+  if (const InitialGaps& gaps = run.gaps; gaps.smallest >= 0)
+    fmt::print("smallest gap     {:.6g} {} between {} and {}\n", gaps.smallest, units.length,
+               run.input.parts[gaps.part].name, run.input.parts[gaps.other].name);
+  else if (!run.input.contact.empty())
+    fmt::print("smallest gap     no two parts are nearer than an element's edge\n");
+}
+
+void print_cost(const Prepared& run, const time::StepReport& step, const StepCost& cost,
+                const scene::UnitSystem& units) {
+  const scene::Run& limits = run.input.run;
+  fmt::print("first step       {:.6g} {} (cfl {:g})\n", step.dt, units.time, limits.cfl);
+  double steps = std::numeric_limits<double>::infinity();
+  if (limits.end) steps = std::ceil(*limits.end / step.dt);
+  if (limits.steps) steps = std::min(steps, static_cast<double>(*limits.steps));
+  fmt::print("steps            about {:.0f} of that size\n", steps);
+  if (cost.steps == 0) return;
+  const int ranks = run.links.ranks.size();
+  const auto elements = static_cast<double>(run.model.mesh.global_elements);
+  fmt::print(
+      "estimated cost   {} on {} rank{} without output ({:.0f} ns per element-step and rank in {} steps tried)\n",
+      duration_text(steps * cost.seconds), ranks, ranks == 1 ? "" : "s", cost.seconds * 1e9 * ranks / elements,
+      cost.steps);
+}
+
 }  // namespace
 
 int check(const comm::Communicator& ranks, const CheckOptions& options) {
   const std::unique_ptr<Prepared> run = prepare(ranks, options.scene, options.overrides);
+  if (ranks.is_root())
+    for (const std::string& line : overlap_list(run->input, run->gaps)) fmt::print("overlap          {}\n", line);
+  refuse_overlaps(*run);
   const std::vector<PartFigures> figures = part_figures(*run);
   const time::StepReport step =
       time::evaluate(run->model, run->state, run->scratch, run->links, {run->input.run.cfl, 1.02});
-  const GlobalIndex inverted = ranks.max(GlobalIndex{step.stop ? 1 : 0});
-  if (inverted) throw InputError(options.scene + ": an element has no volume in its initial position");
+  if (ranks.any(step.stop)) throw InputError(options.scene + ": an element has no volume in its initial position");
+  const StepCost cost = measure_steps(*run, step);
   if (!ranks.is_root()) return 0;
 
   const scene::UnitSystem& units = *scene::find_unit_system(run->input.units);
   fmt::print("{} ({} units)\n", run->input.title.empty() ? options.scene : run->input.title, run->input.units);
   for (const std::string& warning : run->warnings) fmt::print("warning: {}\n", warning);
-  fmt::print("{:<16} {:<10} {:<14} {:>10} {:>14}\n", "part", "element", "material", "elements",
-             "mass [" + units.mass + "]");
-  for (std::size_t b = 0; b < figures.size(); ++b) {
-    const model::ElementBlock& block = run->model.blocks[b];
-    fmt::print("{:<16} {:<10} {:<14} {:>10} {:>14.6g}\n", block.part, element::name_of(block.kind), block.material,
-               figures[b].elements, figures[b].mass);
-  }
-  fmt::print("nodes            {}\n", run->model.mesh.global_nodes);
-  if (const InitialGaps& gaps = run->gaps; gaps.smallest >= 0)
-    fmt::print("smallest gap     {:.6g} {} between {} and {}\n", gaps.smallest, units.length,
-               run->input.parts[gaps.part].name, run->input.parts[gaps.other].name);
-  else if (!run->input.contact.empty())
-    fmt::print("smallest gap     no two parts are nearer than an element's edge\n");
-  fmt::print("first step       {:.6g} {} (cfl {:g})\n", step.dt, units.time, run->input.run.cfl);
-  double steps = run->input.run.steps ? static_cast<double>(*run->input.run.steps) : 0;
-  if (run->input.run.end) steps = std::ceil(*run->input.run.end / step.dt);
-  constexpr double seconds_per_element_step = 1e-7;  // of one core, with the files; a guess before the run
-  fmt::print("steps            about {:.0f}, {:.3g} s on one core\n", steps,
-             steps * static_cast<double>(run->model.mesh.global_elements) * seconds_per_element_step);
+  print_parts(*run, figures, units);
+  print_gaps(*run, units);
+  print_cost(*run, step, cost, units);
   return 0;
 }
 

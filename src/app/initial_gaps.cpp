@@ -189,8 +189,8 @@ InitialGaps initial_gaps(const scene::Input& input, const mesh::Mesh& mesh) {
         const auto node = static_cast<std::size_t>(compared.node(i));
         if (body[node] == other_body) continue;
         if (compared.overlaps(i)) {
-          if (examined++ < most_examined)
-            gaps.overlaps.push_back({mesh.node_id[node], part, other, compared.distance_of(i), allowed});
+          const double depth = examined++ < most_examined ? compared.distance_of(i) : 0.0;
+          gaps.overlaps.push_back({mesh.node_id[node], part, other, depth, allowed});
           continue;
         }
         const double gap = compared.touches(i) ? 0.0 : compared.distance_of(i);
@@ -208,17 +208,39 @@ InitialGaps initial_gaps(const scene::Input& input, const mesh::Mesh& mesh) {
 }
 
 std::vector<std::string> overlap_lines(const scene::Input& input, const InitialGaps& gaps) {
-  constexpr std::size_t most_lines = 10;
-  std::vector<std::string> lines;
+  struct Pair {
+    const InitialOverlap* deepest;
+    std::size_t nodes;
+  };
+  std::vector<Pair> pairs;
   for (const InitialOverlap& overlap : gaps.overlaps) {
-    if (lines.size() == most_lines) {
-      lines.push_back(fmt::format("{}: contact: {} nodes overlap in all", input.file, gaps.overlaps.size()));
-      break;
-    }
-    lines.push_back(fmt::format("{}: contact: node {} of part '{}' lies {:.4g} inside part '{}' at the start",
-                                input.file, overlap.node, input.parts[overlap.part].name, overlap.depth,
-                                input.parts[overlap.other].name));
+    const auto same = [&](const Pair& pair) {
+      return std::minmax(pair.deepest->part, pair.deepest->other) == std::minmax(overlap.part, overlap.other);
+    };
+    if (const auto known = std::ranges::find_if(pairs, same); known != pairs.end())
+      ++known->nodes;
+    else
+      pairs.push_back({&overlap, 1});
   }
+  std::vector<std::string> lines;
+  for (const Pair& pair : pairs) {
+    const InitialOverlap& deepest = *pair.deepest;
+    lines.push_back(fmt::format("{}: contact: node {} of part '{}' lies {:.4g} inside part '{}' at the start{}",
+                                input.file, deepest.node, input.parts[deepest.part].name, deepest.depth,
+                                input.parts[deepest.other].name,
+                                pair.nodes > 1 ? fmt::format(", the deepest of {} nodes of the two parts that overlap "
+                                                             "(brunt check lists them)",
+                                                             pair.nodes)
+                                               : ""));
+  }
+  return lines;
+}
+
+std::vector<std::string> overlap_list(const scene::Input& input, const InitialGaps& gaps) {
+  std::vector<std::string> lines;
+  for (const InitialOverlap& overlap : gaps.overlaps)
+    lines.push_back(fmt::format("node {:>8} of {:<16} {:.4g} inside {}", overlap.node, input.parts[overlap.part].name,
+                                overlap.depth, input.parts[overlap.other].name));
   return lines;
 }
 

@@ -14,7 +14,7 @@ struct InitialOverlap {
   GlobalIndex node = 0;         ///< the input's number
   std::size_t part = 0;         ///< of the node, into Input::parts
   std::size_t other = 0;        ///< the part that it is inside
-  double depth = 0;             ///< distance to the other's surface [length]
+  double depth = 0;             ///< distance to the other's surface [length]; 0: not measured, of more than 1000 nodes
   bool only_a_warning = false;  ///< as the scene has it for this pair
 };
 
@@ -29,8 +29,12 @@ struct InitialGaps {
 /// share nodes are one body.
 InitialGaps initial_gaps(const scene::Input& input, const mesh::Mesh& mesh);
 
-/// One line for each of the first ten overlaps, and one for the rest.
+/// One line for each pair of parts that overlap: how many nodes, and the deepest. The pair with the deepest comes
+/// first.
 std::vector<std::string> overlap_lines(const scene::Input& input, const InitialGaps& gaps);
+
+/// Every overlapping node on a line of its own, deepest first.
+std::vector<std::string> overlap_list(const scene::Input& input, const InitialGaps& gaps);
 
 /// Throws InputError with the overlaps that the scene does not allow; the others become warnings.
 void judge_overlaps(const scene::Input& input, const InitialGaps& gaps, std::vector<std::string>& warnings);

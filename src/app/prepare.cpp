@@ -110,6 +110,10 @@ void Prepared::after_restart() {
   if (contact) restore_sums(links.ranks, contact_sums, *contact);
 }
 
+void refuse_overlaps(Prepared& run) {
+  on_root(run.links.ranks, [&] { judge_overlaps(run.input, run.gaps, run.warnings); });
+}
+
 std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
                                   const std::vector<std::string>& overrides) {
   auto prepared = std::make_unique<Prepared>(
@@ -121,7 +125,6 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
     prepared->warnings = prepared->input.warnings;
     whole = whole_mesh(prepared->input, prepared->warnings);
     prepared->gaps = initial_gaps(prepared->input, whole.mesh);
-    judge_overlaps(prepared->input, prepared->gaps, prepared->warnings);
     part = partition::split(partition::dual_graph(whole.mesh), weigh(prepared->input, whole), ranks.size());
   });
   mesh::LocalMesh local = partition::distribute(ranks, whole, part);

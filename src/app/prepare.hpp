@@ -49,4 +49,8 @@ mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::strin
 std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
                                   const std::vector<std::string>& overrides);
 
+/// Refuses the overlaps at the start that the scene does not allow; the others become warnings. Collective; throws
+/// InputError on all ranks.
+void refuse_overlaps(Prepared& run);
+
 }  // namespace brunt::app

@@ -127,8 +127,22 @@ void Results::watch(const time::Ledger& ledger, double time) {
                     time, ledger.kinetic, given));
 }
 
+void Results::remember_good() {
+  const auto timed = run_.links.timers.measure(Phase::output);
+  last_good_.take(run_.registry());
+}
+
+std::string Results::save_last_good() {
+  if (last_good_.empty()) return "";
+  const double step_of_guard = run_.state.step;
+  last_good_.give_back(run_.registry());
+  run_.after_restart();
+  return run_.state.step > checkpoint_step_ && run_.state.step < step_of_guard ? write_checkpoint() : "";
+}
+
 std::string Results::write_checkpoint() {
   const auto timed = run_.links.timers.measure(Phase::output);
+  checkpoint_step_ = run_.state.step;
   const io::CheckpointHeader header{static_cast<GlobalIndex>(run_.state.step), run_.state.time, run_.fingerprint};
   return io::write_checkpoint(run_.links.ranks, folder_, header, run_.registry());
 }

@@ -13,6 +13,7 @@
 #include "log.hpp"
 #include "prepare.hpp"
 #include "probes.hpp"
+#include "snapshot.hpp"
 
 namespace brunt::app {
 
@@ -47,6 +48,11 @@ class Results {
   /// Keeps account of a ledger, and throws GuardError where the energy cannot be right. Collective.
   void watch(const time::Ledger& ledger, double time);
   std::string write_checkpoint();
+  /// Remembers the state of t_n, which all guards have let pass. Collective.
+  void remember_good();
+  /// After a guard: a checkpoint of the remembered state, which becomes the state of the run; nothing, and empty, where
+  /// a newer checkpoint was written. Collective.
+  std::string save_last_good();
   /// Remembers where the run stands: the summary is about this state, also if one more record is taken. Collective.
   void seal();
   void write_summary(const std::string& stopped_by, int exit_code, double wall_seconds, const LoopCost& cost);
@@ -67,6 +73,8 @@ class Results {
   time::Ledger last_ledger_;
   Extremes extremes_;
   bool watched_ = false;
+  Snapshot last_good_;
+  double checkpoint_step_ = -1;  // of the last checkpoint written in this run
   std::uint64_t hash_ = 0;
   double steps_ = 0, end_time_ = 0;
 };

@@ -67,7 +67,7 @@ class Loop {
     const model::State& state = run_.state;
     const time::StepControl control{input.run.cfl, 1.02};
     const bool fields = last || state.step == 0 || due(state, input.output.every);
-    const bool row = last || state.step == 0 || due(state, input.history_every);
+    const bool row = last || state.step == 0 || history_due(state, input);
     const bool line = last || progress(state, input.run) * table_lines >= lines_;
     const auto watch = static_cast<GlobalIndex>(state.step) % steps_between_watches == 0;
 
@@ -82,6 +82,7 @@ class Loop {
       const time::Ledger ledger = energies(step);
       if (row) results_.write_history(ledger, step);
       results_.watch(ledger, state.time_before);
+      if (watch && !last) results_.remember_good();
       if (line) {
         results_.table_line(ledger, step);
         lines_ = static_cast<int>(progress(state, input.run) * table_lines) + 1;
@@ -170,6 +171,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   const Clock::time_point start = Clock::now();
   Log log(ranks.is_root(), options.quiet);
   const std::unique_ptr<Prepared> prepared = prepare(ranks, options.scene, options.overrides);
+  refuse_overlaps(*prepared);
   const std::string checkpoint = options.restart.empty() ? "" : checkpoint_of(ranks, options.restart);
   const std::string folder =
       options.out.empty() ? std::filesystem::path(options.scene).replace_extension(".out").string() : options.out;
@@ -194,12 +196,17 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   Loop loop(*prepared, results, log);
   const Outcome outcome = loop.go();
   if (!outcome.message.empty()) log.line("stopped: " + outcome.message);
+  if (const double past = overshoot(prepared->state, prepared->input.run); past > 0.01)
+    log.warning(
+        fmt::format("the run ended at t = {:g}, {:.2g} % past its end: steps are never cut, and this run has few",
+                    prepared->state.time, 100 * past));
   if (outcome.code != ExitCode::guard) results.write_checkpoint();
   const int code = static_cast<int>(outcome.code);
   results.seal();
   if (outcome.code == ExitCode::guard) {
     results.read_fields();  // the motion at the last step that was right
     results.write_fields(nullptr);
+    if (const std::string saved = results.save_last_good(); !saved.empty()) log.line("last good state: " + saved);
   } else {
     loop.last_record();
   }

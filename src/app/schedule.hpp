@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // When records are due, from the state alone, so that a restart finds the same steps.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -14,6 +15,21 @@ inline bool due(const model::State& state, const std::optional<double>& every) {
   if (!every) return false;
   if (state.step == 0) return true;
   return std::floor(state.time / *every) > std::floor(state.time_before / *every);
+}
+
+/// True where history is to have a row: as the scene says, else some 200 over the run.
+inline bool history_due(const model::State& state, const scene::Input& input) {
+  constexpr double rows = 200;
+  if (input.history_every) return due(state, input.history_every);
+  const scene::Run& run = input.run;
+  const bool by_time = run.end && due(state, *run.end / rows);
+  return by_time ||
+         (run.steps && std::fmod(state.step, std::max(1.0, std::floor(static_cast<double>(*run.steps) / rows))) == 0);
+}
+
+/// How far the run has gone past its end, as a share of it.
+inline double overshoot(const model::State& state, const scene::Run& run) {
+  return run.end ? std::max(0.0, state.time / *run.end - 1) : 0;
 }
 
 /// True once the run has reached its end.

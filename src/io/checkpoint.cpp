@@ -86,6 +86,8 @@ void prune(const std::string& folder, GlobalIndex step) {
 }
 
 CheckpointHeader sound_header(const Hdf5File& file) {
+  if (!file.has_attribute("/", "fingerprint"))
+    throw InputError(file.path() + ": is no checkpoint; those of a result folder are called checkpoint_*.h5");
   const GlobalIndex version = file.integer_attribute("/", "format");
   if (version != format_version)
     throw InputError(fmt::format("{}: checkpoint format {} is not known (this program reads {})", file.path(), version,

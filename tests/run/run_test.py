@@ -3,6 +3,7 @@
 """The program end to end. Needs BRUNT (the program) and BRUNT_RUN (scripts/run) in the environment."""
 import json
 import os
+import re
 import signal
 import subprocess
 import tempfile
@@ -154,6 +155,39 @@ class Stops(Program):
         self.assertIn("stopped", self.run_scene(2, "guard.yaml", "--out", "out", code=3) + self.text("out", "log.txt"))
         self.assertEqual(self.summary("out")["stopped_by"], "guard")
 
+    def test_after_a_guard_the_last_good_state_is_there_to_go_on_from(self):
+        self.write("guard.yaml", scenes.INVERTED_LATER)
+        self.run_scene(2, "guard.yaml", "--out", "out", code=3)
+        failed = self.summary("out")["steps"]
+        saved = self.checkpoints("out")
+        self.assertEqual(len(saved), 1, saved)
+        step = int(saved[0][len("checkpoint_"):-len(".h5")])
+        self.assertLess(step, failed)
+        self.assertGreater(step, failed - 402)  # 200 steps, or twice where the energy gave it away
+        self.run_scene(1, "guard.yaml", "--out", "out", "--restart", "out", "--set", f"run.steps={step + 5}",
+                       "--set", "output.every=1.0e-9")
+        self.assertEqual(self.summary("out")["stopped_by"], "steps")
+        self.assertEqual(self.summary("out")["steps"], step + 5)
+
+    def test_a_checkpoint_newer_than_the_good_state_is_kept(self):
+        self.write("guard.yaml", scenes.INVERTED_LATER)
+        self.run_scene(1, "guard.yaml", "--out", "out", "--set", "checkpoint.every=1.0e-9", code=3)
+        steps = sorted(int(name[len("checkpoint_"):-len(".h5")]) for name in self.checkpoints("out"))
+        self.assertGreaterEqual(steps[-1], self.summary("out")["steps"] - 1)
+
+    def test_history_has_some_200_rows_unasked(self):
+        self.run_scene(1, "long.yaml", "--out", "out", "--set", "run.steps=1000")
+        self.assertEqual(len(self.text("out", "history.csv").splitlines()), 1 + 200 + 1)  # header, rows, the end
+        self.run_scene(1, "long.yaml", "--out", "timed", "--set", "run.steps=null", "--set", "run.end=0.02")
+        rows = len(self.text("timed", "history.csv").splitlines()) - 1
+        self.assertLessEqual(abs(rows - 201), 1)
+        self.assertEqual(self.summary("timed")["warnings"], 0)
+
+    def test_an_end_passed_by_far_is_a_warning(self):
+        self.run_scene(1, "long.yaml", "--out", "out", "--set", "run.steps=null", "--set", "run.end=1.0e-6")
+        self.assertEqual(self.summary("out")["warnings"], 1)
+        self.assertRegex(self.text("out", "log.txt"), r"warning: the run ended at t = \S+, \S+ % past its end")
+
     def test_results_are_not_overwritten_unasked(self):
         self.run_scene(1, "long.yaml", "--out", "out", "--set", "run.steps=3")
         self.assertIn("--force", self.run_scene(2, "long.yaml", "--out", "out", "--set", "run.steps=3", code=2))
@@ -185,6 +219,22 @@ class Start(Program):
         code, output = self.check(0.99, "warn")
         self.assertEqual(code, 0, output)
         self.assertIn("warning: pair.yaml: contact: node", output)
+
+    def test_one_line_a_pair_and_the_nodes_in_the_list(self):
+        for rule, code in (("error", 2), ("warn", 0)):
+            found, output = self.check(0.99, rule)
+            self.assertEqual(found, code)
+            # inside the other: 9 x 9 nodes of left less those beside right, 7 x 7 of right
+            told = re.findall(r"the deepest of (\d+) nodes of the two parts", output)
+            self.assertEqual(len(told), 1, output)
+            listed = re.findall(r"^overlap +node +\d+ of (?:left|right) +0.01 inside (?:left|right)$", output, re.M)
+            self.assertEqual(len(listed), int(told[0]))
+            self.assertGreater(len(listed), 7 * 7)
+
+    def test_cost_is_measured(self):
+        code, output = self.check(1.05)
+        self.assertEqual(code, 0)
+        self.assertRegex(output, r"estimated cost +\S+ s on 1 rank without output \([1-9]\d* ns per element-step")
 
     def test_touching_is_no_overlap(self):
         self.assertEqual(self.check(1.0)[0], 0)

@@ -87,6 +87,11 @@ run: {steps: 100000000}
 ENERGY_FROM_NOWHERE = LONG.replace("velocity: [0, 0, -1]", "velocity: [0, 0, -1.0e8]").replace(
     "run:", "rigid_walls: [{point: [0, 0, 0], normal: [0, 0, 1]}]\nrun:")
 
+# An elastic cube that hits a wall as fast as its waves: crushed after some hundred steps.
+INVERTED_LATER = LONG.replace("velocity: [0, 0, -1]", "velocity: [0, 0, -5.0e3]").replace("poisson: 0.3", "poisson: 0").replace(
+    "material: steel}", "material: steel, bulk: {linear: 0, quadratic: 0}}").replace(
+    "run:", "rigid_walls: [{point: [0, 0, -1], normal: [0, 0, 1]}]\nrun:")
+
 # Two cubes; the right one stands at x = AT.
 PAIR = """\
 units: SI

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "snapshot.hpp"
+
+#include <cstddef>
+
+#include "brunt/core/error.hpp"
+
+namespace brunt::app {
+namespace {
+
+/// Calls visit(value) for every saved value of this rank, always in the same order.
+template <class Visit>
+void for_saved(const model::Registry& registry, Visit&& visit) {
+  for (const model::StateArray& array : registry.arrays) {
+    if (!array.saved) continue;
+    for (LocalIndex i = 0; i < array.count; ++i)
+      for (int c = 0; c < array.components; ++c) visit(array.at(i, c));
+  }
+}
+
+}  // namespace
+
+void Snapshot::take(const model::Registry& registry) {
+  values_.clear();
+  for_saved(registry, [&](double value) { values_.push_back(value); });
+}
+
+void Snapshot::give_back(const model::Registry& registry) const {
+  std::size_t next = 0;
+  for_saved(registry, [&](double& value) {
+    demand(next < values_.size(), "a snapshot is given back to the arrays it was taken of");
+    value = values_[next++];
+  });
+}
+
+}  // namespace brunt::app

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// A copy of the saved state in memory, to go back to where a run was still right.
+#pragma once
+#include <vector>
+
+#include "brunt/model/registry.hpp"
+
+namespace brunt::app {
+
+class Snapshot {
+ public:
+  [[nodiscard]] bool empty() const { return values_.empty(); }
+  /// Copies what a checkpoint would hold of this rank. Allocates at the first call only.
+  void take(const model::Registry& registry);
+  /// Fills the arrays of the same registry with what was taken.
+  void give_back(const model::Registry& registry) const;
+
+ private:
+  std::vector<double> values_;
+};
+
+}  // namespace brunt::app
