@@ -18,9 +18,11 @@ comment_block() {
   awk 'NR > 2 { if (!/^#/) exit; sub(/^# ?/, ""); print }' "$1"
 }
 
-# build_release [cmake --build options]: configures and builds with all cores.
-build_release() {
-  (cd "$project" && cmake --preset release >&2 && cmake --build --preset release --parallel "$(nproc)" "$@" >&2) ||
+# build PRESET [cmake --build options]: configures and builds with all cores.
+build() {
+  local preset=$1
+  shift
+  (cd "$project" && cmake --preset "$preset" >&2 && cmake --build --preset "$preset" --parallel "$(nproc)" "$@" >&2) ||
     fail 4 "the build failed (see above)"
 }
 

@@ -14,8 +14,11 @@ using PackMask =
     std::int64_t __attribute__((vector_size(64)));     ///< -1 where true, 0 where false (a comparison's result)
 using Quad = double __attribute__((vector_size(32)));  ///< four doubles: x, y, z and one to spare
 
-/// Kernels are long straight code on 64-byte values: a call that is not inlined spills all of them.
+/// Kernels are long straight code on 64-byte values: a call that is not inlined spills all of them. (The sanitizers'
+/// build sets it to `inline`.)
+#ifndef BRUNT_INLINE
 #define BRUNT_INLINE [[gnu::always_inline]] inline
+#endif
 
 BRUNT_INLINE Pack broadcast(double a) {
   return Pack{a, a, a, a, a, a, a, a};
