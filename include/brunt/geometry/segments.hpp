@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two straight segments: nearest points, common perpendicular, and when two moving ones meet (edge-to-edge contact).
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "brunt/core/types.hpp"
+
+namespace brunt::geometry {
+
+struct Segment {
+  Vec3 start, end;
+};
+
+/// Where on a segment a point lies.
+enum class Along : std::int8_t { inside, start, end };
+
+/// Edges with a sine of their angle below this are parallel: they have no normal of their own.
+constexpr double parallel_sine = 1e-6;
+
+struct SegmentPair {
+  double s = 0, t = 0;  ///< in [0, 1] along a and b
+  double distance = 0;  ///< [length]
+  Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
+  Along along_a = Along::inside, along_b = Along::inside;  ///< `inside` for s, t in (0, 1)
+};
+
+/// Nearest points of two segments. Any input that is finite has an answer: segments without length are points; of the
+/// many pairs of overlapping parallel ones it is one that holds an end (start of a, end of a, start of b, end of b: the
+/// first of the nearest). The distance is exact to rounding, s and t to rounding / sin^2(angle).
+SegmentPair closest_points(const Segment& a, const Segment& b);
+
+struct CommonPerpendicular {
+  double s = 0, t = 0;
+  Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
+  Vec3 normal = Vec3::Zero();  ///< a x b / |a x b|
+  double gap = 0;              ///< (on_a - on_b) . normal: the sign tells on which side a lies [length]
+};
+
+/// The common perpendicular, if it meets both segments (enlarged by face_tolerance of their lengths, s and t clamped).
+/// Nothing for parallel segments, segments without length, and what is not finite.
+std::optional<CommonPerpendicular> common_perpendicular(const Segment& a, const Segment& b);
+
+/// A segment at the start (tau = 0) and the end (tau = 1) of a step, with linear motion between.
+struct MovingSegment {
+  Segment start, end;
+};
+
+struct EdgeCrossing {
+  double tau = 0;  ///< in [0, 1]
+  double s = 0, t = 0;
+  Along along_a = Along::inside, along_b = Along::inside;  ///< start and end within face_tolerance of them
+  Vec3 point = Vec3::Zero();                               ///< where they meet
+  Vec3 normal = Vec3::Zero();  ///< unit, along +-(a x b) at tau; the velocity of a relative to b along it is negative
+};
+
+/// The earliest tau at which the edges a and b meet, each enlarged by face_tolerance of its length, tau to about
+/// 1e-15 / sin(angle of the edges) / sin(incidence). What only touches or slides in the common plane does not meet, nor
+/// do edges that are parallel at that instant. Never NaN. A zero of the trilinear distance, see first_zero.
+std::optional<EdgeCrossing> edge_crossing(const MovingSegment& a, const MovingSegment& b);
+
+}  // namespace brunt::geometry

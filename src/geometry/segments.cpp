@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nearest points, common perpendicular and first meeting of segments.
+#include "brunt/geometry/segments.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "brunt/geometry/box.hpp"
+#include "brunt/geometry/closest_point.hpp"
+#include "brunt/geometry/first_contact.hpp"
+#include "brunt/geometry/trilinear.hpp"
+
+namespace brunt::geometry {
+namespace {
+
+Vec3 direction(const Segment& a) {
+  return a.end - a.start;
+}
+
+Vec3 point_at(const Segment& a, double s) {
+  return (1 - s) * a.start + s * a.end;
+}
+
+double nearest_parameter(const Vec3& x, const Segment& a) {
+  const double length2 = direction(a).squaredNorm();
+  return length2 > 0 ? std::clamp((x - a.start).dot(direction(a)) / length2, 0.0, 1.0) : 0.0;
+}
+
+Along along(double s, double tolerance) {
+  if (s <= tolerance) return Along::start;
+  return s >= 1 - tolerance ? Along::end : Along::inside;
+}
+
+struct Parameters {
+  double s = 0, t = 0;
+};
+
+/// Feet of the common perpendicular of the two lines; nothing for parallel ones.
+std::optional<Parameters> feet(const Segment& a, const Segment& b, double least_sine) {
+  const Vec3 p = direction(a), q = direction(b), normal = p.cross(q), offset = b.start - a.start;
+  const double square = normal.squaredNorm();
+  if (!(square > least_sine * least_sine * p.squaredNorm() * q.squaredNorm())) return std::nullopt;
+  return Parameters{offset.cross(q).dot(normal) / square, offset.cross(p).dot(normal) / square};
+}
+
+/// Keeps the nearer of two pairs; the first one of equals.
+void keep_nearer(SegmentPair& best, const Segment& a, const Segment& b, const Parameters& p) {
+  const Vec3 on_a = point_at(a, p.s), on_b = point_at(b, p.t);
+  const double distance = (on_a - on_b).norm();
+  if (distance < best.distance) best = {p.s, p.t, distance, on_a, on_b, along(p.s, 0), along(p.t, 0)};
+}
+
+bool inside(double s, double tolerance) {
+  return s >= -tolerance && s <= 1 + tolerance;
+}
+
+bool may_meet(const MovingSegment& a, const MovingSegment& b) {
+  const auto box = [](const Segment& segment) {
+    Box result;
+    extend(result, segment.start);
+    extend(result, segment.end);
+    return result;
+  };
+  const Box a0 = box(a.start), a1 = box(a.end), b0 = box(b.start), b1 = box(b.end);
+  const Vec3 low = (a0.low - b0.high).cwiseMin(a1.low - b1.high), high = (a0.high - b0.low).cwiseMax(a1.high - b1.low);
+  const Vec3 margin = 4 * face_tolerance * (high - low);
+  return ((low - margin).array() <= 0).all() && ((high + margin).array() >= 0).all();
+}
+
+/// a(s, tau) - b(t, tau)
+Trilinear distance_between(const MovingSegment& a, const MovingSegment& b) {
+  const Vec3 offset = a.start.start - b.start.start;
+  return {.one = offset,
+          .u = direction(a.start),
+          .v = -direction(b.start),
+          .tau = (a.end.start - b.end.start) - offset,
+          .u_tau = direction(a.end) - direction(a.start),
+          .v_tau = direction(b.start) - direction(b.end)};
+}
+
+}  // namespace
+
+SegmentPair closest_points(const Segment& a, const Segment& b) {
+  SegmentPair best{.distance = std::numeric_limits<double>::infinity()};
+  keep_nearer(best, a, b, {0, nearest_parameter(a.start, b)});
+  keep_nearer(best, a, b, {1, nearest_parameter(a.end, b)});
+  keep_nearer(best, a, b, {nearest_parameter(b.start, a), 0});
+  keep_nearer(best, a, b, {nearest_parameter(b.end, a), 1});
+  const auto p = feet(a, b, 0);
+  if (p && p->s > 0 && p->s < 1 && p->t > 0 && p->t < 1) keep_nearer(best, a, b, *p);
+  return best;
+}
+
+std::optional<CommonPerpendicular> common_perpendicular(const Segment& a, const Segment& b) {
+  const auto p = feet(a, b, parallel_sine);
+  if (!p || !inside(p->s, face_tolerance) || !inside(p->t, face_tolerance)) return std::nullopt;
+  CommonPerpendicular result{.s = std::clamp(p->s, 0.0, 1.0), .t = std::clamp(p->t, 0.0, 1.0)};
+  result.on_a = point_at(a, result.s);
+  result.on_b = point_at(b, result.t);
+  result.normal = direction(a).cross(direction(b)).normalized();
+  result.gap = (a.start - b.start).dot(result.normal);
+  return result;
+}
+
+std::optional<EdgeCrossing> edge_crossing(const MovingSegment& a, const MovingSegment& b) {
+  if (!may_meet(a, b)) return std::nullopt;
+  const Trilinear distance = distance_between(a, b);
+  constexpr double t = face_tolerance;
+  const TrilinearDomain domain{.low = {-t, -t, -step_tolerance}, .high = {1 + t, 1 + t, 1 + step_tolerance}};
+  const auto zero = first_zero(distance, domain, Crossing::either);
+  if (!zero) return std::nullopt;
+  const Vec3 p = derivative_u(distance, *zero), q = -derivative_v(distance, *zero), normal = p.cross(q);
+  if (!(normal.norm() >= parallel_sine * p.norm() * q.norm())) return std::nullopt;
+
+  EdgeCrossing result{.tau = std::clamp(zero->tau, 0.0, 1.0),
+                      .s = std::clamp(zero->u, 0.0, 1.0),
+                      .t = std::clamp(zero->v, 0.0, 1.0),
+                      .along_a = along(zero->u, t),
+                      .along_b = along(zero->v, t)};
+  const Segment a_then{(1 - result.tau) * a.start.start + result.tau * a.end.start,
+                       (1 - result.tau) * a.start.end + result.tau * a.end.end};
+  result.point = point_at(a_then, result.s);
+  result.normal = normal.normalized();
+  if (derivative_tau(distance, *zero).dot(normal) > 0) result.normal = -result.normal;
+  return result;
+}
+
+}  // namespace brunt::geometry
