@@ -23,6 +23,25 @@ def tetrahedra(hexes):
     return [[h[0], h[ring[k]], h[ring[k + 1]], h[6]] for h in hexes for k in range(6)]
 
 
+def wedges(hexes):
+    """Two a hexahedron, cut from edge 0-4 to edge 2-6; as hexahedra that name two nodes twice."""
+    return [w for a, b, c, d, e, f, g, h in hexes for w in ([a, b, c, c, e, f, g, g], [a, c, d, d, e, g, h, h])]
+
+
+def pair_mesh(of_hexahedra):
+    """Gmsh 2.2: block low (hexahedra), above it block top, made of hexahedra by `of_hexahedra`."""
+    grids = [node_grid(EDGE, EDGE, EDGE, at) for at in ((0, 0, 0), (0.1, 0.15, 1.001))]
+    nodes = [x for grid in grids for x in grid]
+    blocks = [hexahedra(EDGE, 1), of_hexahedra(hexahedra(EDGE, 1 + len(grids[0])))]
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "2", '3 1 "low"', '3 2 "top"',
+             "$EndPhysicalNames", "$Nodes", str(len(nodes))]
+    lines += [f"{i} {x!r} {y!r} {z!r}" for i, (x, y, z) in enumerate(nodes, 1)] + ["$EndNodes", "$Elements"]
+    elements = [(b + 1, e) for b, block in enumerate(blocks) for e in block]
+    lines += [str(len(elements))]
+    lines += [f"{i} {4 if len(e) == 4 else 5} 2 {b} {b} " + " ".join(map(str, e)) for i, (b, e) in enumerate(elements, 1)]
+    return "\n".join(lines + ["$EndElements", ""])
+
+
 def mixed_mesh():
     """Gmsh 2.2: blocks low (hexahedra), beside (hexahedra), top (tetrahedra, a small gap above low)."""
     places = [(0, 0, 0), (1.001, 0, 0), (0, 0, 1.001)]
