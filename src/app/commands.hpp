@@ -29,7 +29,7 @@ struct CompareOptions {
 int compare(const comm::Communicator& ranks, const CompareOptions& options);
 
 struct SearchOptions {
-  std::string file, method = "binary";
+  std::string file, method = "blocks";
   int repeat = 1;
   bool list = false;
 };

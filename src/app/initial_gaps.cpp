@@ -115,17 +115,16 @@ class Comparison {
     std::vector<geometry::Box> boxes;
     for (const FaceCorners& face : solid_.faces)
       boxes.push_back(geometry::grown(geometry::bounding_box(face), geometry::longest_edge(face)));
+    contact::SearchScratch scratch;
     Ragged<LocalIndex> pairs;
-    contact::find_pairs(boxes, point_, pairs);
-    for (LocalIndex f = 0; f < pairs.rows(); ++f) {
-      const FaceCorners& face = solid_.faces[static_cast<std::size_t>(f)];
-      for (const LocalIndex k : pairs.row(f)) {
-        const auto i = static_cast<std::size_t>(k);
+    contact::find_pairs(boxes, point_, scratch, pairs);
+    for (std::size_t i = 0; i < point_.size(); ++i)
+      for (const LocalIndex f : pairs.row(static_cast<LocalIndex>(i))) {
+        const FaceCorners& face = solid_.faces[static_cast<std::size_t>(f)];
         const double far = distance(point_[i], face);
         near_[i] = std::min(near_[i], far);
         if (far <= touching * geometry::longest_edge(face)) touches_[i] = 1;
       }
-    }
   }
 
   void find_inside() {
@@ -137,13 +136,12 @@ class Comparison {
         geometry::extend(box, mesh_.coordinates[static_cast<std::size_t>(block_.element(e)[c])]);
       boxes.push_back(box);
     }
+    contact::SearchScratch scratch;
     Ragged<LocalIndex> pairs;
-    contact::find_pairs(boxes, point_, pairs);
-    for (LocalIndex e = 0; e < pairs.rows(); ++e)
-      for (const LocalIndex k : pairs.row(e)) {
-        const auto i = static_cast<std::size_t>(k);
+    contact::find_pairs(boxes, point_, scratch, pairs);
+    for (std::size_t i = 0; i < point_.size(); ++i)
+      for (const LocalIndex e : pairs.row(static_cast<LocalIndex>(i)))
         if (!inside_[i] && in_element(point_[i], mesh_, block_, e)) inside_[i] = 1;
-      }
   }
 
   const mesh::Mesh& mesh_;

@@ -79,13 +79,14 @@ std::vector<Pair> search_pairs(const Build& build, const Slaves& slaves, const s
   std::vector<geometry::Box> boxes;
   boxes.reserve(masters.size());
   for (const TravellingFace& master : masters) boxes.push_back(master.box());
+  SearchScratch scratch;
   Ragged<LocalIndex> found;
-  find_pairs(boxes, slaves.position, found);
+  find_pairs(boxes, slaves.position, scratch, found);
   std::vector<Pair> pairs;
-  for (LocalIndex f = 0; f < found.rows(); ++f) {
-    const TravellingFace& master = masters[static_cast<std::size_t>(f)];
-    for (const LocalIndex s : std::as_const(found).row(f)) {
-      const LocalIndex node = slaves.surface_node[static_cast<std::size_t>(s)];
+  for (LocalIndex s = 0; s < found.rows(); ++s) {
+    const LocalIndex node = slaves.surface_node[static_cast<std::size_t>(s)];
+    for (const LocalIndex f : std::as_const(found).row(s)) {
+      const TravellingFace& master = masters[static_cast<std::size_t>(f)];
       if (may_meet(build.pairs, build.surface.bodies, build.surface.blocks.row(node),
                    build.surface.body[static_cast<std::size_t>(node)], master.block, master.body))
         pairs.push_back({node, f});

@@ -31,4 +31,17 @@ struct Ragged {
   }
 };
 
+/// columns row c: the rows that hold c, ascending; 0 <= c < column_count.
+inline void transpose(const Ragged<LocalIndex>& rows, std::size_t column_count, Ragged<LocalIndex>& columns) {
+  std::vector<LocalIndex>& offsets = columns.offsets;
+  offsets.assign(column_count + 1, 0);
+  for (const LocalIndex c : rows.values) ++offsets[static_cast<std::size_t>(c) + 1];
+  for (std::size_t c = 0; c < column_count; ++c) offsets[c + 1] += offsets[c];
+  std::vector<LocalIndex> next(offsets.begin(), offsets.end() - 1);
+  columns.values.resize(rows.values.size());
+  for (LocalIndex r = 0; r < rows.rows(); ++r)
+    for (const LocalIndex c : rows.row(r))
+      columns.values[static_cast<std::size_t>(next[static_cast<std::size_t>(c)]++)] = r;
+}
+
 }  // namespace brunt

@@ -2,17 +2,51 @@
 // Which points lie in which boxes, on one rank. No physics, no messages.
 #pragma once
 #include <span>
+#include <vector>
 
+#include "brunt/contact/search/point_blocks.hpp"
+#include "brunt/contact/search/spatial_order.hpp"
 #include "brunt/core/ragged.hpp"
 #include "brunt/core/types.hpp"
 #include "brunt/geometry/box.hpp"
 
 namespace brunt::contact {
 
-/// pairs row b: the points inside the closed box b, ascending. Points with a coordinate that is not finite are in no
-/// box. Binary sort of Heinstein et al. 2000, section 4.4: the points are sorted along each axis, two bisections an
-/// axis bound the candidates of a box, and those of the axis with the fewest are tested by their ranks along the other
-/// two. O(n log n) to sort; a box costs 6 log n and its shortest list.
-void find_pairs(std::span<const geometry::Box> boxes, std::span<const Vec3> points, Ragged<LocalIndex>& pairs);
+/// What a search works in. Kept from one search to the next, it saves all allocation. Results do not depend on it.
+struct SearchScratch {
+  struct Segment {
+    LocalIndex first = 0, count = 0;
+  };
+  /// A block of points and those boxes of a group of sixteen that touch it.
+  struct Meeting {
+    LocalIndex block = 0;
+    LaneMask boxes = 0;
+  };
+  SortScratch sort;
+  PointBlocks blocks;
+  std::vector<LocalIndex> boxes;  ///< in spatial order
+  std::vector<Meeting> meetings;
+  std::vector<LocalIndex> found;   ///< places of points, box after box
+  std::vector<Segment> found_of;   ///< box -> its part of `found`
+  std::vector<LocalIndex> cursor;  ///< of a place: first its number of boxes, then where its next box goes
+
+  [[nodiscard]] std::size_t memory_bytes() const;
+};
+
+/// pairs row p: the boxes that contain point p, ascending; boxes are closed. Points with a coordinate that is not
+/// finite are in no box; a box with low > high or a NaN holds nothing, one with infinite bounds is well.
+///
+/// Points are packed in blocks along a space-filling curve (spatial_order.hpp), sixteen runs of sixteen, under a tree
+/// of boxes. Boxes are taken sixteen at a time along the same curve: they descend the tree together and meet a common
+/// list of blocks, where each tests sixteen runs at once and then sixteen points at once. This stands where Heinstein
+/// et al. 2000, section 4.4, bisect sorted lists: the curve is the sort, a run is the short list. Work O(n log n) with
+/// a small share of the logarithm, memory linear; nothing depends on a cell size.
+void find_pairs(std::span<const geometry::Box> boxes, std::span<const Vec3> points, SearchScratch& scratch,
+                Ragged<LocalIndex>& pairs);
+
+/// The two halves of find_pairs, for those who time them: sorting and packing, then the search with the same arguments.
+void prepare_search(std::span<const geometry::Box> boxes, std::span<const Vec3> points, SearchScratch& scratch);
+void find_prepared(std::span<const geometry::Box> boxes, std::span<const Vec3> points, SearchScratch& scratch,
+                   Ragged<LocalIndex>& pairs);
 
 }  // namespace brunt::contact

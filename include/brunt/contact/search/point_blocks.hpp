@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points in blocks of neighbours under a tree of boxes: what the search looks through.
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "brunt/contact/search/lanes.hpp"
+#include "brunt/core/aligned.hpp"
+#include "brunt/core/types.hpp"
+#include "brunt/geometry/box.hpp"
+
+namespace brunt::contact {
+
+constexpr std::size_t run_size = float_lanes;                 ///< points that are tested at once
+constexpr std::size_t runs_of_block = float_lanes;            ///< runs whose boxes are tested at once
+constexpr std::size_t block_size = run_size * runs_of_block;  ///< points
+constexpr std::size_t branches = double_lanes;                ///< boxes of a tree node, tested at once
+
+/// Eight boxes of a tree node. Unused lanes hold NaN, which touches nothing.
+struct alignas(64) NodeBoxes {
+  double low[3][branches], high[3][branches];
+};
+
+/// Sixteen boxes of the runs of a block, relative to the block's origin.
+struct alignas(64) RunBoxes {
+  float low[3][runs_of_block], high[3][runs_of_block];
+};
+
+/// Sixteen neighbouring points relative to the block's origin. Unused lanes hold NaN.
+struct alignas(64) Run {
+  float x[3][run_size];
+};
+
+/// Coordinates inside a block are rounded to float after subtracting the block's origin. Both steps are monotone, and
+/// box bounds take the same two: a point in a box is never lost, and one that is strictly inside after rounding is
+/// inside. Only ties need the coordinates as they were.
+struct PointBlocks {
+  std::vector<LocalIndex> point;      ///< place in the order -> index of the point
+  AlignedVector<Run> runs;            ///< of place / 16; whole blocks
+  AlignedVector<RunBoxes> run_boxes;  ///< of a block
+  std::vector<Vec3> origin;           ///< of a block: one of its points
+  /// levels[0][k] holds the boxes of blocks 8k..8k+7, levels[l][k] those of nodes 8k..8k+7 of levels[l-1]; the highest
+  /// level that is used has one node.
+  std::array<AlignedVector<NodeBoxes>, 12> levels;
+  std::size_t level_count = 0;
+
+  [[nodiscard]] std::size_t block_count() const { return origin.size(); }
+};
+
+/// Fills all but `point`, the order, which is given. Coordinates must be finite.
+void build_blocks(std::span<const Vec3> points, PointBlocks& blocks);
+
+}  // namespace brunt::contact
