@@ -138,7 +138,8 @@ void apply_impulses(const System& system, std::span<const double> impulses, doub
     const Mobility& mobility = system.mobility[node];
     velocity[node] = system.motion[node].predicted + mobility.inverse_mass * (mobility.projector * impulse);
   }
-  exchange.share({velocity.data()->data(), 3 * nodes}, 3);
+  // a rank without nodes takes part all the same
+  exchange.share(nodes == 0 ? std::span<double>{} : std::span<double>(velocity.front().data(), 3 * nodes), 3);
 }
 
 double largest_shortfall(const System& system, std::span<const Vec3> velocity, Exchange& exchange) {

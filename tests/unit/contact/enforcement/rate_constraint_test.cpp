@@ -207,3 +207,22 @@ TEST_CASE("velocities that are not finite stop the run") {
   p.add_row({{one, 1}, {two, -1}}, Vec3::UnitZ());
   CHECK_THROWS_AS(p.solve({1e-3, 50}), GuardError);
 }
+
+TEST_CASE("a rank without nodes iterates as long as the others do") {
+  class BusyElsewhere final : public Exchange {
+   public:
+    int shares = 0;
+    void share(std::span<double> values, int /*width*/) override {
+      CHECK(values.empty());
+      ++shares;
+    }
+    void sum_to_owner(std::span<double> /*values*/, int /*width*/) override {}
+    void max(std::span<double> values) override {
+      for (double& value : values) value = 1.0;
+    }
+  } exchange;
+  RateScratch scratch;
+  const RateResult result = enforce_rate_constraint({}, {}, {}, {1e-3, 7}, exchange, {}, {}, scratch);
+  CHECK(result.iterations == 7);
+  CHECK(exchange.shares >= 7);
+}
