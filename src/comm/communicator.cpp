@@ -166,6 +166,7 @@ std::vector<std::vector<std::byte>> Communicator::gather(std::span<const std::by
     return {};
   }
   std::vector<std::vector<std::byte>> of_rank;
+  of_rank.reserve(static_cast<std::size_t>(size()));
   for (Rank r = 0; r < size(); ++r)
     of_rank.push_back(r == root ? std::vector<std::byte>(bytes.begin(), bytes.end()) : receive_bytes(native_->comm, r));
   return of_rank;

@@ -35,6 +35,7 @@ Ragged<std::byte> exchange_bytes(const Communicator& ranks, const Ragged<std::by
   demand(outgoing.values.size() == static_cast<std::size_t>(outgoing.offsets.back()),
          "the rows of an exchange hold less than 2 GiB");
   std::vector<int> out_length;
+  out_length.reserve(static_cast<std::size_t>(ranks.size()));
   for (Rank r = 0; r < ranks.size(); ++r) out_length.push_back(static_cast<int>(outgoing.row(r).size()));
   Ragged<std::byte> incoming = room_for_incoming(ranks, out_length);
 

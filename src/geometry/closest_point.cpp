@@ -111,7 +111,8 @@ BRUNT_IN_PLACE EdgePoint nearest_edge(const Vec3& x, std::span<const Vec3, count
     const Vec3 &from = c[edge], &to = c[(edge + 1) % c.size()];
     const double length2 = (to - from).squaredNorm();
     const double along = length2 > 0 ? std::clamp((x - from).dot(to - from) / length2, 0.0, 1.0) : 0.0;
-    const double distance2 = (x - ((1 - along) * from + along * to)).squaredNorm();
+    const double equal = along > 0 && along < 1 ? 1.0 : 1 + 1e-15;  // of equals to rounding the edge, not its end
+    const double distance2 = equal * (x - ((1 - along) * from + along * to)).squaredNorm();
     if (distance2 < best.distance2) best = {along, distance2, edge};
   }
   return best;
@@ -140,7 +141,7 @@ FacePoint by_sampling(const Vec3& x, Corners c) {
   constexpr int half = 4;
   Parameters best;
   double best_distance2 = std::numeric_limits<double>::infinity(), spacing = 1.0 / half;
-  for (; spacing > 1e-13; spacing *= 0.4) {
+  while (spacing > 1e-13) {
     const Parameters centre = best;
     for (int i = -half; i <= half; ++i) {
       for (int j = -half; j <= half; ++j) {
@@ -153,6 +154,7 @@ FacePoint by_sampling(const Vec3& x, Corners c) {
         }
       }
     }
+    spacing *= 0.4;
   }
   const EdgePoint edge = nearest_edge(x, c);
   if (edge.distance2 <= best_distance2) return on_edge(c, edge);
@@ -174,7 +176,7 @@ FacePoint on_quad(const Vec3& x, QuadCorners c, const Vec3& area) {
   constexpr double reach = 1 + 2 * face_tolerance;  // the parametric width is 2
   std::optional<Parameters> p = newton(x, c, seed(x, c, area));
   if (!p) {  // squared distances resolve a place to half the digits only: polish
-    const FacePoint sampled = by_sampling(x, c);
+    FacePoint sampled = by_sampling(x, c);
     p = newton(x, c, {sampled.xi, sampled.eta});
     if (sampled.region != Region::face || !p || !inside(*p, reach)) return sampled;
   }

@@ -89,6 +89,7 @@ void compare_states(const comm::Communicator& ranks, const std::string& path_a, 
   const std::vector<StateRecord> records_a = state_records(a), records_b = state_records(b);
   const auto instants = [](const std::vector<StateRecord>& records) {
     std::vector<Instant> of_records;
+    of_records.reserve(records.size());
     for (const StateRecord& record : records) of_records.push_back({record.step, record.time});
     return of_records;
   };
@@ -187,7 +188,7 @@ std::string file_in(const std::string& folder, Kind kind) {
     if (!latest) throw InputError(folder + ": has no checkpoint_*.h5 to compare");
     return *latest;
   }
-  const std::string path = (fs::path(folder) / (kind == Kind::history ? "history.csv" : "state.h5")).string();
+  std::string path = (fs::path(folder) / (kind == Kind::history ? "history.csv" : "state.h5")).string();
   if (!fs::exists(path)) throw InputError(path + ": does not exist (the other side of the comparison is such a file)");
   return path;
 }

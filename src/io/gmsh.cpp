@@ -51,6 +51,7 @@ void add_blocks(const GmshFile& file, Mesh& mesh) {
       last_id = std::max(last_id, element.physical);
     }
   std::vector<VolumeKey> order;
+  order.reserve(position.size());
   for (const auto& [key, unused] : position) order.push_back(key);
   std::sort(order.begin(), order.end(), [](const VolumeKey& a, const VolumeKey& b) {
     return std::tuple(!a.grouped, a.number, a.shape) < std::tuple(!b.grouped, b.number, b.shape);

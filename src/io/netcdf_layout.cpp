@@ -29,7 +29,7 @@ class Header {
     char magic[4] = {};
     file_.read(magic, 4);
     if (!file_ || magic[0] != 'C' || magic[1] != 'D' || magic[2] != 'F') return 0;
-    version_ = magic[3];
+    version_ = static_cast<unsigned char>(magic[3]);
     if (version_ != 1 && version_ != 2 && version_ != 5) throw Broken("is netCDF of an unknown version");
     const double records = count();
     read_dimensions();

@@ -60,7 +60,7 @@ bool is_number(const std::string& text) {
 
 /// Keys of entry i of the mesh, which may be one map or a list.
 Key mesh_key(Section& scene, std::size_t i) {
-  const Key mesh = scene.at("mesh");
+  Key mesh = scene.at("mesh");
   if (mesh.tree == nullptr || mesh.tree->kind != Tree::Kind::list) return mesh;
   return items(mesh, "")[i];
 }
