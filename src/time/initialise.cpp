@@ -104,6 +104,8 @@ model::Registry state_registry(const model::Model& model, model::State& state) {
   arrays.push_back(global("time_before", &state.time_before, 1));
   arrays.push_back(global("dt", &state.dt, 1));
   arrays.push_back(global("step", &state.step, 1));
+  arrays.push_back(global("rate_now", &state.rate_now, 1));
+  arrays.push_back(global("rate_before", &state.rate_before, 1));
   if (!state.wall_position.empty())
     arrays.push_back(global("wall_position", state.wall_position.data(), static_cast<int>(state.wall_position.size())));
   const auto strided = [&](const char* name, double* first, int components, int stride) {

@@ -2,6 +2,7 @@
 #include "brunt/time/step.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "brunt/contact/contact.hpp"
 #include "brunt/force/loads.hpp"
@@ -31,10 +32,19 @@ void sum_forces(const model::Model& model, const model::State& state, model::Scr
   for (std::size_t i = 0; i < scratch.load.size(); ++i) scratch.load[i] += links.pressure_sum[i];
 }
 
-/// The step to come: cfl times the stable step of the stiffest element anywhere, growing slowly.
-double next_dt(const model::State& state, const StepControl& control, double largest_rate) {
-  const double stable = control.cfl / largest_rate;
-  return state.dt > 0 ? std::min(stable, control.largest_growth * state.dt) : stable;
+/// The step to come: cfl times the stable step of the stiffest element anywhere and lately.
+double next_dt(const model::State& state, const StepControl& control, double rate) {
+  const double stable = control.cfl / std::max({rate, state.rate_now, state.rate_before});
+  const double grown = control.growth * state.dt;
+  if (state.dt == 0 || stable < state.dt) return stable;
+  return stable < grown ? state.dt : grown;
+}
+
+void remember_rate(model::State& state, double rate) {
+  state.rate_now = std::max(state.rate_now, rate);
+  if (std::fmod(state.step, rate_span) != 0) return;
+  state.rate_before = state.rate_now;
+  state.rate_now = 0;
 }
 
 double wall_speed(const model::RigidWall& wall, double time) {
@@ -98,7 +108,8 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
   double reduced[2] = {report.elements.rate, report.elements.inverted_block >= 0 ? 1.0 : 0.0};
   links.ranks.max(reduced);
   report.stop = reduced[1] > 0;
-  report.dt = next_dt(state, control, reduced[0]);
+  report.rate = reduced[0];
+  report.dt = next_dt(state, control, report.rate);
   report.dt_mean = 0.5 * (state.dt + report.dt);
   return report;
 }
@@ -118,6 +129,7 @@ void advance(const model::Model& model, model::State& state, model::Scratch& scr
   state.time += step.dt;
   state.dt = step.dt;
   ++state.step;
+  remember_rate(state, step.rate);
 }
 
 }  // namespace brunt::time

@@ -89,6 +89,8 @@ struct State {
   double time_before = -1;  ///< t_{n-1}
   double dt = 0;            ///< t_n - t_{n-1}: of the step that led here; 0 before the first
   double step = 0;          ///< n, a whole number
+  /// Largest 1 / (stable step) so far in the span of steps under way, and that of the whole span before it [1/time].
+  double rate_now = 0, rate_before = 0;
   /// u_n, the state of the motion, and in the fourth place the work that the forces of the elements have done on the
   /// node up to v_{n-1/2}: every work is impulse . (v_before + v_after)/2.
   AlignedVector<Quad> displacement;

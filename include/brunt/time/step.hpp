@@ -18,14 +18,21 @@ class Contact;
 
 namespace brunt::time {
 
+/// dt follows the smallest stable step of the last `rate_span` to 2 `rate_span` steps, not that of the moment. A step
+/// that swings with the vibration it integrates feeds it: central differences lose their stability when the step
+/// varies in time with the motion (R. D. Skeel, BIT 33 (1993) 172-175). So dt keeps still for periods below the span,
+/// and where little is to be gained.
+constexpr int rate_span = 100;
+
 struct StepControl {
-  double cfl = 0.9;              ///< share of the stable step that is used
-  double largest_growth = 1.02;  ///< of dt from one step to the next
+  double cfl = 0.9;      ///< share of the stable step that is used
+  double growth = 1.02;  ///< dt grows by this from one step to the next, or not at all
 };
 
 /// What all ranks know of the step at t_n.
 struct StepReport {
   double dt = 0;                  ///< t_{n+1} - t_n
+  double rate = 0;                ///< largest 1 / (stable step) of the elements of all ranks at t_n
   double dt_mean = 0;             ///< (dt_{n-1/2} + dt_{n+1/2}) / 2: the time over which forces at t_n act
   force::ElementReport elements;  ///< of this rank
   bool stop = false;              ///< some rank asks to stop (a guard here or there)
