@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gaps and overlaps of two cubes at known places: depth, count, and what is said of them.
+#include "app/initial_gaps.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "brunt/core/error.hpp"
+#include "brunt/mesh/assemble.hpp"
+#include "brunt/mesh/primitives.hpp"
+#include "brunt/scene/read.hpp"
+
+using namespace brunt;
+
+namespace {
+
+/// A unit cube of 2^3 elements, and one of 4^3 shifted by `x` and by 0.1 to the side.
+struct Cubes {
+  scene::Input input;
+  mesh::Mesh mesh;
+  Cubes(double x, const std::string& rule)
+      : input(scene::read_scene("units: none\nmesh: {file: of_the_test}\nrun: {end: 1}\n"
+                                "materials: {m: {model: elastic, density: 1, young: 1, poisson: 0}}\n"
+                                "parts: {a: {material: m}, b: {material: m}}\n"
+                                "contact: [{between: all, initial_overlap: " +
+                                    rule + "}]\n",
+                                "scene of the test")) {
+    mesh::append(mesh, mesh::box("a", Vec3(1, 1, 1), {2, 2, 2}), "");
+    mesh::Mesh other = mesh::box("b", Vec3(1, 1, 1), {4, 4, 4});
+    mesh::place(other, 1, Vec3(0, 0, 1), 0, Vec3(x, 0.1, 0.1));
+    mesh::append(mesh, std::move(other), "");
+  }
+  [[nodiscard]] app::InitialGaps gaps() const { return app::initial_gaps(input, mesh); }
+};
+
+}  // namespace
+
+TEST_CASE("initial gaps: the smallest distance of a node to a face of the other part") {
+  CHECK(Cubes(1.125, "error").gaps().smallest == Approx(0.125));
+  CHECK(Cubes(1.0, "error").gaps().smallest == 0);
+  CHECK(Cubes(4.0, "error").gaps().smallest == -1);  // nothing within an edge
+  CHECK(Cubes(1.125, "error").gaps().overlaps.empty());
+}
+
+TEST_CASE("initial gaps: nodes inside the other body with their depth, one line for the pair") {
+  const Cubes cubes(0.875, "error");
+  const app::InitialGaps gaps = cubes.gaps();
+  // of b the end of 5 x 5 nodes at x = 0.875, less those at y or z = 1.1: 4 x 4; of a the end of 3 x 3 less those at 0:
+  // 2 x 2
+  CHECK(gaps.overlaps.size() == 4 * 4 + 2 * 2);
+  CHECK(gaps.overlaps.front().depth == Approx(0.125));
+  const std::vector<std::string> lines = app::overlap_lines(cubes.input, gaps);
+  REQUIRE(lines.size() == 1);
+  CHECK_THAT(lines[0], Catch::Contains("lies 0.125 inside part") && Catch::Contains("the deepest of 20 nodes"));
+  CHECK(app::overlap_list(cubes.input, gaps).size() == 20);
+}
+
+TEST_CASE("initial gaps: an overlap is refused, or a warning where the scene accepts it") {
+  std::vector<std::string> warnings;
+  const Cubes refused(0.875, "error"), accepted(0.875, "warn");
+  CHECK_THROWS_AS(app::judge_overlaps(refused.input, refused.gaps(), warnings), InputError);
+  CHECK(warnings.empty());
+  app::judge_overlaps(accepted.input, accepted.gaps(), warnings);
+  CHECK(warnings.size() == 1);
+}
