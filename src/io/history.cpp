@@ -70,7 +70,8 @@ double number(const std::string& cell, const std::string& path, std::size_t line
 
 }  // namespace
 
-HistoryFile::HistoryFile(std::string path, std::vector<HistoryColumn> columns, std::optional<GlobalIndex> restart_step)
+HistoryFile::HistoryFile(std::string path, const std::vector<HistoryColumn>& columns,
+                         std::optional<GlobalIndex> restart_step)
     : path_(std::move(path)), columns_(columns.size()) {
   const std::string header = header_of(columns);
   const bool continued = restart_step && std::filesystem::exists(path_);

@@ -31,8 +31,9 @@ AlignedVector<LocalIndex> batched(const std::vector<LocalIndex>& nodes, int corn
   for (LocalIndex batch = 0; batch < batches; ++batch)
     for (int c = 0; c < corners; ++c)
       for (int lane = 0; lane < pack_width; ++lane) {
-        const LocalIndex element = std::min(batch * pack_width + lane, count - 1);
-        result[static_cast<std::size_t>((batch * corners + c) * pack_width + lane)] =
+        const std::ptrdiff_t row = std::ptrdiff_t{batch} * corners + c;
+        const std::ptrdiff_t element = std::min(batch * pack_width + lane, count - 1);
+        result[static_cast<std::size_t>(row * pack_width + lane)] =
             nodes[static_cast<std::size_t>(element * corners + c)];
       }
   return result;

@@ -58,9 +58,9 @@ Prescribed read_prescribed(Section& entry) {
   entry.required("dof", motion.dof, directions);
   entry.optional("scale", motion.scale, any_number);
   const Key velocity = entry.at("velocity");
-  const std::string_view text = velocity.tree == nullptr ? std::string_view{} : velocity.tree->text;
-  const bool numeric = !text.empty() && !velocity.tree->quoted &&
-                       std::string_view("+-.0123456789").find(text.front()) != std::string_view::npos;
+  const bool plain = velocity.tree != nullptr && !velocity.tree->quoted && !velocity.tree->text.empty();
+  const bool numeric =
+      plain && std::string_view("+-.0123456789").find(velocity.tree->text.front()) != std::string_view::npos;
   if (numeric) {
     double constant = 0;
     if (read(velocity, constant, any_number)) motion.scale *= constant;

@@ -55,7 +55,7 @@ void add_node(const model::Model& model, const model::State& state, const model:
   const Vec3 momentum_before = before ? Vec3(node.mass * *before) : Vec3(node.mass * v - impulse);
   sums[kinetic].add(0.5 * v.dot(momentum_before));
   sums[mass].add(node.mass);
-  for (int c = 0; c < 3; ++c) sums[static_cast<std::size_t>(momentum_x + c)].add(node.mass * v[c]);
+  for (std::size_t c = 0; c < 3; ++c) sums[momentum_x + c].add(node.mass * v[static_cast<int>(c)]);
   sums[momentum_scale].add(node.mass * v.norm());
 }
 
@@ -80,9 +80,10 @@ void add_elements(const model::Model& model, const model::State& state, Sums& su
     const auto add = [&](const char* name, Term term) {
       const model::HistoryRange* range = block.find(name);
       if (!range) return;
-      for (LocalIndex e = 0; e < block.count; ++e)
-        sums[term].add(state.history[b][static_cast<std::size_t>(
-            (e / pack_width * block.history_size + range->first) * pack_width + e % pack_width)]);
+      for (LocalIndex e = 0; e < block.count; ++e) {
+        const std::ptrdiff_t row = std::ptrdiff_t{e / pack_width} * block.history_size + range->first;
+        sums[term].add(state.history[b][static_cast<std::size_t>(row * pack_width + e % pack_width)]);
+      }
     };
     add("hourglass_energy", hourglass);
     add("bulk_energy", bulk);

@@ -21,7 +21,7 @@ class HistoryFile {
  public:
   /// `columns` come after `step`. With `restart_step` an existing file is continued: rows of later steps, and a row
   /// that a killed run left unfinished, are dropped; other columns than given are an InputError. Throws MachineError.
-  HistoryFile(std::string path, std::vector<HistoryColumn> columns,
+  HistoryFile(std::string path, const std::vector<HistoryColumn>& columns,
               std::optional<GlobalIndex> restart_step = std::nullopt);
   ~HistoryFile();
   HistoryFile(const HistoryFile&) = delete;
