@@ -107,13 +107,17 @@ struct EdgePoint {
 template <std::size_t count>
 BRUNT_IN_PLACE EdgePoint nearest_edge(const Vec3& x, std::span<const Vec3, count> c) {
   EdgePoint best;
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t edge = 0; edge < c.size(); ++edge) {
     const Vec3 &from = c[edge], &to = c[(edge + 1) % c.size()];
     const double length2 = (to - from).squaredNorm();
     const double along = length2 > 0 ? std::clamp((x - from).dot(to - from) / length2, 0.0, 1.0) : 0.0;
-    const double equal = along > 0 && along < 1 ? 1.0 : 1 + 1e-15;  // of equals to rounding the edge, not its end
-    const double distance2 = equal * (x - ((1 - along) * from + along * to)).squaredNorm();
-    if (distance2 < best.distance2) best = {along, distance2, edge};
+    const double distance2 = (x - ((1 - along) * from + along * to)).squaredNorm();
+    const double rank = along > 0 && along < 1 ? distance2 : distance2 * (1 + 1e-15);  // of equals to rounding the edge
+    if (rank < least) {
+      least = rank;
+      best = {along, distance2, edge};
+    }
   }
   return best;
 }
