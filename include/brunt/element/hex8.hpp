@@ -7,6 +7,9 @@
 //   velocity gradient  L_ij = v_iI B_jI / V  at x_n - dt/2 v (second order, exact for rigid rotation)
 //   hourglass shape    gamma_aI = Gamma_aI - (1/V) B_jI (x_jJ Gamma_aJ),  rates q_ia = v_iI gamma_aI
 //   force              f_iI = -(s_ij B_jI + Q_ia gamma_aI)
+//   hourglass forces   Q <- beta R (Q + k q dt), beta the share of the trial deviator that radial return leaves: Q
+//   stands
+//     for what stresses within the element deviate from their mean, which flow limits with it (elastic: beta = 1)
 //   frequency          omega^2 <= 8/(m V) [lambda tr S + 2 mu s_max] + 8/m k_hg (|gamma|^2 summed - 24):
 // the bracket is the exact maximum over all strain modes when S is a multiple of the unit tensor (a cube).
 #pragma once
@@ -51,9 +54,10 @@ struct Hex8 {
     Pack volume, over_volume;
     StrainStep strain;
   };
-  /// Stress and what of it the stable step needs.
+  /// Of the stress update: what the stable step needs, and the share of the trial deviator left after plastic flow.
   struct Tangent {
     Pack lambda, mu;
+    Pack left = broadcast(1.0);
   };
   /// Forces that act through B as a stress (row major) and through the hourglass shapes, and bounds of the step.
   struct Resistance {
@@ -65,8 +69,8 @@ struct Hex8 {
   BRUNT_INLINE void move(const BatchMotion<8>& in, Kinematics& k) const;
   BRUNT_INLINE Tangent update(const BatchMotion<8>& in, const Kinematics& k, Pack* history) const;
   BRUNT_INLINE void resist(const Kinematics& k, const Tangent& tangent, double dt, Pack* history, Resistance& r) const;
-  BRUNT_INLINE void resist_hourglass(const Kinematics& k, double dt, Pack over_mass, Pack mass, Pack trace,
-                                     Pack largest, Pack* history, Resistance& r) const;
+  BRUNT_INLINE void resist_hourglass(const Kinematics& k, [[maybe_unused]] Pack left, double dt, Pack over_mass,
+                                     Pack mass, Pack trace, Pack largest, Pack* history, Resistance& r) const;
 };
 
 /// Modes of a nodal vector field: mode[m][component].
@@ -132,7 +136,7 @@ typename Hex8<Response, hourglass>::Tangent Hex8<Response, hourglass>::update(co
     law.tangent(F, tangent.lambda, tangent.mu);
     for (int c = 0; c < 6; ++c) stress[c] = s[c];
   } else {
-    update_stress(law, k.strain, stress, history + Memory::at_tensors, history + Memory::at_scalars);
+    tangent.left = update_stress(law, k.strain, stress, history + Memory::at_tensors, history + Memory::at_scalars);
     for (int c = 0; c < 6; ++c) s[c] = stress[c];
     law.tangent(s, tangent.lambda, tangent.mu);
   }
@@ -162,12 +166,14 @@ void Hex8<Response, hourglass>::resist(const Kinematics& k, const Tangent& tange
   constexpr int place[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};
   for (int c = 0; c < 9; ++c) r.stress[c] = s[place[c]];
   for (int c = 0; c < 9; c += 4) r.stress[c] += viscous;
-  if constexpr (hourglass != HourglassKind::none) resist_hourglass(k, dt, over_mass, mass, trace, largest, history, r);
+  if constexpr (hourglass != HourglassKind::none)
+    resist_hourglass(k, tangent.left, dt, over_mass, mass, trace, largest, history, r);
 }
 
 template <class Response, HourglassKind hourglass>
-void Hex8<Response, hourglass>::resist_hourglass(const Kinematics& k, double dt, Pack over_mass, Pack mass, Pack trace,
-                                                 Pack largest, Pack* history, Resistance& r) const {
+void Hex8<Response, hourglass>::resist_hourglass(const Kinematics& k, [[maybe_unused]] Pack left, double dt,
+                                                 Pack over_mass, Pack mass, Pack trace, Pack largest, Pack* history,
+                                                 Resistance& r) const {
   Pack gamma2 = broadcast(8.0);  // sum over a of |gamma_a|^2, less 24: 8 for a parallelepiped
   for (int a = 0; a < 4; ++a) {
     const auto& h = k.x[3 + a];
@@ -206,7 +212,7 @@ void Hex8<Response, hourglass>::resist_hourglass(const Kinematics& k, double dt,
       }
       geometry::rotate_vector(k.strain.rotation, turned[0], turned[1], turned[2]);
       for (int i = 0; i < 3; ++i) {
-        Q[i] = turned[i] + (0.5 * stiffness * dt) * q[i];
+        Q[i] = left * (turned[i] + (0.5 * stiffness * dt) * q[i]);
         work += 0.5 * (stored[i] + Q[i]) * q[i];
         stored[i] = Q[i];
       }

@@ -33,16 +33,18 @@ BRUNT_INLINE StrainStep strain_step(const Pack (&L)[9], double dt) {
   return step;
 }
 
-/// Stress (6 packs), history tensors and scalars of a rate law from t_n - dt to t_n.
+/// Stress (6 packs), history tensors and scalars of a rate law from t_n - dt to t_n. Returns what the law's update
+/// does: the share of the elastic trial stress's deviator that is left after plastic flow.
 template <class Response>
-BRUNT_INLINE void update_stress(const Response& law, const StrainStep& step, Pack* stress, Pack* tensors,
+BRUNT_INLINE Pack update_stress(const Response& law, const StrainStep& step, Pack* stress, Pack* tensors,
                                 Pack* scalars) {
   Pack s[6];
   for (int c = 0; c < 6; ++c) s[c] = stress[c];
   geometry::rotate_tensor(step.rotation, s);
   for (int t = 0; t < Response::tensors; ++t) geometry::rotate_tensor(step.rotation, tensors + 6 * t);
-  law.update(step.strain, s, tensors, scalars);
+  const Pack left = law.update(step.strain, s, tensors, scalars);
   for (int c = 0; c < 6; ++c) stress[c] = s[c];
+  return left;
 }
 
 }  // namespace brunt::element

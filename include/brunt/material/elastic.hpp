@@ -7,7 +7,8 @@
 namespace brunt::material {
 
 // Every response gives the element kernels the same words:
-//   hyperelastic     false: rate law, update(); true: stress from the deformation gradient, stress()
+//   hyperelastic     false: rate law, update(), which returns the share of the trial deviator that plastic flow leaves;
+//                    true: stress from the deformation gradient, stress()
 //   tensors          symmetric tensors in the history that the element rotates with the material, after the stress
 //   scalars          further history
 //   density, lambda, mu   constants of the virgin material, for hourglass control and bulk viscosity
@@ -52,8 +53,9 @@ struct ElasticResponse {
   }
 
   /// Stress at the end of the step from the stress rotated to the end of the step and the strain increment de.
-  void update(const Pack (&de)[6], Pack (&stress)[6], Pack* /*tensors*/, Pack* /*scalars*/) const {
+  Pack update(const Pack (&de)[6], Pack (&stress)[6], Pack* /*tensors*/, Pack* /*scalars*/) const {
     add_elastic_increment(lambda, mu, de, stress);
+    return broadcast(1.0);
   }
 
   /// See rate_law_tangent.

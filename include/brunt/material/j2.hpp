@@ -83,7 +83,7 @@ struct J2Response {
 
   /// Stress, back stress (six packs) and plastic strain (one) at the end of the step. The tensors come in
   /// rotated to the end of the step; `de` is the strain increment.
-  void update(const Pack (&de)[6], Pack (&stress)[6], [[maybe_unused]] Pack* back_stress, Pack* plastic_strain) const {
+  Pack update(const Pack (&de)[6], Pack (&stress)[6], [[maybe_unused]] Pack* back_stress, Pack* plastic_strain) const {
     add_elastic_increment(lambda, mu, de, stress);
     const Pack mean = (stress[0] + stress[1] + stress[2]) * (1.0 / 3.0);
     Pack flow[6];  // trial stress deviator seen from the centre of the yield surface
@@ -105,6 +105,7 @@ struct J2Response {
       if constexpr (kinematic) back_stress[i] += step.centre * inverse * flow[i];
     }
     plastic_strain[0] += step.strain;
+    return 1.0 - back;
   }
 
   /// See rate_law_tangent: plastic flow never stiffens the elastic response.

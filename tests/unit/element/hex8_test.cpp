@@ -125,6 +125,37 @@ TEST_CASE("an hourglass motion during a rotation gives the turned force to secon
   CHECK(std::log2(error(20) / error(40)) == Approx(2).margin(0.2));
 }
 
+// The hourglass forces are what stresses deviate from their mean within the element: flow brings them back with it.
+TEST_CASE("plastic flow returns hourglass forces with the stress deviator; without flow they keep every bit") {
+  using Plastic = Hex8<material::J2Response<false, false>, HourglassKind::stiffness>;
+  std::mt19937 engine(5);
+  const Corners<8> X = test::unit_cube();
+  const auto mises = [](const Matrix& s) { return std::sqrt(1.5) * (s - s.trace() / 3 * Matrix::Identity()).norm(); };
+  for (const double yield : {1.0, 0.02}) {
+    material::J2 law;
+    law.density = law.young = 1;
+    law.poisson = 0.3;
+    law.yield = yield;
+    law.hardening = 0.1;
+    ElementBench<Plastic> plastic{Plastic{material::J2Response<false, false>(law), stiff, no_viscosity}, X, 1};
+    auto elastic = elastic_bench<HourglassKind::stiffness>(X);
+    const Corners<8> bent = test::distorted_cube(engine, 0.1);
+    plastic.move(X, bent);
+    elastic.move(X, bent);
+    const double left = mises(plastic.stress()) / mises(elastic.stress());
+    CAPTURE(yield, left);
+    CHECK((yield < 1 ? left < 0.9 : left == 1));
+    for (std::size_t c = 0; c < 12; ++c) {
+      const double trial = elastic.history[Elastic<HourglassKind::stiffness>::at_hourglass_force + c][0];
+      const double force = plastic.history[Plastic::at_hourglass_force + c][0];
+      if (yield < 1)
+        CHECK(force == Approx(left * trial).epsilon(1e-12));
+      else
+        CHECK(force == trial);
+    }
+  }
+}
+
 TEST_CASE("the step bound is exact for cubes where A10 asks, and safe for any free element and its exact eigenvalue") {
   // a free unit cube, step times cp/h: exact values of the element eigenvalue problem
   const double table[3][2] = {{0, 1}, {0.3, 0.7337993857053426}, {0.45, 0.6158817620514397}};
