@@ -56,6 +56,7 @@ void make_contact(Prepared& run) {
   contact::ContactSettings settings;
   settings.bodies = model.contact.any;
   settings.pairs = pair_table(model.contact, model.blocks.size());
+  settings.detection.choice.criterion = static_cast<contact::Criterion>(model.contact.competing);
   settings.rate = {model.contact.tolerance, model.contact.max_iterations};
   if (model.contact.rebuild_every > 0) settings.rebuild = {contact::Rebuild::When::every, model.contact.rebuild_every};
   if (model.contact.rebuild_every < 0) settings.rebuild.when = contact::Rebuild::When::random;

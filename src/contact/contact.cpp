@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "brunt/comm/rendezvous.hpp"
 #include "brunt/contact/join_surface.hpp"
@@ -117,8 +116,8 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
     fastest = std::max(fastest, wall.velocity.norm());
   }
   motion_ = std::max(settings_.motion_share * surface_.mean_edge, 4 * dt * ranks_.max(fastest));
-  const ListSettings reach{.capture = settings_.detection.capture,
-                           .wall_capture = settings_.detection.capture * settings_.detection.wall_size,
+  const ListSettings reach{.capture = settings_.detection.encounter.capture,
+                           .wall_capture = settings_.detection.encounter.capture * settings_.detection.wall_size,
                            .motion = motion_,
                            .faces = settings_.bodies};
   lists_ = build_lists(ranks_, surface_, settings_.pairs, roles_, list_position_, walls, held_, reach);
@@ -137,6 +136,7 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
   own_area_.assign(surface_.faces.size(), Vec3::Zero());
   facet_area_.assign(static_cast<std::size_t>(lists_.facet_count), Vec3::Zero());
   detection_.reserve(lists_.faces.size(), facet_area_.size(), lists_.most_faces_of_a_slave);
+  node_normal_.reserve(nodes);
   rows_.reserve(lists_.most_rows);
   impulses_.reserve(lists_.most_rows);
   scratch_.reserve(lists_.most_rows, nodes);
@@ -163,9 +163,22 @@ void Contact::gather(VectorView position, VectorView old_velocity, MutableVector
   lists_.facets.forward(as_doubles(own_area_), as_doubles(facet_area_), 3);
 }
 
+/// The ends of a slave edge may have their rows on other ranks.
+void Contact::detect_crossing_edges(double dt) {
+  node_normal_.assign(lists_.nodes.gid.size(), Vec3::Zero());
+  for (const Row& row : rows_) {
+    Vec3& normal = node_normal_[static_cast<std::size_t>(row.nodes[0])];
+    if (normal.isZero(0)) normal = row.normal;
+  }
+  lists_.exchange.share(as_doubles(node_normal_), 3);
+  detect_edges(lists_.edges, lists_.nodes.gid, motion_of_, detection_.facet_normal, node_normal_, dt,
+               settings_.detection, rows_);
+}
+
 void Contact::detect(std::span<const Wall> walls, double dt) {
   detect_faces(lists_.candidates, lists_.faces, lists_.nodes.gid, motion_of_, facet_area_, dt, settings_.detection,
                detection_, rows_);
+  if (lists_.any_edges) detect_crossing_edges(dt);
   detect_walls(lists_.wall_candidates, walls, lists_.nodes.gid, motion_of_, dt, settings_.detection, rows_);
   sort_rows(rows_);
   for (const Row& row : rows_) sums_.penetration = std::max(sums_.penetration, -row.gap);
@@ -186,6 +199,13 @@ void Contact::scatter(MutableVectorView velocity) {
     velocity.set(surface_.model_node[static_cast<std::size_t>(foreign_[i])], Vec3(&foreign_velocity_[3 * i]));
 }
 
+bool Contact::is_slave_in(const Row& row, std::int32_t block) const {
+  if (row.is_edge()) return row.slave_block == block;
+  const LocalIndex slave = lists_.nodes.surface_node[static_cast<std::size_t>(row.nodes[0])];
+  const auto blocks = surface_.blocks.row(slave);
+  return std::binary_search(blocks.begin(), blocks.end(), block);
+}
+
 void Contact::book() {
   for (std::size_t q = 0; q < rows_.size(); ++q) {
     if (impulses_[q] == 0) continue;
@@ -197,17 +217,15 @@ void Contact::book() {
     }
     const double taken = -0.5 * impulses_[q] * twice_rate;
     const Vec3 impulse = impulses_[q] * row.normal;
-    if (row.master_key < 0) {
+    if (row.is_wall()) {
       sums_.wall_work.add(taken);
       add_vector(sums_.wall_impulse[static_cast<std::size_t>(-1 - row.master_key)], impulse);
       continue;
     }
     sums_.contact_work.add(taken);
-    const LocalIndex slave = lists_.nodes.surface_node[static_cast<std::size_t>(row.nodes[0])];
-    const auto blocks = std::as_const(surface_.blocks).row(slave);
     for (std::size_t t = 0; t < settings_.tracked.size(); ++t) {
       const auto [first, second] = settings_.tracked[t];
-      const auto slave_in = [&](std::int32_t block) { return std::binary_search(blocks.begin(), blocks.end(), block); };
+      const auto slave_in = [&](std::int32_t block) { return is_slave_in(row, block); };
       if (slave_in(first) && row.master_block == second)
         add_vector(sums_.tracked_impulse[t], impulse);
       else if (slave_in(second) && row.master_block == first)

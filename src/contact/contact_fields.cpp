@@ -14,7 +14,7 @@ void Contact::add_second_half(comm::ExactAccumulator& contact, comm::ExactAccumu
     double rate = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
       rate += row.weights[i] * row.normal.dot(velocity_[static_cast<std::size_t>(row.nodes[i])]);
-    (row.master_key < 0 ? walls : contact).add(-0.5 * impulses_[q] * rate);
+    (row.is_wall() ? walls : contact).add(-0.5 * impulses_[q] * rate);
   }
 }
 
@@ -23,7 +23,7 @@ std::vector<double> Contact::pressures(double dt) const {
   if (!(dt > 0)) return pressure;
   for (std::size_t q = 0; q < rows_.size(); ++q) {
     const Row& row = rows_[q];
-    if (row.master_key < 0) continue;
+    if (row.is_wall() || row.is_edge()) continue;
     const auto slave =
         std::ranges::lower_bound(lists_.candidates.slave, row.nodes[0]) - lists_.candidates.slave.begin();
     double area = 0;  // a quarter of the faces around the slave
@@ -38,6 +38,7 @@ std::vector<double> Contact::gaps() const {
   std::vector<double> gap(surface_node_count(), 0.0);
   std::vector<char> seen(gap.size(), 0);
   for (const Row& row : rows_) {
+    if (row.is_edge()) continue;
     const std::size_t node = model_node_of(row);
     gap[node] = seen[node] ? std::min(gap[node], row.gap) : row.gap;
     seen[node] = 1;

@@ -59,102 +59,111 @@ void append_cells(const geometry::Box& box, int level, double finest, std::vecto
       for (cell[2] = low[2]; cell[2] <= high[2]; ++cell[2]) keys.push_back(key_of(level, cell));
 }
 
-struct FaceCell {
+struct BoxCell {
   CellKey key = 0;
-  LocalIndex face = 0;
+  LocalIndex box = 0;
+  std::int32_t own_level = 0;  ///< 1 on the level that fits the box's size
 };
 
-std::vector<FaceCell> cells_of_faces(std::span<const TravellingFace> faces, double finest,
-                                     std::array<double, grid_levels>& used) {
-  std::vector<FaceCell> cells;
+using Levels = std::array<double, grid_levels>;  // 1 where used
+
+bool too_large(const geometry::Box& box, double finest) {  // a run that blew up
+  return !((box.high - box.low).maxCoeff() <= edge_of(grid_levels - 1, finest));
+}
+
+Levels own_levels(const comm::Communicator& ranks, std::span<const geometry::Box> boxes, double finest) {
+  Levels used{};
+  for (const geometry::Box& box : boxes)
+    if (!too_large(box, finest)) used[static_cast<std::size_t>(level_of(box, finest))] = 1;
+  ranks.max(used);
+  return used;
+}
+
+/// Cells of boxes on their own level and on the coarser ones that the others use, in order of their keys.
+std::vector<BoxCell> cells_of(std::span<const geometry::Box> boxes, double finest, const Levels& others) {
+  std::vector<BoxCell> cells;
   std::vector<CellKey> keys;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const geometry::Box box = faces[f].box();
-    if (!((box.high - box.low).maxCoeff() <= edge_of(grid_levels - 1, finest))) continue;  // a run that blew up
-    const int level = level_of(box, finest);
-    used[static_cast<std::size_t>(level)] = 1;
-    keys.clear();
-    append_cells(box, level, finest, keys);
-    for (const CellKey key : keys) cells.push_back({key, static_cast<LocalIndex>(f)});
+  for (std::size_t b = 0; b < boxes.size(); ++b) {
+    if (too_large(boxes[b], finest)) continue;
+    const int own = level_of(boxes[b], finest);
+    for (int level = own; level < grid_levels; ++level) {
+      if (level != own && others[static_cast<std::size_t>(level)] == 0) continue;
+      keys.clear();
+      append_cells(boxes[b], level, finest, keys);
+      for (const CellKey key : keys) cells.push_back({key, static_cast<LocalIndex>(b), level == own ? 1 : 0});
+    }
   }
-  std::sort(cells.begin(), cells.end(), [](const FaceCell& a, const FaceCell& b) { return a.key < b.key; });
+  std::sort(cells.begin(), cells.end(),
+            [](const BoxCell& a, const BoxCell& b) { return a.key != b.key ? a.key < b.key : a.box < b.box; });
   return cells;
 }
 
-std::vector<CellKey> cells_of_points(std::span<const Vec3> points, double finest,
-                                     const std::array<double, grid_levels>& used) {
-  std::vector<CellKey> keys;
-  for (int level = 0; level < grid_levels; ++level) {
-    if (used[static_cast<std::size_t>(level)] == 0) continue;
-    for (const Vec3& point : points) keys.push_back(key_of(level, cell_at(point, edge_of(level, finest))));
-  }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  return keys;
-}
-
-/// What a rank tells a cell's home, and what the home tells the rank of a face.
+/// What a rank tells a cell's home, and what the home tells the rank that offers.
 struct CellUse {
   CellKey key = 0;
   Rank rank = 0;
-  std::int32_t has_points = 0;  ///< else it has faces
+  std::int32_t wants = 0;      ///< else it offers
+  std::int32_t own_level = 0;  ///< some box of the rank has the size of this cell
 };
 
-std::vector<CellUse> meet_at_home(const comm::Communicator& ranks, const std::vector<FaceCell>& face_cells,
-                                  const std::vector<CellKey>& point_cells) {
+/// One entry a cell, of a rank's cells in order.
+void tell_homes(const std::vector<BoxCell>& cells, Rank rank, bool wants, std::vector<std::vector<CellUse>>& to_home) {
+  for (std::size_t first = 0, last = 0; first < cells.size(); first = last) {
+    CellUse use{cells[first].key, rank, wants ? 1 : 0, 0};
+    for (; last < cells.size() && cells[last].key == use.key; ++last)
+      use.own_level = std::max(use.own_level, cells[last].own_level);
+    to_home[use.key % to_home.size()].push_back(use);
+  }
+}
+
+/// Two boxes meet on the level of the larger one: at least one of them is at home there.
+std::vector<CellUse> meet_at_home(const comm::Communicator& ranks, const std::vector<BoxCell>& offered,
+                                  const std::vector<BoxCell>& wanted) {
   std::vector<std::vector<CellUse>> to_home(static_cast<std::size_t>(ranks.size()));
-  const auto tell = [&](CellKey key, bool points) {
-    to_home[key % to_home.size()].push_back({key, ranks.rank(), points ? 1 : 0});
-  };
-  for (std::size_t i = 0; i < face_cells.size(); ++i)
-    if (i == 0 || face_cells[i].key != face_cells[i - 1].key) tell(face_cells[i].key, false);
-  for (const CellKey key : point_cells) tell(key, true);
+  tell_homes(offered, ranks.rank(), false, to_home);
+  tell_homes(wanted, ranks.rank(), true, to_home);
   std::vector<CellUse> uses = comm::exchange(ranks, to_home).values;
   std::sort(uses.begin(), uses.end(), [](const CellUse& a, const CellUse& b) {
     if (a.key != b.key) return a.key < b.key;
-    return a.has_points != b.has_points ? a.has_points < b.has_points : a.rank < b.rank;
+    return a.wants != b.wants ? a.wants < b.wants : a.rank < b.rank;
   });
 
-  std::vector<std::vector<CellUse>> to_faces(to_home.size());
+  std::vector<std::vector<CellUse>> to_offering(to_home.size());
   for (std::size_t first = 0; first < uses.size();) {
-    std::size_t last = first, points = first;
+    std::size_t last = first, wanting = first;
     for (; last < uses.size() && uses[last].key == uses[first].key; ++last)
-      if (uses[last].has_points == 0) points = last + 1;
-    for (std::size_t f = first; f < points; ++f)
-      for (std::size_t p = points; p < last; ++p)
-        if (uses[p].rank != uses[f].rank) to_faces[static_cast<std::size_t>(uses[f].rank)].push_back(uses[p]);
+      if (uses[last].wants == 0) wanting = last + 1;
+    for (std::size_t o = first; o < wanting; ++o)
+      for (std::size_t w = wanting; w < last; ++w)
+        if (uses[w].rank != uses[o].rank && (uses[w].own_level != 0 || uses[o].own_level != 0))
+          to_offering[static_cast<std::size_t>(uses[o].rank)].push_back(uses[w]);
     first = last;
   }
-  return comm::exchange(ranks, to_faces).values;
+  return comm::exchange(ranks, to_offering).values;
 }
 
 }  // namespace
 
-std::vector<TravellingFace> ghost_faces(const comm::Communicator& ranks, std::span<const TravellingFace> faces,
-                                        std::span<const Vec3> points, double finest) {
-  if (ranks.size() == 1) return {};
-  std::array<double, grid_levels> used{};
-  const std::vector<FaceCell> face_cells = cells_of_faces(faces, finest, used);
-  ranks.max(used);
-  const std::vector<CellUse> needs = meet_at_home(ranks, face_cells, cells_of_points(points, finest, used));
-
+std::vector<std::vector<LocalIndex>> meet_in_cells(const comm::Communicator& ranks,
+                                                   std::span<const geometry::Box> offered,
+                                                   std::span<const geometry::Box> wanted, double finest) {
   std::vector<std::vector<LocalIndex>> leaving(static_cast<std::size_t>(ranks.size()));
+  if (ranks.size() == 1) return leaving;
+  const Levels offered_levels = own_levels(ranks, offered, finest), wanted_levels = own_levels(ranks, wanted, finest);
+  const std::vector<BoxCell> offered_cells = cells_of(offered, finest, wanted_levels);
+  const std::vector<CellUse> needs = meet_at_home(ranks, offered_cells, cells_of(wanted, finest, offered_levels));
   for (const CellUse& need : needs) {
-    auto cell = std::lower_bound(face_cells.begin(), face_cells.end(), need.key,
-                                 [](const FaceCell& a, CellKey key) { return a.key < key; });
-    for (; cell != face_cells.end() && cell->key == need.key; ++cell)
-      leaving[static_cast<std::size_t>(need.rank)].push_back(cell->face);
+    auto cell = std::lower_bound(offered_cells.begin(), offered_cells.end(), need.key,
+                                 [](const BoxCell& a, CellKey key) { return a.key < key; });
+    for (; cell != offered_cells.end() && cell->key == need.key; ++cell)
+      if (cell->own_level != 0 || need.own_level != 0)
+        leaving[static_cast<std::size_t>(need.rank)].push_back(cell->box);
   }
-  std::vector<std::vector<TravellingFace>> outgoing(leaving.size());
-  for (std::size_t r = 0; r < leaving.size(); ++r) {
-    std::sort(leaving[r].begin(), leaving[r].end());
-    leaving[r].erase(std::unique(leaving[r].begin(), leaving[r].end()), leaving[r].end());
-    for (const LocalIndex face : leaving[r]) outgoing[r].push_back(faces[static_cast<std::size_t>(face)]);
+  for (std::vector<LocalIndex>& boxes : leaving) {
+    std::sort(boxes.begin(), boxes.end());
+    boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
   }
-  std::vector<TravellingFace> ghosts = comm::exchange(ranks, outgoing).values;
-  std::sort(ghosts.begin(), ghosts.end(),
-            [](const TravellingFace& a, const TravellingFace& b) { return a.key < b.key; });
-  return ghosts;
+  return leaving;
 }
 
 }  // namespace brunt::contact

@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/contact/join_neighbours.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/closest_point.hpp"
 
 namespace brunt::contact {
 namespace {
+
+constexpr double sharp_angle = 20 * std::numbers::pi / 180;
 
 /// A face tells the owner of each of its nodes that it is there.
 struct NodeUse {
@@ -106,14 +110,22 @@ void attach_faces(const std::vector<NodeUse>& uses, Surface& surface) {
   }
 }
 
-/// How far the element reaches behind its face; infinite for a surface without elements.
-double element_depth(const mesh::LocalMesh& mesh, const mesh::ExteriorFace& face) {
+/// The local nodes of the element behind a face; none for a surface without elements.
+std::span<const LocalIndex> element_of(const mesh::LocalMesh& mesh, const mesh::ExteriorFace& face) {
   if (static_cast<std::size_t>(face.block) >= mesh.blocks.size() ||
       mesh.blocks[static_cast<std::size_t>(face.block)].gid.empty())
-    return std::numeric_limits<double>::infinity();
+    return {};
   const mesh::LocalBlock& block = mesh.blocks[static_cast<std::size_t>(face.block)];
   const auto found = std::lower_bound(block.gid.begin(), block.gid.end(), face.key / 8);
   demand(found != block.gid.end() && *found == face.key / 8, "the element of an exterior face is on its rank");
+  const auto width = static_cast<std::size_t>(mesh::nodes_per_element(block.shape));
+  return {&block.nodes[static_cast<std::size_t>(found - block.gid.begin()) * width], width};
+}
+
+/// How far the element reaches behind its face; infinite for a surface without elements.
+double element_depth(const mesh::LocalMesh& mesh, const mesh::ExteriorFace& face) {
+  const std::span<const LocalIndex> element = element_of(mesh, face);
+  if (element.empty()) return std::numeric_limits<double>::infinity();
   const auto corner = [&](LocalIndex node) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(node)]; };
   const std::size_t count = corner_count(face);
   std::array<Vec3, 4> corners;
@@ -123,11 +135,8 @@ double element_depth(const mesh::LocalMesh& mesh, const mesh::ExteriorFace& face
     centre += corners[i] / static_cast<double>(count);
   }
   const Vec3 inwards = -geometry::area_vector({corners.data(), count}).normalized();
-  const int nodes = mesh::nodes_per_element(block.shape);
-  const std::ptrdiff_t first = (found - block.gid.begin()) * nodes;
   double depth = 0;
-  for (int i = 0; i < nodes; ++i)
-    depth = std::max(depth, (corner(block.nodes[static_cast<std::size_t>(first + i)]) - centre).dot(inwards));
+  for (const LocalIndex node : element) depth = std::max(depth, (corner(node) - centre).dot(inwards));
   return depth;
 }
 
@@ -142,6 +151,12 @@ void collect_faces(const mesh::LocalMesh& mesh, std::span<const char> excluded, 
                      .depth = element_depth(mesh, from)};
     for (std::size_t i = 0; i < corner_count(from); ++i)
       face.nodes[i] = index_of(surface.gid, mesh.node_gid[static_cast<std::size_t>(from.nodes[i])]);
+    face.element.fill(no_index);
+    const std::span<const LocalIndex> element = element_of(mesh, from);
+    const std::span<const LocalIndex> behind =
+        element.empty() ? std::span(from.nodes.data(), corner_count(from)) : element;
+    for (std::size_t i = 0; i < behind.size(); ++i)
+      face.element[i] = mesh.node_gid[static_cast<std::size_t>(behind[i])];
     surface.faces.push_back(face);
   }
 }
@@ -156,7 +171,9 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
   for (const mesh::ExteriorFace& face : mesh.faces) last_body = std::max<GlobalIndex>(last_body, face.body);
   const auto body_count = static_cast<std::size_t>(ranks.max(last_body) + 1);
   std::vector<comm::ExactAccumulator> sums(2 * body_count + 1);  // areas, masses, and edges of all bodies
-  std::vector<GlobalIndex> counts(3 * body_count, 0);            // faces, nodes, nodes that cannot move
+  const std::size_t block_count = mesh.blocks.size();
+  std::vector<GlobalIndex> counts(3 * body_count, 0);  // faces, nodes, nodes that cannot move
+  std::vector<GlobalIndex> faces_of(body_count * block_count, 0);
   for (const SurfaceFace& face : surface.faces) {
     std::array<Vec3, 4> corners;
     const auto count = static_cast<std::size_t>(face.corner_count);
@@ -169,6 +186,8 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
     sums[body].add(geometry::area_vector(view).norm());
     sums[2 * body_count].add(geometry::longest_edge(view));
     ++counts[body];
+    if (static_cast<std::size_t>(face.block) < block_count)
+      ++faces_of[body * block_count + static_cast<std::size_t>(face.block)];
   }
   for (std::size_t i = 0; i < surface.gid.size(); ++i) {
     if (!surface.owns(static_cast<LocalIndex>(i), ranks.rank())) continue;
@@ -183,11 +202,16 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
   std::vector<double> totals(sums.size());
   comm::exact_sum(ranks, sums, totals);
   ranks.sum(counts);
+  ranks.sum(faces_of);
   GlobalIndex faces = 0;
   for (std::size_t body = 0; body < body_count; ++body) {
     const double mass = mean(totals[body_count + body], counts[body_count + body]);
     const bool held = counts[2 * body_count + body] > 0;
-    surface.bodies.push_back({mean(totals[body], counts[body]), held ? std::numeric_limits<double>::infinity() : mass});
+    surface.bodies.push_back(
+        {mean(totals[body], counts[body]), held ? std::numeric_limits<double>::infinity() : mass, {}});
+    for (std::size_t block = 0; block < block_count; ++block)
+      if (faces_of[body * block_count + block] > 0)
+        surface.bodies.back().blocks.push_back(static_cast<std::int32_t>(block));
     faces += counts[body];
   }
   surface.mean_edge = mean(totals[2 * body_count], faces);
@@ -205,6 +229,8 @@ Surface join_surface(const comm::Communicator& ranks, const mesh::LocalMesh& mes
   attach_faces(uses, surface);
   collect_faces(mesh, excluded, surface);
   measure_bodies(ranks, mesh, inverse_mass, surface);
+  surface.neighbours = element_neighbours(ranks, mesh, surface);
+  surface.edges = sharp_edges(ranks, mesh, surface, sharp_angle);
   return surface;
 }
 

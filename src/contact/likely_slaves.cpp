@@ -178,6 +178,7 @@ std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const me
   bool any_pair = false;
   for (const auto& [own, slave] : patches)
     for (const auto& [others, master] : patches) {
+      if (own.first == others.first) continue;  // folds are not foretold
       if (!may_meet(pairs, bodies, {&own.second, 1}, own.first, others.second, others.first)) continue;
       any_pair = true;
       const double farthest = span_of(slave.box, master.box);

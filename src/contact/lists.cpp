@@ -6,102 +6,14 @@
 #include <utility>
 
 #include "brunt/comm/rendezvous.hpp"
-#include "brunt/contact/ghosting.hpp"
-#include "brunt/contact/search/search.hpp"
 #include "brunt/core/error.hpp"
-#include "brunt/geometry/closest_point.hpp"
+#include "candidate_pairs.hpp"
 
 namespace brunt::contact {
 namespace {
 
-struct Build {
-  const comm::Communicator& ranks;
-  const Surface& surface;
-  const PairTable& pairs;
-  const Roles& roles;
-  std::span<const Vec3> positions;
-  const ListSettings& settings;
-};
-
-/// This rank's surface faces as masters. The capture box holds everything within the detection's reach even after
-/// node and face have moved towards each other by the motion allowed (which may stretch an edge by twice that).
-std::vector<TravellingFace> own_masters(const Build& build) {
-  std::vector<TravellingFace> masters;
-  for (const SurfaceFace& face : build.surface.faces) {
-    if (build.roles.master[static_cast<std::size_t>(face.body)] == 0) continue;
-    TravellingFace master{.key = face.key, .corner_count = face.corner_count, .body = face.body, .block = face.block};
-    master.depth = face.depth;
-    const auto count = static_cast<std::size_t>(face.corner_count);
-    std::array<Vec3, 4> corners;
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto node = static_cast<std::size_t>(face.nodes[i]);
-      corners[i] = build.positions[node];
-      master.gid[i] = build.surface.gid[node];
-      master.home[i] = build.surface.home[node];
-    }
-    const double edge = geometry::longest_edge({corners.data(), count});
-    const double motion = build.settings.motion;
-    const double reach = build.settings.capture * (edge + 2 * motion) + 2 * motion;
-    // the criterion of detection is evaluated later and rounds otherwise
-    const geometry::Box box = geometry::grown(geometry::bounding_box({corners.data(), count}), reach * (1 + 1e-6));
-    for (std::size_t a = 0; a < 3; ++a) {
-      master.low[a] = box.low[static_cast<int>(a)];
-      master.high[a] = box.high[static_cast<int>(a)];
-    }
-    masters.push_back(master);
-  }
-  return masters;
-}
-
-struct Slaves {
-  std::vector<LocalIndex> surface_node;
-  std::vector<Vec3> position;
-};
-
-Slaves own_slaves(const Build& build) {
-  Slaves slaves;
-  for (LocalIndex node = 0; node < static_cast<LocalIndex>(build.surface.gid.size()); ++node) {
-    if (!build.surface.owns(node, build.ranks.rank()) || build.surface.blocks.row(node).empty()) continue;
-    if (build.roles.slave[static_cast<std::size_t>(build.surface.body[static_cast<std::size_t>(node)])] == 0) continue;
-    slaves.surface_node.push_back(node);
-    slaves.position.push_back(build.positions[static_cast<std::size_t>(node)]);
-  }
-  return slaves;
-}
-
-struct Pair {
-  LocalIndex slave = 0;  ///< surface node
-  LocalIndex face = 0;   ///< into the masters
-};
-
-/// Permitted pairs by slave, master body, key.
-std::vector<Pair> search_pairs(const Build& build, const Slaves& slaves, const std::vector<TravellingFace>& masters) {
-  std::vector<geometry::Box> boxes;
-  boxes.reserve(masters.size());
-  for (const TravellingFace& master : masters) boxes.push_back(master.box());
-  SearchScratch scratch;
-  Ragged<LocalIndex> found;
-  find_pairs(boxes, slaves.position, scratch, found);
-  std::vector<Pair> pairs;
-  for (LocalIndex s = 0; s < found.rows(); ++s) {
-    const LocalIndex node = slaves.surface_node[static_cast<std::size_t>(s)];
-    for (const LocalIndex f : std::as_const(found).row(s)) {
-      const TravellingFace& master = masters[static_cast<std::size_t>(f)];
-      if (may_meet(build.pairs, build.surface.bodies, build.surface.blocks.row(node),
-                   build.surface.body[static_cast<std::size_t>(node)], master.block, master.body))
-        pairs.push_back({node, f});
-    }
-  }
-  std::sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) {
-    if (a.slave != b.slave) return a.slave < b.slave;
-    const TravellingFace &one = masters[static_cast<std::size_t>(a.face)],
-                         &other = masters[static_cast<std::size_t>(b.face)];
-    return one.body != other.body ? one.body < other.body : one.key < other.key;
-  });
-  return pairs;
-}
-
-std::vector<WallCandidate> walls_in_reach(const Build& build, std::span<const Wall> walls, std::span<const char> held) {
+std::vector<WallCandidate> walls_in_reach(const ListBuild& build, std::span<const Wall> walls,
+                                          std::span<const char> held) {
   std::vector<WallCandidate> candidates;  // nodes are surface nodes until the table is made
   const std::size_t count = build.surface.gid.size();
   const double reach = (build.settings.wall_capture + 2 * build.settings.motion) * (1 + 1e-6);
@@ -136,7 +48,7 @@ void sort_unique(std::vector<T>& values) {
 }
 
 /// The nodes needed here, and those of this rank that others need.
-NodeTable make_table(const Build& build, std::vector<NeededNode> needed, Ragged<LocalIndex>& requested) {
+NodeTable make_table(const ListBuild& build, std::vector<NeededNode> needed, Ragged<LocalIndex>& requested) {
   const Rank here = build.ranks.rank();
   std::vector<std::vector<LocalIndex>> requests(static_cast<std::size_t>(build.ranks.size()));
   sort_unique(needed);
@@ -158,7 +70,7 @@ NodeTable make_table(const Build& build, std::vector<NeededNode> needed, Ragged<
 }
 
 /// Copies and owners tell each other where they keep the node; both lists of a pair of ranks run in ascending gid.
-NodeLinks link_nodes(const Build& build, const NodeTable& table, const Ragged<LocalIndex>& requested) {
+NodeLinks link_nodes(const ListBuild& build, const NodeTable& table, const Ragged<LocalIndex>& requested) {
   const auto rank_count = static_cast<std::size_t>(build.ranks.size());
   NodeLinks links;
   std::vector<std::vector<LocalIndex>> copy_place(rank_count), owner_place(rank_count);
@@ -185,14 +97,36 @@ NodeLinks link_nodes(const Build& build, const NodeTable& table, const Ragged<Lo
   return links;
 }
 
-void fill_candidates(const Build& build, const std::vector<Pair>& pairs, const std::vector<TravellingFace>& masters,
-                     ContactLists& lists) {
-  std::vector<LocalIndex> face_here(masters.size(), no_index);
-  for (const Pair& pair : pairs) {
-    LocalIndex& face = face_here[static_cast<std::size_t>(pair.face)];
-    if (face != no_index) continue;
-    face = static_cast<LocalIndex>(lists.faces.size());
-    const TravellingFace& from = masters[static_cast<std::size_t>(pair.face)];
+using FacePairs = CandidatePairs<TravellingFace>;
+using EdgePairs = CandidatePairs<TravellingEdge>;
+
+/// Masters that some pair needs, in the order of their first pair: place of each, or no_index.
+template <class Traveller>
+std::vector<LocalIndex> masters_in_use(const CandidatePairs<Traveller>& found, std::vector<LocalIndex>& used) {
+  std::vector<LocalIndex> place(found.masters.size(), no_index);
+  for (const CandidatePair& pair : found.pairs) {
+    LocalIndex& here = place[static_cast<std::size_t>(pair.master)];
+    if (here != no_index) continue;
+    here = static_cast<LocalIndex>(used.size());
+    used.push_back(pair.master);
+  }
+  return place;
+}
+
+/// Calls visit(slave, its pairs) in order.
+template <class Visit>
+void for_each_slave(const std::vector<CandidatePair>& pairs, Visit&& visit) {
+  for (std::size_t first = 0, last = 0; first < pairs.size(); first = last) {
+    while (last < pairs.size() && pairs[last].slave == pairs[first].slave) ++last;
+    visit(pairs[first].slave, std::span(pairs).subspan(first, last - first));
+  }
+}
+
+void fill_faces(const ListBuild& build, const FacePairs& found, ContactLists& lists) {
+  std::vector<LocalIndex> used;
+  const std::vector<LocalIndex> place = masters_in_use(found, used);
+  for (const LocalIndex m : used) {
+    const TravellingFace& from = found.masters[static_cast<std::size_t>(m)];
     MasterFace master{.key = from.key, .corner_count = from.corner_count, .body = from.body, .block = from.block};
     master.depth = from.depth;
     for (std::size_t i = 0; i < static_cast<std::size_t>(from.corner_count); ++i)
@@ -200,33 +134,55 @@ void fill_candidates(const Build& build, const std::vector<Pair>& pairs, const s
     lists.faces.push_back(master);
   }
   Candidates& candidates = lists.candidates;
-  for (std::size_t i = 0; i < pairs.size();) {
-    const LocalIndex node = pairs[i].slave;
-    const std::size_t before = candidates.faces.values.size();
+  for_each_slave(found.pairs, [&](LocalIndex node, std::span<const CandidatePair> pairs) {
     candidates.slave.push_back(table_index(lists.nodes, build.surface.gid[static_cast<std::size_t>(node)]));
     candidates.body.push_back(build.surface.body[static_cast<std::size_t>(node)]);
-    std::int32_t last_body = no_index;
-    for (; i < pairs.size() && pairs[i].slave == node; ++i) {
-      const LocalIndex face = face_here[static_cast<std::size_t>(pairs[i].face)];
-      candidates.faces.values.push_back(face);
-      const std::int32_t body = lists.faces[static_cast<std::size_t>(face)].body;
-      if (body != last_body) ++lists.most_rows;
-      last_body = body;
-    }
+    for (const CandidatePair& pair : pairs)
+      candidates.faces.values.push_back(place[static_cast<std::size_t>(pair.master)]);
     candidates.faces.close_row();
-    lists.most_faces_of_a_slave = std::max(lists.most_faces_of_a_slave, candidates.faces.values.size() - before);
-  }
+    lists.most_rows += std::min(pairs.size(), most_rows_of_a_node);
+    lists.most_faces_of_a_slave = std::max(lists.most_faces_of_a_slave, pairs.size());
+  });
 }
 
-/// Where the area vectors of the slaves' own faces come from, and whose are needed.
-void link_facets(const Build& build, const std::vector<Pair>& pairs, ContactLists& lists) {
-  std::vector<Place> leaves;
+/// Facets are left as places until they are numbered.
+void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& lists, std::vector<Place>& facets) {
+  std::vector<LocalIndex> used;
+  const std::vector<LocalIndex> place = masters_in_use(found, used);
+  EdgeCandidates& edges = lists.edges;
+  for (const LocalIndex m : used) {
+    const TravellingEdge& from = found.masters[static_cast<std::size_t>(m)];
+    edges.masters.push_back({.nodes = {table_index(lists.nodes, from.gid[0]), table_index(lists.nodes, from.gid[1])},
+                             .body = from.body,
+                             .block = from.block});
+    facets.insert(facets.end(), from.facets.begin(), from.facets.end());
+  }
+  for_each_slave(found.pairs, [&](LocalIndex slave, std::span<const CandidatePair> pairs) {
+    const SurfaceEdge& from = build.surface.edges[static_cast<std::size_t>(slave)];
+    const auto contact_node = [&](LocalIndex node) {
+      return table_index(lists.nodes, build.surface.gid[static_cast<std::size_t>(node)]);
+    };
+    edges.slaves.push_back(
+        {.nodes = {contact_node(from.nodes[0]), contact_node(from.nodes[1])}, .body = from.body, .block = from.block});
+    facets.insert(facets.end(), from.facets.begin(), from.facets.end());
+    for (const CandidatePair& pair : pairs) edges.near.values.push_back(place[static_cast<std::size_t>(pair.master)]);
+    edges.near.close_row();
+  });
+  lists.most_rows += found.pairs.size();
+}
+
+/// Where the area vectors of facets come from (those around slaves, those of edges), and whose are needed.
+void link_facets(const ListBuild& build, const FacePairs& found, const std::vector<Place>& of_edges,
+                 ContactLists& lists) {
+  std::vector<Place> leaves = of_edges;
   const auto each_slave = [&](auto&& visit) {
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (i == 0 || pairs[i].slave != pairs[i - 1].slave) visit(build.surface.facets.row(pairs[i].slave));
+    for_each_slave(found.pairs, [&](LocalIndex node, auto /*pairs*/) { visit(build.surface.facets.row(node)); });
   };
   each_slave([&](std::span<const Place> facets) { leaves.insert(leaves.end(), facets.begin(), facets.end()); });
   sort_unique(leaves);
+  const auto leaf_of = [&](const Place& facet) {
+    return static_cast<LocalIndex>(std::lower_bound(leaves.begin(), leaves.end(), facet) - leaves.begin());
+  };
   std::vector<comm::RemoteSlot> source;
   std::vector<std::vector<LocalIndex>> needs(static_cast<std::size_t>(build.ranks.size()));
   for (const Place& place : leaves) {
@@ -234,12 +190,13 @@ void link_facets(const Build& build, const std::vector<Pair>& pairs, ContactList
     needs[static_cast<std::size_t>(place.rank)].push_back(place.index);
   }
   each_slave([&](std::span<const Place> facets) {
-    for (const Place& facet : facets) {
-      const auto leaf = std::lower_bound(leaves.begin(), leaves.end(), facet);
-      lists.candidates.slave_facets.values.push_back(static_cast<LocalIndex>(leaf - leaves.begin()));
-    }
+    for (const Place& facet : facets) lists.candidates.slave_facets.values.push_back(leaf_of(facet));
     lists.candidates.slave_facets.close_row();
   });
+  auto next = of_edges.begin();
+  for (std::vector<EdgeSide>* sides : {&lists.edges.masters, &lists.edges.slaves})
+    for (EdgeSide& side : *sides)
+      for (LocalIndex& facet : side.facets) facet = leaf_of(*next++);
   lists.facet_needed.assign(build.surface.faces.size(), 0);
   for (const LocalIndex face : comm::exchange(build.ranks, needs).values)
     lists.facet_needed[static_cast<std::size_t>(face)] = 1;
@@ -249,24 +206,28 @@ void link_facets(const Build& build, const std::vector<Pair>& pairs, ContactList
     lists.facets = comm::Halo(build.ranks, static_cast<LocalIndex>(build.surface.faces.size()), source);
 }
 
-/// Slaves and wall candidates, and the corners of the faces; some more than once.
-std::vector<NeededNode> needed_nodes(const Build& build, const std::vector<Pair>& pairs,
-                                     const std::vector<TravellingFace>& masters,
-                                     std::span<const WallCandidate> wall_candidates) {
+/// Every node that the pairs name, with its owner; some more than once.
+std::vector<NeededNode> needed_nodes(const ListBuild& build, const FacePairs& faces, const EdgePairs& edges,
+                                     const std::vector<WallCandidate>& walls) {
   std::vector<NeededNode> needed;
   const auto need = [&](LocalIndex node) {
     const auto i = static_cast<std::size_t>(node);
     needed.push_back({build.surface.gid[i], build.surface.home[i]});
   };
-  std::vector<char> has_corners(masters.size(), 0);
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    if (p == 0 || pairs[p].slave != pairs[p - 1].slave) need(pairs[p].slave);
-    const auto f = static_cast<std::size_t>(pairs[p].face);
-    if (std::exchange(has_corners[f], 1) != 0) continue;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(masters[f].corner_count); ++i)
-      needed.push_back({masters[f].gid[i], masters[f].home[i]});
+  for_each_slave(faces.pairs, [&](LocalIndex node, auto /*pairs*/) { need(node); });
+  std::vector<LocalIndex> used;
+  masters_in_use(faces, used);
+  for (const LocalIndex m : used) {
+    const TravellingFace& master = faces.masters[static_cast<std::size_t>(m)];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(master.corner_count); ++i)
+      needed.push_back({master.gid[i], master.home[i]});
   }
-  for (const WallCandidate& candidate : wall_candidates) need(candidate.node);
+  for (const CandidatePair& pair : edges.pairs) {
+    for (const LocalIndex node : build.surface.edges[static_cast<std::size_t>(pair.slave)].nodes) need(node);
+    const TravellingEdge& master = edges.masters[static_cast<std::size_t>(pair.master)];
+    for (std::size_t i = 0; i < 2; ++i) needed.push_back({master.gid[i], master.home[i]});
+  }
+  for (const WallCandidate& candidate : walls) need(candidate.node);
   return needed;
 }
 
@@ -275,30 +236,29 @@ std::vector<NeededNode> needed_nodes(const Build& build, const std::vector<Pair>
 ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface, const PairTable& pairs,
                          const Roles& roles, std::span<const Vec3> positions, std::span<const Wall> walls,
                          std::span<const char> held, const ListSettings& settings) {
-  const Build build{ranks, surface, pairs, roles, positions, settings};
+  const ListBuild build{ranks, surface, pairs, roles, positions, settings};
   ContactLists lists;
-  std::vector<TravellingFace> masters;
-  std::vector<Pair> found;
+  FacePairs faces;
+  EdgePairs edges;
   if (settings.faces) {
-    const Slaves slaves = own_slaves(build);
-    masters = own_masters(build);
-    const std::vector<TravellingFace> ghosts =
-        ghost_faces(ranks, masters, slaves.position, 2 * (surface.mean_edge + 2 * settings.motion));
-    masters.insert(masters.end(), ghosts.begin(), ghosts.end());
-    found = search_pairs(build, slaves, masters);
+    faces = find_face_pairs(build);
+    edges = find_edge_pairs(build);
   }
   lists.wall_candidates = walls_in_reach(build, walls, held);
 
   Ragged<LocalIndex> requested;
-  lists.nodes = make_table(build, needed_nodes(build, found, masters, lists.wall_candidates), requested);
+  lists.nodes = make_table(build, needed_nodes(build, faces, edges, lists.wall_candidates), requested);
   for (WallCandidate& candidate : lists.wall_candidates)
     candidate.node = table_index(lists.nodes, surface.gid[static_cast<std::size_t>(candidate.node)]);
-  fill_candidates(build, found, masters, lists);
+  std::vector<Place> edge_facets;
+  fill_faces(build, faces, lists);
+  fill_edges(build, edges, lists, edge_facets);
   lists.most_rows += lists.wall_candidates.size();
   lists.any_rows = ranks.any(lists.most_rows > 0);
+  lists.any_edges = ranks.any(!edges.pairs.empty());
   lists.exchange = HaloExchange(ranks, static_cast<LocalIndex>(lists.nodes.gid.size()),
                                 link_nodes(build, lists.nodes, requested), node_motion_width + 1);
-  link_facets(build, found, lists);
+  link_facets(build, faces, edge_facets, lists);
   return lists;
 }
 

@@ -137,12 +137,14 @@ model::ContactRule contact_rule(const Input& input, std::span<const std::string>
     rule.tolerance = entry.tolerance;
     rule.max_iterations = entry.max_iterations;
     rule.rebuild_every = entry.rebuild_every;
+    rule.competing = static_cast<int>(entry.competing);
     for (std::size_t a = 0; a < n; ++a)
       for (std::size_t b = 0; b < n; ++b) {
         const std::string &first = part_of_block[a], &second = part_of_block[b];
         const bool straight = names_pair(entry, first, second), turned = names_pair(entry, second, first);
         if (!straight && !turned) continue;
-        rule.active[a * n + b] = excludes(entry, first, second) ? 0 : 1;
+        const bool itself = a == b && entry.between.empty() && !entry.self;
+        rule.active[a * n + b] = itself || excludes(entry, first, second) ? 0 : 1;
         if (entry.slave != ContactEntry::Slave::automatic && !entry.between.empty())
           rule.forced_slave[a * n + b] = (entry.slave == ContactEntry::Slave::first) == straight ? 1 : -1;
         else

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact between parts.
-#include <fmt/format.h>
-
 #include "brunt/scene/sections.hpp"
 
 namespace brunt::scene {
@@ -10,12 +8,10 @@ namespace {
 using Overlap = ContactEntry::InitialOverlap;
 using Slave = ContactEntry::Slave;
 
-/// Two different parts.
+/// Two parts, or one twice: contact with itself.
 bool read_pair(const Key& key, std::array<std::string, 2>& pair, std::string_view accepted) {
   const std::vector<Key> names = items(key, accepted, 2);
-  if (names.size() != 2 || !read(names[0], pair[0], Named::part) || !read(names[1], pair[1], Named::part)) return false;
-  if (pair[0] != pair[1]) return true;
-  return later(key, fmt::format("self-contact (of '{}')", pair[0]), "two different parts");
+  return names.size() == 2 && read(names[0], pair[0], Named::part) && read(names[1], pair[1], Named::part);
 }
 
 void read_between(Section& entry, ContactEntry& contact) {
@@ -23,7 +19,7 @@ void read_between(Section& entry, ContactEntry& contact) {
   const Key key = entry.at("between");
   const bool word = key.tree == nullptr || key.tree->kind != Tree::Kind::list;
   if (word) {
-    static const Choices<bool> choices{{{"all", true}}, {"self"}};
+    static const Choices<bool> choices{{{"all", true}}, {}};
     bool all = true;
     if (key.tree == nullptr || key.tree->kind != Tree::Kind::value) {
       wrong(key, accepted);
@@ -78,17 +74,24 @@ void read_settled(Section& entry) {
     later(entry.at("thickness"), "thickness in contact", "auto");
   }
   entry.not_yet("tied", "contact that may open and slide");
-  entry.not_yet("self", "contact of different parts");
 }
 
 ContactEntry read_entry(Section& entry) {
   static const Choices<Overlap> overlaps{{{"error", Overlap::error}, {"warn", Overlap::warn}},
                                          {"adjust", "remove", "keep", "ignore", "resolve"}};
+  using Competing = ContactEntry::Competing;
+  static const Choices<Competing> competing{{{"auto", Competing::automatic},
+                                             {"nearest", Competing::nearest},
+                                             {"strength", Competing::strength},
+                                             {"velocity", Competing::velocity}},
+                                            {}};
   ContactEntry contact;
   read_between(entry, contact);
   if (entry.has("exclude")) read_exclude(entry.at("exclude"), contact);
   read_no_friction(entry, contact.friction);
   if (entry.has("slave")) read_slave(entry.at("slave"), contact);
+  entry.optional("self", contact.self);
+  entry.optional("competing", contact.competing, competing);
   entry.optional("tolerance", contact.tolerance, Range{0, 1, false, false, "a number > 0 and < 1"});
   entry.optional("max_iterations", contact.max_iterations, Count{1});
   if (entry.has("rebuild")) read_rebuild(entry.at("rebuild"), contact);

@@ -32,18 +32,25 @@ enum class Cone : std::int8_t {
 
 /// One constraint: sum_i weights[i] normal . v[nodes[i]] >= required (equal, for a free cone).
 /// An impulse lambda [momentum] changes the momentum of node i by lambda weights[i] normal.
+/// Rows are ordered by (slave_gid, slave_second, master_key, master_second).
 struct Row {
   GlobalIndex slave_gid = 0;
-  GlobalIndex master_key = 0;         ///< face key; for wall w: -1 - w. Rows are ordered by (slave_gid, master_key)
-  std::array<LocalIndex, 5> nodes{};  ///< contact nodes, the slave first
-  std::array<double, 5> weights{};    ///< +1, then minus the weights of the face's corners
+  GlobalIndex slave_second = no_index;   ///< other end of a slave edge
+  GlobalIndex master_key = 0;            ///< face key; for wall w: -1 - w; first end of a master edge
+  GlobalIndex master_second = no_index;  ///< other end of a master edge
+  std::array<LocalIndex, 5> nodes{};     ///< contact nodes, the slave (or the slave edge's two) first
+  std::array<double, 5> weights{};       ///< of the slave, sum 1, then minus the weights of the master's nodes
   std::int32_t node_count = 0;
   std::int32_t slave_body = 0, master_body = 0;
-  std::int32_t master_block = 0;  ///< no_index for a wall
-  Vec3 normal = Vec3::Zero();     ///< unit, out of the master
-  double gap = 0;                 ///< at x_n: > 0 open, < 0 penetration
-  double required = 0;            ///< least rate [velocity]: -gap/dt when open, a limited recovery when closed
+  std::int32_t slave_block = no_index;  ///< of a slave edge; a node may have several
+  std::int32_t master_block = 0;        ///< no_index for a wall
+  Vec3 normal = Vec3::Zero();           ///< unit, out of the master
+  double gap = 0;                       ///< at x_n: > 0 open, < 0 penetration
+  double required = 0;                  ///< least rate [velocity]: -gap/dt when open, a limited recovery when closed
   Cone cone = Cone::compression;
+
+  [[nodiscard]] bool is_wall() const { return master_key < 0; }
+  [[nodiscard]] bool is_edge() const { return slave_second != no_index; }
 };
 
 }  // namespace brunt::contact

@@ -121,8 +121,10 @@ class Contact {
   void rebuild(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt);
   void gather(VectorView position, VectorView old_velocity, MutableVectorView velocity);
   void detect(std::span<const Wall> walls, double dt);
+  void detect_crossing_edges(double dt);
   void scatter(MutableVectorView velocity);
   void book();
+  [[nodiscard]] bool is_slave_in(const Row& row, std::int32_t block) const;
   [[nodiscard]] std::size_t surface_node_count() const;           ///< local nodes up to the last one on the surface
   [[nodiscard]] std::size_t model_node_of(const Row& row) const;  ///< the slave
 
@@ -148,6 +150,7 @@ class Contact {
   std::vector<Mobility> mobility_;
   std::vector<Vec3> velocity_;
   std::vector<Vec3> own_area_, facet_area_;
+  std::vector<Vec3> node_normal_;  // of each contact node's first row with a face
   DetectionScratch detection_;
   std::vector<Row> rows_;
   std::vector<double> impulses_;

@@ -1,18 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which faces go to which rank: each slave node's owner must see every face that could touch it. Ranks say which
-// cells of a sparse grid their faces and their slave nodes fill; cells meet at a home rank, which tells the ranks of
-// the faces who needs them. No array has the size of the grid, so a far outlier costs nothing; boxes much larger than
-// the finest cell use coarser grids, so none fills more than eight cells.
+// What of the surface goes to which rank: the owner of a slave must see every face and edge that could touch it. Ranks
+// say which cells of a sparse grid their boxes fill; cells meet at a home rank, which tells the ranks that offer faces
+// who wants them. No array has the size of the grid, so a far outlier costs nothing; a box fills cells of its own size
+// and, where the other side has larger ones, those, so none fills more than eight on a level.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
 
 #include "brunt/comm/communicator.hpp"
+#include "brunt/comm/rendezvous.hpp"
 #include "brunt/contact/surface/surface.hpp"
 #include "brunt/geometry/box.hpp"
 
 namespace brunt::contact {
+
+/// A box that can be sent.
+struct PlainBox {
+  std::array<double, 3> low{}, high{};
+
+  PlainBox() = default;
+  explicit PlainBox(const geometry::Box& box)
+      : low{box.low[0], box.low[1], box.low[2]}, high{box.high[0], box.high[1], box.high[2]} {}
+  [[nodiscard]] geometry::Box box() const { return {Vec3(low.data()), Vec3(high.data())}; }
+};
 
 /// A face with all that is needed to search it and to find its nodes' owners.
 struct TravellingFace {
@@ -20,16 +32,45 @@ struct TravellingFace {
   std::array<GlobalIndex, 4> gid{};
   std::array<Place, 4> home{};
   std::int32_t corner_count = 0, body = 0, block = 0;
-  std::array<double, 3> low{}, high{};  ///< capture box
-  double depth = 0;                     ///< of its element
+  PlainBox capture{};                    ///< capture box
+  double depth = 0;                      ///< of its element
+  std::array<GlobalIndex, 8> element{};  ///< nodes of its element, no_index to fill
 
-  [[nodiscard]] geometry::Box box() const { return {Vec3(low.data()), Vec3(high.data())}; }
+  friend bool operator<(const TravellingFace& a, const TravellingFace& b) { return a.key < b.key; }
 };
 
-/// Faces of other ranks that share a cell with one of `points`, in ascending key. faces: those of this rank, with
-/// capture boxes that already hold the motion allowed. finest: edge of the smallest cells [length], the same on all
-/// ranks. Collective.
-std::vector<TravellingFace> ghost_faces(const comm::Communicator& ranks, std::span<const TravellingFace> faces,
-                                        std::span<const Vec3> points, double finest);
+/// The same for a sharp edge.
+struct TravellingEdge {
+  std::array<GlobalIndex, 2> gid{};  ///< ascending
+  std::array<Place, 2> home{}, facets{};
+  std::array<GlobalIndex, 16> elements{};
+  std::int32_t body = 0, block = 0;
+  PlainBox capture{};  ///< capture box
+
+  friend bool operator<(const TravellingEdge& a, const TravellingEdge& b) { return a.gid < b.gid; }
+};
+
+/// Row r: which of this rank's `offered` boxes share a cell with a `wanted` box of rank r, ascending; none for this
+/// rank itself. finest: edge of the smallest cells [length], the same on all ranks. Collective.
+std::vector<std::vector<LocalIndex>> meet_in_cells(const comm::Communicator& ranks,
+                                                   std::span<const geometry::Box> offered,
+                                                   std::span<const geometry::Box> wanted, double finest);
+
+/// Those of other ranks that may touch a `wanted` box, in ascending order. Collective.
+template <class Traveller>
+std::vector<Traveller> ghost(const comm::Communicator& ranks, std::span<const Traveller> offered,
+                             std::span<const geometry::Box> wanted, double finest) {
+  std::vector<geometry::Box> boxes;
+  boxes.reserve(offered.size());
+  for (const Traveller& traveller : offered) boxes.push_back(traveller.capture.box());
+  std::vector<std::vector<Traveller>> outgoing;
+  for (const std::vector<LocalIndex>& leaving : meet_in_cells(ranks, boxes, wanted, finest)) {
+    outgoing.emplace_back();
+    for (const LocalIndex i : leaving) outgoing.back().push_back(offered[static_cast<std::size_t>(i)]);
+  }
+  std::vector<Traveller> ghosts = comm::exchange(ranks, outgoing).values;
+  std::sort(ghosts.begin(), ghosts.end());
+  return ghosts;
+}
 
 }  // namespace brunt::contact

@@ -8,6 +8,7 @@
 #include "brunt/comm/communicator.hpp"
 #include "brunt/comm/halo.hpp"
 #include "brunt/contact/detection/detection.hpp"
+#include "brunt/contact/detection/edges.hpp"
 #include "brunt/contact/halo_exchange.hpp"
 #include "brunt/contact/surface/surface.hpp"
 
@@ -25,18 +26,20 @@ struct ContactLists {
   NodeTable nodes;
   std::vector<MasterFace> faces;
   Candidates candidates;
+  EdgeCandidates edges;
   std::vector<WallCandidate> wall_candidates;
   HaloExchange exchange;
-  comm::Halo facets;               ///< roots: area vectors of this rank's surface faces; leaves: slave facets
+  comm::Halo facets;  ///< roots: area vectors of this rank's surface faces; leaves: facets of slaves, edges
   std::vector<char> facet_needed;  ///< surface faces whose area vector some rank needs
   LocalIndex facet_count = 0;
   bool any_facets = false;  ///< on any rank: else nothing is near anything
-  bool any_rows = false;    ///< on any rank: candidates of faces or walls exist
+  bool any_rows = false;    ///< on any rank: candidates exist
+  bool any_edges = false;   ///< on any rank: pairs of edges exist
   std::size_t most_rows = 0, most_faces_of_a_slave = 0;
 };
 
 struct ListSettings {
-  double capture = 0.25;    ///< DetectionSettings::capture
+  double capture = 0.25;    ///< EncounterSettings::capture
   double wall_capture = 0;  ///< [length]
   double motion = 0;        ///< each node and wall may move this far [length], the coming step included
   bool faces = true;        ///< search faces at all

@@ -57,6 +57,7 @@ struct ContactRule {
   double tolerance = 1e-3;
   int max_iterations = 50;
   int rebuild_every = 0;  ///< steps; 0: when the motion is used up; -1: also at random
+  int competing = 0;      ///< what decides among competing faces: contact::Criterion
   bool any = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Node against rigid wall, and the order of rows.
 #include <algorithm>
+#include <tuple>
 
 #include "brunt/contact/detection/detection.hpp"
 
@@ -16,7 +17,7 @@ void detect_walls(std::span<const WallCandidate> candidates, std::span<const Wal
     const double wall_rate = wall.velocity.dot(wall.normal);
     const double next_gap = gap + dt * (node.predicted.dot(wall.normal) - wall_rate);
     const bool held = wall.bilateral && candidate.held;
-    if (!held && std::min(gap, next_gap) > settings.capture * settings.wall_size) continue;
+    if (!held && std::min(gap, next_gap) > settings.encounter.capture * settings.wall_size) continue;
     const bool closed = held || gap < 0;
     const double limit = settings.recovery_limit * settings.wall_size;
     const double recovery = std::clamp(-settings.recovery * gap, -limit, limit);
@@ -36,9 +37,10 @@ void detect_walls(std::span<const WallCandidate> candidates, std::span<const Wal
 }
 
 void sort_rows(std::vector<Row>& rows) {
-  std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
-    return a.slave_gid != b.slave_gid ? a.slave_gid < b.slave_gid : a.master_key < b.master_key;
-  });
+  const auto order = [](const Row& row) {
+    return std::tuple(row.slave_gid, row.slave_second, row.master_key, row.master_second);
+  };
+  std::sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) { return order(a) < order(b); });
 }
 
 }  // namespace brunt::contact

@@ -44,6 +44,16 @@ bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t 
   return a < b;
 }
 
+namespace {
+
+bool may_meet_itself(const BodyFigures& body, const PairTable& pairs) {
+  return std::ranges::any_of(body.blocks, [&](std::int32_t a) {
+    return std::ranges::any_of(body.blocks, [&](std::int32_t b) { return pairs.at(a, b) != PairRule::apart; });
+  });
+}
+
+}  // namespace
+
 Roles roles_of(std::span<const BodyFigures> bodies, const PairTable& pairs) {
   const char unknown = pairs.forces_a_side() ? 1 : 0;
   Roles roles{std::vector<char>(bodies.size(), unknown), std::vector<char>(bodies.size(), unknown)};
@@ -52,6 +62,7 @@ Roles roles_of(std::span<const BodyFigures> bodies, const PairTable& pairs) {
     for (std::int32_t b = 0; b < count; ++b) {
       const auto i = static_cast<std::size_t>(a);
       if (roles.slave[i] != 0 && roles.master[i] != 0) break;
+      if (a == b && may_meet_itself(bodies[i], pairs)) roles.slave[i] = roles.master[i] = 1;
       if (a != b) (is_slave(bodies, a, b) ? roles.slave : roles.master)[i] = 1;
     }
   }
@@ -60,10 +71,10 @@ Roles roles_of(std::span<const BodyFigures> bodies, const PairTable& pairs) {
 
 bool may_meet(const PairTable& pairs, std::span<const BodyFigures> bodies, std::span<const std::int32_t> node_blocks,
               std::int32_t node_body, std::int32_t face_block, std::int32_t face_body) {
-  if (node_body == face_body) return false;
   return std::any_of(node_blocks.begin(), node_blocks.end(), [&](std::int32_t block) {
     const PairRule rule = pairs.at(block, face_block);
-    return rule == PairRule::slave || (rule == PairRule::automatic && is_slave(bodies, node_body, face_body));
+    if (rule == PairRule::automatic) return node_body == face_body || is_slave(bodies, node_body, face_body);
+    return rule == PairRule::slave;
   });
 }
 

@@ -3,25 +3,15 @@
 // the step alone: candidates that cannot touch in this step are ignored by a criterion of their own, so a longer list
 // of candidates changes no bit.
 #pragma once
-#include <array>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "brunt/contact/constraint.hpp"
+#include "brunt/contact/detection/choose.hpp"
+#include "brunt/contact/detection/encounter.hpp"
 #include "brunt/core/ragged.hpp"
-#include "brunt/geometry/box.hpp"
 
 namespace brunt::contact {
-
-/// A face that may be a master, with contact nodes as corners.
-struct MasterFace {
-  GlobalIndex key = 0;
-  std::array<LocalIndex, 4> nodes{};  ///< contact nodes, counter-clockwise seen from outside
-  std::int32_t corner_count = 4;
-  std::int32_t body = 0, block = 0;
-  double depth = std::numeric_limits<double>::infinity();  ///< of its element behind it, at the start [length]
-};
 
 /// Candidate pairs, slave by slave in ascending gid.
 struct Candidates {
@@ -39,33 +29,11 @@ struct Wall {
 };
 
 struct DetectionSettings {
-  double capture = 0.25;         ///< a node farther than this share of the longest edge from a face's swept box, or
-                                 ///< deeper than this below it, has nothing to do with the face
-  double element_share = 0.5;    ///< nor has one deeper than this share of the face's element: behind flat elements lie
-                                 ///< other bodies that touch the far side
-  double overhang = 0.02;        ///< a node beside a face by up to this share of the longest edge still meets it
+  EncounterSettings encounter;
+  ChoiceSettings choice;
   double recovery = 0.05;        ///< share of a penetration that a step may recover
   double recovery_limit = 1e-3;  ///< the same limited to this share of the longest edge
   double wall_size = 0;          ///< [length] stands for the longest edge where the master is a wall
-};
-
-/// How a node meets a face, best first.
-enum class Meeting : std::int8_t { on_face, overhang, edge, none };
-
-/// One slave node and one face that it may touch in this step.
-struct Encounter {
-  Meeting meeting = Meeting::none;
-  LocalIndex face = no_index;
-  double gap = 0, size = 0;  ///< [length]; size: longest edge
-  double opposition = 0;     ///< cosine between the master's normal and the reversed normal of the most opposed facet
-  Vec3 normal = Vec3::Zero();
-  std::array<double, 4> weights{};
-};
-
-/// What of a master face is the same for all slaves near it.
-struct FaceReach {
-  geometry::Box box;  ///< swept over the step and grown by the capture
-  double size = 0;    ///< longest edge [length]
 };
 
 /// Arrays of detection, sized where lists are rebuilt so that a step allocates nothing.
@@ -81,10 +49,12 @@ struct DetectionScratch {
   }
 };
 
-/// Appends at most one row for each slave and master body. Among the faces that the slave's own surface opposes by at
-/// least half of the best: one that contains the projection with the smallest |gap|, else one that misses it by the
-/// overhang, else the nearest edge or corner of a face seen from outside (its normal is the connecting line). Ties go
-/// to the lower key. facet_area: area vectors [length^2] of the slaves' own faces.
+/// Least rate that a gap asks for [velocity]: it may close within the step; a penetration is recovered, a limited share
+/// of it a step.
+double required_rate(double gap, double size, double dt, const DetectionSettings& settings);
+
+/// Appends the rows of slave nodes with faces, at most most_rows_of_a_node each: see `encounter` and `choose`.
+/// facet_area: area vectors [length^2] of the slaves' own faces (their unit normals are left in the scratch).
 void detect_faces(const Candidates& candidates, std::span<const MasterFace> faces, std::span<const GlobalIndex> gid,
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_area, double dt,
                   const DetectionSettings& settings, DetectionScratch& scratch, std::vector<Row>& rows);

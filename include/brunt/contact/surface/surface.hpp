@@ -23,13 +23,23 @@ struct SurfaceFace {
   std::array<LocalIndex, 4> nodes{};  ///< surface nodes, counter-clockwise seen from outside
   std::int32_t corner_count = 4;
   std::int32_t body = 0, block = 0;
-  double depth = 0;  ///< of its element behind it, at the start [length]
+  double depth = 0;                      ///< of its element behind it, at the start [length]
+  std::array<GlobalIndex, 8> element{};  ///< nodes of that element, no_index to fill; the corners without an element
+};
+
+/// A convex edge of the reference surface that is sharp enough to meet others as an edge.
+struct SurfaceEdge {
+  std::array<LocalIndex, 2> nodes{};       ///< surface nodes, lower gid first
+  std::array<Place, 2> facets{};           ///< the two faces that meet in it, lower key first
+  std::array<GlobalIndex, 16> elements{};  ///< nodes of the elements behind them, no_index to fill
+  std::int32_t body = 0, block = 0;        ///< of the first
 };
 
 /// What decides who is slave; the same on every rank.
 struct BodyFigures {
-  double mean_area = 0;  ///< of its contact faces [length^2]
-  double mean_mass = 0;  ///< of its surface nodes [mass]; infinite where one cannot move at all
+  double mean_area = 0;                ///< of its contact faces [length^2]
+  double mean_mass = 0;                ///< of its surface nodes [mass]; infinite where one cannot move at all
+  std::vector<std::int32_t> blocks{};  ///< of its contact faces, ascending
 };
 
 /// One rank's part of the surface of all bodies. Nodes: those of this rank's mesh that lie on any exterior face of the
@@ -41,7 +51,9 @@ struct Surface {
   std::vector<std::int32_t> body;      ///< known for nodes owned here, else no_index
   Ragged<std::int32_t> blocks;         ///< for nodes owned here: blocks of their contact faces, ascending
   Ragged<Place> facets;                ///< for nodes owned here: their contact faces by key
+  Ragged<GlobalIndex> neighbours;      ///< for nodes owned here: nodes of the elements that contain them, ascending
   std::vector<SurfaceFace> faces;      ///< contact faces of this rank's elements, by key
+  std::vector<SurfaceEdge> edges;      ///< sharp ones between faces of which this rank has the one with the lower key
   std::vector<BodyFigures> bodies;     ///< of the whole model
   double mean_edge = 0;                ///< mean over all contact faces of their longest edge [length]
 
@@ -72,13 +84,14 @@ class PairTable {
 /// the least error on the other side.)
 bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t b);
 
-/// Which bodies can be slave, or master, of any other: the rest need not be searched as such.
+/// Which bodies can be slave, or master, of another or of themselves: the rest need not be searched as such.
 struct Roles {
   std::vector<char> slave, master;
 };
 Roles roles_of(std::span<const BodyFigures> bodies, const PairTable& pairs);
 
-/// May a node of these blocks and body be held off by a face of this block and body?
+/// May a node of these blocks and body be held off by a face of this block and body? Within one body every node may be
+/// a slave: which of two folds would be the finer side is not known before they meet.
 bool may_meet(const PairTable& pairs, std::span<const BodyFigures> bodies, std::span<const std::int32_t> node_blocks,
               std::int32_t node_body, std::int32_t face_block, std::int32_t face_body);
 

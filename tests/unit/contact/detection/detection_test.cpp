@@ -114,14 +114,21 @@ TEST_CASE("a surface at right angles to a face, but for rounding, has nothing to
   CHECK(scene.detect({1.01, 0.5, 1}).size() == 1);
 }
 
-TEST_CASE("outside a convex edge the connecting line is the normal") {
+TEST_CASE("a node that flies at a convex edge is met once, along the mean of the two normals; one that passes is not") {
   CubeAndNode scene;
   scene.facets = {Vec3(-1, 0, -1).normalized()};
-  const auto rows = scene.detect({1.1, 0.5, 1.1});
-  REQUIRE(rows.size() == 1);
-  CHECK(rows[0].gap == Approx(0.1 * std::sqrt(2.0)));
-  CHECK((rows[0].normal - Vec3(1, 0, 1).normalized()).norm() < 1e-12);
-  CHECK(rows[0].node_count == 3);  // the slave and the two ends of the edge
+  CHECK(scene.detect({1.1, 0.5, 1.1}).empty());  // near, at rest
+  for (const double aside : {0.0, 1e-12, 1e-9, 1e-6, -1e-6}) {
+    const auto rows = scene.detect({1.1 + aside, 0.5, 1.1}, {-150, 0, -150});
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0].gap == Approx(0.1 * std::sqrt(2.0)).epsilon(1e-5));
+    CHECK((rows[0].normal - Vec3(1, 0, 1).normalized()).norm() < 1e-12);
+  }
+  CHECK(scene.detect({1.1, 0.5, 1.1}, {0, 0, -150}).empty());
+  const auto aimed = scene.detect({1.1, 0.5, 1.05}, {-150, 0, -150});  // under the edge: the side alone
+  REQUIRE(aimed.size() == 1);
+  CHECK(aimed[0].master_key == 1);
+  CHECK((aimed[0].normal - Vec3::UnitX()).norm() < 1e-12);
 }
 
 TEST_CASE("a face seen from behind is no master: a slave under a thin body does not jump through it") {

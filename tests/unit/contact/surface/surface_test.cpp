@@ -26,7 +26,7 @@ TEST_CASE("rules of pairs of blocks") {
   const std::vector<std::int32_t> block0{0}, block1{1};
   CHECK(may_meet(pairs, bodies, block1, 1, 0, 0));
   CHECK_FALSE(may_meet(pairs, bodies, block0, 0, 1, 1));
-  CHECK_FALSE(may_meet(pairs, bodies, block1, 1, 0, 1));  // one body with itself
+  CHECK(may_meet(pairs, bodies, block1, 1, 0, 1));  // one body with itself
   CHECK_FALSE(pairs.forces_a_side());
 
   pairs.set(0, 1, PairRule::slave);
@@ -46,4 +46,8 @@ TEST_CASE("bodies that are never master, or never slave, are known") {
   const Roles roles = roles_of(bodies, PairTable(3, PairRule::automatic));
   CHECK(roles.slave == std::vector<char>{1, 1, 0});
   CHECK(roles.master == std::vector<char>{1, 0, 1});
+
+  std::vector<BodyFigures> folding = bodies;
+  folding[1].blocks = {2};  // may meet itself, so it is a master too
+  CHECK(roles_of(folding, PairTable(3, PairRule::automatic)).master == std::vector<char>{1, 1, 1});
 }

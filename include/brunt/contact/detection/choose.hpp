@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which of the faces that a slave node meets become rows: one at a convex edge, one for each face at a concave place.
+#pragma once
+#include <span>
+
+#include "brunt/contact/detection/encounter.hpp"
+
+namespace brunt::contact {
+
+/// What decides among faces that compete for a node at a convex place (Heinstein et al. 2000, section 4.5, Fig. 8).
+enum class Criterion : std::int8_t {
+  automatic,  ///< nodes in contact by the smallest |gap|, nodes coming into contact by the earliest time
+  nearest,    ///< the smallest |gap| for all
+  strength,   ///< the greatest |gap| times the cosine between the slave's and the master's normal
+  velocity    ///< the earliest time for all nodes whose path crosses a face, |gap| for the rest
+};
+
+struct ChoiceSettings {
+  Criterion criterion = Criterion::automatic;
+  double same_direction = 20;  ///< [degrees]: normals closer than this ask for one row only
+  double same_place = 0.02;    ///< of the longest edge: hits nearer than this at a convex edge or corner are one
+};
+
+constexpr std::size_t most_rows_of_a_node = 4;
+
+/// Sorts the encounters (of one slave, all bodies) so that those to keep come first, merges those that are one, and
+/// returns how many are kept, at most most_rows_of_a_node. Faces that the slave's own surface opposes by less than half
+/// of the best are left out.
+std::size_t choose(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const NodeMotion& slave,
+                   double dt, const ChoiceSettings& settings, std::span<Encounter> encounters);
+
+}  // namespace brunt::contact

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edge against edge: where two sharp edges cross, no node need be near a face.
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "brunt/contact/constraint.hpp"
+#include "brunt/contact/detection/detection.hpp"
+#include "brunt/core/ragged.hpp"
+
+namespace brunt::contact {
+
+/// A sharp edge among the contact nodes.
+struct EdgeSide {
+  std::array<LocalIndex, 2> nodes{};   ///< contact nodes, lower gid first
+  std::array<LocalIndex, 2> facets{};  ///< the two faces that meet in it: rows of the facet area vectors
+  std::int32_t body = 0, block = 0;
+};
+
+/// Candidate pairs, slave edge by slave edge in ascending (gid, gid).
+struct EdgeCandidates {
+  std::vector<EdgeSide> slaves, masters;
+  Ragged<LocalIndex> near;  ///< a row for each slave edge: master edges in ascending (gid, gid)
+};
+
+/// Appends a row where two edges touch, come into contact in this step, or are near enough for its impulses to bring
+/// them there; the normal is the common perpendicular, out of the master. It must lie between the normals of the two
+/// faces of either edge (else a face or a node is what touches). Where an end of the slave edge has a row of its own
+/// along nearly the same normal, that row does the work. facet_normal: unit. node_normal: of each contact node's first
+/// row with a face in this step, zero without, the same on every copy.
+void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex> gid,
+                  std::span<const NodeMotion> motion, std::span<const Vec3> facet_normal,
+                  std::span<const Vec3> node_normal, double dt, const DetectionSettings& settings,
+                  std::vector<Row>& rows);
+
+}  // namespace brunt::contact

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// One slave node and one face: are they in contact, do they come into contact within the step, or are they only near
+// each other? (Heinstein et al. 2000, section 4.5: a node in contact is judged by its closest point, a node coming
+// into contact by its velocity.)
+#pragma once
+#include <array>
+#include <limits>
+#include <span>
+
+#include "brunt/contact/constraint.hpp"
+#include "brunt/geometry/box.hpp"
+#include "brunt/geometry/closest_point.hpp"
+
+namespace brunt::contact {
+
+/// A face that may be a master, with contact nodes as corners.
+struct MasterFace {
+  GlobalIndex key = 0;
+  std::array<LocalIndex, 4> nodes{};  ///< contact nodes, counter-clockwise seen from outside
+  std::int32_t corner_count = 4;
+  std::int32_t body = 0, block = 0;
+  double depth = std::numeric_limits<double>::infinity();  ///< of its element behind it, at the start [length]
+};
+
+/// What of a master face is the same for all slaves near it.
+struct FaceReach {
+  geometry::Box box;  ///< swept over the step and grown by the capture
+  double size = 0;    ///< longest edge [length]
+};
+
+/// How a node meets a face.
+enum class Meeting : std::int8_t {
+  inside,  ///< at or behind it: in contact
+  hit,     ///< its path crosses the moving face inwards within the step
+  above,   ///< outside of it, projecting on it: the step's impulses may bring it there
+  none
+};
+
+struct Encounter {
+  Meeting meeting = Meeting::none;
+  LocalIndex face = no_index;
+  geometry::Region region = geometry::Region::face;  ///< of the closest point, at the start of the step
+  double height =
+      std::numeric_limits<double>::quiet_NaN();  ///< over the plane at the closest point, at the start [length]
+  double beside = 0;                             ///< distance of the node's foot on that plane from the point
+  double gap = 0;                                ///< that the row closes [length]
+  double time = 0;                               ///< of a hit, as a share of the step
+  double size = 0;                               ///< longest edge of the face [length]
+  bool slow = false;                             ///< moves little against the face within the step
+  double opposition = 0;       ///< cosine between the master's normal and the reversed normal of the most opposed facet
+  Vec3 normal = Vec3::Zero();  ///< of the row, unit, out of the face
+  Vec3 point = Vec3::Zero();   ///< on the face, where they meet
+  std::array<double, 4> weights{};  ///< of the face's corners there
+};
+
+struct EncounterSettings {
+  double capture = 0.25;       ///< a node farther than this share of the longest edge from a face's swept box, or
+                               ///< deeper than this below it, has nothing to do with the face
+  double element_share = 0.5;  ///< nor has one deeper than this share of the face's element: behind flat elements lie
+                               ///< other bodies that touch the far side
+  double rim = 0.02;           ///< a node behind a face and beside it by up to this share of the longest edge is still
+                               ///< inside, where no neighbour of the face has it in front
+  double facing = 0.1;         ///< a face opposed by less than this share of the best is not hit
+  double slow = 0.05;          ///< a node above a face that moves against it by less than this share of the longest
+                               ///< edge within the step is judged by its closest point alone
+};
+
+/// The faces and nodes that detection looks at.
+struct FacesInMotion {
+  std::span<const MasterFace> faces;
+  std::span<const FaceReach> reach;    ///< of each face
+  std::span<const NodeMotion> motion;  ///< of contact nodes
+  double dt = 0;
+};
+
+/// The closest point at the start of the step; `opposition` is left to the caller. A node that neither touches nor is
+/// above the face has Meeting::none, with region and height filled all the same (NaN where the face has no area): they
+/// decide whether a node behind a neighbour is inside.
+Encounter encounter(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+                    LocalIndex face);
+
+/// A node that projects a little beside a face (by `rim`) still meets it, unless a neighbour that its surface opposes
+/// as well has it in front; one farther beside meets it only where all faces of the body that share that edge or corner
+/// have it behind them (the bottom of a groove). The others become Meeting::none. encounters: of one slave with the
+/// faces of one body, with their opposition.
+void settle_rims(std::span<const MasterFace> faces, const EncounterSettings& settings, std::span<Encounter> encounters);
+
+/// Looks along the path of a node that is outside of faces: those that it passes through become Meeting::hit. Nodes
+/// that move slowly above a face are left to their closest point, and faces that the slave's surface opposes by less
+/// than `facing` of the best are passed over (sides of flush bodies, along which nodes slide). encounters: of one slave
+/// with the faces of one body, after settle_rims.
+void judge_paths(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+                 std::span<Encounter> encounters);
+
+}  // namespace brunt::contact

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "candidate_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "brunt/contact/search/search.hpp"
+#include "brunt/geometry/closest_point.hpp"
+
+namespace brunt::contact {
+namespace {
+
+using geometry::Box;
+
+/// What lies within the detection's reach of a master with this longest edge, even after both sides have moved towards
+/// each other by the motion allowed (which may stretch an edge by twice that).
+Box capture_box(const ListBuild& build, std::span<const Vec3> corners, double edge) {
+  const double motion = build.settings.motion;
+  const double reach = build.settings.capture * (edge + 2 * motion) + 2 * motion;
+  // the criterion of detection is evaluated later and rounds otherwise
+  return geometry::grown(geometry::bounding_box(corners), reach * (1 + 1e-6));
+}
+
+const Vec3& position(const ListBuild& build, LocalIndex node) {
+  return build.positions[static_cast<std::size_t>(node)];
+}
+
+std::vector<TravellingFace> own_master_faces(const ListBuild& build) {
+  std::vector<TravellingFace> masters;
+  for (const SurfaceFace& face : build.surface.faces) {
+    if (build.roles.master[static_cast<std::size_t>(face.body)] == 0) continue;
+    TravellingFace master{.key = face.key,
+                          .corner_count = face.corner_count,
+                          .body = face.body,
+                          .block = face.block,
+                          .depth = face.depth,
+                          .element = face.element};
+    const auto count = static_cast<std::size_t>(face.corner_count);
+    std::array<Vec3, 4> corners;
+    for (std::size_t i = 0; i < count; ++i) {
+      corners[i] = position(build, face.nodes[i]);
+      master.gid[i] = build.surface.gid[static_cast<std::size_t>(face.nodes[i])];
+      master.home[i] = build.surface.home[static_cast<std::size_t>(face.nodes[i])];
+    }
+    const double edge = geometry::longest_edge({corners.data(), count});
+    master.capture = PlainBox(capture_box(build, {corners.data(), count}, edge));
+    masters.push_back(master);
+  }
+  return masters;
+}
+
+std::vector<LocalIndex> own_slave_nodes(const ListBuild& build) {
+  std::vector<LocalIndex> slaves;
+  for (LocalIndex node = 0; node < static_cast<LocalIndex>(build.surface.gid.size()); ++node) {
+    if (!build.surface.owns(node, build.ranks.rank()) || build.surface.blocks.row(node).empty()) continue;
+    if (build.roles.slave[static_cast<std::size_t>(build.surface.body[static_cast<std::size_t>(node)])] != 0)
+      slaves.push_back(node);
+  }
+  return slaves;
+}
+
+/// A face of the node's own body whose element touches one of the node's elements.
+bool is_neighbour(const Surface& surface, LocalIndex node, const TravellingFace& face) {
+  const auto around = surface.neighbours.row(node);
+  return std::ranges::any_of(face.element, [&](GlobalIndex gid) {
+    return gid != no_index && std::binary_search(around.begin(), around.end(), gid);
+  });
+}
+
+bool is_permitted(const ListBuild& build, LocalIndex node, const TravellingFace& face) {
+  const std::int32_t body = build.surface.body[static_cast<std::size_t>(node)];
+  return may_meet(build.pairs, build.surface.bodies, build.surface.blocks.row(node), body, face.block, face.body) &&
+         (body != face.body || !is_neighbour(build.surface, node, face));
+}
+
+std::vector<TravellingEdge> own_edges(const ListBuild& build) {
+  std::vector<TravellingEdge> edges;
+  for (const SurfaceEdge& edge : build.surface.edges) {
+    TravellingEdge master{.facets = edge.facets, .elements = edge.elements, .body = edge.body, .block = edge.block};
+    std::array<Vec3, 2> ends;
+    for (std::size_t i = 0; i < 2; ++i) {
+      ends[i] = position(build, edge.nodes[i]);
+      master.gid[i] = build.surface.gid[static_cast<std::size_t>(edge.nodes[i])];
+      master.home[i] = build.surface.home[static_cast<std::size_t>(edge.nodes[i])];
+    }
+    master.capture = PlainBox(capture_box(build, ends, (ends[1] - ends[0]).norm()));
+    edges.push_back(master);
+  }
+  return edges;
+}
+
+Box edge_box(const ListBuild& build, const SurfaceEdge& edge) {
+  return geometry::bounding_box(std::array{position(build, edge.nodes[0]), position(build, edge.nodes[1])});
+}
+
+/// Edges of one body meet where their elements do not touch, the lower as slave.
+bool is_permitted(const ListBuild& build, const SurfaceEdge& slave, const TravellingEdge& master) {
+  const std::array block{slave.block};
+  if (!may_meet(build.pairs, build.surface.bodies, block, slave.body, master.block, master.body)) return false;
+  if (slave.body != master.body) return true;
+  const std::array gid{build.surface.gid[static_cast<std::size_t>(slave.nodes[0])],
+                       build.surface.gid[static_cast<std::size_t>(slave.nodes[1])]};
+  if (!(gid < master.gid)) return false;
+  return std::ranges::none_of(slave.elements, [&](GlobalIndex node) {
+    return node != no_index && std::ranges::find(master.elements, node) != master.elements.end();
+  });
+}
+
+/// Overlapping boxes: the search pairs points with boxes, so the slave edges are taken by size, as their midpoints.
+template <class Visit>
+void visit_overlaps(const std::vector<Box>& slaves, const std::vector<Box>& masters, Visit&& visit) {
+  std::map<int, std::vector<LocalIndex>> by_size;  // of extent up to 2^key
+  for (std::size_t i = 0; i < slaves.size(); ++i) {
+    const double extent = (slaves[i].high - slaves[i].low).maxCoeff();
+    if (!std::isfinite(extent)) continue;
+    by_size[extent > 0 ? std::ilogb(extent) + 1 : std::numeric_limits<int>::min()].push_back(
+        static_cast<LocalIndex>(i));
+  }
+  SearchScratch scratch;
+  for (const auto& [exponent, members] : by_size) {
+    const double half = 0.5 * std::ldexp(1.0, std::max(exponent, -1000));
+    std::vector<Box> boxes;
+    boxes.reserve(masters.size());
+    for (const Box& box : masters) boxes.push_back(geometry::grown(box, half));
+    std::vector<Vec3> middles;
+    for (const LocalIndex i : members) {
+      const Box& box = slaves[static_cast<std::size_t>(i)];
+      middles.push_back(0.5 * (box.low + box.high));
+    }
+    Ragged<LocalIndex> found;
+    find_pairs(boxes, middles, scratch, found);
+    for (LocalIndex k = 0; k < found.rows(); ++k)
+      for (const LocalIndex m : std::as_const(found).row(k)) {
+        const LocalIndex slave = members[static_cast<std::size_t>(k)];
+        if (geometry::overlaps(slaves[static_cast<std::size_t>(slave)], masters[static_cast<std::size_t>(m)]))
+          visit(slave, m);
+      }
+  }
+}
+
+template <class Traveller>
+std::vector<Box> capture_boxes(const std::vector<Traveller>& masters) {
+  std::vector<Box> boxes;
+  boxes.reserve(masters.size());
+  for (const Traveller& master : masters) boxes.push_back(master.capture.box());
+  return boxes;
+}
+
+template <class Traveller>
+void add_ghosts(const ListBuild& build, std::span<const Box> wanted, std::vector<Traveller>& masters) {
+  const std::vector<Traveller> ghosts =
+      ghost(build.ranks, std::span<const Traveller>(masters), wanted, build.finest_cell());
+  masters.insert(masters.end(), ghosts.begin(), ghosts.end());
+}
+
+}  // namespace
+
+CandidatePairs<TravellingFace> find_face_pairs(const ListBuild& build) {
+  CandidatePairs<TravellingFace> result{own_master_faces(build), {}};
+  const std::vector<LocalIndex> slaves = own_slave_nodes(build);
+  std::vector<Vec3> points;
+  std::vector<Box> wanted;
+  for (const LocalIndex node : slaves) {
+    points.push_back(position(build, node));
+    wanted.push_back({points.back(), points.back()});
+  }
+  add_ghosts(build, wanted, result.masters);
+  const std::vector<Box> boxes = capture_boxes(result.masters);
+  SearchScratch scratch;
+  Ragged<LocalIndex> found;
+  find_pairs(boxes, points, scratch, found);
+  for (LocalIndex s = 0; s < found.rows(); ++s) {
+    const LocalIndex node = slaves[static_cast<std::size_t>(s)];
+    for (const LocalIndex f : std::as_const(found).row(s))
+      if (is_permitted(build, node, result.masters[static_cast<std::size_t>(f)])) result.pairs.push_back({node, f});
+  }
+  std::sort(result.pairs.begin(), result.pairs.end(), [&](const CandidatePair& a, const CandidatePair& b) {
+    if (a.slave != b.slave) return a.slave < b.slave;
+    const TravellingFace &one = result.masters[static_cast<std::size_t>(a.master)],
+                         &other = result.masters[static_cast<std::size_t>(b.master)];
+    return one.body != other.body ? one.body < other.body : one.key < other.key;
+  });
+  return result;
+}
+
+CandidatePairs<TravellingEdge> find_edge_pairs(const ListBuild& build) {
+  CandidatePairs<TravellingEdge> result{own_edges(build), {}};
+  std::vector<Box> slaves;
+  for (const SurfaceEdge& edge : build.surface.edges) slaves.push_back(edge_box(build, edge));
+  add_ghosts(build, slaves, result.masters);
+  visit_overlaps(slaves, capture_boxes(result.masters), [&](LocalIndex slave, LocalIndex master) {
+    if (is_permitted(build, build.surface.edges[static_cast<std::size_t>(slave)],
+                     result.masters[static_cast<std::size_t>(master)]))
+      result.pairs.push_back({slave, master});
+  });
+  std::sort(result.pairs.begin(), result.pairs.end(), [&](const CandidatePair& a, const CandidatePair& b) {
+    if (a.slave != b.slave) return a.slave < b.slave;
+    return result.masters[static_cast<std::size_t>(a.master)].gid <
+           result.masters[static_cast<std::size_t>(b.master)].gid;
+  });
+  return result;
+}
+
+}  // namespace brunt::contact

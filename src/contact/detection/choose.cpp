@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/detection/choose.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+namespace brunt::contact {
+namespace {
+
+constexpr double sideways = 1e-6;  // what is left of surfaces at right angles after rounding opposes nothing
+
+struct Choice {
+  std::span<const MasterFace> faces;
+  std::span<const NodeMotion> motion;
+  const NodeMotion& slave;
+  double dt;
+  const ChoiceSettings& settings;
+
+  [[nodiscard]] const MasterFace& face(const Encounter& e) const { return faces[static_cast<std::size_t>(e.face)]; }
+  [[nodiscard]] Vec3 centre(const Encounter& e) const {
+    const MasterFace& master = face(e);
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(master.corner_count); ++i)
+      sum += motion[static_cast<std::size_t>(master.nodes[i])].position;
+    return sum / master.corner_count;
+  }
+  [[nodiscard]] bool same_body(const Encounter& a, const Encounter& b) const { return face(a).body == face(b).body; }
+  [[nodiscard]] bool same_direction(const Encounter& a, const Encounter& b) const {
+    return a.normal.dot(b.normal) >= std::cos(settings.same_direction * std::numbers::pi / 180);
+  }
+  /// Is each of two faces of one body in front of the other?
+  [[nodiscard]] bool concave(const Encounter& a, const Encounter& b) const {
+    constexpr double level = 1e-6;
+    return (centre(b) - a.point).dot(a.normal) > level * b.size && (centre(a) - b.point).dot(b.normal) > level * a.size;
+  }
+};
+
+/// Those to keep come first; returns how many.
+std::size_t drop_sideways(std::span<Encounter> encounters) {
+  double most = 0;
+  for (const Encounter& e : encounters)
+    if (e.meeting != Meeting::none) most = std::max(most, e.opposition);
+  if (most <= sideways) return 0;
+  const auto end = std::remove_if(encounters.begin(), encounters.end(), [&](const Encounter& e) {
+    return e.meeting == Meeting::none || e.opposition < 0.5 * most;
+  });
+  return static_cast<std::size_t>(end - encounters.begin());
+}
+
+void rank_all(const Choice& choice, std::span<Encounter> encounters) {
+  const Criterion criterion = choice.settings.criterion;
+  const auto order = [&](const Encounter& e) {
+    const bool by_time = e.meeting == Meeting::hit && criterion != Criterion::nearest;
+    int rank = static_cast<int>(e.meeting);
+    if (criterion == Criterion::nearest || criterion == Criterion::strength) rank = 0;
+    if (criterion == Criterion::velocity) rank = by_time ? 0 : 1;
+    const double size =
+        criterion == Criterion::strength ? -std::abs(e.gap) * e.opposition : (by_time ? e.time : std::abs(e.gap));
+    return std::tuple(rank, size, -e.opposition, choice.face(e).key);
+  };
+  std::sort(encounters.begin(), encounters.end(),
+            [&](const Encounter& a, const Encounter& b) { return order(a) < order(b); });
+}
+
+/// The row's gap along another normal: a node inside is carried along, one that hits arrives at the same time.
+void turn(const Choice& choice, const Vec3& normal, Encounter& e) {
+  if (e.meeting == Meeting::hit) {
+    Vec3 relative = choice.slave.predicted;
+    const MasterFace& master = choice.face(e);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(master.corner_count); ++i)
+      relative -= e.weights[i] * choice.motion[static_cast<std::size_t>(master.nodes[i])].predicted;
+    e.gap = std::max(0.0, -e.time * choice.dt * normal.dot(relative));
+  } else {
+    e.gap *= e.normal.dot(normal);
+  }
+  e.normal = normal;
+}
+
+/// Faces that are met in one place by one node push along their mean normal, where they meet in a convex edge or corner
+/// and where the place is their common edge, bent or not: which of them is met first is decided by rounding.
+void merge_corner(const Choice& choice, std::span<Encounter> encounters) {
+  Encounter& best = encounters.front();
+  Vec3 sum = best.normal;
+  for (const Encounter& e : encounters.subspan(1)) {
+    if (e.meeting != best.meeting || !choice.same_body(e, best)) continue;
+    const double apart = (e.point - best.point).norm() / std::min(e.size, best.size);
+    const bool one_corner = apart <= choice.settings.same_place && best.meeting != Meeting::above &&
+                            !choice.same_direction(e, best) && !choice.concave(e, best);
+    const bool common_edge = apart <= 4 * geometry::face_tolerance && choice.same_direction(e, best);
+    if (one_corner || common_edge) sum += e.normal;
+  }
+  const double length = sum.norm();
+  if (length > 0.1) turn(choice, sum / length, best);  // else they face each other: a blade without thickness
+}
+
+/// A row of its own beside those kept?
+bool asks_for_a_row(const Choice& choice, std::span<const Encounter> kept, const Encounter& e) {
+  return std::ranges::all_of(kept, [&](const Encounter& k) {
+    return !choice.same_direction(k, e) && (!choice.same_body(k, e) || choice.concave(k, e));
+  });
+}
+
+}  // namespace
+
+std::size_t choose(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const NodeMotion& slave,
+                   double dt, const ChoiceSettings& settings, std::span<Encounter> encounters) {
+  const Choice choice{faces, motion, slave, dt, settings};
+  encounters = encounters.first(drop_sideways(encounters));
+  if (encounters.size() < 2) return encounters.size();
+  rank_all(choice, encounters);
+  merge_corner(choice, encounters);
+  std::size_t kept = 1;
+  for (std::size_t i = 1; i < encounters.size() && kept < most_rows_of_a_node; ++i)
+    if (asks_for_a_row(choice, encounters.first(kept), encounters[i])) std::swap(encounters[kept++], encounters[i]);
+  return kept;
+}
+
+}  // namespace brunt::contact

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/detection/edges.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "brunt/geometry/segments.hpp"
+
+namespace brunt::contact {
+namespace {
+
+using geometry::Box;
+
+/// How two edges meet: points (1-s) a0 + s a1 and (1-t) b0 + t b1.
+struct EdgeMeeting {
+  double s = 0, t = 0, gap = 0;
+  Vec3 normal = Vec3::Zero();  ///< out of the master
+};
+
+struct EdgeScene {
+  std::span<const NodeMotion> motion;
+  std::span<const Vec3> facet_normal;
+  double dt;
+  const DetectionSettings& settings;
+
+  [[nodiscard]] const NodeMotion& at(LocalIndex node) const { return motion[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] geometry::Segment start(const EdgeSide& edge) const {
+    return {at(edge.nodes[0]).position, at(edge.nodes[1]).position};
+  }
+  [[nodiscard]] geometry::Segment end(const EdgeSide& edge) const {
+    const geometry::Segment from = start(edge);
+    return {from.start + dt * at(edge.nodes[0]).predicted, from.end + dt * at(edge.nodes[1]).predicted};
+  }
+  [[nodiscard]] Vec3 normal(const EdgeSide& edge, std::size_t side) const {
+    return facet_normal[static_cast<std::size_t>(edge.facets[side])];
+  }
+  [[nodiscard]] Vec3 outward(const EdgeSide& edge) const { return normal(edge, 0) + normal(edge, 1); }
+};
+
+Box box_of(const geometry::Segment& start, const geometry::Segment& end) {
+  Box box;
+  for (const Vec3& point : {start.start, start.end, end.start, end.end}) geometry::extend(box, point);
+  return box;
+}
+
+/// Does `direction` lie between the normals of the two faces of a convex edge, or beyond them by no more than rounding
+/// and the curvature of a facet?
+bool between_normals(const EdgeScene& scene, const EdgeSide& edge, const Vec3& direction) {
+  constexpr double beyond = 0.02;
+  const Vec3 one = scene.normal(edge, 0), other = scene.normal(edge, 1);
+  Vec3 turn = one.cross(other);
+  const double sine = turn.norm();
+  if (sine < beyond) return false;  // flattened: no edge any more
+  turn /= sine;
+  return one.cross(direction).dot(turn) > -beyond && direction.cross(other).dot(turn) > -beyond &&
+         direction.dot(one + other) > 0;
+}
+
+bool touches_as_edges(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, const Vec3& normal) {
+  return between_normals(scene, master, normal) && between_normals(scene, slave, -normal);
+}
+
+/// How far the points (s, t) move apart within the step.
+Vec3 relative_motion(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double s, double t) {
+  const auto predicted = [&](const EdgeSide& edge, std::size_t i) { return scene.at(edge.nodes[i]).predicted; };
+  return scene.dt * ((1 - s) * predicted(slave, 0) + s * predicted(slave, 1) - (1 - t) * predicted(master, 0) -
+                     t * predicted(master, 1));
+}
+
+/// Edges that move little against each other are seen in time at the start of a step.
+bool is_slow(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size) {
+  double fastest = 0;
+  for (const LocalIndex own : slave.nodes)
+    for (const LocalIndex other : master.nodes)
+      fastest = std::max(fastest, (scene.at(own).predicted - scene.at(other).predicted).squaredNorm());
+  return scene.dt * std::sqrt(fastest) <= scene.settings.encounter.slow * size;
+}
+
+/// In contact or near each other: the common perpendicular at the start of the step.
+bool meet_now(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size, EdgeMeeting& met) {
+  const auto closest = geometry::common_perpendicular(scene.start(slave), scene.start(master));
+  if (!closest) return false;
+  met = {closest->s, closest->t, closest->gap, closest->normal};
+  if (met.normal.dot(scene.outward(master) - scene.outward(slave)) < 0) {
+    met.normal = -met.normal;
+    met.gap = -met.gap;
+  }
+  if (!touches_as_edges(scene, slave, master, met.normal)) return false;
+  if (met.gap <= 0) return -met.gap <= scene.settings.encounter.capture * size;
+  return is_slow(scene, slave, master, size);
+}
+
+/// Their paths cross within the step.
+bool meet_in_step(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, EdgeMeeting& met) {
+  const auto hit =
+      geometry::edge_crossing({scene.start(slave), scene.end(slave)}, {scene.start(master), scene.end(master)});
+  if (!hit) return false;
+  const double approach = -hit->normal.dot(relative_motion(scene, slave, master, hit->s, hit->t));
+  if (!(approach > 0) || !touches_as_edges(scene, slave, master, hit->normal)) return false;
+  met = {hit->s, hit->t, hit->tau * approach, hit->normal};
+  return true;
+}
+
+/// Has an end of the slave edge a row of its own along nearly the same normal?
+bool held_at_an_end(const EdgeScene& scene, std::span<const Vec3> node_normal, const EdgeSide& slave,
+                    const EdgeMeeting& met) {
+  const double same = std::cos(scene.settings.choice.same_direction * std::numbers::pi / 180);
+  return std::ranges::any_of(slave.nodes, [&](LocalIndex node) {
+    return node_normal[static_cast<std::size_t>(node)].dot(met.normal) >= same;
+  });
+}
+
+Row row_of(const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met, double required,
+           std::span<const GlobalIndex> gid) {
+  const auto id = [&](LocalIndex node) { return gid[static_cast<std::size_t>(node)]; };
+  Row row{.slave_gid = id(slave.nodes[0]),
+          .slave_second = id(slave.nodes[1]),
+          .master_key = id(master.nodes[0]),
+          .master_second = id(master.nodes[1])};
+  row.nodes = {slave.nodes[0], slave.nodes[1], master.nodes[0], master.nodes[1], 0};
+  row.weights = {1 - met.s, met.s, -(1 - met.t), -met.t, 0};
+  row.node_count = 4;
+  row.slave_body = slave.body;
+  row.slave_block = slave.block;
+  row.master_body = master.body;
+  row.master_block = master.block;
+  row.normal = met.normal;
+  row.gap = met.gap;
+  row.required = required;
+  return row;
+}
+
+}  // namespace
+
+void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex> gid,
+                  std::span<const NodeMotion> motion, std::span<const Vec3> facet_normal,
+                  std::span<const Vec3> node_normal, double dt, const DetectionSettings& settings,
+                  std::vector<Row>& rows) {
+  const EdgeScene scene{motion, facet_normal, dt, settings};
+  for (std::size_t e = 0; e < candidates.slaves.size(); ++e) {
+    const EdgeSide& slave = candidates.slaves[e];
+    const Box slave_box = box_of(scene.start(slave), scene.end(slave));
+    for (const LocalIndex m : candidates.near.row(static_cast<LocalIndex>(e))) {
+      const EdgeSide& master = candidates.masters[static_cast<std::size_t>(m)];
+      const geometry::Segment start = scene.start(master);
+      const double length = (start.end - start.start).norm();
+      const Box reach = geometry::grown(box_of(start, scene.end(master)), settings.encounter.capture * length);
+      if (!geometry::overlaps(reach, slave_box)) continue;
+      const geometry::Segment own = scene.start(slave);
+      const double size = std::min(length, (own.end - own.start).norm());
+      EdgeMeeting met;
+      if (!meet_now(scene, slave, master, size, met) &&
+          (is_slow(scene, slave, master, size) || !meet_in_step(scene, slave, master, met)))
+        continue;
+      if (held_at_an_end(scene, node_normal, slave, met)) continue;
+      rows.push_back(row_of(slave, master, met, required_rate(met.gap, size, dt, settings), gid));
+    }
+  }
+}
+
+}  // namespace brunt::contact

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/detection/encounter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brunt/geometry/first_contact.hpp"
+
+namespace brunt::contact {
+namespace {
+
+using geometry::Region;
+
+const NodeMotion& corner_of(const FacesInMotion& scene, const MasterFace& face, std::size_t i) {
+  return scene.motion[static_cast<std::size_t>(face.nodes[i])];
+}
+
+/// How far node and face point move apart within the step.
+Vec3 relative_motion(const FacesInMotion& scene, const NodeMotion& slave, const MasterFace& face,
+                     const std::array<double, 4>& weights) {
+  Vec3 relative = slave.predicted;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i)
+    relative -= weights[i] * corner_of(scene, face, i).predicted;
+  return scene.dt * relative;
+}
+
+/// Judged by velocity: when and where the node passes through the moving face.
+void find_hit(const FacesInMotion& scene, const NodeMotion& slave, Encounter& met) {
+  const MasterFace& face = scene.faces[static_cast<std::size_t>(met.face)];
+  const auto count = static_cast<std::size_t>(face.corner_count);
+  std::array<Vec3, 4> start, end;
+  for (std::size_t i = 0; i < count; ++i) {
+    start[i] = corner_of(scene, face, i).position;
+    end[i] = start[i] + scene.dt * corner_of(scene, face, i).predicted;
+  }
+  const geometry::MovingPoint point{slave.position, slave.position + scene.dt * slave.predicted};
+  const geometry::MovingFace moving{{start.data(), count}, {end.data(), count}};
+  if (!geometry::may_meet(point, geometry::sweep_of(moving))) return;
+  const auto hit = geometry::first_contact(point, moving);
+  if (!hit) return;
+  const double approach = -hit->normal.dot(relative_motion(scene, slave, face, hit->weights));
+  if (!(approach > 0)) return;
+  met.meeting = Meeting::hit;
+  met.time = hit->tau;
+  met.gap = hit->tau * approach;
+  met.normal = hit->normal;
+  met.point = hit->point;
+  met.weights = hit->weights;
+}
+
+/// Corners of the face that the region consists of; the second is the first for a vertex.
+std::array<LocalIndex, 2> feature_nodes(const MasterFace& face, Region region) {
+  const auto number = static_cast<int>(region);
+  const auto count = static_cast<std::size_t>(face.corner_count);
+  if (region >= Region::vertex0) {
+    const LocalIndex node = face.nodes[static_cast<std::size_t>(number - static_cast<int>(Region::vertex0))];
+    return {node, node};
+  }
+  const auto edge = static_cast<std::size_t>(number - static_cast<int>(Region::edge0));
+  return {face.nodes[edge], face.nodes[(edge + 1) % count]};
+}
+
+bool has_node(const MasterFace& face, LocalIndex node) {
+  const auto end = face.nodes.begin() + face.corner_count;
+  return std::find(face.nodes.begin(), end, node) != end;
+}
+
+/// May a node that projects beside encounters[i] count as on the face?
+bool holds_at_rim(std::span<const MasterFace> faces, const EncounterSettings& settings,
+                  std::span<const Encounter> encounters, std::size_t i) {
+  const Encounter& e = encounters[i];
+  const auto [first, second] = feature_nodes(faces[static_cast<std::size_t>(e.face)], e.region);
+  bool behind_all = false;
+  for (std::size_t k = 0; k < encounters.size(); ++k) {
+    const Encounter& other = encounters[k];
+    if (k == i || std::isnan(other.height)) continue;
+    const MasterFace& face = faces[static_cast<std::size_t>(other.face)];
+    if (!has_node(face, first) || !has_node(face, second)) continue;
+    if (other.height > 0 && other.opposition >= 0.5 * e.opposition) return false;
+    behind_all = other.height <= 0;
+    if (!behind_all) break;
+  }
+  return e.beside <= settings.rim * e.size || (e.height <= 0 && behind_all);
+}
+
+}  // namespace
+
+Encounter encounter(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+                    LocalIndex face_index) {
+  Encounter met{.face = face_index, .size = scene.reach[static_cast<std::size_t>(face_index)].size};
+  const MasterFace& face = scene.faces[static_cast<std::size_t>(face_index)];
+  std::array<Vec3, 4> storage;
+  const auto count = static_cast<std::size_t>(face.corner_count);
+  for (std::size_t i = 0; i < count; ++i) storage[i] = corner_of(scene, face, i).position;
+  const geometry::Corners corners(storage.data(), count);
+  const auto closest = geometry::closest_point(slave.position, corners);
+  if (!closest) return met;
+
+  const Vec3 offset = slave.position - closest->point;
+  met.region = closest->region;
+  met.point = closest->point;
+  met.weights = closest->weights;
+  met.normal = geometry::face_normal(corners, closest->xi, closest->eta);
+  met.height = met.gap = offset.dot(met.normal);
+  met.beside = (offset - met.height * met.normal).norm();
+  const bool over = met.region == Region::face;
+  if (met.height <= 0) {
+    const double deepest = std::min(settings.capture * met.size, settings.element_share * face.depth);
+    if (-met.height <= deepest && met.beside <= deepest) met.meeting = Meeting::inside;
+    return met;
+  }
+  if (over || met.beside <= settings.rim * met.size) met.meeting = Meeting::above;
+  met.slow = relative_motion(scene, slave, face, met.weights).norm() <= settings.slow * met.size;
+  return met;
+}
+
+void settle_rims(std::span<const MasterFace> faces, const EncounterSettings& settings,
+                 std::span<Encounter> encounters) {
+  for (std::size_t i = 0; i < encounters.size(); ++i) {
+    Encounter& e = encounters[i];
+    const bool at_rim = e.region != Region::face && (e.meeting == Meeting::inside || e.meeting == Meeting::above);
+    if (at_rim && !holds_at_rim(faces, settings, encounters, i)) e.meeting = Meeting::none;
+  }
+}
+
+void judge_paths(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+                 std::span<Encounter> encounters) {
+  double most = 0;
+  for (const Encounter& e : encounters)
+    if (!std::isnan(e.height)) most = std::max(most, e.opposition);
+  for (Encounter& e : encounters) {
+    const bool settled = e.meeting == Meeting::above && e.slow;
+    if (e.height > 0 && !settled && e.opposition >= settings.facing * most) find_hit(scene, slave, e);
+  }
+}
+
+}  // namespace brunt::contact

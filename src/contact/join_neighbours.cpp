@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// Elements tell the owners of their surface nodes whom they connect; faces meet at their edges.
+#include "brunt/contact/join_neighbours.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "brunt/comm/rendezvous.hpp"
+#include "brunt/core/error.hpp"
+#include "brunt/geometry/closest_point.hpp"
+
+namespace brunt::contact {
+namespace {
+
+/// Node `other` is in an element with surface node `gid`.
+struct Together {
+  GlobalIndex gid = 0, other = 0;
+  friend auto operator<=>(const Together&, const Together&) = default;
+};
+
+void keep_different(std::vector<Together>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// The surface nodes that this rank's elements contain, each with the nodes of those elements.
+std::vector<Together> seen_here(const mesh::LocalMesh& mesh, const Surface& surface) {
+  std::vector<char> on_surface(mesh.node_gid.size(), 0);
+  for (const LocalIndex node : surface.model_node) on_surface[static_cast<std::size_t>(node)] = 1;
+  std::vector<Together> seen;
+  for (const mesh::LocalBlock& block : mesh.blocks) {
+    const auto width = static_cast<std::size_t>(mesh::nodes_per_element(block.shape));
+    for (std::size_t first = 0; first < block.nodes.size(); first += width) {
+      const std::span<const LocalIndex> nodes(&block.nodes[first], width);
+      for (const LocalIndex node : nodes) {
+        if (on_surface[static_cast<std::size_t>(node)] == 0) continue;
+        for (const LocalIndex other : nodes)
+          seen.push_back(
+              {mesh.node_gid[static_cast<std::size_t>(node)], mesh.node_gid[static_cast<std::size_t>(other)]});
+      }
+    }
+  }
+  keep_different(seen);
+  return seen;
+}
+
+/// One face's side of an edge, told to the edge's home.
+struct EdgeUse {
+  std::array<GlobalIndex, 2> gid{};  ///< ascending
+  GlobalIndex key = 0;
+  Place face;
+  std::array<double, 3> area{};       ///< of the face
+  std::array<double, 3> direction{};  ///< of the edge, counter-clockwise around the face
+  std::array<GlobalIndex, 8> element{};
+  std::int32_t body = 0, block = 0;
+};
+
+/// What the home tells the rank of the face with the lower key.
+struct EdgeFound {
+  std::array<GlobalIndex, 2> gid{};
+  std::array<Place, 2> faces{};  ///< lower key first
+  std::array<std::array<GlobalIndex, 8>, 2> elements{};
+  std::int32_t body = 0, block = 0;
+};
+
+Vec3 vector_of(const std::array<double, 3>& components) {
+  return Vec3(components.data());
+}
+
+std::array<double, 3> components_of(const Vec3& vector) {
+  return {vector[0], vector[1], vector[2]};
+}
+
+std::vector<EdgeUse> uses_at_home(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
+                                  const Surface& surface) {
+  std::vector<std::vector<EdgeUse>> to_home(static_cast<std::size_t>(ranks.size()));
+  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+    const SurfaceFace& face = surface.faces[f];
+    const auto count = static_cast<std::size_t>(face.corner_count);
+    std::array<Vec3, 4> corners;
+    std::array<GlobalIndex, 4> gid{};
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto node = static_cast<std::size_t>(face.nodes[i]);
+      corners[i] = mesh.coordinates[static_cast<std::size_t>(surface.model_node[node])];
+      gid[i] = surface.gid[node];
+    }
+    const Vec3 area = geometry::area_vector({corners.data(), count});
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t next = (i + 1) % count;
+      const auto [low, high] = std::minmax(gid[i], gid[next]);
+      const EdgeUse use{.gid = {low, high},
+                        .key = face.key,
+                        .face = {ranks.rank(), static_cast<LocalIndex>(f)},
+                        .area = components_of(area),
+                        .direction = components_of(corners[next] - corners[i]),
+                        .element = face.element,
+                        .body = face.body,
+                        .block = face.block};
+      to_home[static_cast<std::size_t>(low) % to_home.size()].push_back(use);
+    }
+  }
+  std::vector<EdgeUse> uses = comm::exchange(ranks, to_home).values;
+  std::sort(uses.begin(), uses.end(),
+            [](const EdgeUse& a, const EdgeUse& b) { return std::tie(a.gid, a.key) < std::tie(b.gid, b.key); });
+  return uses;
+}
+
+bool is_sharp(const EdgeUse& one, const EdgeUse& other, double least_angle) {
+  const Vec3 normal = vector_of(one.area).normalized(), other_normal = vector_of(other.area).normalized();
+  const Vec3 turn = normal.cross(other_normal);
+  const double sine = turn.dot(vector_of(one.direction).normalized());  // > 0: convex
+  return sine > 0 && std::atan2(sine, normal.dot(other_normal)) > least_angle;
+}
+
+}  // namespace
+
+Ragged<GlobalIndex> element_neighbours(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
+                                       const Surface& surface) {
+  std::vector<std::vector<Together>> to_owner(static_cast<std::size_t>(ranks.size()));
+  std::size_t at = 0;
+  for (const Together& pair : seen_here(mesh, surface)) {
+    while (surface.gid[at] != pair.gid) ++at;
+    to_owner[static_cast<std::size_t>(surface.home[at].rank)].push_back(pair);
+  }
+  std::vector<Together> known = comm::exchange(ranks, to_owner).values;
+  keep_different(known);
+  Ragged<GlobalIndex> neighbours;
+  auto next = known.begin();
+  for (const GlobalIndex gid : surface.gid) {
+    for (; next != known.end() && next->gid == gid; ++next) neighbours.values.push_back(next->other);
+    neighbours.close_row();
+  }
+  return neighbours;
+}
+
+std::vector<SurfaceEdge> sharp_edges(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
+                                     const Surface& surface, double least_angle) {
+  const std::vector<EdgeUse> uses = uses_at_home(ranks, mesh, surface);
+  std::vector<std::vector<EdgeFound>> to_face(static_cast<std::size_t>(ranks.size()));
+  for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
+    while (last < uses.size() && uses[last].gid == uses[first].gid) ++last;
+    if (last - first != 2) continue;  // a rim, or an edge where surfaces meet that are no neighbours
+    const EdgeUse &one = uses[first], &other = uses[first + 1];
+    if (!is_sharp(one, other, least_angle)) continue;
+    to_face[static_cast<std::size_t>(one.face.rank)].push_back(
+        {one.gid, {one.face, other.face}, {one.element, other.element}, one.body, one.block});
+  }
+  std::vector<EdgeFound> found = comm::exchange(ranks, to_face).values;
+  std::sort(found.begin(), found.end(), [](const EdgeFound& a, const EdgeFound& b) { return a.gid < b.gid; });
+  std::vector<SurfaceEdge> edges;
+  for (const EdgeFound& edge : found) {
+    SurfaceEdge sharp{.facets = edge.faces, .body = edge.body, .block = edge.block};
+    for (std::size_t i = 0; i < 2; ++i) {
+      std::copy(edge.elements[i].begin(), edge.elements[i].end(), sharp.elements.begin() + static_cast<long>(8 * i));
+      const auto at = std::lower_bound(surface.gid.begin(), surface.gid.end(), edge.gid[i]);
+      demand(at != surface.gid.end() && *at == edge.gid[i], "the nodes of a face's edge are on its rank");
+      sharp.nodes[i] = static_cast<LocalIndex>(at - surface.gid.begin());
+    }
+    edges.push_back(sharp);
+  }
+  return edges;
+}
+
+}  // namespace brunt::contact
