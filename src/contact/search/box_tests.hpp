@@ -5,16 +5,21 @@
 
 namespace brunt::contact {
 
+/// The bounds of a box, low x y z, high x y z, and two to spare.
+struct Bounds {
+  Pack lanes;
+};
+
+using FloatPack = float __attribute__((vector_size(32)));
+
 /// A box relative to the origin of a block, rounded as the block's points are.
 struct BlockBox {
-  float low[3], high[3];
+  FloatPack bounds;
 
-  BlockBox(const geometry::Box& box, const Vec3& origin) {
-    for (int a = 0; a < 3; ++a) {
-      low[a] = static_cast<float>(box.low[a] - origin[a]);
-      high[a] = static_cast<float>(box.high[a] - origin[a]);
-    }
-  }
+  BRUNT_INLINE BlockBox(const Bounds& box, const BlockOrigin& origin)
+      : bounds(__builtin_convertvector(box.lanes - origin.twice, FloatPack)) {}
+  [[nodiscard]] BRUNT_INLINE FloatLanes low(int axis) const { return every_lane(bounds[axis]); }
+  [[nodiscard]] BRUNT_INLINE FloatLanes high(int axis) const { return every_lane(bounds[axis + 3]); }
 };
 
 /// Children of the node whose boxes touch or overlap the box.
@@ -31,8 +36,8 @@ BRUNT_INLINE LaneMask touching(const NodeBoxes& node, const double (&low)[3], co
 BRUNT_INLINE LaneMask touching(const RunBoxes& runs, const BlockBox& box) {
   LaneMask mask = 0xFFFF;
   for (int a = 0; a < 3; ++a) {
-    mask = not_above(mask, load(runs.low[a]), every_lane(box.high[a]));
-    mask = not_above(mask, every_lane(box.low[a]), load(runs.high[a]));
+    mask = not_above(mask, load(runs.low[a]), box.high(a));
+    mask = not_above(mask, box.low(a), load(runs.high[a]));
   }
   return mask;
 }
@@ -45,7 +50,7 @@ struct Holding {
 BRUNT_INLINE Holding holding(const BlockBox& box, const Run& run) {
   Holding held{0xFFFF, 0xFFFF};
   for (int a = 0; a < 3; ++a) {
-    const FloatLanes x = load(run.x[a]), low = every_lane(box.low[a]), high = every_lane(box.high[a]);
+    const FloatLanes x = load(run.x[a]), low = box.low(a), high = box.high(a);
     held.possible = not_above(not_above(held.possible, low, x), x, high);
     held.certain = below(below(held.certain, low, x), x, high);
   }

@@ -12,6 +12,10 @@ namespace {
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr float no_float = std::numeric_limits<float>::quiet_NaN();
 
+std::size_t groups_of(std::size_t count, std::size_t size) {
+  return (count + size - 1) / size;
+}
+
 void set_box(NodeBoxes& node, std::size_t lane, const geometry::Box& box) {
   for (int a = 0; a < 3; ++a) {
     node.low[a][lane] = box.low[a];
@@ -29,47 +33,60 @@ geometry::Box box_of(const NodeBoxes& node) {
   return box;
 }
 
-void pack_run(const double (&x)[3][block_size], std::size_t run, std::size_t used, const Vec3& origin, Run& packed,
-              RunBoxes& boxes) {
-  for (int a = 0; a < 3; ++a) {
-    float low = std::numeric_limits<float>::infinity(), high = -low;
-    for (std::size_t l = 0; l < run_size; ++l) {
-      const auto value = static_cast<float>(x[a][run * run_size + l] - origin[a]);
-      packed.x[a][l] = l < used ? value : no_float;
-      low = l < used ? std::min(low, value) : low;
-      high = l < used ? std::max(high, value) : high;
-    }
-    boxes.low[a][run] = used > 0 ? low : no_float;
-    boxes.high[a][run] = used > 0 ? high : no_float;
+/// The least or greatest of 2^k values, by halves: unlike a running minimum that takes k steps and not 2^k.
+template <class T, std::size_t N, class Better>
+T best_of(const T* values, const Better& better) {
+  T best[N / 2];
+  for (std::size_t l = 0; l < N / 2; ++l) best[l] = better(values[l], values[l + N / 2]);
+  if constexpr (N == 2) {
+    return best[0];
+  } else {
+    return best_of<T, N / 2>(best, better);
   }
+}
+
+constexpr auto lesser = [](auto a, auto b) { return b < a ? b : a; };
+constexpr auto greater = [](auto a, auto b) { return a < b ? b : a; };
+
+/// Coordinates of a block along one axis; places after the last point repeat it.
+struct BlockAxis {
+  alignas(64) double x[block_size];
+  alignas(64) float local[block_size];
+};
+
+void pack_axis(BlockAxis& axis, int a, double origin, std::size_t used, Run* runs, RunBoxes& boxes) {
+  for (std::size_t i = 0; i < block_size; ++i) axis.local[i] = static_cast<float>(axis.x[i] - origin);
+  for (std::size_t run = 0; run < runs_of_block; ++run) {
+    const float* x = axis.local + run * run_size;
+    std::copy_n(x, run_size, runs[run].x[a]);
+    boxes.low[a][run] = best_of<float, run_size>(x, lesser);
+    boxes.high[a][run] = best_of<float, run_size>(x, greater);
+  }
+  for (std::size_t i = used; i < block_size; ++i) runs[i / run_size].x[a][i % run_size] = no_float;
+  for (std::size_t run = groups_of(used, run_size); run < runs_of_block; ++run)
+    boxes.low[a][run] = boxes.high[a][run] = no_float;
 }
 
 /// Packs one block and returns its box.
 geometry::Box pack_block(std::span<const Vec3> points, std::size_t block, PointBlocks& blocks) {
-  const std::size_t first = block * block_size, count = std::min(block_size, blocks.point.size() - first);
-  double x[3][block_size];
+  const std::size_t first = block * block_size, used = std::min(block_size, blocks.point.size() - first);
+  BlockAxis axes[3];
+  for (std::size_t i = 0; i < block_size; ++i) {
+    const std::size_t place = first + std::min(i, used - 1);
+    const std::size_t ahead = std::min(place + 64, blocks.point.size() - 1);
+    __builtin_prefetch(&points[static_cast<std::size_t>(blocks.point[ahead])]);
+    const Vec3& point = points[static_cast<std::size_t>(blocks.point[place])];
+    for (int a = 0; a < 3; ++a) axes[a].x[i] = point[a];
+  }
   geometry::Box box;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec3& p = points[static_cast<std::size_t>(blocks.point[first + i])];
-    for (int a = 0; a < 3; ++a) x[a][i] = p[a];
-  }
   for (int a = 0; a < 3; ++a) {
-    for (std::size_t i = 0; i < count; ++i) {
-      box.low[a] = std::min(box.low[a], x[a][i]);
-      box.high[a] = std::max(box.high[a], x[a][i]);
-    }
-    std::fill(x[a] + count, x[a] + block_size, 0.0);
-    blocks.origin[block][a] = x[a][count / 2];
-  }
-  for (std::size_t run = 0; run < runs_of_block; ++run) {
-    const std::size_t used = std::min(run_size, count - std::min(count, run * run_size));
-    pack_run(x, run, used, blocks.origin[block], blocks.runs[block * runs_of_block + run], blocks.run_boxes[block]);
+    box.low[a] = best_of<double, block_size>(axes[a].x, lesser);
+    box.high[a] = best_of<double, block_size>(axes[a].x, greater);
+    const double origin = axes[a].x[used / 2];
+    blocks.origin[block].twice[a] = blocks.origin[block].twice[a + 3] = origin;
+    pack_axis(axes[a], a, origin, used, &blocks.runs[block * runs_of_block], blocks.run_boxes[block]);
   }
   return box;
-}
-
-std::size_t groups_of(std::size_t count, std::size_t size) {
-  return (count + size - 1) / size;
 }
 
 /// One level of the tree: nodes over `count` boxes, box_of(i) the i-th.

@@ -53,25 +53,34 @@ Box choose_near(std::span<const Box> boxes, std::span<const Vec3> points, Search
 /// Sixteen boxes that are neighbours, lane by lane; unused lanes hold NaN.
 struct Group {
   NodeBoxes half[2];
+  Bounds bounds[group_size];
   double low[3], high[3];  ///< box around all
 
   Group(std::span<const Box> boxes, std::span<const LocalIndex> chosen) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    for (int a = 0; a < 3; ++a) {
-      low[a] = std::numeric_limits<double>::infinity();
-      high[a] = -low[a];
-    }
     for (std::size_t lane = 0; lane < group_size; ++lane) {
-      NodeBoxes& lanes = half[lane / double_lanes];
-      const bool used = lane < chosen.size();
-      const Box* box = used ? &boxes[static_cast<std::size_t>(chosen[lane])] : nullptr;
-      for (int a = 0; a < 3; ++a) {
-        lanes.low[a][lane % double_lanes] = used ? box->low[a] : none;
-        lanes.high[a][lane % double_lanes] = used ? box->high[a] : none;
-        if (!used) continue;
-        low[a] = std::min(low[a], box->low[a]);
-        high[a] = std::max(high[a], box->high[a]);
+      Pack& of_box = bounds[lane].lanes;
+      of_box = broadcast(none);
+      if (lane < chosen.size()) {
+        const Box& box = boxes[static_cast<std::size_t>(chosen[lane])];
+        for (int a = 0; a < 3; ++a) {
+          of_box[a] = box.low[a];
+          of_box[a + 3] = box.high[a];
+        }
       }
+      for (int a = 0; a < 3; ++a) {
+        half[lane / double_lanes].low[a][lane % double_lanes] = of_box[a];
+        half[lane / double_lanes].high[a][lane % double_lanes] = of_box[a + 3];
+      }
+    }
+    Pack least = bounds[0].lanes, most = least;
+    for (std::size_t lane = 1; lane < chosen.size(); ++lane) {
+      least = pack_min(least, bounds[lane].lanes);
+      most = pack_max(most, bounds[lane].lanes);
+    }
+    for (int a = 0; a < 3; ++a) {
+      low[a] = least[a];
+      high[a] = most[a + 3];
     }
   }
 
@@ -113,58 +122,106 @@ void descend(const Group& group, const PointBlocks& blocks, std::vector<Meeting>
   }
 }
 
-/// Appends the places of the block's points in the box; room for a block and a run must be there.
-LocalIndex* search_block(std::span<const Vec3> points, const PointBlocks& blocks, std::size_t block, const Box& box,
-                         LocalIndex* found) {
-  const BlockBox local(box, blocks.origin[block]);
-  for (LaneMask runs = touching(blocks.run_boxes[block], local); runs != 0;
-       runs = static_cast<LaneMask>(runs & (runs - 1))) {
-    const std::size_t run = block * runs_of_block + static_cast<std::size_t>(std::countr_zero(runs));
-    auto [possible, certain] = holding(local, blocks.runs[run]);
-    for (auto ties = static_cast<LaneMask>(possible ^ certain); ties != 0;
-         ties = static_cast<LaneMask>(ties & (ties - 1))) {
-      const int lane = std::countr_zero(ties);
-      const LocalIndex point = blocks.point[run * run_size + static_cast<std::size_t>(lane)];
-      if (geometry::contains(box, points[static_cast<std::size_t>(point)]))
-        certain = static_cast<LaneMask>(certain | 1 << lane);
+/// The blocks that each box meets, from those that the group meets: row `lane` begins at lane * meetings.size().
+void deal_out(SearchScratch& scratch, std::array<std::size_t, group_size>& count) {
+  const std::size_t most = scratch.meetings.size();
+  if (scratch.blocks_met.size() < most * group_size) scratch.blocks_met.resize(most * group_size);
+  count.fill(0);
+  for (const Meeting& meeting : scratch.meetings)
+    for (LaneMask boxes = meeting.boxes; boxes != 0; boxes = static_cast<LaneMask>(boxes & (boxes - 1))) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(boxes));
+      scratch.blocks_met[lane * most + count[lane]++] = meeting.block;
     }
-    found = write_lanes(certain, static_cast<LocalIndex>(run * run_size), found);
-  }
-  return found;
 }
 
-void make_room(std::vector<LocalIndex>& found, std::size_t count) {
+void make_room(std::vector<LocalIndex>& list, std::size_t count) {
+  if (list.size() >= count) return;
   demand(count < static_cast<std::size_t>(std::numeric_limits<LocalIndex>::max()),
          "contact search: more than 2^31 pairs on one rank");
-  if (found.size() < count) found.resize(std::max(count, found.size() + found.size() / 2));
+  list.resize(std::max(count, list.size() + list.size() / 2));
+}
+
+/// The runs of some blocks that a box meets. In lists, for a loop over a list is left once, over a mask once a mask.
+std::span<const LocalIndex> meet_runs(const Bounds& box, const PointBlocks& blocks, std::span<const LocalIndex> met,
+                                      std::vector<LocalIndex>& runs) {
+  make_room(runs, (met.size() + 1) * runs_of_block);
+  LocalIndex* end = runs.data();
+  for (const LocalIndex met_block : met) {
+    const auto block = static_cast<std::size_t>(met_block);
+    const LaneMask mask = touching(blocks.run_boxes[block], BlockBox(box, blocks.origin[block]));
+    end = write_lanes(mask, static_cast<LocalIndex>(block * runs_of_block), end);
+  }
+  return {runs.data(), end};
+}
+
+/// Points that are on the border after rounding: those of them that are in the box.
+LaneMask settle(LaneMask ties, std::span<const Vec3> points, const LocalIndex* point, const Box& box) {
+  LaneMask inside = 0;
+  for (; ties != 0; ties = static_cast<LaneMask>(ties & (ties - 1))) {
+    const int lane = std::countr_zero(ties);
+    if (geometry::contains(box, points[static_cast<std::size_t>(point[lane])]))
+      inside = static_cast<LaneMask>(inside | 1 << lane);
+  }
+  return inside;
 }
 
 /// Fills `found`, `found_of` and the number of boxes of each place.
-std::size_t search_all(std::span<const Box> boxes, std::span<const Vec3> points, SearchScratch& scratch) {
-  const PointBlocks& blocks = scratch.blocks;
-  scratch.found_of.assign(boxes.size(), {});
-  scratch.cursor.assign(blocks.point.size(), 0);
-  std::size_t total = 0;
-  for (std::size_t first = 0; first < scratch.boxes.size(); first += group_size) {
-    const std::span<const LocalIndex> chosen =
-        std::span(scratch.boxes).subspan(first, std::min(group_size, scratch.boxes.size() - first));
-    descend(Group(boxes, chosen), blocks, scratch.meetings);
-    for (std::size_t lane = 0; lane < chosen.size(); ++lane) {
-      const auto b = static_cast<std::size_t>(chosen[lane]);
-      const std::size_t before = total;
-      for (const Meeting& meeting : scratch.meetings) {
-        if ((meeting.boxes >> lane & 1) == 0) continue;
-        make_room(scratch.found, total + block_size + run_size);
-        LocalIndex* to = scratch.found.data() + total;
-        total += static_cast<std::size_t>(
-            search_block(points, blocks, static_cast<std::size_t>(meeting.block), boxes[b], to) - to);
+class Pass {
+ public:
+  Pass(std::span<const Box> boxes, std::span<const Vec3> points, SearchScratch& scratch)
+      : boxes_(boxes), points_(points), scratch_(scratch) {}
+
+  std::size_t run() {
+    scratch_.found_of.assign(boxes_.size(), {});
+    scratch_.cursor.assign(scratch_.blocks.point.size(), 0);
+    const std::span<const LocalIndex> order = scratch_.boxes;
+    for (std::size_t first = 0; first < order.size(); first += group_size) {
+      const std::size_t next = std::min(first + group_size, order.size());
+      for (std::size_t k = next; k < std::min(next + group_size, order.size()); ++k) {
+        const Box& box = boxes_[static_cast<std::size_t>(order[k])];
+        __builtin_prefetch(&box.low);
+        __builtin_prefetch(&box.high[2]);
+        __builtin_prefetch(&scratch_.found_of[static_cast<std::size_t>(order[k])], 1);
       }
-      scratch.found_of[b] = {static_cast<LocalIndex>(before), static_cast<LocalIndex>(total - before)};
-      for (std::size_t k = before; k < total; ++k) ++scratch.cursor[static_cast<std::size_t>(scratch.found[k])];
+      search_group(order.subspan(first, next - first));
+    }
+    return total_;
+  }
+
+ private:
+  void search_group(std::span<const LocalIndex> chosen) {
+    const Group group(boxes_, chosen);
+    descend(group, scratch_.blocks, scratch_.meetings);
+    std::array<std::size_t, group_size> met_count;
+    deal_out(scratch_, met_count);
+    for (std::size_t lane = 0; lane < chosen.size(); ++lane) {
+      const std::span met(scratch_.blocks_met.data() + lane * scratch_.meetings.size(), met_count[lane]);
+      search_runs(static_cast<std::size_t>(chosen[lane]), group.bounds[lane],
+                  meet_runs(group.bounds[lane], scratch_.blocks, met, scratch_.runs_met));
     }
   }
-  return total;
-}
+
+  void search_runs(std::size_t b, const Bounds& bounds, std::span<const LocalIndex> runs) {
+    const PointBlocks& blocks = scratch_.blocks;
+    make_room(scratch_.found, total_ + (runs.size() + 1) * run_size);
+    LocalIndex *const first = scratch_.found.data() + total_, *end = first;
+    for (const LocalIndex met_run : runs) {
+      const auto run = static_cast<std::size_t>(met_run);
+      auto [possible, certain] = holding(BlockBox(bounds, blocks.origin[run / runs_of_block]), blocks.runs[run]);
+      if (const auto ties = static_cast<LaneMask>(possible ^ certain); ties != 0) [[unlikely]]
+        certain = static_cast<LaneMask>(certain | settle(ties, points_, &blocks.point[run * run_size], boxes_[b]));
+      end = write_lanes(certain, static_cast<LocalIndex>(run * run_size), end);
+    }
+    for (const LocalIndex* place = first; place < end; ++place) ++scratch_.cursor[static_cast<std::size_t>(*place)];
+    scratch_.found_of[b] = {static_cast<LocalIndex>(total_), static_cast<LocalIndex>(end - first)};
+    total_ += static_cast<std::size_t>(end - first);
+  }
+
+  std::span<const Box> boxes_;
+  std::span<const Vec3> points_;
+  SearchScratch& scratch_;
+  std::size_t total_ = 0;
+};
 
 /// From boxes with places of points to points with boxes: boxes come in ascending order, so rows do too.
 void turn_over(std::size_t point_count, std::size_t total, SearchScratch& scratch, Ragged<LocalIndex>& pairs) {
@@ -196,7 +253,7 @@ void prepare_search(std::span<const Box> boxes, std::span<const Vec3> points, Se
 
 void find_prepared(std::span<const Box> boxes, std::span<const Vec3> points, SearchScratch& scratch,
                    Ragged<LocalIndex>& pairs) {
-  const std::size_t total = search_all(boxes, points, scratch);
+  const std::size_t total = Pass(boxes, points, scratch).run();
   turn_over(points.size(), total, scratch, pairs);
 }
 
@@ -208,8 +265,8 @@ void find_pairs(std::span<const Box> boxes, std::span<const Vec3> points, Search
 
 std::size_t SearchScratch::memory_bytes() const {
   const auto bytes = [](const auto&... vectors) { return (0 + ... + (vectors.capacity() * sizeof(vectors[0]))); };
-  std::size_t total = bytes(sort.items, sort.other, sort.digits, boxes, meetings, found, found_of, cursor, blocks.point,
-                            blocks.runs, blocks.run_boxes, blocks.origin);
+  std::size_t total = bytes(sort.items, sort.other, sort.digits, boxes, meetings, blocks_met, runs_met, found, found_of,
+                            cursor, blocks.point, blocks.runs, blocks.run_boxes, blocks.origin);
   for (const auto& level : blocks.levels) total += bytes(level);
   return total;
 }

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Morton order by radix sort, repeated within crowded cells.
+// Order along the Hilbert curve by radix sort, repeated within crowded cells.
 #include "brunt/contact/search/spatial_order.hpp"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "hilbert_key.hpp"
+
 namespace brunt::contact {
 namespace {
 
 using Item = std::uint64_t;
 
-constexpr int axis_bits = 10, digit_bits = 10, digit_count = 3;  // a key has 30 bits: three digits
+constexpr int digit_bits = 10, digit_count = 3;
+static_assert(digit_bits * digit_count == 3 * key_levels);
 constexpr std::size_t digit_values = std::size_t{1} << digit_bits;
 constexpr std::size_t crowd = 16;        // so many may share a cell in any order
 constexpr std::size_t comparison = 400;  // below, sorting by comparison is quicker than clearing histograms
@@ -21,14 +24,6 @@ std::uint32_t key_of(Item item) {
 }
 LocalIndex index_of(Item item) {
   return static_cast<LocalIndex>(item & 0xFFFFFFFFU);
-}
-
-/// abc... -> a00b00c00...
-std::uint32_t spread(std::uint32_t bits) {
-  bits = (bits | bits << 16) & 0x030000FFU;
-  bits = (bits | bits << 8) & 0x0300F00FU;
-  bits = (bits | bits << 4) & 0x030C30C3U;
-  return (bits | bits << 2) & 0x09249249U;
 }
 
 struct PointPlaces {
@@ -45,19 +40,27 @@ struct BoxPlaces {
   }
 };
 
-/// Cubic cells, 1024 along the longest axis. A flat set keeps its two dimensions: noise across it is no dimension.
-struct Cells {
+/// A cube of the curve's octree and the curve's orientation in it. Cells are cubes whatever the set's shape: noise
+/// across a flat set is no dimension of it.
+struct Cube {
   Vec3 low;
-  double per_length = 0;
+  double size = 0;
+  HilbertState state;
 
-  [[nodiscard]] std::uint32_t key(const Vec3& x) const {
-    std::uint32_t key = 0;
-    for (int a = 0; a < 3; ++a) {
-      constexpr double last = (1 << axis_bits) - 1;
-      const double cell = std::max(0.0, std::min(last, (x[a] - low[a]) * per_length));  // a NaN ends in the last cell
-      key |= spread(static_cast<std::uint32_t>(cell)) << a;
+  /// Goes down to the smallest cube of the octree that holds the box: no pass over the points for what is empty.
+  void shrink_to(const geometry::Box& box) {
+    for (double half = size / 2; half > 0; half /= 2) {
+      unsigned octant = 0;
+      for (int a = 0; a < 3; ++a) {
+        const double middle = low[a] + half;
+        if (box.low[a] >= middle) octant |= 1U << a;
+        if (box.low[a] < middle && !(box.high[a] < middle)) return;
+      }
+      for (int a = 0; a < 3; ++a)
+        if ((octant >> a & 1U) != 0) low[a] += half;
+      size = half;
+      state.enter(octant);
     }
-    return key;
   }
 };
 
@@ -66,10 +69,19 @@ class Sorter {
  public:
   Sorter(const Places& places, SortScratch& scratch) : place_(places), scratch_(scratch) {}
 
-  /// Items hold indices on entry; on return they stand in order.
-  void sort(std::size_t first, std::size_t last) {
+  /// Items hold indices on entry; on return they stand in order. `within` holds them all, or has no size.
+  void sort(std::size_t first, std::size_t last, Cube within) {
     const std::span<Item> items(scratch_.items.data() + first, last - first);
-    if (!set_keys(items)) return;
+    const geometry::Box around = box_around(items);
+    const Cube own{around.low, (around.high - around.low).maxCoeff(), {}};
+    if (!(own.size > 0)) return;
+    if (within.size > 0) {
+      within.shrink_to(around);
+    } else {
+      within = own;
+    }
+    // cells of the octree may be too small for their coordinates' rounding
+    if (!set_keys(items, within) && !set_keys(items, within = own)) return;
     if (items.size() < comparison) {
       std::sort(items.begin(), items.end());
     } else {
@@ -78,29 +90,47 @@ class Sorter {
     for (std::size_t run = first; run < last;) {
       std::size_t end = run + 1;
       while (end < last && key_of(scratch_.items[end]) == key_of(scratch_.items[run])) ++end;
-      if (end - run > crowd) sort(run, end);
+      if (end - run > crowd) sort(run, end, within);
       run = end;
     }
   }
 
  private:
-  /// False if all keys are equal: nothing is left to sort.
-  bool set_keys(std::span<Item> items) {
+  geometry::Box box_around(std::span<const Item> items) const {
     geometry::Box around;
     for (const Item item : items) {
       const Vec3 x = place_(index_of(item));
       around.low = around.low.cwiseMin(x);
       around.high = around.high.cwiseMax(x);
     }
-    const double extent = (around.high - around.low).maxCoeff();
-    if (!(extent > 0)) return false;
-    const Cells cells{around.low, (1 << axis_bits) / extent};
+    return around;
+  }
+
+  /// False if all keys are equal: nothing is sorted by them.
+  bool set_keys(std::span<Item> items, const Cube& cube) {
+    const double per_length = (1 << key_levels) / cube.size;
     std::uint32_t any = 0, all = ~std::uint32_t{0};
-    for (Item& item : items) {
-      const std::uint32_t key = cells.key(place_(index_of(item)));
-      any |= key;
-      all &= key;
-      item = Item{key} << 32 | (item & 0xFFFFFFFFU);
+    for (std::size_t first = 0; first < items.size(); first += key_batch) {
+      const std::size_t count = std::min(key_batch, items.size() - first);
+      alignas(64) std::array<double, key_batch> x[3]{};
+      for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 place = place_(index_of(items[first + i]));
+        for (int a = 0; a < 3; ++a) x[a][i] = place[a];
+      }
+      alignas(64) std::array<KeyBatch, 3> cells;
+      alignas(64) KeyBatch keys;
+      for (std::size_t a = 0; a < 3; ++a)
+        for (std::size_t i = 0; i < key_batch; ++i) {
+          constexpr double last = (1 << key_levels) - 1;
+          const double cell = (x[a][i] - cube.low[static_cast<int>(a)]) * per_length;
+          cells[a][i] = static_cast<std::uint32_t>(static_cast<std::int32_t>(std::max(0.0, std::min(last, cell))));
+        }
+      hilbert_keys(cells, cube.state, keys);
+      for (std::size_t i = 0; i < count; ++i) {
+        any |= keys[i];
+        all &= keys[i];
+        items[first + i] = Item{keys[i]} << 32 | (items[first + i] & 0xFFFFFFFFU);
+      }
     }
     return any != all;
   }
@@ -133,7 +163,7 @@ void order_by(const Places& places, std::vector<LocalIndex>& order, SortScratch&
   scratch.items.resize(order.size());
   scratch.other.resize(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) scratch.items[i] = static_cast<Item>(order[i]);
-  Sorter<Places>(places, scratch).sort(0, order.size());
+  Sorter<Places>(places, scratch).sort(0, order.size(), {});
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = index_of(scratch.items[i]);
 }
 

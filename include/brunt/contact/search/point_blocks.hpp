@@ -32,6 +32,11 @@ struct alignas(64) Run {
   float x[3][run_size];
 };
 
+/// Origin of a block, x y z x y z 0 0: what is taken off both bounds of a box.
+struct BlockOrigin {
+  Pack twice;
+};
+
 /// Coordinates inside a block are rounded to float after subtracting the block's origin. Both steps are monotone, and
 /// box bounds take the same two: a point in a box is never lost, and one that is strictly inside after rounding is
 /// inside. Only ties need the coordinates as they were.
@@ -39,7 +44,7 @@ struct PointBlocks {
   std::vector<LocalIndex> point;      ///< place in the order -> index of the point
   AlignedVector<Run> runs;            ///< of place / 16; whole blocks
   AlignedVector<RunBoxes> run_boxes;  ///< of a block
-  std::vector<Vec3> origin;           ///< of a block: one of its points
+  AlignedVector<BlockOrigin> origin;  ///< of a block: one of its points
   /// levels[0][k] holds the boxes of blocks 8k..8k+7, levels[l][k] those of nodes 8k..8k+7 of levels[l-1]; the highest
   /// level that is used has one node.
   std::array<AlignedVector<NodeBoxes>, 12> levels;

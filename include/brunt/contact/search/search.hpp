@@ -26,15 +26,17 @@ struct SearchScratch {
   PointBlocks blocks;
   std::vector<LocalIndex> boxes;  ///< in spatial order
   std::vector<Meeting> meetings;
-  std::vector<LocalIndex> found;   ///< places of points, box after box
-  std::vector<Segment> found_of;   ///< box -> its part of `found`
-  std::vector<LocalIndex> cursor;  ///< of a place: first its number of boxes, then where its next box goes
+  std::vector<LocalIndex> blocks_met;  ///< by each box of a group
+  std::vector<LocalIndex> runs_met;    ///< by one box
+  std::vector<LocalIndex> found;       ///< places of points, box after box
+  std::vector<Segment> found_of;       ///< box -> its part of `found`
+  std::vector<LocalIndex> cursor;      ///< of a place: first its number of boxes, then where its next box goes
 
   [[nodiscard]] std::size_t memory_bytes() const;
 };
 
 /// pairs row p: the boxes that contain point p, ascending; boxes are closed. Points with a coordinate that is not
-/// finite are in no box; a box with low > high or a NaN holds nothing, one with infinite bounds is well.
+/// finite are in no box; a box with low > high or a NaN holds nothing, one may have infinite bounds.
 ///
 /// Points are packed in blocks along a space-filling curve (spatial_order.hpp), sixteen runs of sixteen, under a tree
 /// of boxes. Boxes are taken sixteen at a time along the same curve: they descend the tree together and meet a common

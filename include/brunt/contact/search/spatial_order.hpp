@@ -16,9 +16,9 @@ struct SortScratch {
   std::vector<LocalIndex> digits;           ///< histograms of the radix sort
 };
 
-/// Reorders `order` (indices into `points`, whose coordinates are finite) along the Morton curve of cubic cells over
-/// their bounding box. What shares a cell with many others is ordered again by cells over its own bounding box, and so
-/// on: far outliers, graded sizes and planes cost another pass over the crowded cells, never the order. O(n).
+/// Reorders `order` (indices into `points`, whose coordinates are finite) along the Hilbert curve of cubic cells over
+/// their bounding box. What shares a cell with many others is ordered again by smaller cells of the same curve, and so
+/// on: far outliers, graded sizes and planes cost another pass over the crowded cells, never the order. O(n) a pass.
 void order_in_space(std::span<const Vec3> points, std::vector<LocalIndex>& order, SortScratch& scratch);
 
 /// The same for boxes, each by the centre of what it has in common with `region`, which must be something finite.

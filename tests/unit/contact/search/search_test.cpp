@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 #include <random>
+#include <string_view>
 #include <utility>
 
 #include "brunt/contact/search/binary_sort.hpp"
@@ -131,6 +132,40 @@ TEST_CASE("pairs of a thousand random scenes equal brute force") {
     pairs += brute_force(scene).values.size();
   }
   CHECK(pairs > 50000);  // scenes in which nothing is found would prove nothing
+}
+
+TEST_CASE("pairs of larger scenes equal brute force, and a second search needs no more memory") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto place = [&] {
+    const double x = unit(random), y = unit(random);
+    return Vec3(x, y, unit(random));
+  };
+  for (const char* kind : {"volume", "plane", "graded", "one place", "two scales"}) {
+    CAPTURE(kind);
+    const std::string_view name(kind);
+    Scene scene;
+    for (int i = 0; i < 6000; ++i) {
+      Vec3 x = place();
+      if (name == "plane") x[1] = 0.5;
+      if (name == "graded") x *= std::pow(10.0, -9 * unit(random));
+      if (name == "one place" && i % 2 == 0) x = Vec3::Constant(0.25);
+      if (name == "two scales" && i % 2 == 0) x = 1e-7 * x + Vec3(1e6, -1e6, 3);
+      scene.points.push_back(x);
+    }
+    for (std::size_t i = 0; i < 1200; ++i) {
+      const Vec3& x = scene.points[i];
+      const double size = name == "graded" ? 0.1 * x.norm() : name == "two scales" && i % 2 == 0 ? 1e-8 : 0.05;
+      scene.boxes.push_back(geometry::grown({x, x + size * place()}, size * (i % 3 == 0 ? 0 : 1)));
+    }
+    scene.boxes.push_back({Vec3::Zero(), Vec3::Ones()});
+    contact::SearchScratch scratch;
+    check_all(scene, scratch);
+    const std::size_t bytes = scratch.memory_bytes();
+    check_all(scene, scratch);
+    CHECK(scratch.memory_bytes() == bytes);
+    CHECK(bytes < 200 * (scene.points.size() + scene.boxes.size()) + 8 * brute_force(scene).values.size());
+  }
 }
 
 TEST_CASE("empty input, coincident points and values that are not finite") {
