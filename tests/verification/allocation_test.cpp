@@ -1,42 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A time step allocates nothing, with all kinds of loads, walls and contact, but for steps that rebuild contact lists.
 #include <catch2/catch.hpp>
-#include <cstdlib>
-#include <new>
 
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/primitives.hpp"
+#include "support/allocations.hpp"
 #include "support/simulation.hpp"
-
-namespace {
-long allocations = 0;
-
-void* counted(std::size_t size, std::size_t alignment) {
-  ++allocations;
-  const std::size_t whole = (size / alignment + 1) * alignment;
-  if (void* memory = std::aligned_alloc(alignment, whole)) return memory;
-  throw std::bad_alloc();
-}
-}  // namespace
-
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  return counted(size, alignof(std::max_align_t));
-}
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-  return counted(size, static_cast<std::size_t>(alignment));
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t /*size*/) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t /*alignment*/) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept {
-  std::free(memory);
-}
 
 using namespace brunt;
 
@@ -60,9 +29,9 @@ TEST_CASE("a step with loads, damping, given motion, pressure and every kind of 
                            "fixed: [{set: hex8_zmin, dofs: [x, y, z]}]\n"
                            "prescribed: [{set: hex8_full_xmax, dof: x, velocity: ramp}]\n");
   run.step();
-  const long start = allocations;
+  const long start = test::allocations;
   run.steps(20);
-  CHECK(allocations - start == 0);
+  CHECK(test::allocations - start == 0);
   CHECK(start > 0);
 }
 
@@ -79,9 +48,9 @@ TEST_CASE("a step with contact and a wall allocates nothing between rebuilds of 
   int quiet_steps = 0, solved_steps = 0;
   for (int i = 0; i < 60; ++i) {
     const contact::ContactStatistics before = run.contact->statistics();
-    const long start = allocations;
+    const long start = test::allocations;
     run.step();
-    const long made = allocations - start;
+    const long made = test::allocations - start;
     const contact::ContactStatistics& after = run.contact->statistics();
     if (i < 2 || after.searches != before.searches) continue;
     CHECK(made == 0);

@@ -3,40 +3,19 @@
 // sum in element order, and a step allocates nothing.
 #include "brunt/comm/ordered_sum.hpp"
 
-#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <map>
-#include <new>
 #include <set>
 #include <vector>
+
+#include "tests/support/allocations.hpp"
 
 using namespace brunt;
 using comm::Communicator;
 using comm::Contribution;
 using comm::OrderedSum;
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size);
-}
-void operator delete(void* p) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
 
 namespace {
 
@@ -159,9 +138,9 @@ TEST_CASE("an ordered sum allocates nothing after its first use") {
     sum.end(slots, 3, nodes, 3);
   };
   step();
-  const long before = allocations;
+  const long before = test::allocations;
   for (int i = 0; i < 10; ++i) step();
-  const long after = allocations;
+  const long after = test::allocations;
   CHECK(after == before);
 }
 

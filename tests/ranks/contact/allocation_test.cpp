@@ -1,26 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A step with contact allocates nothing, but for the steps that rebuild lists.
 #include <catch2/catch.hpp>
-#include <cstdlib>
-#include <new>
 
+#include "tests/support/allocations.hpp"
 #include "tests/support/mass_points.hpp"
-
-namespace {
-long allocations = 0;
-}
-
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t /*size*/) noexcept {
-  std::free(memory);
-}
 
 TEST_CASE("no allocation in a step of contact") {
   using namespace brunt;
@@ -42,9 +25,9 @@ TEST_CASE("no allocation in a step of contact") {
     const double used = world.max(contact.motion_used(position, before, points.walls, 0.005));
     const auto searches = contact.statistics().searches;
     const auto solved_before = contact.statistics().solved_steps;
-    const long start = allocations;
+    const long start = test::allocations;
     contact.correct(position, before, after, points.walls, 0.005, used);
-    const long made = allocations - start;
+    const long made = test::allocations - start;
     for (std::size_t n = 0; n < points.x.size(); ++n) points.x[n] += 0.005 * points.v[n];
     if (contact.statistics().searches != searches || step < 2) continue;  // halos make their datatypes at first use
     CHECK(made == 0);
