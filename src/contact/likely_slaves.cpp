@@ -62,8 +62,8 @@ std::vector<Face> measure_faces(const mesh::Mesh& mesh, std::span<const mesh::Si
   std::vector<Face> faces;
   faces.reserve(sides.size());
   for (const mesh::Side& side : sides) {
-    const auto element = static_cast<std::size_t>(first[static_cast<std::size_t>(side.block)] + side.element);
-    faces.push_back(measure(mesh, side, velocity, body_of_element[element]));
+    const LocalIndex element = first[static_cast<std::size_t>(side.block)] + side.element;
+    faces.push_back(measure(mesh, side, velocity, body_of_element[static_cast<std::size_t>(element)]));
   }
   return faces;
 }

@@ -89,7 +89,8 @@ void sort_into_buckets(std::span<const Vec3> points, const BucketGrid& grid, Buc
   std::fill(sorted.nbox.begin(), sorted.nbox.end(), 0);
   for (std::size_t i = 0; i < count; ++i) {
     const auto bucket = static_cast<std::size_t>(sorted.lbox[i]);
-    sorted.ndsort[static_cast<std::size_t>(sorted.npoint[bucket] + sorted.nbox[bucket]++)] = static_cast<LocalIndex>(i);
+    const LocalIndex place_of_point = sorted.npoint[bucket] + sorted.nbox[bucket]++;
+    sorted.ndsort[static_cast<std::size_t>(place_of_point)] = static_cast<LocalIndex>(i);
   }
 }
 
@@ -108,7 +109,8 @@ void append_candidates(const BucketSort& sorted, const Box& box, std::vector<Loc
   for (LocalIndex i = first[0]; i <= last[0]; ++i)
     for (LocalIndex j = first[1]; j <= last[1]; ++j)
       for (LocalIndex k = first[2]; k <= last[2]; ++k) {
-        const auto bucket = static_cast<std::size_t>((k * slices[1] + j) * slices[0] + i);
+        const std::ptrdiff_t row = std::ptrdiff_t{k} * slices[1] + j;
+        const auto bucket = static_cast<std::size_t>(row * slices[0] + i);
         const auto begin = sorted.ndsort.begin() + sorted.npoint[bucket];
         candidates.insert(candidates.end(), begin, begin + sorted.nbox[bucket]);
       }
