@@ -73,6 +73,25 @@ TEST_CASE("a node above a face: gap, normal, weights and right-hand side") {
   CHECK(moment.cross(row.normal).norm() < 1e-14);  // no moment
 }
 
+TEST_CASE("an accepted overlap is the zero of its node's gaps with that body only") {
+  CubeAndNode scene;
+  scene.settings.accepted = {{7, 0, 0.3}, {8, 0, 0.02}, {8, 3, 0.4}, {9, 0, 0.5}};
+  auto rows = scene.detect({0.5, 0.5, 1 - 0.02});
+  REQUIRE(rows.size() == 1);
+  CHECK(std::abs(rows[0].gap) < 1e-15);
+  CHECK(std::abs(rows[0].required) < 1e-12);  // left where it is
+  rows = scene.detect({0.5, 0.5, 1 - 0.015});
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].gap == Approx(0.005).epsilon(1e-9));
+  CHECK(rows[0].required == Approx(-0.005 / 1e-3).epsilon(1e-9));  // may come back to it
+  rows = scene.detect({0.5, 0.5, 1 - 0.021});
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].gap == Approx(-0.001).epsilon(1e-9));
+  CHECK(rows[0].required == Approx(0.05 * 0.001 / 1e-3).epsilon(1e-9));
+  scene.settings.accepted = {{7, 0, 0.3}, {8, 3, 0.4}};
+  CHECK(scene.detect({0.5, 0.5, 1 - 0.02}).at(0).gap == Approx(-0.02).epsilon(1e-9));
+}
+
 TEST_CASE("a penetration is recovered at a limited rate") {
   CubeAndNode scene;
   auto rows = scene.detect({0.5, 0.5, 1 - 1e-3});

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edge against edge: crossing bars, flush bodies, steps that jump across.
+#include "brunt/contact/detection/edges.hpp"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <numbers>
+
+using namespace brunt;
+using namespace brunt::contact;
+
+namespace {
+
+/// The lower edge (of a bar that stands on one edge, along x) and the upper (along x turned by `angle` about z, its
+/// sharp side below); faces of both fall off at 45 degrees.
+struct TwoEdges {
+  std::vector<GlobalIndex> gid{0, 1, 2, 3};
+  std::vector<NodeMotion> motion{4};
+  std::vector<Vec3> facets, node_normal{4, Vec3::Zero()};
+  EdgeCandidates candidates;
+  DetectionSettings settings;
+  double dt = 1e-3;
+
+  explicit TwoEdges(double degrees, double gap, double speed = 0) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const Vec3 along(std::cos(angle), std::sin(angle), 0), across(-along.y(), along.x(), 0);
+    motion[0].position = {-0.5, 0, 0};
+    motion[1].position = {0.5, 0, 0};
+    motion[2].position = -0.5 * along + Vec3(0, 0, gap);
+    motion[3].position = 0.5 * along + Vec3(0, 0, gap);
+    for (std::size_t i = 2; i < 4; ++i) motion[i].predicted = Vec3(0, 0, -speed);
+    facets = {Vec3(0, 1, 1).normalized(), Vec3(0, -1, 1).normalized(), (across - Vec3::UnitZ()).normalized(),
+              (-across - Vec3::UnitZ()).normalized()};
+    candidates.masters = {{.nodes = {0, 1}, .facets = {0, 1}, .body = 0}};
+    candidates.slaves = {{.nodes = {2, 3}, .facets = {2, 3}, .body = 1}};
+    candidates.near.values = {0};
+    candidates.near.close_row();
+  }
+  std::vector<Row> rows() {
+    std::vector<Row> found;
+    detect_edges(candidates, gid, motion, facets, node_normal, dt, settings, found);
+    return found;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("crossed edges at 90 degrees and at 1 degree: gap, normal, weights where they cross") {
+  for (const double degrees : {90.0, 30.0, 1.0})
+    for (const double gap : {1e-2, 1e-9, 0.0, -1e-9, -1e-2}) {
+      CAPTURE(degrees, gap);
+      TwoEdges edges(degrees, gap);
+      const auto rows = edges.rows();
+      REQUIRE(rows.size() == 1);
+      const Row& row = rows[0];
+      CHECK(row.is_edge());
+      CHECK(row.gap == Approx(gap).margin(1e-14));
+      CHECK((row.normal - Vec3::UnitZ()).norm() < 1e-10);
+      const std::array<double, 4> expected{0.5, 0.5, -0.5, -0.5};
+      for (std::size_t i = 0; i < 4; ++i) CHECK(row.weights[i] == Approx(expected[i]).margin(1e-9));
+      CHECK((row.slave_gid == 2 && row.slave_second == 3 && row.master_key == 0 && row.master_second == 1));
+    }
+}
+
+TEST_CASE("edges that jump across each other within a step are met at the time they cross") {
+  for (const double degrees : {90.0, 1.0})
+    for (const double speed : {110.0, 1e3, 1e6}) {  // 0.11 to 1000 edge lengths a step
+      CAPTURE(degrees, speed);
+      const auto rows = TwoEdges(degrees, 0.1, speed).rows();
+      REQUIRE(rows.size() == 1);
+      CHECK(rows[0].gap == Approx(0.1).epsilon(1e-9));
+      CHECK((rows[0].normal - Vec3::UnitZ()).norm() < 1e-9);
+    }
+  CHECK(TwoEdges(90, 0.1, 90).rows().empty());    // would arrive after the step
+  CHECK(TwoEdges(90, 0.1, -1e3).rows().empty());  // departs
+}
+
+TEST_CASE("parallel flush edges give no row: their faces and nodes do the work") {
+  for (const double gap : {0.0, 1e-16, -1e-12, 1e-3}) {
+    TwoEdges edges(0, gap);
+    CHECK(edges.rows().empty());
+  }
+}
+
+TEST_CASE(
+    "edges of two flush blocks that stand on each other, crossing at a right angle, give no row beside the faces'") {
+  TwoEdges edges(90, 0);
+  edges.facets = {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(0, 0, -1), Vec3(1, 0, 0)};
+  REQUIRE(edges.rows().size() == 1);  // an edge over the rim of a table does touch it ...
+  edges.node_normal[2] = Vec3::UnitZ();
+  CHECK(edges.rows().empty());  // ... but where a node of it lies on the table, that node's row holds it
+}
+
+TEST_CASE("edges that look the same way have nothing to do with each other, edges that have passed each other do") {
+  TwoEdges edges(90, 0.01);
+  std::copy(edges.facets.begin(), edges.facets.begin() + 2, edges.facets.begin() + 2);  // both bodies lie below
+  CHECK(edges.rows().empty());
+  TwoEdges passed(90, -0.01);
+  REQUIRE(passed.rows().size() == 1);
+  CHECK(passed.rows()[0].gap == Approx(-0.01));
+}

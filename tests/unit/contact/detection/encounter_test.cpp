@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rims of faces and paths through them: nothing slips past an edge, nothing is met that the node never reaches.
+#include "brunt/contact/detection/encounter.hpp"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "few_faces.hpp"
+
+using namespace brunt;
+using contact::Encounter;
+using contact::Meeting;
+using support::FewFaces;
+
+namespace {
+
+Encounter meet(FewFaces& scene, const Vec3& position, const Vec3& velocity, LocalIndex face) {
+  std::vector<contact::FaceReach> reach(scene.faces.size(), {.box = {}, .size = 1});
+  const contact::NodeMotion slave{position, velocity, velocity};
+  return encounter({scene.faces, reach, scene.motion, scene.dt}, scene.settings.encounter, slave, face);
+}
+
+constexpr LocalIndex top = 5;
+
+}  // namespace
+
+TEST_CASE("closest point: inside, above or nothing, with region, height and distance beside") {
+  FewFaces scene = support::cube();
+  Encounter e = meet(scene, {0.3, 0.6, 1.1}, Vec3::Zero(), top);
+  CHECK(e.meeting == Meeting::above);
+  CHECK(e.region == geometry::Region::face);
+  CHECK(e.height == Approx(0.1));
+  CHECK(e.slow);
+  e = meet(scene, {0.3, 0.6, 0.95}, Vec3::Zero(), top);
+  CHECK(e.meeting == Meeting::inside);
+  CHECK(e.gap == Approx(-0.05));
+  e = meet(scene, {1.01, 0.6, 1.1}, Vec3::Zero(), top);
+  CHECK(e.meeting == Meeting::above);  // within the rim
+  CHECK(e.beside == Approx(0.01));
+  e = meet(scene, {1.03, 0.6, 1.1}, Vec3::Zero(), top);
+  CHECK(e.meeting == Meeting::none);
+  CHECK(e.height == Approx(0.1));
+  CHECK_FALSE(meet(scene, {0.3, 0.6, 1.1}, {0, 0, -51}, top).slow);  // 0.051 of the edge in a step
+}
+
+TEST_CASE("behind a rim and beside it: only what no neighbour has in front, or what is behind all of them") {
+  FewFaces scene = support::cube();
+  scene.facets = {Vec3(-1, 0, -1).normalized()};
+  CHECK(scene.rows({1.01, 0.5, 0.99}, Vec3::Zero()).size() == 1);  // above the side x = 1
+  CHECK((scene.rows({1.01, 0.5, 0.99})[0].normal - Vec3::UnitX()).norm() < 1e-14);
+  FewFaces valley = support::two_slopes(120);
+  CHECK(valley.rows({0, 0.5, -0.1}).size() == 2);  // far behind both, and beside both: it fell into the groove
+}
+
+TEST_CASE("a path is judged wherever a step starts and ends: 10000 shots at the inside of a face, from both sides") {
+  FewFaces scene = support::cube();
+  std::mt19937 engine(11);
+  std::uniform_real_distribution<double> inner(0.0, 1.0), height(1e-6, 5.0), slant(-1, 1);
+  for (int shot = 0; shot < 10000; ++shot) {
+    const Vec3 target(inner(engine), inner(engine), 1);
+    const double grazing = shot % 3 == 0 ? std::tan(std::numbers::pi / 180) : 1.0;  // 1 degree to the face
+    const Vec3 aside(slant(engine), slant(engine), 0);
+    Vec3 direction = aside.norm() > 0 ? Vec3(aside.normalized()) : Vec3(Vec3::UnitX());
+    direction.z() = -grazing;
+    const double before = height(engine) / grazing * (grazing < 1 ? 1e-2 : 1), after = 1e-6 + height(engine);
+    const Vec3 start = target - before * direction;
+    const Vec3 velocity = (before + after) / scene.dt * direction;
+    scene.facets = {-Vec3::UnitZ()};
+    auto rows = scene.rows(start, velocity);
+    CAPTURE(shot, start.transpose(), velocity.transpose());
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0].master_key == top);
+    // the impact: gap over approach is its share of the step
+    const double share = rows[0].gap / (-rows[0].normal.dot(velocity) * scene.dt);
+    CHECK(std::abs(share - before / (before + after)) <= 1e-9);
+    for (contact::NodeMotion& corner : scene.motion) corner.predicted = -velocity;  // the face flies at the node
+    rows = scene.rows(start, Vec3::Zero());
+    CHECK(rows.size() == 1);
+    for (contact::NodeMotion& corner : scene.motion) corner.predicted = Vec3::Zero();
+  }
+}
+
+TEST_CASE("a node on its way out meets nothing, and one that passes beside meets nothing") {
+  FewFaces scene = support::cube();
+  CHECK(scene.rows({0.5, 0.5, 1.3}, {0, 0, 900}).empty());
+  CHECK(scene.rows({1.1, 0.5, 1.3}, {0, 0, -200}).empty());
+  CHECK(scene.rows({1.5, 0.5, 1.01}, {-900, 0, 0}).empty());  // over the top, parallel to it, and above: out of reach
+}
