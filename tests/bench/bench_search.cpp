@@ -144,7 +144,7 @@ Measured measure(const Repeat& repeat) {
     double seconds = 0;
     measured.found = repeat(seconds);
     times.push_back(seconds);
-    if (seconds > long_time || (k >= 4 && seconds > 0.5)) break;
+    if (seconds > long_time || (k >= 2 && seconds > 0.3)) break;
   }
   std::sort(times.begin(), times.end());
   measured.median = times[times.size() / 2];
