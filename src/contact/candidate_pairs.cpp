@@ -79,6 +79,7 @@ std::vector<TravellingEdge> own_edges(const ListBuild& build) {
   std::vector<TravellingEdge> edges;
   for (const SurfaceEdge& edge : build.surface.edges) {
     TravellingEdge master{.facets = edge.facets, .elements = edge.elements, .body = edge.body, .block = edge.block};
+    master.depth = edge.depth;
     std::array<Vec3, 2> ends;
     for (std::size_t i = 0; i < 2; ++i) {
       ends[i] = position(build, edge.nodes[i]);

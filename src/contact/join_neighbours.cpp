@@ -54,6 +54,7 @@ struct EdgeUse {
   std::array<double, 3> area{};       ///< of the face
   std::array<double, 3> direction{};  ///< of the edge, counter-clockwise around the face
   std::array<GlobalIndex, 8> element{};
+  double depth = 0;
   std::int32_t body = 0, block = 0;
 };
 
@@ -63,6 +64,7 @@ struct EdgeFound {
   std::array<Place, 2> faces{};  ///< lower key first
   std::array<std::array<GlobalIndex, 8>, 2> elements{};
   std::int32_t body = 0, block = 0;
+  double depth = 0;
 };
 
 Vec3 vector_of(const std::array<double, 3>& components) {
@@ -96,6 +98,7 @@ std::vector<EdgeUse> uses_at_home(const comm::Communicator& ranks, const mesh::L
                         .area = components_of(area),
                         .direction = components_of(corners[next] - corners[i]),
                         .element = face.element,
+                        .depth = face.depth,
                         .body = face.body,
                         .block = face.block};
       to_home[static_cast<std::size_t>(low) % to_home.size()].push_back(use);
@@ -144,14 +147,18 @@ std::vector<SurfaceEdge> sharp_edges(const comm::Communicator& ranks, const mesh
     if (last - first != 2) continue;  // a rim, or an edge where surfaces meet that are no neighbours
     const EdgeUse &one = uses[first], &other = uses[first + 1];
     if (!is_sharp(one, other, least_angle)) continue;
-    to_face[static_cast<std::size_t>(one.face.rank)].push_back(
-        {one.gid, {one.face, other.face}, {one.element, other.element}, one.body, one.block});
+    to_face[static_cast<std::size_t>(one.face.rank)].push_back({one.gid,
+                                                                {one.face, other.face},
+                                                                {one.element, other.element},
+                                                                one.body,
+                                                                one.block,
+                                                                std::min(one.depth, other.depth)});
   }
   std::vector<EdgeFound> found = comm::exchange(ranks, to_face).values;
   std::sort(found.begin(), found.end(), [](const EdgeFound& a, const EdgeFound& b) { return a.gid < b.gid; });
   std::vector<SurfaceEdge> edges;
   for (const EdgeFound& edge : found) {
-    SurfaceEdge sharp{.facets = edge.faces, .body = edge.body, .block = edge.block};
+    SurfaceEdge sharp{.facets = edge.faces, .body = edge.body, .block = edge.block, .depth = edge.depth};
     for (std::size_t i = 0; i < 2; ++i) {
       std::copy(edge.elements[i].begin(), edge.elements[i].end(), sharp.elements.begin() + static_cast<long>(8 * i));
       const auto at = std::lower_bound(surface.gid.begin(), surface.gid.end(), edge.gid[i]);

@@ -154,7 +154,8 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
     const TravellingEdge& from = found.masters[static_cast<std::size_t>(m)];
     edges.masters.push_back({.nodes = {table_index(lists.nodes, from.gid[0]), table_index(lists.nodes, from.gid[1])},
                              .body = from.body,
-                             .block = from.block});
+                             .block = from.block,
+                             .depth = from.depth});
     facets.insert(facets.end(), from.facets.begin(), from.facets.end());
   }
   for_each_slave(found.pairs, [&](LocalIndex slave, std::span<const CandidatePair> pairs) {
@@ -162,8 +163,10 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
     const auto contact_node = [&](LocalIndex node) {
       return table_index(lists.nodes, build.surface.gid[static_cast<std::size_t>(node)]);
     };
-    edges.slaves.push_back(
-        {.nodes = {contact_node(from.nodes[0]), contact_node(from.nodes[1])}, .body = from.body, .block = from.block});
+    edges.slaves.push_back({.nodes = {contact_node(from.nodes[0]), contact_node(from.nodes[1])},
+                            .body = from.body,
+                            .block = from.block,
+                            .depth = from.depth});
     facets.insert(facets.end(), from.facets.begin(), from.facets.end());
     for (const CandidatePair& pair : pairs) edges.near.values.push_back(place[static_cast<std::size_t>(pair.master)]);
     edges.near.close_row();

@@ -44,6 +44,7 @@ struct TravellingEdge {
   std::array<GlobalIndex, 2> gid{};  ///< ascending
   std::array<Place, 2> home{}, facets{};
   std::array<GlobalIndex, 16> elements{};
+  double depth = 0;  ///< of its elements
   std::int32_t body = 0, block = 0;
   PlainBox capture{};  ///< capture box
 

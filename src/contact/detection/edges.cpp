@@ -88,7 +88,8 @@ bool meet_now(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& mas
     met.gap = -met.gap;
   }
   if (!touches_as_edges(scene, slave, master, met.normal)) return false;
-  if (met.gap <= 0) return -met.gap <= scene.settings.encounter.capture * size;
+  const double behind = scene.settings.encounter.element_share * std::min(slave.depth, master.depth);
+  if (met.gap <= 0) return -met.gap <= std::min(scene.settings.encounter.capture * size, behind);
   return is_slow(scene, slave, master, size);
 }
 

@@ -33,6 +33,7 @@ struct SurfaceEdge {
   std::array<Place, 2> facets{};           ///< the two faces that meet in it, lower key first
   std::array<GlobalIndex, 16> elements{};  ///< nodes of the elements behind them, no_index to fill
   std::int32_t body = 0, block = 0;        ///< of the first
+  double depth = 0;                        ///< the smaller one of the elements behind them, at the start [length]
 };
 
 /// What decides who is slave; the same on every rank.
