@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// `brunt search`: the rank-local search on a text scene of nodes and boxes, by the method in use or one of the paper.
+// `brunt search`: contact search alone on a text scene of nodes and boxes, dealt out over the ranks; within a rank by
+// the method in use or one of the paper.
 #include "brunt/contact/search/search.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <chrono>
+#include <cmath>
+#include <cstring>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "brunt/comm/rendezvous.hpp"
+#include "brunt/contact/ghosting.hpp"
 #include "brunt/contact/search/binary_sort.hpp"
 #include "brunt/contact/search/bucket_sort.hpp"
 #include "brunt/core/error.hpp"
@@ -19,10 +26,18 @@
 namespace brunt::app {
 namespace {
 
+struct TextFace {
+  contact::PlainBox capture;
+  std::array<GlobalIndex, 4> own{};  ///< nodes of the face: never its partners
+};
+
+/// A block of the scene's nodes and some of its faces.
 struct TextScene {
+  GlobalIndex first_node = 0;  ///< in the file
   std::vector<Vec3> nodes;
-  std::vector<geometry::Box> boxes;
-  std::vector<std::array<LocalIndex, 4>> own;  ///< nodes of each face: never its partners
+  std::vector<GlobalIndex> face_id;  ///< in the file
+  std::vector<TextFace> faces;
+  std::vector<geometry::Box> boxes;  ///< of the faces
 };
 
 TextScene read_text_scene(const std::string& path) {
@@ -42,17 +57,89 @@ TextScene read_text_scene(const std::string& path) {
     scene.nodes.push_back(x);
   }
   for (long long i = 0; i < m; ++i) {
-    geometry::Box box;
-    std::array<LocalIndex, 4> own{};
-    if (!(in >> box.low[0] >> box.low[1] >> box.low[2] >> box.high[0] >> box.high[1] >> box.high[2] >> own[0] >>
-          own[1] >> own[2] >> own[3]))
+    TextFace face;
+    auto& [low, high] = face.capture;
+    auto& own = face.own;
+    if (!(in >> low[0] >> low[1] >> low[2] >> high[0] >> high[1] >> high[2] >> own[0] >> own[1] >> own[2] >> own[3]))
       throw fault(n + i + 2, "lox loy loz hix hiy hiz n0 n1 n2 n3");
-    if (std::ranges::any_of(own, [&](LocalIndex k) { return k < -1 || k >= n; }))
+    if (std::ranges::any_of(own, [&](GlobalIndex k) { return k < -1 || k >= n; }))
       throw fault(n + i + 2, "node ids from 0 to n - 1, or -1 for none");
-    scene.boxes.push_back(box);
-    scene.own.push_back(own);
+    scene.faces.push_back(face);
+    scene.face_id.push_back(i);
   }
   return scene;
+}
+
+/// What the ranks told each other of their faces.
+struct Traffic {
+  GlobalIndex ghosts = 0, messages = 0, bytes = 0;  ///< received, sent, sent: the most of a rank
+};
+
+/// Entities 0..total-1 of the root in equal blocks.
+template <class T>
+std::vector<T> deal(const comm::Communicator& ranks, const std::vector<T>& whole, const comm::BlockLayout& layout) {
+  std::vector<std::vector<T>> outgoing(static_cast<std::size_t>(ranks.size()));
+  for (Rank r = 0; ranks.is_root() && r < ranks.size(); ++r) {
+    const auto first = whole.begin() + layout.first(r);
+    outgoing[static_cast<std::size_t>(r)].assign(first, first + layout.count(r));
+  }
+  return comm::exchange(ranks, outgoing).values;
+}
+
+TextScene deal_scene(const comm::Communicator& ranks, const TextScene& whole) {
+  const auto total = [&](std::size_t count) { return ranks.max(static_cast<GlobalIndex>(count)); };
+  const comm::BlockLayout nodes{total(whole.nodes.size()), ranks.size()};
+  const comm::BlockLayout faces{total(whole.faces.size()), ranks.size()};
+  std::vector<std::array<double, 3>> points;
+  for (const Vec3& x : whole.nodes) points.push_back({x[0], x[1], x[2]});
+  TextScene scene{.first_node = nodes.first(ranks.rank()), .nodes = {}, .face_id = {}, .faces = {}, .boxes = {}};
+  for (const std::array<double, 3>& point : deal(ranks, points, nodes)) scene.nodes.emplace_back(point.data());
+  scene.faces = deal(ranks, whole.faces, faces);
+  for (std::size_t f = 0; f < scene.faces.size(); ++f)
+    scene.face_id.push_back(faces.first(ranks.rank()) + static_cast<GlobalIndex>(f));
+  for (const TextFace& face : scene.faces) scene.boxes.push_back(face.capture.box());
+  return scene;
+}
+
+/// The finest cells have the size of the smallest box.
+double finest_cell(const comm::Communicator& ranks, const std::vector<geometry::Box>& boxes) {
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const geometry::Box& box : boxes) {
+    const double extent = (box.high - box.low).maxCoeff();
+    if (!(extent > 0) || !std::isfinite(extent)) continue;
+    smallest = std::min(smallest, extent);
+    largest = std::max(largest, extent);
+  }
+  smallest = -ranks.max(-smallest);
+  largest = ranks.max(largest);
+  return largest > 0 ? std::max(smallest, std::ldexp(largest, -50)) : 1.0;
+}
+
+/// Adds the faces of other ranks that share a cell with a node of this one.
+Traffic add_ghosts(const comm::Communicator& ranks, TextScene& scene) {
+  struct Travelling {
+    GlobalIndex id = 0;
+    TextFace face;
+  };
+  std::vector<geometry::Box> wanted;
+  for (const Vec3& node : scene.nodes) wanted.push_back({node, node});
+  Traffic traffic;
+  std::vector<std::vector<Travelling>> outgoing;
+  const double finest = finest_cell(ranks, scene.boxes);
+  for (const std::vector<LocalIndex>& leaving : contact::meet_in_cells(ranks, scene.boxes, wanted, finest)) {
+    outgoing.emplace_back();
+    for (const LocalIndex f : leaving)
+      outgoing.back().push_back({scene.face_id[static_cast<std::size_t>(f)], scene.faces[static_cast<std::size_t>(f)]});
+    traffic.messages += leaving.empty() ? 0 : 1;
+    traffic.bytes += static_cast<GlobalIndex>(leaving.size() * sizeof(Travelling));
+  }
+  for (const Travelling& ghost : comm::exchange(ranks, outgoing).values) {
+    scene.face_id.push_back(ghost.id);
+    scene.faces.push_back(ghost.face);
+    scene.boxes.push_back(ghost.face.capture.box());
+    ++traffic.ghosts;
+  }
+  return {ranks.max(traffic.ghosts), ranks.max(traffic.messages), ranks.max(traffic.bytes)};
 }
 
 std::uint64_t pair_hash(std::uint64_t face, std::uint64_t node) {
@@ -62,15 +149,23 @@ std::uint64_t pair_hash(std::uint64_t face, std::uint64_t node) {
   return z ^ (z >> 32);
 }
 
-void drop_own_nodes(const TextScene& scene, Ragged<LocalIndex>& pairs) {
-  Ragged<LocalIndex> kept;
-  for (LocalIndex node = 0; node < pairs.rows(); ++node) {
-    for (const LocalIndex face : pairs.row(node))
-      if (const auto& own = scene.own[static_cast<std::size_t>(face)]; std::ranges::find(own, node) == own.end())
-        kept.values.push_back(face);
-    kept.close_row();
+struct FoundPair {
+  GlobalIndex face = 0, node = 0;
+  friend auto operator<=>(const FoundPair&, const FoundPair&) = default;
+};
+
+/// In the file's numbers; a face is no partner of its own nodes.
+std::vector<FoundPair> named_pairs(const TextScene& scene, const Ragged<LocalIndex>& pairs) {
+  std::vector<FoundPair> named;
+  for (LocalIndex n = 0; n < pairs.rows(); ++n) {
+    const GlobalIndex node = scene.first_node + n;
+    for (const LocalIndex f : pairs.row(n)) {
+      const auto face = static_cast<std::size_t>(f);
+      if (std::ranges::find(scene.faces[face].own, node) == scene.faces[face].own.end())
+        named.push_back({scene.face_id[face], node});
+    }
   }
-  pairs = std::move(kept);
+  return named;
 }
 
 using Clock = std::chrono::steady_clock;
@@ -138,38 +233,61 @@ class Searcher {
   contact::BinarySort sorted_;
 };
 
-void search_on_root(const SearchOptions& options, int ranks) {
-  const TextScene scene = read_text_scene(options.file);
-  Searcher searcher(scene, options.method);
-  Ragged<LocalIndex> pairs;
-  Timing best = searcher.find(pairs);
-  for (int k = 1; k < options.repeat; ++k)
-    if (const Timing again = searcher.find(pairs); again.total() < best.total()) best = again;
-  drop_own_nodes(scene, pairs);
-  Ragged<LocalIndex> by_face;
-  transpose(pairs, scene.boxes.size(), by_face);
-  std::uint64_t hash = 0;
-  for (LocalIndex face = 0; face < by_face.rows(); ++face)
-    for (const LocalIndex node : std::as_const(by_face).row(face)) {
-      hash += pair_hash(static_cast<std::uint64_t>(face), static_cast<std::uint64_t>(node));
-      if (options.list) fmt::print("{} {}\n", face, node);
-    }
-  const nlohmann::ordered_json result{{"method", options.method},
-                                      {"nodes", scene.nodes.size()},
-                                      {"faces", scene.boxes.size()},
-                                      {"pairs", pairs.values.size()},
-                                      {"pairs_hash", fmt::format("{:016x}", hash)},
-                                      {"build_s", best.build},
-                                      {"query_s", best.query},
-                                      {"memory_bytes", best.memory},
-                                      {"ranks", ranks}};
-  fmt::print("{}\n", result.dump());
+void print_pairs(const comm::Communicator& ranks, const std::vector<FoundPair>& here) {
+  std::vector<FoundPair> all;
+  for (const std::vector<std::byte>& bytes : ranks.gather(std::as_bytes(std::span(here)))) {
+    const std::size_t before = all.size();
+    all.resize(before + bytes.size() / sizeof(FoundPair));
+    if (!bytes.empty()) std::memcpy(&all[before], bytes.data(), bytes.size());
+  }
+  std::ranges::sort(all);
+  for (const FoundPair& pair : all) fmt::print("{} {}\n", pair.face, pair.node);
 }
 
 }  // namespace
 
 int search(const comm::Communicator& ranks, const SearchOptions& options) {
-  on_root(ranks, [&] { search_on_root(options, ranks.size()); });
+  TextScene whole;
+  on_root(ranks, [&] { whole = read_text_scene(options.file); });
+  const GlobalIndex nodes = ranks.max(static_cast<GlobalIndex>(whole.nodes.size()));
+  const GlobalIndex faces = ranks.max(static_cast<GlobalIndex>(whole.faces.size()));
+  const TextScene dealt = deal_scene(ranks, whole);
+  Ragged<LocalIndex> pairs;
+  Timing best;
+  Traffic traffic;
+  std::vector<FoundPair> found;
+  for (int k = 0; k < options.repeat; ++k) {
+    TextScene scene = dealt;
+    const Clock::time_point start = Clock::now();
+    traffic = add_ghosts(ranks, scene);
+    const double meeting = Seconds(Clock::now() - start).count();
+    Timing timing = Searcher(scene, options.method).find(pairs);
+    timing.build = ranks.max(timing.build + meeting);
+    timing.query = ranks.max(timing.query);
+    if (k == 0 || timing.total() < best.total()) best = timing;
+    if (k == 0) found = named_pairs(scene, pairs);
+  }
+  std::array<GlobalIndex, 3> sums{static_cast<GlobalIndex>(found.size()), 0, static_cast<GlobalIndex>(best.memory)};
+  std::uint64_t hash = 0;
+  for (const FoundPair& pair : found)
+    hash += pair_hash(static_cast<std::uint64_t>(pair.face), static_cast<std::uint64_t>(pair.node));
+  sums[1] = std::bit_cast<GlobalIndex>(hash);
+  ranks.sum(sums);
+  if (options.list) print_pairs(ranks, found);
+  if (!ranks.is_root()) return 0;
+  const nlohmann::ordered_json result{{"method", options.method},
+                                      {"nodes", nodes},
+                                      {"faces", faces},
+                                      {"pairs", sums[0]},
+                                      {"pairs_hash", fmt::format("{:016x}", std::bit_cast<std::uint64_t>(sums[1]))},
+                                      {"build_s", best.build},
+                                      {"query_s", best.query},
+                                      {"memory_bytes", sums[2]},
+                                      {"ranks", ranks.size()},
+                                      {"most_ghosts", traffic.ghosts},
+                                      {"most_messages", traffic.messages},
+                                      {"most_bytes_sent", traffic.bytes}};
+  fmt::print("{}\n", result.dump());
   return 0;
 }
 

@@ -159,6 +159,10 @@ std::vector<std::vector<LocalIndex>> meet_in_cells(const comm::Communicator& ran
       if (cell->own_level != 0 || need.own_level != 0)
         leaving[static_cast<std::size_t>(need.rank)].push_back(cell->box);
   }
+  for (std::size_t b = 0; b < offered.size(); ++b)  // no grid holds it
+    if ((offered[b].high - offered[b].low).maxCoeff() > edge_of(grid_levels - 1, finest))
+      for (Rank r = 0; r < ranks.size(); ++r)
+        if (r != ranks.rank()) leaving[static_cast<std::size_t>(r)].push_back(static_cast<LocalIndex>(b));
   for (std::vector<LocalIndex>& boxes : leaving) {
     std::sort(boxes.begin(), boxes.end());
     boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
