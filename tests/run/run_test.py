@@ -228,7 +228,8 @@ class Start(Program):
             # inside the other: 9 x 9 nodes of left less those beside right, 7 x 7 of right
             told = re.findall(r"the deepest of (\d+) nodes of the two parts", output)
             self.assertEqual(len(told), 1, output)
-            listed = re.findall(r"^overlap +node +\d+ of (?:left|right) +0.01 inside (?:left|right)$", output, re.M)
+            listed = re.findall(r"^overlap +node +\d+ of (?:left|right) +0.01 inside (?:left|right), "
+                                r"behind its face \d+-\d+-\d+-\d+$", output, re.M)
             self.assertEqual(len(listed), int(told[0]))
             self.assertGreater(len(listed), 7 * 7)
 
