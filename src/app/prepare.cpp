@@ -144,6 +144,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
     part = partition::split(partition::dual_graph(whole.mesh), weigh(prepared->input, whole), ranks.size());
   });
   share_accepted(ranks, prepared->overlaps.accepted);
+  prepared->overlaps.recovered = ranks.any(prepared->overlaps.recovered);
   mesh::LocalMesh local = partition::distribute(ranks, whole, part);
   whole = {};
 

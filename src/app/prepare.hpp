@@ -21,7 +21,7 @@ struct Prepared {
   scene::Input input;
   std::string fingerprint;            ///< what may not change over a restart
   std::vector<std::string> warnings;  ///< on the root
-  TreatedOverlaps overlaps;           ///< on the root, but for those accepted
+  TreatedOverlaps overlaps;           ///< on the root, but for what is accepted or recovered
   model::Model model;
   model::State state;
   model::Scratch scratch;

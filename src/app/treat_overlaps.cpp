@@ -27,8 +27,9 @@ std::vector<contact::AcceptedOverlap> accepted_overlaps(const InitialGaps& gaps)
 }  // namespace
 
 TreatedOverlaps treat_overlaps(const scene::Input& input, mesh::CanonicalMesh& whole) {
-  TreatedOverlaps treated{.gaps = initial_gaps(input, whole.mesh), .report = {}, .accepted = {}};
+  TreatedOverlaps treated{.gaps = initial_gaps(input, whole.mesh), .report = {}, .accepted = {}, .recovered = false};
   treated.report = report_overlaps(input, whole.mesh, treated.gaps);
+  treated.recovered = !treated.report.warnings.empty();
   if (!treated.report.faults.empty()) return treated;
   const auto asked = [&](OverlapRule rule) {
     return std::ranges::any_of(treated.gaps.overlaps, [&](const InitialOverlap& o) { return o.rule == rule; });

@@ -15,6 +15,7 @@ struct TreatedOverlaps {
   InitialGaps gaps;  ///< of the mesh after nodes were moved
   OverlapReport report;
   std::vector<contact::AcceptedOverlap> accepted;  ///< what `offset` keeps, as contact wants it
+  bool recovered = false;  ///< some are left to contact (`warn`), which gives the bodies energy in parting them
 };
 
 /// Moves nodes of the mesh where the scene says so. What the scene does not allow, or cannot have as it asks, is told
