@@ -65,11 +65,15 @@ class Survey {
         keep_gap(part_of_[a], part_of_[b], compared.touches(i) ? 0.0 : compared.distance(i));
         continue;
       }
+      std::optional<Behind> behind = compared.behind_near(i);
+      if (!behind && examined++ < most_examined) behind = compared.behind_any(i);
+      if (behind && behind->depth < 0) {
+        keep_gap(part_of_[a], part_of_[b], -behind->depth);
+        continue;
+      }
       inside[static_cast<std::size_t>(node)] = 1;
       InitialOverlap overlap{
           .node = node, .block = a, .other_block = b, .body = body, .other_body = other_body, .rule = rule};
-      std::optional<Behind> behind = compared.behind_near(i);
-      if (!behind && examined++ < most_examined) behind = compared.behind_any(i);
       if (behind) {
         const SolidFace& face = solid.faces[behind->face];
         overlap.depth = behind->depth;

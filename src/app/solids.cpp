@@ -142,11 +142,13 @@ void Comparison::judge(std::size_t i, std::size_t f, Nearest& nearest) const {
   if (!nearer && nearest.opposed && far >= nearest.opposed_distance) return;
   const Vec3 normal = geometry::face_normal(face.points(), closest->xi, closest->eta);
   const double below = -offset.dot(normal);
-  const Behind here{f, below > 0 ? below : far, normal, closest->weights};
+  const bool in_front = below < 0 && closest->region == geometry::Region::face;
+  const Behind here{f, in_front || below > 0 ? below : far, normal, closest->weights};
   if (nearer) {
     nearest.all = here;
     nearest.all_distance = far;
   }
+  if (in_front) return;
   constexpr double opposed = 0.5;
   if (opposition(nodes_.outwards.row(static_cast<LocalIndex>(node_[i])), normal) < opposed) return;
   if (nearest.opposed && far >= nearest.opposed_distance) return;
@@ -157,13 +159,13 @@ void Comparison::judge(std::size_t i, std::size_t f, Nearest& nearest) const {
 std::optional<Behind> Comparison::behind_near(std::size_t i) const {
   Nearest nearest;
   for (const LocalIndex f : near_faces_.row(static_cast<LocalIndex>(i))) judge(i, static_cast<std::size_t>(f), nearest);
-  return nearest.opposed;
+  return nearest.chosen();
 }
 
 std::optional<Behind> Comparison::behind_any(std::size_t i) const {
   Nearest nearest;
   for (std::size_t f = 0; f < solid_.faces.size(); ++f) judge(i, f, nearest);
-  return nearest.opposed ? nearest.opposed : nearest.all;
+  return nearest.opposed ? nearest.chosen() : nearest.all;
 }
 
 void Comparison::measure_near() {

@@ -47,7 +47,7 @@ std::vector<std::int32_t> body_of_nodes(const mesh::Mesh& mesh);
 /// The face that a node inside a solid is behind.
 struct Behind {
   std::size_t face = 0;
-  double depth = 0;  ///< along the normal [length]
+  double depth = 0;  ///< along the normal [length]; < 0: in front of a warped face
   Vec3 normal = Vec3::Zero();
   std::array<double, 4> weights{};  ///< of the face's corners where the node is nearest
 };
@@ -75,6 +75,8 @@ class Comparison {
   struct Nearest {
     std::optional<Behind> all, opposed;
     double all_distance = 0, opposed_distance = 0;
+    /// Tetrahedra do not follow a warped face: the nearest decides where it has the node in front.
+    [[nodiscard]] const std::optional<Behind>& chosen() const { return all && all->depth < 0 ? all : opposed; }
   };
   void judge(std::size_t i, std::size_t face, Nearest& nearest) const;
   void measure_near();

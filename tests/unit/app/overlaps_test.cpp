@@ -68,16 +68,21 @@ TEST_CASE("move: slave nodes go onto the face that they are behind") {
 }
 
 TEST_CASE("move: the other part where the scene names the slave") {
-  Case scene(two_boxes({1, 1, 1}, {2, 2, 2}, {1, 1, 1}, {3, 3, 3}, {0.95, 0, 0}), "move");
-  scene.input.contact[0].between = {"a", "b"};
-  scene.input.contact[0].slave = scene::ContactEntry::Slave::first;
-  const std::vector<Vec3> before = scene.whole.mesh.coordinates;
-  const TreatedOverlaps treated = scene.treat();
-  for (const std::string& fault : treated.report.faults) UNSCOPED_INFO(fault);
-  CHECK(treated.report.faults.empty());
-  CHECK(treated.gaps.overlaps.empty());
-  for (std::size_t i = 0; i < before.size(); ++i)
-    if (scene.whole.mesh.coordinates[i] != before[i]) CHECK(before[i].x() == 1.0);
+  mesh::Mesh meshes[] = {two_boxes({1, 1, 1}, {2, 2, 2}, {1, 1, 1}, {3, 3, 3}, {0.95, 0, 0}),
+                         cubes(0.04)};  // the coarse side is warped around the fine one
+  for (mesh::Mesh& mesh : meshes) {
+    Case scene(std::move(mesh), "move");
+    scene.input.contact[0].between = {"a", "b"};
+    scene.input.contact[0].slave = scene::ContactEntry::Slave::first;
+    const std::vector<Vec3> before = scene.whole.mesh.coordinates;
+    const TreatedOverlaps treated = scene.treat();
+    for (const std::string& fault : treated.report.faults) UNSCOPED_INFO(fault);
+    CHECK(treated.report.faults.empty());
+    CHECK(treated.gaps.overlaps.empty());
+    CHECK(scene.whole.mesh.coordinates != before);
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (scene.whole.mesh.coordinates[i] != before[i]) CHECK(before[i].x() == 1.0);
+  }
 }
 
 TEST_CASE("move is refused where nodes are held, elements would be flattened, or nodes are too deep") {
