@@ -93,9 +93,8 @@ OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh,
   bool refused = false, untreatable = false;
   const auto judge = [&](OverlapRule rule, bool treatable, std::string line) {
     if (rule == OverlapRule::warn) return report.warnings.push_back(std::move(line));
-    const bool asks_for_treatment = rule != OverlapRule::error;
-    if (asks_for_treatment && treatable) return;
-    (asks_for_treatment ? untreatable : refused) = true;
+    if (rule != OverlapRule::error && treatable) return;
+    (treatable ? refused : untreatable) = true;
     report.faults.push_back(std::move(line));
   };
   for (const Pair& pair : pairs_of(reporter, gaps))
