@@ -47,6 +47,8 @@ double height_at_crossing(const Simulation& scene, GlobalIndex first, GlobalInde
 
 }  // namespace
 
+// The impulse is not asserted: 0.75 ms after the start it is 207 on this mesh and 208 with a node where the bars cross,
+// but 150 to 330 on meshes 2, 3, 4 times as fine: edge on edge is a point contact, which no such mesh resolves.
 TEST_CASE("crossed bars meet in time where no node is near a face, at 90 degrees and at 1 degree") {
   constexpr GlobalIndex nodes = 4 * (length + 1);
   constexpr double speed = 10, gap = 0.03 * h;
