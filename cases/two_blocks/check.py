@@ -58,7 +58,8 @@ def check_symmetry(case, label, folder, elements):
     for name, (place, turn) in mirrors.items():
         other = [grid[place(*k)] for k in key]
         error = numpy.abs(velocity[other] - turn(velocity)).max() / 250
-        case.assert_below(f"{label}: velocities seen in the mirror {name} differ by", error, 1e-4, "symmetry")
+        gate = 1e-4 if name == "y" else 1e-8  # one pass takes its normals from one side of y = 1
+        case.assert_below(f"{label}: velocities seen in the mirror {name} differ by", error, gate, "symmetry")
 
 
 def main():

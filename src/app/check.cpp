@@ -85,7 +85,7 @@ void print_parts(const Prepared& run, const std::vector<PartFigures>& figures, c
 }
 
 void print_gaps(const Prepared& run, const scene::UnitSystem& units) {
-  if (const InitialGaps& gaps = run.gaps; gaps.smallest >= 0)
+  if (const InitialGaps& gaps = run.overlaps.gaps; gaps.smallest >= 0)
     fmt::print("smallest gap     {:.6g} {} between {} and {}\n", gaps.smallest, units.length,
                run.input.parts[gaps.part].name, run.input.parts[gaps.other].name);
   else if (!run.input.contact.empty())
@@ -114,7 +114,7 @@ void print_cost(const Prepared& run, const time::StepReport& step, const StepCos
 int check(const comm::Communicator& ranks, const CheckOptions& options) {
   const std::unique_ptr<Prepared> run = prepare(ranks, options.scene, options.overrides);
   if (ranks.is_root())
-    for (const std::string& line : overlap_list(run->input, run->gaps)) fmt::print("overlap          {}\n", line);
+    for (const std::string& line : run->overlaps.report.list) fmt::print("overlap          {}\n", line);
   refuse_overlaps(*run);
   const std::vector<PartFigures> figures = part_figures(*run);
   const time::StepReport step =
@@ -126,6 +126,7 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   const scene::UnitSystem& units = *scene::find_unit_system(run->input.units);
   fmt::print("{} ({} units)\n", run->input.title.empty() ? options.scene : run->input.title, run->input.units);
   for (const std::string& warning : run->warnings) fmt::print("warning: {}\n", warning);
+  for (const std::string& note : run->overlaps.report.notes) fmt::print("{}\n", note);
   print_parts(*run, figures, units);
   print_gaps(*run, units);
   print_cost(*run, step, cost, units);

@@ -60,6 +60,7 @@ void make_contact(Prepared& run) {
   settings.rate = {model.contact.tolerance, model.contact.max_iterations};
   if (model.contact.rebuild_every > 0) settings.rebuild = {contact::Rebuild::When::every, model.contact.rebuild_every};
   if (model.contact.rebuild_every < 0) settings.rebuild.when = contact::Rebuild::When::random;
+  settings.detection.accepted = run.overlaps.accepted;
   track_pairs(run, settings);
 
   std::vector<double> inverse_mass;

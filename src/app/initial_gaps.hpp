@@ -1,42 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where bodies stand to each other before anything moves: the smallest gap, and nodes that are inside another body.
-// Pure geometry on the whole mesh, so it sees overlaps of any depth (contact itself looks no deeper than its capture).
+// Where bodies stand to each other before anything moves: the smallest gap, nodes that are inside another body, and
+// edges that pass through one. Pure geometry on the whole mesh, so it sees overlaps of any depth (contact itself looks
+// no deeper than its capture).
 #pragma once
-#include <string>
+#include <array>
 #include <vector>
 
 #include "brunt/mesh/mesh.hpp"
 #include "brunt/scene/input.hpp"
+#include "solids.hpp"
 
 namespace brunt::app {
 
+using OverlapRule = scene::ContactEntry::InitialOverlap;
+
 struct InitialOverlap {
-  GlobalIndex node = 0;         ///< the input's number
-  std::size_t part = 0;         ///< of the node, into Input::parts
-  std::size_t other = 0;        ///< the part that it is inside
-  double depth = 0;             ///< distance to the other's surface [length]; 0: not measured, of more than 1000 nodes
-  bool only_a_warning = false;  ///< as the scene has it for this pair
+  LocalIndex node = 0;                     ///< of the mesh
+  std::size_t block = 0, other_block = 0;  ///< of the node, and that it is inside
+  std::int32_t body = 0, other_body = 0;
+  double depth = 0;  ///< behind the face [length]; 0: not measured, of more than 1000 deep nodes of a pair
+  FaceNodes face{no_index, no_index, no_index, no_index};  ///< that the node is behind; none: not measured
+  /// A slave deeper than contact looks behind a face: it would be let go, or seen from the wrong side.
+  bool too_deep = false;
+  OverlapRule rule = OverlapRule::error;  ///< as the scene has it for this pair
+};
+
+/// Edges of one block that pass through another without an end or a corner inside: nodes on the right sides of all
+/// faces, which contact would see as they should be.
+struct Piercing {
+  std::size_t block = 0, other_block = 0;  ///< of the edges, of the faces
+  std::size_t edges = 0;
+  std::array<LocalIndex, 2> edge{};  ///< the first
+  FaceNodes face{};                  ///< that it passes through
+  OverlapRule rule = OverlapRule::error;
 };
 
 struct InitialGaps {
   double smallest =
       -1;  ///< distance of a node to a face of a part that it may touch [length]; -1: none within one edge
-  std::size_t part = 0, other = 0;       ///< of that node and face
+  std::size_t part = 0, other = 0;       ///< of that node and face, into Input::parts
   std::vector<InitialOverlap> overlaps;  ///< deepest first
+  std::vector<Piercing> piercings;
 };
 
-/// Nodes deeper inside than 1e-4 of the longest edge of the nearest face overlap; shallower ones touch. Parts that
-/// share nodes are one body.
+/// Nodes deeper inside than `touching` overlap; shallower ones touch. Parts that share nodes are one body.
 InitialGaps initial_gaps(const scene::Input& input, const mesh::Mesh& mesh);
-
-/// One line for each pair of parts that overlap: how many nodes, and the deepest. The pair with the deepest comes
-/// first.
-std::vector<std::string> overlap_lines(const scene::Input& input, const InitialGaps& gaps);
-
-/// Every overlapping node on a line of its own, deepest first.
-std::vector<std::string> overlap_list(const scene::Input& input, const InitialGaps& gaps);
-
-/// Throws InputError with the overlaps that the scene does not allow; the others become warnings.
-void judge_overlaps(const scene::Input& input, const InitialGaps& gaps, std::vector<std::string>& warnings);
 
 }  // namespace brunt::app

@@ -3,7 +3,9 @@
 
 #include <fmt/core.h>
 
+#include <cstring>
 #include <filesystem>
+#include <span>
 #include <type_traits>
 #include <variant>
 
@@ -71,6 +73,16 @@ mesh::Mesh assemble(const scene::Input& input, std::vector<std::string>& warning
   return whole;
 }
 
+/// What the root has found goes to all ranks.
+void share_accepted(const comm::Communicator& ranks, std::vector<contact::AcceptedOverlap>& accepted) {
+  static_assert(std::is_trivially_copyable_v<contact::AcceptedOverlap>);
+  const auto raw = std::as_bytes(std::span(accepted));
+  std::vector<std::byte> bytes(raw.begin(), raw.end());
+  ranks.broadcast(bytes);
+  accepted.resize(bytes.size() / sizeof(contact::AcceptedOverlap));
+  if (!bytes.empty()) std::memcpy(accepted.data(), bytes.data(), bytes.size());
+}
+
 }  // namespace
 
 scene::Input read_input(const comm::Communicator& ranks, const std::string& scene_file,
@@ -111,7 +123,11 @@ void Prepared::after_restart() {
 }
 
 void refuse_overlaps(Prepared& run) {
-  on_root(run.links.ranks, [&] { judge_overlaps(run.input, run.gaps, run.warnings); });
+  const OverlapReport& report = run.overlaps.report;
+  on_root(run.links.ranks, [&] {
+    if (!report.faults.empty()) throw InputError(report.faults);
+    run.warnings.insert(run.warnings.end(), report.warnings.begin(), report.warnings.end());
+  });
 }
 
 std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
@@ -124,9 +140,11 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   on_root(ranks, [&] {
     prepared->warnings = prepared->input.warnings;
     whole = whole_mesh(prepared->input, prepared->warnings);
-    prepared->gaps = initial_gaps(prepared->input, whole.mesh);
+    prepared->overlaps = treat_overlaps(prepared->input, whole);
     part = partition::split(partition::dual_graph(whole.mesh), weigh(prepared->input, whole), ranks.size());
   });
+  share_accepted(ranks, prepared->overlaps.accepted);
+  prepared->overlaps.recovered = ranks.any(prepared->overlaps.recovered);
   mesh::LocalMesh local = partition::distribute(ranks, whole, part);
   whole = {};
 

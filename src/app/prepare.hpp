@@ -13,7 +13,7 @@
 #include "brunt/model/registry.hpp"
 #include "brunt/scene/input.hpp"
 #include "brunt/time/links.hpp"
-#include "initial_gaps.hpp"
+#include "treat_overlaps.hpp"
 
 namespace brunt::app {
 
@@ -21,7 +21,7 @@ struct Prepared {
   scene::Input input;
   std::string fingerprint;            ///< what may not change over a restart
   std::vector<std::string> warnings;  ///< on the root
-  InitialGaps gaps;                   ///< on the root
+  TreatedOverlaps overlaps;           ///< on the root, but for what is accepted or recovered
   model::Model model;
   model::State state;
   model::Scratch scratch;

@@ -117,8 +117,11 @@ void Results::watch(const time::Ledger& ledger, double time) {
     seen.momentum_error =
         std::max(seen.momentum_error, (own_momentum - seen.start_momentum).norm() / seen.momentum_scale);
   // the ledger closes even while a run explodes: what gives it away is kinetic energy from nowhere; a moving wall gives
-  // too, and at the first instant all there is may be rounding of either sign
-  const double given = std::max(seen.start_total, 0.0) + std::max(ledger.external, 0.0) + std::max(-ledger.walls, 0.0);
+  // too, so does contact where bodies began inside each other, and at the first instant all there is may be rounding of
+  // either sign
+  const double recovered = run_.overlaps.recovered ? std::max(-ledger.contact, 0.0) : 0.0;
+  const double given =
+      std::max(seen.start_total, 0.0) + std::max(ledger.external, 0.0) + std::max(-ledger.walls, 0.0) + recovered;
   const double scale = std::max({seen.largest_energy, std::abs(ledger.internal), std::abs(seen.start_total)});
   if (!std::isfinite(ledger.total()) || ledger.kinetic > 1.5 * given + 1e-3 * scale)
     throw GuardError(

@@ -188,6 +188,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   if (ranks.is_root()) log.open(folder, restart_step.has_value());
   announce(*prepared, log);
   for (const std::string& warning : prepared->warnings) log.warning(warning);
+  for (const std::string& note : prepared->overlaps.report.notes) log.line(note);
   if (restart_step) log.line(fmt::format("restart from {} at step {}", checkpoint, *restart_step));
 
   catch_signals();

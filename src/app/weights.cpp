@@ -19,7 +19,8 @@ double cost_of(element::ElementKind kind) {
   return kind == element::ElementKind::hex8 ? 1.0 : kind == element::ElementKind::tet4 ? 0.5 : 5.0;
 }
 
-/// Exterior faces but for those in planes of symmetry.
+}  // namespace
+
 std::vector<mesh::Side> contact_faces(const scene::Input& input, const mesh::Mesh& mesh) {
   std::vector<mesh::Side> faces = mesh::exterior_sides(mesh);
   for (std::size_t k = 0; k < input.symmetry.size(); ++k) {
@@ -33,8 +34,6 @@ std::vector<mesh::Side> contact_faces(const scene::Input& input, const mesh::Mes
   }
   return faces;
 }
-
-}  // namespace
 
 partition::Weights weigh(const scene::Input& input, const mesh::CanonicalMesh& whole) {
   std::vector<std::string> names;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the elements of a scene cost, for the split over the ranks.
 #pragma once
+#include <vector>
+
 #include "brunt/mesh/canonical.hpp"
 #include "brunt/scene/input.hpp"
 #include "partition/split.hpp"
@@ -10,5 +12,8 @@ namespace brunt::app {
 /// Costs of the elements and their faces that will bring contact its work (none without contact between parts: rows
 /// of walls cost little). whole: with the selections of the scene.
 partition::Weights weigh(const scene::Input& input, const mesh::CanonicalMesh& whole);
+
+/// Exterior faces but for those in planes of symmetry. mesh: with the selections of the scene.
+std::vector<mesh::Side> contact_faces(const scene::Input& input, const mesh::Mesh& mesh);
 
 }  // namespace brunt::app

@@ -2,10 +2,9 @@
 #include "candidate_pairs.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <utility>
 
+#include "brunt/contact/search/box_overlaps.hpp"
 #include "brunt/contact/search/search.hpp"
 #include "brunt/geometry/closest_point.hpp"
 
@@ -109,38 +108,6 @@ bool is_permitted(const ListBuild& build, const SurfaceEdge& slave, const Travel
   });
 }
 
-/// Overlapping boxes: the search pairs points with boxes, so the slave edges are taken by size, as their midpoints.
-template <class Visit>
-void visit_overlaps(const std::vector<Box>& slaves, const std::vector<Box>& masters, Visit&& visit) {
-  std::map<int, std::vector<LocalIndex>> by_size;  // of extent up to 2^key
-  for (std::size_t i = 0; i < slaves.size(); ++i) {
-    const double extent = (slaves[i].high - slaves[i].low).maxCoeff();
-    if (!std::isfinite(extent)) continue;
-    by_size[extent > 0 ? std::ilogb(extent) + 1 : std::numeric_limits<int>::min()].push_back(
-        static_cast<LocalIndex>(i));
-  }
-  SearchScratch scratch;
-  for (const auto& [exponent, members] : by_size) {
-    const double half = 0.5 * std::ldexp(1.0, std::max(exponent, -1000));
-    std::vector<Box> boxes;
-    boxes.reserve(masters.size());
-    for (const Box& box : masters) boxes.push_back(geometry::grown(box, half));
-    std::vector<Vec3> middles;
-    for (const LocalIndex i : members) {
-      const Box& box = slaves[static_cast<std::size_t>(i)];
-      middles.push_back(0.5 * (box.low + box.high));
-    }
-    Ragged<LocalIndex> found;
-    find_pairs(boxes, middles, scratch, found);
-    for (LocalIndex k = 0; k < found.rows(); ++k)
-      for (const LocalIndex m : std::as_const(found).row(k)) {
-        const LocalIndex slave = members[static_cast<std::size_t>(k)];
-        if (geometry::overlaps(slaves[static_cast<std::size_t>(slave)], masters[static_cast<std::size_t>(m)]))
-          visit(slave, m);
-      }
-  }
-}
-
 template <class Traveller>
 std::vector<Box> capture_boxes(const std::vector<Traveller>& masters) {
   std::vector<Box> boxes;
@@ -191,7 +158,7 @@ CandidatePairs<TravellingEdge> find_edge_pairs(const ListBuild& build) {
   std::vector<Box> slaves;
   for (const SurfaceEdge& edge : build.surface.edges) slaves.push_back(edge_box(build, edge));
   add_ghosts(build, slaves, result.masters);
-  visit_overlaps(slaves, capture_boxes(result.masters), [&](LocalIndex slave, LocalIndex master) {
+  for_each_overlap(slaves, capture_boxes(result.masters), [&](LocalIndex slave, LocalIndex master) {
     if (is_permitted(build, build.surface.edges[static_cast<std::size_t>(slave)],
                      result.masters[static_cast<std::size_t>(master)]))
       result.pairs.push_back({slave, master});

@@ -167,6 +167,13 @@ double span_of(const geometry::Box& a, const geometry::Box& b) {
 
 }  // namespace
 
+std::vector<BodyFigures> body_figures(const mesh::Mesh& mesh, std::span<const mesh::Side> sides,
+                                      std::span<const double> density) {
+  demand(density.size() == mesh.blocks.size(), "one density for each block");
+  const std::vector<Vec3> at_rest(mesh.coordinates.size(), Vec3::Zero());
+  return figures_of(mesh, sides, measure_faces(mesh, sides, at_rest, mesh::bodies(mesh)), density);
+}
+
 std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const mesh::Side> sides, const PairTable& pairs,
                                       const Outlook& outlook) {
   demand(outlook.density.size() == mesh.blocks.size(), "one density for each block");

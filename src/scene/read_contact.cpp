@@ -77,8 +77,8 @@ void read_settled(Section& entry) {
 }
 
 ContactEntry read_entry(Section& entry) {
-  static const Choices<Overlap> overlaps{{{"error", Overlap::error}, {"warn", Overlap::warn}},
-                                         {"adjust", "remove", "keep", "ignore", "resolve"}};
+  static const Choices<Overlap> overlaps{
+      {{"error", Overlap::error}, {"warn", Overlap::warn}, {"move", Overlap::move}, {"offset", Overlap::offset}}, {}};
   using Competing = ContactEntry::Competing;
   static const Choices<Competing> competing{{{"auto", Competing::automatic},
                                              {"nearest", Competing::nearest},

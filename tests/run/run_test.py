@@ -221,6 +221,33 @@ class Start(Program):
         self.assertEqual(code, 0, output)
         self.assertIn("warning: pair.yaml: contact: node", output)
 
+    def run_pair(self, rule, ranks, *arguments):
+        self.write("pair.yaml", scenes.PAIR.replace("AT", "0.99").replace("RULE", rule))
+        self.run_scene(ranks, "pair.yaml", "--out", f"{rule}{ranks}", "--force", *arguments)
+        return self.summary(f"{rule}{ranks}")
+
+    def test_overlaps_are_recovered_moved_or_kept(self):
+        parted = self.run_pair("warn", 1, "--set", "run.steps=300")
+        self.assertEqual(parted["stopped_by"], "steps")  # no guard takes what recovery gives for an explosion
+        self.assertLess(parted["energy"]["contact"], 0)
+        self.assertLess(parted["energy"]["error_ratio"], 1e-10)
+        for rule in ("move", "offset"):  # nothing to do for contact, so nothing moves
+            still = self.run_pair(rule, 1, "--set", "run.steps=300")
+            self.assertLess(abs(still["energy"]["kinetic"]), 1e-12 * parted["energy"]["kinetic"])
+            self.assertLess(still["max_penetration"], 1e-12)
+        self.assertRegex(self.text("move1", "log.txt"), r"initial overlaps: \d+ nodes moved, by 0\.01")
+        self.assertRegex(self.text("offset1", "log.txt"), r"initial overlaps: \d+ nodes keep theirs as zero gap, 0.01")
+
+    def test_kept_overlaps_over_ranks_and_a_restart(self):
+        push = ("--set", "initial=[{part: right, velocity: [-5, 0, 0]}]")
+        one = self.run_pair("offset", 1, *push, "--set", "run.steps=60")
+        self.assertLess(one["max_penetration"], 1e-4)  # from the overlap on, which is 0.01
+        three = self.run_pair("offset", 3, *push, "--set", "run.steps=60")
+        self.assertEqual(three["state_hash"], one["state_hash"])
+        self.run_scene(2, "pair.yaml", "--out", "part", *push, "--set", "run.steps=25")
+        self.run_scene(1, "pair.yaml", "--out", "part", "--restart", "part", *push, "--set", "run.steps=60")
+        self.assertEqual(self.summary("part")["state_hash"], one["state_hash"])
+
     def test_one_line_a_pair_and_the_nodes_in_the_list(self):
         for rule, code in (("error", 2), ("warn", 0)):
             found, output = self.check(0.99, rule)
@@ -228,7 +255,8 @@ class Start(Program):
             # inside the other: 9 x 9 nodes of left less those beside right, 7 x 7 of right
             told = re.findall(r"the deepest of (\d+) nodes of the two parts", output)
             self.assertEqual(len(told), 1, output)
-            listed = re.findall(r"^overlap +node +\d+ of (?:left|right) +0.01 inside (?:left|right)$", output, re.M)
+            listed = re.findall(r"^overlap +node +\d+ of (?:left|right) +0.01 inside (?:left|right), "
+                                r"behind its face \d+-\d+-\d+-\d+$", output, re.M)
             self.assertEqual(len(listed), int(told[0]))
             self.assertGreater(len(listed), 7 * 7)
 

@@ -23,4 +23,8 @@ struct Outlook {
 std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const mesh::Side> faces, const PairTable& pairs,
                                       const Outlook& outlook);
 
+/// What decides who is slave (as is_slave does), for each body of the whole mesh. density: of each block.
+std::vector<BodyFigures> body_figures(const mesh::Mesh& mesh, std::span<const mesh::Side> faces,
+                                      std::span<const double> density);
+
 }  // namespace brunt::contact

@@ -133,7 +133,7 @@ struct ContactEntry {
   enum class Slave { automatic, first, second } slave = Slave::automatic;
   bool self = true;  ///< with `all`: parts meet themselves too
   enum class Competing { automatic, nearest, strength, velocity } competing = Competing::automatic;
-  enum class InitialOverlap { error, warn } initial_overlap = InitialOverlap::error;
+  enum class InitialOverlap { error, warn, move, offset } initial_overlap = InitialOverlap::error;
 };
 
 struct Probe {

@@ -49,6 +49,11 @@ std::size_t drop_sideways(std::span<Encounter> encounters) {
   return static_cast<std::size_t>(end - encounters.begin());
 }
 
+/// |gap|, for a node beside the face to its rim.
+double distance(const Encounter& e) {
+  return e.meeting == Meeting::hit ? std::abs(e.gap) : std::hypot(e.gap, e.beside);
+}
+
 void rank_all(const Choice& choice, std::span<Encounter> encounters) {
   const Criterion criterion = choice.settings.criterion;
   const auto order = [&](const Encounter& e) {
@@ -57,7 +62,7 @@ void rank_all(const Choice& choice, std::span<Encounter> encounters) {
     if (criterion == Criterion::nearest || criterion == Criterion::strength) rank = 0;
     if (criterion == Criterion::velocity) rank = by_time ? 0 : 1;
     const double size =
-        criterion == Criterion::strength ? -std::abs(e.gap) * e.opposition : (by_time ? e.time : std::abs(e.gap));
+        criterion == Criterion::strength ? -std::abs(e.gap) * e.opposition : (by_time ? e.time : distance(e));
     return std::tuple(rank, size, -e.opposition, choice.face(e).key);
   };
   std::sort(encounters.begin(), encounters.end(),
@@ -78,18 +83,21 @@ void turn(const Choice& choice, const Vec3& normal, Encounter& e) {
   e.normal = normal;
 }
 
-/// Faces that are met in one place by one node push along their mean normal, where they meet in a convex edge or corner
-/// and where the place is their common edge, bent or not: which of them is met first is decided by rounding.
+/// Faces that are met in one place by one node push along their mean normal, where they meet in a convex edge or
+/// corner: which of them is met first is decided by rounding. Where the surface is bent but little, the normal turns
+/// from one face's to the other's within same_place of their common edge, so that a node may slide over it without a
+/// jump.
 void merge_corner(const Choice& choice, std::span<Encounter> encounters) {
   Encounter& best = encounters.front();
   Vec3 sum = best.normal;
   for (const Encounter& e : encounters.subspan(1)) {
-    if (e.meeting != best.meeting || !choice.same_body(e, best)) continue;
-    const double apart = (e.point - best.point).norm() / std::min(e.size, best.size);
-    const bool one_corner = apart <= choice.settings.same_place && best.meeting != Meeting::above &&
-                            !choice.same_direction(e, best) && !choice.concave(e, best);
-    const bool common_edge = apart <= 4 * geometry::face_tolerance && choice.same_direction(e, best);
-    if (one_corner || common_edge) sum += e.normal;
+    if (!choice.same_body(e, best)) continue;
+    const double apart = (e.point - best.point).norm() / (choice.settings.same_place * std::min(e.size, best.size));
+    if (apart > 1) continue;
+    if (choice.same_direction(e, best))
+      sum += (1 - apart) * e.normal;
+    else if (e.meeting == best.meeting && !choice.concave(e, best))
+      sum += e.normal;
   }
   const double length = sum.norm();
   if (length > 0.1) turn(choice, sum / length, best);  // else they face each other: a blade without thickness

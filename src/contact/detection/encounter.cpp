@@ -65,6 +65,23 @@ bool has_node(const MasterFace& face, LocalIndex node) {
   return std::find(face.nodes.begin(), end, node) != end;
 }
 
+/// A face whose rim is where the node passes through a neighbour, and that has it in front as well, is hit with it: at
+/// a convex corner it is rounding that decides which one the path crosses.
+void join_hit(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+              std::span<const Encounter> encounters, Encounter& met) {
+  for (const Encounter& hit : encounters) {
+    if (hit.meeting != Meeting::hit || hit.face == met.face) continue;
+    if ((hit.point - met.point).norm() > settings.rim * std::min(hit.size, met.size)) continue;
+    const double approach =
+        -met.normal.dot(relative_motion(scene, slave, scene.faces[static_cast<std::size_t>(met.face)], met.weights));
+    if (!(approach > 0)) continue;
+    met.meeting = Meeting::hit;
+    met.time = hit.time;
+    met.gap = hit.time * approach;
+    return;
+  }
+}
+
 /// May a node that projects beside encounters[i] count as on the face?
 bool holds_at_rim(std::span<const MasterFace> faces, const EncounterSettings& settings,
                   std::span<const Encounter> encounters, std::size_t i) {
@@ -128,10 +145,13 @@ void judge_paths(const FacesInMotion& scene, const EncounterSettings& settings, 
   double most = 0;
   for (const Encounter& e : encounters)
     if (!std::isnan(e.height)) most = std::max(most, e.opposition);
+  const auto is_opposed = [&](const Encounter& e) { return e.height > 0 && e.opposition >= settings.facing * most; };
   for (Encounter& e : encounters) {
     const bool settled = e.meeting == Meeting::above && e.slow;
-    if (e.height > 0 && !settled && e.opposition >= settings.facing * most) find_hit(scene, slave, e);
+    if (is_opposed(e) && !settled) find_hit(scene, slave, e);
   }
+  for (Encounter& e : encounters)
+    if (e.meeting == Meeting::none && is_opposed(e)) join_hit(scene, settings, slave, encounters, e);
 }
 
 }  // namespace brunt::contact

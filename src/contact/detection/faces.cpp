@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Node against face: the encounters of each slave, and the rows that come of them.
 #include <algorithm>
+#include <utility>
 
 #include "brunt/contact/detection/detection.hpp"
 
@@ -38,7 +39,7 @@ double opposition(const Vec3& normal, std::span<const LocalIndex> facets, std::s
   return -least;
 }
 
-Row row_of(const Encounter& e, const MasterFace& face, LocalIndex slave, double required) {
+Row row_of(const Encounter& e, const MasterFace& face, LocalIndex slave) {
   Row row{.master_key = face.key, .master_body = face.body, .master_block = face.block};
   row.nodes[0] = slave;
   row.weights[0] = 1;
@@ -51,7 +52,6 @@ Row row_of(const Encounter& e, const MasterFace& face, LocalIndex slave, double 
   }
   row.normal = e.normal;
   row.gap = e.gap;
-  row.required = required;
   return row;
 }
 
@@ -76,6 +76,15 @@ void meet_faces(const FacesInMotion& scene, const EncounterSettings& settings, c
   std::erase_if(met, [](const Encounter& e) { return e.meeting == Meeting::none; });
 }
 
+double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex slave, std::int32_t body) {
+  if (accepted.empty()) return 0;
+  const auto before = [](const AcceptedOverlap& one, const std::pair<GlobalIndex, std::int32_t>& wanted) {
+    return std::pair(one.slave, one.body) < wanted;
+  };
+  const auto found = std::lower_bound(accepted.begin(), accepted.end(), std::pair(slave, body), before);
+  return found != accepted.end() && found->slave == slave && found->body == body ? found->depth : 0;
+}
+
 }  // namespace
 
 double required_rate(double gap, double size, double dt, const DetectionSettings& settings) {
@@ -97,9 +106,12 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
                candidates.slave_facets.row(static_cast<LocalIndex>(s)), scratch);
     const std::size_t kept = choose(faces, motion, node, dt, settings.choice, scratch.encounters);
     for (const Encounter& e : std::span(scratch.encounters).first(kept)) {
-      const double required = required_rate(e.gap, e.size, dt, settings);
-      Row row = row_of(e, faces[static_cast<std::size_t>(e.face)], slave, required);
-      row.slave_gid = gid[static_cast<std::size_t>(slave)];
+      const MasterFace& face = faces[static_cast<std::size_t>(e.face)];
+      const GlobalIndex slave_gid = gid[static_cast<std::size_t>(slave)];
+      Row row = row_of(e, face, slave);
+      row.gap += accepted_depth(settings.accepted, slave_gid, face.body);
+      row.required = required_rate(row.gap, e.size, dt, settings);
+      row.slave_gid = slave_gid;
       row.slave_body = candidates.body[s];
       rows.push_back(row);
     }

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
+#include "app/overlap_report.hpp"
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/primitives.hpp"
 #include "brunt/scene/read.hpp"
@@ -48,17 +48,17 @@ TEST_CASE("initial gaps: nodes inside the other body with their depth, one line 
   // 2 x 2
   CHECK(gaps.overlaps.size() == 4 * 4 + 2 * 2);
   CHECK(gaps.overlaps.front().depth == Approx(0.125));
-  const std::vector<std::string> lines = app::overlap_lines(cubes.input, gaps);
-  REQUIRE(lines.size() == 1);
-  CHECK_THAT(lines[0], Catch::Contains("lies 0.125 inside part") && Catch::Contains("the deepest of 20 nodes"));
-  CHECK(app::overlap_list(cubes.input, gaps).size() == 20);
+  const app::OverlapReport report = app::report_overlaps(cubes.input, cubes.mesh, gaps);
+  REQUIRE(report.faults.size() == 2);  // one line for the pair, and advice
+  CHECK(report.warnings.empty());
+  CHECK_THAT(report.faults[0], Catch::Contains("lies 0.125 inside part") && Catch::Contains("the deepest of 20 nodes"));
+  CHECK(report.list.size() == 20);
+  CHECK_THAT(report.list[0], Catch::Contains("behind its face"));
 }
 
-TEST_CASE("initial gaps: an overlap is refused, or a warning where the scene accepts it") {
-  std::vector<std::string> warnings;
-  const Cubes refused(0.875, "error"), accepted(0.875, "warn");
-  CHECK_THROWS_AS(app::judge_overlaps(refused.input, refused.gaps(), warnings), InputError);
-  CHECK(warnings.empty());
-  app::judge_overlaps(accepted.input, accepted.gaps(), warnings);
-  CHECK(warnings.size() == 1);
+TEST_CASE("initial gaps: an overlap is a warning where the scene accepts it") {
+  const Cubes cubes(0.875, "warn");
+  const app::OverlapReport report = app::report_overlaps(cubes.input, cubes.mesh, cubes.gaps());
+  CHECK(report.faults.empty());
+  CHECK(report.warnings.size() == 1);
 }

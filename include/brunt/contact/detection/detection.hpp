@@ -28,12 +28,21 @@ struct Wall {
   bool bilateral = false;  ///< nodes that start in the plane stay in it
 };
 
+/// An overlap of the start that counts as touching: gaps of this node with faces of this body are measured from it, for
+/// the whole run, so that nothing need be remembered.
+struct AcceptedOverlap {
+  GlobalIndex slave = 0;  ///< gid of the node
+  std::int32_t body = 0;  ///< of the master
+  double depth = 0;       ///< [length], > 0
+};
+
 struct DetectionSettings {
   EncounterSettings encounter;
   ChoiceSettings choice;
-  double recovery = 0.05;        ///< share of a penetration that a step may recover
-  double recovery_limit = 1e-3;  ///< the same limited to this share of the longest edge
-  double wall_size = 0;          ///< [length] stands for the longest edge where the master is a wall
+  double recovery = 0.05;                   ///< share of a penetration that a step may recover
+  double recovery_limit = 1e-3;             ///< the same limited to this share of the longest edge
+  double wall_size = 0;                     ///< [length] stands for the longest edge where the master is a wall
+  std::vector<AcceptedOverlap> accepted{};  ///< ordered by (slave, body), each pair once
 };
 
 /// Arrays of detection, sized where lists are rebuilt so that a step allocates nothing.

@@ -1,0 +1,54 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Eight cubes of 4 m, four on four: plane waves, and the first 10 us beside a code with penalty contact."""
+import os
+import sys
+
+import numpy
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from case_check import Case  # noqa: E402
+import peer  # noqa: E402
+
+DENSITY, BULK, SHEAR, SPEED, FACE = 7.8e3, 1.6e11, 0.8e11, 1.0, 16.0
+UPPER_EDGES, LOWER_EDGE = (0.5, 1, 2, 4), 1  # of the elements, over a face of 16 m2 each
+END = 1.0e-5
+
+
+def main():
+    case = Case(__file__)
+    ours = case.run()
+    lumps = [DENSITY * FACE * edge / 2 for edge in UPPER_EDGES]
+    lower = DENSITY * FACE * LOWER_EDGE / 2
+    first = sum(lump * lower / (lump + lower) for lump in lumps) * SPEED
+    time, impulse = ours.history["time"], numpy.abs(ours.history["impulse_force.z"])
+    sound = ((BULK + 4 / 3 * SHEAR) / DENSITY)**0.5
+    mean = (impulse[-2] - impulse[0]) / (time[-2] - time[0])
+    case.assert_close("mean force [N]", DENSITY * sound * SPEED / 2 * 4 * FACE, mean, 0.02, "d'Alembert")
+
+    fine = case.run(overrides={"run.end": END, "run.cfl": 1.8e-3, "output.every": END}, name="fine")
+    impulse = numpy.abs(fine.history["impulse_force.z"])
+    case.assert_close("first impulse [N s]", first, impulse[0], 0.04, "layers at the faces")
+    case.assert_close("energy taken by the first impulse [J]", first * SPEED / 2, fine.history["contact"][0], 0.04,
+                      "layers at the faces")
+    points, displacement = peer.our_state(fine, END)
+    theirs = peer.end_state(case.folder)
+    away, travel = numpy.abs(points[:, 2]) > 1e-6, SPEED * END
+    case.assert_below("nodes away from the faces: greatest difference / travel",
+                      numpy.abs(displacement - theirs)[away].max() / travel, 0.01, "NimbleSM, penalty 0.333e12")
+    case.assert_below("nodes away from the faces: rms difference / travel",
+                      peer.rms((displacement - theirs)[away]) / travel, 0.003, "NimbleSM, penalty 0.333e12")
+    for label, result in (("waves", ours), ("fine", fine)):
+        case.assert_below(f"{label}: penetration / travel", result.summary["max_penetration"]
+                          / (SPEED * result.summary["end_time"]), 0.01, "none")
+        case.assert_energy(result, energy_gate=1e-10, momentum_gate=1e-12)
+    print("penetration at the end / travel, node on node at a corner of the finest cube's face:")
+    for name, state in (("ours", displacement), ("NimbleSM", theirs)):
+        here = numpy.flatnonzero(numpy.abs(points - [-2, 2, 0]).max(axis=1) < 1e-6)
+        print(f"  {name}: {numpy.ptp(state[here, 2]) / travel:.3f}")
+    case.assert_same_on_ranks((1, 2, 3))
+    case.finish()
+
+
+if __name__ == "__main__":
+    main()

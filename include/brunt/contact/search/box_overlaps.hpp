@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which boxes overlap which: the search pairs points with boxes, so one side is taken by size, as midpoints.
+#pragma once
+#include <functional>
+#include <span>
+
+#include "brunt/core/types.hpp"
+#include "brunt/geometry/box.hpp"
+
+namespace brunt::contact {
+
+/// Calls visit(i, k) for each i, k with first[i] overlapping second[k] (closed boxes), each pair once, in no order that
+/// means anything. Boxes of `first` that are not finite overlap nothing.
+void for_each_overlap(std::span<const geometry::Box> first, std::span<const geometry::Box> second,
+                      const std::function<void(LocalIndex, LocalIndex)>& visit);
+
+}  // namespace brunt::contact

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "overlap_report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "brunt/scene/select.hpp"
+
+namespace brunt::app {
+namespace {
+
+struct Reporter {
+  const scene::Input& input;
+  const mesh::Mesh& mesh;
+  std::vector<std::size_t> part_of = scene::parts_of_blocks(input, mesh);
+
+  [[nodiscard]] const std::string& part(std::size_t block) const { return input.parts[part_of[block]].name; }
+  [[nodiscard]] GlobalIndex node(LocalIndex index) const { return mesh.node_id[static_cast<std::size_t>(index)]; }
+
+  [[nodiscard]] std::string describe(const InitialOverlap& deepest, std::size_t nodes, std::size_t too_deep) const {
+    std::string line =
+        fmt::format("{}: contact: node {} of part '{}' lies {:.4g} inside part '{}' at the start", input.file,
+                    node(deepest.node), part(deepest.block), deepest.depth, part(deepest.other_block));
+    if (nodes > 1)
+      line += fmt::format(", the deepest of {} nodes of the two parts that overlap (brunt check lists them)", nodes);
+    if (too_deep > 0)
+      line += fmt::format("; {} of them so deep that contact does not see them, or sees them from the wrong side",
+                          too_deep);
+    return line;
+  }
+
+  [[nodiscard]] std::string describe(const Piercing& piercing) const {
+    return fmt::format(
+        "{}: contact: part '{}' pierces part '{}' ({} edge{}; first: nodes {}-{} through face {}) without a node "
+        "inside: contact would see them from the wrong side",
+        input.file, part(piercing.block), part(piercing.other_block), piercing.edges, piercing.edges == 1 ? "" : "s",
+        node(piercing.edge[0]), node(piercing.edge[1]), name_of_face(mesh, piercing.face));
+  }
+};
+
+/// The overlaps of two parts.
+struct Pair {
+  const InitialOverlap* deepest;
+  std::size_t nodes = 0, too_deep = 0;
+};
+
+std::vector<Pair> pairs_of(const Reporter& reporter, const InitialGaps& gaps) {
+  std::vector<Pair> pairs;
+  const auto parts = [&](const InitialOverlap& overlap) {
+    const std::size_t one = reporter.part_of[overlap.block], other = reporter.part_of[overlap.other_block];
+    return std::pair(std::min(one, other), std::max(one, other));
+  };
+  for (const InitialOverlap& overlap : gaps.overlaps) {
+    auto known = std::ranges::find_if(pairs, [&](const Pair& pair) { return parts(*pair.deepest) == parts(overlap); });
+    if (known == pairs.end()) known = pairs.insert(pairs.end(), Pair{&overlap});
+    ++known->nodes;
+    known->too_deep += overlap.too_deep ? 1 : 0;
+  }
+  return pairs;
+}
+
+void list_all(const Reporter& reporter, const InitialGaps& gaps, std::vector<std::string>& list) {
+  for (const InitialOverlap& overlap : gaps.overlaps)
+    list.push_back(fmt::format("node {:>8} of {:<16} {:.4g} inside {}{}{}", reporter.node(overlap.node),
+                               reporter.part(overlap.block), overlap.depth, reporter.part(overlap.other_block),
+                               overlap.face[0] == no_index
+                                   ? ""
+                                   : fmt::format(", behind its face {}", name_of_face(reporter.mesh, overlap.face)),
+                               overlap.too_deep ? ", deeper than contact looks" : ""));
+  for (const Piercing& piercing : gaps.piercings)
+    list.push_back(fmt::format("{} edges of {} through {}, first {}-{} through face {}", piercing.edges,
+                               reporter.part(piercing.block), reporter.part(piercing.other_block),
+                               reporter.node(piercing.edge[0]), reporter.node(piercing.edge[1]),
+                               name_of_face(reporter.mesh, piercing.face)));
+}
+
+}  // namespace
+
+std::string name_of_face(const mesh::Mesh& mesh, const FaceNodes& face) {
+  std::string name;
+  for (const LocalIndex node : face)
+    if (node != no_index)
+      name += fmt::format("{}{}", name.empty() ? "" : "-", mesh.node_id[static_cast<std::size_t>(node)]);
+  return name;
+}
+
+OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh, const InitialGaps& gaps) {
+  OverlapReport report;
+  if (gaps.overlaps.empty() && gaps.piercings.empty()) return report;
+  const Reporter reporter{input, mesh};
+  list_all(reporter, gaps, report.list);
+  bool refused = false, untreatable = false;
+  const auto judge = [&](OverlapRule rule, bool treatable, std::string line) {
+    if (rule == OverlapRule::warn) return report.warnings.push_back(std::move(line));
+    if (rule != OverlapRule::error && treatable) return;
+    (treatable ? refused : untreatable) = true;
+    report.faults.push_back(std::move(line));
+  };
+  for (const Pair& pair : pairs_of(reporter, gaps))
+    judge(pair.deepest->rule, pair.too_deep == 0, reporter.describe(*pair.deepest, pair.nodes, pair.too_deep));
+  for (const Piercing& piercing : gaps.piercings) judge(piercing.rule, false, reporter.describe(piercing));
+  if (refused)
+    report.faults.push_back(input.file +
+                            ": contact: move the parts apart, or accept the overlap with initial_overlap: warn "
+                            "(recovered slowly), move (nodes moved out before the run) or offset (kept as zero gap)");
+  if (untreatable)
+    report.faults.push_back(input.file +
+                            ": contact: initial_overlap: move and offset treat nodes that are less than a quarter of a "
+                            "face's edge and half an element inside; move the parts apart");
+  return report;
+}
+
+}  // namespace brunt::app

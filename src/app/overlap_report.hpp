@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the user is told of overlaps at the start.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "initial_gaps.hpp"
+
+namespace brunt::app {
+
+/// Names of nodes, faces and parts are the input's.
+struct OverlapReport {
+  std::vector<std::string> list;  ///< every overlapping node on a line of its own, deepest first, and every piercing
+  std::vector<std::string> warnings;  ///< what the scene accepts
+  std::vector<std::string> faults;    ///< what it does not, and what cannot be treated as it asks; then advice
+  std::vector<std::string> notes;     ///< what was done
+};
+
+/// One line for each pair of parts that overlap: how many nodes, and the deepest. The pair with the deepest comes
+/// first. Then the parts that pierce others. Overlaps under `move` and `offset` are told only where that cannot be
+/// done: deeper than contact looks, or pierced.
+OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh, const InitialGaps& gaps);
+
+/// A node or face as the user knows it.
+std::string name_of_face(const mesh::Mesh& mesh, const FaceNodes& face);
+
+}  // namespace brunt::app

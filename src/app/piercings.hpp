@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edges of one solid that pass through another although no node of either is inside: what closest points cannot tell.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "solids.hpp"
+
+namespace brunt::app {
+
+struct PiercingEdge {
+  std::array<LocalIndex, 2> edge{};
+  std::size_t face = 0;  ///< of the solid that the edge passes through
+};
+
+/// Edges of `one` with a stretch deeper inside `other` than `touching`, but for those of which an end is in `inside`
+/// and those through faces of which a corner is: there are nodes that tell. inside: a flag for each node of the mesh.
+std::vector<PiercingEdge> piercing_edges(const mesh::Mesh& mesh, const Solid& one, const Solid& other,
+                                         const std::vector<char>& inside);
+
+}  // namespace brunt::app

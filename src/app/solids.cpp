@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solids.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "brunt/contact/search/search.hpp"
+#include "brunt/mesh/topology.hpp"
+
+namespace brunt::app {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+SolidFace face_of(const mesh::Mesh& mesh, const mesh::Side& side) {
+  const mesh::Block& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+  const LocalIndex* element = block.element(side.element);
+  SolidFace face;
+  face.nodes = mesh::face_nodes(block.shape, element, side.face);
+  Vec3 centre = Vec3::Zero();
+  for (const LocalIndex node : face.nodes) {
+    if (node == no_index) continue;
+    face.corners[face.corner_count++] = mesh.coordinates[static_cast<std::size_t>(node)];
+    centre += face.corners[face.corner_count - 1];
+  }
+  if (face.corner_count < 3) return face;
+  centre /= static_cast<double>(face.corner_count);
+  face.size = geometry::longest_edge(face.points());
+  const Vec3 inwards = -geometry::area_vector(face.points()).normalized();
+  for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c)
+    face.depth = std::max(face.depth, (mesh.coordinates[static_cast<std::size_t>(element[c])] - centre).dot(inwards));
+  return face;
+}
+
+void collect_nodes(Solid& solid) {
+  std::vector<std::pair<LocalIndex, std::size_t>> uses;
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    const SolidFace& face = solid.faces[f];
+    for (std::size_t i = 0; i < face.corner_count; ++i) {
+      const LocalIndex node = face.nodes[i], next = face.nodes[(i + 1) % face.corner_count];
+      uses.emplace_back(node, f);
+      solid.edges.push_back({std::min(node, next), std::max(node, next)});
+    }
+  }
+  std::ranges::sort(uses);
+  for (std::size_t k = 0; k < uses.size(); ++k) {
+    if (k == 0 || uses[k].first != uses[k - 1].first) {
+      if (k > 0) solid.outwards.close_row();
+      solid.surface_nodes.push_back(uses[k].first);
+    }
+    solid.outwards.values.push_back(geometry::area_vector(solid.faces[uses[k].second].points()).normalized());
+  }
+  if (!uses.empty()) solid.outwards.close_row();
+  std::ranges::sort(solid.edges);
+  solid.edges.erase(std::unique(solid.edges.begin(), solid.edges.end()), solid.edges.end());
+}
+
+/// Is x in the closed tetrahedron?
+bool in_tetrahedron(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const auto volume = [](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
+    return (q - p).cross(r - p).dot(s - p);
+  };
+  const double whole = volume(a, b, c, d);
+  if (!(whole > 0)) return false;  // flat: nothing is in it
+  const double slack = -1e-9 * whole;
+  return volume(x, b, c, d) >= slack && volume(a, x, c, d) >= slack && volume(a, b, x, d) >= slack &&
+         volume(a, b, c, x) >= slack;
+}
+
+/// Is x in the closed element? A hexahedron is six tetrahedra around its diagonal 0-6.
+bool in_element(const Vec3& x, const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex e) {
+  const LocalIndex* nodes = block.element(e);
+  const auto corner = [&](int c) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(nodes[c])]; };
+  if (block.shape == mesh::Shape::tet4) return in_tetrahedron(x, corner(0), corner(1), corner(2), corner(3));
+  constexpr int ring[7] = {1, 2, 3, 7, 4, 5, 1};
+  for (int k = 0; k < 6; ++k)
+    if (in_tetrahedron(x, corner(0), corner(ring[k]), corner(ring[k + 1]), corner(6))) return true;
+  return false;
+}
+
+/// Cosine between the face's normal and the reversed normal of the own face that opposes it most.
+double opposition(std::span<const Vec3> outwards, const Vec3& normal) {
+  double least = 1;
+  for (const Vec3& own : outwards) least = std::min(least, own.dot(normal));
+  return -least;
+}
+
+}  // namespace
+
+std::vector<Solid> solids_of(const mesh::Mesh& mesh) {
+  std::vector<Solid> solids(mesh.blocks.size());
+  for (const mesh::Side& side : mesh::exterior_sides(mesh)) {
+    const SolidFace face = face_of(mesh, side);
+    if (face.corner_count < 3) continue;
+    Solid& solid = solids[static_cast<std::size_t>(side.block)];
+    for (const Vec3& corner : face.points()) geometry::extend(solid.box, corner);
+    solid.faces.push_back(face);
+  }
+  for (Solid& solid : solids) collect_nodes(solid);
+  return solids;
+}
+
+std::vector<std::int32_t> body_of_nodes(const mesh::Mesh& mesh) {
+  const std::vector<std::int32_t> body = mesh::bodies(mesh);
+  std::vector<std::int32_t> of_node(mesh.coordinates.size(), no_index);
+  std::size_t element = 0;
+  for (const mesh::Block& block : mesh.blocks)
+    for (LocalIndex e = 0; e < block.count(); ++e, ++element)
+      for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c)
+        of_node[static_cast<std::size_t>(block.element(e)[c])] = body[element];
+  return of_node;
+}
+
+Comparison::Comparison(const mesh::Mesh& mesh, const Solid& nodes, const Solid& solid, const mesh::Block& block)
+    : nodes_(nodes), solid_(solid) {
+  double longest = 0;
+  for (const SolidFace& face : solid.faces) longest = std::max(longest, face.size);
+  const geometry::Box reach = geometry::grown(solid.box, longest);
+  for (std::size_t i = 0; i < nodes.surface_nodes.size(); ++i)
+    if (const Vec3& x = mesh.coordinates[static_cast<std::size_t>(nodes.surface_nodes[i])];
+        geometry::contains(reach, x)) {
+      node_.push_back(i);
+      point_.push_back(x);
+    }
+  near_.assign(node_.size(), infinity);
+  touches_.assign(node_.size(), 0);
+  inside_.assign(node_.size(), 0);
+  if (node_.empty()) return;
+  measure_near();
+  find_inside(mesh, block);
+}
+
+void Comparison::judge(std::size_t i, std::size_t f, Nearest& nearest) const {
+  const SolidFace& face = solid_.faces[f];
+  const auto closest = geometry::closest_point(point_[i], face.points());
+  if (!closest) return;
+  const Vec3 offset = point_[i] - closest->point;
+  const double far = offset.norm();
+  const bool nearer = !nearest.all || far < nearest.all_distance;
+  if (!nearer && nearest.opposed && far >= nearest.opposed_distance) return;
+  const Vec3 normal = geometry::face_normal(face.points(), closest->xi, closest->eta);
+  const double below = -offset.dot(normal);
+  const bool in_front = below < 0 && closest->region == geometry::Region::face;
+  const Behind here{f, in_front || below > 0 ? below : far, normal, closest->weights};
+  if (nearer) {
+    nearest.all = here;
+    nearest.all_distance = far;
+  }
+  if (in_front) return;
+  constexpr double opposed = 0.5;
+  if (opposition(nodes_.outwards.row(static_cast<LocalIndex>(node_[i])), normal) < opposed) return;
+  if (nearest.opposed && far >= nearest.opposed_distance) return;
+  nearest.opposed = here;
+  nearest.opposed_distance = far;
+}
+
+std::optional<Behind> Comparison::behind_near(std::size_t i) const {
+  Nearest nearest;
+  for (const LocalIndex f : near_faces_.row(static_cast<LocalIndex>(i))) judge(i, static_cast<std::size_t>(f), nearest);
+  return nearest.chosen();
+}
+
+std::optional<Behind> Comparison::behind_any(std::size_t i) const {
+  Nearest nearest;
+  for (std::size_t f = 0; f < solid_.faces.size(); ++f) judge(i, f, nearest);
+  return nearest.opposed ? nearest.chosen() : nearest.all;
+}
+
+void Comparison::measure_near() {
+  std::vector<geometry::Box> boxes;
+  for (const SolidFace& face : solid_.faces)
+    boxes.push_back(geometry::grown(geometry::bounding_box(face.points()), face.size));
+  contact::SearchScratch scratch;
+  contact::find_pairs(boxes, point_, scratch, near_faces_);
+  for (std::size_t i = 0; i < point_.size(); ++i)
+    for (const LocalIndex f : std::as_const(near_faces_).row(static_cast<LocalIndex>(i))) {
+      const SolidFace& face = solid_.faces[static_cast<std::size_t>(f)];
+      const auto closest = geometry::closest_point(point_[i], face.points());
+      if (!closest) continue;
+      const double far = (point_[i] - closest->point).norm();
+      near_[i] = std::min(near_[i], far);
+      if (far <= touching * face.size) touches_[i] = 1;
+    }
+}
+
+void Comparison::find_inside(const mesh::Mesh& mesh, const mesh::Block& block) {
+  std::vector<geometry::Box> boxes;
+  for (LocalIndex e = 0; e < block.count(); ++e) {
+    geometry::Box box;
+    for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c)
+      geometry::extend(box, mesh.coordinates[static_cast<std::size_t>(block.element(e)[c])]);
+    boxes.push_back(box);
+  }
+  contact::SearchScratch scratch;
+  Ragged<LocalIndex> pairs;
+  contact::find_pairs(boxes, point_, scratch, pairs);
+  for (std::size_t i = 0; i < point_.size(); ++i)
+    for (const LocalIndex e : std::as_const(pairs).row(static_cast<LocalIndex>(i)))
+      if (!inside_[i] && in_element(point_[i], mesh, block, e)) inside_[i] = 1;
+}
+
+}  // namespace brunt::app

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// The blocks of a whole mesh as solids, and where the surface nodes of one lie to another. Pure geometry.
+#pragma once
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "brunt/core/ragged.hpp"
+#include "brunt/core/types.hpp"
+#include "brunt/geometry/box.hpp"
+#include "brunt/geometry/closest_point.hpp"
+#include "brunt/mesh/mesh.hpp"
+
+namespace brunt::app {
+
+/// Nodes deeper inside than this share of the longest edge of the nearest face overlap; shallower ones touch (rounding
+/// in mesh files, facets of a curved fit).
+constexpr double touching = 1e-4;
+
+/// Three or four nodes of an exterior face, no_index after a triangle's.
+using FaceNodes = std::array<LocalIndex, 4>;
+
+struct SolidFace {
+  FaceNodes nodes{};
+  std::array<Vec3, 4> corners;
+  std::size_t corner_count = 0;
+  double size = 0;   ///< longest edge [length]
+  double depth = 0;  ///< of the element behind it [length]
+  [[nodiscard]] geometry::Corners points() const { return {corners.data(), corner_count}; }
+};
+
+/// One block: its exterior faces but for those without three distinct nodes.
+struct Solid {
+  std::vector<SolidFace> faces;
+  std::vector<LocalIndex> surface_nodes;         ///< ascending
+  Ragged<Vec3> outwards;                         ///< for each of them: unit normals of its faces
+  std::vector<std::array<LocalIndex, 2>> edges;  ///< of its faces, lower node first, ascending, each once
+  geometry::Box box;
+};
+
+std::vector<Solid> solids_of(const mesh::Mesh& mesh);
+
+/// The connected body of each node; no_index for a node without elements.
+std::vector<std::int32_t> body_of_nodes(const mesh::Mesh& mesh);
+
+/// The face that a node inside a solid is behind.
+struct Behind {
+  std::size_t face = 0;
+  double depth = 0;  ///< along the normal [length]; < 0: in front of a warped face
+  Vec3 normal = Vec3::Zero();
+  std::array<double, 4> weights{};  ///< of the face's corners where the node is nearest
+};
+
+/// The surface nodes of one block that are near the solid of another, or inside.
+class Comparison {
+ public:
+  Comparison(const mesh::Mesh& mesh, const Solid& nodes, const Solid& solid, const mesh::Block& block);
+
+  [[nodiscard]] std::size_t size() const { return node_.size(); }
+  [[nodiscard]] LocalIndex node(std::size_t i) const { return nodes_.surface_nodes[node_[i]]; }
+  [[nodiscard]] bool touches(std::size_t i) const { return touches_[i] != 0; }
+  [[nodiscard]] bool overlaps(std::size_t i) const { return inside_[i] != 0 && touches_[i] == 0; }
+  /// To the nearest face within its longest edge, else infinite.
+  [[nodiscard]] double distance(std::size_t i) const { return near_[i]; }
+  /// Of a node that overlaps: the nearest face that the node's own surface opposes (not one beside it, though that may
+  /// be nearer), so that a node past the middle of a plate is behind the face that it came through. `near` looks only
+  /// at faces within their longest edge and gives nothing where none of them is opposed; `any` looks at all, and takes
+  /// the nearest where none is opposed.
+  [[nodiscard]] std::optional<Behind> behind_near(std::size_t i) const;
+  [[nodiscard]] std::optional<Behind> behind_any(std::size_t i) const;
+
+ private:
+  /// Nearest of all faces, and of those opposed.
+  struct Nearest {
+    std::optional<Behind> all, opposed;
+    double all_distance = 0, opposed_distance = 0;
+    /// Tetrahedra do not follow a warped face: the nearest decides where it has the node in front.
+    [[nodiscard]] const std::optional<Behind>& chosen() const { return all && all->depth < 0 ? all : opposed; }
+  };
+  void judge(std::size_t i, std::size_t face, Nearest& nearest) const;
+  void measure_near();
+  void find_inside(const mesh::Mesh& mesh, const mesh::Block& block);
+
+  const Solid &nodes_, &solid_;
+  std::vector<std::size_t> node_;  // into nodes_.surface_nodes
+  std::vector<Vec3> point_;
+  Ragged<LocalIndex> near_faces_;  // within their longest edge, or a little more
+  std::vector<double> near_;
+  std::vector<char> touches_, inside_;
+};
+
+}  // namespace brunt::app
