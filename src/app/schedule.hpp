@@ -17,14 +17,16 @@ inline bool due(const model::State& state, const std::optional<double>& every) {
   return std::floor(state.time / *every) > std::floor(state.time_before / *every);
 }
 
-/// True where history is to have a row: as the scene says, else some 200 over the run.
+/// True where history is to have a row: as the scene says, else some 200 over the run, but five steps apart at least (a
+/// row of a large model costs as much as a step).
 inline bool history_due(const model::State& state, const scene::Input& input) {
-  constexpr double rows = 200;
+  constexpr double rows = 200, least_steps = 5;
   if (input.history_every) return due(state, input.history_every);
   const scene::Run& run = input.run;
-  const bool by_time = run.end && due(state, *run.end / rows);
+  const bool by_time = run.end && due(state, std::max(*run.end / rows, least_steps * (state.time - state.time_before)));
   return by_time ||
-         (run.steps && std::fmod(state.step, std::max(1.0, std::floor(static_cast<double>(*run.steps) / rows))) == 0);
+         (run.steps &&
+          std::fmod(state.step, std::max(least_steps, std::floor(static_cast<double>(*run.steps) / rows))) == 0);
 }
 
 /// How far the run has gone past its end, as a share of it.
