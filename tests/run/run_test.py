@@ -179,7 +179,7 @@ class Stops(Program):
     def test_history_has_some_200_rows_unasked(self):
         self.run_scene(1, "long.yaml", "--out", "out", "--set", "run.steps=1000")
         self.assertEqual(len(self.text("out", "history.csv").splitlines()), 1 + 200 + 1)  # header, rows, the end
-        self.run_scene(1, "long.yaml", "--out", "timed", "--set", "run.steps=null", "--set", "run.end=0.02")
+        self.run_scene(1, "long.yaml", "--out", "timed", "--set", "run.steps=null", "--set", "run.end=0.04")
         rows = len(self.text("timed", "history.csv").splitlines()) - 1
         self.assertLessEqual(abs(rows - 201), 1)
         self.assertEqual(self.summary("timed")["warnings"], 0)
