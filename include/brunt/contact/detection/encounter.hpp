@@ -58,8 +58,8 @@ struct EncounterSettings {
                                ///< deeper than this below it, has nothing to do with the face
   double element_share = 0.5;  ///< nor has one deeper than this share of the face's element: behind flat elements lie
                                ///< other bodies that touch the far side
-  double rim = 0.02;           ///< a node behind a face and beside it by up to this share of the longest edge is still
-                               ///< inside, where no neighbour of the face has it in front
+  double rim = 0.02;           ///< a node that projects beside a face by up to this share of the longest edge may
+                               ///< still meet it: rims of equal bodies that slide and bulge
   double facing = 0.1;         ///< a face opposed by less than this share of the best is not hit
   double slow = 0.05;          ///< a node above a face that moves against it by less than this share of the longest
                                ///< edge within the step is judged by its closest point alone
