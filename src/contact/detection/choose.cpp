@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <tuple>
 
 namespace brunt::contact {
@@ -28,7 +27,7 @@ struct Choice {
   }
   [[nodiscard]] bool same_body(const Encounter& a, const Encounter& b) const { return face(a).body == face(b).body; }
   [[nodiscard]] bool same_direction(const Encounter& a, const Encounter& b) const {
-    return a.normal.dot(b.normal) >= std::cos(settings.same_direction * std::numbers::pi / 180);
+    return contact::same_direction(a.normal, b.normal, settings.same_direction);
   }
   /// Is each of two faces of one body in front of the other?
   [[nodiscard]] bool concave(const Encounter& a, const Encounter& b) const {

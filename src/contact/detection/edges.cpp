@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "brunt/geometry/segments.hpp"
 
@@ -107,9 +106,9 @@ bool meet_in_step(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide&
 /// Has an end of the slave edge a row of its own along nearly the same normal?
 bool held_at_an_end(const EdgeScene& scene, std::span<const Vec3> node_normal, const EdgeSide& slave,
                     const EdgeMeeting& met) {
-  const double same = std::cos(scene.settings.choice.same_direction * std::numbers::pi / 180);
   return std::ranges::any_of(slave.nodes, [&](LocalIndex node) {
-    return node_normal[static_cast<std::size_t>(node)].dot(met.normal) >= same;
+    return same_direction(node_normal[static_cast<std::size_t>(node)], met.normal,
+                          scene.settings.choice.same_direction);
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "brunt/geometry/first_contact.hpp"
 
@@ -82,22 +83,24 @@ void join_hit(const FacesInMotion& scene, const EncounterSettings& settings, con
   }
 }
 
-/// May a node that projects beside encounters[i] count as on the face?
-bool holds_at_rim(std::span<const MasterFace> faces, const EncounterSettings& settings,
+/// May a node that projects beside encounters[i] count as on the face? Every neighbour has its say, in whatever order.
+bool holds_at_rim(std::span<const MasterFace> faces, const EncounterSettings& settings, double degrees,
                   std::span<const Encounter> encounters, std::size_t i) {
   const Encounter& e = encounters[i];
   const auto [first, second] = feature_nodes(faces[static_cast<std::size_t>(e.face)], e.region);
-  bool behind_all = false;
+  bool has_neighbour = false, behind_all = true;
   for (std::size_t k = 0; k < encounters.size(); ++k) {
     const Encounter& other = encounters[k];
     if (k == i || std::isnan(other.height)) continue;
     const MasterFace& face = faces[static_cast<std::size_t>(other.face)];
     if (!has_node(face, first) || !has_node(face, second)) continue;
-    if (other.height > 0 && other.opposition >= 0.5 * e.opposition) return false;
-    behind_all = other.height <= 0;
-    if (!behind_all) break;
+    const bool in_front = other.height > 0, opposed = other.opposition >= 0.5 * e.opposition;
+    // in one plane it is rounding that says which of the two has the node in front
+    if (in_front && opposed && !same_direction(other.normal, e.normal, degrees)) return false;
+    has_neighbour = true;
+    behind_all = behind_all && !in_front;
   }
-  return e.beside <= settings.rim * e.size || (e.height <= 0 && behind_all);
+  return e.beside <= settings.rim * e.size || (e.height <= 0 && has_neighbour && behind_all);
 }
 
 }  // namespace
@@ -131,12 +134,16 @@ Encounter encounter(const FacesInMotion& scene, const EncounterSettings& setting
   return met;
 }
 
-void settle_rims(std::span<const MasterFace> faces, const EncounterSettings& settings,
+bool same_direction(const Vec3& one, const Vec3& other, double degrees) {
+  return one.dot(other) >= std::cos(degrees * std::numbers::pi / 180);
+}
+
+void settle_rims(std::span<const MasterFace> faces, const EncounterSettings& settings, double same_direction,
                  std::span<Encounter> encounters) {
   for (std::size_t i = 0; i < encounters.size(); ++i) {
     Encounter& e = encounters[i];
     const bool at_rim = e.region != Region::face && (e.meeting == Meeting::inside || e.meeting == Meeting::above);
-    if (at_rim && !holds_at_rim(faces, settings, encounters, i)) e.meeting = Meeting::none;
+    if (at_rim && !holds_at_rim(faces, settings, same_direction, encounters, i)) e.meeting = Meeting::none;
   }
 }
 

@@ -56,8 +56,9 @@ Row row_of(const Encounter& e, const MasterFace& face, LocalIndex slave) {
 }
 
 /// One slave node's encounters with all faces near it, body by body, those with Meeting::none included.
-void meet_faces(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+void meet_faces(const FacesInMotion& scene, const DetectionSettings& all_settings, const NodeMotion& slave,
                 std::span<const LocalIndex> near, std::span<const LocalIndex> facets, DetectionScratch& scratch) {
+  const EncounterSettings& settings = all_settings.encounter;
   Box sweep;
   extend_by_sweep(sweep, slave, scene.dt);
   std::vector<Encounter>& met = scratch.encounters;
@@ -70,7 +71,7 @@ void meet_faces(const FacesInMotion& scene, const EncounterSettings& settings, c
         met.push_back(encounter(scene, settings, slave, near[i]));
         met.back().opposition = opposition(met.back().normal, facets, scratch.facet_normal);
       }
-    settle_rims(scene.faces, settings, std::span(met).subspan(first));
+    settle_rims(scene.faces, settings, all_settings.choice.same_direction, std::span(met).subspan(first));
     judge_paths(scene, settings, slave, std::span(met).subspan(first));
   }
   std::erase_if(met, [](const Encounter& e) { return e.meeting == Meeting::none; });
@@ -102,7 +103,7 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
   for (std::size_t s = 0; s < candidates.slave.size(); ++s) {
     const LocalIndex slave = candidates.slave[s];
     const NodeMotion& node = motion[static_cast<std::size_t>(slave)];
-    meet_faces(scene, settings.encounter, node, candidates.faces.row(static_cast<LocalIndex>(s)),
+    meet_faces(scene, settings, node, candidates.faces.row(static_cast<LocalIndex>(s)),
                candidates.slave_facets.row(static_cast<LocalIndex>(s)), scratch);
     const std::size_t kept = choose(faces, motion, node, dt, settings.choice, scratch.encounters);
     for (const Encounter& e : std::span(scratch.encounters).first(kept)) {

@@ -79,11 +79,15 @@ struct FacesInMotion {
 Encounter encounter(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
                     LocalIndex face);
 
+/// Do two unit normals differ by at most so many degrees?
+bool same_direction(const Vec3& one, const Vec3& other, double degrees);
+
 /// A node that projects a little beside a face (by `rim`) still meets it, unless a neighbour that its surface opposes
-/// as well has it in front; one farther beside meets it only where all faces of the body that share that edge or corner
-/// have it behind them (the bottom of a groove). The others become Meeting::none. encounters: of one slave with the
-/// faces of one body, with their opposition.
-void settle_rims(std::span<const MasterFace> faces, const EncounterSettings& settings, std::span<Encounter> encounters);
+/// as well, and whose normal differs by more than `same_direction` degrees, has it in front; one farther beside meets
+/// it only where all faces of the body that share that edge or corner have it behind them (the bottom of a groove). The
+/// others become Meeting::none. encounters: of one slave with the faces of one body, with their opposition.
+void settle_rims(std::span<const MasterFace> faces, const EncounterSettings& settings, double same_direction,
+                 std::span<Encounter> encounters);
 
 /// Looks along the path of a node that is outside of faces: those that it passes through become Meeting::hit. Nodes
 /// that move slowly above a face are left to their closest point, and faces that the slave's surface opposes by less

@@ -53,6 +53,29 @@ TEST_CASE("behind a rim and beside it: only what no neighbour has in front, or w
   CHECK(valley.rows({0, 0.5, -0.1}).size() == 2);  // far behind both, and beside both: it fell into the groove
 }
 
+TEST_CASE("what a neighbour in front forbids does not depend on the order of the faces") {
+  const auto kept = [](FewFaces scene, const Vec3& position, const std::vector<LocalIndex>& order) {
+    std::vector<Encounter> met;
+    for (const LocalIndex face : order) {
+      met.push_back(meet(scene, position, Vec3::Zero(), face));
+      met.back().opposition = -scene.facets[0].dot(met.back().normal);
+    }
+    settle_rims(scene.faces, scene.settings.encounter, scene.settings.choice.same_direction, met);
+    return met.front().meeting;
+  };
+  // over the top's corner, and in front of two sides: y = 1, which the slave's surface does not oppose, and x = 1
+  FewFaces cube = support::cube();
+  cube.facets = {Vec3(-1, 0, -1).normalized()};
+  constexpr LocalIndex right = 1, rear = 2;
+  CHECK(kept(cube, {1.005, 1.005, 1.1}, {top, rear, right}) == Meeting::none);
+  CHECK(kept(cube, {1.005, 1.005, 1.1}, {top, right, rear}) == Meeting::none);
+  // a flat surface, bent by rounding: a node over one face still meets those whose rim is within reach
+  FewFaces flat = support::flat();
+  flat.motion[5].position.z() = 1e-15;
+  for (const std::vector<LocalIndex>& order : {std::vector<LocalIndex>{0, 1, 2, 3}, {0, 3, 2, 1}, {0, 2, 1, 3}})
+    CHECK(kept(flat, {0.005, 0.005, 0.1}, order) == Meeting::above);
+}
+
 TEST_CASE("a path is judged wherever a step starts and ends: 10000 shots at the inside of a face, from both sides") {
   FewFaces scene = support::cube();
   std::mt19937 engine(11);
