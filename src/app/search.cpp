@@ -9,10 +9,8 @@
 #include <array>
 #include <bit>
 #include <chrono>
-#include <cmath>
 #include <cstring>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "brunt/comm/rendezvous.hpp"
@@ -101,20 +99,6 @@ TextScene deal_scene(const comm::Communicator& ranks, const TextScene& whole) {
   return scene;
 }
 
-/// The finest cells have the size of the smallest box.
-double finest_cell(const comm::Communicator& ranks, const std::vector<geometry::Box>& boxes) {
-  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
-  for (const geometry::Box& box : boxes) {
-    const double extent = (box.high - box.low).maxCoeff();
-    if (!(extent > 0) || !std::isfinite(extent)) continue;
-    smallest = std::min(smallest, extent);
-    largest = std::max(largest, extent);
-  }
-  smallest = -ranks.max(-smallest);
-  largest = ranks.max(largest);
-  return largest > 0 ? std::max(smallest, std::ldexp(largest, -50)) : 1.0;
-}
-
 /// Adds the faces of other ranks that share a cell with a node of this one.
 Traffic add_ghosts(const comm::Communicator& ranks, TextScene& scene) {
   struct Travelling {
@@ -125,7 +109,7 @@ Traffic add_ghosts(const comm::Communicator& ranks, TextScene& scene) {
   for (const Vec3& node : scene.nodes) wanted.push_back({node, node});
   Traffic traffic;
   std::vector<std::vector<Travelling>> outgoing;
-  const double finest = finest_cell(ranks, scene.boxes);
+  const double finest = contact::finest_cell(ranks, scene.boxes);
   for (const std::vector<LocalIndex>& leaving : contact::meet_in_cells(ranks, scene.boxes, wanted, finest)) {
     outgoing.emplace_back();
     for (const LocalIndex f : leaving)

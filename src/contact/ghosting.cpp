@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "brunt/comm/rendezvous.hpp"
 
@@ -143,6 +144,19 @@ std::vector<CellUse> meet_at_home(const comm::Communicator& ranks, const std::ve
 }
 
 }  // namespace
+
+double finest_cell(const comm::Communicator& ranks, std::span<const geometry::Box> boxes) {
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const geometry::Box& box : boxes) {
+    const double extent = (box.high - box.low).maxCoeff();
+    if (!(extent > 0) || !std::isfinite(extent)) continue;
+    smallest = std::min(smallest, extent);
+    largest = std::max(largest, extent);
+  }
+  smallest = ranks.min(smallest);
+  largest = ranks.max(largest);
+  return largest > 0 ? std::max(smallest, std::ldexp(largest, -50)) : 1.0;
+}
 
 std::vector<std::vector<LocalIndex>> meet_in_cells(const comm::Communicator& ranks,
                                                    std::span<const geometry::Box> offered,

@@ -51,6 +51,10 @@ struct TravellingEdge {
   friend bool operator<(const TravellingEdge& a, const TravellingEdge& b) { return a.gid < b.gid; }
 };
 
+/// Edge for the smallest cells [length] where only the boxes are known: of the smallest of all ranks that has a size.
+/// Collective.
+double finest_cell(const comm::Communicator& ranks, std::span<const geometry::Box> boxes);
+
 /// Row r: which of this rank's `offered` boxes share a cell with a `wanted` box of rank r, ascending; none for this
 /// rank itself. finest: edge of the smallest cells [length], the same on all ranks. Collective.
 std::vector<std::vector<LocalIndex>> meet_in_cells(const comm::Communicator& ranks,
