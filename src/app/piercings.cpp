@@ -72,7 +72,8 @@ std::vector<PiercingEdge> piercing_edges(const mesh::Mesh& mesh, const Solid& on
   for (const SolidFace& face : other.faces)
     face_boxes.push_back(geometry::grown(geometry::bounding_box(face.points()), touching * face.size));
   std::map<LocalIndex, std::vector<LocalIndex>> near;  // faces by edge, in a fixed order
-  contact::for_each_overlap(edge_boxes, face_boxes, [&](LocalIndex e, LocalIndex f) { near[e].push_back(f); });
+  contact::OverlapScratch scratch;
+  contact::for_each_overlap(edge_boxes, face_boxes, scratch, [&](LocalIndex e, LocalIndex f) { near[e].push_back(f); });
   for (auto& [e, faces] : near) {
     std::ranges::sort(faces);
     const auto edge = edges[static_cast<std::size_t>(e)];

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "brunt/contact/search/box_overlaps.hpp"
-#include "brunt/contact/search/search.hpp"
 #include "brunt/geometry/closest_point.hpp"
 
 namespace brunt::contact {
@@ -136,9 +134,8 @@ CandidatePairs<TravellingFace> find_face_pairs(const ListBuild& build) {
   }
   add_ghosts(build, wanted, result.masters);
   const std::vector<Box> boxes = capture_boxes(result.masters);
-  SearchScratch scratch;
   Ragged<LocalIndex> found;
-  find_pairs(boxes, points, scratch, found);
+  find_pairs(boxes, points, build.scratch.faces, found);
   for (LocalIndex s = 0; s < found.rows(); ++s) {
     const LocalIndex node = slaves[static_cast<std::size_t>(s)];
     for (const LocalIndex f : std::as_const(found).row(s))
@@ -158,11 +155,12 @@ CandidatePairs<TravellingEdge> find_edge_pairs(const ListBuild& build) {
   std::vector<Box> slaves;
   for (const SurfaceEdge& edge : build.surface.edges) slaves.push_back(edge_box(build, edge));
   add_ghosts(build, slaves, result.masters);
-  for_each_overlap(slaves, capture_boxes(result.masters), [&](LocalIndex slave, LocalIndex master) {
-    if (is_permitted(build, build.surface.edges[static_cast<std::size_t>(slave)],
-                     result.masters[static_cast<std::size_t>(master)]))
-      result.pairs.push_back({slave, master});
-  });
+  for_each_overlap(slaves, capture_boxes(result.masters), build.scratch.edges,
+                   [&](LocalIndex slave, LocalIndex master) {
+                     if (is_permitted(build, build.surface.edges[static_cast<std::size_t>(slave)],
+                                      result.masters[static_cast<std::size_t>(master)]))
+                       result.pairs.push_back({slave, master});
+                   });
   std::sort(result.pairs.begin(), result.pairs.end(), [&](const CandidatePair& a, const CandidatePair& b) {
     if (a.slave != b.slave) return a.slave < b.slave;
     return result.masters[static_cast<std::size_t>(a.master)].gid <

@@ -20,6 +20,7 @@ struct ListBuild {
   const Roles& roles;
   std::span<const Vec3> positions;  ///< of this rank's surface nodes
   const ListSettings& settings;
+  ListScratch& scratch;
 
   [[nodiscard]] double finest_cell() const { return 2 * (surface.mean_edge + 2 * settings.motion); }
 };

@@ -120,7 +120,7 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
                            .wall_capture = settings_.detection.encounter.capture * settings_.detection.wall_size,
                            .motion = motion_,
                            .faces = settings_.bodies};
-  lists_ = build_lists(ranks_, surface_, settings_.pairs, roles_, list_position_, walls, held_, reach);
+  lists_ = build_lists(ranks_, surface_, settings_.pairs, roles_, list_position_, walls, held_, reach, list_scratch_);
   have_lists_ = true;
   ++statistics_.searches;
 

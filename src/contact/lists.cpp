@@ -238,8 +238,8 @@ std::vector<NeededNode> needed_nodes(const ListBuild& build, const FacePairs& fa
 
 ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface, const PairTable& pairs,
                          const Roles& roles, std::span<const Vec3> positions, std::span<const Wall> walls,
-                         std::span<const char> held, const ListSettings& settings) {
-  const ListBuild build{ranks, surface, pairs, roles, positions, settings};
+                         std::span<const char> held, const ListSettings& settings, ListScratch& scratch) {
+  const ListBuild build{ranks, surface, pairs, roles, positions, settings, scratch};
   ContactLists lists;
   FacePairs faces;
   EdgePairs edges;

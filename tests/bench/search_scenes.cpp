@@ -242,6 +242,23 @@ SearchScene clusters(std::size_t node_count) {
   return scene;
 }
 
+SearchScene moved(SearchScene scene, double by) {
+  double edge = 0;
+  for (const geometry::Box& box : scene.boxes) edge += (box.high - box.low).maxCoeff();
+  edge /= static_cast<double>(std::max<std::size_t>(1, scene.boxes.size()));
+  Random random(99);
+  const auto motion = [&](const Vec3& x) {  // smooth for the most part
+    const Vec3 wave(std::sin(7 * x.y() + 1), std::sin(5 * x.z() + 2), std::sin(6 * x.x()));
+    return Vec3(by * edge * (0.5 * wave.array() + 0.2 * (random_place(random).array() - 0.5)));
+  };
+  for (Vec3& node : scene.nodes) node += motion(node);
+  for (geometry::Box& box : scene.boxes) {
+    const Vec3 u = motion(0.5 * (box.low + box.high));
+    box = {box.low + u, box.high + u};
+  }
+  return scene;
+}
+
 SearchScene scene_by_name(const std::string& name, std::size_t node_count) {
   if (name == "plates") return plates(node_count, false);
   if (name == "turned") return plates(node_count, true);

@@ -36,6 +36,9 @@ SearchScene one_place(std::size_t node_count);
 /// a hundred nodes and faces anywhere between.
 SearchScene clusters(std::size_t node_count);
 
+/// Nodes and boxes after a wave-like motion with some noise, at most about `by` times the mean box edge.
+SearchScene moved(SearchScene scene, double by);
+
 SearchScene scene_by_name(const std::string& name, std::size_t node_count);
 
 }  // namespace brunt::bench

@@ -141,6 +141,7 @@ class Contact {
   std::vector<double> surface_velocity_, foreign_velocity_;
 
   ContactLists lists_;
+  ListScratch list_scratch_;
   bool have_lists_ = false;
   double motion_ = 0;                // allowed
   std::vector<Vec3> list_position_;  // of surface nodes when the lists were built

@@ -10,6 +10,8 @@
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/contact/detection/edges.hpp"
 #include "brunt/contact/halo_exchange.hpp"
+#include "brunt/contact/search/box_overlaps.hpp"
+#include "brunt/contact/search/search.hpp"
 #include "brunt/contact/surface/surface.hpp"
 
 namespace brunt::contact {
@@ -45,10 +47,16 @@ struct ListSettings {
   bool faces = true;        ///< search faces at all
 };
 
+/// What the searches of a run leave for the next; results do not depend on it.
+struct ListScratch {
+  SearchScratch faces;
+  OverlapScratch edges;
+};
+
 /// positions: of this rank's surface nodes. held(wall, surface node) as flags, wall by wall; empty without walls.
 /// Collective.
 ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface, const PairTable& pairs,
                          const Roles& roles, std::span<const Vec3> positions, std::span<const Wall> walls,
-                         std::span<const char> held, const ListSettings& settings);
+                         std::span<const char> held, const ListSettings& settings, ListScratch& scratch);
 
 }  // namespace brunt::contact

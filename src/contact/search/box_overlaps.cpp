@@ -4,17 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 #include <vector>
-
-#include "brunt/contact/search/search.hpp"
 
 namespace brunt::contact {
 
 using geometry::Box;
 
-void for_each_overlap(std::span<const Box> first, std::span<const Box> second,
+void for_each_overlap(std::span<const Box> first, std::span<const Box> second, OverlapScratch& scratch,
                       const std::function<void(LocalIndex, LocalIndex)>& visit) {
   std::map<int, std::vector<LocalIndex>> by_size;  // of extent up to 2^key
   for (std::size_t i = 0; i < first.size(); ++i) {
@@ -23,7 +20,6 @@ void for_each_overlap(std::span<const Box> first, std::span<const Box> second,
     by_size[extent > 0 ? std::ilogb(extent) + 1 : std::numeric_limits<int>::min()].push_back(
         static_cast<LocalIndex>(i));
   }
-  SearchScratch scratch;
   for (const auto& [exponent, members] : by_size) {
     const double half = 0.5 * std::ldexp(1.0, std::max(exponent, -1000));
     std::vector<Box> boxes;
@@ -35,7 +31,7 @@ void for_each_overlap(std::span<const Box> first, std::span<const Box> second,
       middles.push_back(0.5 * (box.low + box.high));
     }
     Ragged<LocalIndex> found;
-    find_pairs(boxes, middles, scratch, found);
+    find_pairs(boxes, middles, scratch[exponent], found);
     for (LocalIndex m = 0; m < found.rows(); ++m)
       for (const LocalIndex k : std::as_const(found).row(m)) {
         const LocalIndex i = members[static_cast<std::size_t>(m)];

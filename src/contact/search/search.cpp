@@ -15,50 +15,17 @@ namespace {
 
 using geometry::Box;
 
-constexpr std::size_t group_size = 2 * double_lanes;
-
-bool holds_something(const Box& box) {
-  return (box.low.array() <= box.high.array()).all();
-}
-
-/// Lists the points and boxes that may pair, and returns a box around those points.
-Box choose_near(std::span<const Box> boxes, std::span<const Vec3> points, SearchScratch& scratch) {
-  Box all_boxes, near_points;
-  for (const Box& box : boxes)
-    if (holds_something(box)) {
-      all_boxes.low = all_boxes.low.cwiseMin(box.low);
-      all_boxes.high = all_boxes.high.cwiseMax(box.high);
-    }
-  constexpr double largest = std::numeric_limits<double>::max();
-  all_boxes.low = all_boxes.low.cwiseMax(-largest);
-  all_boxes.high = all_boxes.high.cwiseMin(largest);
-  std::vector<LocalIndex>& point_list = scratch.blocks.point;
-  point_list.resize(points.size());
-  std::size_t count = 0;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    if (!geometry::contains(all_boxes, points[p])) continue;
-    geometry::extend(near_points, points[p]);
-    point_list[count++] = static_cast<LocalIndex>(p);
-  }
-  point_list.resize(count);
-  scratch.boxes.resize(boxes.size());
-  count = 0;
-  for (std::size_t b = 0; b < boxes.size(); ++b)
-    if (!point_list.empty() && holds_something(boxes[b]) && geometry::overlaps(boxes[b], near_points))
-      scratch.boxes[count++] = static_cast<LocalIndex>(b);
-  scratch.boxes.resize(count);
-  return near_points;
-}
+static_assert(box_group == 2 * double_lanes);
 
 /// Sixteen boxes that are neighbours, lane by lane; unused lanes hold NaN.
 struct Group {
   NodeBoxes half[2];
-  Bounds bounds[group_size];
+  Bounds bounds[box_group];
   double low[3], high[3];  ///< box around all
 
   Group(std::span<const Box> boxes, std::span<const LocalIndex> chosen) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    for (std::size_t lane = 0; lane < group_size; ++lane) {
+    for (std::size_t lane = 0; lane < box_group; ++lane) {
       Pack& of_box = bounds[lane].lanes;
       of_box = broadcast(none);
       if (lane < chosen.size()) {
@@ -123,9 +90,9 @@ void descend(const Group& group, const PointBlocks& blocks, std::vector<Meeting>
 }
 
 /// The blocks that each box meets, from those that the group meets: row `lane` begins at lane * meetings.size().
-void deal_out(SearchScratch& scratch, std::array<std::size_t, group_size>& count) {
+void deal_out(SearchScratch& scratch, std::array<std::size_t, box_group>& count) {
   const std::size_t most = scratch.meetings.size();
-  if (scratch.blocks_met.size() < most * group_size) scratch.blocks_met.resize(most * group_size);
+  if (scratch.blocks_met.size() < most * box_group) scratch.blocks_met.resize(most * box_group);
   count.fill(0);
   for (const Meeting& meeting : scratch.meetings)
     for (LaneMask boxes = meeting.boxes; boxes != 0; boxes = static_cast<LaneMask>(boxes & (boxes - 1))) {
@@ -175,9 +142,9 @@ class Pass {
     scratch_.found_of.assign(boxes_.size(), {});
     scratch_.cursor.assign(scratch_.blocks.point.size(), 0);
     const std::span<const LocalIndex> order = scratch_.boxes;
-    for (std::size_t first = 0; first < order.size(); first += group_size) {
-      const std::size_t next = std::min(first + group_size, order.size());
-      for (std::size_t k = next; k < std::min(next + group_size, order.size()); ++k) {
+    for (std::size_t first = 0; first < order.size(); first += box_group) {
+      const std::size_t next = std::min(first + box_group, order.size());
+      for (std::size_t k = next; k < std::min(next + box_group, order.size()); ++k) {
         const Box& box = boxes_[static_cast<std::size_t>(order[k])];
         __builtin_prefetch(&box.low);
         __builtin_prefetch(&box.high[2]);
@@ -192,7 +159,7 @@ class Pass {
   void search_group(std::span<const LocalIndex> chosen) {
     const Group group(boxes_, chosen);
     descend(group, scratch_.blocks, scratch_.meetings);
-    std::array<std::size_t, group_size> met_count;
+    std::array<std::size_t, box_group> met_count;
     deal_out(scratch_, met_count);
     for (std::size_t lane = 0; lane < chosen.size(); ++lane) {
       const std::span met(scratch_.blocks_met.data() + lane * scratch_.meetings.size(), met_count[lane]);
@@ -244,13 +211,6 @@ void turn_over(std::size_t point_count, std::size_t total, SearchScratch& scratc
 
 }  // namespace
 
-void prepare_search(std::span<const Box> boxes, std::span<const Vec3> points, SearchScratch& scratch) {
-  const Box region = choose_near(boxes, points, scratch);
-  order_in_space(points, scratch.blocks.point, scratch.sort);
-  order_in_space(boxes, region, scratch.boxes, scratch.sort);
-  build_blocks(points, scratch.blocks);
-}
-
 void find_prepared(std::span<const Box> boxes, std::span<const Vec3> points, SearchScratch& scratch,
                    Ragged<LocalIndex>& pairs) {
   const std::size_t total = Pass(boxes, points, scratch).run();
@@ -261,14 +221,6 @@ void find_pairs(std::span<const Box> boxes, std::span<const Vec3> points, Search
                 Ragged<LocalIndex>& pairs) {
   prepare_search(boxes, points, scratch);
   find_prepared(boxes, points, scratch, pairs);
-}
-
-std::size_t SearchScratch::memory_bytes() const {
-  const auto bytes = [](const auto&... vectors) { return (0 + ... + (vectors.capacity() * sizeof(vectors[0]))); };
-  std::size_t total = bytes(sort.items, sort.other, sort.digits, boxes, meetings, blocks_met, runs_met, found, found_of,
-                            cursor, blocks.point, blocks.runs, blocks.run_boxes, blocks.origin);
-  for (const auto& level : blocks.levels) total += bytes(level);
-  return total;
 }
 
 }  // namespace brunt::contact

@@ -2,16 +2,21 @@
 // Which boxes overlap which: the search pairs points with boxes, so one side is taken by size, as midpoints.
 #pragma once
 #include <functional>
+#include <map>
 #include <span>
 
+#include "brunt/contact/search/search.hpp"
 #include "brunt/core/types.hpp"
 #include "brunt/geometry/box.hpp"
 
 namespace brunt::contact {
 
+/// Kept from one call to the next as a SearchScratch is: one for each size of boxes.
+using OverlapScratch = std::map<int, SearchScratch>;
+
 /// Calls visit(i, k) for each i, k with first[i] overlapping second[k] (closed boxes), each pair once, in no order that
 /// means anything. Boxes of `first` that are not finite overlap nothing.
 void for_each_overlap(std::span<const geometry::Box> first, std::span<const geometry::Box> second,
-                      const std::function<void(LocalIndex, LocalIndex)>& visit);
+                      OverlapScratch& scratch, const std::function<void(LocalIndex, LocalIndex)>& visit);
 
 }  // namespace brunt::contact

@@ -12,7 +12,21 @@
 
 namespace brunt::contact {
 
-/// What a search works in. Kept from one search to the next, it saves all allocation. Results do not depend on it.
+constexpr std::size_t box_group = 16;  ///< boxes that are searched together
+
+/// What a search leaves for the next one of the same points and boxes after some motion: its order, which serves as
+/// long as it holds the same and blocks of points and groups of boxes stay small.
+struct SearchHistory {
+  struct Choice {
+    std::vector<char> reach;   ///< whether each may pair, and if not whether it may after some motion
+    std::vector<char> chosen;  ///< whether the order holds it
+  };
+  Choice points, boxes;
+  std::vector<float> block_extents, group_extents;  ///< when they were sorted [length]
+};
+
+/// What a search works in. Kept from one search to the next, it saves all allocation and most of the sorting. Results
+/// do not depend on it.
 struct SearchScratch {
   struct Segment {
     LocalIndex first = 0, count = 0;
@@ -22,6 +36,7 @@ struct SearchScratch {
     LocalIndex block = 0;
     LaneMask boxes = 0;
   };
+  SearchHistory history;
   SortScratch sort;
   PointBlocks blocks;
   std::vector<LocalIndex> boxes;  ///< in spatial order
