@@ -140,6 +140,9 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
   rows_.reserve(lists_.most_rows);
   impulses_.reserve(lists_.most_rows);
   scratch_.reserve(lists_.most_rows, nodes);
+  if (!remembers()) return;
+  history_.pairs.reserve(lists_.most_rows);
+  next_pairs_.reserve(lists_.most_rows);
 }
 
 void Contact::gather(VectorView position, VectorView old_velocity, MutableVectorView velocity) {
@@ -182,6 +185,12 @@ void Contact::detect(std::span<const Wall> walls, double dt) {
   detect_walls(lists_.wall_candidates, walls, lists_.nodes.gid, motion_of_, dt, settings_.detection, rows_);
   sort_rows(rows_);
   for (const Row& row : rows_) sums_.penetration = std::max(sums_.penetration, -row.gap);
+}
+
+void Contact::remember(double dt) {
+  if (!remembers()) return;
+  write_pairs(rows_, impulses_, dt, {}, next_pairs_);
+  std::swap(history_.pairs, next_pairs_);
 }
 
 void Contact::scatter(MutableVectorView velocity) {
@@ -242,14 +251,19 @@ void Contact::correct(VectorView position, VectorView old_velocity, MutableVecto
   statistics_.last = {};
   rows_.clear();
   impulses_.clear();
-  if (!lists_.any_rows) return;
+  if (!lists_.any_rows) {
+    history_.clear();
+    return;
+  }
   gather(position, old_velocity, velocity);
   detect(walls, dt);
   impulses_.assign(rows_.size(), 0.0);
+  if (settings_.warm_start) start_impulses(rows_, history_.pairs, dt, impulses_);
   const RateResult result = enforce_rate_constraint(rows_, motion_of_, mobility_, settings_.rate, lists_.exchange,
                                                     impulses_, velocity_, scratch_);
   statistics_.last = result;
-  if (result.iterations == 0) return;  // v* is what it was
+  remember(dt);
+  if (!result.acted) return;  // v* is what it was
   ++statistics_.solved_steps;
   statistics_.iterations += result.iterations;
   statistics_.most_iterations = std::max(statistics_.most_iterations, result.iterations);
@@ -259,7 +273,7 @@ void Contact::correct(VectorView position, VectorView old_velocity, MutableVecto
 }
 
 void Contact::add_impulses(std::span<Vec3> impulse) const {
-  if (statistics_.last.iterations == 0) return;
+  if (!statistics_.last.acted) return;
   for (std::size_t i = 0; i < lists_.nodes.gid.size(); ++i) {
     if (lists_.nodes.home[i].rank != ranks_.rank()) continue;
     const double* parts = &scratch_.impulse_parts[i * 3 * bin_slices];

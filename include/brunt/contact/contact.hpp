@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact and rigid walls of one step, on all ranks: lists that last, rows, impulses, corrected velocities. Keeps
-// nothing from step to step that the results depend on, so a restart needs nothing of it.
+// Contact and rigid walls of one step, on all ranks: lists that last, rows, impulses, corrected velocities. All that it
+// keeps from step to step and that results depend on is its history, which goes to checkpoints and the state hash.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,6 +11,7 @@
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/contact/enforcement/rate_constraint.hpp"
+#include "brunt/contact/history.hpp"
 #include "brunt/contact/lists.hpp"
 #include "brunt/contact/surface/surface.hpp"
 #include "brunt/mesh/local_mesh.hpp"
@@ -49,6 +50,7 @@ struct ContactSettings {
   DetectionSettings detection;
   RateSettings rate;
   double motion_share = 0.3;  ///< of the mean face edge: how far nodes may move before lists are rebuilt
+  bool warm_start = false;    ///< the iteration starts from the forces of the last step
   Rebuild rebuild;
   std::vector<std::array<std::int32_t, 2>> tracked;  ///< pairs of blocks whose impulse is summed
 };
@@ -109,6 +111,13 @@ class Contact {
   [[nodiscard]] std::vector<double> pressures(double dt) const;
   [[nodiscard]] std::vector<double> gaps() const;
 
+  /// Does anything of a step depend on the one before? Else there is no history to save. The same on every rank.
+  [[nodiscard]] bool remembers() const { return settings_.warm_start; }
+  [[nodiscard]] HistoryTables history_tables() const;  ///< the records of this rank
+  /// Takes over records that lie anywhere, each on one rank; each goes to where its rows are made. Collective.
+  void restore_history(const HistoryTables& tables);
+  [[nodiscard]] const History& history() const { return history_; }  ///< of the last step, on this rank
+
   [[nodiscard]] ContactTotals collect() const;  ///< collective
   [[nodiscard]] const ContactStatistics& statistics() const { return statistics_; }
   [[nodiscard]] ContactSums& sums() { return sums_; }
@@ -122,6 +131,7 @@ class Contact {
   void gather(VectorView position, VectorView old_velocity, MutableVectorView velocity);
   void detect(std::span<const Wall> walls, double dt);
   void detect_crossing_edges(double dt);
+  void remember(double dt);
   void scatter(MutableVectorView velocity);
   void book();
   [[nodiscard]] bool is_slave_in(const Row& row, std::int32_t block) const;
@@ -156,6 +166,8 @@ class Contact {
   std::vector<Row> rows_;
   std::vector<double> impulses_;
   RateScratch scratch_;
+  History history_;
+  std::vector<HistoryRecord> next_pairs_;
 
   ContactSums sums_;
   ContactStatistics statistics_;

@@ -179,7 +179,8 @@ RateResult enforce_rate_constraint(std::span<const Row> rows, std::span<const No
   double largest_start = 0;
   for (const double impulse : impulses) keep_max(largest_start, std::abs(impulse));
   exchange.max({&largest_start, 1});
-  if (largest_start > 0) apply_impulses(system, impulses, largest_start, exchange, velocity, scratch);
+  result.acted = largest_start > 0;
+  if (result.acted) apply_impulses(system, impulses, largest_start, exchange, velocity, scratch);
 
   while (true) {
     const Judgement now = update_impulses(system, velocity, impulses, exchange, scratch);
@@ -187,6 +188,7 @@ RateResult enforce_rate_constraint(std::span<const Row> rows, std::span<const No
     if (result.residual <= settings.tolerance || result.iterations == settings.max_iterations) return result;
     std::copy(scratch.next.begin(), scratch.next.end(), impulses.begin());
     apply_impulses(system, impulses, now.largest_impulse, exchange, velocity, scratch);
+    result.acted = true;
     ++result.iterations;
   }
 }

@@ -24,6 +24,7 @@ struct RateResult {
   double residual = 0;   ///< natural residual max_q H_q |lambda_q - proj(lambda_q + (required - G v)_q / H_q)|
                          ///< relative to violation, of the last iterate that was judged
   int iterations = 0;
+  bool acted = false;  ///< impulses changed v*: else velocity is what it was
 };
 
 /// Arrays of the solver, sized where lists are rebuilt so that a step allocates nothing.

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// What contact remembers from one step to the next, as plain records that lie with the owner of the slave (of an edge:
+// where its rows are made), ordered by key. Kept is what acted in the last step, and the side on which a node meets a
+// two-sided face; so the history is a function of the motion alone, whatever the lists held and whenever they were
+// made.
+#pragma once
+#include <array>
+#include <compare>
+#include <span>
+#include <vector>
+
+#include "brunt/contact/constraint.hpp"
+#include "brunt/core/record_table.hpp"
+
+namespace brunt::contact {
+
+/// Which row: what rows are ordered by.
+struct HistoryKey {
+  GlobalIndex slave_gid = 0, slave_second = no_index, master_key = 0, master_second = no_index;
+  friend auto operator<=>(const HistoryKey&, const HistoryKey&) = default;
+};
+
+inline HistoryKey key_of(const Row& row) {
+  return {row.slave_gid, row.slave_second, row.master_key, row.master_second};
+}
+
+struct HistoryRecord {
+  HistoryKey key;
+  double force = 0;  ///< impulse of the row in the last step over its length [force]
+  double side = 0;   ///< +1, -1: the side of a two-sided face, along and against its normal; 0 of other rows
+};
+
+/// Where a slave that sticks holds on. Its key names the master's body, not the face: the slave finds its anchor again
+/// when it has come to lie over the next face.
+struct AnchorKey {
+  GlobalIndex slave_gid = 0;
+  GlobalIndex master = 0;  ///< body; for wall w: -1 - w
+  friend auto operator<=>(const AnchorKey&, const AnchorKey&) = default;
+};
+
+struct AnchorRecord {
+  AnchorKey key;
+  GlobalIndex face = no_index;             ///< key of the face that holds the anchor; none on a wall
+  bool sticks = false;                     ///< else it slides, and the anchor lies where it was dragged to
+  std::array<double, 4> weights{};         ///< of the face's corners at the anchor
+  std::array<double, 3> on_wall{};         ///< the anchor less the wall's point [length]
+  std::array<double, 3> friction_force{};  ///< on the slave in the last step [force]
+};
+
+inline AnchorKey anchor_key_of(const Row& row) {
+  return {row.slave_gid, row.is_wall() ? row.master_key : GlobalIndex{row.master_body}};
+}
+
+/// Both in ascending order of their keys.
+struct History {
+  std::vector<HistoryRecord> pairs;
+  std::vector<AnchorRecord> anchors;
+
+  void clear() {
+    pairs.clear();
+    anchors.clear();
+  }
+};
+
+/// Calls visit(q, record) for each row that has a record; rows and records in ascending order of their keys.
+template <class Visit>
+void for_each_remembered(std::span<const Row> rows, std::span<const HistoryRecord> records, Visit&& visit) {
+  auto record = records.begin();
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    const HistoryKey key = key_of(rows[q]);
+    while (record != records.end() && record->key < key) ++record;
+    if (record == records.end()) return;
+    if (record->key == key) visit(q, *record);
+  }
+}
+
+/// The anchor of a row's slave on its master, or null.
+const AnchorRecord* find_anchor(std::span<const AnchorRecord> anchors, const AnchorKey& key);
+
+/// Impulses to start the iteration from [momentum]: what the forces of the last step make of a step of length dt; zero
+/// for rows that did not act. Rows in order.
+void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt,
+                    std::span<double> impulses);
+
+/// The records of a step of length dt: of rows that acted, and of the sides seen (in order of their keys). Allocates
+/// nothing where `records` has room for all rows and sides.
+void write_pairs(std::span<const Row> rows, std::span<const double> impulses, double dt,
+                 std::span<const HistoryRecord> sides, std::vector<HistoryRecord>& records);
+
+/// The history as tables for checkpoints and the state hash, and back.
+using HistoryTables = std::array<RecordTable, 2>;
+void to_tables(const History& history, HistoryTables& tables);
+History from_tables(const HistoryTables& tables);
+
+}  // namespace brunt::contact

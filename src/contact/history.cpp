@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/history.hpp"
+
+#include <algorithm>
+
+#include "brunt/core/error.hpp"
+
+namespace brunt::contact {
+
+const AnchorRecord* find_anchor(std::span<const AnchorRecord> anchors, const AnchorKey& key) {
+  const auto found = std::ranges::lower_bound(anchors, key, {}, &AnchorRecord::key);
+  return found != anchors.end() && found->key == key ? &*found : nullptr;
+}
+
+void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt,
+                    std::span<double> impulses) {
+  std::ranges::fill(impulses, 0.0);
+  for_each_remembered(rows, records,
+                      [&](std::size_t q, const HistoryRecord& record) { impulses[q] = record.force * dt; });
+}
+
+void write_pairs(std::span<const Row> rows, std::span<const double> impulses, double dt,
+                 std::span<const HistoryRecord> sides, std::vector<HistoryRecord>& records) {
+  records.clear();
+  auto side = sides.begin();
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    const HistoryKey key = key_of(rows[q]);
+    for (; side != sides.end() && side->key < key; ++side) records.push_back(*side);
+    const bool two_sided = side != sides.end() && side->key == key;
+    if (impulses[q] == 0 && !two_sided) continue;
+    records.push_back({key, impulses[q] / dt, two_sided ? side->side : 0.0});
+    if (two_sided) ++side;
+  }
+  records.insert(records.end(), side, sides.end());
+}
+
+void to_tables(const History& history, HistoryTables& tables) {
+  tables[0] = {.name = "contact_pairs", .key_width = 4, .value_width = 2};
+  for (const auto& [key, force, side] : history.pairs) {
+    tables[0].keys.insert(tables[0].keys.end(), {key.slave_gid, key.slave_second, key.master_key, key.master_second});
+    tables[0].values.insert(tables[0].values.end(), {force, side});
+  }
+  tables[1] = {.name = "contact_anchors", .key_width = 3, .value_width = 11};
+  for (const AnchorRecord& anchor : history.anchors) {
+    tables[1].keys.insert(tables[1].keys.end(), {anchor.key.slave_gid, anchor.key.master, anchor.face});
+    std::vector<double>& values = tables[1].values;
+    values.push_back(anchor.sticks ? 1.0 : 0.0);
+    values.insert(values.end(), anchor.weights.begin(), anchor.weights.end());
+    for (const auto* vector : {&anchor.on_wall, &anchor.friction_force})
+      values.insert(values.end(), vector->begin(), vector->end());
+  }
+}
+
+History from_tables(const HistoryTables& tables) {
+  History history;
+  const auto& [pairs, anchors] = tables;
+  demand(pairs.values.size() == 2 * static_cast<std::size_t>(pairs.rows()) &&
+             anchors.values.size() == 11 * static_cast<std::size_t>(anchors.rows()),
+         "the tables of contact's history are complete");
+  const double* value = pairs.values.data();
+  for (auto key = pairs.keys.begin(); key != pairs.keys.end(); key += 4, value += 2)
+    history.pairs.push_back({{key[0], key[1], key[2], key[3]}, value[0], value[1]});
+  value = anchors.values.data();
+  for (auto key = anchors.keys.begin(); key != anchors.keys.end(); key += 3, value += 11) {
+    AnchorRecord anchor{.key = {key[0], key[1]}, .face = key[2], .sticks = value[0] != 0};
+    std::copy_n(value + 1, 4, anchor.weights.begin());
+    std::copy_n(value + 5, 3, anchor.on_wall.begin());
+    std::copy_n(value + 8, 3, anchor.friction_force.begin());
+    history.anchors.push_back(anchor);
+  }
+  std::ranges::sort(history.pairs, {}, &HistoryRecord::key);
+  std::ranges::sort(history.anchors, {}, &AnchorRecord::key);
+  return history;
+}
+
+}  // namespace brunt::contact

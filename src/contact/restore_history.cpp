@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Records of contact's history go home after a restart, on however many ranks: to where their rows are made.
+#include <algorithm>
+#include <vector>
+
+#include "brunt/comm/rendezvous.hpp"
+#include "brunt/contact/contact.hpp"
+
+namespace brunt::contact {
+namespace {
+
+Rank desk_of(GlobalIndex gid, std::size_t ranks) {
+  return static_cast<Rank>(static_cast<std::size_t>(gid) % ranks);
+}
+
+/// Slaves whose records may belong here: owned nodes, and the first ends of edges. Ascending.
+std::vector<GlobalIndex> slaves_here(const Surface& surface, Rank rank) {
+  std::vector<GlobalIndex> slaves;
+  for (std::size_t i = 0; i < surface.gid.size(); ++i)
+    if (surface.owns(static_cast<LocalIndex>(i), rank)) slaves.push_back(surface.gid[i]);
+  for (const SurfaceEdge& edge : surface.edges) slaves.push_back(surface.gid[static_cast<std::size_t>(edge.nodes[0])]);
+  std::ranges::sort(slaves);
+  slaves.erase(std::unique(slaves.begin(), slaves.end()), slaves.end());
+  return slaves;
+}
+
+/// Records meet those who ask for their slaves at a desk that both know: the slave's gid names it. Returns every record
+/// of the slaves asked for. Collective.
+template <class Record>
+std::vector<Record> fetch(const comm::Communicator& ranks, const std::vector<Record>& records,
+                          const std::vector<GlobalIndex>& slaves) {
+  const auto count = static_cast<std::size_t>(ranks.size());
+  std::vector<std::vector<Record>> to_desk(count), answers(count);
+  std::vector<std::vector<GlobalIndex>> questions(count);
+  for (const Record& record : records)
+    to_desk[static_cast<std::size_t>(desk_of(record.key.slave_gid, count))].push_back(record);
+  for (const GlobalIndex slave : slaves) questions[static_cast<std::size_t>(desk_of(slave, count))].push_back(slave);
+  std::vector<Record> on_desk = comm::exchange(ranks, to_desk).values;
+  const auto slave_of = [](const Record& record) { return record.key.slave_gid; };
+  std::ranges::sort(on_desk, {}, slave_of);
+  const Ragged<GlobalIndex> asked = comm::exchange(ranks, questions);
+  for (std::size_t r = 0; r < count; ++r)
+    for (const GlobalIndex slave : asked.row(static_cast<LocalIndex>(r))) {
+      const auto found = std::ranges::equal_range(on_desk, slave, {}, slave_of);
+      answers[r].insert(answers[r].end(), found.begin(), found.end());
+    }
+  return comm::exchange(ranks, answers).values;
+}
+
+}  // namespace
+
+HistoryTables Contact::history_tables() const {
+  HistoryTables tables;
+  to_tables(history_, tables);
+  return tables;
+}
+
+void Contact::restore_history(const HistoryTables& tables) {
+  const History loose = from_tables(tables);
+  const std::vector<GlobalIndex> slaves = slaves_here(surface_, ranks_.rank());
+  history_.pairs = fetch(ranks_, loose.pairs, slaves);
+  history_.anchors = fetch(ranks_, loose.anchors, slaves);
+  const auto owns = [&](GlobalIndex gid) {
+    const auto found = std::ranges::lower_bound(surface_.gid, gid);
+    return found != surface_.gid.end() && *found == gid &&
+           surface_.owns(static_cast<LocalIndex>(found - surface_.gid.begin()), ranks_.rank());
+  };
+  const auto ends = [&](const SurfaceEdge& edge) {
+    return std::array{surface_.gid[static_cast<std::size_t>(edge.nodes[0])],
+                      surface_.gid[static_cast<std::size_t>(edge.nodes[1])]};
+  };
+  std::erase_if(history_.pairs, [&](const HistoryRecord& record) {
+    const auto [slave, second, master, other] = record.key;
+    return second == no_index ? !owns(slave)
+                              : !std::ranges::binary_search(surface_.edges, std::array{slave, second}, {}, ends);
+  });
+  std::erase_if(history_.anchors, [&](const AnchorRecord& anchor) { return !owns(anchor.key.slave_gid); });
+  std::ranges::sort(history_.pairs, {}, &HistoryRecord::key);
+  std::ranges::sort(history_.anchors, {}, &AnchorRecord::key);
+}
+
+}  // namespace brunt::contact

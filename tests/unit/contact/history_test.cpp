@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Records of contact by key: what a step finds again, what it leaves, and the way through tables.
+#include "brunt/contact/history.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace brunt;
+using contact::AnchorRecord;
+using contact::History;
+using contact::HistoryRecord;
+using contact::Row;
+
+namespace {
+
+Row row(GlobalIndex slave, GlobalIndex master, GlobalIndex second = no_index, GlobalIndex other = no_index) {
+  return {.slave_gid = slave, .slave_second = second, .master_key = master, .master_second = other};
+}
+
+}  // namespace
+
+TEST_CASE("impulses start from the forces of the same rows, the others from nothing") {
+  const std::vector<Row> rows{row(1, -2), row(1, 7), row(3, 7), row(3, 5, 4, 6)};
+  const std::vector<HistoryRecord> records{
+      {{1, -1, -2, -1}, 10}, {{1, -1, 8, -1}, 20}, {{3, -1, 7, -1}, 30}, {{3, 4, 5, 6}, 40}, {{9, -1, 7, -1}, 50}};
+  std::vector<double> impulses(4, 99.0);
+  start_impulses(rows, records, 0.5, impulses);
+  CHECK(impulses == std::vector<double>{5, 0, 15, 20});
+}
+
+TEST_CASE("a step leaves what acted and the sides seen, in order of keys") {
+  const std::vector<Row> rows{row(1, -2), row(1, 7), row(3, 5), row(3, 7)};
+  const std::vector<HistoryRecord> sides{
+      {{1, -1, 7, -1}, 0, -1}, {{2, -1, 7, -1}, 0, 1}, {{3, -1, 5, -1}, 0, 1}, {{8, -1, 1, -1}, 0, -1}};
+  std::vector<HistoryRecord> records(1);
+  write_pairs(rows, std::vector<double>{2, 0, 4, 0}, 0.5, sides, records);
+  REQUIRE(records.size() == 5);
+  const auto is = [&](std::size_t i, GlobalIndex slave, GlobalIndex master, double force, double side) {
+    const HistoryRecord& r = records[i];
+    return r.key == contact::HistoryKey{slave, -1, master, -1} && r.force == force && r.side == side;
+  };
+  CHECK(is(0, 1, -2, 4, 0));
+  CHECK(is(1, 1, 7, 0, -1));  // did not act, but its side is known
+  CHECK(is(2, 2, 7, 0, 1));   // no row at all
+  CHECK(is(3, 3, 5, 8, 1));
+  CHECK(is(4, 8, 1, 0, -1));
+}
+
+TEST_CASE("anchors are found by slave and master, whichever face holds them") {
+  Row on_face = row(3, 5);
+  on_face.master_body = 2;
+  const std::vector<AnchorRecord> anchors{{.key = {1, 2}}, {.key = {3, -1}}, {.key = {3, 2}, .face = 77}};
+  const AnchorRecord* anchor = find_anchor(anchors, anchor_key_of(on_face));
+  REQUIRE(anchor != nullptr);
+  CHECK(anchor->face == 77);
+  CHECK(find_anchor(anchors, anchor_key_of(row(3, -1))) == &anchors[1]);
+  CHECK(find_anchor(anchors, anchor_key_of(row(3, -2))) == nullptr);
+}
+
+TEST_CASE("tables carry a history to the bit, in whatever order the records come") {
+  History history;
+  history.pairs = {{{1, -1, -2, -1}, 0.1, 0}, {{3, 4, 5, 6}, -0.0, -1}};
+  history.anchors = {{{3, 2}, 77, true, {0.1, 0.2, 0.3, 0.4}, {1, 2, 3}, {4, 5, 6}}, {.key = {4, -1}}};
+  contact::HistoryTables tables;
+  to_tables(history, tables);
+  CHECK(tables[0].rows() == 2);
+  CHECK(tables[1].values.size() == static_cast<std::size_t>(tables[1].rows() * tables[1].value_width));
+  std::ranges::rotate(tables[0].keys, tables[0].keys.begin() + 4);
+  std::ranges::rotate(tables[0].values, tables[0].values.begin() + 2);
+  const History back = contact::from_tables(tables);
+  REQUIRE(back.pairs.size() == 2);
+  CHECK(back.pairs[0].key == history.pairs[0].key);
+  CHECK(back.pairs[0].force == 0.1);
+  CHECK(std::signbit(back.pairs[1].force));
+  CHECK(back.pairs[1].side == -1);
+  REQUIRE(back.anchors.size() == 2);
+  const AnchorRecord& anchor = back.anchors[0];
+  CHECK(anchor.key == contact::AnchorKey{3, 2});
+  CHECK((anchor.face == 77 && anchor.sticks && anchor.weights[3] == 0.4));
+  CHECK((anchor.on_wall[2] == 3 && anchor.friction_force[2] == 6));
+  CHECK_FALSE(back.anchors[1].sticks);
+}
