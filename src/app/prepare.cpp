@@ -111,6 +111,10 @@ model::Registry Prepared::registry() {
     registry.arrays.push_back({"contact_sums", model::StateArray::Entity::global, -1, 1,
                                static_cast<int>(contact_sums.size()), contact_sums.data(), 1, 1, 1, 0, true, true});
   }
+  if (contact && contact->remembers()) {
+    contact_history = contact->history_tables();
+    for (RecordTable& table : contact_history) registry.tables.push_back(&table);
+  }
   if (!force_memory.empty())  // makes columns go on smoothly; says nothing of the bodies
     registry.arrays.push_back({"force_memory", model::StateArray::Entity::global, -1, 1,
                                static_cast<int>(force_memory.size()), force_memory.data(), 1, 1, 1, 0, true, false});
@@ -120,6 +124,7 @@ model::Registry Prepared::registry() {
 void Prepared::after_restart() {
   time::update_positions(model, state);
   if (contact) restore_sums(links.ranks, contact_sums, *contact);
+  if (contact && contact->remembers()) contact->restore_history(contact_history);
 }
 
 void refuse_overlaps(Prepared& run) {
@@ -133,7 +138,7 @@ void refuse_overlaps(Prepared& run) {
 std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
                                   const std::vector<std::string>& overrides) {
   auto prepared = std::make_unique<Prepared>(
-      Prepared{{}, {}, {}, {}, {}, {}, {}, time::Links{ranks, {}, {}, {}, {}, {}, {}, {}}, nullptr, {}, {}, {}});
+      Prepared{{}, {}, {}, {}, {}, {}, {}, time::Links{ranks, {}, {}, {}, {}, {}, {}, {}}, nullptr, {}, {}, {}, {}});
   prepared->input = read_input(ranks, scene_file, overrides, &prepared->fingerprint);
   mesh::CanonicalMesh whole;
   std::vector<Rank> part;

@@ -29,10 +29,11 @@ struct Prepared {
   std::unique_ptr<contact::Contact> contact;        ///< null without contact and walls
   std::vector<std::array<std::string, 2>> tracked;  ///< pairs of parts whose impulse is summed, as in the probes
   std::vector<double> contact_sums;                 ///< exact sums of contact as a checkpoint holds them
+  contact::HistoryTables contact_history;           ///< what contact remembers, likewise
 
   std::vector<double> force_memory;  ///< of force probes: impulse (3) and time of the last row
 
-  /// All arrays of the state, the sums of contact among them. Collective.
+  /// All arrays of the state, the sums and the history of contact among them. Collective.
   model::Registry registry();
   /// Makes the state what a checkpoint has filled the registry with.
   void after_restart();

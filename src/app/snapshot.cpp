@@ -23,6 +23,8 @@ void for_saved(const model::Registry& registry, Visit&& visit) {
 void Snapshot::take(const model::Registry& registry) {
   values_.clear();
   for_saved(registry, [&](double value) { values_.push_back(value); });
+  tables_.resize(registry.tables.size());
+  for (std::size_t t = 0; t < tables_.size(); ++t) tables_[t] = *registry.tables[t];
 }
 
 void Snapshot::give_back(const model::Registry& registry) const {
@@ -31,6 +33,8 @@ void Snapshot::give_back(const model::Registry& registry) const {
     demand(next < values_.size(), "a snapshot is given back to the arrays it was taken of");
     value = values_[next++];
   });
+  demand(tables_.size() == registry.tables.size(), "a snapshot is given back to the tables it was taken of");
+  for (std::size_t t = 0; t < tables_.size(); ++t) *registry.tables[t] = tables_[t];
 }
 
 }  // namespace brunt::app

@@ -10,13 +10,14 @@ namespace brunt::app {
 class Snapshot {
  public:
   [[nodiscard]] bool empty() const { return values_.empty(); }
-  /// Copies what a checkpoint would hold of this rank. Allocates at the first call only.
+  /// Copies what a checkpoint would hold of this rank. Allocates at the first call, and where records have come in.
   void take(const model::Registry& registry);
-  /// Fills the arrays of the same registry with what was taken.
+  /// Fills the arrays and tables of the same registry with what was taken.
   void give_back(const model::Registry& registry) const;
 
  private:
   std::vector<double> values_;
+  std::vector<RecordTable> tables_;
 };
 
 }  // namespace brunt::app

@@ -15,8 +15,10 @@ const AnchorRecord* find_anchor(std::span<const AnchorRecord> anchors, const Anc
 void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt,
                     std::span<double> impulses) {
   std::ranges::fill(impulses, 0.0);
-  for_each_remembered(rows, records,
-                      [&](std::size_t q, const HistoryRecord& record) { impulses[q] = record.force * dt; });
+  for_each_remembered(rows, records, [&](std::size_t q, const HistoryRecord& record) {
+    const double impulse = dt * rows[q].normal.dot(Vec3(record.force.data()));
+    impulses[q] = rows[q].cone == Cone::compression ? std::max(impulse, 0.0) : impulse;
+  });
 }
 
 void write_pairs(std::span<const Row> rows, std::span<const double> impulses, double dt,
@@ -28,17 +30,18 @@ void write_pairs(std::span<const Row> rows, std::span<const double> impulses, do
     for (; side != sides.end() && side->key < key; ++side) records.push_back(*side);
     const bool two_sided = side != sides.end() && side->key == key;
     if (impulses[q] == 0 && !two_sided) continue;
-    records.push_back({key, impulses[q] / dt, two_sided ? side->side : 0.0});
+    const Vec3 force = impulses[q] / dt * rows[q].normal;
+    records.push_back({key, {force[0], force[1], force[2]}, two_sided ? side->side : 0.0});
     if (two_sided) ++side;
   }
   records.insert(records.end(), side, sides.end());
 }
 
 void to_tables(const History& history, HistoryTables& tables) {
-  tables[0] = {.name = "contact_pairs", .key_width = 4, .value_width = 2};
+  tables[0] = {.name = "contact_pairs", .key_width = 4, .value_width = 4};
   for (const auto& [key, force, side] : history.pairs) {
     tables[0].keys.insert(tables[0].keys.end(), {key.slave_gid, key.slave_second, key.master_key, key.master_second});
-    tables[0].values.insert(tables[0].values.end(), {force, side});
+    tables[0].values.insert(tables[0].values.end(), {force[0], force[1], force[2], side});
   }
   tables[1] = {.name = "contact_anchors", .key_width = 3, .value_width = 11};
   for (const AnchorRecord& anchor : history.anchors) {
@@ -54,12 +57,12 @@ void to_tables(const History& history, HistoryTables& tables) {
 History from_tables(const HistoryTables& tables) {
   History history;
   const auto& [pairs, anchors] = tables;
-  demand(pairs.values.size() == 2 * static_cast<std::size_t>(pairs.rows()) &&
+  demand(pairs.values.size() == 4 * static_cast<std::size_t>(pairs.rows()) &&
              anchors.values.size() == 11 * static_cast<std::size_t>(anchors.rows()),
          "the tables of contact's history are complete");
   const double* value = pairs.values.data();
-  for (auto key = pairs.keys.begin(); key != pairs.keys.end(); key += 4, value += 2)
-    history.pairs.push_back({{key[0], key[1], key[2], key[3]}, value[0], value[1]});
+  for (auto key = pairs.keys.begin(); key != pairs.keys.end(); key += 4, value += 4)
+    history.pairs.push_back({{key[0], key[1], key[2], key[3]}, {value[0], value[1], value[2]}, value[3]});
   value = anchors.values.data();
   for (auto key = anchors.keys.begin(); key != anchors.keys.end(); key += 3, value += 11) {
     AnchorRecord anchor{.key = {key[0], key[1]}, .face = key[2], .sticks = value[0] != 0};

@@ -13,6 +13,7 @@
 #include "brunt/io/hdf5.hpp"
 #include "brunt/io/text_file.hpp"
 #include "brunt/model/hash.hpp"
+#include "checkpoint_records.hpp"
 #include "checkpoint_tables.hpp"
 #include "disk_space.hpp"
 #include "on_root.hpp"
@@ -53,11 +54,13 @@ void write_tables(Hdf5File& file, const CheckpointHeader& header, const model::R
     file.write(table.path, layout.rows(table).first, std::span<const double>(rows));
     file.set_attribute(table.path, "hash", hash);
   }
+  for (const RecordTable* table : registry.tables) write_records(file, *table);
 }
 
-GlobalIndex bytes_of(const model::Registry& registry) {
+GlobalIndex bytes_of(const comm::Communicator& ranks, const model::Registry& registry) {
   GlobalIndex bytes = 16384;
   for (const SavedTable& table : saved_tables(registry)) bytes += table_bytes(table.rows, table.array->components);
+  for (const RecordTable* table : registry.tables) bytes += record_bytes(ranks, *table);
   return bytes;
 }
 
@@ -107,10 +110,13 @@ std::vector<std::string> without(const std::vector<std::string>& names, const st
   return rest;
 }
 
-void check_same_tables(const Hdf5File& file, const std::vector<SavedTable>& tables) {
+void check_same_tables(const Hdf5File& file, const std::vector<SavedTable>& tables,
+                       const std::vector<RecordTable*>& records) {
   std::vector<std::string> wanted;
-  wanted.reserve(tables.size());
+  wanted.reserve(tables.size() + 2 * records.size());
   for (const SavedTable& table : tables) wanted.push_back(table.path.substr(1));
+  for (const RecordTable* table : records)
+    for (const std::string& path : {keys_path(*table), values_path(*table)}) wanted.push_back(path.substr(1));
   std::sort(wanted.begin(), wanted.end());
   const std::vector<std::string> stored = file.datasets("/");
   std::vector<std::string> faults;
@@ -125,6 +131,8 @@ void check_same_tables(const Hdf5File& file, const std::vector<SavedTable>& tabl
       faults.push_back(fmt::format("{}: does not fit this model: {} is {} x {}, expected {} x {}", file.path(),
                                    table.path.substr(1), found.rows, found.width, table.rows, table.array->components));
   }
+  for (const RecordTable* table : records)
+    for (std::string& fault : record_faults(file, *table)) faults.push_back(std::move(fault));
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
@@ -146,7 +154,7 @@ std::string write_checkpoint(const comm::Communicator& ranks, const std::string&
   std::string path = fmt::format("{}/checkpoint_{:09}.h5", folder, header.step);
   const std::string draft = path + ".tmp";
   try {
-    demand_disk_space(ranks, draft, bytes_of(registry));
+    demand_disk_space(ranks, draft, bytes_of(ranks, registry));
     Hdf5File file(ranks, draft, Hdf5File::Mode::create);
     write_tables(file, header, registry);
     file.close();
@@ -174,12 +182,15 @@ CheckpointHeader read_checkpoint(const comm::Communicator& ranks, const std::str
     throw InputError(fmt::format("{}: written by another scene or program version (\"{}\", this run is \"{}\")", path,
                                  header.fingerprint, fingerprint));
   const std::vector<SavedTable> tables = saved_tables(registry);
-  check_same_tables(file, tables);
+  check_same_tables(file, tables, registry.tables);
   const TableLayout layout(ranks, registry, TableLayout::Nodes::all);
   std::vector<std::vector<double>> rows;
   rows.reserve(tables.size());
   for (const SavedTable& table : tables) rows.push_back(sound_rows(file, table, layout.rows(table)));
+  std::vector<RecordTable> records;
+  for (const RecordTable* table : registry.tables) records.push_back(read_records(file, *table));
   for (std::size_t i = 0; i < tables.size(); ++i) layout.from_blocks(tables[i], rows[i]);
+  for (std::size_t i = 0; i < records.size(); ++i) *registry.tables[i] = std::move(records[i]);
   return header;
 }
 

@@ -64,6 +64,19 @@ std::uint64_t hash_rows(std::string_view name, GlobalIndex first, std::span<cons
   return sum;
 }
 
+std::uint64_t hash_records(const RecordTable& table) {
+  const std::uint64_t name = hash_text(table.name);
+  std::uint64_t sum = 0;
+  auto value = table.values.begin();
+  for (auto key = table.keys.begin(); key != table.keys.end(); key += table.key_width) {
+    std::uint64_t place = name;
+    for (int k = 0; k < table.key_width; ++k)
+      place = mix_bits(place + golden * (static_cast<std::uint64_t>(key[k]) + 1));
+    for (int c = 0; c < table.value_width; ++c) sum += hash_value(place, 0, c, *value++);
+  }
+  return sum;
+}
+
 std::uint64_t hash_of_rank(const Registry& registry, bool is_root) {
   std::uint64_t sum = 0;
   for (const StateArray& array : registry.arrays) {
@@ -81,6 +94,7 @@ std::uint64_t hash_of_rank(const Registry& registry, bool is_root) {
         break;
     }
   }
+  for (const RecordTable* table : registry.tables) sum += hash_records(*table);
   return sum;
 }
 

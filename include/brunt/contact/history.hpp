@@ -26,8 +26,8 @@ inline HistoryKey key_of(const Row& row) {
 
 struct HistoryRecord {
   HistoryKey key;
-  double force = 0;  ///< impulse of the row in the last step over its length [force]
-  double side = 0;   ///< +1, -1: the side of a two-sided face, along and against its normal; 0 of other rows
+  std::array<double, 3> force{};  ///< on the slave: impulse of the row in the last step over its length [force]
+  double side = 0;  ///< +1, -1: the side of a two-sided face, along and against its normal; 0 of other rows
 };
 
 /// Where a slave that sticks holds on. Its key names the master's body, not the face: the slave finds its anchor again
@@ -77,8 +77,8 @@ void for_each_remembered(std::span<const Row> rows, std::span<const HistoryRecor
 /// The anchor of a row's slave on its master, or null.
 const AnchorRecord* find_anchor(std::span<const AnchorRecord> anchors, const AnchorKey& key);
 
-/// Impulses to start the iteration from [momentum]: what the forces of the last step make of a step of length dt; zero
-/// for rows that did not act. Rows in order.
+/// Impulses to start the iteration from [momentum]: what the forces of the last step, seen along the normals as they
+/// are now, make of a step of length dt; zero for rows that did not act. Rows in order.
 void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt,
                     std::span<double> impulses);
 

@@ -4,7 +4,8 @@
 // and the last two are kept. Every table carries a hash of its values (model/hash.hpp): a flipped bit is found.
 //
 // Layout: attributes of /: format, fingerprint, step, time, nodes, blocks, and `hash` of the header itself;
-//         /nodes/NAME, /elements/NAME, /globals/NAME: tables [entities][components] with the attribute `hash`.
+//         /nodes/NAME, /elements/NAME, /globals/NAME: tables [entities][components] with the attribute `hash`;
+//         /records/NAME/keys, /records/NAME/values (with `hash`): records that come and go.
 #pragma once
 #include <optional>
 #include <string>
@@ -29,7 +30,8 @@ std::string write_checkpoint(const comm::Communicator& ranks, const std::string&
 /// Step, time and fingerprint alone. Collective; throws InputError.
 [[nodiscard]] CheckpointHeader read_checkpoint_header(const comm::Communicator& ranks, const std::string& path);
 
-/// Fills every saved array of the registry, nodes of other ranks included. Collective. Throws InputError naming the
+/// Fills every saved array of the registry, nodes of other ranks included, and its tables with a share of the records
+/// (the caller sends them home). Collective. Throws InputError naming the
 /// file, and the table if one is damaged; or saying how the model differs: fingerprint, counts, array names. Nothing is
 /// changed unless the whole file is sound.
 CheckpointHeader read_checkpoint(const comm::Communicator& ranks, const std::string& path,

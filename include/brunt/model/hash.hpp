@@ -27,7 +27,11 @@ namespace brunt::model {
 [[nodiscard]] std::uint64_t hash_rows(std::string_view name, GlobalIndex first, std::span<const double> values,
                                       int components);
 
-/// This rank's part of the state hash: owned nodes, own elements, and the global arrays on the rank with `is_root`.
+/// The sum of the terms of records, whatever their order: a value's place is the table's name, its key and component.
+[[nodiscard]] std::uint64_t hash_records(const RecordTable& table);
+
+/// This rank's part of the state hash: owned nodes, own elements and records, and the global arrays on the rank with
+/// `is_root`.
 /// The parts of all ranks add up, modulo 2^64, to the hash of the state.
 [[nodiscard]] std::uint64_t hash_of_rank(const Registry& registry, bool is_root);
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every array that a step reads and changes, declared once. Checkpoint, restart and the state hash walk this list
-// and know nothing else of the state.
+// Every array that a step reads and changes, declared once, and tables of records that come and go. Checkpoint, restart
+// and the state hash walk these lists and know nothing else of the state.
 #pragma once
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "brunt/core/record_table.hpp"
 #include "brunt/core/types.hpp"
 
 namespace brunt::model {
@@ -41,6 +42,9 @@ struct Registry {
   std::vector<std::span<const GlobalIndex>> element_gid;  ///< per block
   std::vector<GlobalIndex> block_first, block_count;      ///< gid range of each block in the whole model
   std::vector<StateArray> arrays;  ///< global arrays (time, dt, step ...) have count 1 and are the same on every rank
+  /// Saved and hashed, the same names on every rank. Each record lies on one rank; what a checkpoint fills in lies on
+  /// any, and whoever declared the table sends it home.
+  std::vector<RecordTable*> tables;
 };
 
 }  // namespace brunt::model

@@ -21,7 +21,53 @@ GlobalIndex state_hash(const comm::Communicator& ranks, const model::Registry& r
   return ranks.sum(static_cast<GlobalIndex>(model::hash_of_rank(registry, ranks.is_root())));
 }
 
+/// This rank's share of so many records, dealt out unevenly: the last rank has none.
+RecordTable records_of(const comm::Communicator& ranks, GlobalIndex count) {
+  RecordTable table{.name = "pairs", .key_width = 2, .value_width = 3};
+  const GlobalIndex takers = std::max(1, ranks.size() - 1);
+  for (GlobalIndex i = 0; i < count; ++i) {
+    if (i % takers != ranks.rank()) continue;
+    table.keys.insert(table.keys.end(), {i / 3, -i});
+    for (int c = 0; c < 3; ++c) table.values.push_back(test::SmallModel::known(7, i, c + 1));
+  }
+  return table;
+}
+
 }  // namespace
+
+TEST_CASE("checkpoint: records written by any ranks are all read, by any others") {
+  const auto world = comm::Communicator::world();
+  const auto self = comm::Communicator::self();
+  const test::ScratchFolder folder(world);
+  for (const GlobalIndex count : {0, 1, 50}) {
+    test::SmallModel model(world);
+    model.fill_known();
+    RecordTable records = records_of(world, count);
+    model.registry.tables.push_back(&records);
+    const std::string path = io::write_checkpoint(world, folder.path(), header, model.registry);
+    const GlobalIndex written = state_hash(world, model.registry);
+    records.keys.assign(2, 99);
+    records.values.assign(3, 99);
+    io::read_checkpoint(world, path, header.fingerprint, model.registry);
+    CHECK(world.sum(records.rows()) == count);
+    CHECK(state_hash(world, model.registry) == written);
+
+    test::SmallModel alone(self);
+    RecordTable whole{.name = "pairs", .key_width = 2, .value_width = 3};
+    alone.registry.tables.push_back(&whole);
+    io::read_checkpoint(self, path, header.fingerprint, alone.registry);
+    CHECK(whole.rows() == count);
+    CHECK(state_hash(self, alone.registry) == written);
+
+    whole.value_width = 2;
+    CHECK_THROWS_WITH(io::read_checkpoint(self, path, header.fingerprint, alone.registry),
+                      Catch::Contains("does not fit this model: records/pairs has keys"));
+    alone.registry.tables.clear();
+    CHECK_THROWS_WITH(io::read_checkpoint(self, path, header.fingerprint, alone.registry),
+                      Catch::Contains("does not fit this model, which has no records/pairs/keys"));
+    world.barrier();
+  }
+}
 
 TEST_CASE("checkpoint: all ranks to all ranks, to one rank, and from one rank") {
   const auto world = comm::Communicator::world();

@@ -41,3 +41,16 @@ TEST_CASE("snapshot: gives back what a checkpoint would hold") {
   snapshot.give_back(registry);
   CHECK(rows[0] == 7);
 }
+
+TEST_CASE("snapshot: records that have come and gone since are as they were") {
+  RecordTable pairs{.name = "pairs", .key_width = 2, .value_width = 1, .keys = {1, 2, 3, 4}, .values = {0.5, 0.25}};
+  model::Registry registry;
+  registry.tables.push_back(&pairs);
+  app::Snapshot snapshot;
+  snapshot.take(registry);
+  pairs.keys = {9, 9};
+  pairs.values = {1};
+  snapshot.give_back(registry);
+  CHECK(pairs.keys == std::vector<GlobalIndex>{1, 2, 3, 4});
+  CHECK(pairs.values == std::vector<double>{0.5, 0.25});
+}

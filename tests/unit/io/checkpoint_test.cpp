@@ -83,6 +83,25 @@ TEST_CASE_METHOD(Fixture, "checkpoint: a flipped bit among the values is found a
   CHECK_THAT(fault_of(path, model.registry), Catch::Contains(path) && Catch::Contains("nodes/velocity is damaged"));
 }
 
+TEST_CASE_METHOD(Fixture, "checkpoint: a flipped bit among records is found, and what was read before is kept") {
+  RecordTable pairs{.name = "pairs", .key_width = 1, .value_width = 1, .keys = {0x1234567}, .values = {0.7}};
+  model.registry.tables.push_back(&pairs);
+  const std::string path = write(1);
+  const std::string whole = bytes_of(path);
+  for (const void* place :
+       {static_cast<const void*>(pairs.keys.data()), static_cast<const void*>(pairs.values.data())}) {
+    std::string bytes = whole;
+    const std::size_t at = bytes.find(std::string(static_cast<const char*>(place), 8));
+    REQUIRE(at != std::string::npos);
+    bytes[at] = static_cast<char>(bytes[at] ^ 1);
+    write_bytes(path, bytes);
+    RecordTable target{.name = "pairs", .key_width = 1, .value_width = 1, .keys = {5}, .values = {5}};
+    model.registry.tables = {&target};
+    CHECK_THAT(fault_of(path, model.registry), Catch::Contains("records/pairs is damaged"));
+    CHECK((target.keys[0] == 5 && target.values[0] == 5));
+  }
+}
+
 TEST_CASE_METHOD(Fixture, "checkpoint: a bit flipped anywhere is refused, or harmless") {
   const std::string path = write(1);
   const std::string whole = bytes_of(path);

@@ -116,3 +116,19 @@ TEST_CASE("state hash: mixing spreads a single bit over about half of the result
   CHECK(mean == Approx(32).margin(3));  // avalanche: 32 of 64 expected, standard deviation 0.5
   CHECK(model::hash_digits(0xABC) == "0000000000000abc");
 }
+
+TEST_CASE("state hash: records count with their keys, in any order and split over any ranks") {
+  RecordTable table{
+      .name = "pairs", .key_width = 2, .value_width = 1, .keys = {1, 2, 2, 1, 3, -1}, .values = {5, 6, 7}};
+  const std::uint64_t whole = model::hash_records(table);
+  const RecordTable some{"pairs", 2, 1, {3, -1}, {7}}, others{"pairs", 2, 1, {2, 1, 1, 2}, {6, 5}};
+  CHECK(model::hash_records(some) + model::hash_records(others) == whole);
+  CHECK(model::hash_records(RecordTable{"pairs", 2, 1, {1, 2, 2, 1, 3, -1}, {6, 5, 7}}) != whole);
+  CHECK(model::hash_records(RecordTable{"anchors", 2, 1, table.keys, table.values}) != whole);
+  CHECK(model::hash_records(RecordTable{"pairs", 2, 1, {}, {}}) == 0);
+
+  NodalState state({0, 1, 2});
+  const std::uint64_t without = state.hash();
+  state.registry.tables.push_back(&table);
+  CHECK(state.hash() == without + whole);
+}

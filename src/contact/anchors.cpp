@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/anchors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "brunt/core/error.hpp"
+#include "brunt/geometry/closest_point.hpp"
+
+namespace brunt::contact {
+namespace {
+
+const MasterFace* find_face(const AnchorScene& scene, GlobalIndex key) {
+  const auto key_of = [&](LocalIndex face) { return scene.faces[static_cast<std::size_t>(face)].key; };
+  const auto found = std::ranges::lower_bound(scene.by_key, key, {}, key_of);
+  return found != scene.by_key.end() && key_of(*found) == key ? &scene.faces[static_cast<std::size_t>(*found)]
+                                                              : nullptr;
+}
+
+const Wall& wall_of(const AnchorScene& scene, GlobalIndex key) {
+  return scene.walls[static_cast<std::size_t>(-1 - key)];
+}
+
+}  // namespace
+
+std::vector<LocalIndex> order_by_key(std::span<const MasterFace> faces) {
+  std::vector<LocalIndex> order(faces.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, {}, [&](LocalIndex face) { return faces[static_cast<std::size_t>(face)].key; });
+  return order;
+}
+
+std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, const Vec3& slave) {
+  if (anchor.key.master < 0) return slave - (wall_of(scene, anchor.key.master).point + Vec3(anchor.on_wall.data()));
+  const MasterFace* face = find_face(scene, anchor.face);
+  if (face == nullptr) return std::nullopt;
+  std::array<Vec3, 4> corners;
+  const auto count = static_cast<std::size_t>(face->corner_count);
+  Vec3 point = Vec3::Zero();
+  for (std::size_t i = 0; i < count; ++i) {
+    corners[i] = scene.motion[static_cast<std::size_t>(face->nodes[i])].position;
+    point += anchor.weights[i] * corners[i];
+  }
+  const Vec3 moved = slave - point;
+  if (!(moved.norm() <= scene.capture * geometry::longest_edge({corners.data(), count}))) return std::nullopt;
+  return moved;
+}
+
+AnchorRecord anchor_of(const AnchorScene& scene, const Row& row) {
+  demand(!row.is_edge(), "an edge has no anchor");
+  AnchorRecord anchor{.key = anchor_key_of(row)};
+  if (row.is_wall()) {
+    const Vec3& slave = scene.motion[static_cast<std::size_t>(row.nodes[0])].position;
+    const Vec3 place = slave - row.gap * row.normal - wall_of(scene, row.master_key).point;
+    anchor.on_wall = {place[0], place[1], place[2]};
+    return anchor;
+  }
+  const MasterFace* face = find_face(scene, row.master_key);
+  demand(face != nullptr, "the face of a row is in the lists");
+  anchor.face = row.master_key;
+  for (std::size_t k = 1; k < static_cast<std::size_t>(row.node_count); ++k) {
+    const auto corner = std::ranges::find(face->nodes, row.nodes[k]) - face->nodes.begin();
+    anchor.weights[static_cast<std::size_t>(corner)] = -row.weights[k];
+  }
+  return anchor;
+}
+
+}  // namespace brunt::contact

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Record tables of a registry in a checkpoint: /records/NAME/keys and /records/NAME/values with the attribute `hash`.
+// Their rows stand in the order of the ranks that wrote them; whoever reads them sends them home.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "brunt/core/record_table.hpp"
+#include "brunt/io/hdf5.hpp"
+
+namespace brunt::io {
+
+std::string keys_path(const RecordTable& table);
+std::string values_path(const RecordTable& table);
+
+/// What the file takes for the records of all ranks. Collective.
+GlobalIndex record_bytes(const comm::Communicator& ranks, const RecordTable& table);
+
+/// Collective.
+void write_records(Hdf5File& file, const RecordTable& table);
+
+/// How the file's tables differ from what `table` wants; both are there.
+std::vector<std::string> record_faults(const Hdf5File& file, const RecordTable& table);
+
+/// A share of the file's records. Throws InputError where they are damaged. Collective.
+RecordTable read_records(const Hdf5File& file, const RecordTable& table);
+
+}  // namespace brunt::io

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Anchors move with what holds them and are dropped by distance alone.
+#include "brunt/contact/anchors.hpp"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+
+using namespace brunt;
+using contact::AnchorRecord;
+using contact::AnchorScene;
+using contact::Row;
+
+namespace {
+
+/// Two unit squares side by side in the plane z = 0, the second with the lower key, and a slave over the first.
+struct TwoSquares {
+  std::vector<contact::MasterFace> faces{{.key = 9, .nodes = {0, 1, 4, 3}, .body = 2},
+                                         {.key = 4, .nodes = {1, 2, 5, 4}, .body = 2}};
+  std::vector<LocalIndex> by_key = contact::order_by_key(faces);
+  std::vector<contact::NodeMotion> motion;
+  std::vector<contact::Wall> walls{{.point = Vec3(0, 0, -3)}, {.point = Vec3(0, 0, -1), .normal = Vec3(0.6, 0, 0.8)}};
+
+  TwoSquares() {
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 3; ++i) motion.push_back({.position = Vec3(i, j, 0)});
+    motion.push_back({.position = Vec3(0.95, 0.5, 0)});
+  }
+  [[nodiscard]] AnchorScene scene() const { return {faces, by_key, motion, walls}; }
+  [[nodiscard]] Row row() const {
+    return {.slave_gid = 77,
+            .master_key = 9,
+            .nodes = {6, 3, 0, 1, 4},  // in whatever order
+            .weights = {1, -0.025, -0.025, -0.475, -0.475},
+            .node_count = 5,
+            .master_body = 2,
+            .normal = Vec3::UnitZ()};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an anchor on a face turns and moves with it, over whichever face its slave lies") {
+  TwoSquares squares;
+  const AnchorRecord anchor = anchor_of(squares.scene(), squares.row());
+  CHECK(anchor.key == contact::AnchorKey{77, 2});
+  CHECK(anchor.face == 9);
+  REQUIRE(slip(squares.scene(), anchor, squares.motion[6].position));
+  CHECK(slip(squares.scene(), anchor, squares.motion[6].position)->norm() < 1e-15);
+  const Vec3 over_the_next(1.1, 0.5, 0);
+  CHECK((*slip(squares.scene(), anchor, over_the_next) - Vec3(0.15, 0, 0)).norm() < 1e-15);
+  const Eigen::AngleAxisd turn(1.0, Vec3(1, 2, 3).normalized());
+  for (contact::NodeMotion& node : squares.motion) node.position = turn * node.position + Vec3(5, 6, 7);
+  const Vec3 moved = turn * over_the_next + Vec3(5, 6, 7);
+  CHECK((*slip(squares.scene(), anchor, moved) - turn * Vec3(0.15, 0, 0)).norm() < 1e-14);
+}
+
+TEST_CASE("an anchor is dropped where it is out of reach, whether its face is known here or not") {
+  TwoSquares squares;
+  const AnchorRecord anchor = anchor_of(squares.scene(), squares.row());
+  CHECK(slip(squares.scene(), anchor, {1.19, 0.5, 0}));
+  CHECK_FALSE(slip(squares.scene(), anchor, {1.21, 0.5, 0}));  // 0.25 of the edge, capture's share
+  AnchorRecord elsewhere = anchor;
+  elsewhere.face = 5;
+  CHECK_FALSE(slip(squares.scene(), elsewhere, {0.95, 0.5, 0}));
+}
+
+TEST_CASE("an anchor on a wall is in its plane, moves with it, and is never dropped") {
+  TwoSquares squares;
+  const Vec3 slave = squares.motion[6].position, normal = squares.walls[1].normal;
+  Row row{.slave_gid = 77, .master_key = -2, .nodes = {6}, .node_count = 1, .normal = normal};
+  row.gap = (slave - squares.walls[1].point).dot(normal);
+  const AnchorRecord anchor = anchor_of(squares.scene(), row);
+  CHECK(anchor.key == contact::AnchorKey{77, -2});
+  CHECK((*slip(squares.scene(), anchor, slave) - row.gap * normal).norm() < 1e-15);
+  squares.walls[1].point += Vec3(0, 0.1, 0.2);
+  CHECK((*slip(squares.scene(), anchor, slave + Vec3(10, 0.1, 0.2)) - row.gap * normal - Vec3(10, 0, 0)).norm() <
+        1e-14);
+}
