@@ -40,7 +40,7 @@ mesh::Mesh generate(const scene::MeshEntry& entry) {
         else if constexpr (std::is_same_v<Body, scene::CylinderMesh>)
           return mesh::cylinder(body.part, body.radius, body.length, body.elements);
         else if constexpr (std::is_same_v<Body, scene::SphereMesh>)
-          return mesh::sphere(body.part, body.radius, body.elements);
+          return mesh::sphere(body.part, body.radius, body.elements, {body.finer, body.half});
         else if constexpr (std::is_same_v<Body, scene::TubeMesh>)
           return mesh::tube(body.part, body.inner_radius, body.outer_radius, body.length, body.elements);
         else

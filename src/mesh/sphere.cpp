@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A solid sphere: a rounded cube of cells within shells that grow from its six faces.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "brunt/mesh/primitives.hpp"
@@ -25,11 +29,45 @@ Core core_cells(const std::string& part, const RoundedCore& shape) {
   return core;
 }
 
+/// The conformal map of the ball of this radius onto itself that shrinks what is at the lowest point by `finer`, and
+/// widens as much what is at the highest (a translation of hyperbolic space). Planes x = 0, y = 0 stay.
+Vec3 draw_down(const Vec3& x, double radius, double finer) {
+  const Vec3 p = x / radius, a(0, 0, -(finer - 1) / (finer + 1));
+  const double along = 1 + 2 * a.dot(p), p2 = p.squaredNorm(), a2 = a.squaredNorm();
+  return radius * ((along + p2) * a + (1 - a2) * p) / (along + a2 * p2);
+}
+
+/// The elements all of whose nodes are on the side of x >= 0 (y, z) of each half wanted; of those all nodes they use.
+/// `kept[node]`: its new number, or none.
+std::vector<LocalIndex> cut(std::vector<Vec3>& coordinates, std::vector<LocalIndex>& nodes,
+                            const std::array<bool, 3>& half) {
+  const auto inside = [&](LocalIndex n) {
+    const Vec3& x = coordinates[static_cast<std::size_t>(n)];
+    return (!half[0] || x[0] >= 0) && (!half[1] || x[1] >= 0) && (!half[2] || x[2] >= 0);
+  };
+  std::vector<LocalIndex> kept(coordinates.size(), no_index), left;
+  for (auto element = nodes.begin(); element != nodes.end(); element += 8)
+    if (std::all_of(element, element + 8, inside)) left.insert(left.end(), element, element + 8);
+  for (const LocalIndex n : left) kept[static_cast<std::size_t>(n)] = 0;
+  std::vector<Vec3> of_kept;
+  for (std::size_t n = 0; n < kept.size(); ++n) {
+    if (kept[n] == no_index) continue;
+    kept[n] = static_cast<LocalIndex>(of_kept.size());
+    of_kept.push_back(coordinates[n]);
+  }
+  for (LocalIndex& n : left) n = kept[static_cast<std::size_t>(n)];
+  coordinates = std::move(of_kept);
+  nodes = std::move(left);
+  return kept;
+}
+
 }  // namespace
 
-Mesh sphere(const std::string& part, double radius, int elements) {
+Mesh sphere(const std::string& part, double radius, int elements, const SphereForm& form) {
   ParameterCheck check("sphere " + part);
   check.positive("radius", radius);
+  check.holds(std::isfinite(form.finer) && form.finer >= 1, fmt::format("finer must be >= 1, got {}", form.finer));
+  check.holds(form.finer == 1 || !form.half[2], "half z cannot stand with finer, which bends that plane");
   check.at_least("elements across the radius", elements, 2);
   check.fits(24.0 * elements * elements * elements);
   check.finish();
@@ -61,9 +99,23 @@ Mesh sphere(const std::string& part, double radius, int elements) {
         for (const LocalIndex n : face(side)) nodes.push_back((*level)[static_cast<std::size_t>(n)]);
     below = std::move(above);
   }
-  const auto first_outer = static_cast<LocalIndex>(coordinates.size() - surface.size());
+  const std::size_t first_outer = coordinates.size() - surface.size();
+  const std::vector<LocalIndex> kept = cut(coordinates, nodes, form.half);
+  const auto inner =
+      static_cast<LocalIndex>(std::count_if(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first_outer),
+                                            [](LocalIndex n) { return n != no_index; }));
+  std::vector<SurfaceSet> sets{{part + "_surface", [=](LocalIndex n) { return n >= inner; }}};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!form.half[static_cast<std::size_t>(axis)]) continue;
+    std::vector<char> in_plane;
+    for (const Vec3& x : coordinates) in_plane.push_back(x[axis] == 0);
+    sets.push_back({fmt::format("{}_{}min", part, "xyz"[axis]),
+                    [=](LocalIndex n) { return in_plane[static_cast<std::size_t>(n)] != 0; }});
+  }
+  if (form.finer > 1)
+    for (Vec3& x : coordinates) x = draw_down(x, radius, form.finer);
   Mesh mesh = hex_body(part, std::move(coordinates), std::move(nodes));
-  add_surface_sets(mesh, {{part + "_surface", [=](LocalIndex n) { return n >= first_outer; }}});
+  add_surface_sets(mesh, sets);
   return mesh;
 }
 

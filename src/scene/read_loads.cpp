@@ -35,20 +35,9 @@ InitialMotion read_motion(Section& entry) {
 }
 
 Fixed read_fixed(Section& entry) {
-  constexpr std::string_view accepted = "a list of x, y, z";
   Fixed fixed;
   read_selection(entry, fixed.where);
-  const Key dofs = entry.at("dofs");
-  const std::vector<Key> directions_given = items(dofs, accepted);
-  for (const Key& key : directions_given) {
-    int direction = 0;
-    if (!read(key, direction, directions)) continue;
-    bool& flag = fixed.dofs[static_cast<std::size_t>(direction)];
-    if (flag) fault(key, fmt::format("'{}' stands twice; accepted: each direction once", key.tree->text));
-    flag = true;
-  }
-  const bool empty_list = directions_given.empty() && dofs.tree != nullptr && dofs.tree->kind == Tree::Kind::list;
-  if (empty_list) wrong(dofs, accepted);
+  entry.required("dofs", fixed.dofs, directions);
   return fixed;
 }
 

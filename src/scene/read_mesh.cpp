@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::string_view part_name = "a name for the part";
 constexpr Count cells{1};
+const Choices<int> axes{{{"x", 0}, {"y", 1}, {"z", 2}}, {}};
 
 void read_placement(Section& body, Placement& placement) {
   body.optional("scale", placement.scale, positive);
@@ -68,6 +69,8 @@ SphereMesh read_sphere(Section& body) {
   body.required("part", sphere.part, part_name);
   body.required("radius", sphere.radius, positive);
   body.required("elements", sphere.elements, cells);
+  body.optional("finer", sphere.finer, Range{1, infinity, true, false, "a number >= 1"});
+  body.optional("half", sphere.half, axes);
   const double across = sphere.elements;
   demand_countable(body, 8 * (across + 1) * (across + 1) * (across + 1), 8 * across * across * across);
   return sphere;

@@ -188,6 +188,25 @@ std::size_t read_choice(const Key& key, const std::vector<std::string>& now, con
   return now.size();
 }
 
+bool read(const Key& key, std::array<bool, 3>& marked, const Choices<int>& directions) {
+  constexpr std::string_view accepted = "a list of x, y, z";
+  const std::vector<Key> named = items(key, accepted);
+  bool good = !named.empty();
+  for (const Key& one : named) {
+    int direction = 0;
+    if (!read(one, direction, directions)) {
+      good = false;
+      continue;
+    }
+    bool& mark = marked[static_cast<std::size_t>(direction)];
+    if (mark) fault(one, fmt::format("'{}' stands twice; accepted: each direction once", one.tree->text));
+    good = good && !mark;
+    mark = true;
+  }
+  const bool empty_list = named.empty() && key.tree != nullptr && key.tree->kind == Tree::Kind::list;
+  return empty_list ? wrong(key, accepted) : good;
+}
+
 Section::Section(const Key& key, std::string_view accepted)
     : key_(key), is_map_(key.tree != nullptr && key.tree->kind == Tree::Kind::map) {
   if (!is_map_) wrong(key, accepted);

@@ -30,8 +30,15 @@ Mesh cylinder(const std::string& part, double radius, double length, const std::
 Mesh tube(const std::string& part, double inner_radius, double outer_radius, double length,
           const std::array<int, 3>& elements);
 
+/// What makes of a whole, even sphere another one.
+struct SphereForm {
+  double finer = 1;            ///< >= 1: elements at the lowest point are so many times smaller, at the highest larger
+  std::array<bool, 3> half{};  ///< of x, y, z: only what lies at or above 0
+};
+
 /// Solid, centre at the origin. elements: across the radius (>= 2). A rounded cube core within shells, each of its
-/// faces projected from the centre with equal angles. Set PART_surface.
-Mesh sphere(const std::string& part, double radius, int elements);
+/// faces projected from the centre with equal angles; `finer` moves the nodes by the conformal map of the ball onto
+/// itself, which keeps the elements' shapes. Sets PART_surface and PART_xmin, ... for the halves' planes.
+Mesh sphere(const std::string& part, double radius, int elements, const SphereForm& form = {});
 
 }  // namespace brunt::mesh

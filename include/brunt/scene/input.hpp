@@ -44,7 +44,9 @@ struct CylinderMesh {  ///< solid, butterfly section, axis z, foot centre at the
 struct SphereMesh {  ///< solid, centre at the origin
   std::string part;
   double radius = 0;
-  int elements = 0;  ///< across the radius
+  int elements = 0;            ///< across the radius
+  double finer = 1;            ///< elements at the lowest point so many times smaller
+  std::array<bool, 3> half{};  ///< only x, y, z >= 0
 };
 struct TubeMesh {  ///< axis z, foot centre at the origin
   std::string part;

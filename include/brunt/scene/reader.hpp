@@ -113,6 +113,9 @@ bool read(const Key& key, Value& target, const Choices<Value>& choices) {
   return chosen < now.size();
 }
 
+/// Marks the directions named in a list of at least one, none of them twice.
+bool read(const Key& key, std::array<bool, 3>& marked, const Choices<int>& directions);
+
 /// A map with known keys. Every key asked for is a known one; at the end of the section's life its other keys are
 /// faults that name the nearest known key.
 class Section {

@@ -136,6 +136,51 @@ TEST_CASE("a sphere's volume and surface converge with the square of the element
   CHECK(volume_error(5) / volume_error(10) == Approx(4).epsilon(0.1));
 }
 
+TEST_CASE("a half sphere is half of the whole one, its planes are sets", "[primitives]") {
+  const Mesh whole = sphere("s", 2, 4);
+  const Mesh quarter = sphere("s", 2, 4, {.half = {true, true, false}});
+  require_sound(quarter);
+  CHECK(4 * quarter.blocks[0].count() == whole.blocks[0].count());
+  CHECK(enclosed_volume(quarter) == Approx(enclosed_volume(whole) / 4).epsilon(1e-12));
+  CHECK(area(quarter, "s_surface") == Approx(area(whole, "s_surface") / 4).epsilon(1e-12));
+  for (const LocalIndex node : quarter.node_sets.at("s_ymin")) CHECK(at(quarter, node)[1] == 0);
+  const std::size_t sides = quarter.side_sets.at("s_surface").size() + 2 * quarter.side_sets.at("s_xmin").size();
+  CHECK(sides == exterior_sides(quarter).size());
+  CHECK(quarter.node_sets.count("s_zmin") == 0);
+}
+
+TEST_CASE("a sphere made finer at its foot keeps its surface and the shapes of its elements", "[primitives]") {
+  const double finer = 5;
+  struct Stretch {
+    double smallest = 1e9, largest = 0, uneven = 0;  // of edges; uneven: greatest over least within an element
+  };
+  const auto stretch = [&](int n) {
+    const Mesh even = sphere("s", 2, n), graded = sphere("s", 2, n, {.finer = finer});
+    require_sound(graded);
+    CHECK(graded.blocks[0].nodes == even.blocks[0].nodes);
+    for (const LocalIndex node : graded.node_sets.at("s_surface"))
+      CHECK(at(graded, node).norm() == Approx(2).epsilon(1e-14));
+    Stretch found;
+    for (LocalIndex e = 0; e < even.blocks[0].count(); ++e) {
+      double low = 1e9, high = 0;
+      for (const auto& [a, b] :
+           {std::pair{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}) {
+        const LocalIndex i = even.blocks[0].element(e)[a], j = even.blocks[0].element(e)[b];
+        const double ratio = (at(graded, i) - at(graded, j)).norm() / (at(even, i) - at(even, j)).norm();
+        low = std::min(low, ratio);
+        high = std::max(high, ratio);
+      }
+      found = {std::min(found.smallest, low), std::max(found.largest, high), std::max(found.uneven, high / low - 1)};
+    }
+    return found;
+  };
+  const Stretch coarse = stretch(8), fine = stretch(16);
+  CHECK(fine.smallest == Approx(1 / finer).epsilon(0.05));
+  CHECK(fine.largest < finer);
+  CHECK(fine.largest > 0.7 * finer);         // the few elements at the top are large
+  CHECK(fine.uneven < 0.6 * coarse.uneven);  // conformal: none in the limit
+}
+
 TEST_CASE("wrong parameters are named, all at once", "[primitives]") {
   try {
     tube("t", 2, 1, -3, {0, 12, 3});
@@ -150,4 +195,6 @@ TEST_CASE("wrong parameters are named, all at once", "[primitives]") {
   CHECK_THROWS_AS(box("b", {1, 1, 1}, {2000, 2000, 2000}), InputError);
   CHECK_THROWS_AS(cylinder("c", 1, 1, {1, 1}), InputError);
   CHECK_THROWS_AS(sphere("s", 1, 1), InputError);
+  CHECK_THROWS_AS(sphere("s", 1, 4, {.finer = 0.5}), InputError);
+  CHECK_THROWS_AS(sphere("s", 1, 4, {.finer = 2, .half = {false, false, true}}), InputError);
 }

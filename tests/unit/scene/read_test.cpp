@@ -19,7 +19,7 @@ mesh:
   - {file: /else/b.msh}
   - {box: {part: left, size: [1, 2, 3], elements: [4, 5, 6], at: [-1, 0, 0], scale: 2, rotate: {axis: [1, 0, 0], degrees: -90}}}
   - {cylinder: {part: rod, radius: 3.2, length: 32.4, elements: [4, 20]}}
-  - {sphere: {part: ball, radius: 5, elements: 6}}
+  - {sphere: {part: ball, radius: 5, elements: 6, finer: 3, half: [y, x]}}
   - {tube: {part: pipe, inner_radius: 1, outer_radius: 1.5, length: 10, elements: [2, 24, 10]}}
   - {plate: {part: target, size: [10, 20], thickness: 0.5, elements: [10, 20, 2]}}
 sets:
@@ -124,7 +124,10 @@ TEST_CASE("every mesh entry is read", "[scene]") {
   CHECK(rod.radius == 3.2);
   CHECK(rod.length == 32.4);
   CHECK(rod.elements == std::array{4, 20});
-  CHECK(std::get<SphereMesh>(input.mesh[4].body).elements == 6);
+  const auto& ball = std::get<SphereMesh>(input.mesh[4].body);
+  CHECK(ball.elements == 6);
+  CHECK(ball.finer == 3);
+  CHECK(ball.half == std::array{true, true, false});
   const auto& tube = std::get<TubeMesh>(input.mesh[5].body);
   CHECK(tube.inner_radius == 1);
   CHECK(tube.outer_radius == 1.5);
