@@ -2,6 +2,7 @@
 #include "piercings.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -19,13 +20,26 @@ struct Crossing {
   std::size_t face;
 };
 
-/// Deeper inside than `touching`, in the middle of the stretch that begins or ends at the crossing?
+/// Deeper inside than `touching`, in the middle of the stretch that begins or ends at the crossing? Behind the nearest
+/// face, that is: a crossing that rounding has made where the segment only touches has a stretch outside.
 bool is_deep(const Solid& solid, const std::vector<LocalIndex>& near, const Vec3& middle) {
-  return std::ranges::all_of(near, [&](LocalIndex f) {
+  constexpr double as_near = 1e-9, along_face = 1e-6;  // faces that meet where it is nearest; sine of an angle
+  double nearest = std::numeric_limits<double>::infinity();
+  bool behind = true;  // where no face can tell
+  for (const LocalIndex f : near) {
     const SolidFace& face = solid.faces[static_cast<std::size_t>(f)];
     const auto closest = geometry::closest_point(middle, face.points());
-    return !closest || (middle - closest->point).norm() > touching * face.size;
-  });
+    if (!closest) continue;
+    const Vec3 offset = middle - closest->point;
+    const double distance = offset.norm();
+    if (distance <= touching * face.size) return false;
+    if (distance > (1 + as_near) * nearest) continue;
+    const bool behind_this =
+        offset.dot(geometry::face_normal(face.points(), closest->xi, closest->eta)) < -along_face * distance;
+    behind = behind_this || (behind && distance >= (1 - as_near) * nearest);
+    nearest = std::min(nearest, distance);
+  }
+  return behind;
 }
 
 /// The face through which the segment comes to a stretch deep inside.

@@ -151,6 +151,21 @@ TEST_CASE("bars that cross each other with their edges overlap without a node in
   CHECK(Case(crossed(0.1), "error").treat().report.list.empty());
 }
 
+TEST_CASE("quarters of balls that touch in a vertex do not pierce each other") {
+  // the planes of the quarters coincide but for rounding: edges in them start in the vertex, on both sides of the plane
+  for (const auto& [a, b] : {std::pair{5, 5}, {6, 7}, {8, 10}, {10, 12}}) {
+    mesh::Mesh mesh = mesh::sphere("a", 0.01, a, {.finer = 8, .half = {true, true, false}});
+    mesh::Mesh other = mesh::sphere("b", 0.01, b, {.finer = 7, .half = {true, true, false}});
+    mesh::place(mesh, 1, Vec3(0, 0, 1), 0, Vec3(0, 0, 0.01));
+    mesh::place(other, 1, Vec3(1, 1, 0), 180, Vec3(0, 0, -0.01));
+    mesh::append(mesh, std::move(other));
+    const TreatedOverlaps treated = Case(std::move(mesh), "error").treat();
+    CAPTURE(a, b);
+    CHECK(treated.gaps.piercings.empty());
+    CHECK(treated.report.list.empty());
+  }
+}
+
 TEST_CASE("E17, E18: shared and coincident nodes, flat faces and elements: no overlap, no crash") {
   // b's nodes on a's, not joined
   const auto touching = [] { return two_boxes({1, 1, 1}, {2, 2, 2}, {1, 1, 1}, {2, 2, 2}, {1, 0, 0}); };
