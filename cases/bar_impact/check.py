@@ -67,11 +67,25 @@ def along(result, name, axis):
     return sum(result.history[f"{name}.{c}"] * a for c, a in zip("xyz", axis))
 
 
-def check(case, label, result, reference, axis=(1, 0, 0), taken_gate=1.2):
+def mean_force(result, reference, axis=(1, 0, 0)):
+    """Over the middle of the plateau, from the impulse: the force of single steps is noisy."""
     time, impulse = result.history["time"], along(result, "impulse_force", axis)
-    # the mean force over the middle of the plateau, from the impulse: the force of single steps is noisy
     start, stop = 0.1 * reference["duration"], 0.9 * reference["duration"]
-    mean = (numpy.interp(stop, time, impulse) - numpy.interp(start, time, impulse)) / (stop - start)
+    return (numpy.interp(stop, time, impulse) - numpy.interp(start, time, impulse)) / (stop - start)
+
+
+def errors(scene, result):
+    """For scripts/pareto: the bars along x."""
+    reference = exact(scene, [entry["box"]["size"][0] for entry in scene["mesh"]])
+    return {"mean force": mean_force(result, reference) / reference["force"] - 1,
+            "velocity of the striker": (result.last("striker.x") - reference["striker"]) / reference["speed"],
+            "velocity of the target": (result.last("target.x") - reference["target"]) / reference["speed"],
+            "energy taken": result.last("contact") / reference["energy"]}
+
+
+def check(case, label, result, reference, axis=(1, 0, 0), taken_gate=1.2):
+    impulse = along(result, "impulse_force", axis)
+    mean = mean_force(result, reference, axis)
     case.assert_close(f"{label}: mean force [N]", reference["force"], mean, 0.01, SOURCE)
     case.assert_close(f"{label}: impulse [N s]", reference["impulse"], impulse[-1], 0.01, SOURCE)
     for bar in ("striker", "target"):
@@ -87,6 +101,7 @@ def check(case, label, result, reference, axis=(1, 0, 0), taken_gate=1.2):
 
 def main():
     case = Case(__file__)
+    case.answer(errors)
     scene = case.scene()
     length = [entry["box"]["size"][0] for entry in scene["mesh"]]
 

@@ -8,6 +8,9 @@ A check reads like this (run by hand: cases/NAME/check.py, after a build):
     case.assert_close("length after impact [mm]", 21.42, result.last("tip.displacement_z"), 0.01, source="Wilkins 1973")
     case.assert_energy(result)
     case.finish()
+
+A check that says `case.answer(errors)` before it runs anything also gives the errors of one run made elsewhere, as JSON
+(cases/NAME/check.py --errors RESULT [--scene FILE] [--set KEY=VALUE]...): scripts/pareto asks so.
 """
 import argparse
 import json
@@ -61,6 +64,21 @@ class Result:
         return float(numpy.interp(time, self.history["time"], self.history[column]))
 
 
+def _override(tree, path, value):
+    """As --set does: lists are entered by index, a missing key is made, null takes one away."""
+    if path[:2] == ["mesh", "0"] and isinstance(tree["mesh"], dict):
+        path = path[:1] + path[2:]  # a mesh of one body may be written without the list
+    *heads, last = path
+    for head in heads:
+        tree = tree[int(head)] if isinstance(tree, list) else tree.setdefault(head, {})
+    if isinstance(tree, list):
+        tree[int(last)] = value
+    elif value is None:
+        tree.pop(last, None)
+    else:
+        tree[last] = value
+
+
 class Case:
     def __init__(self, check_file):
         self.folder = os.path.dirname(os.path.abspath(check_file))
@@ -69,14 +87,30 @@ class Case:
         parser.add_argument("--brunt", default=os.path.join(PROJECT, "build/release/brunt"), help="the program")
         parser.add_argument("--work", default=os.path.join(PROJECT, "build/cases", self.name), help="folder for results")
         parser.add_argument("--long", action="store_true", help="the thorough form of the check")
-        given = parser.parse_args()
+        parser.add_argument("--errors", metavar="RESULT", help="print the errors of this result as JSON, run nothing")
+        parser.add_argument("--scene", default="scene.yaml", help="with --errors: the scene of the result")
+        parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="with --errors: its overrides")
+        given = self.given = parser.parse_args()
         self.brunt, self.work, self.long = os.path.abspath(given.brunt), os.path.abspath(given.work), given.long
         self.rows = []  # (quantity, reference, ours, error, gate, good, source)
 
-    def scene(self, name="scene.yaml"):
-        """The scene as plain data: references are computed from its numbers."""
+    def scene(self, name="scene.yaml", overrides=None):
+        """The scene as plain data, with overrides {key path: value}: references are computed from its numbers."""
         with open(os.path.join(self.folder, name), encoding="utf-8") as stream:
-            return yaml.load(stream, SceneLoader)
+            tree = yaml.load(stream, SceneLoader)
+        for path, value in (overrides or {}).items():
+            _override(tree, path.split("."), value)
+        return tree
+
+    def answer(self, errors):
+        """With --errors: prints errors(scene, result), {quantity: error}, and ends the program."""
+        if not self.given.errors:
+            return
+        pairs = (pair.partition("=") for pair in self.given.set)
+        scene = self.scene(self.given.scene, {path: yaml.load(value, SceneLoader) for path, _, value in pairs})
+        found = errors(scene, Result(self.given.errors))
+        print(json.dumps({quantity: float(error) for quantity, error in found.items()}))
+        sys.exit(0)
 
     def run(self, scene="scene.yaml", overrides=None, ranks=1, name=None, options=(), expected_code=0):
         """Runs the scene (a path relative to the case) into work/name with --set overrides {key path: value}."""

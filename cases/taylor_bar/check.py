@@ -27,6 +27,24 @@ def similarity(scene):
             "poisson": law["poisson"], "time": speed * scene["run"]["end"] / bar["radius"]}
 
 
+def rim_radius(result):
+    """Of the nodes on the rim of the foot, at the end."""
+    with h5py.File(os.path.join(result.folder, "state.h5"), "r") as state:
+        start = state["mesh/coordinates"][:]
+        record = state[max(key for key in state if key.startswith("record"))]
+        moved = start + record["node/displacement"][:]
+    radius = numpy.hypot(start[:, 0], start[:, 1])
+    rim = (start[:, 2] < 1e-9 * start[:, 2].max()) & (radius > (1 - 1e-9) * radius.max())
+    return numpy.hypot(moved[rim, 0], moved[rim, 1])
+
+
+def errors(scene, result):
+    """For scripts/pareto: shares of face radius and length."""
+    scale = scene["mesh"]["cylinder"]["radius"] / RADIUS
+    return {"face radius": rim_radius(result).mean() / (scale * FACE) - 1,
+            "length": result.last("top.z") / (scale * LENGTH) - 1}
+
+
 class Bar:
     """One run: lengths in the scene's unit, energies as shares of the initial kinetic energy."""
 
@@ -35,14 +53,8 @@ class Bar:
         overrides = {"mesh.cylinder.elements": [across, along], "output.every": 80e-6, **(overrides or {})}
         self.name, self.across = name, across
         self.result = case.run(overrides=overrides, ranks=ranks, name=name.replace(" ", "_"))
-        with h5py.File(os.path.join(self.result.folder, "state.h5"), "r") as state:
-            start = state["mesh/coordinates"][:]
-            record = state[max(key for key in state if key.startswith("record"))]
-            moved = start + record["node/displacement"][:]
-        radius = numpy.hypot(start[:, 0], start[:, 1])
-        rim = (start[:, 2] < 1e-9 * start[:, 2].max()) & (radius > (1 - 1e-9) * radius.max())
-        rim_radius = numpy.hypot(moved[rim, 0], moved[rim, 1])
-        self.face, self.spread = rim_radius.mean(), numpy.ptp(rim_radius) / rim_radius.mean()
+        rim = rim_radius(self.result)
+        self.face, self.spread = rim.mean(), numpy.ptp(rim) / rim.mean()
         self.length = self.result.last("top.z")
         energy = self.result.summary["energy"]
         self.hourglass = energy["hourglass"] / energy["total"]
@@ -83,6 +95,7 @@ def assert_symmetry(case, bar):
 
 def main():
     case = Case(__file__)
+    case.answer(errors)
     scene = case.scene()
     for name, value in similarity(scene).items():
         if abs(value / SIMILAR[name] - 1) > 1e-6:

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What scripts/study and scripts/pareto share: study files, runs with overrides, tables."""
+import csv
+import json
+import os
+import subprocess
+import sys
+
+import yaml
+
+SCRIPTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+WRONG_INPUT = 2
+
+
+class Study:
+    """A study file: a map of known keys. Each fault is one line on the error stream and exit code 2."""
+
+    def __init__(self, program, path, keys):
+        self.program, self.path, self.folder = program, path, os.path.dirname(os.path.abspath(path))
+        self.results = os.path.splitext(os.path.abspath(path))[0] + ".out"
+        try:
+            with open(path, encoding="utf-8") as stream:
+                self.tree = yaml.safe_load(stream)
+        except (OSError, UnicodeDecodeError) as error:
+            self.stop(f"cannot be read ({error})")
+        except yaml.YAMLError as error:
+            self.stop(" ".join(str(error).split()))
+        if not isinstance(self.tree, dict):
+            self.stop(f"is no study; accepted: a map of {', '.join(keys)}")
+        for key in self.tree:
+            if key not in keys:
+                self.stop(f"{key}: unknown key; accepted: {', '.join(keys)}")
+
+    def stop(self, what):
+        print(f"{self.program}: {self.path}: {what}", file=sys.stderr)
+        sys.exit(WRONG_INPUT)
+
+    def value(self, key, kind, accepted, default=None):
+        """The value of a key, of one kind and not empty; without a default the key must be there."""
+        found = self.tree.get(key, default)
+        if not isinstance(found, kind) or isinstance(found, bool) or not found:
+            self.stop(f"{key}: missing or of the wrong kind; accepted: {accepted}")
+        return found
+
+    def count(self, key, default):
+        found = self.value(key, int, "a whole number from 1 up", default)
+        if found < 1:
+            self.stop(f"{key}: {found} is out of range; accepted: a whole number from 1 up")
+        return found
+
+    def override_maps(self, key, default=None):
+        """A map of names to overrides {key path: value}, which may be empty."""
+        maps = self.value(key, dict, "a map of name: overrides", default)
+        for name, overrides in maps.items():
+            if not isinstance(overrides or {}, dict):
+                self.stop(f"{key}.{name}: accepted: a map of key path: value")
+        return {str(name): dict(overrides or {}) for name, overrides in maps.items()}
+
+
+def set_options(overrides):
+    pairs = (f"{key}={value if isinstance(value, str) else json.dumps(value)}" for key, value in overrides.items())
+    return [word for pair in pairs for word in ("--set", pair)]
+
+
+def run_scene(scene, overrides, ranks, out):
+    """Runs the scene into `out` and returns the exit code."""
+    command = [os.path.join(SCRIPTS, "run"), "-np", str(ranks), scene, "--out", out, "--force", "--quiet"]
+    return subprocess.run(command + set_options(overrides), check=False).returncode
+
+
+def read_summary(folder):
+    with open(os.path.join(folder, "summary.json"), encoding="utf-8") as stream:
+        return json.load(stream)
+
+
+def cell(value):
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def write_table(path, rows):
+    """To a csv file, and to the terminal as a table; the first row is the head."""
+    with open(path, "w", newline="", encoding="utf-8") as stream:
+        csv.writer(stream).writerows(rows)
+    for i, row in enumerate(rows):
+        print("| " + " | ".join(row) + " |" + ("\n" + "|---" * len(row) + "|" if i == 0 else ""))

@@ -1,0 +1,91 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Every scene of cases/ stopped on two ranks and continued on three is the run on one rank that never stopped.
+
+usage: restart_test.py [--whole]     --whole: scenes to their end, stopped in the middle of contact and again shortly before it ends
+Needs BRUNT, BRUNT_RUN (scripts/run) and BRUNT_CASES (the folder cases/) in the environment.
+"""
+import csv
+import glob
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import yaml
+
+BRUNT, RUN, CASES = os.environ["BRUNT"], os.environ["BRUNT_RUN"], os.environ["BRUNT_CASES"]
+STEPS = 450  # of a run in short: all cases have met their wall or each other by then
+PATIENCE = 600  # [s] for one run
+
+
+def scenes():
+    """The scenes of all cases by name, CASE/FILE; other YAML files (studies) have no `run`."""
+    found = {}
+    for path in sorted(glob.glob(os.path.join(CASES, "*", "*.yaml"))):
+        with open(path, encoding="utf-8") as stream:
+            tree = yaml.safe_load(stream)
+        if isinstance(tree, dict) and "run" in tree:
+            found[os.path.relpath(path, CASES)] = tree
+    return found
+
+
+class Restart(unittest.TestCase):
+    def setUp(self):
+        self.keeper = tempfile.TemporaryDirectory()
+        self.addCleanup(self.keeper.cleanup)
+
+    def run_scene(self, ranks, scene, out, steps, *options):
+        command = [RUN, "-np", str(ranks), os.path.join(CASES, scene), "--out", self.path(out), "--quiet", *options]
+        command += ["--set", f"run.steps={steps}"] if steps else []
+        done = subprocess.run(command, cwd=self.keeper.name, capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual(done.returncode, 0, done.stderr + done.stdout)
+
+    def path(self, *names):
+        return os.path.join(self.keeper.name, *names)
+
+    def summary(self, out):
+        with open(self.path(out, "summary.json"), encoding="utf-8") as stream:
+            return json.load(stream)
+
+    def rows(self, out):
+        with open(self.path(out, "history.csv"), encoding="utf-8") as stream:
+            return list(csv.DictReader(stream))
+
+    def stops(self, tree, whole, shares):
+        """Steps to stop at: shares of those in which something touches, so that contact is part of what is continued."""
+        rows = self.rows(whole)
+        touching = [int(row["step"]) for row in rows if float(row["active_contacts"]) > 0]
+        if "contact" in tree or "rigid_walls" in tree:
+            self.assertTrue(touching, "nothing touches: the test would prove nothing about contact")
+        steps = touching or [int(row["step"]) for row in rows]
+        return {max(1, steps[int(share * len(steps))]) for share in shares}
+
+    def assert_continued(self, scene, steps, whole, stop):
+        part = f"{whole}_{stop}"
+        self.run_scene(2, scene, part, stop)
+        self.assertEqual(self.summary(part)["steps"], stop)
+        self.run_scene(3, scene, part, steps, "--restart", self.path(part))
+        self.assertEqual(self.summary(part)["state_hash"], self.summary(whole)["state_hash"])
+        self.assertEqual(self.rows(part), self.rows(whole))
+        compared = subprocess.run([BRUNT, "compare", "--tol", "0", self.path(whole), self.path(part)], capture_output=True,
+                                  text=True, timeout=PATIENCE)
+        self.assertEqual(compared.returncode, 0, compared.stdout + compared.stderr)
+
+    def test_all_cases(self):
+        found = scenes()
+        self.assertTrue(found, f"no scene in {CASES}")
+        for scene, tree in found.items():
+            with self.subTest(scene=scene):
+                whole = scene.replace("/", "_")
+                limit = None if WHOLE else STEPS
+                self.run_scene(1, scene, whole, limit)
+                for stop in self.stops(tree, whole, (0.5, 0.97) if WHOLE else (0.5,)):
+                    self.assert_continued(scene, limit, whole, stop)
+
+
+if __name__ == "__main__":
+    WHOLE = "--whole" in sys.argv
+    unittest.main(argv=[argument for argument in sys.argv if argument != "--whole"])

@@ -1,0 +1,113 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""scripts/study and scripts/pareto. Needs BRUNT, BRUNT_RUN (scripts/run) and BRUNT_CASES in the environment."""
+import csv
+import os
+import subprocess
+import tempfile
+import unittest
+
+SCRIPTS, CASES = os.path.dirname(os.environ["BRUNT_RUN"]), os.environ["BRUNT_CASES"]
+
+PARETO = f"""\
+case: {CASES}/bar_impact
+meshes:
+  coarse: {{size: 1e-2, mesh.0.box.elements: [10, 1, 1], mesh.1.box.elements: [10, 1, 1]}}
+  fine: {{size: 0.25e-2, mesh.0.box.elements: [40, 1, 1], mesh.1.box.elements: [40, 1, 1]}}
+settings:
+  as it is: {{}}
+  small steps: {{run.cfl: 0.5}}
+errors: [energy taken, velocity of the target]
+"""
+
+STUDY = f"""\
+scene: {CASES}/bar_impact/scene.yaml
+runs:
+  short: {{run.steps: 5}}
+  long: {{run.steps: 9, ranks: 2}}
+columns: [steps, energy.error_ratio, last striker.x, no such column]
+"""
+
+
+class Studies(unittest.TestCase):
+    def setUp(self):
+        self.keeper = tempfile.TemporaryDirectory()
+        self.addCleanup(self.keeper.cleanup)
+        self.folder = self.keeper.name
+
+    def run_study(self, program, text, *options):
+        with open(os.path.join(self.folder, "s.yaml"), "w", encoding="utf-8") as stream:
+            stream.write(text)
+        return subprocess.run([os.path.join(SCRIPTS, program), "s.yaml", *options], cwd=self.folder, capture_output=True,
+                              text=True, timeout=120, check=False)
+
+    def table(self):
+        with open(os.path.join(self.folder, "s.out", "table.csv"), encoding="utf-8") as stream:
+            return list(csv.DictReader(stream))
+
+    def assert_refused(self, program, text, *phrases):
+        done = self.run_study(program, text)
+        self.assertEqual(done.returncode, 2, done.stderr + done.stdout)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        for phrase in ("s.yaml", "accepted", *phrases):
+            self.assertIn(phrase, done.stderr)
+
+    def test_pareto(self):
+        done = self.run_study("pareto", PARETO)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = self.table()
+        self.assertEqual([(row["setting"], row["mesh"]) for row in rows],
+                         [(s, m) for s in ("as it is", "small steps") for m in ("coarse", "fine")]
+                         + [(s, "order") for s in ("as it is", "small steps")])
+        self.assertEqual([row["elements"] for row in rows[:4]], ["20", "80", "20", "80"])
+        self.assertGreater(int(rows[2]["steps"]), 1.5 * int(rows[0]["steps"]))
+        for coarse, fine, order in ((0, 1, 4), (2, 3, 5)):  # contact takes 1/(4N) of the energy: first order
+            self.assertAlmostEqual(float(rows[coarse]["energy taken"]), 1 / 40, delta=0.005)
+            self.assertLess(float(rows[fine]["energy taken"]), float(rows[coarse]["energy taken"]) / 3)
+            self.assertAlmostEqual(float(rows[order]["energy taken"]), 1, delta=0.15)
+            self.assertGreater(float(rows[coarse]["loop [s]"]), float(rows[coarse]["contact [s]"]))
+        self.assertGreater(os.path.getsize(os.path.join(self.folder, "s.out", "pareto.png")), 10_000)
+
+    def test_pareto_says_what_is_wrong(self):
+        for change, phrases in ((("bar_impact", "no_case"), ("case", "no_case")),
+                                (("settings", "setings"), ("setings", "unknown key")),
+                                (("size: 1e-2, ", ""), ("meshes.coarse.size",)),
+                                (("size: 1e-2", "size: -1"), ("meshes.coarse.size",)),
+                                (("small steps: {run.cfl: 0.5}", "small steps: 0.5"), ("settings.small steps",)),
+                                (("errors: [", "errors: [cost, "), ("'cost'", "mean force")),
+                                (("errors:", "repeat: 0\nerrors:"), ("repeat",)),
+                                (("errors:", "ranks: two\nerrors:"), ("ranks",))):
+            with self.subTest(change=change):
+                self.assert_refused("pareto", PARETO.replace(*change), *phrases)
+        self.assert_refused("pareto", f"case: {CASES}/beam\nmeshes: {{short: {{size: 1, run.steps: 2}}}}\n",
+                            "does not tell the errors")
+
+    def test_pareto_goes_on_past_a_run_that_fails(self):
+        done = self.run_study("pareto", PARETO.replace("run.cfl: 0.5", "run.cfl: 5"))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("exit code 2", self.table()[2]["elements"])
+        self.assertEqual(self.table()[1]["elements"], "80")
+
+    def test_study(self):
+        done = self.run_study("study", STUDY)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = self.table()
+        self.assertEqual([(row["run"], row["steps"], row["no such column"]) for row in rows],
+                         [("short", "5", ""), ("long", "9", "")])
+        self.assertLess(float(rows[1]["last striker.x"]), float(rows[0]["last striker.x"]))
+
+    def test_study_says_what_is_wrong(self):
+        for change, phrases in ((("scene: ", "scenes: "), ("scenes", "unknown key")),
+                                (("columns: [steps", "ranks: 0\ncolumns: [steps"), ("ranks",)),
+                                (("{run.steps: 5}", "5"), ("runs.short",)),
+                                (("columns:", "runs: ["), ("s.yaml",)),):
+            with self.subTest(change=change):
+                done = self.run_study("study", STUDY.replace(*change))
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+                for phrase in phrases:
+                    self.assertIn(phrase, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
