@@ -114,6 +114,8 @@ class Case:
 
     def run(self, scene="scene.yaml", overrides=None, ranks=1, name=None, options=(), expected_code=0):
         """Runs the scene (a path relative to the case) into work/name with --set overrides {key path: value}."""
+        if self.given.errors:
+            sys.exit(f"{self.name}: its check does not answer --errors")
         name = name or f"np{ranks}"
         out = os.path.join(self.work, name)
         shutil.rmtree(out, ignore_errors=True)
