@@ -43,7 +43,8 @@ std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, c
     point += anchor.weights[i] * corners[i];
   }
   const Vec3 moved = slave - point;
-  if (!(moved.norm() <= scene.capture * geometry::longest_edge({corners.data(), count}))) return std::nullopt;
+  const double reach = scene.capture * geometry::longest_edge({corners.data(), count}) + face->half_thickness;
+  if (!(moved.norm() <= reach)) return std::nullopt;
   return moved;
 }
 

@@ -15,7 +15,7 @@ using geometry::Box;
 /// each other by the motion allowed (which may stretch an edge by twice that).
 Box capture_box(const ListBuild& build, std::span<const Vec3> corners, double edge) {
   const double motion = build.settings.motion;
-  const double reach = build.settings.capture * (edge + 2 * motion) + 2 * motion;
+  const double reach = build.settings.capture * (edge + 2 * motion) + 2 * motion + build.settings.most_clearance();
   // the criterion of detection is evaluated later and rounds otherwise
   return geometry::grown(geometry::bounding_box(corners), reach * (1 + 1e-6));
 }

@@ -119,7 +119,8 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
   const ListSettings reach{.capture = settings_.detection.encounter.capture,
                            .wall_capture = settings_.detection.encounter.capture * settings_.detection.wall_size,
                            .motion = motion_,
-                           .faces = settings_.bodies};
+                           .faces = settings_.bodies,
+                           .thickness = settings_.thickness};
   lists_ = build_lists(ranks_, surface_, settings_.pairs, roles_, list_position_, walls, held_, reach, list_scratch_);
   have_lists_ = true;
   ++statistics_.searches;
@@ -141,8 +142,10 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
   impulses_.reserve(lists_.most_rows);
   scratch_.reserve(lists_.most_rows, nodes);
   if (!remembers()) return;
-  history_.pairs.reserve(lists_.most_rows);
-  next_pairs_.reserve(lists_.most_rows);
+  const std::size_t sides = has_sheets() ? lists_.candidates.faces.values.size() : 0;
+  detection_.sides.reserve(sides);
+  history_.pairs.reserve(lists_.most_rows + sides);
+  next_pairs_.reserve(lists_.most_rows + sides);
 }
 
 void Contact::gather(VectorView position, VectorView old_velocity, MutableVectorView velocity) {
@@ -180,7 +183,7 @@ void Contact::detect_crossing_edges(double dt) {
 
 void Contact::detect(std::span<const Wall> walls, double dt) {
   detect_faces(lists_.candidates, lists_.faces, lists_.nodes.gid, motion_of_, facet_area_, dt, settings_.detection,
-               detection_, rows_);
+               history_.pairs, detection_, rows_);
   if (lists_.any_edges) detect_crossing_edges(dt);
   detect_walls(lists_.wall_candidates, walls, lists_.nodes.gid, motion_of_, dt, settings_.detection, rows_);
   sort_rows(rows_);
@@ -189,7 +192,7 @@ void Contact::detect(std::span<const Wall> walls, double dt) {
 
 void Contact::remember(double dt) {
   if (!remembers()) return;
-  write_pairs(rows_, impulses_, dt, {}, next_pairs_);
+  write_pairs(rows_, impulses_, dt, detection_.sides, next_pairs_);
   std::swap(history_.pairs, next_pairs_);
 }
 

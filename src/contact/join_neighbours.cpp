@@ -25,7 +25,13 @@ void keep_different(std::vector<Together>& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-/// The surface nodes that this rank's elements contain, each with the nodes of those elements.
+bool has_element(const mesh::LocalMesh& mesh, const SurfaceFace& face) {
+  const auto block = static_cast<std::size_t>(face.block);
+  return block < mesh.blocks.size() && !mesh.blocks[block].gid.empty();
+}
+
+/// The surface nodes that this rank's elements contain, each with the nodes of those elements; of a surface without
+/// elements the faces stand for them.
 std::vector<Together> seen_here(const mesh::LocalMesh& mesh, const Surface& surface) {
   std::vector<char> on_surface(mesh.node_gid.size(), 0);
   for (const LocalIndex node : surface.model_node) on_surface[static_cast<std::size_t>(node)] = 1;
@@ -41,6 +47,12 @@ std::vector<Together> seen_here(const mesh::LocalMesh& mesh, const Surface& surf
               {mesh.node_gid[static_cast<std::size_t>(node)], mesh.node_gid[static_cast<std::size_t>(other)]});
       }
     }
+  }
+  for (const SurfaceFace& face : surface.faces) {
+    if (has_element(mesh, face)) continue;
+    for (const LocalIndex node : std::span(face.nodes).first(static_cast<std::size_t>(face.corner_count)))
+      for (const GlobalIndex other : face.element)
+        if (other != no_index) seen.push_back({surface.gid[static_cast<std::size_t>(node)], other});
   }
   keep_different(seen);
   return seen;

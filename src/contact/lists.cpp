@@ -129,6 +129,8 @@ void fill_faces(const ListBuild& build, const FacePairs& found, ContactLists& li
     const TravellingFace& from = found.masters[static_cast<std::size_t>(m)];
     MasterFace master{.key = from.key, .corner_count = from.corner_count, .body = from.body, .block = from.block};
     master.depth = from.depth;
+    master.half_thickness = 0.5 * build.settings.thickness_of(from.block);
+    master.two_sided = master.half_thickness > 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(from.corner_count); ++i)
       master.nodes[i] = table_index(lists.nodes, from.gid[i]);
     lists.faces.push_back(master);
@@ -142,6 +144,17 @@ void fill_faces(const ListBuild& build, const FacePairs& found, ContactLists& li
     candidates.faces.close_row();
     lists.most_rows += std::min(pairs.size(), most_rows_of_a_node);
     lists.most_faces_of_a_slave = std::max(lists.most_faces_of_a_slave, pairs.size());
+  });
+}
+
+/// Of the sheets that the slaves lie on; nothing where there are none.
+void fill_thickness(const ListBuild& build, const FacePairs& found, Candidates& candidates) {
+  if (build.settings.most_clearance() == 0) return;
+  for_each_slave(found.pairs, [&](LocalIndex node, auto /*pairs*/) {
+    double thickest = 0;
+    for (const std::int32_t block : build.surface.blocks.row(node))
+      thickest = std::max(thickest, build.settings.thickness_of(block));
+    candidates.half_thickness.push_back(0.5 * thickest);
   });
 }
 
@@ -255,6 +268,7 @@ ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface
     candidate.node = table_index(lists.nodes, surface.gid[static_cast<std::size_t>(candidate.node)]);
   std::vector<Place> edge_facets;
   fill_faces(build, faces, lists);
+  fill_thickness(build, faces, lists.candidates);
   fill_edges(build, edges, lists, edge_facets);
   lists.most_rows += lists.wall_candidates.size();
   lists.any_rows = ranks.any(lists.most_rows > 0);

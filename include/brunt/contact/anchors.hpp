@@ -25,8 +25,8 @@ struct AnchorScene {
 std::vector<LocalIndex> order_by_key(std::span<const MasterFace> faces);
 
 /// How far the slave has moved off its anchor [length], at x_n. Nothing where it lies on a face and is farther from the
-/// slave than the capture (of that face's longest edge): then it is dropped, on every rank and whatever the lists hold,
-/// for lists hold all faces that are nearer.
+/// slave than the capture (of that face's longest edge, and half its thickness): then it is dropped, on every rank and
+/// whatever the lists hold, for lists hold all faces that are nearer.
 std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, const Vec3& slave);
 
 /// An anchor where the row's slave meets its master now. Of an edge there is none: rows of nodes only.

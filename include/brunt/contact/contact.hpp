@@ -2,6 +2,7 @@
 // Contact and rigid walls of one step, on all ranks: lists that last, rows, impulses, corrected velocities. All that it
 // keeps from step to step and that results depend on is its history, which goes to checkpoints and the state hash.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -50,7 +51,9 @@ struct ContactSettings {
   DetectionSettings detection;
   RateSettings rate;
   double motion_share = 0.3;  ///< of the mean face edge: how far nodes may move before lists are rebuilt
-  bool warm_start = false;    ///< the iteration starts from the forces of the last step
+  /// By block: of two-sided sheets, met at half of it from their faces [length]; 0 or missing: the skin of a solid.
+  std::vector<double> thickness{};
+  bool warm_start = false;  ///< the iteration starts from the forces of the last step
   Rebuild rebuild;
   std::vector<std::array<std::int32_t, 2>> tracked;  ///< pairs of blocks whose impulse is summed
 };
@@ -112,7 +115,7 @@ class Contact {
   [[nodiscard]] std::vector<double> gaps() const;
 
   /// Does anything of a step depend on the one before? Else there is no history to save. The same on every rank.
-  [[nodiscard]] bool remembers() const { return settings_.warm_start; }
+  [[nodiscard]] bool remembers() const { return settings_.warm_start || has_sheets(); }
   [[nodiscard]] HistoryTables history_tables() const;  ///< the records of this rank
   /// Takes over records that lie anywhere, each on one rank; each goes to where its rows are made. Collective.
   void restore_history(const HistoryTables& tables);
@@ -131,6 +134,9 @@ class Contact {
   void gather(VectorView position, VectorView old_velocity, MutableVectorView velocity);
   void detect(std::span<const Wall> walls, double dt);
   void detect_crossing_edges(double dt);
+  [[nodiscard]] bool has_sheets() const {
+    return std::ranges::any_of(settings_.thickness, [](double thickness) { return thickness > 0; });
+  }
   void remember(double dt);
   void scatter(MutableVectorView velocity);
   void book();

@@ -2,6 +2,7 @@
 // The candidate lists of one rank: which nodes and faces may touch until the motion allowed is used up, the contact
 // nodes they need, and the links to the other ranks' copies of those.
 #pragma once
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -41,10 +42,17 @@ struct ContactLists {
 };
 
 struct ListSettings {
-  double capture = 0.25;    ///< EncounterSettings::capture
-  double wall_capture = 0;  ///< [length]
-  double motion = 0;        ///< each node and wall may move this far [length], the coming step included
-  bool faces = true;        ///< search faces at all
+  double capture = 0.25;                ///< EncounterSettings::capture
+  double wall_capture = 0;              ///< [length]
+  double motion = 0;                    ///< each node and wall may move this far [length], the coming step included
+  bool faces = true;                    ///< search faces at all
+  std::span<const double> thickness{};  ///< of the sheets that blocks are, see ContactSettings [length]
+
+  [[nodiscard]] double thickness_of(std::int32_t block) const {
+    return static_cast<std::size_t>(block) < thickness.size() ? thickness[static_cast<std::size_t>(block)] : 0.0;
+  }
+  /// No node keeps more clearance from a face.
+  [[nodiscard]] double most_clearance() const { return thickness.empty() ? 0.0 : std::ranges::max(thickness); }
 };
 
 /// What the searches of a run leave for the next; results do not depend on it.

@@ -25,30 +25,6 @@ Vec3 relative_motion(const FacesInMotion& scene, const NodeMotion& slave, const 
   return scene.dt * relative;
 }
 
-/// Judged by velocity: when and where the node passes through the moving face.
-void find_hit(const FacesInMotion& scene, const NodeMotion& slave, Encounter& met) {
-  const MasterFace& face = scene.faces[static_cast<std::size_t>(met.face)];
-  const auto count = static_cast<std::size_t>(face.corner_count);
-  std::array<Vec3, 4> start, end;
-  for (std::size_t i = 0; i < count; ++i) {
-    start[i] = corner_of(scene, face, i).position;
-    end[i] = start[i] + scene.dt * corner_of(scene, face, i).predicted;
-  }
-  const geometry::MovingPoint point{slave.position, slave.position + scene.dt * slave.predicted};
-  const geometry::MovingFace moving{{start.data(), count}, {end.data(), count}};
-  if (!geometry::may_meet(point, geometry::sweep_of(moving))) return;
-  const auto hit = geometry::first_contact(point, moving);
-  if (!hit) return;
-  const double approach = -hit->normal.dot(relative_motion(scene, slave, face, hit->weights));
-  if (!(approach > 0)) return;
-  met.meeting = Meeting::hit;
-  met.time = hit->tau;
-  met.gap = hit->tau * approach;
-  met.normal = hit->normal;
-  met.point = hit->point;
-  met.weights = hit->weights;
-}
-
 /// Corners of the face that the region consists of; the second is the first for a vertex.
 std::array<LocalIndex, 2> feature_nodes(const MasterFace& face, Region region) {
   const auto number = static_cast<int>(region);
@@ -103,11 +79,46 @@ bool holds_at_rim(std::span<const MasterFace> faces, const EncounterSettings& se
   return e.beside <= settings.rim * e.size || (e.height <= 0 && has_neighbour && behind_all);
 }
 
+/// The corners of the face as the node sees it: counter-clockwise from its side, moved out by the clearance.
+void seen_from(const Approach& approach, std::span<Vec3> corners) {
+  if (approach.side < 0) std::reverse(corners.begin(), corners.end());
+  if (approach.clearance == 0) return;
+  const Vec3 out = approach.clearance * geometry::area_vector(corners).normalized();
+  for (Vec3& corner : corners) corner += out;
+}
+
 }  // namespace
 
+void find_hit(const FacesInMotion& scene, const NodeMotion& slave, Encounter& met) {
+  const MasterFace& face = scene.faces[static_cast<std::size_t>(met.face)];
+  const auto count = static_cast<std::size_t>(face.corner_count);
+  std::array<Vec3, 4> start, end;
+  for (std::size_t i = 0; i < count; ++i) {
+    start[i] = corner_of(scene, face, i).position;
+    end[i] = start[i] + scene.dt * corner_of(scene, face, i).predicted;
+  }
+  seen_from(met.approach, {start.data(), count});
+  seen_from(met.approach, {end.data(), count});
+  const geometry::MovingPoint point{slave.position, slave.position + scene.dt * slave.predicted};
+  const geometry::MovingFace moving{{start.data(), count}, {end.data(), count}};
+  if (!geometry::may_meet(point, geometry::sweep_of(moving))) return;
+  auto hit = geometry::first_contact(point, moving);
+  if (!hit) return;
+  if (met.approach.side < 0) std::reverse(hit->weights.begin(), hit->weights.begin() + face.corner_count);
+  const double approach = -hit->normal.dot(relative_motion(scene, slave, face, hit->weights));
+  if (!(approach > 0)) return;
+  met.meeting = Meeting::hit;
+  met.time = hit->tau;
+  met.gap = hit->tau * approach;
+  met.normal = hit->normal;
+  met.point = hit->point - met.approach.clearance * hit->normal;
+  met.weights = hit->weights;
+}
+
 Encounter encounter(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
-                    LocalIndex face_index) {
-  Encounter met{.face = face_index, .size = scene.reach[static_cast<std::size_t>(face_index)].size};
+                    LocalIndex face_index, const Approach& approach) {
+  Encounter met{
+      .face = face_index, .approach = approach, .size = scene.reach[static_cast<std::size_t>(face_index)].size};
   const MasterFace& face = scene.faces[static_cast<std::size_t>(face_index)];
   std::array<Vec3, 4> storage;
   const auto count = static_cast<std::size_t>(face.corner_count);
@@ -120,13 +131,14 @@ Encounter encounter(const FacesInMotion& scene, const EncounterSettings& setting
   met.region = closest->region;
   met.point = closest->point;
   met.weights = closest->weights;
-  met.normal = geometry::face_normal(corners, closest->xi, closest->eta);
-  met.height = met.gap = offset.dot(met.normal);
-  met.beside = (offset - met.height * met.normal).norm();
+  met.normal = approach.side * geometry::face_normal(corners, closest->xi, closest->eta);
+  const double over_middle = offset.dot(met.normal);
+  met.height = met.gap = over_middle - approach.clearance;
+  met.beside = (offset - over_middle * met.normal).norm();
   const bool over = met.region == Region::face;
   if (met.height <= 0) {
     const double deepest = std::min(settings.capture * met.size, settings.element_share * face.depth);
-    if (-met.height <= deepest && met.beside <= deepest) met.meeting = Meeting::inside;
+    if (-over_middle <= deepest && met.beside <= deepest) met.meeting = Meeting::inside;
     return met;
   }
   if (over || met.beside <= settings.rim * met.size) met.meeting = Meeting::above;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Node against face: the encounters of each slave, and the rows that come of them.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "brunt/contact/detection/detection.hpp"
+#include "brunt/contact/detection/sides.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -28,14 +30,24 @@ void measure_reach(std::span<const MasterFace> faces, std::span<const NodeMotion
       corners[i] = corner.position;
     }
     const double size = geometry::longest_edge({corners.data(), count});
-    reach.push_back({geometry::grown(sweep, capture * size), size});
+    reach.push_back({geometry::grown(sweep, capture * size + face.half_thickness), size});
   }
 }
 
-double opposition(const Vec3& normal, std::span<const LocalIndex> facets, std::span<const Vec3> facet_normal) {
+/// A slave node with what lies around it.
+struct Slave {
+  const NodeMotion& motion;
+  std::span<const LocalIndex> near, facets;
+  double half_thickness;  ///< > 0 on a sheet, whose facets look to both sides
+  std::span<const HistoryRecord> remembered;
+};
+
+double opposition(const Slave& slave, const Vec3& normal, std::span<const Vec3> facet_normal) {
   double least = 1;
-  for (const LocalIndex facet : facets)
-    least = std::min(least, facet_normal[static_cast<std::size_t>(facet)].dot(normal));
+  for (const LocalIndex facet : slave.facets) {
+    const double cosine = facet_normal[static_cast<std::size_t>(facet)].dot(normal);
+    least = std::min(least, slave.half_thickness > 0 ? -std::abs(cosine) : cosine);
+  }
   return -least;
 }
 
@@ -55,26 +67,52 @@ Row row_of(const Encounter& e, const MasterFace& face, LocalIndex slave) {
   return row;
 }
 
-/// One slave node's encounters with all faces near it, body by body, those with Meeting::none included.
-void meet_faces(const FacesInMotion& scene, const DetectionSettings& all_settings, const NodeMotion& slave,
-                std::span<const LocalIndex> near, std::span<const LocalIndex> facets, DetectionScratch& scratch) {
-  const EncounterSettings& settings = all_settings.encounter;
+/// One slave node's encounters with all faces near it, body by body.
+void meet_faces(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
+                DetectionScratch& scratch) {
   Box sweep;
-  extend_by_sweep(sweep, slave, scene.dt);
+  extend_by_sweep(sweep, slave.motion, scene.dt);
+  sweep = geometry::grown(sweep, slave.half_thickness);
   std::vector<Encounter>& met = scratch.encounters;
   met.clear();
-  for (std::size_t i = 0; i < near.size();) {
-    const std::int32_t body = scene.faces[static_cast<std::size_t>(near[i])].body;
+  for (std::size_t i = 0; i < slave.near.size();) {
+    const std::int32_t body = scene.faces[static_cast<std::size_t>(slave.near[i])].body;
     const std::size_t first = met.size();
-    for (; i < near.size() && scene.faces[static_cast<std::size_t>(near[i])].body == body; ++i)
-      if (geometry::overlaps(scene.reach[static_cast<std::size_t>(near[i])].box, sweep)) {
-        met.push_back(encounter(scene, settings, slave, near[i]));
-        met.back().opposition = opposition(met.back().normal, facets, scratch.facet_normal);
-      }
-    settle_rims(scene.faces, settings, all_settings.choice.same_direction, std::span(met).subspan(first));
-    judge_paths(scene, settings, slave, std::span(met).subspan(first));
+    bool two_sided = false;
+    for (; i < slave.near.size() && scene.faces[static_cast<std::size_t>(slave.near[i])].body == body; ++i) {
+      const LocalIndex f = slave.near[i];
+      if (!geometry::overlaps(scene.reach[static_cast<std::size_t>(f)].box, sweep)) continue;
+      const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
+      met.push_back({.face = f, .approach = {.clearance = face.half_thickness + slave.half_thickness}});
+      two_sided = two_sided || face.two_sided;
+    }
+    const std::span<Encounter> here = std::span(met).subspan(first);
+    if (two_sided) find_sides(scene, settings.encounter, slave.motion, slave.remembered, here);
+    for (Encounter& e : here) {
+      e = encounter(scene, settings.encounter, slave.motion, e.face, e.approach);
+      e.opposition = opposition(slave, e.normal, scratch.facet_normal);
+    }
+    settle_rims(scene.faces, settings.encounter, settings.choice.same_direction, here);
+    judge_paths(scene, settings.encounter, slave.motion, here);
   }
   std::erase_if(met, [](const Encounter& e) { return e.meeting == Meeting::none; });
+}
+
+/// The records of a slave; `from` moves on with the slaves, which ascend.
+std::span<const HistoryRecord> records_of(GlobalIndex slave, std::span<const HistoryRecord> remembered,
+                                          std::size_t& from) {
+  while (from < remembered.size() && remembered[from].key.slave_gid < slave) ++from;
+  std::size_t end = from;
+  while (end < remembered.size() && remembered[end].key.slave_gid == slave) ++end;
+  return remembered.subspan(from, end - from);
+}
+
+void keep_sides(const FacesInMotion& scene, GlobalIndex slave, DetectionScratch& scratch) {
+  const std::size_t first = scratch.sides.size();
+  for (const Encounter& e : scratch.encounters)
+    if (const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)]; face.two_sided)
+      scratch.sides.push_back({.key = {.slave_gid = slave, .master_key = face.key}, .side = e.approach.side});
+  std::ranges::sort(std::span(scratch.sides).subspan(first), {}, &HistoryRecord::key);
 }
 
 double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex slave, std::int32_t body) {
@@ -95,21 +133,30 @@ double required_rate(double gap, double size, double dt, const DetectionSettings
 
 void detect_faces(const Candidates& candidates, std::span<const MasterFace> faces, std::span<const GlobalIndex> gid,
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_area, double dt,
-                  const DetectionSettings& settings, DetectionScratch& scratch, std::vector<Row>& rows) {
+                  const DetectionSettings& settings, std::span<const HistoryRecord> remembered,
+                  DetectionScratch& scratch, std::vector<Row>& rows) {
   measure_reach(faces, motion, dt, settings.encounter.capture, scratch.reach);
   scratch.facet_normal.clear();
   for (const Vec3& area : facet_area) scratch.facet_normal.push_back(area.normalized());
+  scratch.sides.clear();
   const FacesInMotion scene{faces, scratch.reach, motion, dt};
+  const bool sheets = !candidates.half_thickness.empty();
+  std::size_t record = 0;
   for (std::size_t s = 0; s < candidates.slave.size(); ++s) {
-    const LocalIndex slave = candidates.slave[s];
-    const NodeMotion& node = motion[static_cast<std::size_t>(slave)];
-    meet_faces(scene, settings, node, candidates.faces.row(static_cast<LocalIndex>(s)),
-               candidates.slave_facets.row(static_cast<LocalIndex>(s)), scratch);
-    const std::size_t kept = choose(faces, motion, node, dt, settings.choice, scratch.encounters);
+    const LocalIndex node = candidates.slave[s];
+    const GlobalIndex slave_gid = gid[static_cast<std::size_t>(node)];
+    const Slave slave{
+        .motion = motion[static_cast<std::size_t>(node)],
+        .near = candidates.faces.row(static_cast<LocalIndex>(s)),
+        .facets = candidates.slave_facets.row(static_cast<LocalIndex>(s)),
+        .half_thickness = sheets ? candidates.half_thickness[s] : 0.0,
+        .remembered = sheets ? records_of(slave_gid, remembered, record) : std::span<const HistoryRecord>{}};
+    meet_faces(scene, settings, slave, scratch);
+    if (sheets) keep_sides(scene, slave_gid, scratch);
+    const std::size_t kept = choose(faces, motion, slave.motion, dt, settings.choice, scratch.encounters);
     for (const Encounter& e : std::span(scratch.encounters).first(kept)) {
       const MasterFace& face = faces[static_cast<std::size_t>(e.face)];
-      const GlobalIndex slave_gid = gid[static_cast<std::size_t>(slave)];
-      Row row = row_of(e, face, slave);
+      Row row = row_of(e, face, node);
       row.gap += accepted_depth(settings.accepted, slave_gid, face.body);
       row.required = required_rate(row.gap, e.size, dt, settings);
       row.slave_gid = slave_gid;

@@ -9,16 +9,19 @@
 #include "brunt/contact/constraint.hpp"
 #include "brunt/contact/detection/choose.hpp"
 #include "brunt/contact/detection/encounter.hpp"
+#include "brunt/contact/history.hpp"
 #include "brunt/core/ragged.hpp"
 
 namespace brunt::contact {
 
 /// Candidate pairs, slave by slave in ascending gid.
 struct Candidates {
-  std::vector<LocalIndex> slave;    ///< contact node
-  std::vector<std::int32_t> body;   ///< of the slave
-  Ragged<LocalIndex> faces;         ///< master faces, ordered by (body, key)
-  Ragged<LocalIndex> slave_facets;  ///< faces of the slave's own surface around it: rows of the facet area vectors
+  std::vector<LocalIndex> slave;         ///< contact node
+  std::vector<std::int32_t> body;        ///< of the slave
+  Ragged<LocalIndex> faces;              ///< master faces, ordered by (body, key)
+  Ragged<LocalIndex> slave_facets;       ///< faces of the slave's own surface around it: rows of the facet area vectors
+  std::vector<double> half_thickness{};  ///< of the slave where it lies on a two-sided sheet, else 0 [length]; empty:
+                                         ///< there is no such sheet
 };
 
 /// A rigid plane at t_n; bodies are on the side that the normal points to.
@@ -50,6 +53,7 @@ struct DetectionScratch {
   std::vector<FaceReach> reach;
   std::vector<Vec3> facet_normal;  ///< unit; zero for a facet without area
   std::vector<Encounter> encounters;
+  std::vector<HistoryRecord> sides;  ///< of the nodes that meet two-sided faces, in the order of their keys
 
   void reserve(std::size_t faces, std::size_t facets, std::size_t most_faces_of_a_slave) {
     reach.reserve(faces);
@@ -64,9 +68,12 @@ double required_rate(double gap, double size, double dt, const DetectionSettings
 
 /// Appends the rows of slave nodes with faces, at most most_rows_of_a_node each: see `encounter` and `choose`.
 /// facet_area: area vectors [length^2] of the slaves' own faces (their unit normals are left in the scratch).
+/// remembered: the history; the sides of two-sided faces are taken from there, and left in the scratch for all pairs
+/// that meet (Meeting::none aside).
 void detect_faces(const Candidates& candidates, std::span<const MasterFace> faces, std::span<const GlobalIndex> gid,
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_area, double dt,
-                  const DetectionSettings& settings, DetectionScratch& scratch, std::vector<Row>& rows);
+                  const DetectionSettings& settings, std::span<const HistoryRecord> remembered,
+                  DetectionScratch& scratch, std::vector<Row>& rows);
 
 /// Candidates of walls: node, wall, and whether the node started in a bilateral wall's plane (it is always a row).
 struct WallCandidate {

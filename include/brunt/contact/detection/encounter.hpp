@@ -13,18 +13,27 @@
 
 namespace brunt::contact {
 
-/// A face that may be a master, with contact nodes as corners.
+/// A face that may be a master, with contact nodes as corners: the skin of a solid, or a sheet that is met from both
+/// sides at half its thickness from the middle, where its nodes are.
 struct MasterFace {
   GlobalIndex key = 0;
   std::array<LocalIndex, 4> nodes{};  ///< contact nodes, counter-clockwise seen from outside
   std::int32_t corner_count = 4;
   std::int32_t body = 0, block = 0;
   double depth = std::numeric_limits<double>::infinity();  ///< of its element behind it, at the start [length]
+  bool two_sided = false;
+  double half_thickness = 0;  ///< [length]
+};
+
+/// From where a node comes to a face.
+struct Approach {
+  double side = 1;       ///< of a two-sided face: +1 along its normal, -1 against it
+  double clearance = 0;  ///< half thicknesses of face and slave: the gap is measured from there [length]
 };
 
 /// What of a master face is the same for all slaves near it.
 struct FaceReach {
-  geometry::Box box;  ///< swept over the step and grown by the capture
+  geometry::Box box;  ///< swept over the step and grown by the capture and the half thickness
   double size = 0;    ///< longest edge [length]
 };
 
@@ -40,16 +49,17 @@ struct Encounter {
   Meeting meeting = Meeting::none;
   LocalIndex face = no_index;
   geometry::Region region = geometry::Region::face;  ///< of the closest point, at the start of the step
-  double height =
-      std::numeric_limits<double>::quiet_NaN();  ///< over the plane at the closest point, at the start [length]
-  double beside = 0;                             ///< distance of the node's foot on that plane from the point
-  double gap = 0;                                ///< that the row closes [length]
-  double time = 0;                               ///< of a hit, as a share of the step
-  double size = 0;                               ///< longest edge of the face [length]
-  bool slow = false;                             ///< moves little against the face within the step
+  Approach approach{};
+  double height = std::numeric_limits<double>::quiet_NaN();  ///< over the plane at the closest point, less the
+                                                             ///< clearance, at the start [length]
+  double beside = 0;           ///< distance of the node's foot on that plane from the point
+  double gap = 0;              ///< that the row closes [length]
+  double time = 0;             ///< of a hit, as a share of the step
+  double size = 0;             ///< longest edge of the face [length]
+  bool slow = false;           ///< moves little against the face within the step
   double opposition = 0;       ///< cosine between the master's normal and the reversed normal of the most opposed facet
-  Vec3 normal = Vec3::Zero();  ///< of the row, unit, out of the face
-  Vec3 point = Vec3::Zero();   ///< on the face, where they meet
+  Vec3 normal = Vec3::Zero();  ///< of the row, unit, out of the face on the node's side
+  Vec3 point = Vec3::Zero();   ///< on the face (on its middle), where they meet
   std::array<double, 4> weights{};  ///< of the face's corners there
 };
 
@@ -77,7 +87,10 @@ struct FacesInMotion {
 /// above the face has Meeting::none, with region and height filled all the same (NaN where the face has no area): they
 /// decide whether a node behind a neighbour is inside.
 Encounter encounter(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
-                    LocalIndex face);
+                    LocalIndex face, const Approach& approach = {});
+
+/// Does the node's path pass through the face, seen from its side, within the step? Then it is Meeting::hit.
+void find_hit(const FacesInMotion& scene, const NodeMotion& slave, Encounter& met);
 
 /// Do two unit normals differ by at most so many degrees?
 bool same_direction(const Vec3& one, const Vec3& other, double degrees);

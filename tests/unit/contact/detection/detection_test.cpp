@@ -43,7 +43,7 @@ struct CubeAndNode {
     candidates.slave_facets.close_row();
     std::vector<Row> rows;
     DetectionScratch scratch;
-    detect_faces(candidates, faces, gid, motion, facets, dt, settings, scratch, rows);
+    detect_faces(candidates, faces, gid, motion, facets, dt, settings, {}, scratch, rows);
     return rows;
   }
 };

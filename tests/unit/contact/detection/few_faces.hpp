@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A few master faces of one body and one slave node of another, for tests of detection.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -15,6 +16,8 @@ struct FewFaces {
   std::vector<contact::NodeMotion> motion;   ///< of the corners; the slave is the last
   std::vector<Vec3> facets{Vec3(0, 0, -1)};  ///< area vectors of the slave's own surface
   contact::DetectionSettings settings;
+  std::vector<contact::HistoryRecord> history;  ///< what `rows` has left, taken up by the next
+  double slave_thickness = 0;
   double dt = 1e-3;
 
   FewFaces(const std::vector<Vec3>& points, const std::vector<std::array<LocalIndex, 4>>& corners) {
@@ -36,7 +39,9 @@ struct FewFaces {
     candidates.slave_facets.close_row();
     std::vector<contact::Row> found;
     contact::DetectionScratch scratch;
-    detect_faces(candidates, faces, gid, motion, facets, dt, settings, scratch, found);
+    if (std::ranges::any_of(faces, &contact::MasterFace::two_sided)) candidates.half_thickness = {slave_thickness / 2};
+    detect_faces(candidates, faces, gid, motion, facets, dt, settings, history, scratch, found);
+    history = scratch.sides;
     return found;
   }
 };
