@@ -92,14 +92,19 @@ SegmentPair closest_points(const Segment& a, const Segment& b) {
   return best;
 }
 
-std::optional<CommonPerpendicular> common_perpendicular(const Segment& a, const Segment& b) {
+std::optional<CommonPerpendicular> common_perpendicular(const Segment& a, const Segment& b, double kink) {
   const auto p = feet(a, b, parallel_sine);
-  if (!p || !inside(p->s, face_tolerance) || !inside(p->t, face_tolerance)) return std::nullopt;
+  if (!p || !std::isfinite(p->s) || !std::isfinite(p->t)) return std::nullopt;
   CommonPerpendicular result{.s = std::clamp(p->s, 0.0, 1.0), .t = std::clamp(p->t, 0.0, 1.0)};
   result.on_a = point_at(a, result.s);
   result.on_b = point_at(b, result.t);
   result.normal = direction(a).cross(direction(b)).normalized();
   result.gap = (a.start - b.start).dot(result.normal);
+  result.past_an_end = !inside(p->s, face_tolerance) || !inside(p->t, face_tolerance);
+  if (!result.past_an_end) return result;
+  const double sine = direction(a).normalized().cross(direction(b).normalized()).norm();
+  const double beside = (result.on_a - result.on_b - result.gap * result.normal).norm();
+  if (!(beside <= kink * sine * std::abs(result.gap))) return std::nullopt;
   return result;
 }
 

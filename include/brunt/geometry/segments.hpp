@@ -35,11 +35,14 @@ struct CommonPerpendicular {
   Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
   Vec3 normal = Vec3::Zero();  ///< a x b / |a x b|
   double gap = 0;              ///< (on_a - on_b) . normal: the sign tells on which side a lies [length]
+  bool past_an_end = false;    ///< of a or b
 };
 
-/// The common perpendicular, if it meets both segments (enlarged by face_tolerance of their lengths, s and t clamped).
-/// Nothing for parallel segments, segments without length, and what is not finite.
-std::optional<CommonPerpendicular> common_perpendicular(const Segment& a, const Segment& b);
+/// The common perpendicular, if it meets both segments (enlarged by face_tolerance of their lengths, s and t clamped)
+/// or passes their ends at no more than `kink` |gap| times the sine of their angle: where two edges of a chain meet at
+/// such an angle, what lies on the outer side has its foot on neither. Nothing for parallel segments, segments without
+/// length, and what is not finite.
+std::optional<CommonPerpendicular> common_perpendicular(const Segment& a, const Segment& b, double kink = 0);
 
 /// A segment at the start (tau = 0) and the end (tau = 1) of a step, with linear motion between.
 struct MovingSegment {

@@ -44,21 +44,23 @@ Box box_of(const geometry::Segment& start, const geometry::Segment& end) {
   return box;
 }
 
+constexpr double facet_curvature = 0.02;  // sine of an angle
+
 /// Does `direction` lie between the normals of the two faces of a convex edge, or beyond them by no more than rounding
-/// and the curvature of a facet?
-bool between_normals(const EdgeScene& scene, const EdgeSide& edge, const Vec3& direction) {
-  constexpr double beyond = 0.02;
+/// and the curvature of a facet? beyond: sine of the angle.
+bool between_normals(const EdgeScene& scene, const EdgeSide& edge, const Vec3& direction, double beyond) {
   const Vec3 one = scene.normal(edge, 0), other = scene.normal(edge, 1);
   Vec3 turn = one.cross(other);
   const double sine = turn.norm();
-  if (sine < beyond) return false;  // flattened: no edge any more
+  if (sine < facet_curvature) return false;  // flattened: no edge any more
   turn /= sine;
   return one.cross(direction).dot(turn) > -beyond && direction.cross(other).dot(turn) > -beyond &&
          direction.dot(one + other) > 0;
 }
 
-bool touches_as_edges(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, const Vec3& normal) {
-  return between_normals(scene, master, normal) && between_normals(scene, slave, -normal);
+bool touches_as_edges(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, const Vec3& normal,
+                      double beyond = facet_curvature) {
+  return between_normals(scene, master, normal, beyond) && between_normals(scene, slave, -normal, beyond);
 }
 
 /// How far the points (s, t) move apart within the step.
@@ -79,14 +81,17 @@ bool is_slow(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& mast
 
 /// In contact or near each other: the common perpendicular at the start of the step.
 bool meet_now(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size, EdgeMeeting& met) {
-  const auto closest = geometry::common_perpendicular(scene.start(slave), scene.start(master));
+  constexpr double kink = 0.5;  // [radians] between edges of a chain that a node presses in
+  const auto closest = geometry::common_perpendicular(scene.start(slave), scene.start(master), kink);
   if (!closest) return false;
   met = {closest->s, closest->t, closest->gap, closest->normal};
   if (met.normal.dot(scene.outward(master) - scene.outward(slave)) < 0) {
     met.normal = -met.normal;
     met.gap = -met.gap;
   }
-  if (!touches_as_edges(scene, slave, master, met.normal)) return false;
+  // where a chain of edges ends for good, faces and nodes meet, along the normal of a face
+  const double beyond = closest->past_an_end ? -0.1 : facet_curvature;
+  if (!touches_as_edges(scene, slave, master, met.normal, beyond)) return false;
   const double behind = scene.settings.encounter.element_share * std::min(slave.depth, master.depth);
   if (met.gap <= 0) return -met.gap <= std::min(scene.settings.encounter.capture * size, behind);
   return is_slow(scene, slave, master, size);

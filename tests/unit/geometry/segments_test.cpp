@@ -123,6 +123,14 @@ TEST_CASE("common perpendicular: points, normal and signed gap; none when it mis
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_FALSE(common_perpendicular(x, {{nan, 1, 1}, {0, 1, 1}}));
   CHECK(common_perpendicular(x, {{1, -1, 1}, {1, 1, 1}}));  // at the very end
+
+  const Segment past{{1.1, -1, 1}, {1.1, 1, 1}};  // by 0.1 at a gap of 1
+  CHECK_FALSE(common_perpendicular(x, past, 0.09));
+  const auto beyond = common_perpendicular(x, past, 0.11);
+  REQUIRE(beyond);
+  CHECK(beyond->s == 1);
+  CHECK(beyond->t == Approx(0.5));
+  CHECK(std::abs(beyond->gap) == Approx(1));
 }
 
 TEST_CASE("moving edges meet when they were built to: 90 degrees, 1 degree, any angle, near the ends") {
