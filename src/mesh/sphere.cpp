@@ -108,6 +108,7 @@ Mesh sphere(const std::string& part, double radius, int elements, const SphereFo
   for (int axis = 0; axis < 3; ++axis) {
     if (!form.half[static_cast<std::size_t>(axis)]) continue;
     std::vector<char> in_plane;
+    in_plane.reserve(coordinates.size());
     for (const Vec3& x : coordinates) in_plane.push_back(x[axis] == 0);
     sets.push_back({fmt::format("{}_{}min", part, "xyz"[axis]),
                     [=](LocalIndex n) { return in_plane[static_cast<std::size_t>(n)] != 0; }});
