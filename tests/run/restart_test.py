@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every scene of cases/ stopped on two ranks and continued on three is the run on one rank that never stopped.
 
-usage: restart_test.py [--whole]     --whole: scenes to their end, stopped in the middle of contact and again shortly before it ends
+usage: restart_test.py [--whole] [--scene WORD]
+    --whole: scenes to their end, stopped in the middle of contact and again shortly before it ends
+    --scene: only those with the word in CASE/FILE
 Needs BRUNT, BRUNT_RUN (scripts/run) and BRUNT_CASES (the folder cases/) in the environment.
 """
+import argparse
 import csv
 import glob
 import json
@@ -27,8 +30,9 @@ def scenes():
     for path in sorted(glob.glob(os.path.join(CASES, "*", "*.yaml"))):
         with open(path, encoding="utf-8") as stream:
             tree = yaml.safe_load(stream)
-        if isinstance(tree, dict) and "run" in tree:
-            found[os.path.relpath(path, CASES)] = tree
+        scene = os.path.relpath(path, CASES)
+        if isinstance(tree, dict) and "run" in tree and WORD in scene:
+            found[scene] = tree
     return found
 
 
@@ -87,5 +91,9 @@ class Restart(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    WHOLE = "--whole" in sys.argv
-    unittest.main(argv=[argument for argument in sys.argv if argument != "--whole"])
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--whole", action="store_true")
+    parser.add_argument("--scene", default="")
+    given, others = parser.parse_known_args()
+    WHOLE, WORD = given.whole, given.scene
+    unittest.main(argv=[sys.argv[0], *others])
