@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact that lasts: sliding over facets, settling in a groove, meshes of very different size, a body on itself.
+// Contact that lasts: sliding over facets, settling in a groove, a body on itself.
 #include <catch2/catch.hpp>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <set>
 
 #include "brunt/mesh/assemble.hpp"
@@ -124,16 +125,40 @@ TEST_CASE("small bodies slide over a faceted valley of facets ten times their si
   constexpr double dt = 1e-3;
   std::map<GlobalIndex, std::vector<GlobalIndex>> ridden;  // faces in turn, by slave
   const Vec3 momentum = points.momentum();
+  std::vector<double> force;  // on the cube's foot
   for (int step = 0; step < 2500; ++step) {
     points.step(contact, dt);
+    force.push_back(0);
     for (std::size_t q = 0; q < contact.rows().size(); ++q) {
       const contact::Row& row = contact.rows()[q];
       if (contact.impulses()[q] <= 0) continue;
+      if (row.slave_gid < 88) force.back() += contact.impulses()[q] / dt;
       auto& faces = ridden[row.slave_gid];
       if (faces.empty() || faces.back() != row.master_key) faces.push_back(row.master_key);
     }
   }
   CHECK((points.momentum() - momentum).norm() <= 1e-13 * 24);
+
+  // smoothed over the time that two facets take, it is that of a round valley: all four nodes turn by 3 degrees a
+  // facet. (Over one facet the noise is 9 %: facets in turn are entered by one jump or by ten small ones.)
+  const double speed = 3, turn = 3 * std::numbers::pi / 180;
+  const auto window = static_cast<std::size_t>(std::lround(2 / (speed * dt)));
+  const auto smoothed = [&](const std::vector<double>& values) {
+    std::vector<double> means;
+    for (std::size_t first = 0; first + window <= values.size(); ++first)
+      means.push_back(std::accumulate(&values[first], &values[first] + window, 0.0) / static_cast<double>(window));
+    return means;
+  };
+  force.erase(force.begin(), force.begin() + 300);  // until it has landed
+  const std::vector<double> smooth = smoothed(force);
+  const double count = static_cast<double>(smooth.size());
+  const double mean = std::accumulate(smooth.begin(), smooth.end(), 0.0) / count;
+  const double square = std::inner_product(smooth.begin(), smooth.end(), smooth.begin(), 0.0) / count;
+  const double noise = std::sqrt(std::max(0.0, square - mean * mean));
+  CAPTURE(mean, noise);
+  CHECK(mean == Approx(4 * speed * speed * turn).epsilon(0.05));
+  CHECK(noise <= 0.05 * mean);
+
   for (GlobalIndex gid = 84; gid < 88; ++gid) {  // the small cube's foot; its head is held by nothing but contact
     const std::vector<GlobalIndex>& faces = ridden[gid];
     const std::set<GlobalIndex> different(faces.begin(), faces.end());
@@ -141,29 +166,6 @@ TEST_CASE("small bodies slide over a faceted valley of facets ten times their si
     CHECK(different.size() >= 4);
     CHECK(faces.size() == different.size());  // each facet once: no going back and forth
   }
-}
-
-TEST_CASE("elements a hundred times smaller than those they land on") {
-  constexpr double fine = 0.01;
-  mesh::Mesh mesh = mesh::box("coarse", {1, 1, 1}, {1, 1, 1});
-  mesh::Mesh plate = mesh::box("fine", {20 * fine, 20 * fine, 2 * fine}, {20, 20, 2});
-  mesh::place(plate, 1, {0, 0, 1}, 0, {0.37, 0.41, 1 + 1e-4});
-  mesh::append(mesh, std::move(plate));
-  Simulation scene(std::move(mesh), soft +
-                                        "parts: {coarse: {material: m}, fine: {material: m}}\n"
-                                        "initial: [{part: fine, velocity: [0, 0, -1]}]\ncontact: [{between: all}]\n");
-  GlobalIndex most_pairs = 0, most_active = 0;
-  for (int step = 0; step < 300; ++step) {
-    scene.step();
-    const contact::ContactTotals totals = scene.contact->collect();
-    most_pairs = std::max(most_pairs, totals.pairs);
-    most_active = std::max(most_active, totals.active);
-  }
-  const contact::ContactTotals totals = scene.contact->collect();
-  CHECK(most_active == 21 * 21);
-  CHECK(totals.penetration <= 0.02);
-  CHECK(totals.penetration <= 0.02 * fine);
-  CHECK(most_pairs <= 4 * 21 * 21 * 3);  // of a foot, a middle and a head layer
 }
 
 TEST_CASE("a C whose arms are thrown at each other closes and does not pass through itself") {

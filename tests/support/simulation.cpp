@@ -13,12 +13,27 @@
 namespace brunt::test {
 namespace {
 
+contact::PairTable pair_table(const model::ContactRule& rule, std::int32_t blocks) {
+  contact::PairTable table(blocks, contact::PairRule::apart);
+  for (std::int32_t a = 0; a < blocks && rule.any; ++a)
+    for (std::int32_t b = a; b < blocks; ++b) {
+      const auto pair = static_cast<std::size_t>(a * blocks + b);
+      if (!rule.active[pair]) continue;
+      const std::int8_t slave = rule.forced_slave[pair];
+      table.set(a, b,
+                slave > 0   ? contact::PairRule::slave
+                : slave < 0 ? contact::PairRule::master
+                            : contact::PairRule::automatic);
+    }
+  return table;
+}
+
 std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation) {
   const model::Model& model = simulation.model;
   if (!model.contact.any && model.walls.empty()) return nullptr;
   contact::ContactSettings settings;
   settings.bodies = model.contact.any;
-  settings.pairs = contact::PairTable(static_cast<std::int32_t>(model.blocks.size()), contact::PairRule::automatic);
+  settings.pairs = pair_table(model.contact, static_cast<std::int32_t>(model.blocks.size()));
   settings.rate = {model.contact.tolerance, model.contact.max_iterations};
   std::vector<double> inverse_mass;
   for (const model::NodeLine& node : simulation.state.nodes) inverse_mass.push_back(1.0 / node.mass);
