@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene's rules for pairs as contact reads them, and exact sums that go through a checkpoint unchanged.
+#include "app/contact_setup.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "prepared_scene.hpp"
+
+using namespace brunt;
+using contact::PairRule;
+
+TEST_CASE("contact setup: pairs that are not active stay apart, a forced slave is one seen from either side") {
+  model::ContactRule rule;
+  rule.active = {1, 1, 0, 1, 0, 1, 0, 1, 0};
+  rule.forced_slave = {0, 0, 0, 0, 0, -1, 0, 1, 0};
+  const contact::PairTable table = app::pair_table(rule, 3);
+  CHECK(table.at(0, 0) == PairRule::automatic);
+  CHECK(table.at(0, 1) == PairRule::automatic);
+  CHECK(table.at(1, 0) == PairRule::automatic);
+  CHECK(table.at(0, 2) == PairRule::apart);
+  CHECK(table.at(1, 1) == PairRule::apart);
+  CHECK(table.at(1, 2) == PairRule::master);
+  CHECK(table.at(2, 1) == PairRule::slave);
+}
+
+TEST_CASE("contact setup: no contact is made where the scene has none, walls alone search no bodies") {
+  CHECK(support::PreparedScene(support::two_bodies).run->contact == nullptr);
+  const support::PreparedScene walls(support::two_bodies +
+                                     "rigid_walls: [{name: w, point: [0, 0, 0], normal: [0, 0, 1]}]\n");
+  REQUIRE(walls.run->contact);
+  CHECK(walls.run->contact->sums().wall_impulse.size() == 1);
+}
+
+TEST_CASE("contact setup: sums come back from what a checkpoint holds, bit for bit") {
+  support::PreparedScene scene(support::two_bodies +
+                               "contact: [{between: all}]\nprobes: [{name: p, contact: [low, top]}]\n");
+  REQUIRE(scene.run->contact);
+  REQUIRE(scene.run->tracked.size() == 1);
+  contact::Contact& contact = *scene.run->contact;
+  const comm::Communicator self = comm::Communicator::self();
+  for (const double term : {1e20, 1.0, -1e20, 1e-20, 0.1}) {
+    contact.sums().contact_work.add(term);
+    contact.sums().tracked_impulse[0][2].add(-term);
+  }
+  contact.sums().penetration = 0.25;
+  const std::vector<double> saved = app::save_sums(self, contact);
+  contact.sums().contact_work.add(17);
+  contact.sums().tracked_impulse[0][2].clear();
+  contact.sums().penetration = 3;
+  CHECK(app::save_sums(self, contact) != saved);
+  app::restore_sums(self, saved, contact);
+  CHECK(app::save_sums(self, contact) == saved);
+  const contact::ContactTotals totals = contact.collect();
+  CHECK(totals.contact_work == 1.1);  // 1 + 0.1 + 1e-20, rounded once
+  CHECK(totals.tracked_impulse[0] == Vec3(0, 0, -1.1));
+  CHECK(totals.penetration == 0.25);
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files of a run, and the guard that watches the energy.
+#include "app/results.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "brunt/core/error.hpp"
+#include "prepared_scene.hpp"
+
+using namespace brunt;
+
+namespace {
+
+struct Written {
+  support::PreparedScene scene{support::two_bodies +
+                               "contact: [{between: all}]\noutput: {every: 1, fields: [velocity]}\n"};
+  app::Log log{false, true};
+  app::Results results{*scene.run, scene.folder.path.string(), std::nullopt, log};
+
+  [[nodiscard]] std::string text(const std::string& name) const {
+    std::stringstream all;
+    all << std::ifstream(scene.folder.file(name)).rdbuf();
+    return all.str();
+  }
+  time::Ledger step() {
+    scene.evaluate();
+    results.read_fields();
+    results.read_probes();
+    scene.advance();
+    return time::ledger(scene.run->model, scene.run->state, scene.run->scratch, scene.run->links,
+                        scene.run->contact.get(), scene.report);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("results: a row of history, a record of fields, a summary") {
+  Written run;
+  const time::Ledger ledger = run.step();
+  run.results.write_fields(&run.scene.report);
+  run.results.write_history(ledger, run.scene.report);
+  run.results.watch(ledger, 0);
+  run.results.seal();
+  run.results.write_summary("steps", 0, 1.5, {1.0, 1, {}});
+
+  std::stringstream history(run.text("history.csv"));
+  std::string header, row;
+  std::getline(history, header);
+  std::getline(history, row);
+  CHECK_THAT(header, Catch::StartsWith("step,time"));
+  CHECK(std::ranges::count(header, ',') == std::ranges::count(row, ','));
+  CHECK_THAT(row, Catch::StartsWith("0,0"));
+  CHECK(std::filesystem::exists(run.scene.folder.file("state.h5")));
+  const nlohmann::json summary = nlohmann::json::parse(run.text("summary.json"));
+  CHECK(summary["steps"] == 1);
+  CHECK(summary["elements"] == 5);
+  CHECK(summary["nodes"] == 26);
+  CHECK(summary["stopped_by"] == "steps");
+  CHECK(summary["contact"]["searches"] == 1);
+  CHECK(summary["contact"]["active"] == 4);
+  CHECK(summary["energy"]["contact"] > 0);
+  CHECK(summary["energy"]["total"].get<double>() == Approx(0.5 * 3 * 5));
+}
+
+TEST_CASE("results: kinetic energy from nowhere stops the run, what an external force has given does not") {
+  Written run;
+  time::Ledger ledger;
+  ledger.kinetic = 10;
+  CHECK_NOTHROW(run.results.watch(ledger, 0));
+  CHECK(run.results.extremes().start_total == 10);
+  ledger.kinetic = 14;
+  CHECK_NOTHROW(run.results.watch(ledger, 1));
+  CHECK(run.results.extremes().error_ratio == Approx(4.0 / 14));
+  ledger.kinetic = 40;
+  CHECK_THROWS_AS(run.results.watch(ledger, 2), GuardError);
+  ledger.external = 30;
+  CHECK_NOTHROW(run.results.watch(ledger, 3));
+  ledger.kinetic = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(run.results.watch(ledger, 4), GuardError);
+}
+
+TEST_CASE("results: after a guard the last good state comes back, as a checkpoint and in the run") {
+  Written run;
+  CHECK(run.results.save_last_good().empty());  // nothing remembered
+  run.step();
+  run.results.remember_good();
+  const double good = run.scene.run->state.nodes[0].v[2];
+  run.step();
+  run.scene.run->state.nodes[0].v[2] = 1e9;
+  const std::string file = run.results.save_last_good();
+  CHECK(std::filesystem::exists(file));
+  CHECK(run.scene.run->state.nodes[0].v[2] == good);
+  CHECK(run.scene.run->state.step == 1);
+}
