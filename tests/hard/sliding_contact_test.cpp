@@ -81,6 +81,8 @@ TEST_CASE("a wedge of 30 degrees falls into a groove of 60 degrees and settles a
                                           "gravity: {vector: [0, 0, -10]}\ndamping: {alpha: 10}\n"
                                           "contact: [{between: all, tolerance: 1.0e-8, max_iterations: 1000}]\n");
     int switches = 0;
+    double force = 0, square = 0, count = 0, weight = 0;  // at rest: sums over steps of what holds the wedge up
+    for (GlobalIndex n = bottom; n < bottom + 8; ++n) weight += 10 * scene.mass(scene.node(n));
     std::set<GlobalIndex> faces_before;
     while (scene.state.time < 4) {
       scene.step();
@@ -90,12 +92,23 @@ TEST_CASE("a wedge of 30 degrees falls into a groove of 60 degrees and settles a
       for (std::size_t q = 0; q < scene.contact->rows().size(); ++q)
         if (scene.contact->rows()[q].slave_gid == gid && scene.contact->impulses()[q] > 0)
           faces.insert(scene.contact->rows()[q].master_key);
-      if (scene.state.time > 2) switches += static_cast<int>(faces != faces_before);
+      if (scene.state.time > 2) {
+        double up = 0;
+        for (std::size_t q = 0; q < scene.contact->rows().size(); ++q)
+          up += scene.contact->impulses()[q] * scene.contact->rows()[q].normal.z() / scene.report.dt_mean;
+        force += up;
+        square += up * up;
+        ++count;
+        switches += static_cast<int>(faces != faces_before);
+      }
       faces_before = faces;
     }
     const Vec3 end = scene.position(scene.node(bottom));
     CHECK(std::abs(end.x()) <= 1e-3 * size);
     CHECK(std::abs(end.z()) <= 1e-3 * size);
+    CHECK(switches == 0);
+    CHECK(force / count == Approx(weight).epsilon(0.01));
+    CHECK(std::sqrt(std::max(0.0, square / count - force / count * force / count)) <= 0.05 * weight);
   }
 }
 
