@@ -26,9 +26,10 @@ class Survey {
         mesh_(mesh),
         part_of_(scene::parts_of_blocks(input, mesh)),
         solids_(solids_of(mesh)),
-        body_(body_of_nodes(mesh)) {
+        body_(body_of_nodes(mesh)),
+        around_(mesh) {
     for (std::size_t a = 0; a < solids_.size(); ++a)
-      for (std::size_t b = 0; b < a; ++b)
+      for (std::size_t b = 0; b <= a; ++b)
         if (const auto rule = rule_of(a, b)) compare(a, b, *rule);
     forgive_masters();
     std::ranges::sort(gaps.overlaps, [](const InitialOverlap& p, const InitialOverlap& q) {
@@ -47,6 +48,7 @@ class Survey {
   void compare(std::size_t a, std::size_t b, OverlapRule rule) {
     std::vector<char> inside(mesh_.coordinates.size(), 0);
     compare_nodes(a, b, rule, inside);
+    if (a == b) return;
     compare_nodes(b, a, rule, inside);
     find_piercings(a, b, rule, inside);
     find_piercings(b, a, rule, inside);
@@ -55,25 +57,29 @@ class Survey {
   void compare_nodes(std::size_t a, std::size_t b, OverlapRule rule, std::vector<char>& inside) {
     constexpr std::size_t most_examined = 1000;  // of those so deep that each costs a look at all faces
     const Solid& solid = solids_[b];
-    const Comparison compared(mesh_, solids_[a], solid, mesh_.blocks[b]);
+    const bool one_body = std::ranges::any_of(
+        bodies_of(solids_[a]), [&](std::int32_t body) { return std::ranges::binary_search(bodies_of(solid), body); });
+    const Comparison compared(mesh_, solids_[a], solid, mesh_.blocks[b], one_body ? &around_ : nullptr);
     std::size_t examined = 0;
     for (std::size_t i = 0; i < compared.size(); ++i) {
       const LocalIndex node = compared.node(i);
-      const std::int32_t body = body_[static_cast<std::size_t>(node)], other_body = body_of(solid);
-      if (body == other_body) continue;
       if (!compared.overlaps(i)) {
-        keep_gap(part_of_[a], part_of_[b], compared.touches(i) ? 0.0 : compared.distance(i));
+        if (!one_body) keep_gap(part_of_[a], part_of_[b], compared.touches(i) ? 0.0 : compared.distance(i));
         continue;
       }
       std::optional<Behind> behind = compared.behind_near(i);
       if (!behind && examined++ < most_examined) behind = compared.behind_any(i);
       if (behind && behind->depth < 0) {
-        keep_gap(part_of_[a], part_of_[b], -behind->depth);
+        if (!one_body) keep_gap(part_of_[a], part_of_[b], -behind->depth);
         continue;
       }
       inside[static_cast<std::size_t>(node)] = 1;
-      InitialOverlap overlap{
-          .node = node, .block = a, .other_block = b, .body = body, .other_body = other_body, .rule = rule};
+      InitialOverlap overlap{.node = node,
+                             .block = a,
+                             .other_block = b,
+                             .body = body_[static_cast<std::size_t>(node)],
+                             .other_body = behind ? body_of(solid.faces[behind->face]) : body_of(solid),
+                             .rule = rule};
       if (behind) {
         const SolidFace& face = solid.faces[behind->face];
         overlap.depth = behind->depth;
@@ -109,18 +115,30 @@ class Survey {
   [[nodiscard]] std::int32_t body_of(const Solid& solid) const {
     return body_[static_cast<std::size_t>(solid.surface_nodes.front())];
   }
+  [[nodiscard]] std::int32_t body_of(const SolidFace& face) const {
+    return body_[static_cast<std::size_t>(face.nodes[0])];
+  }
+  /// Ascending.
+  [[nodiscard]] std::vector<std::int32_t> bodies_of(const Solid& solid) const {
+    std::vector<std::int32_t> bodies;
+    for (const LocalIndex node : solid.surface_nodes) bodies.push_back(body_[static_cast<std::size_t>(node)]);
+    std::ranges::sort(bodies);
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    return bodies;
+  }
 
   const scene::Input& input_;
   const mesh::Mesh& mesh_;
   std::vector<std::size_t> part_of_;
   std::vector<Solid> solids_;
   std::vector<std::int32_t> body_;
+  NodesAround around_;
 };
 
 }  // namespace
 
 InitialGaps initial_gaps(const scene::Input& input, const mesh::Mesh& mesh) {
-  if (input.contact.empty() || mesh.blocks.size() < 2) return {};
+  if (input.contact.empty()) return {};
   return Survey(input, mesh).gaps;
 }
 

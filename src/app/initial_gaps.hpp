@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where bodies stand to each other before anything moves: the smallest gap, nodes that are inside another body, and
-// edges that pass through one. Pure geometry on the whole mesh, so it sees overlaps of any depth (contact itself looks
-// no deeper than its capture).
+// Where bodies stand to each other before anything moves: the smallest gap, nodes that are inside another body or
+// another part of their own, and edges that pass through one. Pure geometry on the whole mesh, so it sees overlaps of
+// any depth (contact itself looks no deeper than its capture).
 #pragma once
 #include <array>
 #include <vector>
@@ -23,6 +23,7 @@ struct InitialOverlap {
   /// A slave deeper than contact looks behind a face: it would be let go, or seen from the wrong side.
   bool too_deep = false;
   OverlapRule rule = OverlapRule::error;  ///< as the scene has it for this pair
+  [[nodiscard]] bool is_within_itself() const { return body == other_body; }
 };
 
 /// Edges of one block that pass through another without an end or a corner inside: nodes on the right sides of all
@@ -43,7 +44,9 @@ struct InitialGaps {
   std::vector<Piercing> piercings;
 };
 
-/// Nodes deeper inside than `touching` overlap; shallower ones touch. Parts that share nodes are one body.
+/// Nodes deeper inside than `touching` overlap; shallower ones touch. Parts that share nodes are one body: of a body
+/// with itself only overlaps are told, in elements that do not touch those of the node; neither gaps (the thickness of
+/// every part would be one) nor edges that pass through it.
 InitialGaps initial_gaps(const scene::Input& input, const mesh::Mesh& mesh);
 
 }  // namespace brunt::app

@@ -22,6 +22,7 @@ struct Reporter {
     std::string line =
         fmt::format("{}: contact: node {} of part '{}' lies {:.4g} inside part '{}' at the start", input.file,
                     node(deepest.node), part(deepest.block), deepest.depth, part(deepest.other_block));
+    if (deepest.is_within_itself()) line += " (one body, which overlaps itself)";
     if (nodes > 1)
       line += fmt::format(", the deepest of {} nodes of the two parts that overlap (brunt check lists them)", nodes);
     if (too_deep > 0)
@@ -43,6 +44,7 @@ struct Reporter {
 struct Pair {
   const InitialOverlap* deepest;
   std::size_t nodes = 0, too_deep = 0;
+  bool itself = false;  ///< some of them lie in their own body
 };
 
 std::vector<Pair> pairs_of(const Reporter& reporter, const InitialGaps& gaps) {
@@ -56,6 +58,7 @@ std::vector<Pair> pairs_of(const Reporter& reporter, const InitialGaps& gaps) {
     if (known == pairs.end()) known = pairs.insert(pairs.end(), Pair{&overlap});
     ++known->nodes;
     known->too_deep += overlap.too_deep ? 1 : 0;
+    known->itself = known->itself || overlap.is_within_itself();
   }
   return pairs;
 }
@@ -97,8 +100,16 @@ OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh,
     (treatable ? refused : untreatable) = true;
     report.faults.push_back(std::move(line));
   };
-  for (const Pair& pair : pairs_of(reporter, gaps))
-    judge(pair.deepest->rule, pair.too_deep == 0, reporter.describe(*pair.deepest, pair.nodes, pair.too_deep));
+  bool moves_itself = false;
+  for (const Pair& pair : pairs_of(reporter, gaps)) {
+    std::string line = reporter.describe(*pair.deepest, pair.nodes, pair.too_deep);
+    if (pair.itself && pair.deepest->rule == OverlapRule::move) {
+      moves_itself = true;
+      report.faults.push_back(std::move(line));
+    } else {
+      judge(pair.deepest->rule, pair.too_deep == 0, std::move(line));
+    }
+  }
   for (const Piercing& piercing : gaps.piercings) judge(piercing.rule, false, reporter.describe(piercing));
   if (refused)
     report.faults.push_back(input.file +
@@ -108,6 +119,11 @@ OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh,
     report.faults.push_back(input.file +
                             ": contact: initial_overlap: move and offset treat nodes that are less than a quarter of a "
                             "face's edge and half an element inside; move the parts apart");
+  if (moves_itself)
+    report.faults.push_back(
+        input.file +
+        ": contact: initial_overlap: move does not part a body from itself; mend its mesh, or accept "
+        "the overlap with warn (recovered slowly) or offset (kept as zero gap)");
   return report;
 }
 

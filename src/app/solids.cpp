@@ -18,6 +18,7 @@ SolidFace face_of(const mesh::Mesh& mesh, const mesh::Side& side) {
   const mesh::Block& block = mesh.blocks[static_cast<std::size_t>(side.block)];
   const LocalIndex* element = block.element(side.element);
   SolidFace face;
+  face.element = side.element;
   face.nodes = mesh::face_nodes(block.shape, element, side.face);
   Vec3 centre = Vec3::Zero();
   for (const LocalIndex node : face.nodes) {
@@ -113,8 +114,31 @@ std::vector<std::int32_t> body_of_nodes(const mesh::Mesh& mesh) {
   return of_node;
 }
 
-Comparison::Comparison(const mesh::Mesh& mesh, const Solid& nodes, const Solid& solid, const mesh::Block& block)
-    : nodes_(nodes), solid_(solid) {
+NodesAround::NodesAround(const mesh::Mesh& mesh) : mesh_(mesh) {
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const mesh::Block& block = mesh.blocks[b];
+    for (LocalIndex e = 0; e < block.count(); ++e)
+      for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c)
+        uses_.push_back({block.element(e)[c], static_cast<LocalIndex>(b), e});
+  }
+  std::ranges::sort(uses_);
+}
+
+std::vector<LocalIndex> NodesAround::of(LocalIndex node) const {
+  std::vector<LocalIndex> nodes;
+  for (const Use& use : std::ranges::equal_range(uses_, node, {}, &Use::node)) {
+    const mesh::Block& block = mesh_.blocks[static_cast<std::size_t>(use.block)];
+    const LocalIndex* element = block.element(use.element);
+    nodes.insert(nodes.end(), element, element + mesh::nodes_per_element(block.shape));
+  }
+  std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+Comparison::Comparison(const mesh::Mesh& mesh, const Solid& nodes, const Solid& solid, const mesh::Block& block,
+                       const NodesAround* around)
+    : nodes_(nodes), solid_(solid), block_(block), around_(around) {
   double longest = 0;
   for (const SolidFace& face : solid.faces) longest = std::max(longest, face.size);
   const geometry::Box reach = geometry::grown(solid.box, longest);
@@ -124,18 +148,37 @@ Comparison::Comparison(const mesh::Mesh& mesh, const Solid& nodes, const Solid& 
       node_.push_back(i);
       point_.push_back(x);
     }
+  if (!node_.empty()) find_inside(mesh);
+  if (around_) keep_inside_only();
   near_.assign(node_.size(), infinity);
   touches_.assign(node_.size(), 0);
-  inside_.assign(node_.size(), 0);
-  if (node_.empty()) return;
-  measure_near();
-  find_inside(mesh, block);
+  if (!node_.empty()) measure_near();
+}
+
+void Comparison::keep_inside_only() {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < node_.size(); ++i) {
+    if (!inside_[i]) continue;
+    node_[kept] = node_[i];
+    point_[kept++] = point_[i];
+  }
+  node_.resize(kept);
+  point_.resize(kept);
+  inside_.assign(kept, 1);
+}
+
+bool Comparison::is_neighbour(std::size_t i, LocalIndex element) const {
+  if (!around_) return false;
+  const LocalIndex* nodes = block_.element(element);
+  const std::vector<LocalIndex> around = around_->of(node(i));
+  return std::any_of(nodes, nodes + mesh::nodes_per_element(block_.shape),
+                     [&](LocalIndex node) { return std::ranges::binary_search(around, node); });
 }
 
 void Comparison::judge(std::size_t i, std::size_t f, Nearest& nearest) const {
   const SolidFace& face = solid_.faces[f];
   const auto closest = geometry::closest_point(point_[i], face.points());
-  if (!closest) return;
+  if (!closest || is_neighbour(i, face.element)) return;
   const Vec3 offset = point_[i] - closest->point;
   const double far = offset.norm();
   const bool nearer = !nearest.all || far < nearest.all_distance;
@@ -178,19 +221,20 @@ void Comparison::measure_near() {
     for (const LocalIndex f : std::as_const(near_faces_).row(static_cast<LocalIndex>(i))) {
       const SolidFace& face = solid_.faces[static_cast<std::size_t>(f)];
       const auto closest = geometry::closest_point(point_[i], face.points());
-      if (!closest) continue;
+      if (!closest || is_neighbour(i, face.element)) continue;
       const double far = (point_[i] - closest->point).norm();
       near_[i] = std::min(near_[i], far);
       if (far <= touching * face.size) touches_[i] = 1;
     }
 }
 
-void Comparison::find_inside(const mesh::Mesh& mesh, const mesh::Block& block) {
+void Comparison::find_inside(const mesh::Mesh& mesh) {
+  inside_.assign(node_.size(), 0);
   std::vector<geometry::Box> boxes;
-  for (LocalIndex e = 0; e < block.count(); ++e) {
+  for (LocalIndex e = 0; e < block_.count(); ++e) {
     geometry::Box box;
-    for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c)
-      geometry::extend(box, mesh.coordinates[static_cast<std::size_t>(block.element(e)[c])]);
+    for (int c = 0; c < mesh::nodes_per_element(block_.shape); ++c)
+      geometry::extend(box, mesh.coordinates[static_cast<std::size_t>(block_.element(e)[c])]);
     boxes.push_back(box);
   }
   contact::SearchScratch scratch;
@@ -198,7 +242,7 @@ void Comparison::find_inside(const mesh::Mesh& mesh, const mesh::Block& block) {
   contact::find_pairs(boxes, point_, scratch, pairs);
   for (std::size_t i = 0; i < point_.size(); ++i)
     for (const LocalIndex e : std::as_const(pairs).row(static_cast<LocalIndex>(i)))
-      if (!inside_[i] && in_element(point_[i], mesh, block, e)) inside_[i] = 1;
+      if (!inside_[i] && in_element(point_[i], mesh, block_, e) && !is_neighbour(i, e)) inside_[i] = 1;
 }
 
 }  // namespace brunt::app

@@ -25,8 +25,9 @@ struct SolidFace {
   FaceNodes nodes{};
   std::array<Vec3, 4> corners;
   std::size_t corner_count = 0;
-  double size = 0;   ///< longest edge [length]
-  double depth = 0;  ///< of the element behind it [length]
+  LocalIndex element = no_index;  ///< of the block, behind it
+  double size = 0;                ///< longest edge [length]
+  double depth = 0;               ///< of that element [length]
   [[nodiscard]] geometry::Corners points() const { return {corners.data(), corner_count}; }
 };
 
@@ -52,10 +53,30 @@ struct Behind {
   std::array<double, 4> weights{};  ///< of the face's corners where the node is nearest
 };
 
+/// Which elements each node belongs to.
+class NodesAround {
+ public:
+  explicit NodesAround(const mesh::Mesh& mesh);
+  /// The nodes of all elements of a node, ascending.
+  [[nodiscard]] std::vector<LocalIndex> of(LocalIndex node) const;
+
+ private:
+  struct Use {
+    LocalIndex node, block, element;
+    friend auto operator<=>(const Use&, const Use&) = default;
+  };
+  const mesh::Mesh& mesh_;
+  std::vector<Use> uses_;  // ascending
+};
+
 /// The surface nodes of one block that are near the solid of another, or inside.
 class Comparison {
  public:
-  Comparison(const mesh::Mesh& mesh, const Solid& nodes, const Solid& solid, const mesh::Block& block);
+  /// around: given where the two blocks are one, or hang together. Then only nodes inside are looked at, and elements
+  /// that touch an element of the node are no other solid (as contact has it): it is neither inside them nor behind
+  /// their faces.
+  Comparison(const mesh::Mesh& mesh, const Solid& nodes, const Solid& solid, const mesh::Block& block,
+             const NodesAround* around);
 
   [[nodiscard]] std::size_t size() const { return node_.size(); }
   [[nodiscard]] LocalIndex node(std::size_t i) const { return nodes_.surface_nodes[node_[i]]; }
@@ -79,10 +100,14 @@ class Comparison {
     [[nodiscard]] const std::optional<Behind>& chosen() const { return all && all->depth < 0 ? all : opposed; }
   };
   void judge(std::size_t i, std::size_t face, Nearest& nearest) const;
+  [[nodiscard]] bool is_neighbour(std::size_t i, LocalIndex element) const;
+  void keep_inside_only();
   void measure_near();
-  void find_inside(const mesh::Mesh& mesh, const mesh::Block& block);
+  void find_inside(const mesh::Mesh& mesh);
 
   const Solid &nodes_, &solid_;
+  const mesh::Block& block_;
+  const NodesAround* around_;
   std::vector<std::size_t> node_;  // into nodes_.surface_nodes
   std::vector<Vec3> point_;
   Ragged<LocalIndex> near_faces_;  // within their longest edge, or a little more

@@ -160,7 +160,8 @@ std::optional<ContactEntry::InitialOverlap> overlap_rule(const Input& input, con
   std::optional<ContactEntry::InitialOverlap> rule;
   for (const ContactEntry& entry : input.contact) {
     if (!names_pair(entry, a, b) && !names_pair(entry, b, a)) continue;
-    rule = excludes(entry, a, b) ? std::nullopt : std::optional(entry.initial_overlap);
+    const bool itself = a == b && entry.between.empty() && !entry.self;
+    rule = itself || excludes(entry, a, b) ? std::nullopt : std::optional(entry.initial_overlap);
   }
   return rule;
 }

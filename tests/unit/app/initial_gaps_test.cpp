@@ -8,6 +8,7 @@
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/primitives.hpp"
 #include "brunt/scene/read.hpp"
+#include "unit/app/bent_bar.hpp"
 
 using namespace brunt;
 
@@ -61,4 +62,23 @@ TEST_CASE("initial gaps: an overlap is a warning where the scene accepts it") {
   const app::OverlapReport report = app::report_overlaps(cubes.input, cubes.mesh, cubes.gaps());
   CHECK(report.faults.empty());
   CHECK(report.warnings.size() == 1);
+}
+
+TEST_CASE("initial gaps: a body that overlaps itself is told, where parts meet themselves") {
+  const app::InitialGaps gaps = app::initial_gaps(test::bent_bar_scene("self: true"), test::bent_bar(0.1));
+  REQUIRE(gaps.overlaps.size() == test::bent_bar_nodes);
+  for (const app::InitialOverlap& overlap : gaps.overlaps) {
+    CHECK(overlap.is_within_itself());
+    CHECK(test::is_bent_bar_depth(overlap.depth, 0.1));
+    CHECK_FALSE(overlap.too_deep);
+    CHECK(overlap.rule == app::OverlapRule::error);
+  }
+  CHECK(gaps.piercings.empty());
+  CHECK(gaps.smallest == -1);  // a body is at no distance from itself
+  CHECK(app::initial_gaps(test::bent_bar_scene("self: false"), test::bent_bar(0.1)).overlaps.empty());
+  CHECK(app::initial_gaps(test::bent_bar_scene("self: true"), test::bent_bar(-0.1)).overlaps.empty());
+  // an end face of edge 0.5 lets nodes be 0.125 deep
+  const app::InitialGaps deep = app::initial_gaps(test::bent_bar_scene("self: true"), test::bent_bar(0.2));
+  REQUIRE(deep.overlaps.size() == test::bent_bar_nodes);
+  CHECK(deep.overlaps[0].too_deep);
 }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What becomes of overlaps at the start: nodes moved out, overlaps kept as zero gap, bodies that pierce each other, and
 // meshes with coincident or shared nodes and flat faces.
+#include "app/treat_overlaps.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "app/treat_overlaps.hpp"
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/primitives.hpp"
 #include "brunt/scene/read.hpp"
 #include "brunt/scene/select.hpp"
+#include "unit/app/bent_bar.hpp"
 
 using namespace brunt;
 using app::TreatedOverlaps;
@@ -163,6 +165,37 @@ TEST_CASE("quarters of balls that touch in a vertex do not pierce each other") {
     CAPTURE(a, b);
     CHECK(treated.gaps.piercings.empty());
     CHECK(treated.report.list.empty());
+  }
+}
+
+TEST_CASE("a body that overlaps itself is refused, warned of, or kept as zero gap; nothing moves it out of itself") {
+  const auto treat = [](const std::string& rule) {
+    const scene::Input input = test::bent_bar_scene("initial_overlap: " + rule);
+    mesh::CanonicalMesh whole = mesh::canonical_order(test::bent_bar(0.1));
+    scene::select(input, whole);
+    const std::vector<Vec3> before = whole.mesh.coordinates;
+    TreatedOverlaps treated = app::treat_overlaps(input, whole);
+    CHECK(whole.mesh.coordinates == before);
+    CHECK(treated.report.list.size() == test::bent_bar_nodes);
+    return treated;
+  };
+  TreatedOverlaps treated = treat("error");
+  REQUIRE(treated.report.faults.size() == 2);
+  CHECK_THAT(treated.report.faults[0],
+             Catch::Contains("inside part 'a' at the start (one body, which overlaps itself)"));
+  treated = treat("warn");
+  CHECK(treated.report.faults.empty());
+  CHECK(treated.report.warnings.size() == 1);
+  CHECK(treated.recovered);
+  treated = treat("move");
+  REQUIRE(treated.report.faults.size() == 2);
+  CHECK_THAT(treated.report.faults[1], Catch::Contains("move does not part a body from itself"));
+  treated = treat("offset");
+  CHECK(treated.report.faults.empty());
+  REQUIRE(treated.accepted.size() == test::bent_bar_nodes);
+  for (const contact::AcceptedOverlap& overlap : treated.accepted) {
+    CHECK(overlap.body == 0);
+    CHECK(test::is_bent_bar_depth(overlap.depth, 0.1));
   }
 }
 
