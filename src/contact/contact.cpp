@@ -67,6 +67,9 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
   surface_velocity_.resize(3 * surface_.gid.size());
   foreign_velocity_.resize(3 * foreign_.size());
   held_ = held_by_walls(surface_, mesh.coordinates, walls);
+  if (!settings_.detection.accepted.empty())
+    for (const LocalIndex node : surface_.model_node)
+      surface_reference_.push_back(mesh.coordinates[static_cast<std::size_t>(node)]);
   sums_.wall_impulse.resize(walls.size());
   sums_.tracked_impulse.resize(settings_.tracked.size());
 }
@@ -134,6 +137,7 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
       mobility_[i] = surface_mobility_[static_cast<std::size_t>(lists_.nodes.surface_node[i])];
   static_assert(sizeof(Mobility) == 10 * sizeof(double));
   lists_.exchange.share(as_doubles(mobility_), 10);
+  share_reference();
   own_area_.assign(surface_.faces.size(), Vec3::Zero());
   facet_area_.assign(static_cast<std::size_t>(lists_.facet_count), Vec3::Zero());
   detection_.reserve(lists_.faces.size(), facet_area_.size(), lists_.most_faces_of_a_slave);
@@ -146,6 +150,15 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
   detection_.sides.reserve(sides);
   history_.pairs.reserve(lists_.most_rows + sides);
   next_pairs_.reserve(lists_.most_rows + sides);
+}
+
+void Contact::share_reference() {
+  if (settings_.detection.accepted.empty()) return;
+  reference_.assign(lists_.nodes.gid.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < reference_.size(); ++i)
+    if (const LocalIndex here = lists_.nodes.surface_node[i]; here != no_index)
+      reference_[i] = surface_reference_[static_cast<std::size_t>(here)];
+  lists_.exchange.share(as_doubles(reference_), 3);
 }
 
 void Contact::gather(VectorView position, VectorView old_velocity, MutableVectorView velocity) {
@@ -177,7 +190,7 @@ void Contact::detect_crossing_edges(double dt) {
     if (normal.isZero(0)) normal = row.normal;
   }
   lists_.exchange.share(as_doubles(node_normal_), 3);
-  detect_edges(lists_.edges, lists_.nodes.gid, motion_of_, detection_.facet_normal, node_normal_, dt,
+  detect_edges(lists_.edges, lists_.nodes.gid, motion_of_, detection_.facet_normal, node_normal_, reference_, dt,
                settings_.detection, rows_);
 }
 

@@ -238,6 +238,31 @@ class Start(Program):
         self.assertRegex(self.text("move1", "log.txt"), r"initial overlaps: \d+ nodes moved, by 0\.01")
         self.assertRegex(self.text("offset1", "log.txt"), r"initial overlaps: \d+ nodes keep theirs as zero gap, 0.01")
 
+    def test_kept_overlaps_of_edges(self):
+        """Corners inside each other: nodes behind faces, and edges across edges."""
+        for rule in ("warn", "offset"):
+            self.write("pair.yaml", scenes.PAIR.replace("AT, 0.1, 0.1", "0.99, 0.99, 0.99").replace("RULE", rule))
+            self.run_scene(2, "pair.yaml", "--out", rule, "--set", "run.steps=200")
+        self.assertGreater(self.summary("warn")["energy"]["kinetic"], 0)
+        self.assertLess(self.summary("offset")["energy"]["kinetic"], 1e-12 * self.summary("warn")["energy"]["kinetic"])
+        self.assertLess(self.summary("offset")["max_penetration"], 1e-12)
+
+    def test_a_body_that_overlaps_itself(self):
+        self.write("ring.msh", scenes.bent_bar(0.1))
+        self.write("ring.yaml", scenes.RING)
+        done = self.brunt("check", "ring.yaml")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("inside part 'ring' at the start (one body, which overlaps itself)", done.stderr)
+        self.assertEqual(len(re.findall(r"^overlap +node +\d+ of ring +0\.\d+ inside ring, ", done.stdout, re.M)), 4)
+        hashes = set()
+        for ranks in (1, 3):
+            self.run_scene(ranks, "ring.yaml", "--out", f"ring{ranks}", "--set", "contact.0.initial_overlap=offset")
+            self.assertLess(abs(self.summary(f"ring{ranks}")["energy"]["kinetic"]), 1e-24)
+            hashes.add(self.summary(f"ring{ranks}")["state_hash"])
+        self.assertEqual(len(hashes), 1)
+        self.run_scene(1, "ring.yaml", "--out", "parted", "--set", "contact.0.initial_overlap=warn")
+        self.assertGreater(self.summary("parted")["energy"]["kinetic"], 1e-12)
+
     def test_kept_overlaps_over_ranks_and_a_restart(self):
         push = ("--set", "initial=[{part: right, velocity: [-5, 0, 0]}]")
         one = self.run_pair("offset", 1, *push, "--set", "run.steps=60")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Small scenes, with meshes written here, that use much of the program at once."""
+import math
 
 # A cube of hexahedra, on it one of tetrahedra, beside it one of fully integrated hexahedra.
 EDGE = 3  # elements along an edge of a cube
@@ -57,6 +58,26 @@ def mixed_mesh():
     kind = {(4, True): 3, (4, False): 4, (8, False): 5}  # by nodes and whether it is a face
     lines += [str(len(elements))]
     lines += [f"{i} {kind[len(e), b == 4]} 2 {b} {b} " + " ".join(map(str, e)) for i, (b, e) in enumerate(elements, 1)]
+    return "\n".join(lines + ["$EndElements", ""])
+
+
+def bent_bar(overlap):
+    """Gmsh 2.2: block ring, a bar of 12 x 2 x 2 elements bent around the y axis until its ends overlap by so much."""
+    radius, counts = 2.25, (12, 2, 2)
+    around = 2 * math.pi + overlap / radius
+    nodes = []
+    for x, y, z in node_grid(*counts, (0, 0, 0)):
+        r, angle = radius - 0.25 + 0.5 * z, around * x
+        nodes.append((r * math.sin(angle), y, r * math.cos(angle)))
+    across = [1, counts[0] + 1, (counts[0] + 1) * (counts[1] + 1)]
+    corners = [sum(a for a, on in zip(across, bits) if on)
+               for bits in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))]
+    elements = [[1 + i * across[0] + j * across[1] + k * across[2] + c for c in corners]
+                for k in range(counts[2]) for j in range(counts[1]) for i in range(counts[0])]
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "1", '3 1 "ring"', "$EndPhysicalNames", "$Nodes",
+             str(len(nodes))]
+    lines += [f"{i} {x!r} {y!r} {z!r}" for i, (x, y, z) in enumerate(nodes, 1)] + ["$EndNodes", "$Elements"]
+    lines += [str(len(elements))] + [f"{i} 5 2 1 1 " + " ".join(map(str, e)) for i, e in enumerate(elements, 1)]
     return "\n".join(lines + ["$EndElements", ""])
 
 
@@ -121,6 +142,16 @@ materials: {steel: {model: elastic, density: 7800, young: 2.0e11, poisson: 0.3}}
 parts: {left: {block: left, material: steel}, right: {block: right, material: steel}}
 contact: [{between: all, initial_overlap: RULE}]
 run: {steps: 1}
+"""
+
+# A bar bent into a ring whose ends lie inside each other (the mesh is bent_bar's), at rest.
+RING = """\
+units: none
+mesh: {file: ring.msh}
+materials: {m: {model: elastic, density: 1, young: 100, poisson: 0.3}}
+parts: {ring: {material: m}}
+contact: [{between: all}]
+run: {steps: 50}
 """
 
 # A body at rest, hit by a wall that brings the energy.

@@ -131,6 +131,7 @@ class Contact {
  private:
   [[nodiscard]] bool must_rebuild(double global_motion_used) const;
   void rebuild(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt);
+  void share_reference();
   void gather(VectorView position, VectorView old_velocity, MutableVectorView velocity);
   void detect(std::span<const Wall> walls, double dt);
   void detect_crossing_edges(double dt);
@@ -149,7 +150,8 @@ class Contact {
   Surface surface_;
   Roles roles_;
   std::vector<Mobility> surface_mobility_;
-  std::vector<char> held_;  // wall by wall, a flag a surface node
+  std::vector<Vec3> surface_reference_;  // at the start; empty where no overlaps of the start are accepted
+  std::vector<char> held_;               // wall by wall, a flag a surface node
   comm::Halo surface_copies_;
   std::vector<LocalIndex> foreign_;  // surface nodes owned elsewhere
   std::vector<LocalIndex> lent_;     // surface nodes owned here, once for each copy elsewhere
@@ -166,6 +168,7 @@ class Contact {
   std::vector<NodeMotion> motion_of_;  // contact nodes
   std::vector<Mobility> mobility_;
   std::vector<Vec3> velocity_;
+  std::vector<Vec3> reference_;  // of contact nodes, likewise
   std::vector<Vec3> own_area_, facet_area_;
   std::vector<Vec3> node_normal_;  // of each contact node's first row with a face
   DetectionScratch detection_;

@@ -19,8 +19,9 @@ struct EdgeMeeting {
 };
 
 struct EdgeScene {
+  std::span<const GlobalIndex> gid;
   std::span<const NodeMotion> motion;
-  std::span<const Vec3> facet_normal;
+  std::span<const Vec3> facet_normal, reference;
   double dt;
   const DetectionSettings& settings;
 
@@ -45,6 +46,7 @@ Box box_of(const geometry::Segment& start, const geometry::Segment& end) {
 }
 
 constexpr double facet_curvature = 0.02;  // sine of an angle
+constexpr double kink = 0.5;              // [radians] between edges of a chain that a node presses in
 
 /// Does `direction` lie between the normals of the two faces of a convex edge, or beyond them by no more than rounding
 /// and the curvature of a facet? beyond: sine of the angle.
@@ -81,7 +83,6 @@ bool is_slow(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& mast
 
 /// In contact or near each other: the common perpendicular at the start of the step.
 bool meet_now(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size, EdgeMeeting& met) {
-  constexpr double kink = 0.5;  // [radians] between edges of a chain that a node presses in
   const auto closest = geometry::common_perpendicular(scene.start(slave), scene.start(master), kink);
   if (!closest) return false;
   met = {closest->s, closest->t, closest->gap, closest->normal};
@@ -117,6 +118,28 @@ bool held_at_an_end(const EdgeScene& scene, std::span<const Vec3> node_normal, c
   });
 }
 
+bool has_accepted_end(const EdgeScene& scene, const EdgeSide& edge, std::int32_t body) {
+  return std::ranges::any_of(edge.nodes, [&](LocalIndex node) {
+    return accepted_depth(scene.settings.accepted, scene.gid[static_cast<std::size_t>(node)], body) > 0;
+  });
+}
+
+/// How deep the edges lay in each other at the start, on the sides on which they meet now, where the scene accepts
+/// that.
+double accepted_overlap(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met) {
+  if (scene.reference.empty()) return 0;
+  if (!has_accepted_end(scene, slave, master.body) && !has_accepted_end(scene, master, slave.body)) return 0;
+  const auto then = [&](const EdgeSide& edge) {
+    return geometry::Segment{scene.reference[static_cast<std::size_t>(edge.nodes[0])],
+                             scene.reference[static_cast<std::size_t>(edge.nodes[1])]};
+  };
+  const auto start = geometry::common_perpendicular(then(slave), then(master), kink);
+  if (!start) return 0;
+  const auto along = [](const geometry::Segment& segment) -> Vec3 { return segment.end - segment.start; };
+  const double turned = along(scene.start(slave)).cross(along(scene.start(master))).dot(met.normal);
+  return std::max(0.0, turned < 0 ? start->gap : -start->gap);
+}
+
 Row row_of(const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met, double required,
            std::span<const GlobalIndex> gid) {
   const auto id = [&](LocalIndex node) { return gid[static_cast<std::size_t>(node)]; };
@@ -141,9 +164,9 @@ Row row_of(const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met
 
 void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex> gid,
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_normal,
-                  std::span<const Vec3> node_normal, double dt, const DetectionSettings& settings,
-                  std::vector<Row>& rows) {
-  const EdgeScene scene{motion, facet_normal, dt, settings};
+                  std::span<const Vec3> node_normal, std::span<const Vec3> reference, double dt,
+                  const DetectionSettings& settings, std::vector<Row>& rows) {
+  const EdgeScene scene{gid, motion, facet_normal, reference, dt, settings};
   for (std::size_t e = 0; e < candidates.slaves.size(); ++e) {
     const EdgeSide& slave = candidates.slaves[e];
     const Box slave_box = box_of(scene.start(slave), scene.end(slave));
@@ -160,6 +183,7 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
           (is_slow(scene, slave, master, size) || !meet_in_step(scene, slave, master, met)))
         continue;
       if (held_at_an_end(scene, node_normal, slave, met)) continue;
+      met.gap += accepted_overlap(scene, slave, master, met);
       rows.push_back(row_of(slave, master, met, required_rate(met.gap, size, dt, settings), gid));
     }
   }

@@ -115,6 +115,8 @@ void keep_sides(const FacesInMotion& scene, GlobalIndex slave, DetectionScratch&
   std::ranges::sort(std::span(scratch.sides).subspan(first), {}, &HistoryRecord::key);
 }
 
+}  // namespace
+
 double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex slave, std::int32_t body) {
   if (accepted.empty()) return 0;
   const auto before = [](const AcceptedOverlap& one, const std::pair<GlobalIndex, std::int32_t>& wanted) {
@@ -123,8 +125,6 @@ double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex sla
   const auto found = std::lower_bound(accepted.begin(), accepted.end(), std::pair(slave, body), before);
   return found != accepted.end() && found->slave == slave && found->body == body ? found->depth : 0;
 }
-
-}  // namespace
 
 double required_rate(double gap, double size, double dt, const DetectionSettings& settings) {
   if (gap >= 0) return -gap / dt;

@@ -32,7 +32,8 @@ struct Wall {
 };
 
 /// An overlap of the start that counts as touching: gaps of this node with faces of this body are measured from it, for
-/// the whole run, so that nothing need be remembered.
+/// the whole run, so that nothing need be remembered. Edges of which it is an end are measured from their own overlap
+/// at the start.
 struct AcceptedOverlap {
   GlobalIndex slave = 0;  ///< gid of the node
   std::int32_t body = 0;  ///< of the master
@@ -61,6 +62,9 @@ struct DetectionScratch {
     encounters.reserve(most_faces_of_a_slave);
   }
 };
+
+/// [length]; 0 where none is accepted.
+double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex slave, std::int32_t body);
 
 /// Least rate that a gap asks for [velocity]: it may close within the step; a penetration is recovered, a limited share
 /// of it a step.

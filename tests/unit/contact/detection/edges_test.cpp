@@ -17,6 +17,7 @@ struct TwoEdges {
   std::vector<GlobalIndex> gid{0, 1, 2, 3};
   std::vector<NodeMotion> motion{4};
   std::vector<Vec3> facets, node_normal{4, Vec3::Zero()};
+  std::vector<Vec3> reference;
   EdgeCandidates candidates;
   DetectionSettings settings;
   double dt = 1e-3;
@@ -38,7 +39,7 @@ struct TwoEdges {
   }
   std::vector<Row> rows() {
     std::vector<Row> found;
-    detect_edges(candidates, gid, motion, facets, node_normal, dt, settings, found);
+    detect_edges(candidates, gid, motion, facets, node_normal, reference, dt, settings, found);
     return found;
   }
 };
@@ -98,4 +99,27 @@ TEST_CASE("edges that look the same way have nothing to do with each other, edge
   TwoEdges passed(90, -0.01);
   REQUIRE(passed.rows().size() == 1);
   CHECK(passed.rows()[0].gap == Approx(-0.01));
+}
+
+TEST_CASE("an overlap of the start that is accepted is where the gap begins, for edges of which an end has one") {
+  const auto gap = [](double at_start, double now, double turn, GlobalIndex accepted_node, std::int32_t body) {
+    const TwoEdges before(70, at_start);
+    TwoEdges edges(70, now);
+    for (const NodeMotion& node : before.motion) edges.reference.push_back(node.position);
+    const Eigen::AngleAxisd rotation(turn, Vec3(1, 2, 3).normalized());
+    for (NodeMotion& node : edges.motion) node.position = rotation * node.position;
+    for (Vec3& facet : edges.facets) facet = rotation * facet;
+    edges.settings.accepted = {{accepted_node, body, 0.03}};
+    const auto rows = edges.rows();
+    REQUIRE(rows.size() == 1);
+    return rows[0].gap;
+  };
+  for (const double turn : {0.0, 2.0})
+    for (const auto& [node, body] : {std::pair<GlobalIndex, std::int32_t>{0, 1}, {1, 1}, {2, 0}, {3, 0}}) {
+      CHECK(gap(-0.02, -0.02, turn, node, body) == Approx(0).margin(1e-14));
+      CHECK(gap(-0.02, -0.03, turn, node, body) == Approx(-0.01).margin(1e-14));
+      CHECK(gap(-0.02, 0.01, turn, node, body) == Approx(0.03).margin(1e-14));
+      CHECK(gap(0.02, -0.01, turn, node, body) == Approx(-0.01).margin(1e-14));  // they were apart
+    }
+  CHECK(gap(-0.02, -0.02, 0, 2, 5) == Approx(-0.02).margin(1e-14));  // against another body
 }
