@@ -151,8 +151,11 @@ Comparison::Comparison(const mesh::Mesh& mesh, const Solid& nodes, const Solid& 
   if (!node_.empty()) find_inside(mesh);
   if (around_) keep_inside_only();
   near_.assign(node_.size(), infinity);
-  touches_.assign(node_.size(), 0);
-  if (!node_.empty()) measure_near();
+  touches_.assign(node_.size(), Touch::none);
+  if (node_.empty()) return;
+  measure_near();
+  for (std::size_t i = 0; i < node_.size(); ++i)
+    if (touches_[i] == Touch::side && inside_[i] && is_deep(i)) touches_[i] = Touch::none;
 }
 
 void Comparison::keep_inside_only() {
@@ -192,23 +195,36 @@ void Comparison::judge(std::size_t i, std::size_t f, Nearest& nearest) const {
     nearest.all_distance = far;
   }
   if (in_front) return;
-  constexpr double opposed = 0.5;
-  if (opposition(nodes_.outwards.row(static_cast<LocalIndex>(node_[i])), normal) < opposed) return;
+  if (!is_opposed(i, normal)) return;
   if (nearest.opposed && far >= nearest.opposed_distance) return;
   nearest.opposed = here;
   nearest.opposed_distance = far;
 }
 
-std::optional<Behind> Comparison::behind_near(std::size_t i) const {
+bool Comparison::is_opposed(std::size_t i, const Vec3& normal) const {
+  constexpr double opposed = 0.5;
+  return opposition(nodes_.outwards.row(static_cast<LocalIndex>(node_[i])), normal) >= opposed;
+}
+
+Comparison::Nearest Comparison::nearest_near(std::size_t i) const {
   Nearest nearest;
   for (const LocalIndex f : near_faces_.row(static_cast<LocalIndex>(i))) judge(i, static_cast<std::size_t>(f), nearest);
-  return nearest.chosen();
+  return nearest;
+}
+
+std::optional<Behind> Comparison::behind_near(std::size_t i) const {
+  return nearest_near(i).chosen(solid_);
+}
+
+bool Comparison::is_deep(std::size_t i) const {
+  const std::optional<Behind> behind = nearest_near(i).opposed;
+  return behind && behind->depth > touching * solid_.faces[behind->face].size;
 }
 
 std::optional<Behind> Comparison::behind_any(std::size_t i) const {
   Nearest nearest;
   for (std::size_t f = 0; f < solid_.faces.size(); ++f) judge(i, f, nearest);
-  return nearest.opposed ? nearest.chosen() : nearest.all;
+  return nearest.opposed ? nearest.chosen(solid_) : nearest.all;
 }
 
 void Comparison::measure_near() {
@@ -222,9 +238,11 @@ void Comparison::measure_near() {
       const SolidFace& face = solid_.faces[static_cast<std::size_t>(f)];
       const auto closest = geometry::closest_point(point_[i], face.points());
       if (!closest || is_neighbour(i, face.element)) continue;
-      const double far = (point_[i] - closest->point).norm();
-      near_[i] = std::min(near_[i], far);
-      if (far <= touching * face.size) touches_[i] = 1;
+      const Vec3 offset = point_[i] - closest->point;
+      near_[i] = std::min(near_[i], offset.norm());
+      if (offset.norm() > touching * face.size) continue;
+      const bool faces_it = is_opposed(i, geometry::face_normal(face.points(), closest->xi, closest->eta));
+      touches_[i] = std::max(touches_[i], faces_it ? Touch::face : Touch::side);
     }
 }
 

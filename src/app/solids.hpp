@@ -2,6 +2,7 @@
 // The blocks of a whole mesh as solids, and where the surface nodes of one lie to another. Pure geometry.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -80,8 +81,9 @@ class Comparison {
 
   [[nodiscard]] std::size_t size() const { return node_.size(); }
   [[nodiscard]] LocalIndex node(std::size_t i) const { return nodes_.surface_nodes[node_[i]]; }
-  [[nodiscard]] bool touches(std::size_t i) const { return touches_[i] != 0; }
-  [[nodiscard]] bool overlaps(std::size_t i) const { return inside_[i] != 0 && touches_[i] == 0; }
+  /// At a face, and not deep behind another one that its surface opposes (as the rim of a flush body that overlaps).
+  [[nodiscard]] bool touches(std::size_t i) const { return touches_[i] != Touch::none; }
+  [[nodiscard]] bool overlaps(std::size_t i) const { return inside_[i] != 0 && touches_[i] == Touch::none; }
   /// To the nearest face within its longest edge, else infinite.
   [[nodiscard]] double distance(std::size_t i) const { return near_[i]; }
   /// Of a node that overlaps: the nearest face that the node's own surface opposes (not one beside it, though that may
@@ -92,14 +94,25 @@ class Comparison {
   [[nodiscard]] std::optional<Behind> behind_any(std::size_t i) const;
 
  private:
+  enum class Touch : std::int8_t {
+    none,
+    side,
+    face
+  };  ///< of a face that the node's own surface opposes, or only others
   /// Nearest of all faces, and of those opposed.
   struct Nearest {
     std::optional<Behind> all, opposed;
     double all_distance = 0, opposed_distance = 0;
-    /// Tetrahedra do not follow a warped face: the nearest decides where it has the node in front.
-    [[nodiscard]] const std::optional<Behind>& chosen() const { return all && all->depth < 0 ? all : opposed; }
+    /// Tetrahedra do not follow a warped face: the nearest decides where it has the node in front (not where they
+    /// touch).
+    [[nodiscard]] const std::optional<Behind>& chosen(const Solid& solid) const {
+      return all && all->depth < -touching * solid.faces[all->face].size ? all : opposed;
+    }
   };
   void judge(std::size_t i, std::size_t face, Nearest& nearest) const;
+  [[nodiscard]] Nearest nearest_near(std::size_t i) const;
+  [[nodiscard]] bool is_deep(std::size_t i) const;
+  [[nodiscard]] bool is_opposed(std::size_t i, const Vec3& normal) const;
   [[nodiscard]] bool is_neighbour(std::size_t i, LocalIndex element) const;
   void keep_inside_only();
   void measure_near();
@@ -112,7 +125,8 @@ class Comparison {
   std::vector<Vec3> point_;
   Ragged<LocalIndex> near_faces_;  // within their longest edge, or a little more
   std::vector<double> near_;
-  std::vector<char> touches_, inside_;
+  std::vector<Touch> touches_;
+  std::vector<char> inside_;
 };
 
 }  // namespace brunt::app

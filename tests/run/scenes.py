@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Small scenes, with meshes written here, that use much of the program at once."""
-import math
+import itertools
 
 # A cube of hexahedra, on it one of tetrahedra, beside it one of fully integrated hexahedra.
 EDGE = 3  # elements along an edge of a cube
@@ -61,20 +61,18 @@ def mixed_mesh():
     return "\n".join(lines + ["$EndElements", ""])
 
 
-def bent_bar(overlap):
-    """Gmsh 2.2: block ring, a bar of 12 x 2 x 2 elements bent around the y axis until its ends overlap by so much."""
-    radius, counts = 2.25, (12, 2, 2)
-    around = 2 * math.pi + overlap / radius
+def fork(overlap):
+    """Gmsh 2.2: block fork, two arms whose inner sides are bent into each other by so much."""
+    nx, ny, nz = 8, 2, 5
     nodes = []
-    for x, y, z in node_grid(*counts, (0, 0, 0)):
-        r, angle = radius - 0.25 + 0.5 * z, around * x
-        nodes.append((r * math.sin(angle), y, r * math.cos(angle)))
-    across = [1, counts[0] + 1, (counts[0] + 1) * (counts[1] + 1)]
-    corners = [sum(a for a, on in zip(across, bits) if on)
-               for bits in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))]
-    elements = [[1 + i * across[0] + j * across[1] + k * across[2] + c for c in corners]
-                for k in range(counts[2]) for j in range(counts[1]) for i in range(counts[0])]
-    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "1", '3 1 "ring"', "$EndPhysicalNames", "$Nodes",
+    for k, j, i in itertools.product(range(nz + 1), range(ny + 1), range(nx + 1)):
+        bent = (1 + overlap) * min(max(0.5 * (i - 2), 0), 1) if k > 2 else 0  # the upper arm, wholly from x = 4 on
+        nodes.append((i, j, k - bent))
+    corners = [0, 1, nx + 2, nx + 1]
+    corners += [c + (nx + 1) * (ny + 1) for c in corners]
+    elements = [[1 + i + (nx + 1) * (j + (ny + 1) * k) + c for c in corners]
+                for k in range(nz) for j in range(ny) for i in range(nx) if k != 2 or i < 2]
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "1", '3 1 "fork"', "$EndPhysicalNames", "$Nodes",
              str(len(nodes))]
     lines += [f"{i} {x!r} {y!r} {z!r}" for i, (x, y, z) in enumerate(nodes, 1)] + ["$EndNodes", "$Elements"]
     lines += [str(len(elements))] + [f"{i} 5 2 1 1 " + " ".join(map(str, e)) for i, e in enumerate(elements, 1)]
@@ -144,12 +142,12 @@ contact: [{between: all, initial_overlap: RULE}]
 run: {steps: 1}
 """
 
-# A bar bent into a ring whose ends lie inside each other (the mesh is bent_bar's), at rest.
-RING = """\
+# A fork whose arms lie inside each other, at rest.
+FORK = """\
 units: none
-mesh: {file: ring.msh}
+mesh: {file: fork.msh}
 materials: {m: {model: elastic, density: 1, young: 100, poisson: 0.3}}
-parts: {ring: {material: m}}
+parts: {fork: {material: m}}
 contact: [{between: all}]
 run: {steps: 50}
 """

@@ -12,11 +12,11 @@ namespace brunt::test {
 
 constexpr double ring_radius = 2.25;  ///< of the bar's centre line
 
-constexpr std::size_t bent_bar_nodes = 4;  ///< inside the other end
+constexpr std::size_t bent_bar_nodes = 12;  ///< inside the other end
 
 /// 12 x 2 x 2 elements, cross-section 1 x 0.5; its ends overlap by `overlap` along the centre line (< 0: a gap). Inside
-/// the other end are two nodes of each end: in its middle, and in the middle of its inner side, for facets are chords;
-/// the others lie on the other end's surface, or outside.
+/// the other end are six nodes of each end: three in its middle and three on its inner side, for facets are chords;
+/// those on its outer side are outside.
 inline mesh::Mesh bent_bar(double overlap) {
   mesh::Mesh mesh = mesh::box("a", {1, 1, 0.5}, {12, 2, 2});
   const double around = 2 * std::numbers::pi + overlap / ring_radius;

@@ -199,6 +199,15 @@ TEST_CASE("a body that overlaps itself is refused, warned of, or kept as zero ga
   }
 }
 
+TEST_CASE("flush bodies that overlap do so with the nodes on their sides as well") {
+  // b's end of 3 x 3 nodes in a's, its sides on a's sides; and a's in b's
+  Case scene(two_boxes({1, 1, 1}, {2, 2, 2}, {1, 1, 1}, {2, 2, 2}, {0.95, 0, 0}), "offset");
+  const TreatedOverlaps treated = scene.treat();
+  REQUIRE(treated.accepted.size() == 18);
+  for (const contact::AcceptedOverlap& overlap : treated.accepted) CHECK(overlap.depth == Approx(0.05));
+  CHECK(Case(two_boxes({1, 1, 1}, {2, 2, 2}, {1, 1, 1}, {2, 2, 2}, {1, 0, 0}), "error").treat().report.list.empty());
+}
+
 TEST_CASE("E17, E18: shared and coincident nodes, flat faces and elements: no overlap, no crash") {
   // b's nodes on a's, not joined
   const auto touching = [] { return two_boxes({1, 1, 1}, {2, 2, 2}, {1, 1, 1}, {2, 2, 2}, {1, 0, 0}); };
