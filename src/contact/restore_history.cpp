@@ -41,8 +41,8 @@ std::vector<Record> fetch(const comm::Communicator& ranks, const std::vector<Rec
   const Ragged<GlobalIndex> asked = comm::exchange(ranks, questions);
   for (std::size_t r = 0; r < count; ++r)
     for (const GlobalIndex slave : asked.row(static_cast<LocalIndex>(r))) {
-      const auto found = std::ranges::equal_range(on_desk, slave, {}, slave_of);
-      answers[r].insert(answers[r].end(), found.begin(), found.end());
+      const auto first = std::ranges::lower_bound(on_desk, slave, {}, slave_of);
+      answers[r].insert(answers[r].end(), first, std::ranges::upper_bound(first, on_desk.end(), slave, {}, slave_of));
     }
   return comm::exchange(ranks, answers).values;
 }

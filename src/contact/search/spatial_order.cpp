@@ -49,7 +49,8 @@ struct Cube {
 
   /// Goes down to the smallest cube of the octree that holds the box: no pass over the points for what is empty.
   void shrink_to(const geometry::Box& box) {
-    for (double half = size / 2; half > 0; half /= 2) {
+    while (size / 2 > 0) {
+      const double half = size / 2;
       unsigned octant = 0;
       for (int a = 0; a < 3; ++a) {
         const double middle = low[a] + half;
