@@ -12,6 +12,7 @@
 #include "brunt/scene/units.hpp"
 #include "brunt/time/step.hpp"
 #include "commands.hpp"
+#include "contact_setup.hpp"
 #include "prepare.hpp"
 
 namespace brunt::app {
@@ -56,8 +57,7 @@ StepCost measure_steps(Prepared& run, const time::StepReport& first) {
   double spent = 0;
   const Clock::time_point start = Clock::now();
   while (cost.steps < most_steps && spent < patience) {
-    const time::StepReport step =
-        time::evaluate(run.model, run.state, run.scratch, run.links, {run.input.run.cfl, 1.02});
+    const time::StepReport step = time::evaluate(run.model, run.state, run.scratch, run.links, step_control(run));
     if (run.links.ranks.any(step.stop)) break;
     time::advance(run.model, run.state, run.scratch, run.links, run.contact.get(), step);
     spent = run.links.ranks.max(std::chrono::duration<double>(Clock::now() - start).count());
@@ -117,8 +117,7 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
     for (const std::string& line : run->overlaps.report.list) fmt::print("overlap          {}\n", line);
   refuse_overlaps(*run);
   const std::vector<PartFigures> figures = part_figures(*run);
-  const time::StepReport step =
-      time::evaluate(run->model, run->state, run->scratch, run->links, {run->input.run.cfl, 1.02});
+  const time::StepReport step = time::evaluate(run->model, run->state, run->scratch, run->links, step_control(*run));
   if (ranks.any(step.stop)) throw InputError(options.scene + ": an element has no volume in its initial position");
   const StepCost cost = measure_steps(*run, step);
   if (!ranks.is_root()) return 0;

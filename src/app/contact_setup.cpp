@@ -2,6 +2,7 @@
 #include "contact_setup.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "brunt/core/error.hpp"
 #include "brunt/time/step.hpp"
@@ -25,8 +26,7 @@ void track_pairs(Prepared& run, contact::ContactSettings& settings) {
 /// Calls visit(accumulator) for each sum in a fixed order.
 template <class Visit>
 void for_each_sum(contact::ContactSums& sums, Visit&& visit) {
-  visit(sums.contact_work);
-  visit(sums.wall_work);
+  for (comm::ExactAccumulator* sum : {&sums.work.contact, &sums.work.friction, &sums.work.walls}) visit(*sum);
   for (auto* list : {&sums.wall_impulse, &sums.tracked_impulse})
     for (auto& vector : *list)
       for (comm::ExactAccumulator& component : vector) visit(component);
@@ -57,7 +57,12 @@ void make_contact(Prepared& run) {
   settings.bodies = model.contact.any;
   settings.pairs = pair_table(model.contact, model.blocks.size());
   settings.detection.choice.criterion = static_cast<contact::Criterion>(model.contact.competing);
-  settings.rate = {model.contact.tolerance, model.contact.max_iterations};
+  settings.enforcement = model.contact.enforcement;
+  settings.friction = model.contact.friction;
+  for (const model::ElementBlock& block : model.blocks) {
+    const material::ElasticModuli moduli = material::initial_moduli(block.law);
+    settings.impedance.push_back(std::sqrt((moduli.lambda + 2 * moduli.mu) * moduli.density));
+  }
   if (model.contact.rebuild_every > 0) settings.rebuild = {contact::Rebuild::When::every, model.contact.rebuild_every};
   if (model.contact.rebuild_every < 0) settings.rebuild.when = contact::Rebuild::When::random;
   settings.detection.accepted = run.overlaps.accepted;
@@ -70,6 +75,12 @@ void make_contact(Prepared& run) {
   const std::vector<contact::Wall> walls = time::walls_at(model, run.state, 0.0);
   run.contact = std::make_unique<contact::Contact>(run.links.ranks, model.mesh, model.in_symmetry_plane, inverse_mass,
                                                    constrained, walls, settings);
+}
+
+time::StepControl step_control(const Prepared& run) {
+  constexpr double growth = 1.02;
+  const double factor = run.contact ? contact::step_factor(run.model.contact.enforcement) : 1.0;
+  return {run.input.run.cfl * factor, growth};
 }
 
 std::vector<double> save_sums(const comm::Communicator& ranks, contact::Contact& contact) {

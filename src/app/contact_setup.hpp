@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "brunt/time/step.hpp"
 #include "prepare.hpp"
 
 namespace brunt::app {
@@ -12,6 +13,9 @@ contact::PairTable pair_table(const model::ContactRule& rule, std::size_t blocks
 
 /// Makes Prepared::contact where the scene has contact or walls. Collective.
 void make_contact(Prepared& run);
+
+/// How the step follows what is stable: the scene's cfl, less where contact adds springs.
+time::StepControl step_control(const Prepared& run);
 
 /// The exact sums of all ranks as doubles (each a 32-bit limb with carries): the same whatever the number of ranks.
 /// Collective.

@@ -12,6 +12,8 @@
 #include "brunt/time/initialise.hpp"
 #include "brunt/time/ledger.hpp"
 #include "brunt/time/step.hpp"
+#include "contact_setup.hpp"
+#include "contact_setup.hpp"
 #include "failure.hpp"
 #include "prepare.hpp"
 #include "results.hpp"
@@ -65,7 +67,7 @@ class Loop {
   void pass(bool last) {
     const scene::Input& input = run_.input;
     const model::State& state = run_.state;
-    const time::StepControl control{input.run.cfl, 1.02};
+    const time::StepControl control = step_control(run_);
     const bool fields = last || state.step == 0 || due(state, input.output.every);
     const bool row = last || state.step == 0 || history_due(state, input);
     const bool line = last || progress(state, input.run) * table_lines >= lines_;

@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -14,8 +15,32 @@
 
 namespace brunt::comm {
 
+namespace {
+
+/// What one reduction carries: maxima as `ordered` keys, then sums.
+struct Mixed {
+  static constexpr std::size_t room = 6;
+  std::array<std::int64_t, room> largest;
+  std::array<std::uint64_t, room> sum;  // unsigned: overflow of a signed sum is undefined
+};
+
+void combine_mixed(void* incoming, void* result, int* count, MPI_Datatype* /*type*/) {
+  const auto* in = static_cast<const Mixed*>(incoming);
+  auto* out = static_cast<Mixed*>(result);
+  for (int i = 0; i < *count; ++i) {
+    for (std::size_t k = 0; k < Mixed::room; ++k) {
+      out[i].largest[k] = std::max(out[i].largest[k], in[i].largest[k]);
+      out[i].sum[k] += in[i].sum[k];
+    }
+  }
+}
+
+}  // namespace
+
 struct Communicator::Native {
   MPI_Comm comm = MPI_COMM_NULL;
+  MPI_Datatype mixed = MPI_DATATYPE_NULL;
+  MPI_Op combine = MPI_OP_NULL;
   int rank = 0;
   int size = 1;
 
@@ -23,11 +48,17 @@ struct Communicator::Native {
     MPI_Comm_dup(parent, &comm);
     MPI_Comm_rank(comm, &rank);
     MPI_Comm_size(comm, &size);
+    MPI_Type_contiguous(2 * Mixed::room, MPI_INT64_T, &mixed);
+    MPI_Type_commit(&mixed);
+    MPI_Op_create(combine_mixed, 1, &combine);
   }
   ~Native() {
     int ended = 0;
     MPI_Finalized(&ended);
-    if (ended == 0) MPI_Comm_free(&comm);
+    if (ended != 0) return;
+    MPI_Op_free(&combine);
+    MPI_Type_free(&mixed);
+    MPI_Comm_free(&comm);
   }
   Native(const Native&) = delete;
   Native& operator=(const Native&) = delete;
@@ -129,6 +160,16 @@ GlobalIndex Communicator::sum(GlobalIndex value) const {
 void Communicator::sum(std::span<GlobalIndex> values) const {
   // unsigned: overflow of a signed sum is undefined
   MPI_Allreduce(MPI_IN_PLACE, values.data(), count_of(values.size()), MPI_UINT64_T, MPI_SUM, native_->comm);
+}
+
+void Communicator::max_and_sum(std::span<double> largest, std::span<GlobalIndex> sums) const {
+  demand(largest.size() <= Mixed::room && sums.size() <= Mixed::room, "a reduction carries six maxima and six sums");
+  Mixed mixed{};
+  for (std::size_t k = 0; k < largest.size(); ++k) mixed.largest[k] = ordered(largest[k]);
+  for (std::size_t k = 0; k < sums.size(); ++k) mixed.sum[k] = static_cast<std::uint64_t>(sums[k]);
+  MPI_Allreduce(MPI_IN_PLACE, &mixed, 1, native_->mixed, native_->combine, native_->comm);
+  for (std::size_t k = 0; k < largest.size(); ++k) largest[k] = from_ordered(mixed.largest[k]);
+  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = static_cast<GlobalIndex>(mixed.sum[k]);
 }
 
 GlobalIndex Communicator::max(GlobalIndex value) const {

@@ -70,6 +70,8 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
   if (!settings_.detection.accepted.empty())
     for (const LocalIndex node : surface_.model_node)
       surface_reference_.push_back(mesh.coordinates[static_cast<std::size_t>(node)]);
+  rubs_ = std::ranges::any_of(settings_.friction, &FrictionLaw::any) ||
+          std::ranges::any_of(walls, [](const Wall& wall) { return wall.friction.any(); });
   sums_.wall_impulse.resize(walls.size());
   sums_.tracked_impulse.resize(settings_.tracked.size());
 }
@@ -150,6 +152,9 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
   detection_.sides.reserve(sides);
   history_.pairs.reserve(lists_.most_rows + sides);
   next_pairs_.reserve(lists_.most_rows + sides);
+  if (rubs_) faces_by_key_ = order_by_key(lists_.faces);
+  history_.anchors.reserve(lists_.most_rows);
+  next_anchors_.reserve(lists_.most_rows);
 }
 
 void Contact::share_reference() {
@@ -203,10 +208,14 @@ void Contact::detect(std::span<const Wall> walls, double dt) {
   for (const Row& row : rows_) sums_.penetration = std::max(sums_.penetration, -row.gap);
 }
 
-void Contact::remember(double dt) {
-  if (!remembers()) return;
-  write_pairs(rows_, impulses_, dt, detection_.sides, next_pairs_);
-  std::swap(history_.pairs, next_pairs_);
+void Contact::remember(std::span<const Wall> walls, double dt) {
+  if (settings_.enforcement.warm_start || has_sheets()) {
+    write_pairs(rows_, impulses_, dt, detection_.sides, next_pairs_);
+    std::swap(history_.pairs, next_pairs_);
+  }
+  if (!rubs_) return;
+  write_anchors(rows_, impulses_, anchor_scene(walls), history_.anchors, next_anchors_);
+  std::swap(history_.anchors, next_anchors_);
 }
 
 void Contact::scatter(MutableVectorView velocity) {
@@ -231,23 +240,26 @@ bool Contact::is_slave_in(const Row& row, std::int32_t block) const {
   return std::binary_search(blocks.begin(), blocks.end(), block);
 }
 
+/// Takes what impulses do at these relative velocities from the sums: half of p . r along the normal, the rest across.
+void Contact::book_work(const Row& row, const Vec3& impulse, const Vec3& relative, WorkSums& sums) {
+  const double push = row.normal.dot(impulse);
+  (row.is_wall() ? sums.walls : sums.contact).add(-0.5 * push * row.normal.dot(relative));
+  if (row.friction > 0) sums.friction.add(-0.5 * (impulse - push * row.normal).dot(relative));
+}
+
 void Contact::book() {
   for (std::size_t q = 0; q < rows_.size(); ++q) {
-    if (impulses_[q] == 0) continue;
+    const Vec3& impulse = impulses_[q];
+    if (impulse.isZero(0)) continue;
     const Row& row = rows_[q];
-    double twice_rate = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-      const auto node = static_cast<std::size_t>(row.nodes[i]);
-      twice_rate += row.weights[i] * row.normal.dot(motion_of_[node].old_velocity + velocity_[node]);
-    }
-    const double taken = -0.5 * impulses_[q] * twice_rate;
-    const Vec3 impulse = impulses_[q] * row.normal;
+    Vec3 relative = relative_velocity(row, velocity_);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
+      relative += row.weights[i] * motion_of_[static_cast<std::size_t>(row.nodes[i])].old_velocity;
+    book_work(row, impulse, relative, sums_.work);
     if (row.is_wall()) {
-      sums_.wall_work.add(taken);
       add_vector(sums_.wall_impulse[static_cast<std::size_t>(-1 - row.master_key)], impulse);
       continue;
     }
-    sums_.contact_work.add(taken);
     for (std::size_t t = 0; t < settings_.tracked.size(); ++t) {
       const auto [first, second] = settings_.tracked[t];
       const auto slave_in = [&](std::int32_t block) { return is_slave_in(row, block); };
@@ -273,12 +285,14 @@ void Contact::correct(VectorView position, VectorView old_velocity, MutableVecto
   }
   gather(position, old_velocity, velocity);
   detect(walls, dt);
-  impulses_.assign(rows_.size(), 0.0);
-  if (settings_.warm_start) start_impulses(rows_, history_.pairs, dt, impulses_);
-  const RateResult result = enforce_rate_constraint(rows_, motion_of_, mobility_, settings_.rate, lists_.exchange,
-                                                    impulses_, velocity_, scratch_);
+  lay_friction(walls, dt);
+  if (settings_.enforcement.method == Method::printed) lay_slabs();
+  impulses_.assign(rows_.size(), Vec3::Zero());
+  if (settings_.enforcement.warm_start) start_impulses(rows_, history_.pairs, dt, impulses_);
+  const EnforcementResult result = enforce({rows_, motion_of_, mobility_}, settings_.enforcement, dt, lists_.exchange,
+                                           impulses_, velocity_, scratch_);
   statistics_.last = result;
-  remember(dt);
+  remember(walls, dt);
   if (!result.acted) return;  // v* is what it was
   ++statistics_.solved_steps;
   statistics_.iterations += result.iterations;
@@ -300,7 +314,7 @@ void Contact::add_impulses(std::span<Vec3> impulse) const {
 }
 
 ContactTotals Contact::collect() const {
-  std::vector<comm::ExactAccumulator> sums{sums_.contact_work, sums_.wall_work};
+  std::vector<comm::ExactAccumulator> sums{sums_.work.contact, sums_.work.friction, sums_.work.walls};
   for (const auto* vectors : {&sums_.wall_impulse, &sums_.tracked_impulse})
     for (const auto& vector : *vectors) sums.insert(sums.end(), vector.begin(), vector.end());
   std::vector<double> totals(sums.size());
@@ -308,14 +322,15 @@ ContactTotals Contact::collect() const {
 
   ContactTotals result;
   result.contact_work = totals[0];
-  result.wall_work = totals[1];
-  std::size_t next = 2;
+  result.friction_work = totals[1];
+  result.wall_work = totals[2];
+  std::size_t next = 3;
   for (auto [count, vectors] : {std::pair{sums_.wall_impulse.size(), &result.wall_impulse},
                                 std::pair{sums_.tracked_impulse.size(), &result.tracked_impulse}})
     for (std::size_t i = 0; i < count; ++i, next += 3) vectors->push_back(Vec3(&totals[next]));
   result.pairs = ranks_.sum(static_cast<GlobalIndex>(lists_.candidates.faces.values.size()));
   result.active = ranks_.sum(static_cast<GlobalIndex>(
-      std::count_if(impulses_.begin(), impulses_.end(), [](double impulse) { return impulse != 0; })));
+      std::count_if(impulses_.begin(), impulses_.end(), [](const Vec3& impulse) { return !impulse.isZero(0); })));
   result.penetration = ranks_.max(sums_.penetration);
   return result;
 }

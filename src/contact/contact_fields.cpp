@@ -7,15 +7,9 @@
 
 namespace brunt::contact {
 
-void Contact::add_second_half(comm::ExactAccumulator& contact, comm::ExactAccumulator& walls) const {
-  for (std::size_t q = 0; q < rows_.size(); ++q) {
-    if (impulses_[q] == 0) continue;
-    const Row& row = rows_[q];
-    double rate = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
-      rate += row.weights[i] * row.normal.dot(velocity_[static_cast<std::size_t>(row.nodes[i])]);
-    (row.is_wall() ? walls : contact).add(-0.5 * impulses_[q] * rate);
-  }
+void Contact::add_second_half(WorkSums& half) const {
+  for (std::size_t q = 0; q < rows_.size(); ++q)
+    if (!impulses_[q].isZero(0)) book_work(rows_[q], impulses_[q], relative_velocity(rows_[q], velocity_), half);
 }
 
 std::vector<double> Contact::pressures(double dt) const {
@@ -24,12 +18,8 @@ std::vector<double> Contact::pressures(double dt) const {
   for (std::size_t q = 0; q < rows_.size(); ++q) {
     const Row& row = rows_[q];
     if (row.is_wall() || row.is_edge()) continue;
-    const auto slave =
-        std::ranges::lower_bound(lists_.candidates.slave, row.nodes[0]) - lists_.candidates.slave.begin();
-    double area = 0;  // a quarter of the faces around the slave
-    for (const LocalIndex facet : lists_.candidates.slave_facets.row(static_cast<LocalIndex>(slave)))
-      area += 0.25 * facet_area_[static_cast<std::size_t>(facet)].norm();
-    if (area > 0) pressure[model_node_of(row)] += impulses_[q] / (dt * area);
+    const double area = area_of_slave(row);
+    if (area > 0) pressure[model_node_of(row)] += row.normal.dot(impulses_[q]) / (dt * area);
   }
   return pressure;
 }

@@ -35,4 +35,8 @@ void HaloExchange::max(std::span<double> values) {
   if (!ranks_.empty()) ranks_.front().max(values);
 }
 
+void HaloExchange::reduce(std::span<double> largest, std::span<std::int64_t> sums) {
+  if (!ranks_.empty()) ranks_.front().max_and_sum(largest, sums);
+}
+
 }  // namespace brunt::contact

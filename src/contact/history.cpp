@@ -13,15 +13,14 @@ const AnchorRecord* find_anchor(std::span<const AnchorRecord> anchors, const Anc
 }
 
 void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt,
-                    std::span<double> impulses) {
-  std::ranges::fill(impulses, 0.0);
+                    std::span<Vec3> impulses) {
+  std::ranges::fill(impulses, Vec3::Zero());
   for_each_remembered(rows, records, [&](std::size_t q, const HistoryRecord& record) {
-    const double impulse = dt * rows[q].normal.dot(Vec3(record.force.data()));
-    impulses[q] = rows[q].cone == Cone::compression ? std::max(impulse, 0.0) : impulse;
+    impulses[q] = admitted(rows[q], dt * Vec3(record.force.data()));
   });
 }
 
-void write_pairs(std::span<const Row> rows, std::span<const double> impulses, double dt,
+void write_pairs(std::span<const Row> rows, std::span<const Vec3> impulses, double dt,
                  std::span<const HistoryRecord> sides, std::vector<HistoryRecord>& records) {
   records.clear();
   auto side = sides.begin();
@@ -29,8 +28,8 @@ void write_pairs(std::span<const Row> rows, std::span<const double> impulses, do
     const HistoryKey key = key_of(rows[q]);
     for (; side != sides.end() && side->key < key; ++side) records.push_back(*side);
     const bool two_sided = side != sides.end() && side->key == key;
-    if (impulses[q] == 0 && !two_sided) continue;
-    const Vec3 force = impulses[q] / dt * rows[q].normal;
+    if (impulses[q].isZero(0) && !two_sided) continue;
+    const Vec3 force = impulses[q] / dt;
     records.push_back({key, {force[0], force[1], force[2]}, two_sided ? side->side : 0.0});
     if (two_sided) ++side;
   }
@@ -43,14 +42,12 @@ void to_tables(const History& history, HistoryTables& tables) {
     tables[0].keys.insert(tables[0].keys.end(), {key.slave_gid, key.slave_second, key.master_key, key.master_second});
     tables[0].values.insert(tables[0].values.end(), {force[0], force[1], force[2], side});
   }
-  tables[1] = {.name = "contact_anchors", .key_width = 3, .value_width = 11};
+  tables[1] = {.name = "contact_anchors", .key_width = 3, .value_width = 7};
   for (const AnchorRecord& anchor : history.anchors) {
     tables[1].keys.insert(tables[1].keys.end(), {anchor.key.slave_gid, anchor.key.master, anchor.face});
     std::vector<double>& values = tables[1].values;
-    values.push_back(anchor.sticks ? 1.0 : 0.0);
     values.insert(values.end(), anchor.weights.begin(), anchor.weights.end());
-    for (const auto* vector : {&anchor.on_wall, &anchor.friction_force})
-      values.insert(values.end(), vector->begin(), vector->end());
+    values.insert(values.end(), anchor.on_wall.begin(), anchor.on_wall.end());
   }
 }
 
@@ -58,17 +55,16 @@ History from_tables(const HistoryTables& tables) {
   History history;
   const auto& [pairs, anchors] = tables;
   demand(pairs.values.size() == 4 * static_cast<std::size_t>(pairs.rows()) &&
-             anchors.values.size() == 11 * static_cast<std::size_t>(anchors.rows()),
+             anchors.values.size() == 7 * static_cast<std::size_t>(anchors.rows()),
          "the tables of contact's history are complete");
   const double* value = pairs.values.data();
   for (auto key = pairs.keys.begin(); key != pairs.keys.end(); key += 4, value += 4)
     history.pairs.push_back({{key[0], key[1], key[2], key[3]}, {value[0], value[1], value[2]}, value[3]});
   value = anchors.values.data();
-  for (auto key = anchors.keys.begin(); key != anchors.keys.end(); key += 3, value += 11) {
-    AnchorRecord anchor{.key = {key[0], key[1]}, .face = key[2], .sticks = value[0] != 0};
-    std::copy_n(value + 1, 4, anchor.weights.begin());
-    std::copy_n(value + 5, 3, anchor.on_wall.begin());
-    std::copy_n(value + 8, 3, anchor.friction_force.begin());
+  for (auto key = anchors.keys.begin(); key != anchors.keys.end(); key += 3, value += 7) {
+    AnchorRecord anchor{.key = {key[0], key[1]}, .face = key[2]};
+    std::copy_n(value, 4, anchor.weights.begin());
+    std::copy_n(value + 4, 3, anchor.on_wall.begin());
     history.anchors.push_back(anchor);
   }
   std::ranges::sort(history.pairs, {}, &HistoryRecord::key);

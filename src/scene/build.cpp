@@ -71,7 +71,7 @@ void build_loads(const Input& input, model::Model& model) {
                               curve_of(input, input.pressure[k].curve)});
   for (const RigidWall& wall : input.rigid_walls)
     model.walls.push_back({wall.name, wall.point - model.mesh.origin, wall.normal.normalized(), wall.bilateral,
-                           curve_of(input, wall.motion), !wall.motion.empty()});
+                           curve_of(input, wall.motion), !wall.motion.empty(), wall.friction});
 }
 
 /// Faces of which all nodes lie in a plane of symmetry are inside the whole body: nothing can touch them.
@@ -133,9 +133,9 @@ model::ContactRule contact_rule(const Input& input, std::span<const std::string>
   model::ContactRule rule;
   rule.active.assign(n * n, 0);
   rule.forced_slave.assign(n * n, 0);
+  rule.friction.assign(n * n, {});
   for (const ContactEntry& entry : input.contact) {
-    rule.tolerance = entry.tolerance;
-    rule.max_iterations = entry.max_iterations;
+    rule.enforcement = entry.enforcement;
     rule.rebuild_every = entry.rebuild_every;
     rule.competing = static_cast<int>(entry.competing);
     for (std::size_t a = 0; a < n; ++a)
@@ -143,6 +143,7 @@ model::ContactRule contact_rule(const Input& input, std::span<const std::string>
         const std::string &first = part_of_block[a], &second = part_of_block[b];
         const bool straight = names_pair(entry, first, second), turned = names_pair(entry, second, first);
         if (!straight && !turned) continue;
+        rule.friction[a * n + b] = entry.friction;
         const bool itself = a == b && entry.between.empty() && !entry.self;
         rule.active[a * n + b] = itself || excludes(entry, first, second) ? 0 : 1;
         if (entry.slave != ContactEntry::Slave::automatic && !entry.between.empty())

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact between parts.
+#include <fmt/format.h>
+
 #include "brunt/scene/sections.hpp"
 
 namespace brunt::scene {
@@ -60,15 +62,29 @@ void read_rebuild(const Key& key, ContactEntry& contact) {
   read(key, contact.rebuild_every, Count{1});
 }
 
+/// How rows are enforced, and the figures of that method.
+void read_enforcement(Section& entry, contact::EnforcementSettings& enforcement) {
+  using contact::Method;
+  static const Choices<Method> methods{{{"rate", Method::rate},
+                                        {"row_sum", Method::row_sum},
+                                        {"printed", Method::printed},
+                                        {"kinematic", Method::kinematic},
+                                        {"gap_penalty", Method::gap_penalty},
+                                        {"penalty", Method::penalty},
+                                        {"reference", Method::reference}},
+                                       {"tied"}};
+  entry.optional("method", enforcement.method, methods);
+  entry.optional("tolerance", enforcement.tolerance, Range{0, 1, false, false, "a number > 0 and < 1"});
+  entry.optional("max_iterations", enforcement.max_iterations, Count{1});
+  entry.optional("partition", enforcement.partition, Range{0, 1, false, true, "a number > 0 and <= 1"});
+  entry.optional("stiffness", enforcement.stiffness, Range{0, 2, false, true, "a number > 0 and <= 2"});
+  entry.optional("damping", enforcement.damping, Range{0, 1, true, true, "a number from 0 to 1"});
+}
+
 /// Words of the vocabulary of which this version has one meaning only.
 void read_settled(Section& entry) {
-  static const Choices<bool> methods{
-      {{"rate", true}},
-      {"penalty", "gap_rate_penalty", "partitioned", "partitioned_kinematic", "kinematic", "reference", "tied"}};
   static const Choices<bool> passes{{{"auto", true}, {"one", true}}, {"two", "2"}};
-  static const Choices<bool> thicknesses{{{"auto", true}}, {}};
   bool only = true;
-  entry.optional("method", only, methods);
   entry.optional("passes", only, passes);
   if (entry.has("thickness") && entry.at("thickness").tree->text != "auto") {
     later(entry.at("thickness"), "thickness in contact", "auto");
@@ -88,12 +104,11 @@ ContactEntry read_entry(Section& entry) {
   ContactEntry contact;
   read_between(entry, contact);
   if (entry.has("exclude")) read_exclude(entry.at("exclude"), contact);
-  read_no_friction(entry, contact.friction);
+  read_friction(entry, contact.friction);
   if (entry.has("slave")) read_slave(entry.at("slave"), contact);
   entry.optional("self", contact.self);
   entry.optional("competing", contact.competing, competing);
-  entry.optional("tolerance", contact.tolerance, Range{0, 1, false, false, "a number > 0 and < 1"});
-  entry.optional("max_iterations", contact.max_iterations, Count{1});
+  read_enforcement(entry, contact.enforcement);
   if (entry.has("rebuild")) read_rebuild(entry.at("rebuild"), contact);
   entry.optional("initial_overlap", contact.initial_overlap, overlaps);
   read_settled(entry);
@@ -102,22 +117,22 @@ ContactEntry read_entry(Section& entry) {
 
 }  // namespace
 
-void read_no_friction(Section& entry, double& friction) {
+void read_friction(Section& entry, contact::FrictionLaw& friction) {
   if (!entry.has("friction")) return;
   const Key key = entry.at("friction");
-  double largest = 0;
-  if (key.tree->kind == Tree::Kind::map) {
-    Section law(key, "a map {static: number, kinetic: number, decay: number}");
-    double fixed = 0, sliding = 0, decay = 0;
-    law.required("static", fixed, not_negative);
-    law.optional("kinetic", sliding, not_negative);
-    law.optional("decay", decay, not_negative);
-    largest = std::max(fixed, sliding);
-  } else {
-    read(key, largest, not_negative);
+  if (key.tree->kind != Tree::Kind::map) {
+    read(key, friction.fixed, not_negative);
+    friction.kinetic = friction.fixed;
+    return;
   }
-  if (largest > 0) fault(key, "friction comes in a later version; accepted: 0");
-  friction = 0;
+  Section law(key, "a map {static: number, kinetic: number, decay: number}");
+  law.required("static", friction.fixed, not_negative);
+  friction.kinetic = friction.fixed;
+  law.optional("kinetic", friction.kinetic, not_negative);
+  law.optional("decay", friction.decay, not_negative);
+  if (friction.kinetic > friction.fixed)
+    fault(law.at("kinetic"),
+          fmt::format("{} is more than static {}; accepted: at most as much", friction.kinetic, friction.fixed));
 }
 
 void read_contact(Section& scene, Input& input) {

@@ -94,12 +94,14 @@ void add_elements(const model::Model& model, const model::State& state, Sums& su
 void add_contact(const Links& links, const contact::Contact& contact, Ledger& result) {
   result.contact_totals = contact.collect();
   const contact::ContactTotals& totals = result.contact_totals;
-  std::array<comm::ExactAccumulator, 2> late_half;
-  contact.add_second_half(late_half[0], late_half[1]);
-  std::array<double, 2> half{};
-  comm::exact_sum(links.ranks, late_half, half);
+  contact::WorkSums late_half;
+  contact.add_second_half(late_half);
+  std::array<comm::ExactAccumulator, 3> sums{late_half.contact, late_half.friction, late_half.walls};
+  std::array<double, 3> half{};
+  comm::exact_sum(links.ranks, sums, half);
   result.contact = totals.contact_work - half[0];
-  result.walls = totals.wall_work - half[1];
+  result.friction = totals.friction_work - half[1];
+  result.walls = totals.wall_work - half[2];
   for (const Vec3& impulse : totals.wall_impulse) result.impulse_given += impulse;
 }
 

@@ -34,7 +34,8 @@ std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation) {
   contact::ContactSettings settings;
   settings.bodies = model.contact.any;
   settings.pairs = pair_table(model.contact, static_cast<std::int32_t>(model.blocks.size()));
-  settings.rate = {model.contact.tolerance, model.contact.max_iterations};
+  settings.enforcement = model.contact.enforcement;
+  settings.friction = model.contact.friction;
   std::vector<double> inverse_mass;
   for (const model::NodeLine& node : simulation.state.nodes) inverse_mass.push_back(1.0 / node.mass);
   std::vector<contact::ConstrainedNode> constrained;

@@ -30,6 +30,8 @@ class Communicator {
   void max(std::span<double> values) const;  ///< element by element, in place
   [[nodiscard]] GlobalIndex sum(GlobalIndex value) const;
   void sum(std::span<GlobalIndex> values) const;  ///< wraps modulo 2^64, so it is exact in any order
+  /// Both in one message, in place; at most six of each. Sums wrap modulo 2^64.
+  void max_and_sum(std::span<double> largest, std::span<GlobalIndex> sums) const;
   [[nodiscard]] GlobalIndex max(GlobalIndex value) const;
   [[nodiscard]] bool any(bool value) const;
   [[nodiscard]] GlobalIndex sum_before(GlobalIndex value) const;  ///< sum over the ranks below this one

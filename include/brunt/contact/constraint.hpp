@@ -2,6 +2,7 @@
 // The data that detection, enforcement and ghosting share: contact nodes and constraint rows.
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -30,8 +31,9 @@ enum class Cone : std::int8_t {
   free          ///< it holds both ways
 };
 
-/// One constraint: sum_i weights[i] normal . v[nodes[i]] >= required (equal, for a free cone).
-/// An impulse lambda [momentum] changes the momentum of node i by lambda weights[i] normal.
+/// One constraint on the relative velocity r = sum_i weights[i] v[nodes[i]]: normal . r >= required (equal, for a free
+/// cone) and, with friction, r = drift across the normal for as long as the impulse across it stays within friction
+/// times the impulse along it. An impulse p [momentum] changes the momentum of node i by weights[i] p.
 /// Rows are ordered by (slave_gid, slave_second, master_key, master_second).
 struct Row {
   GlobalIndex slave_gid = 0;
@@ -48,9 +50,26 @@ struct Row {
   double gap = 0;                       ///< at x_n: > 0 open, < 0 penetration
   double required = 0;                  ///< least rate [velocity]: -gap/dt when open, a limited recovery when closed
   Cone cone = Cone::compression;
+  double slab = 0;            ///< Z1 Z2 / (Z1 + Z2) A of eq. (29) in Heinstein et al. 2000 [mass/time]; 0: not known
+  double friction = 0;        ///< Coulomb coefficient for this step; 0: none; infinity: the node is tied to the master
+  Vec3 drift = Vec3::Zero();  ///< velocity across the normal that sticking asks for [velocity]: takes back what slid
 
   [[nodiscard]] bool is_wall() const { return master_key < 0; }
   [[nodiscard]] bool is_edge() const { return slave_second != no_index; }
 };
+
+/// The impulse nearest to this one among those that the row admits: no pull (unless the cone is free), and across the
+/// normal at most friction times the impulse along it. The normal part is settled first and by itself: Coulomb's law,
+/// not the projection on the cone, which would push the bodies apart where they slide.
+inline Vec3 admitted(const Row& row, const Vec3& impulse) {
+  const double along = row.normal.dot(impulse);
+  const double push = row.cone == Cone::compression && along < 0 ? 0.0 : along;
+  const bool holds_pull = row.cone == Cone::free;
+  if (row.friction == 0 || (push == 0 && !holds_pull)) return push * row.normal;
+  const Vec3 across = impulse - along * row.normal;
+  if (std::isinf(row.friction)) return push * row.normal + across;
+  const double limit = row.friction * std::abs(push), size = across.norm();
+  return push * row.normal + (size > limit ? Vec3(limit / size * across) : across);
+}
 
 }  // namespace brunt::contact

@@ -11,7 +11,8 @@
 #include "brunt/comm/communicator.hpp"
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/contact/detection/detection.hpp"
-#include "brunt/contact/enforcement/rate_constraint.hpp"
+#include "brunt/contact/enforcement/enforce.hpp"
+#include "brunt/contact/friction.hpp"
 #include "brunt/contact/history.hpp"
 #include "brunt/contact/lists.hpp"
 #include "brunt/contact/surface/surface.hpp"
@@ -49,19 +50,26 @@ struct ContactSettings {
   PairTable pairs;     ///< of blocks; no blocks: no contact between bodies, walls only
   bool bodies = true;  ///< search for contact between bodies
   DetectionSettings detection;
-  RateSettings rate;
+  std::vector<FrictionLaw> friction;  ///< of pairs of blocks, [a * blocks + b]; empty: none
+  std::vector<double> impedance;      ///< density times speed of sound of each block, for Method::printed
+  EnforcementSettings enforcement;
   double motion_share = 0.3;  ///< of the mean face edge: how far nodes may move before lists are rebuilt
   /// By block: of two-sided sheets, met at half of it from their faces [length]; 0 or missing: the skin of a solid.
   std::vector<double> thickness{};
-  bool warm_start = false;  ///< the iteration starts from the forces of the last step
   Rebuild rebuild;
   std::vector<std::array<std::int32_t, 2>> tracked;  ///< pairs of blocks whose impulse is summed
 };
 
+/// Energy taken from the bodies [energy].
+struct WorkSums {
+  comm::ExactAccumulator contact;   ///< by contact between them, along the normals
+  comm::ExactAccumulator friction;  ///< across the normals, on walls too
+  comm::ExactAccumulator walls;     ///< by walls, along their normals
+};
+
 /// Sums over the run, on this rank, exact: sums are reduced only when wanted (see `collect`).
 struct ContactSums {
-  comm::ExactAccumulator contact_work;  ///< energy taken from the bodies by contact between them [energy]
-  comm::ExactAccumulator wall_work;     ///< and by walls
+  WorkSums work;
   std::vector<std::array<comm::ExactAccumulator, 3>> wall_impulse;     ///< by each wall on the bodies [momentum]
   std::vector<std::array<comm::ExactAccumulator, 3>> tracked_impulse;  ///< on the first block of each tracked pair
   double penetration = 0;                                              ///< largest so far [length]
@@ -69,7 +77,7 @@ struct ContactSums {
 
 /// The same after reduction over all ranks.
 struct ContactTotals {
-  double contact_work = 0, wall_work = 0;
+  double contact_work = 0, friction_work = 0, wall_work = 0;
   std::vector<Vec3> wall_impulse, tracked_impulse;
   GlobalIndex pairs = 0, active = 0;  ///< candidate pairs now; rows with an impulse in the last step
   double penetration = 0;             ///< largest of the run [length]
@@ -79,7 +87,7 @@ struct ContactStatistics {  ///< the same on every rank
   GlobalIndex steps = 0, searches = 0, solved_steps = 0, iterations = 0;
   int most_iterations = 0;
   double largest_residual = 0;
-  RateResult last;
+  EnforcementResult last;
 };
 
 class Contact {
@@ -105,9 +113,9 @@ class Contact {
   /// mesh), held components included: what the step books as reaction of fixed and prescribed nodes.
   void add_impulses(std::span<Vec3> impulse) const;
 
-  /// Energy that the second half of the last step's impulses took, lambda n . v_{n+1/2} / 2: the sums hold whole steps,
-  /// a ledger at t_n takes this off. Of this rank.
-  void add_second_half(comm::ExactAccumulator& contact, comm::ExactAccumulator& walls) const;
+  /// Energy that the second half of the last step's impulses took, p . v_{n+1/2} / 2: the sums hold whole steps, a
+  /// ledger at t_n takes this off. Of this rank.
+  void add_second_half(WorkSums& half) const;
 
   /// Of the last step, by local node of the mesh, for slaves owned here, zero elsewhere: impulse over dt and the area
   /// around the node [stress]; smallest gap [length].
@@ -115,7 +123,7 @@ class Contact {
   [[nodiscard]] std::vector<double> gaps() const;
 
   /// Does anything of a step depend on the one before? Else there is no history to save. The same on every rank.
-  [[nodiscard]] bool remembers() const { return settings_.warm_start || has_sheets(); }
+  [[nodiscard]] bool remembers() const { return settings_.enforcement.warm_start || rubs_ || has_sheets(); }
   [[nodiscard]] HistoryTables history_tables() const;  ///< the records of this rank
   /// Takes over records that lie anywhere, each on one rank; each goes to where its rows are made. Collective.
   void restore_history(const HistoryTables& tables);
@@ -125,8 +133,8 @@ class Contact {
   [[nodiscard]] const ContactStatistics& statistics() const { return statistics_; }
   [[nodiscard]] ContactSums& sums() { return sums_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
-  [[nodiscard]] std::span<const Row> rows() const { return rows_; }             ///< of the last step, on this rank
-  [[nodiscard]] std::span<const double> impulses() const { return impulses_; }  ///< of those rows
+  [[nodiscard]] std::span<const Row> rows() const { return rows_; }           ///< of the last step, on this rank
+  [[nodiscard]] std::span<const Vec3> impulses() const { return impulses_; }  ///< of those rows
 
  private:
   [[nodiscard]] bool must_rebuild(double global_motion_used) const;
@@ -138,9 +146,15 @@ class Contact {
   [[nodiscard]] bool has_sheets() const {
     return std::ranges::any_of(settings_.thickness, [](double thickness) { return thickness > 0; });
   }
-  void remember(double dt);
+  [[nodiscard]] double area_of_slave(const Row& row) const;
+  void lay_slabs();
+  void lay_friction(std::span<const Wall> walls, double dt);
+  [[nodiscard]] AnchorScene anchor_scene(std::span<const Wall> walls) const;
+  [[nodiscard]] FrictionLaw friction_of(const Row& row, std::span<const Wall> walls) const;
+  void remember(std::span<const Wall> walls, double dt);
   void scatter(MutableVectorView velocity);
   void book();
+  static void book_work(const Row& row, const Vec3& impulse, const Vec3& relative, WorkSums& sums);
   [[nodiscard]] bool is_slave_in(const Row& row, std::int32_t block) const;
   [[nodiscard]] std::size_t surface_node_count() const;           ///< local nodes up to the last one on the surface
   [[nodiscard]] std::size_t model_node_of(const Row& row) const;  ///< the slave
@@ -173,10 +187,13 @@ class Contact {
   std::vector<Vec3> node_normal_;  // of each contact node's first row with a face
   DetectionScratch detection_;
   std::vector<Row> rows_;
-  std::vector<double> impulses_;
-  RateScratch scratch_;
+  std::vector<Vec3> impulses_;
+  EnforcementScratch scratch_;
   History history_;
   std::vector<HistoryRecord> next_pairs_;
+  std::vector<AnchorRecord> next_anchors_;
+  bool rubs_ = false;                     // friction somewhere
+  std::vector<LocalIndex> faces_by_key_;  // of the lists
 
   ContactSums sums_;
   ContactStatistics statistics_;

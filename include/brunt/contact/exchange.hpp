@@ -2,6 +2,7 @@
 // What enforcement needs from other ranks, without knowing that there are any. Arrays hold `width` doubles for each
 // contact node of this rank; a node has one owner and any number of copies.
 #pragma once
+#include <cstdint>
 #include <span>
 
 namespace brunt::contact {
@@ -16,6 +17,8 @@ class Exchange {
   virtual void sum_to_owner(std::span<double> values, int width) = 0;
   /// Maximum over all ranks, element by element, in place.
   virtual void max(std::span<double> values) = 0;
+  /// The same for `largest` and the sums of `sums` over all ranks in one message; at most six of each.
+  virtual void reduce(std::span<double> largest, std::span<std::int64_t> sums) = 0;
 };
 
 /// One rank with all nodes: nothing to exchange.
@@ -24,6 +27,7 @@ class OneRankExchange final : public Exchange {
   void share(std::span<double> /*values*/, int /*width*/) override {}
   void sum_to_owner(std::span<double> /*values*/, int /*width*/) override {}
   void max(std::span<double> /*values*/) override {}
+  void reduce(std::span<double> /*largest*/, std::span<std::int64_t> /*sums*/) override {}
 };
 
 }  // namespace brunt::contact

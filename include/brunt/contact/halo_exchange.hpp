@@ -28,6 +28,7 @@ class HaloExchange final : public Exchange {
   void share(std::span<double> values, int width) override;
   void sum_to_owner(std::span<double> values, int width) override;
   void max(std::span<double> values) override;
+  void reduce(std::span<double> largest, std::span<std::int64_t> sums) override;
 
  private:
   std::vector<comm::Communicator> ranks_;  ///< one, or none before the first list

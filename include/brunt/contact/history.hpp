@@ -40,11 +40,9 @@ struct AnchorKey {
 
 struct AnchorRecord {
   AnchorKey key;
-  GlobalIndex face = no_index;             ///< key of the face that holds the anchor; none on a wall
-  bool sticks = false;                     ///< else it slides, and the anchor lies where it was dragged to
-  std::array<double, 4> weights{};         ///< of the face's corners at the anchor
-  std::array<double, 3> on_wall{};         ///< the anchor less the wall's point [length]
-  std::array<double, 3> friction_force{};  ///< on the slave in the last step [force]
+  GlobalIndex face = no_index;      ///< key of the face that holds the anchor; none on a wall
+  std::array<double, 4> weights{};  ///< of the face's corners at the anchor
+  std::array<double, 3> on_wall{};  ///< the anchor less the wall's point [length]
 };
 
 inline AnchorKey anchor_key_of(const Row& row) {
@@ -77,14 +75,14 @@ void for_each_remembered(std::span<const Row> rows, std::span<const HistoryRecor
 /// The anchor of a row's slave on its master, or null.
 const AnchorRecord* find_anchor(std::span<const AnchorRecord> anchors, const AnchorKey& key);
 
-/// Impulses to start the iteration from [momentum]: what the forces of the last step, seen along the normals as they
-/// are now, make of a step of length dt; zero for rows that did not act. Rows in order.
+/// Impulses to start the iteration from [momentum]: what the rows, as they are now, admit of the forces of the last
+/// step, over a step of length dt; zero for rows that did not act. Rows in order.
 void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt,
-                    std::span<double> impulses);
+                    std::span<Vec3> impulses);
 
 /// The records of a step of length dt: of rows that acted, and of the sides seen (in order of their keys). Allocates
 /// nothing where `records` has room for all rows and sides.
-void write_pairs(std::span<const Row> rows, std::span<const double> impulses, double dt,
+void write_pairs(std::span<const Row> rows, std::span<const Vec3> impulses, double dt,
                  std::span<const HistoryRecord> sides, std::vector<HistoryRecord>& records);
 
 /// The history as tables for checkpoints and the state hash, and back.

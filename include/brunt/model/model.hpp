@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "brunt/contact/options.hpp"
 #include "brunt/core/aligned.hpp"
 #include "brunt/mesh/local_mesh.hpp"
 #include "brunt/model/element_block.hpp"
@@ -48,14 +49,15 @@ struct RigidWall {
   bool bilateral = false;
   Curve motion;  ///< velocity along the normal
   bool moves = false;
+  contact::FrictionLaw friction;
 };
 
 /// Which parts may touch which; evaluated for pairs of blocks.
 struct ContactRule {
-  std::vector<std::int8_t> active;        ///< [block_a * blocks + block_b]
-  std::vector<std::int8_t> forced_slave;  ///< 0 automatic, 1: block_a is slave of block_b, -1 the other way
-  double tolerance = 1e-3;
-  int max_iterations = 50;
+  std::vector<std::int8_t> active;             ///< [block_a * blocks + block_b]
+  std::vector<std::int8_t> forced_slave;       ///< 0 automatic, 1: block_a is slave of block_b, -1 the other way
+  std::vector<contact::FrictionLaw> friction;  ///< the same places
+  contact::EnforcementSettings enforcement;
   int rebuild_every = 0;  ///< steps; 0: when the motion is used up; -1: also at random
   int competing = 0;      ///< what decides among competing faces: contact::Criterion
   bool any = false;

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "brunt/contact/options.hpp"
 #include "brunt/core/types.hpp"
 #include "brunt/element/options.hpp"
 #include "brunt/material/law.hpp"
@@ -120,7 +121,7 @@ struct Damping {
 struct RigidWall {
   std::string name;
   Vec3 point, normal;  ///< unit normal, outward, towards the bodies
-  double friction = 0;
+  contact::FrictionLaw friction;
   bool bilateral = false;
   std::string motion;  ///< curve of the wall's velocity along its normal; empty: at rest
 };
@@ -128,9 +129,8 @@ struct RigidWall {
 struct ContactEntry {
   std::vector<std::string> between;  ///< empty: all; else two parts
   std::vector<std::array<std::string, 2>> exclude;
-  double friction = 0;
-  double tolerance = 1e-3;
-  int max_iterations = 50;
+  contact::FrictionLaw friction;
+  contact::EnforcementSettings enforcement;  ///< one for all rows: the last entry's
   int rebuild_every = 0;  ///< steps; 0: lists are rebuilt when the motion is used up; -1: also at random (for tests)
   enum class Slave { automatic, first, second } slave = Slave::automatic;
   bool self = true;  ///< with `all`: parts meet themselves too

@@ -23,8 +23,8 @@ void read_run(Section& scene, Input& input);  ///< run, output, history, checkpo
 
 /// A selection: exactly one of the keys `part` (noted as a reference) and `set`.
 bool read_selection(Section& entry, std::string& where);
-/// A friction coefficient, or a map of static, kinetic and decay: this version has 0 only.
-void read_no_friction(Section& entry, double& friction);
+/// The key `friction`, if there: a coefficient, or a map of static, kinetic and decay.
+void read_friction(Section& entry, contact::FrictionLaw& friction);
 
 /// Names that are used but not defined, generated parts without an entry in `parts`, names used twice.
 void check_references(const Input& input, Section& scene);

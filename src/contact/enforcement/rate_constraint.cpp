@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Projected Jacobi with the row-sum diagonal; all sums over rows are binned, so no bit depends on the ranks.
 #include "brunt/contact/enforcement/rate_constraint.hpp"
 
 #include <algorithm>
@@ -7,190 +6,152 @@
 #include <cmath>
 #include <limits>
 
-#include "brunt/core/binned_sum.hpp"
-#include "brunt/core/error.hpp"
+#include "brunt/core/fixed_sum.hpp"
 
 namespace brunt::contact {
 namespace {
 
-constexpr int row_sum_width = bin_slices + 1, impulse_width = 3 * bin_slices;
-
-struct System {
-  std::span<const Row> rows;
-  std::span<const NodeMotion> motion;
-  std::span<const Mobility> mobility;
-};
-
-/// Maximum that does not lose NaN, which compares false with everything.
-void keep_max(double& largest, double value) {
-  if (!(value <= largest)) largest = std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
-}
-
-double rate(const Row& row, std::span<const Vec3> velocity) {
-  Vec3 relative = Vec3::Zero();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
-    relative += row.weights[i] * velocity[static_cast<std::size_t>(row.nodes[i])];
-  return row.normal.dot(relative);
-}
-
-double shortfall(const Row& row, std::span<const Vec3> velocity) {
-  const double missing = row.required - rate(row, velocity);
-  return row.cone == Cone::free ? std::abs(missing) : std::max(missing, 0.0);
-}
-
-/// |G_qn P_n|; what is left of a projector's rounding along a direction that is held counts as nothing.
-double projected_weight(const Row& row, std::size_t i, const Mobility& mobility) {
-  constexpr double held = 1e-6;
-  const double free_part = (mobility.projector * row.normal).norm();
-  return free_part > held ? std::abs(row.weights[i]) * free_part : 0.0;
-}
-
-/// Can an impulse in this row change its rate? Else the row is left out: prescribed motion has the authority.
-bool can_act(const System& system, const Row& row) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-    const Mobility& mobility = system.mobility[static_cast<std::size_t>(row.nodes[i])];
-    if (mobility.inverse_mass > 0 && projected_weight(row, i, mobility) > 0) return true;
-  }
-  return false;
-}
-
-void sum_rows_of_nodes(const System& system, Exchange& exchange, RateScratch& scratch) {
-  const std::size_t nodes = system.motion.size();
-  const BinGrid grid = BinGrid::for_bound(1.0);
-  scratch.row_sum_parts.assign(nodes * row_sum_width, 0.0);
-  for (const Row& row : system.rows) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-      const auto node = static_cast<std::size_t>(row.nodes[i]);
-      double* parts = &scratch.row_sum_parts[node * row_sum_width];
-      binned_add(grid, projected_weight(row, i, system.mobility[node]), parts);
-      parts[bin_slices] += 1;
-    }
-  }
-  exchange.sum_to_owner(scratch.row_sum_parts, row_sum_width);
-  scratch.row_sum.resize(nodes);
-  for (std::size_t node = 0; node < nodes; ++node) {
-    const double* parts = &scratch.row_sum_parts[node * row_sum_width];
-    demand(parts[bin_slices] <= binned_terms, "more rows on one contact node than its sums can hold");
-    scratch.row_sum[node] = binned_value(parts);
-  }
-  exchange.share(scratch.row_sum, 1);
-}
-
-void form_diagonal(const System& system, RateScratch& scratch) {
-  scratch.diagonal.resize(system.rows.size());
-  for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    const Row& row = system.rows[q];
-    double h = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-      const auto node = static_cast<std::size_t>(row.nodes[i]);
-      const Mobility& mobility = system.mobility[node];
-      h += projected_weight(row, i, mobility) * scratch.row_sum[node] * mobility.inverse_mass;
-    }
-    scratch.diagonal[q] = h;
-  }
-}
-
+/// What one look at an iterate tells, the same on every rank.
 struct Judgement {
-  double residual = 0, largest_impulse = 0;
+  double residual = 0;   ///< max H |step of length 1| [velocity]
+  double energy = 0;     ///< max H |step of length 1|^2, the size of the terms of the next quotient [energy]
+  double impulse = 0;    ///< bound of |p|
+  double rise = 0;       ///< bound of what a step of length 1 can add to it
+  bool coupled = false;  ///< rows share nodes: else a step of length 1 is exact
+  double speed = 0;      ///< largest component of a slave's velocity
+  double change_h_change = 0, change_a_change = 0, a_change_a_change = 0;  ///< s.Hs, s.As, As.H^-1 As
 };
 
-/// Next impulses from the velocities of this iterate; the same on every rank.
-Judgement update_impulses(const System& system, std::span<const Vec3> velocity, std::span<const double> impulses,
-                          Exchange& exchange, RateScratch& scratch) {
-  std::array<double, 2> largest{0, 0};
-  for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    const Row& row = system.rows[q];
-    const double h = scratch.diagonal[q];
-    double next = 0;
-    if (h > 0) {  // else nothing in this row can move
-      next = impulses[q] + (row.required - rate(row, velocity)) / h;
-      if (row.cone == Cone::compression) next = next < 0 ? 0.0 : next;
-      keep_max(largest[0], h * std::abs(next - impulses[q]));
-      keep_max(largest[1], std::abs(next));
-    }
-    scratch.next[q] = next;
+class Iteration {
+ public:
+  Iteration(const System& system, bool coupled, Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
+            EnforcementScratch& scratch)
+      : system_(system),
+        coupled_(coupled),
+        exchange_(exchange),
+        impulses_(impulses),
+        velocity_(velocity),
+        scratch_(scratch) {
+    scratch.previous.assign(impulses.begin(), impulses.end());
+    scratch.missing.assign(impulses.size(), Vec3::Zero());
   }
-  exchange.max(largest);
-  if (!std::isfinite(largest[0]) || !std::isfinite(largest[1]))
-    throw GuardError("contact: an impulse is not finite; the velocities that came in are not, or grew without bound");
-  return {largest[0], largest[1]};
+
+  /// term_size: bound of the terms of s.Hs; 0 for the first iterate, which has no change.
+  Judgement judge(double term_size);
+  /// p and v of the next iterate.
+  void advance(const Judgement& now, double length);
+
+ private:
+  const System& system_;
+  bool coupled_;
+  Exchange& exchange_;
+  std::span<Vec3> impulses_, velocity_;
+  EnforcementScratch& scratch_;
+};
+
+Judgement Iteration::judge(double term_size) {
+  std::array<double, 6> largest{0, 0, 0, 0, coupled_ ? 1.0 : 0.0, 0};
+  std::array<std::int64_t, 3> sums{};
+  const FixedUnit unit(term_size);
+  for (std::size_t q = 0; q < system_.rows.size(); ++q) {
+    const double h = scratch_.diagonal[q];
+    if (!(h > 0)) continue;  // nothing in this row can move
+    const Row& row = system_.rows[q];
+    const Vec3 missing = missing_rate(row, relative_velocity(row, velocity_));
+    if (term_size > 0) {
+      const Vec3 change = impulses_[q] - scratch_.previous[q], a_change = scratch_.missing[q] - missing;
+      sums[0] += unit.of(h * change.squaredNorm());
+      sums[1] += unit.of(change.dot(a_change));
+      sums[2] += unit.of(a_change.squaredNorm() / h);
+    }
+    scratch_.missing[q] = missing;
+    const Vec3 next = admitted(row, impulses_[q] + missing / h);
+    const double step = (next - impulses_[q]).norm();
+    const double slope = std::isinf(row.friction) ? 1.0 : std::hypot(1.0, row.friction);
+    const double rise = row.cone == Cone::free ? missing.norm() : std::max(0.0, row.normal.dot(missing));
+    keep_max(largest[5], velocity_[static_cast<std::size_t>(row.nodes[0])].cwiseAbs().maxCoeff());
+    keep_max(largest[0], h * step);
+    keep_max(largest[1], h * step * step);
+    keep_max(largest[2], slope * impulses_[q].norm());
+    keep_max(largest[3], slope * rise / h);
+  }
+  exchange_.reduce(largest, sums);
+  demand_finite(largest[0] + largest[2]);
+  return {largest[0], largest[1],          largest[2],          largest[3],         largest[4] > 0,
+          largest[5], unit.value(sums[0]), unit.value(sums[1]), unit.value(sums[2])};
 }
 
-/// v = v* + W G^T impulses on owners, then on every copy.
-void apply_impulses(const System& system, std::span<const double> impulses, double largest_impulse, Exchange& exchange,
-                    std::span<Vec3> velocity, RateScratch& scratch) {
-  const std::size_t nodes = system.motion.size();
-  const BinGrid grid = BinGrid::for_bound(largest_impulse);
-  scratch.impulse_parts.assign(nodes * impulse_width, 0.0);
-  for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    if (impulses[q] == 0) continue;
-    const Row& row = system.rows[q];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-      double* parts = &scratch.impulse_parts[static_cast<std::size_t>(row.nodes[i]) * impulse_width];
-      const double share = row.weights[i] * impulses[q];
-      for (int c = 0; c < 3; ++c) binned_add(grid, share * row.normal[c], parts + c * bin_slices);
-    }
+void Iteration::advance(const Judgement& now, double length) {
+  for (std::size_t q = 0; q < system_.rows.size(); ++q) {
+    const double h = scratch_.diagonal[q];
+    scratch_.previous[q] = impulses_[q];
+    impulses_[q] = h > 0 ? admitted(system_.rows[q], impulses_[q] + length / h * scratch_.missing[q]) : Vec3::Zero();
   }
-  exchange.sum_to_owner(scratch.impulse_parts, impulse_width);
-  for (std::size_t node = 0; node < nodes; ++node) {
-    const double* parts = &scratch.impulse_parts[node * impulse_width];
-    const Vec3 impulse(binned_value(parts), binned_value(parts + bin_slices), binned_value(parts + 2 * bin_slices));
-    const Mobility& mobility = system.mobility[node];
-    velocity[node] = system.motion[node].predicted + mobility.inverse_mass * (mobility.projector * impulse);
-  }
-  // a rank without nodes takes part all the same
-  exchange.share(nodes == 0 ? std::span<double>{} : std::span<double>(velocity.front().data(), 3 * nodes), 3);
+  apply_impulses(system_, impulses_, now.impulse + length * now.rise, exchange_, velocity_, scratch_);
 }
 
-double largest_shortfall(const System& system, std::span<const Vec3> velocity, Exchange& exchange) {
-  double largest = 0;
-  for (const Row& row : system.rows) {
-    const double missing = shortfall(row, velocity);
-    if (missing != 0 && can_act(system, row)) keep_max(largest, missing);
-  }
-  exchange.max({&largest, 1});
-  return largest;
+/// 1 or more: H bounds G W G^T. The two quotients in turn keep the iteration from a cycle.
+double quotient(const Judgement& now, int iteration) {
+  constexpr double longest = 1e6;
+  const double length =
+      iteration % 2 == 1 ? now.change_h_change / now.change_a_change : now.change_a_change / now.a_change_a_change;
+  return length >= 1 ? std::min(length, longest) : 1.0;  // also where nothing is left to divide
 }
 
 }  // namespace
 
-void RateScratch::reserve(std::size_t rows, std::size_t nodes) {
-  diagonal.reserve(rows);
-  next.reserve(rows);
-  row_sum.reserve(nodes);
-  row_sum_parts.reserve(nodes * row_sum_width);
-  impulse_parts.reserve(nodes * impulse_width);
-}
-
-RateResult enforce_rate_constraint(std::span<const Row> rows, std::span<const NodeMotion> motion,
-                                   std::span<const Mobility> mobility, const RateSettings& settings, Exchange& exchange,
-                                   std::span<double> impulses, std::span<Vec3> velocity, RateScratch& scratch) {
-  const System system{rows, motion, mobility};
-  for (std::size_t node = 0; node < motion.size(); ++node) velocity[node] = motion[node].predicted;
-  RateResult result{.violation = largest_shortfall(system, velocity, exchange)};
-  if (result.violation == 0) {
-    std::fill(impulses.begin(), impulses.end(), 0.0);
-    return result;
-  }
-  sum_rows_of_nodes(system, exchange, scratch);
-  form_diagonal(system, scratch);
-  scratch.next.resize(rows.size());
-
-  double largest_start = 0;
-  for (const double impulse : impulses) keep_max(largest_start, std::abs(impulse));
-  exchange.max({&largest_start, 1});
-  result.acted = largest_start > 0;
-  if (result.acted) apply_impulses(system, impulses, largest_start, exchange, velocity, scratch);
-
+EnforcementResult iterate(const System& system, const EnforcementSettings& settings, StepLength length, bool coupled,
+                          double violation, Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
+                          EnforcementScratch& scratch) {
+  constexpr double rounding_share = 1e-15;
+  constexpr int patience = 30;  // Barzilai-Borwein steps do not descend one by one
+  EnforcementResult result{.violation = violation};
+  Iteration iteration(system, coupled, exchange, impulses, velocity, scratch);
+  bool quotients = length == StepLength::barzilai_borwein;
+  double taken = 1, terms = 0, best = std::numeric_limits<double>::infinity(), best_before = best;
   while (true) {
-    const Judgement now = update_impulses(system, velocity, impulses, exchange, scratch);
-    result.residual = now.residual / result.violation;
-    if (result.residual <= settings.tolerance || result.iterations == settings.max_iterations) return result;
-    std::copy(scratch.next.begin(), scratch.next.end(), impulses.begin());
-    apply_impulses(system, impulses, now.largest_impulse, exchange, velocity, scratch);
-    result.acted = true;
+    const Judgement now = iteration.judge(terms);
+    result.residual = now.residual / violation;
+    if (!now.coupled && settings.max_iterations > 0) {
+      iteration.advance(now, 1);
+      return {violation, 0.0, 1, true};
+    }
+    const bool rounding = now.residual <= rounding_share * now.speed;  // of velocities: nothing is left to gain
+    if (result.residual <= settings.tolerance || rounding || result.iterations == settings.max_iterations) {
+      if (taken > 1) iteration.advance(now, 1);
+      result.acted = now.impulse > 0;
+      return result;
+    }
+    best = std::min(best, result.residual);
+    if (result.iterations % patience == 0) {
+      if (best > 0.5 * best_before) quotients = false;
+      best_before = best;
+    }
+    taken = quotients && result.iterations > 0 ? quotient(now, result.iterations) : 1.0;
+    iteration.advance(now, taken);
+    terms = quotients ? taken * taken * now.energy : 0.0;
     ++result.iterations;
   }
+}
+
+EnforcementResult enforce_rate_constraint(const System& system, const EnforcementSettings& settings, StepLength length,
+                                          Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
+                                          EnforcementScratch& scratch) {
+  const double violation = start_from_prediction(system, exchange, velocity);
+  if (violation == 0) {
+    std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
+    return {};
+  }
+  const bool coupled = form_row_sums(system, exchange, scratch);
+  if (settings.warm_start) {
+    double largest = 0;
+    for (const Vec3& impulse : impulses) keep_max(largest, impulse.norm());
+    exchange.max({&largest, 1});
+    if (largest > 0) apply_impulses(system, impulses, largest, exchange, velocity, scratch);
+  } else {
+    std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
+  }
+  return iterate(system, settings, length, coupled, violation, exchange, impulses, velocity, scratch);
 }
 
 }  // namespace brunt::contact

@@ -93,7 +93,7 @@ TEST_CASE("momentum to round-off, energy never grows and is booked, nothing pass
     residual = std::max(residual, contact.statistics().last.residual);
   }
   CHECK((points.momentum() - momentum).norm() <= 1e-13 * (1 + momentum.norm()));
-  CHECK(residual <= settings.rate.tolerance);
+  CHECK(residual <= settings.enforcement.tolerance);
   CHECK(contact.statistics().solved_steps > 0);
   CHECK(contact.statistics().searches < step_count / 2);
 
@@ -116,7 +116,7 @@ TEST_CASE("one body on a moving wall: the impulse on the body is what its moment
   points.walls = {{.normal = Vec3::UnitZ(), .velocity = Vec3(0, 0, 0.25)}};
   ContactSettings settings;
   settings.bodies = false;
-  settings.rate.tolerance = 1e-10;
+  settings.enforcement.tolerance = 1e-10;
   contact::Contact contact = points.make_contact(settings);
   const Vec3 momentum = points.momentum();
   const double kinetic = points.kinetic();
@@ -171,7 +171,7 @@ TEST_CASE("node on node across ranks: exact") {
     if (upper) points.v[n] = Vec3(0, 0, -5);
   }
   ContactSettings settings;
-  settings.rate.tolerance = 1e-12;
+  settings.enforcement.tolerance = 1e-12;
   contact::Contact contact = points.make_contact(settings);
   points.step(contact, 1e-3);
   CHECK(contact.statistics().last.iterations == 1);

@@ -95,8 +95,8 @@ TEST_CASE("a small scene is read with its defaults", "[scene]") {
   CHECK(std::get<material::J2>(input.materials.at("steel")).hardening == 0);
   CHECK(input.rigid_walls[0].name == "wall0");
   CHECK_FALSE(input.rigid_walls[0].bilateral);
-  CHECK(input.contact[0].tolerance == 1e-3);
-  CHECK(input.contact[0].max_iterations == 50);
+  CHECK(input.contact[0].enforcement.tolerance == 1e-3);
+  CHECK(input.contact[0].enforcement.max_iterations == 50);
   CHECK(input.contact[0].initial_overlap == ContactEntry::InitialOverlap::error);
   CHECK(input.run.end == 1e-3);
   CHECK_FALSE(input.run.steps);
@@ -197,8 +197,8 @@ TEST_CASE("contact, probes and the run are read", "[scene]") {
   REQUIRE(input.contact.size() == 3);
   CHECK(input.contact[0].between.empty());
   CHECK(input.contact[0].exclude[0] == std::array<std::string, 2>{"rod", "ball"});
-  CHECK(input.contact[0].tolerance == 1e-4);
-  CHECK(input.contact[0].max_iterations == 20);
+  CHECK(input.contact[0].enforcement.tolerance == 1e-4);
+  CHECK(input.contact[0].enforcement.max_iterations == 20);
   CHECK(input.contact[0].initial_overlap == ContactEntry::InitialOverlap::warn);
   CHECK(input.contact[1].slave == Slave::second);
   CHECK(input.contact[2].slave == Slave::first);

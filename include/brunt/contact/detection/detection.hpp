@@ -10,6 +10,7 @@
 #include "brunt/contact/detection/choose.hpp"
 #include "brunt/contact/detection/encounter.hpp"
 #include "brunt/contact/history.hpp"
+#include "brunt/contact/options.hpp"
 #include "brunt/core/ragged.hpp"
 
 namespace brunt::contact {
@@ -29,6 +30,7 @@ struct Wall {
   Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();
   Vec3 velocity = Vec3::Zero();
   bool bilateral = false;  ///< nodes that start in the plane stay in it
+  FrictionLaw friction{};
 };
 
 /// An overlap of the start that counts as touching: gaps of this node with faces of this body are measured from it, for

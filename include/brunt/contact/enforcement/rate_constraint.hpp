@@ -1,48 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// The iterative rate constraint of Heinstein et al. 2000, eq. (26), for unilateral contact: impulses lambda >= 0 such
-// that G v >= required with v = v* + W G^T lambda, and lambda = 0 where the inequality is strict. Projected Jacobi:
-// every row is updated from the previous iterate with the row-sum diagonal
-//   H_q = sum_n |G_qn P_n| s_n / m_n,   s_n = sum_p |G_pn P_n|,
-// P_n the node's projector, in place of the paper's eq. (29). H - G W G^T is positive semidefinite by Gershgorin, so
-// the iteration descends monotonically for any masses and meshes, and stopped early it never gives energy.
+// The iterative rate constraint of Heinstein et al. 2000, eq. (26): impulses that the rows admit, such that every row
+// has what it asks for where its impulse acts. Each iteration updates all rows from the previous iterate,
+//   p <- admitted(p + alpha missing / H),
+// with H the row sums (see system.hpp) in place of the paper's eq. (29).
+// - row sums alone: alpha = 1. Descends monotonically for any masses and meshes; stopped early it never gives energy.
+// - Barzilai-Borwein: alpha is the quotient s.Hs / s.As or s.As / As.H^-1 As of the last change s of the impulses,
+// which
+//   is 1 or more (Barzilai and Borwein, IMA J. Numer. Anal. 8, 1988; projected: Dai and Fletcher, Numer. Math. 100,
+//   2005). Where thirty iterations have not halved the residual it goes on with row sums; it ends with a row sum sweep,
+//   since a long step stopped half-way is a rebound that nothing in the bodies has asked for.
 #pragma once
-#include <span>
-#include <vector>
-
-#include "brunt/contact/constraint.hpp"
-#include "brunt/contact/exchange.hpp"
+#include "brunt/contact/enforcement/enforce.hpp"
 
 namespace brunt::contact {
 
-struct RateSettings {
-  double tolerance = 1e-3;  ///< of the residual, relative to the largest violation by the predicted velocities
-  int max_iterations = 50;
-};
+enum class StepLength { row_sum, barzilai_borwein };
 
-struct RateResult {
-  double violation = 0;  ///< largest shortfall max(0, required - G v*) [velocity]; 0: nothing to do
-  double residual = 0;   ///< natural residual max_q H_q |lambda_q - proj(lambda_q + (required - G v)_q / H_q)|
-                         ///< relative to violation, of the last iterate that was judged
-  int iterations = 0;
-  bool acted = false;  ///< impulses changed v*: else velocity is what it was
-};
+/// As `enforce`; scratch.diagonal is formed here.
+EnforcementResult enforce_rate_constraint(const System& system, const EnforcementSettings& settings, StepLength length,
+                                          Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
+                                          EnforcementScratch& scratch);
 
-/// Arrays of the solver, sized where lists are rebuilt so that a step allocates nothing.
-struct RateScratch {
-  std::vector<double> diagonal;       ///< H, a row each
-  std::vector<double> next;           ///< impulses of the next iterate, a row each
-  std::vector<double> row_sum;        ///< s, a node each
-  std::vector<double> row_sum_parts;  ///< two slices and the number of rows, a node each
-  std::vector<double> impulse_parts;  ///< three components of two slices, a node each
-
-  void reserve(std::size_t rows, std::size_t nodes);
-};
-
-/// Collective. motion, mobility: of all contact nodes of this rank. impulses: in, the start (zero, or those of the last
-/// step); out, lambda [momentum]. velocity: out, v on every contact node, the same bits on every copy; equal to v*
-/// where nothing acts. Throws GuardError where an impulse is not finite.
-RateResult enforce_rate_constraint(std::span<const Row> rows, std::span<const NodeMotion> motion,
-                                   std::span<const Mobility> mobility, const RateSettings& settings, Exchange& exchange,
-                                   std::span<double> impulses, std::span<Vec3> velocity, RateScratch& scratch);
+/// The same with scratch.diagonal as it is (any H, without guarantee), from impulses and velocities that belong
+/// together. coupled: of this rank's rows, see form_row_sums.
+EnforcementResult iterate(const System& system, const EnforcementSettings& settings, StepLength length, bool coupled,
+                          double violation, Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
+                          EnforcementScratch& scratch);
 
 }  // namespace brunt::contact

@@ -73,6 +73,7 @@ class PairTable {
   /// Sets (a, b), and (b, a) to match.
   void set(std::int32_t a, std::int32_t b, PairRule rule);
   [[nodiscard]] PairRule at(std::int32_t a, std::int32_t b) const;
+  [[nodiscard]] std::size_t block_count() const { return static_cast<std::size_t>(block_count_); }
   [[nodiscard]] bool forces_a_side() const;  ///< some rule names the slave
 
  private:

@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""A block on a rough incline: slides with Coulomb's acceleration, or stays where it is (see README)."""
+import math
+import os
+import sys
+
+import numpy
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from case_check import Case  # noqa: E402
+
+SOURCE = "Coulomb"
+GRAVITY = 9.81
+
+
+def overrides(degrees, friction, key):
+    angle = math.radians(degrees)
+    return {"gravity.vector": [GRAVITY * math.sin(angle), 0, -GRAVITY * math.cos(angle)], key: friction}
+
+
+def friction_of(scene):
+    return "contact.0.friction" if "contact" in scene else "rigid_walls.0.friction"
+
+
+def acceleration(degrees, friction):
+    angle = math.radians(degrees)
+    return max(0.0, GRAVITY * (math.sin(angle) - friction * math.cos(angle)))
+
+
+def late(result, column, scene):
+    """Time and values after three times the time of damping: before, parts of the base still stick now and then."""
+    since = result.history["time"] > 3 * scene["damping"]["to"]
+    return result.history["time"][since], result.history[column][since]
+
+
+def check_sliding(case, name, degrees, friction):
+    scene = case.scene(name)
+    result = case.run(name, overrides=overrides(degrees, friction, friction_of(scene)),
+                      name=f"{name[:-5]}_{degrees}_{friction}")
+    label = f"{name[:-5]}, {degrees} degrees, friction {friction}"
+    time, speed = late(result, "block.x", scene)
+    ours = numpy.polyfit(time, speed, 1)[0]
+    case.assert_close(f"{label}: acceleration [m/s2]", acceleration(degrees, friction), ours, 0.01, SOURCE)
+    case.assert_below(f"{label}: energy identity", result.summary["energy"]["error_ratio"], 1e-10)
+    case.assert_below(f"{label}: momentum", result.summary["momentum_error"], 1e-8)
+    case.assert_within(f"{label}: friction takes energy", 0, math.inf, result.summary["energy"]["friction"])
+
+
+def check_sticking(case, name, degrees, friction):
+    """A10 degree incline and friction 0.2: drift at most 1e-6 m a second (A5), at most 1e-6 m in 1e6 steps (E11)."""
+    scene = case.scene(name)
+    result = case.run(name, overrides=overrides(degrees, friction, friction_of(scene)),
+                      name=f"{name[:-5]}_{degrees}_{friction}")
+    label = f"{name[:-5]}, {degrees} degrees, friction {friction}"
+    time, place = late(result, "place.x", scene)
+    drift = abs(numpy.polyfit(time, place, 1)[0])
+    case.assert_below(f"{label}: drift [m/s]", drift, 1e-6, SOURCE)
+    steps = result.summary["steps"] / result.history["time"][-1]
+    case.assert_below(f"{label}: drift in 1e6 steps [m]", drift * 1e6 / steps, 1e-6, SOURCE)
+    case.assert_below(f"{label}: energy identity", result.summary["energy"]["error_ratio"], 1e-10)
+
+
+def main():
+    case = Case(__file__)
+    for name in ("scene.yaml", "plate.yaml"):
+        for degrees, friction in ((20, 0.2), (30, 0.5), (30, 0.3), (45, 0.5)):
+            check_sliding(case, name, degrees, friction)
+        check_sticking(case, name, 10, 0.2)
+    short = {"run.end": 0.06}
+    for name in ("scene.yaml", "plate.yaml"):
+        case.assert_same_on_ranks((1, 2, 3, 4) if case.long else (1, 3), scene=name, overrides=short)
+        stick = {**short, **overrides(10, 0.2, friction_of(case.scene(name)))}
+        whole = case.run(name, overrides=stick, name="whole")
+        case.assert_same_after_restart(whole, 0.03, scene=name, overrides=stick)
+    if case.long:
+        check_million_steps(case)
+    case.finish()
+
+
+def check_million_steps(case):
+    million = {**overrides(10, 0.2, "contact.0.friction"), "run.end": 65.0, "history.every": 0.5}
+    result = case.run("plate.yaml", overrides=million, name="million")
+    place = result.history["place.x"]
+    case.assert_within("steps", 1e6, math.inf, result.summary["steps"])
+    case.assert_below("drift in 1e6 steps [m]", place[-1] - place[1], 1e-6, SOURCE)
+
+
+if __name__ == "__main__":
+    main()

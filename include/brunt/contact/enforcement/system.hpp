@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of one step as one system, G v >= required with v = v* + W G^T p, and what every way of solving it is made
+// of: what a row still asks for, the impulses it admits, the diagonal, the velocities that impulses give.
+// Sums over rows are binned, so no bit depends on the ranks.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "brunt/contact/constraint.hpp"
+#include "brunt/contact/exchange.hpp"
+
+namespace brunt::contact {
+
+struct System {
+  std::span<const Row> rows;
+  std::span<const NodeMotion> motion;  ///< of all contact nodes of this rank
+  std::span<const Mobility> mobility;  ///< the same
+};
+
+/// Arrays of the solvers, sized where lists are rebuilt so that a step allocates nothing.
+struct EnforcementScratch {
+  std::vector<double> diagonal;             ///< H [1/mass], a row each; 0: no impulse in this row can change its rate
+  std::vector<Vec3> previous;               ///< impulses of the iterate before, a row each
+  std::vector<Vec3> missing;                ///< what the rows still ask for [velocity], a row each
+  std::vector<double> row_sum;              ///< s, a node each
+  std::vector<double> row_sum_parts;        ///< two slices and the number of rows, a node each
+  std::vector<double> impulse_parts;        ///< three components of two slices, a node each
+  std::vector<double> group_impulse_parts;  ///< the same of a half of the rows that is solved by itself
+
+  void reserve(std::size_t rows, std::size_t nodes);
+};
+
+/// Throws GuardError where the largest impulse is not finite.
+void demand_finite(double largest);
+
+/// Maximum that does not lose NaN, which compares false with everything.
+void keep_max(double& largest, double value);
+
+/// sum_i weights[i] v[nodes[i]] [velocity].
+Vec3 relative_velocity(const Row& row, std::span<const Vec3> velocity);
+
+/// What the row asks for beyond this relative velocity: required - n . v along the normal and, with friction,
+/// drift - v across it [velocity].
+Vec3 missing_rate(const Row& row, const Vec3& relative);
+
+/// Largest max(0, required - n . v) over the rows that can act (for tied rows also across the normal). Collective.
+double largest_violation(const System& system, std::span<const Vec3> velocity, Exchange& exchange);
+
+/// v = v*, and the largest violation by it. Collective.
+double start_from_prediction(const System& system, Exchange& exchange, std::span<Vec3> velocity);
+
+/// Fills scratch.diagonal with the row sums H_q = sum_n |G_qn P_n| s_n / m_n, s_n = sum_p |G_pn P_n|: H - G W G^T is
+/// positive semidefinite by Gershgorin's theorem. Returns whether rows of this rank share nodes with other rows: else H
+/// is G W G^T itself. Collective.
+bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch& scratch);
+
+/// Fills scratch.diagonal with the diagonal of G W G^T.
+void form_diagonal(const System& system, EnforcementScratch& scratch);
+
+/// v = v* + W G^T p on owners, then on every copy. largest: bound of |p|, the same on all ranks. Collective.
+void apply_impulses(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,
+                    std::span<Vec3> velocity, EnforcementScratch& scratch);
+
+}  // namespace brunt::contact

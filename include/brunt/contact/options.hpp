@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a user may choose of contact.
+#pragma once
+#include <cmath>
+#include <cstdint>
+
+namespace brunt::contact {
+
+/// The formulations of Heinstein et al. 2000; equations are theirs.
+enum class Method : std::int8_t {
+  rate,         ///< the rate constraint (22), iterated to a tolerance by projected Barzilai-Borwein steps
+  row_sum,      ///< the same by (26) with row sums for H: slower, monotone
+  printed,      ///< the same by (26) with H (29) as printed, which over-corrects (see enforcement/printed.hpp)
+  kinematic,    ///< the partitioned kinematic predictor and one corrector (24), (25)
+  gap_penalty,  ///< (16): a spring across penetrations; shortens the stable step
+  penalty,      ///< (20): a spring and a damper
+  reference     ///< the exact solution of (22) by PETSc: for comparisons, not bitwise the same on all ranks
+};
+
+struct EnforcementSettings {
+  Method method = Method::rate;
+  double tolerance = 1e-3;  ///< of the residual, relative to the largest violation by the predicted velocities
+  int max_iterations = 50;
+  bool warm_start = false;  ///< from the impulses of the last step, else from zero
+  double partition = 1;     ///< beta of (24): share of the gap that a pass closes
+  double stiffness = 0.1;   ///< of penalties, in units of 1 / (H dt^2); at most 2
+  double damping = 0.1;     ///< of the rate's penalty, in units of 1 / H; at most 1
+};
+
+/// Coulomb friction; the coefficient falls from `fixed` at rest to `kinetic` with exp(-decay |slip rate|).
+struct FrictionLaw {
+  double fixed = 0, kinetic = 0;
+  double decay = 0;  ///< [time/length]
+
+  [[nodiscard]] double coefficient(double slip_rate) const {
+    return kinetic + (fixed - kinetic) * std::exp(-decay * slip_rate);
+  }
+  [[nodiscard]] bool any() const { return fixed > 0 || kinetic > 0; }
+};
+
+}  // namespace brunt::contact

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sums of doubles as whole numbers of one small unit: exact in any order, one integer each, for sums that need few
+// digits (quotients that choose a step length). See core/binned_sum.hpp for sums that keep all digits.
+#pragma once
+#include <cmath>
+#include <cstdint>
+
+namespace brunt {
+
+class FixedUnit {
+ public:
+  /// bound: the size of the largest terms, the same on all ranks; sums up to 2^32 times as large are held.
+  explicit FixedUnit(double bound) {
+    if (!(bound > 0) || !std::isfinite(bound)) return;
+    int exponent = 0;
+    std::frexp(bound, &exponent);
+    unit_ = std::ldexp(1.0, exponent - digits);
+    per_unit_ = std::ldexp(1.0, digits - exponent);
+  }
+  [[nodiscard]] std::int64_t of(double term) const { return std::llrint(term * per_unit_); }
+  [[nodiscard]] double value(std::int64_t sum) const { return static_cast<double>(sum) * unit_; }
+
+ private:
+  static constexpr int digits = 30;
+  double unit_ = 0, per_unit_ = 0;  // without a bound every sum is zero
+};
+
+}  // namespace brunt

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// What rows are given besides what detection finds: friction, and the slabs of the printed method.
+#include <algorithm>
+
+#include "brunt/contact/contact.hpp"
+
+namespace brunt::contact {
+
+/// A node that belongs to several blocks has the roughest one's friction.
+FrictionLaw Contact::friction_of(const Row& row, std::span<const Wall> walls) const {
+  if (row.is_wall()) return walls[static_cast<std::size_t>(-1 - row.master_key)].friction;
+  if (settings_.friction.empty()) return {};
+  const std::size_t blocks = settings_.pairs.block_count();
+  const auto law_of = [&](std::int32_t slave) {
+    return settings_.friction[static_cast<std::size_t>(slave) * blocks + static_cast<std::size_t>(row.master_block)];
+  };
+  if (row.is_edge()) return law_of(row.slave_block);
+  FrictionLaw roughest;
+  for (const std::int32_t block :
+       surface_.blocks.row(lists_.nodes.surface_node[static_cast<std::size_t>(row.nodes[0])]))
+    if (const FrictionLaw law = law_of(block); law.fixed > roughest.fixed) roughest = law;
+  return roughest;
+}
+
+AnchorScene Contact::anchor_scene(std::span<const Wall> walls) const {
+  return {lists_.faces, faces_by_key_, motion_of_, walls, settings_.detection.encounter.capture};
+}
+
+void Contact::lay_friction(std::span<const Wall> walls, double dt) {
+  if (!rubs_) return;
+  for (Row& row : rows_) {
+    const FrictionLaw law = friction_of(row, walls);
+    if (law.any()) row.friction = friction_coefficient(law, row, motion_of_);
+  }
+  const DetectionSettings& detection = settings_.detection;
+  aim_at_anchors(rows_, anchor_scene(walls), history_.anchors,
+                 {detection.recovery, detection.recovery_limit * surface_.mean_edge}, dt);
+}
+
+/// Of the faces around a slave node, a quarter each [length^2].
+double Contact::area_of_slave(const Row& row) const {
+  const auto slave = std::ranges::lower_bound(lists_.candidates.slave, row.nodes[0]) - lists_.candidates.slave.begin();
+  double area = 0;
+  for (const LocalIndex facet : lists_.candidates.slave_facets.row(static_cast<LocalIndex>(slave)))
+    area += 0.25 * facet_area_[static_cast<std::size_t>(facet)].norm();
+  return area;
+}
+
+/// Rows of edges and walls have none: an edge has no area, and a wall's candidates no facets.
+void Contact::lay_slabs() {
+  for (Row& row : rows_) {
+    if (row.is_wall() || row.is_edge()) continue;
+    const LocalIndex slave = lists_.nodes.surface_node[static_cast<std::size_t>(row.nodes[0])];
+    const double one = settings_.impedance[static_cast<std::size_t>(surface_.blocks.row(slave).front())],
+                 two = settings_.impedance[static_cast<std::size_t>(row.master_block)];
+    row.slab = one * two / (one + two) * area_of_slave(row);
+  }
+}
+
+}  // namespace brunt::contact

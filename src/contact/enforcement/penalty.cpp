@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/enforcement/penalty.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brunt::contact {
+namespace {
+
+/// The impulse of one row's spring and damper; zero where it is open.
+Vec3 spring_impulse(const Row& row, const Vec3& missing, double stiffness, double damping, double dt, double h) {
+  if (row.cone == Cone::free) return admitted(row, missing / h);
+  if (!(row.gap < 0)) return Vec3::Zero();
+  const double closing = row.normal.dot(missing) - row.required;
+  const double along = -stiffness * row.gap / dt + damping * closing;
+  const Vec3 across = missing - row.normal.dot(missing) * row.normal;
+  return admitted(row, (along * row.normal + across) / h);
+}
+
+}  // namespace
+
+EnforcementResult enforce_penalty(const System& system, const EnforcementSettings& settings, double damping, double dt,
+                                  Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
+                                  EnforcementScratch& scratch) {
+  const double violation = start_from_prediction(system, exchange, velocity);
+  form_row_sums(system, exchange, scratch);
+  double largest = 0;
+  for (std::size_t q = 0; q < system.rows.size(); ++q) {
+    const Row& row = system.rows[q];
+    const double h = scratch.diagonal[q];
+    const Vec3 missing = missing_rate(row, relative_velocity(row, velocity));
+    impulses[q] = h > 0 ? spring_impulse(row, missing, settings.stiffness, damping, dt, h) : Vec3::Zero();
+    keep_max(largest, impulses[q].norm());
+  }
+  exchange.max({&largest, 1});
+  if (largest == 0) return {.violation = violation};
+  demand_finite(largest);
+  apply_impulses(system, impulses, largest, exchange, velocity, scratch);
+  return {.violation = violation, .iterations = 1, .acted = true};
+}
+
+}  // namespace brunt::contact

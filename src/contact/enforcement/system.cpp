@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/enforcement/system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "brunt/core/binned_sum.hpp"
+#include "brunt/core/error.hpp"
+
+namespace brunt::contact {
+namespace {
+
+constexpr int row_sum_width = bin_slices + 1, impulse_width = 3 * bin_slices;
+
+/// Share of an impulse along the row's directions that the node is free to follow; what is left of a projector's
+/// rounding along a direction that is held counts as nothing.
+double free_share(const Row& row, const Mobility& mobility) {
+  constexpr double held = 1e-6;
+  const double along = (mobility.projector * row.normal).norm();
+  if (along <= held) return 0.0;
+  return row.friction > 0 ? 1.0 : along;
+}
+
+/// |G_qn P_n|
+double projected_weight(const Row& row, std::size_t i, const Mobility& mobility) {
+  return std::abs(row.weights[i]) * free_share(row, mobility);
+}
+
+const Mobility& mobility_of(const System& system, const Row& row, std::size_t i) {
+  return system.mobility[static_cast<std::size_t>(row.nodes[i])];
+}
+
+/// Can an impulse in this row change its rate? Else the row is left out: prescribed motion has the authority.
+bool can_act(const System& system, const Row& row) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
+    const Mobility& mobility = mobility_of(system, row, i);
+    if (mobility.inverse_mass > 0 && projected_weight(row, i, mobility) > 0) return true;
+  }
+  return false;
+}
+
+double shortfall(const Row& row, const Vec3& relative) {
+  if (std::isinf(row.friction)) return missing_rate(row, relative).norm();
+  const double missing = row.required - row.normal.dot(relative);
+  return row.cone == Cone::free ? std::abs(missing) : std::max(missing, 0.0);
+}
+
+void sum_rows_of_nodes(const System& system, Exchange& exchange, EnforcementScratch& scratch) {
+  const std::size_t nodes = system.motion.size();
+  const BinGrid grid = BinGrid::for_bound(1.0);
+  scratch.row_sum_parts.assign(nodes * row_sum_width, 0.0);
+  for (const Row& row : system.rows) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
+      double* parts = &scratch.row_sum_parts[static_cast<std::size_t>(row.nodes[i]) * row_sum_width];
+      binned_add(grid, projected_weight(row, i, mobility_of(system, row, i)), parts);
+      parts[bin_slices] += 1;
+    }
+  }
+  exchange.sum_to_owner(scratch.row_sum_parts, row_sum_width);
+  scratch.row_sum.resize(nodes);
+  for (std::size_t node = 0; node < nodes; ++node) {
+    const double* parts = &scratch.row_sum_parts[node * row_sum_width];
+    demand(parts[bin_slices] <= binned_terms, "more rows on one contact node than its sums can hold");
+    scratch.row_sum[node] = binned_value(parts);
+  }
+  exchange.share(scratch.row_sum, 1);
+}
+
+}  // namespace
+
+void EnforcementScratch::reserve(std::size_t rows, std::size_t nodes) {
+  diagonal.reserve(rows);
+  previous.reserve(rows);
+  missing.reserve(rows);
+  row_sum.reserve(nodes);
+  row_sum_parts.reserve(nodes * row_sum_width);
+  impulse_parts.reserve(nodes * impulse_width);
+}
+
+void demand_finite(double largest) {
+  if (!std::isfinite(largest))
+    throw GuardError("contact: an impulse is not finite; the velocities that came in are not, or grew without bound");
+}
+
+void keep_max(double& largest, double value) {
+  if (!(value <= largest)) largest = std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+}
+
+Vec3 relative_velocity(const Row& row, std::span<const Vec3> velocity) {
+  Vec3 relative = Vec3::Zero();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
+    relative += row.weights[i] * velocity[static_cast<std::size_t>(row.nodes[i])];
+  return relative;
+}
+
+Vec3 missing_rate(const Row& row, const Vec3& relative) {
+  const double along = row.normal.dot(relative);
+  Vec3 missing = (row.required - along) * row.normal;
+  if (row.friction > 0) missing += row.drift - (relative - along * row.normal);
+  return missing;
+}
+
+double largest_violation(const System& system, std::span<const Vec3> velocity, Exchange& exchange) {
+  double largest = 0;
+  for (const Row& row : system.rows) {
+    const double missing = shortfall(row, relative_velocity(row, velocity));
+    if (missing != 0 && can_act(system, row)) keep_max(largest, missing);
+  }
+  exchange.max({&largest, 1});
+  return largest;
+}
+
+double start_from_prediction(const System& system, Exchange& exchange, std::span<Vec3> velocity) {
+  for (std::size_t node = 0; node < system.motion.size(); ++node) velocity[node] = system.motion[node].predicted;
+  return largest_violation(system, velocity, exchange);
+}
+
+bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch& scratch) {
+  sum_rows_of_nodes(system, exchange, scratch);
+  scratch.diagonal.resize(system.rows.size());
+  bool coupled = false;
+  for (std::size_t q = 0; q < system.rows.size(); ++q) {
+    const Row& row = system.rows[q];
+    double h = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
+      const Mobility& mobility = mobility_of(system, row, i);
+      const double weight = projected_weight(row, i, mobility);
+      const double sum = scratch.row_sum[static_cast<std::size_t>(row.nodes[i])];
+      if (mobility.inverse_mass > 0 && weight > 0)
+        coupled = coupled || sum != weight || (row.friction > 0 && !mobility.projector.isIdentity(0));
+      h += weight * sum * mobility.inverse_mass;
+    }
+    scratch.diagonal[q] = h;
+  }
+  return coupled;
+}
+
+void form_diagonal(const System& system, EnforcementScratch& scratch) {
+  scratch.diagonal.resize(system.rows.size());
+  for (std::size_t q = 0; q < system.rows.size(); ++q) {
+    const Row& row = system.rows[q];
+    double h = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
+      const Mobility& mobility = mobility_of(system, row, i);
+      const double weight = projected_weight(row, i, mobility);
+      h += weight * weight * mobility.inverse_mass;
+    }
+    scratch.diagonal[q] = h;
+  }
+}
+
+void apply_impulses(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,
+                    std::span<Vec3> velocity, EnforcementScratch& scratch) {
+  const std::size_t nodes = system.motion.size();
+  const BinGrid grid = BinGrid::for_bound(largest);
+  scratch.impulse_parts.assign(nodes * impulse_width, 0.0);
+  for (std::size_t q = 0; q < system.rows.size(); ++q) {
+    if (impulses[q].isZero(0)) continue;
+    const Row& row = system.rows[q];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
+      double* parts = &scratch.impulse_parts[static_cast<std::size_t>(row.nodes[i]) * impulse_width];
+      for (int c = 0; c < 3; ++c) binned_add(grid, row.weights[i] * impulses[q][c], parts + c * bin_slices);
+    }
+  }
+  exchange.sum_to_owner(scratch.impulse_parts, impulse_width);
+  for (std::size_t node = 0; node < nodes; ++node) {
+    const double* parts = &scratch.impulse_parts[node * impulse_width];
+    const Vec3 impulse(binned_value(parts), binned_value(parts + bin_slices), binned_value(parts + 2 * bin_slices));
+    const Mobility& mobility = system.mobility[node];
+    velocity[node] = system.motion[node].predicted + mobility.inverse_mass * (mobility.projector * impulse);
+  }
+  // a rank without nodes takes part all the same
+  exchange.share(nodes == 0 ? std::span<double>{} : std::span<double>(velocity.front().data(), 3 * nodes), 3);
+}
+
+}  // namespace brunt::contact

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/friction.hpp"
+
+#include <algorithm>
+
+namespace brunt::contact {
+namespace {
+
+bool has_anchor(const Row& row) {
+  return row.friction > 0 && !row.is_edge();
+}
+
+const Vec3& slave_of(const Row& row, const AnchorScene& scene) {
+  return scene.motion[static_cast<std::size_t>(row.nodes[0])].position;
+}
+
+bool sticks(const Row& row, const Vec3& impulse) {
+  constexpr double inside = 1 - 1e-9;
+  const double push = row.normal.dot(impulse);
+  return push > 0 && (impulse - push * row.normal).norm() < inside * row.friction * push;
+}
+
+}  // namespace
+
+double friction_coefficient(const FrictionLaw& law, const Row& row, std::span<const NodeMotion> motion) {
+  if (law.decay == 0 || law.fixed == law.kinetic) return law.fixed;
+  Vec3 slip = Vec3::Zero();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
+    slip += row.weights[i] * motion[static_cast<std::size_t>(row.nodes[i])].old_velocity;
+  slip -= row.normal.dot(slip) * row.normal;
+  return law.coefficient(slip.norm());
+}
+
+void aim_at_anchors(std::span<Row> rows, const AnchorScene& scene, std::span<const AnchorRecord> anchors,
+                    const AnchorSettings& settings, double dt) {
+  if (anchors.empty()) return;
+  for (Row& row : rows) {
+    if (!has_anchor(row)) continue;
+    const AnchorRecord* anchor = find_anchor(anchors, anchor_key_of(row));
+    const std::optional<Vec3> crept = anchor ? slip(scene, *anchor, slave_of(row, scene)) : std::nullopt;
+    if (!crept) continue;
+    const Vec3 across = *crept - row.normal.dot(*crept) * row.normal;
+    const double size = across.norm();
+    if (size > 0) row.drift = -std::min(settings.recovery, settings.limit / size) / dt * across;
+  }
+}
+
+void write_anchors(std::span<const Row> rows, std::span<const Vec3> impulses, const AnchorScene& scene,
+                   std::span<const AnchorRecord> before, std::vector<AnchorRecord>& after) {
+  after.clear();
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    const Row& row = rows[q];
+    if (!has_anchor(row) || !sticks(row, impulses[q])) continue;
+    const AnchorRecord* anchor = find_anchor(before, anchor_key_of(row));
+    const bool holds = anchor != nullptr && slip(scene, *anchor, slave_of(row, scene)).has_value();
+    after.push_back(holds ? *anchor : anchor_of(scene, row));
+  }
+  // several faces of one body may hold a node: the one of the lowest key is its anchor
+  const auto order = [](const AnchorRecord& a, const AnchorRecord& b) {
+    return std::pair(a.key, a.face) < std::pair(b.key, b.face);
+  };
+  std::sort(after.begin(), after.end(), order);
+  const auto same = [](const AnchorRecord& a, const AnchorRecord& b) { return a.key == b.key; };
+  after.erase(std::unique(after.begin(), after.end(), same), after.end());
+}
+
+}  // namespace brunt::contact

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/enforcement/system.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "problem.hpp"
+
+using namespace brunt;
+using namespace brunt::contact;
+
+TEST_CASE("admitted impulses: no pull, Coulomb's disc, ties hold everything") {
+  Row row{.normal = Vec3::UnitZ()};
+  CHECK(admitted(row, {1, 2, 3}) == Vec3(0, 0, 3));
+  CHECK(admitted(row, {1, 2, -3}) == Vec3::Zero());
+  row.friction = 0.5;
+  CHECK(admitted(row, {0.3, 0.4, 2}) == Vec3(0.3, 0.4, 2));
+  CHECK((admitted(row, {3, 4, 2}) - Vec3(0.6, 0.8, 2)).norm() < 1e-15);
+  CHECK(admitted(row, {3, 4, -2}) == Vec3::Zero());
+  row.friction = std::numeric_limits<double>::infinity();
+  CHECK(admitted(row, {3, 4, 2}) == Vec3(3, 4, 2));
+  CHECK(admitted(row, {3, 4, -2}) == Vec3::Zero());
+  row.cone = Cone::free;
+  CHECK(admitted(row, {3, 4, -2}) == Vec3(3, 4, -2));
+  CHECK(admitted(row, {3, 4, 0}) == Vec3(3, 4, 0));
+}
+
+TEST_CASE("a row asks for its rate along the normal and, with friction, for its drift across it") {
+  Row row{.normal = Vec3::UnitZ(), .required = -1};
+  CHECK(missing_rate(row, {5, 6, -3}) == Vec3(0, 0, 2));
+  row.friction = 0.1;
+  row.drift = {1, 0, 0};
+  CHECK(missing_rate(row, {5, 6, -3}) == Vec3(-4, -6, 2));
+}
+
+TEST_CASE("row sums bound the operator: 1 for lone pairs, more where rows share a node") {
+  Problem p;
+  const LocalIndex a = p.add_node(1, {0, 0, -1}), b = p.add_node(1, {0, 0, 0}), c = p.add_node(1, {0, 0, -1});
+  p.add_row({{a, 1}, {b, -1}}, Vec3::UnitZ());
+  OneRankExchange exchange;
+  EnforcementScratch scratch;
+  CHECK_FALSE(form_row_sums(p.system(), exchange, scratch));
+  CHECK(scratch.diagonal[0] == 2);
+  p.add_row({{c, 1}, {b, -1}}, Vec3::UnitZ());
+  CHECK(form_row_sums(p.system(), exchange, scratch));
+  CHECK(scratch.diagonal == std::vector<double>{3, 3});
+  form_diagonal(p.system(), scratch);
+  CHECK(scratch.diagonal == std::vector<double>{2, 2});
+}
