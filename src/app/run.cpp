@@ -13,7 +13,6 @@
 #include "brunt/time/ledger.hpp"
 #include "brunt/time/step.hpp"
 #include "contact_setup.hpp"
-#include "contact_setup.hpp"
 #include "failure.hpp"
 #include "prepare.hpp"
 #include "results.hpp"

@@ -70,7 +70,11 @@ Pressure read_one_pressure(Section& entry) {
 }
 
 RigidWall read_wall(Section& entry, std::size_t index) {
-  RigidWall wall{.name = fmt::format("wall{}", index), .point = Vec3::Zero(), .normal = Vec3::UnitZ(), .friction = {}, .motion = {}};
+  RigidWall wall{.name = fmt::format("wall{}", index),
+                 .point = Vec3::Zero(),
+                 .normal = Vec3::UnitZ(),
+                 .friction = {},
+                 .motion = {}};
   entry.optional("name", wall.name, "a name");
   entry.required("point", wall.point, Vector::any);
   entry.required("normal", wall.normal, Vector::direction);

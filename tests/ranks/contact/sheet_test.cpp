@@ -32,8 +32,8 @@ MassPoints pinched_sheet(const comm::Communicator& ranks, double apart, bool fro
 contact::ContactSettings settings_with(const Rebuild& rebuild = {}) {
   contact::ContactSettings settings;
   settings.thickness = {thickness};
-  settings.rate.tolerance = 1e-10;
-  settings.rate.max_iterations = 500;
+  settings.enforcement.tolerance = 1e-10;
+  settings.enforcement.max_iterations = 500;
   settings.rebuild = rebuild;
   return settings;
 }
@@ -65,7 +65,7 @@ Pinch pinch_of(const MassPoints& points, const contact::Contact& contact) {
   GlobalIndex rows = 0;
   for (std::size_t q = 0; q < contact.rows().size(); ++q) {
     const contact::Row& row = contact.rows()[q];
-    const double impulse = contact.impulses()[q] * row.normal.z();
+    const double impulse = contact.impulses()[q].z();
     (row.slave_gid < 58 ? above : below).push_back(impulse);
     ++rows;
   }
