@@ -39,12 +39,12 @@ TEST_CASE("contact setup: sums come back from what a checkpoint holds, bit for b
   contact::Contact& contact = *scene.run->contact;
   const comm::Communicator self = comm::Communicator::self();
   for (const double term : {1e20, 1.0, -1e20, 1e-20, 0.1}) {
-    contact.sums().contact_work.add(term);
+    contact.sums().work.contact.add(term);
     contact.sums().tracked_impulse[0][2].add(-term);
   }
   contact.sums().penetration = 0.25;
   const std::vector<double> saved = app::save_sums(self, contact);
-  contact.sums().contact_work.add(17);
+  contact.sums().work.contact.add(17);
   contact.sums().tracked_impulse[0][2].clear();
   contact.sums().penetration = 3;
   CHECK(app::save_sums(self, contact) != saved);
