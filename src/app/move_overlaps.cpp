@@ -57,6 +57,7 @@ std::vector<double> corner_volumes(const std::vector<Vec3>& x, const mesh::Block
   };
   if (block.shape == mesh::Shape::tet4) return {volume(0, 1, 2, 3)};
   std::vector<double> volumes;
+  volumes.reserve(8);
   for (int c = 0; c < 8; ++c) volumes.push_back(volume(c, around[c][0], around[c][1], around[c][2]));
   return volumes;
 }

@@ -126,9 +126,10 @@ NodesAround::NodesAround(const mesh::Mesh& mesh) : mesh_(mesh) {
 
 std::vector<LocalIndex> NodesAround::of(LocalIndex node) const {
   std::vector<LocalIndex> nodes;
-  for (const Use& use : std::ranges::equal_range(uses_, node, {}, &Use::node)) {
-    const mesh::Block& block = mesh_.blocks[static_cast<std::size_t>(use.block)];
-    const LocalIndex* element = block.element(use.element);
+  for (auto use = std::ranges::lower_bound(uses_, node, {}, &Use::node); use != uses_.end() && use->node == node;
+       ++use) {
+    const mesh::Block& block = mesh_.blocks[static_cast<std::size_t>(use->block)];
+    const LocalIndex* element = block.element(use->element);
     nodes.insert(nodes.end(), element, element + mesh::nodes_per_element(block.shape));
   }
   std::ranges::sort(nodes);

@@ -20,6 +20,7 @@ std::vector<contact::AcceptedOverlap> accepted_overlaps(const InitialGaps& gaps)
     depth = std::max(depth, overlap.depth);
   }
   std::vector<contact::AcceptedOverlap> accepted;
+  accepted.reserve(deepest.size());
   for (const auto& [key, depth] : deepest) accepted.push_back({key.first, key.second, depth});
   return accepted;
 }
