@@ -175,6 +175,9 @@ TEST_CASE("node on node across ranks: exact") {
   contact::Contact contact = points.make_contact(settings);
   points.step(contact, 1e-3);
   CHECK(contact.statistics().last.iterations == 1);
+  double pressure = 0;
+  for (const double p : contact.pressures(1e-3)) pressure = std::max(pressure, p);
+  CHECK(world.max(pressure) == Approx(6 / (1e-3 * 0.25)));  // a corner carries a quarter of its face, nothing of sides
   for (std::size_t n = 0; n < points.x.size(); ++n) {
     if (points.mesh.coordinates[n].z() != 1) continue;
     CHECK(points.v[n].z() == Approx(3 * -5 / 5.0).epsilon(1e-14));
