@@ -271,10 +271,14 @@ void Contact::book() {
   }
 }
 
-void Contact::correct(VectorView position, VectorView old_velocity, MutableVectorView velocity,
-                      std::span<const Wall> walls, double dt, double global_motion_used) {
+void Contact::search(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt,
+                     double global_motion_used) {
   demand(walls.size() == sums_.wall_impulse.size(), "contact was made for another number of walls");
-  if (must_rebuild(global_motion_used)) rebuild(position, {velocity.data, velocity.stride}, walls, dt);
+  if (must_rebuild(global_motion_used)) rebuild(position, predicted, walls, dt);
+}
+
+void Contact::correct(VectorView position, VectorView old_velocity, MutableVectorView velocity,
+                      std::span<const Wall> walls, double dt) {
   ++statistics_.steps;
   statistics_.last = {};
   rows_.clear();

@@ -69,13 +69,13 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
   auto* nodes = reinterpret_cast<double*>(state.nodes.data());
   const contact::VectorView position{nodes, line}, predicted{nodes + 4, line};
   const contact::VectorView before{reinterpret_cast<const double*>(scratch.before.data()), 3};
-  double used = 0;
   {
     const auto timed = links.timers.measure(Phase::search);
-    used = links.ranks.max(contact.motion_used(position, predicted, links.walls, dt));
+    const double used = links.ranks.max(contact.motion_used(position, predicted, links.walls, dt));
+    contact.search(position, predicted, links.walls, dt, used);
   }
   const auto timed = links.timers.measure(Phase::enforcement);
-  contact.correct(position, before, {nodes + 4, line}, links.walls, dt, used);
+  contact.correct(position, before, {nodes + 4, line}, links.walls, dt);
   if (scratch.contact_impulse.empty()) return;
   // what contact pushes into held directions goes to whatever holds them
   for (const model::ConstrainedNode& constrained : model.constrained)

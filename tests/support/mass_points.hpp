@@ -41,7 +41,8 @@ struct MassPoints {
         before{reinterpret_cast<const double*>(old.data())};
     const contact::MutableVectorView after{reinterpret_cast<double*>(v.data())};
     const double used = ranks.max(contact.motion_used(position, before, walls, dt));
-    contact.correct(position, before, after, walls, dt, used);
+    contact.search(position, before, walls, dt, used);
+    contact.correct(position, before, after, walls, dt);
     for (std::size_t n = 0; n < x.size(); ++n) x[n] += dt * v[n];
     for (contact::Wall& wall : walls) wall.point += dt * wall.velocity;
   }

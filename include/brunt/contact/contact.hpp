@@ -100,14 +100,18 @@ class Contact {
           std::span<const Wall> walls, ContactSettings settings);
 
   /// How much of the motion allowed would be used after this step, as a share (1: all): the caller takes the maximum
-  /// over all ranks (with its other reductions) and hands it to `correct`. predicted: v*.
+  /// over all ranks (with its other reductions) and hands it to `search`. predicted: v*.
   [[nodiscard]] double motion_used(VectorView position, VectorView predicted, std::span<const Wall> walls,
                                    double dt) const;
+
+  /// Makes the lists anew where the motion they allow is used up. Once a step, before `correct`. Collective.
+  void search(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt,
+              double global_motion_used);
 
   /// Replaces v* by v = v* + W G^T impulses on every local node, the same bits on every copy. walls: at t_n.
   /// Collective.
   void correct(VectorView position, VectorView old_velocity, MutableVectorView velocity, std::span<const Wall> walls,
-               double dt, double global_motion_used);
+               double dt);
 
   /// Impulse [momentum] of the last step on each node owned here is added to `impulse` (a row a local node of the
   /// mesh), held components included: what the step books as reaction of fixed and prescribed nodes.
