@@ -2,6 +2,8 @@
 // Contact between parts.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "brunt/scene/sections.hpp"
 
 namespace brunt::scene {
@@ -92,7 +94,31 @@ void read_settled(Section& entry) {
   entry.not_yet("tied", "contact that may open and slide");
 }
 
-ContactEntry read_entry(Section& entry) {
+void warn(const Key& key, std::string_view what, Input& input) {
+  input.warnings.push_back(fmt::format("{}: {}", place_of(key), what));
+}
+
+/// Settings that would do nothing, or not what they seem to.
+void judge_enforcement(const Key& whole, Section& entry, const ContactEntry& contact, Input& input) {
+  using contact::Method;
+  const Method method = contact.enforcement.method;
+  const bool penalty = method == Method::penalty || method == Method::gap_penalty;
+  const auto unused = [&](const char* name, bool used, const char* methods) {
+    if (entry.has(name) && !used) warn(entry.at(name), fmt::format("does nothing but with method {}", methods), input);
+  };
+  unused("stiffness", penalty, "gap_penalty or penalty");
+  unused("damping", method == Method::penalty, "penalty");
+  unused("partition", method == Method::kinematic, "kinematic");
+  if (method == Method::printed)
+    warn(whole, "method printed over-corrects: it rebounds and may not converge; for comparisons", input);
+  if (method != Method::reference) return;
+  const bool rubs = contact.friction.any() ||
+                    std::ranges::any_of(input.contact, [](const ContactEntry& e) { return e.friction.any(); }) ||
+                    std::ranges::any_of(input.rigid_walls, [](const RigidWall& wall) { return wall.friction.any(); });
+  if (rubs) fault(whole, "method reference is for scenes without friction; accepted: friction 0, on rigid walls too");
+}
+
+ContactEntry read_entry(Section& entry, const contact::EnforcementSettings& before) {
   static const Choices<Overlap> overlaps{
       {{"error", Overlap::error}, {"warn", Overlap::warn}, {"move", Overlap::move}, {"offset", Overlap::offset}}, {}};
   using Competing = ContactEntry::Competing;
@@ -102,6 +128,7 @@ ContactEntry read_entry(Section& entry) {
                                              {"velocity", Competing::velocity}},
                                             {}};
   ContactEntry contact;
+  contact.enforcement = before;
   read_between(entry, contact);
   if (entry.has("exclude")) read_exclude(entry.at("exclude"), contact);
   read_friction(entry, contact.friction);
@@ -126,11 +153,11 @@ void read_friction(Section& entry, contact::FrictionLaw& friction) {
     return;
   }
   Section law(key, "a map {static: number, kinetic: number, decay: number}");
-  law.required("static", friction.fixed, not_negative);
+  const bool has_static = law.required("static", friction.fixed, not_negative);
   friction.kinetic = friction.fixed;
   law.optional("kinetic", friction.kinetic, not_negative);
   law.optional("decay", friction.decay, not_negative);
-  if (friction.kinetic > friction.fixed)
+  if (has_static && friction.kinetic > friction.fixed)
     fault(law.at("kinetic"),
           fmt::format("{} is more than static {}; accepted: at most as much", friction.kinetic, friction.fixed));
 }
@@ -139,7 +166,15 @@ void read_contact(Section& scene, Input& input) {
   if (!scene.has("contact")) return;
   for (const Key& key : items(scene.at("contact"), "a list of {between: all} or {between: [a, b]}")) {
     Section entry(key, "a map {between: all} or {between: [a, b]}");
-    if (entry.is_map()) input.contact.push_back(read_entry(entry));
+    if (!entry.is_map()) continue;
+    const contact::EnforcementSettings before =
+        input.contact.empty() ? contact::EnforcementSettings{} : input.contact.back().enforcement;
+    const ContactEntry contact = read_entry(entry, before);
+    judge_enforcement(key, entry, contact, input);
+    const contact::FrictionLaw& friction = contact.friction;
+    if (friction.kinetic < friction.fixed && friction.decay == 0)
+      warn(entry.at("friction"), "without decay the coefficient stays the static one, kinetic does nothing", input);
+    input.contact.push_back(contact);
   }
 }
 

@@ -107,9 +107,8 @@ void warn_of_density(const Key& key, const material::Law& law, Input& input) {
   if (units == nullptr || units->metre == 0 || density == 0) return;
   const double in_si = density * units->kilogram / (units->metre * units->metre * units->metre);
   if (in_si >= 1 && in_si <= 25000) return;
-  input.warnings.push_back(fmt::format("{}:{}: {}.density: {:g} {} is {:.3g} kg/m^3: is it given in the units '{}'?",
-                                       key.place.source, key.place.line, key.path, density, units->density, in_si,
-                                       units->name));
+  input.warnings.push_back(fmt::format("{}.density: {:g} {} is {:.3g} kg/m^3: is it given in the units '{}'?",
+                                       place_of(key), density, units->density, in_si, units->name));
 }
 
 }  // namespace

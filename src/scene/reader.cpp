@@ -52,6 +52,12 @@ void fault(const Key& key, std::string_view what) {
   key.findings->faults.add(key.place, key.path, what);
 }
 
+std::string place_of(const Key& key) {
+  const std::string where =
+      key.place.line > 0 ? fmt::format("{}:{}", key.place.source, key.place.line) : key.place.source;
+  return fmt::format("{}: {}", where, key.path);
+}
+
 bool wrong(const Key& key, std::string_view accepted) {
   fault(key, fmt::format("{}; accepted: {}", described(key), accepted));
   return false;

@@ -40,6 +40,8 @@ struct Key {
 };
 
 void fault(const Key& key, std::string_view what);
+/// "FILE:LINE: KEY PATH", without a line where the key comes from the command line: how warnings begin.
+std::string place_of(const Key& key);
 /// "WHAT IS THERE; accepted: ACCEPTED": always false, so that a reader can return it.
 bool wrong(const Key& key, std::string_view accepted);
 /// The fault of a value or key that belongs to a later version: always false.
