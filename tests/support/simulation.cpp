@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/contact_setup.hpp"
 #include "brunt/mesh/canonical.hpp"
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/read.hpp"
@@ -13,27 +14,12 @@
 namespace brunt::test {
 namespace {
 
-contact::PairTable pair_table(const model::ContactRule& rule, std::int32_t blocks) {
-  contact::PairTable table(blocks, contact::PairRule::apart);
-  for (std::int32_t a = 0; a < blocks && rule.any; ++a)
-    for (std::int32_t b = a; b < blocks; ++b) {
-      const auto pair = static_cast<std::size_t>(a * blocks + b);
-      if (!rule.active[pair]) continue;
-      const std::int8_t slave = rule.forced_slave[pair];
-      table.set(a, b,
-                slave > 0   ? contact::PairRule::slave
-                : slave < 0 ? contact::PairRule::master
-                            : contact::PairRule::automatic);
-    }
-  return table;
-}
-
 std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation) {
   const model::Model& model = simulation.model;
   if (!model.contact.any && model.walls.empty()) return nullptr;
   contact::ContactSettings settings;
   settings.bodies = model.contact.any;
-  settings.pairs = pair_table(model.contact, static_cast<std::int32_t>(model.blocks.size()));
+  settings.pairs = app::pair_table(model.contact, model.blocks.size());
   settings.enforcement = model.contact.enforcement;
   settings.friction = model.contact.friction;
   std::vector<double> inverse_mass;

@@ -119,7 +119,7 @@ EnforcementResult iterate(const System& system, const EnforcementSettings& setti
     const bool rounding = now.residual <= rounding_share * now.speed;  // of velocities: nothing is left to gain
     if (result.residual <= settings.tolerance || rounding || result.iterations == settings.max_iterations) {
       if (taken > 1) iteration.advance(now, 1);
-      result.acted = now.impulse > 0;
+      result.acted = now.impulse > 0 || taken > 1;
       return result;
     }
     best = std::min(best, result.residual);

@@ -22,22 +22,22 @@ double free_share(const Row& row, const Mobility& mobility) {
   return row.friction > 0 ? 1.0 : along;
 }
 
-/// |G_qn P_n|
-double projected_weight(const Row& row, std::size_t i, const Mobility& mobility) {
-  return std::abs(row.weights[i]) * free_share(row, mobility);
-}
-
-const Mobility& mobility_of(const System& system, const Row& row, std::size_t i) {
-  return system.mobility[static_cast<std::size_t>(row.nodes[i])];
+/// Calls visit(node, |G_qn P_n|) for the nodes of a row.
+template <class Visit>
+void for_each_weight(const System& system, const Row& row, Visit&& visit) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
+    const auto node = static_cast<std::size_t>(row.nodes[i]);
+    visit(node, std::abs(row.weights[i]) * free_share(row, system.mobility[node]));
+  }
 }
 
 /// Can an impulse in this row change its rate? Else the row is left out: prescribed motion has the authority.
 bool can_act(const System& system, const Row& row) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-    const Mobility& mobility = mobility_of(system, row, i);
-    if (mobility.inverse_mass > 0 && projected_weight(row, i, mobility) > 0) return true;
-  }
-  return false;
+  bool acts = false;
+  for_each_weight(system, row, [&](std::size_t node, double weight) {
+    acts = acts || (weight > 0 && system.mobility[node].inverse_mass > 0);
+  });
+  return acts;
 }
 
 double shortfall(const Row& row, const Vec3& relative) {
@@ -51,11 +51,11 @@ void sum_rows_of_nodes(const System& system, Exchange& exchange, EnforcementScra
   const BinGrid grid = BinGrid::for_bound(1.0);
   scratch.row_sum_parts.assign(nodes * row_sum_width, 0.0);
   for (const Row& row : system.rows) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-      double* parts = &scratch.row_sum_parts[static_cast<std::size_t>(row.nodes[i]) * row_sum_width];
-      binned_add(grid, projected_weight(row, i, mobility_of(system, row, i)), parts);
+    for_each_weight(system, row, [&](std::size_t node, double weight) {
+      double* parts = &scratch.row_sum_parts[node * row_sum_width];
+      binned_add(grid, weight, parts);
       parts[bin_slices] += 1;
-    }
+    });
   }
   exchange.sum_to_owner(scratch.row_sum_parts, row_sum_width);
   scratch.row_sum.resize(nodes);
@@ -118,35 +118,27 @@ double start_from_prediction(const System& system, Exchange& exchange, std::span
 
 bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch& scratch) {
   sum_rows_of_nodes(system, exchange, scratch);
-  scratch.diagonal.resize(system.rows.size());
+  scratch.diagonal.assign(system.rows.size(), 0.0);
   bool coupled = false;
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     const Row& row = system.rows[q];
-    double h = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-      const Mobility& mobility = mobility_of(system, row, i);
-      const double weight = projected_weight(row, i, mobility);
-      const double sum = scratch.row_sum[static_cast<std::size_t>(row.nodes[i])];
+    for_each_weight(system, row, [&](std::size_t node, double weight) {
+      const Mobility& mobility = system.mobility[node];
+      const double sum = scratch.row_sum[node];
       if (mobility.inverse_mass > 0 && weight > 0)
         coupled = coupled || sum != weight || (row.friction > 0 && !mobility.projector.isIdentity(0));
-      h += weight * sum * mobility.inverse_mass;
-    }
-    scratch.diagonal[q] = h;
+      scratch.diagonal[q] += weight * sum * mobility.inverse_mass;
+    });
   }
   return coupled;
 }
 
 void form_diagonal(const System& system, EnforcementScratch& scratch) {
-  scratch.diagonal.resize(system.rows.size());
+  scratch.diagonal.assign(system.rows.size(), 0.0);
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    const Row& row = system.rows[q];
-    double h = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-      const Mobility& mobility = mobility_of(system, row, i);
-      const double weight = projected_weight(row, i, mobility);
-      h += weight * weight * mobility.inverse_mass;
-    }
-    scratch.diagonal[q] = h;
+    for_each_weight(system, system.rows[q], [&](std::size_t node, double weight) {
+      scratch.diagonal[q] += weight * weight * system.mobility[node].inverse_mass;
+    });
   }
 }
 

@@ -19,13 +19,12 @@ struct System {
 
 /// Arrays of the solvers, sized where lists are rebuilt so that a step allocates nothing.
 struct EnforcementScratch {
-  std::vector<double> diagonal;             ///< H [1/mass], a row each; 0: no impulse in this row can change its rate
-  std::vector<Vec3> previous;               ///< impulses of the iterate before, a row each
-  std::vector<Vec3> missing;                ///< what the rows still ask for [velocity], a row each
-  std::vector<double> row_sum;              ///< s, a node each
-  std::vector<double> row_sum_parts;        ///< two slices and the number of rows, a node each
-  std::vector<double> impulse_parts;        ///< three components of two slices, a node each
-  std::vector<double> group_impulse_parts;  ///< the same of a half of the rows that is solved by itself
+  std::vector<double> diagonal;       ///< H [1/mass], a row each; 0: no impulse in this row can change its rate
+  std::vector<Vec3> previous;         ///< impulses of the iterate before, a row each
+  std::vector<Vec3> missing;          ///< what the rows still ask for [velocity], a row each
+  std::vector<double> row_sum;        ///< s, a node each
+  std::vector<double> row_sum_parts;  ///< two slices and the number of rows, a node each
+  std::vector<double> impulse_parts;  ///< three components of two slices, a node each
 
   void reserve(std::size_t rows, std::size_t nodes);
 };

@@ -63,6 +63,14 @@ struct Problem {
   }
 };
 
+/// One node over a fixed plane.
+inline Problem lone_node(double gap, double speed, double mass = 2) {
+  Problem p;
+  p.add_node(mass, {0, 0, speed});
+  p.add_row({{0, 1}}, Vec3::UnitZ()).gap = gap;
+  return p;
+}
+
 /// A grid of n x n slaves over a grid of m x m masters, both on the unit square, approaching at 1 with some noise.
 /// Masses are those of nodes: `slave_mass`, `master_mass` a unit of area, halved at edges.
 inline Problem patch(int n, int m, double slave_mass, double master_mass, unsigned seed = 1) {

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The partitioned kinematic predictor-corrector against a lone node.
+#include "brunt/contact/enforcement/kinematic.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "problem.hpp"
+
+using namespace brunt;
+using namespace brunt::contact;
+
+TEST_CASE("partitioned kinematic (24), (25): a lone node ends on the surface, half of it with beta one half") {
+  Problem p = lone_node(-0.01, -3);
+  p.solve({.method = Method::kinematic}, 0.5);
+  CHECK(-0.01 + 0.5 * p.velocity[0].z() == Approx(0).margin(1e-15));
+  Problem half = lone_node(-0.01, -3);
+  half.solve({.method = Method::kinematic, .partition = 0.5}, 0.5);
+  CHECK(-0.01 + 0.5 * half.velocity[0].z() == Approx(0.25 * (-0.01 - 1.5)));  // a half, and a half of what is left
+  Problem open = lone_node(0.2, -0.3);
+  open.solve({.method = Method::kinematic}, 0.5);
+  CHECK(open.push(0) == 0);
+}
