@@ -16,7 +16,7 @@ namespace {
 /// Where detection stops looking behind a face.
 double reach_behind(const SolidFace& face) {
   const contact::EncounterSettings settings;
-  return std::min(settings.capture * face.size, settings.element_share * face.depth);
+  return settings.deepest(face.size, face.depth);
 }
 
 class Survey {

@@ -32,6 +32,7 @@ SolidFace face_of(const mesh::Mesh& mesh, const mesh::Side& side) {
   const Vec3 inwards = -geometry::area_vector(face.points()).normalized();
   for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c)
     face.depth = std::max(face.depth, (mesh.coordinates[static_cast<std::size_t>(element[c])] - centre).dot(inwards));
+  face.depth = std::min(face.depth, geometry::width(face.points()));
   return face;
 }
 

@@ -28,7 +28,7 @@ struct SolidFace {
   std::size_t corner_count = 0;
   LocalIndex element = no_index;  ///< of the block, behind it
   double size = 0;                ///< longest edge [length]
-  double depth = 0;               ///< of that element [length]
+  double depth = 0;               ///< of that element, or the width of the face if that is less [length]
   [[nodiscard]] geometry::Corners points() const { return {corners.data(), corner_count}; }
 };
 

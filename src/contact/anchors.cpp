@@ -43,7 +43,8 @@ std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, c
     point += anchor.weights[i] * corners[i];
   }
   const Vec3 moved = slave - point;
-  const double reach = scene.capture * geometry::longest_edge({corners.data(), count}) + face->half_thickness;
+  const double size = geometry::longest_edge({corners.data(), count});
+  const double reach = scene.encounter.reach(size, face->depth) + face->half_thickness;
   if (!(moved.norm() <= reach)) return std::nullopt;
   return moved;
 }

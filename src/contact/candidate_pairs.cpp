@@ -13,9 +13,10 @@ using geometry::Box;
 
 /// What lies within the detection's reach of a master with this longest edge, even after both sides have moved towards
 /// each other by the motion allowed (which may stretch an edge by twice that).
-Box capture_box(const ListBuild& build, std::span<const Vec3> corners, double edge) {
+Box capture_box(const ListBuild& build, std::span<const Vec3> corners, double edge, double depth) {
   const double motion = build.settings.motion;
-  const double reach = build.settings.capture * (edge + 2 * motion) + 2 * motion + build.settings.most_clearance();
+  const double reach =
+      build.settings.encounter.reach(edge + 2 * motion, depth) + 2 * motion + build.settings.most_clearance();
   // the criterion of detection is evaluated later and rounds otherwise
   return geometry::grown(geometry::bounding_box(corners), reach * (1 + 1e-6));
 }
@@ -42,7 +43,7 @@ std::vector<TravellingFace> own_master_faces(const ListBuild& build) {
       master.home[i] = build.surface.home[static_cast<std::size_t>(face.nodes[i])];
     }
     const double edge = geometry::longest_edge({corners.data(), count});
-    master.capture = PlainBox(capture_box(build, {corners.data(), count}, edge));
+    master.capture = PlainBox(capture_box(build, {corners.data(), count}, edge, face.depth));
     masters.push_back(master);
   }
   return masters;
@@ -83,7 +84,7 @@ std::vector<TravellingEdge> own_edges(const ListBuild& build) {
       master.gid[i] = build.surface.gid[static_cast<std::size_t>(edge.nodes[i])];
       master.home[i] = build.surface.home[static_cast<std::size_t>(edge.nodes[i])];
     }
-    master.capture = PlainBox(capture_box(build, ends, (ends[1] - ends[0]).norm()));
+    master.capture = PlainBox(capture_box(build, ends, (ends[1] - ends[0]).norm(), edge.depth));
     edges.push_back(master);
   }
   return edges;

@@ -120,8 +120,8 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
     list_wall_.push_back(wall.point);
     fastest = std::max(fastest, wall.velocity.norm());
   }
-  motion_ = std::max(settings_.motion_share * surface_.mean_edge, 4 * dt * ranks_.max(fastest));
-  const ListSettings reach{.capture = settings_.detection.encounter.capture,
+  motion_ = std::max(settings_.motion_share * surface_.mean_depth, 4 * dt * ranks_.max(fastest));
+  const ListSettings reach{.encounter = settings_.detection.encounter,
                            .wall_capture = settings_.detection.encounter.capture * settings_.detection.wall_size,
                            .motion = motion_,
                            .faces = settings_.bodies,

@@ -23,7 +23,7 @@ FrictionLaw Contact::friction_of(const Row& row, std::span<const Wall> walls) co
 }
 
 AnchorScene Contact::anchor_scene(std::span<const Wall> walls) const {
-  return {lists_.faces, faces_by_key_, motion_of_, walls, settings_.detection.encounter.capture};
+  return {lists_.faces, faces_by_key_, motion_of_, walls, settings_.detection.encounter};
 }
 
 void Contact::lay_friction(std::span<const Wall> walls, double dt) {

@@ -122,7 +122,8 @@ std::span<const LocalIndex> element_of(const mesh::LocalMesh& mesh, const mesh::
   return {&block.nodes[static_cast<std::size_t>(found - block.gid.begin()) * width], width};
 }
 
-/// How far the element reaches behind its face; infinite for a surface without elements.
+/// How far the element reaches behind its face, or the face across its longest edge if that is less: what a flat or a
+/// long element has to do with lies no farther away. Infinite for a surface without elements.
 double element_depth(const mesh::LocalMesh& mesh, const mesh::ExteriorFace& face) {
   const std::span<const LocalIndex> element = element_of(mesh, face);
   if (element.empty()) return std::numeric_limits<double>::infinity();
@@ -137,7 +138,7 @@ double element_depth(const mesh::LocalMesh& mesh, const mesh::ExteriorFace& face
   const Vec3 inwards = -geometry::area_vector({corners.data(), count}).normalized();
   double depth = 0;
   for (const LocalIndex node : element) depth = std::max(depth, (corner(node) - centre).dot(inwards));
-  return depth;
+  return std::min(depth, geometry::width({corners.data(), count}));
 }
 
 void collect_faces(const mesh::LocalMesh& mesh, std::span<const char> excluded, Surface& surface) {
@@ -170,7 +171,7 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
   GlobalIndex last_body = -1;
   for (const mesh::ExteriorFace& face : mesh.faces) last_body = std::max<GlobalIndex>(last_body, face.body);
   const auto body_count = static_cast<std::size_t>(ranks.max(last_body) + 1);
-  std::vector<comm::ExactAccumulator> sums(2 * body_count + 1);  // areas, masses, and edges of all bodies
+  std::vector<comm::ExactAccumulator> sums(2 * body_count + 2);  // areas, masses; edges and depths of all bodies
   const std::size_t block_count = mesh.blocks.size();
   std::vector<GlobalIndex> counts(3 * body_count, 0);  // faces, nodes, nodes that cannot move
   std::vector<GlobalIndex> faces_of(body_count * block_count, 0);
@@ -184,7 +185,9 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
     const geometry::Corners view(corners.data(), count);
     const auto body = static_cast<std::size_t>(face.body);
     sums[body].add(geometry::area_vector(view).norm());
-    sums[2 * body_count].add(geometry::longest_edge(view));
+    const double edge = geometry::longest_edge(view);
+    sums[2 * body_count].add(edge);
+    sums[2 * body_count + 1].add(std::min(edge, face.depth));
     ++counts[body];
     if (static_cast<std::size_t>(face.block) < block_count)
       ++faces_of[body * block_count + static_cast<std::size_t>(face.block)];
@@ -215,6 +218,7 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
     faces += counts[body];
   }
   surface.mean_edge = mean(totals[2 * body_count], faces);
+  surface.mean_depth = mean(totals[2 * body_count + 1], faces);
 }
 
 }  // namespace

@@ -220,6 +220,11 @@ double longest_edge(Corners corners) {
   return std::sqrt(longest_edge2(corners));
 }
 
+double width(Corners corners) {
+  const double edge = longest_edge(corners), area = area_vector(corners).norm();
+  return edge > 0 ? (corners.size() == 3 ? 2 : 1) * area / edge : 0.0;
+}
+
 std::optional<FacePoint> closest_point(const Vec3& x, Corners corners) {
   const Vec3 area = area_vector(corners);
   const double edge2 = longest_edge2(corners);

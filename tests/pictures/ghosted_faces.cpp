@@ -24,8 +24,8 @@ void write_faces(const comm::Communicator& ranks, const std::string& folder, con
   const contact::PairTable pairs = app::pair_table(run->model.contact, run->model.blocks.size());
   const contact::Roles roles = contact::roles_of(surface.bodies, pairs);
   const contact::ContactSettings settings;
-  const contact::ListSettings reach{.capture = settings.detection.encounter.capture,
-                                    .motion = settings.motion_share * surface.mean_edge};
+  const contact::ListSettings reach{.encounter = settings.detection.encounter,
+                                    .motion = settings.motion_share * surface.mean_depth};
   std::vector<Vec3> positions;
   for (const LocalIndex node : surface.model_node)
     positions.push_back(run->model.mesh.coordinates[static_cast<std::size_t>(node)]);

@@ -14,10 +14,11 @@
 namespace brunt::test {
 namespace {
 
-std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation) {
+std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation, const contact::Rebuild& rebuild) {
   const model::Model& model = simulation.model;
   if (!model.contact.any && model.walls.empty()) return nullptr;
   contact::ContactSettings settings;
+  settings.rebuild = rebuild;
   settings.bodies = model.contact.any;
   settings.pairs = app::pair_table(model.contact, model.blocks.size());
   settings.enforcement = model.contact.enforcement;
@@ -43,7 +44,11 @@ Simulation::Simulation(mesh::Mesh mesh, const std::string& scene)
   model = scene::build_model(input, partition::distribute(links.ranks, whole, std::vector<Rank>(elements, 0)));
   links = time::link_ranks(links.ranks, model);
   time::initialise(model, state, scratch, links, scene::initial_velocities(input, model));
-  contact = make_contact(*this);
+  contact = make_contact(*this, {});
+}
+
+void Simulation::rebuild_lists(const contact::Rebuild& when) {
+  contact = make_contact(*this, when);
 }
 
 void Simulation::step(std::optional<double> dt) {

@@ -24,6 +24,8 @@ struct Simulation {
   /// come in canonical order, `node` and `element` look up the input's.
   Simulation(mesh::Mesh mesh, const std::string& scene);
 
+  /// Lists of contact made anew when this says so, from here on: no result may depend on it.
+  void rebuild_lists(const contact::Rebuild& when);
   /// Forces at t_n and the step to t_{n+1}: as the program steps, or of the length given.
   void step(std::optional<double> dt = {});
   void steps(int count, std::optional<double> dt = {}) {

@@ -18,14 +18,14 @@ struct AnchorScene {
   std::span<const LocalIndex> by_key;  ///< the faces in ascending order of their keys
   std::span<const NodeMotion> motion;  ///< of contact nodes
   std::span<const Wall> walls;
-  double capture = 0.25;  ///< EncounterSettings::capture
+  EncounterSettings encounter{};
 };
 
 /// Once a list.
 std::vector<LocalIndex> order_by_key(std::span<const MasterFace> faces);
 
 /// How far the slave has moved off its anchor [length], at x_n. Nothing where it lies on a face and is farther from the
-/// slave than the capture (of that face's longest edge, and half its thickness): then it is dropped, on every rank and
+/// slave than the settings' reach (and half the face's thickness): then it is dropped, on every rank and
 /// whatever the lists hold, for lists hold all faces that are nearer.
 std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, const Vec3& slave);
 

@@ -53,7 +53,7 @@ struct ContactSettings {
   std::vector<FrictionLaw> friction;  ///< of pairs of blocks, [a * blocks + b]; empty: none
   std::vector<double> impedance;      ///< density times speed of sound of each block, for Method::printed
   EnforcementSettings enforcement;
-  double motion_share = 0.3;  ///< of the mean face edge: how far nodes may move before lists are rebuilt
+  double motion_share = 0.3;  ///< of Surface::mean_depth: how far nodes may move before lists are rebuilt
   /// By block: of two-sided sheets, met at half of it from their faces [length]; 0 or missing: the skin of a solid.
   std::vector<double> thickness{};
   Rebuild rebuild;

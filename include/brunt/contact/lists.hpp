@@ -42,7 +42,7 @@ struct ContactLists {
 };
 
 struct ListSettings {
-  double capture = 0.25;                ///< EncounterSettings::capture
+  EncounterSettings encounter;          ///< lists hold all that is within its reach
   double wall_capture = 0;              ///< [length]
   double motion = 0;                    ///< each node and wall may move this far [length], the coming step included
   bool faces = true;                    ///< search faces at all

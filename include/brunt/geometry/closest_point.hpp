@@ -46,6 +46,10 @@ Vec3 area_vector(Corners corners);
 /// Longest edge [length].
 double longest_edge(Corners corners);
 
+/// How far the face reaches across its longest edge: of a parallelogram or triangle the height over it; 0 without area
+/// [length].
+double width(Corners corners);
+
 /// Nearest point of the face to `x`. A quadrilateral is solved by Newton's method on the stationarity conditions,
 /// started from the ratio of the triangle areas between the point and the edges (Heinstein et al. 2000, eq. 31; the
 /// start is exact for rectangles); where that leaves the face the nearest edge decides, and where it does not converge

@@ -93,8 +93,7 @@ bool meet_now(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& mas
   // where a chain of edges ends for good, faces and nodes meet, along the normal of a face
   const double beyond = closest->past_an_end ? -0.1 : facet_curvature;
   if (!touches_as_edges(scene, slave, master, met.normal, beyond)) return false;
-  const double behind = scene.settings.encounter.element_share * std::min(slave.depth, master.depth);
-  if (met.gap <= 0) return -met.gap <= std::min(scene.settings.encounter.capture * size, behind);
+  if (met.gap <= 0) return -met.gap <= scene.settings.encounter.deepest(size, std::min(slave.depth, master.depth));
   return is_slow(scene, slave, master, size);
 }
 
@@ -174,7 +173,8 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
       const EdgeSide& master = candidates.masters[static_cast<std::size_t>(m)];
       const geometry::Segment start = scene.start(master);
       const double length = (start.end - start.start).norm();
-      const Box reach = geometry::grown(box_of(start, scene.end(master)), settings.encounter.capture * length);
+      const Box reach =
+          geometry::grown(box_of(start, scene.end(master)), settings.encounter.reach(length, master.depth));
       if (!geometry::overlaps(reach, slave_box)) continue;
       const geometry::Segment own = scene.start(slave);
       const double size = std::min(length, (own.end - own.start).norm());

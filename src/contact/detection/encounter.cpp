@@ -137,7 +137,7 @@ Encounter encounter(const FacesInMotion& scene, const EncounterSettings& setting
   met.beside = (offset - over_middle * met.normal).norm();
   const bool over = met.region == Region::face;
   if (met.height <= 0) {
-    const double deepest = std::min(settings.capture * met.size, settings.element_share * face.depth);
+    const double deepest = settings.deepest(met.size, face.depth);
     if (-over_middle <= deepest && met.beside <= deepest) met.meeting = Meeting::inside;
     return met;
   }

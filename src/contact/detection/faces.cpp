@@ -17,8 +17,8 @@ inline void extend_by_sweep(Box& box, const NodeMotion& node, double dt) {
   geometry::extend(box, node.position + dt * node.predicted);
 }
 
-void measure_reach(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, double dt, double capture,
-                   std::vector<FaceReach>& reach) {
+void measure_reach(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, double dt,
+                   const EncounterSettings& settings, std::vector<FaceReach>& reach) {
   reach.clear();
   std::array<Vec3, 4> corners;
   for (const MasterFace& face : faces) {
@@ -30,7 +30,7 @@ void measure_reach(std::span<const MasterFace> faces, std::span<const NodeMotion
       corners[i] = corner.position;
     }
     const double size = geometry::longest_edge({corners.data(), count});
-    reach.push_back({geometry::grown(sweep, capture * size + face.half_thickness), size});
+    reach.push_back({geometry::grown(sweep, settings.reach(size, face.depth) + face.half_thickness), size});
   }
 }
 
@@ -135,7 +135,7 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_area, double dt,
                   const DetectionSettings& settings, std::span<const HistoryRecord> remembered,
                   DetectionScratch& scratch, std::vector<Row>& rows) {
-  measure_reach(faces, motion, dt, settings.encounter.capture, scratch.reach);
+  measure_reach(faces, motion, dt, settings.encounter, scratch.reach);
   scratch.facet_normal.clear();
   for (const Vec3& area : facet_area) scratch.facet_normal.push_back(area.normalized());
   scratch.sides.clear();

@@ -128,3 +128,13 @@ TEST_CASE("area vector and normal of a face seen from outside") {
   CHECK((face_normal(rectangle, 0.3, -0.2) - Vec3::UnitZ()).norm() < 1e-15);
   CHECK(longest_edge(rectangle) == 2.0);
 }
+
+TEST_CASE("the width of a face is its height over its longest edge") {
+  CHECK(width(rectangle) == Approx(1).epsilon(1e-15));
+  const std::array<Vec3, 3> triangle{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(1, 0.5, 0)};
+  CHECK(width(triangle) == Approx(0.5).epsilon(1e-15));
+  const std::array<Vec3, 4> slanted{Vec3(0, 0, 0), Vec3(3, 0, 0), Vec3(4, 0.25, 0), Vec3(1, 0.25, 0)};
+  CHECK(width(slanted) == Approx(0.25).epsilon(1e-15));
+  const std::array<Vec3, 3> point{Vec3(1, 1, 1), Vec3(1, 1, 1), Vec3(1, 1, 1)};
+  CHECK(width(point) == 0);
+}

@@ -17,7 +17,7 @@ struct EdgeSide {
   std::array<LocalIndex, 2> nodes{};   ///< contact nodes, lower gid first
   std::array<LocalIndex, 2> facets{};  ///< the two faces that meet in it: rows of the facet area vectors
   std::int32_t body = 0, block = 0;
-  double depth = std::numeric_limits<double>::infinity();  ///< of the elements behind it, at the start [length]
+  double depth = std::numeric_limits<double>::infinity();  ///< the smaller one of its two faces [length]
 };
 
 /// Candidate pairs, slave edge by slave edge in ascending (gid, gid).

@@ -3,6 +3,7 @@
 // each other? (Heinstein et al. 2000, section 4.5: a node in contact is judged by its closest point, a node coming
 // into contact by its velocity.)
 #pragma once
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <span>
@@ -20,7 +21,8 @@ struct MasterFace {
   std::array<LocalIndex, 4> nodes{};  ///< contact nodes, counter-clockwise seen from outside
   std::int32_t corner_count = 4;
   std::int32_t body = 0, block = 0;
-  double depth = std::numeric_limits<double>::infinity();  ///< of its element behind it, at the start [length]
+  /// Of its element behind it, or the width of the face if that is less, at the start [length].
+  double depth = std::numeric_limits<double>::infinity();
   bool two_sided = false;
   double half_thickness = 0;  ///< [length]
 };
@@ -33,7 +35,7 @@ struct Approach {
 
 /// What of a master face is the same for all slaves near it.
 struct FaceReach {
-  geometry::Box box;  ///< swept over the step and grown by the capture and the half thickness
+  geometry::Box box;  ///< swept over the step and grown by the settings' reach and the half thickness
   double size = 0;    ///< longest edge [length]
 };
 
@@ -66,13 +68,21 @@ struct Encounter {
 struct EncounterSettings {
   double capture = 0.25;       ///< a node farther than this share of the longest edge from a face's swept box, or
                                ///< deeper than this below it, has nothing to do with the face
-  double element_share = 0.5;  ///< nor has one deeper than this share of the face's element: behind flat elements lie
-                               ///< other bodies that touch the far side
+  double element_share = 0.5;  ///< nor has one farther or deeper than this share of the face's depth: behind flat
+                               ///< elements lie other bodies that touch the far side, and what a step's impulses move
+                               ///< goes with the thickness of elements, not with their length
   double rim = 0.02;           ///< a node that projects beside a face by up to this share of the longest edge may
                                ///< still meet it: rims of equal bodies that slide and bulge
   double facing = 0.1;         ///< a face opposed by less than this share of the best is not hit
   double slow = 0.05;          ///< a node above a face that moves against it by less than this share of the longest
                                ///< edge within the step is judged by its closest point alone
+
+  /// How far behind a face a node is in contact with it. size: the face's longest edge; depth: MasterFace::depth.
+  [[nodiscard]] double deepest(double size, double depth) const {
+    return std::min(capture * size, element_share * depth);
+  }
+  /// What is farther from the swept box of a face (or edge) is not looked at; grows with the size.
+  [[nodiscard]] double reach(double size, double depth) const { return std::max(rim * size, deepest(size, depth)); }
 };
 
 /// The faces and nodes that detection looks at.

@@ -23,7 +23,7 @@ struct SurfaceFace {
   std::array<LocalIndex, 4> nodes{};  ///< surface nodes, counter-clockwise seen from outside
   std::int32_t corner_count = 4;
   std::int32_t body = 0, block = 0;
-  double depth = 0;                      ///< of its element behind it, at the start [length]
+  double depth = 0;                      ///< of its element behind it, or its width if less, at the start [length]
   std::array<GlobalIndex, 8> element{};  ///< nodes of that element, no_index to fill; the corners without an element
 };
 
@@ -33,7 +33,7 @@ struct SurfaceEdge {
   std::array<Place, 2> facets{};           ///< the two faces that meet in it, lower key first
   std::array<GlobalIndex, 16> elements{};  ///< nodes of the elements behind them, no_index to fill
   std::int32_t body = 0, block = 0;        ///< of the first
-  double depth = 0;                        ///< the smaller one of the elements behind them, at the start [length]
+  double depth = 0;                        ///< the smaller one of the two faces [length]
 };
 
 /// What decides who is slave; the same on every rank.
@@ -57,6 +57,7 @@ struct Surface {
   std::vector<SurfaceEdge> edges;      ///< sharp ones between faces of which this rank has the one with the lower key
   std::vector<BodyFigures> bodies;     ///< of the whole model
   double mean_edge = 0;                ///< mean over all contact faces of their longest edge [length]
+  double mean_depth = 0;  ///< mean over the same of the depth, or the longest edge if that is less [length]
 
   [[nodiscard]] bool owns(LocalIndex node, Rank rank) const {
     return home[static_cast<std::size_t>(node)].rank == rank;
