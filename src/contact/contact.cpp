@@ -182,7 +182,7 @@ void Contact::gather(VectorView position, VectorView old_velocity, MutableVector
     std::array<Vec3, 4> corners;
     for (std::size_t i = 0; i < count; ++i)
       corners[i] = position[surface_.model_node[static_cast<std::size_t>(face.nodes[i])]];
-    own_area_[f] = geometry::area_vector({corners.data(), count});
+    own_area_[f] = geometry::area_vector({corners.data(), count}) / static_cast<double>(count);
   }
   lists_.facets.forward(as_doubles(own_area_), as_doubles(facet_area_), 3);
 }

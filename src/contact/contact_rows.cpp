@@ -37,13 +37,13 @@ void Contact::lay_friction(std::span<const Wall> walls, double dt) {
                  {detection.recovery, detection.recovery_limit * surface_.mean_edge}, dt);
 }
 
-/// A quarter of each face around the slave node, as far as it looks against the normal: sides of a body carry nothing
-/// [length^2].
+/// The slave node's share of each face around it, as far as the face looks against the normal: sides of a body carry
+/// nothing [length^2].
 double Contact::area_of_slave(const Row& row) const {
   const auto slave = std::ranges::lower_bound(lists_.candidates.slave, row.nodes[0]) - lists_.candidates.slave.begin();
   double area = 0;
   for (const LocalIndex facet : lists_.candidates.slave_facets.row(static_cast<LocalIndex>(slave)))
-    area += 0.25 * std::max(0.0, -row.normal.dot(facet_area_[static_cast<std::size_t>(facet)]));
+    area += std::max(0.0, -row.normal.dot(facet_area_[static_cast<std::size_t>(facet)]));
   return area;
 }
 

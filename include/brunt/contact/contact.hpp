@@ -187,7 +187,7 @@ class Contact {
   std::vector<Mobility> mobility_;
   std::vector<Vec3> velocity_;
   std::vector<Vec3> reference_;  // of contact nodes, likewise
-  std::vector<Vec3> own_area_, facet_area_;
+  std::vector<Vec3> own_area_, facet_area_;  // area vectors of faces, a corner's share of them
   std::vector<Vec3> node_normal_;  // of each contact node's first row with a face
   DetectionScratch detection_;
   std::vector<Row> rows_;

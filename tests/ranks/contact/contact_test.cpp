@@ -184,3 +184,36 @@ TEST_CASE("node on node across ranks: exact") {
     CHECK(points.v[n].x() == 0);
   }
 }
+
+TEST_CASE("a corner of a triangle carries a third of it") {
+  const comm::Communicator world = comm::Communicator::world();
+  mesh::Mesh mesh;
+  support::append_box(mesh, {-1, -1, -1}, {3, 3, 1}, {1, 1, 1});
+  const auto first = static_cast<LocalIndex>(mesh.coordinates.size());
+  mesh::Block tetrahedron;
+  tetrahedron.shape = mesh::Shape::tet4;
+  for (const Vec3& corner : {Vec3(0, 0, 0), Vec3(0.6, 0, 0), Vec3(0, 0.5, 0), Vec3(0.2, 0.2, 0.5)}) {
+    tetrahedron.nodes.push_back(static_cast<LocalIndex>(mesh.coordinates.size()));
+    mesh.coordinates.push_back(corner);
+  }
+  mesh.blocks.push_back(tetrahedron);
+  MassPoints points(
+      world, mesh, [&](GlobalIndex gid) { return static_cast<Rank>(gid) % world.size(); },
+      [](const Vec3& x) { return x.z() < 0 ? 1e12 : 3.0; },
+      [&](const Vec3& x) { return std::abs(x.x()) < 0.9 && x.z() >= 0 ? Vec3(0, 0, -5) : Vec3(0, 0, 0); });
+  for (std::size_t n = 0; n < points.x.size(); ++n)
+    if (points.mesh.node_gid[n] < first) points.constrained.push_back({static_cast<LocalIndex>(n), Mat3::Zero()});
+  ContactSettings settings;
+  settings.enforcement.tolerance = 1e-12;
+  contact::Contact contact = points.make_contact(settings);
+  points.step(contact, 1e-3);
+  const std::vector<double> pressure = contact.pressures(1e-3);
+  const double area = 0.5 * 0.6 * 0.5;
+  int loaded = 0;
+  for (std::size_t n = 0; n < pressure.size(); ++n) {
+    if (pressure[n] == 0) continue;
+    CHECK(pressure[n] == Approx(3 * 5 / (1e-3 * area / 3)));
+    ++loaded;
+  }
+  CHECK(world.sum(GlobalIndex{loaded}) == 3);
+}

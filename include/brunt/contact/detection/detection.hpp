@@ -73,7 +73,7 @@ double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex sla
 double required_rate(double gap, double size, double dt, const DetectionSettings& settings);
 
 /// Appends the rows of slave nodes with faces, at most most_rows_of_a_node each: see `encounter` and `choose`.
-/// facet_area: area vectors [length^2] of the slaves' own faces (their unit normals are left in the scratch).
+/// facet_area: along the area vectors of the slaves' own faces (their unit normals are left in the scratch).
 /// remembered: the history; the sides of two-sided faces are taken from there, and left in the scratch for all pairs
 /// that meet (Meeting::none aside).
 void detect_faces(const Candidates& candidates, std::span<const MasterFace> faces, std::span<const GlobalIndex> gid,
