@@ -36,12 +36,18 @@ struct Parameters {
   double s = 0, t = 0;
 };
 
+/// Where the two lines cross as seen along a direction (of any length); nothing for lines parallel as seen so.
+std::optional<Parameters> feet_along(const Segment& a, const Segment& b, const Vec3& seen, double least_sine) {
+  const Vec3 p = direction(a), q = direction(b), offset = b.start - a.start;
+  const double area = p.cross(q).dot(seen);
+  if (!(area * area > least_sine * least_sine * p.squaredNorm() * q.squaredNorm() * seen.squaredNorm()))
+    return std::nullopt;
+  return Parameters{offset.cross(q).dot(seen) / area, offset.cross(p).dot(seen) / area};
+}
+
 /// Feet of the common perpendicular of the two lines; nothing for parallel ones.
 std::optional<Parameters> feet(const Segment& a, const Segment& b, double least_sine) {
-  const Vec3 p = direction(a), q = direction(b), normal = p.cross(q), offset = b.start - a.start;
-  const double square = normal.squaredNorm();
-  if (!(square > least_sine * least_sine * p.squaredNorm() * q.squaredNorm())) return std::nullopt;
-  return Parameters{offset.cross(q).dot(normal) / square, offset.cross(p).dot(normal) / square};
+  return feet_along(a, b, direction(a).cross(direction(b)), least_sine);
 }
 
 /// Keeps the nearer of two pairs; the first one of equals.
@@ -93,13 +99,18 @@ SegmentPair closest_points(const Segment& a, const Segment& b) {
 }
 
 std::optional<CommonPerpendicular> common_perpendicular(const Segment& a, const Segment& b, double kink) {
-  const auto p = feet(a, b, parallel_sine);
+  const Vec3 normal = direction(a).cross(direction(b));
+  return crossing_along(a, b, normal.normalized(), kink);
+}
+
+std::optional<CommonPerpendicular> crossing_along(const Segment& a, const Segment& b, const Vec3& seen, double kink) {
+  const auto p = feet_along(a, b, seen, parallel_sine);
   if (!p || !std::isfinite(p->s) || !std::isfinite(p->t)) return std::nullopt;
   CommonPerpendicular result{.s = std::clamp(p->s, 0.0, 1.0), .t = std::clamp(p->t, 0.0, 1.0)};
   result.on_a = point_at(a, result.s);
   result.on_b = point_at(b, result.t);
-  result.normal = direction(a).cross(direction(b)).normalized();
-  result.gap = (a.start - b.start).dot(result.normal);
+  result.normal = seen;
+  result.gap = (point_at(a, p->s) - point_at(b, p->t)).dot(seen);
   result.past_an_end = !inside(p->s, face_tolerance) || !inside(p->t, face_tolerance);
   if (!result.past_an_end) return result;
   const double sine = direction(a).normalized().cross(direction(b).normalized()).norm();

@@ -186,9 +186,9 @@ class Contact {
   std::vector<NodeMotion> motion_of_;  // contact nodes
   std::vector<Mobility> mobility_;
   std::vector<Vec3> velocity_;
-  std::vector<Vec3> reference_;  // of contact nodes, likewise
+  std::vector<Vec3> reference_;              // of contact nodes, likewise
   std::vector<Vec3> own_area_, facet_area_;  // area vectors of faces, a corner's share of them
-  std::vector<Vec3> node_normal_;  // of each contact node's first row with a face
+  std::vector<Vec3> node_normal_;            // of each contact node's first row with a face
   DetectionScratch detection_;
   std::vector<Row> rows_;
   std::vector<Vec3> impulses_;

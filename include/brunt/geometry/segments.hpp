@@ -10,6 +10,7 @@ namespace brunt::geometry {
 
 struct Segment {
   Vec3 start, end;
+  [[nodiscard]] Vec3 along() const { return (end - start).normalized(); }  ///< unit
 };
 
 /// Where on a segment a point lies.
@@ -33,7 +34,7 @@ SegmentPair closest_points(const Segment& a, const Segment& b);
 struct CommonPerpendicular {
   double s = 0, t = 0;
   Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
-  Vec3 normal = Vec3::Zero();  ///< a x b / |a x b|
+  Vec3 normal = Vec3::Zero();  ///< a x b / |a x b|, or the direction of the caller's choice
   double gap = 0;              ///< (on_a - on_b) . normal: the sign tells on which side a lies [length]
   bool past_an_end = false;    ///< of a or b
 };
@@ -43,6 +44,11 @@ struct CommonPerpendicular {
 /// such an angle, what lies on the outer side has its foot on neither. Nothing for parallel segments, segments without
 /// length, and what is not finite.
 std::optional<CommonPerpendicular> common_perpendicular(const Segment& a, const Segment& b, double kink = 0);
+
+/// The same along a unit direction of the caller's choice: where the segments cross as seen along it. Segments that
+/// are parallel as seen along it do not cross.
+std::optional<CommonPerpendicular> crossing_along(const Segment& a, const Segment& b, const Vec3& direction,
+                                                  double kink = 0);
 
 /// A segment at the start (tau = 0) and the end (tau = 1) of a step, with linear motion between.
 struct MovingSegment {

@@ -82,6 +82,17 @@ void turn(const Choice& choice, const Vec3& normal, Encounter& e) {
   e.normal = normal;
 }
 
+/// What a face that is met in one place with the best adds to its normal, behind a convex edge or corner: as much as
+/// the best where they are equally deep, nothing where it is same_place deeper, so that the normal turns without a
+/// jump where a node slides along the inside. What comes into contact there arrives at all of them.
+double share_at_convex_edge(const Choice& choice, const Encounter& e, const Encounter& best) {
+  if (e.meeting != Meeting::inside) return 1;
+  constexpr double level = 0.1;  // of same_place: so near each other they are equally deep
+  const double deeper =
+      (std::abs(e.gap) - std::abs(best.gap)) / (choice.settings.same_place * std::min(e.size, best.size));
+  return std::clamp((1 - std::abs(deeper)) / (1 - level), 0.0, 1.0);
+}
+
 /// Faces that are met in one place by one node push along their mean normal, where they meet in a convex edge or
 /// corner: which of them is met first is decided by rounding. Where the surface is bent but little, the normal turns
 /// from one face's to the other's within same_place of their common edge, so that a node may slide over it without a
@@ -96,7 +107,7 @@ void merge_corner(const Choice& choice, std::span<Encounter> encounters) {
     if (choice.same_direction(e, best))
       sum += (1 - apart) * e.normal;
     else if (e.meeting == best.meeting && !choice.concave(e, best))
-      sum += e.normal;
+      sum += share_at_convex_edge(choice, e, best) * e.normal;
   }
   const double length = sum.norm();
   if (length > 0.1) turn(choice, sum / length, best);  // else they face each other: a blade without thickness

@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "brunt/geometry/segments.hpp"
 
@@ -81,15 +83,50 @@ bool is_slow(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& mast
   return scene.dt * std::sqrt(fastest) <= scene.settings.encounter.slow * size;
 }
 
-/// In contact or near each other: the common perpendicular at the start of the step.
+/// What of a direction is across an edge.
+Vec3 across(const Vec3& direction, const geometry::Segment& edge) {
+  const Vec3 along = edge.along();
+  return (direction - direction.dot(along) * along).normalized();
+}
+
+/// Axes of two edges: the middle between them, their common perpendicular, and what is across both.
+Mat3 axes_of(const geometry::Segment& one, const geometry::Segment& two) {
+  const Vec3 first = one.along(), second = two.along();
+  Mat3 axes;
+  axes.col(0) = (first + (first.dot(second) < 0 ? -1 : 1) * second).normalized();
+  axes.col(1) = first.cross(second).normalized();
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
+}
+
+/// Where two edges cross, seen along their common perpendicular. The smaller their angle, the more that turns where one
+/// of them tilts a little, and the farther the crossing moves: impulses along it would feed both. So edges nearly along
+/// each other meet along the middle between their faces' normals. That may turn from edge to edge of a chain, so that
+/// the crossing lies on neither: then it is seen along the normals of either side alone, which the edges of the other
+/// side's chain have in common.
+std::optional<geometry::CommonPerpendicular> crossing(const EdgeScene& scene, const EdgeSide& slave,
+                                                      const EdgeSide& master) {
+  const geometry::Segment own = scene.start(slave), other = scene.start(master);
+  const Vec3 out_of_slave = scene.outward(slave), out_of_master = scene.outward(master);
+  const Vec3 apart = out_of_master - out_of_slave;
+  Vec3 perpendicular = own.along().cross(other.along());
+  if (perpendicular.dot(apart) < 0) perpendicular = -perpendicular;
+  const double sine = perpendicular.norm();
+  const double full = std::sin(scene.settings.choice.same_direction * std::numbers::pi / 180);
+  if (sine >= full) return geometry::crossing_along(own, other, perpendicular.normalized(), kink);
+  const Vec3 mean = axes_of(own, other).col(0);
+  const Vec3 middle = (apart - apart.dot(mean) * mean).normalized();
+  const Vec3 between = (sine / full * perpendicular + (full - sine) * middle).normalized();
+  for (const Vec3& direction : {between, across(-out_of_slave, own), across(out_of_master, other)})
+    if (const auto met = geometry::crossing_along(own, other, direction); met) return met;
+  return std::nullopt;
+}
+
+/// In contact or near each other, at the start of the step.
 bool meet_now(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size, EdgeMeeting& met) {
-  const auto closest = geometry::common_perpendicular(scene.start(slave), scene.start(master), kink);
+  const auto closest = crossing(scene, slave, master);
   if (!closest) return false;
   met = {closest->s, closest->t, closest->gap, closest->normal};
-  if (met.normal.dot(scene.outward(master) - scene.outward(slave)) < 0) {
-    met.normal = -met.normal;
-    met.gap = -met.gap;
-  }
   // where a chain of edges ends for good, faces and nodes meet, along the normal of a face
   const double beyond = closest->past_an_end ? -0.1 : facet_curvature;
   if (!touches_as_edges(scene, slave, master, met.normal, beyond)) return false;
@@ -132,11 +169,10 @@ double accepted_overlap(const EdgeScene& scene, const EdgeSide& slave, const Edg
     return geometry::Segment{scene.reference[static_cast<std::size_t>(edge.nodes[0])],
                              scene.reference[static_cast<std::size_t>(edge.nodes[1])]};
   };
-  const auto start = geometry::common_perpendicular(then(slave), then(master), kink);
-  if (!start) return 0;
-  const auto along = [](const geometry::Segment& segment) -> Vec3 { return segment.end - segment.start; };
-  const double turned = along(scene.start(slave)).cross(along(scene.start(master))).dot(met.normal);
-  return std::max(0.0, turned < 0 ? start->gap : -start->gap);
+  const geometry::Segment own = then(slave), other = then(master);
+  const Mat3 turned = axes_of(own, other) * axes_of(scene.start(slave), scene.start(master)).transpose();
+  const auto start = geometry::crossing_along(own, other, turned * met.normal, kink);
+  return start ? std::max(0.0, -start->gap) : 0.0;
 }
 
 Row row_of(const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met, double required,

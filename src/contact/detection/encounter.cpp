@@ -42,6 +42,11 @@ bool has_node(const MasterFace& face, LocalIndex node) {
   return std::find(face.nodes.begin(), end, node) != end;
 }
 
+std::ptrdiff_t shared_nodes(const MasterFace& one, const MasterFace& other) {
+  return std::count_if(one.nodes.begin(), one.nodes.begin() + one.corner_count,
+                       [&](LocalIndex node) { return has_node(other, node); });
+}
+
 /// A face whose rim is where the node passes through a neighbour, and that has it in front as well, is hit with it: at
 /// a convex corner it is rounding that decides which one the path crosses.
 void join_hit(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
@@ -77,6 +82,20 @@ bool holds_at_rim(std::span<const MasterFace> faces, const EncounterSettings& se
     behind_all = behind_all && !in_front;
   }
   return e.beside <= settings.rim * e.size || (e.height <= 0 && has_neighbour && behind_all);
+}
+
+/// Is a node behind encounters[i] outside of the body all the same? At an edge sharper than a right angle it may be
+/// behind one face, with its foot on it, and in front of the other: that one is what it meets.
+bool is_outside_of_a_sharp_edge(std::span<const MasterFace> faces, double degrees,
+                                std::span<const Encounter> encounters, std::size_t i) {
+  const Encounter& e = encounters[i];
+  const MasterFace& face = faces[static_cast<std::size_t>(e.face)];
+  return std::ranges::any_of(encounters, [&](const Encounter& other) {
+    if (!(other.height > 0) || other.opposition < 0.5 * e.opposition) return false;
+    if (same_direction(other.normal, e.normal, degrees)) return false;
+    const bool convex = (other.point - e.point).dot(e.normal) < 0.5 * e.height;  // it has a point as deep as the node
+    return convex && shared_nodes(face, faces[static_cast<std::size_t>(other.face)]) >= 2;
+  });
 }
 
 /// The corners of the face as the node sees it: counter-clockwise from its side, moved out by the clearance.
@@ -154,8 +173,11 @@ void settle_rims(std::span<const MasterFace> faces, const EncounterSettings& set
                  std::span<Encounter> encounters) {
   for (std::size_t i = 0; i < encounters.size(); ++i) {
     Encounter& e = encounters[i];
-    const bool at_rim = e.region != Region::face && (e.meeting == Meeting::inside || e.meeting == Meeting::above);
-    if (at_rim && !holds_at_rim(faces, settings, same_direction, encounters, i)) e.meeting = Meeting::none;
+    if (e.meeting != Meeting::inside && e.meeting != Meeting::above) continue;
+    const bool holds =
+        (e.region == Region::face || holds_at_rim(faces, settings, same_direction, encounters, i)) &&
+        (e.meeting == Meeting::above || !is_outside_of_a_sharp_edge(faces, same_direction, encounters, i));
+    if (!holds) e.meeting = Meeting::none;
   }
 }
 

@@ -106,6 +106,20 @@ TEST_CASE("nearest points of crossed, parallel, overlapping and shrunken segment
   CHECK(ends.distance == Approx(std::sqrt(2.0)).epsilon(1e-15));
 }
 
+TEST_CASE("where segments cross as seen along a direction: points that lie over each other, and how far apart") {
+  const Segment x{{-1, 0, 0}, {1, 0, 0}}, oblique{{0.5, -1, -0.5}, {0.5, 1, 0.5}};  // rises along y
+  const auto above = crossing_along(x, oblique, Vec3::UnitZ());
+  REQUIRE(above);
+  CHECK(above->s == Approx(0.75).epsilon(1e-15));
+  CHECK(above->gap == Approx(0).margin(1e-15));
+  const Vec3 slanted = Vec3(0.2, 0, 1).normalized();
+  const auto seen = crossing_along({{-1, 0, 0.5}, {1, 0, 0.5}}, oblique, slanted);
+  REQUIRE(seen);
+  CHECK(seen->s == Approx(0.8).epsilon(1e-15));  // by 0.2 of the height farther
+  CHECK(((seen->on_a - seen->on_b) - seen->gap * slanted).norm() < 1e-15);
+  CHECK_FALSE(crossing_along(x, oblique, Vec3::UnitX()));  // seen along one of them
+}
+
 TEST_CASE("common perpendicular: points, normal and signed gap; none when it misses or the edges are parallel") {
   const Segment x{{-1, 0, 0}, {1, 0, 0}}, y{{0.5, -1, -0.25}, {0.5, 1, -0.25}};
   const auto found = common_perpendicular(x, y);

@@ -98,6 +98,21 @@ TEST_CASE("on a ridge the normal is the mean of both sides' and does not jump wi
   }
 }
 
+TEST_CASE("inside a convex edge the normal turns from one face's to the other's without a jump") {
+  FewFaces scene = support::two_slopes(270);
+  const Vec3 right = Vec3(1, 0, 1).normalized(), left = Vec3(-1, 0, 1).normalized();
+  Vec3 last = scene.rows(Vec3(0, 0.5, 0) - 0.012 * right)[0].normal;
+  CHECK(last.x() < -0.3);
+  for (double share = 0; share <= 1; share += 1.0 / 64) {  // just behind the left one at first, the right one at last
+    const auto rows = scene.rows(Vec3(0, 0.5, 0) - 0.012 * ((1 - share) * right + share * left));
+    CAPTURE(share);
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0].normal.dot(last) > std::cos(0.12));
+    last = rows[0].normal;
+  }
+  CHECK(last.x() > 0.3);
+}
+
 // Heinstein et al. 2000, Fig. 8: a node inside a convex corner has two faces that compete; which it is pushed out of
 // depends on the criterion.
 TEST_CASE("criteria at a corner: the nearer face, the one more opposed, the one it came through") {

@@ -76,6 +76,40 @@ TEST_CASE("edges that jump across each other within a step are met at the time t
   CHECK(TwoEdges(90, 0.1, -1e3).rows().empty());  // departs
 }
 
+TEST_CASE("nearly parallel edges push along the middle of their faces' normals, however they tilt") {
+  for (const double slope : {0.0, 0.01, -0.02}) {  // their common perpendicular turns by up to 49 degrees
+    TwoEdges edges(1, -1e-4);
+    edges.motion[2].position.z() -= 0.5 * slope;
+    edges.motion[3].position.z() += 0.5 * slope;
+    const auto rows = edges.rows();
+    CAPTURE(slope);
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0].normal.z() > std::cos(0.06));
+    CHECK(rows[0].gap == Approx(-1e-4).epsilon(0.01));
+    CHECK(rows[0].weights[1] == Approx(0.5).margin(1e-3));
+  }
+}
+
+TEST_CASE("an edge nearly along a chain that is dented at the crossing is not lost between the chain's edges") {
+  TwoEdges edges(1, -1e-3);
+  edges.motion.push_back({.position = Vec3(0, 0, 0)});  // the master's edge in two halves that rise to both ends
+  edges.gid.push_back(4);
+  edges.node_normal.emplace_back(0, 0, 0);
+  edges.motion[0].position.z() = edges.motion[1].position.z() = 5e-3;
+  for (const double x : {-1.0, 1.0})  // faces tilt with their edges
+    for (const double y : {1.0, -1.0}) edges.facets.push_back(Vec3(-x * 0.01, y, 1).normalized());
+  edges.candidates.masters = {{.nodes = {0, 4}, .facets = {4, 5}, .body = 0},
+                              {.nodes = {1, 4}, .facets = {6, 7}, .body = 0}};
+  edges.candidates.near.values = {0, 1};
+  edges.candidates.near.offsets = {0, 2};
+  for (const double shift : {0.0, 1e-7, -1e-6, 1e-5, -1e-4, 1e-3}) {
+    TwoEdges moved = edges;
+    for (std::size_t i : {2, 3}) moved.motion[i].position.x() += shift;
+    CAPTURE(shift);
+    CHECK_FALSE(moved.rows().empty());
+  }
+}
+
 TEST_CASE("parallel flush edges give no row: their faces and nodes do the work") {
   for (const double gap : {0.0, 1e-16, -1e-12, 1e-3}) {
     TwoEdges edges(0, gap);

@@ -53,6 +53,20 @@ TEST_CASE("behind a rim and beside it: only what no neighbour has in front, or w
   CHECK(valley.rows({0, 0.5, -0.1}).size() == 2);  // far behind both, and beside both: it fell into the groove
 }
 
+TEST_CASE("at an edge sharper than a right angle a node may be behind one face, over it, and outside all the same") {
+  FewFaces ridge = support::two_slopes(280);  // 80 degrees inside
+  for (const double out : {1e-9, 1e-3}) {
+    // on one slope and a little in front of it, deep behind the other, over which it lies as well
+    const double half = 40 * std::numbers::pi / 180;
+    const Vec3 down(std::sin(half), 0, -std::cos(half)), normal(std::cos(half), 0, std::sin(half));
+    const auto rows = ridge.rows(Vec3(0, 0.5, 0) + 0.05 * down + out * normal);
+    CAPTURE(out);
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0].normal.dot(normal) > 0.9);
+    CHECK(rows[0].gap == Approx(out));
+  }
+}
+
 TEST_CASE("what a neighbour in front forbids does not depend on the order of the faces") {
   const auto kept = [](FewFaces scene, const Vec3& position, const std::vector<LocalIndex>& order) {
     std::vector<Encounter> met;
