@@ -13,15 +13,16 @@ namespace {
 
 /// Both sides are named; contact uses those of its slaves. A node behind faces of two blocks of a body has the deeper.
 std::vector<contact::AcceptedOverlap> accepted_overlaps(const InitialGaps& gaps) {
-  std::map<std::pair<GlobalIndex, std::int32_t>, double> deepest;
+  std::map<std::pair<GlobalIndex, std::int32_t>, contact::AcceptedOverlap> deepest;
   for (const InitialOverlap& overlap : gaps.overlaps) {
     if (overlap.rule != OverlapRule::offset) continue;
-    double& depth = deepest[{overlap.node, overlap.other_body}];  // the canonical position of a node is its gid
-    depth = std::max(depth, overlap.depth);
+    // the canonical position of a node is its gid
+    contact::AcceptedOverlap& kept = deepest[{overlap.node, overlap.other_body}];
+    kept = {overlap.node, overlap.other_body, std::max(kept.depth, overlap.depth), overlap.body};
   }
   std::vector<contact::AcceptedOverlap> accepted;
   accepted.reserve(deepest.size());
-  for (const auto& [key, depth] : deepest) accepted.push_back({key.first, key.second, depth});
+  for (const auto& [key, overlap] : deepest) accepted.push_back(overlap);
   return accepted;
 }
 

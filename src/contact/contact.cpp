@@ -74,6 +74,7 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
           std::ranges::any_of(walls, [](const Wall& wall) { return wall.friction.any(); });
   sums_.wall_impulse.resize(walls.size());
   sums_.tracked_impulse.resize(settings_.tracked.size());
+  keep_overlaps(mesh.coordinates, walls);
 }
 
 double Contact::motion_used(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt) const {

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The program end to end. Needs BRUNT (the program) and BRUNT_RUN (scripts/run) in the environment."""
+import itertools
 import json
 import os
 import re
@@ -262,6 +263,21 @@ class Start(Program):
         self.assertLess(parted["error_ratio"], 1e-10)
         self.assertLess(kept["kinetic"], 1e-12 * parted["kinetic"])  # zero gap: nothing pushes
         self.assertEqual(self.summary("offset1")["state_hash"], self.summary("offset3")["state_hash"])
+
+    def test_facetted_parts_that_overlap_rest_where_they_are(self):
+        """Nodes outside a facetted end count too where detection takes them for inside."""
+        self.write("rings.yaml", scenes.RINGS)
+        self.write("fork.msh", scenes.bent_ring(0.05))
+        self.write("bent.yaml", scenes.FORK.replace("steps: 50", "steps: 1000").replace(
+            "between: all", "between: all, initial_overlap: offset"))
+        for scene, ranks in itertools.product(("rings", "bent"), (1, 3)):
+            self.run_scene(ranks, scene + ".yaml", "--out", f"{scene}{ranks}")
+            done = self.summary(f"{scene}{ranks}")
+            self.assertEqual(done["stopped_by"], "steps")
+            self.assertLess(done["energy"]["kinetic"], 1e-24)  # of a modulus of 100 and volumes of about 1
+            self.assertLess(done["max_penetration"], 1e-12)
+        for scene in ("rings", "bent"):
+            self.assertEqual(self.summary(scene + "1")["state_hash"], self.summary(scene + "3")["state_hash"])
 
     def test_kept_overlaps_over_ranks_and_a_restart(self):
         push = ("--set", "initial=[{part: right, velocity: [-5, 0, 0]}]")

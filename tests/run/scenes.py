@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Small scenes, with meshes written here, that use much of the program at once."""
 import itertools
+import math
 
 # A cube of hexahedra, on it one of tetrahedra, beside it one of fully integrated hexahedra.
 EDGE = 3  # elements along an edge of a cube
@@ -68,10 +69,26 @@ def fork(overlap):
     for k, j, i in itertools.product(range(nz + 1), range(ny + 1), range(nx + 1)):
         bent = (1 + overlap) * min(max(0.5 * (i - 2), 0), 1) if k > 2 else 0  # the upper arm, wholly from x = 4 on
         nodes.append((i, j, k - bent))
+    return gmsh((nx, ny, nz), nodes, lambda i, k: k != 2 or i < 2)
+
+
+def bent_ring(overlap):
+    """Gmsh 2.2: block fork, a bar bent into a ring of chords whose ends lie in each other by so much."""
+    nx, ny, nz = 12, 2, 2
+    nodes = []
+    for k, j, i in itertools.product(range(nz + 1), range(ny + 1), range(nx + 1)):
+        radius, angle = 2 + 0.5 * k / nz, (2 * math.pi + overlap / 2.25) * i / nx
+        nodes.append((radius * math.sin(angle), j / ny, radius * math.cos(angle)))
+    return gmsh((nx, ny, nz), nodes, lambda i, k: True)
+
+
+def gmsh(counts, nodes, has_element):
+    """A file with the block fork, of a grid of nodes, x fastest."""
+    nx, ny, nz = counts
     corners = [0, 1, nx + 2, nx + 1]
     corners += [c + (nx + 1) * (ny + 1) for c in corners]
     elements = [[1 + i + (nx + 1) * (j + (ny + 1) * k) + c for c in corners]
-                for k in range(nz) for j in range(ny) for i in range(nx) if k != 2 or i < 2]
+                for k in range(nz) for j in range(ny) for i in range(nx) if has_element(i, k)]
     lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "1", '3 1 "fork"', "$EndPhysicalNames", "$Nodes",
              str(len(nodes))]
     lines += [f"{i} {x!r} {y!r} {z!r}" for i, (x, y, z) in enumerate(nodes, 1)] + ["$EndNodes", "$Elements"]
@@ -140,6 +157,19 @@ materials: {steel: {model: elastic, density: 7800, young: 2.0e11, poisson: 0.3}}
 parts: {left: {block: left, material: steel}, right: {block: right, material: steel}}
 contact: [{between: all, initial_overlap: RULE}]
 run: {steps: 1}
+"""
+
+# One ring in another, both of chords: nodes of each lie behind the other's faces.
+RINGS = """\
+units: none
+mesh:
+  - {tube: {part: outer, inner_radius: 1, outer_radius: 1.2, length: 0.3, elements: [2, 24, 3]}}
+  - {tube: {part: inner, inner_radius: 0.8, outer_radius: 1, length: 0.3, elements: [2, 36, 4], at: [0, 0, 0.02],
+            rotate: {axis: [0, 0, 1], degrees: 3}}}
+materials: {m: {model: elastic, density: 1, young: 100, poisson: 0.3}}
+parts: {outer: {material: m}, inner: {material: m}}
+contact: [{between: all, initial_overlap: offset}]
+run: {steps: 1000}
 """
 
 # A fork whose arms lie inside each other, at rest.

@@ -144,6 +144,7 @@ class Contact {
   [[nodiscard]] bool must_rebuild(double global_motion_used) const;
   void rebuild(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt);
   void share_reference();
+  void keep_overlaps(const std::vector<Vec3>& reference, std::span<const Wall> walls);
   void gather(VectorView position, VectorView old_velocity, MutableVectorView velocity);
   void detect(std::span<const Wall> walls, double dt);
   void detect_crossing_edges(double dt);

@@ -40,6 +40,7 @@ struct AcceptedOverlap {
   GlobalIndex slave = 0;  ///< gid of the node
   std::int32_t body = 0;  ///< of the master
   double depth = 0;       ///< [length], > 0
+  std::int32_t slave_body = no_index;
 };
 
 struct DetectionSettings {
