@@ -47,6 +47,10 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
       surface_(join_surface(ranks, mesh, excluded, inverse_mass)),
       roles_(roles_of(surface_.bodies, settings_.pairs)) {
   settings_.detection.wall_size = surface_.mean_edge;
+  // walls alone are solved at once, other methods start from nothing: no history is kept for them
+  const Method method = settings_.enforcement.method;
+  settings_.enforcement.warm_start =
+      settings_.enforcement.warm_start && settings_.bodies && (method == Method::rate || method == Method::row_sum);
   std::vector<comm::RemoteSlot> source;
   for (std::size_t i = 0; i < surface_.gid.size(); ++i) {
     surface_mobility_.push_back({inverse_mass[static_cast<std::size_t>(surface_.model_node[i])], Mat3::Identity()});

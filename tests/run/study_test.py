@@ -96,8 +96,17 @@ class Studies(unittest.TestCase):
                          [("short", "5", ""), ("long", "9", "")])
         self.assertLess(float(rows[1]["last striker.x"]), float(rows[0]["last striker.x"]))
 
+    def test_study_of_several_scenes(self):
+        scene = STUDY.split("scene: ", 1)[1].split("\n", 1)[0]
+        done = self.run_study("study", STUDY.replace(f"scene: {scene}", f"scenes: {{one: {scene}, other: {scene}}}"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([(row["scene"], row["run"], row["steps"]) for row in self.table()],
+                         [("one", "short", "5"), ("one", "long", "9"), ("other", "short", "5"), ("other", "long", "9")])
+
     def test_study_says_what_is_wrong(self):
-        for change, phrases in ((("scene: ", "scenes: "), ("scenes", "unknown key")),
+        for change, phrases in ((("scene: ", "scen: "), ("scen", "unknown key")),
+                                (("scene: ", "scenes: "), ("scenes", "a map of name: file")),
+                                (("scene: ", "scenes: {a: b}\nscene: "), ("scene:", "one of the two")),
                                 (("columns: [steps", "ranks: 0\ncolumns: [steps"), ("ranks",)),
                                 (("{run.steps: 5}", "5"), ("runs.short",)),
                                 (("columns:", "runs: ["), ("s.yaml",)),):
