@@ -67,6 +67,7 @@ void join_hit(const FacesInMotion& scene, const EncounterSettings& settings, con
 /// May a node that projects beside encounters[i] count as on the face? Every neighbour has its say, in whatever order.
 bool holds_at_rim(std::span<const MasterFace> faces, const EncounterSettings& settings, double degrees,
                   std::span<const Encounter> encounters, std::size_t i) {
+  constexpr double level = 1e-6;
   const Encounter& e = encounters[i];
   const auto [first, second] = feature_nodes(faces[static_cast<std::size_t>(e.face)], e.region);
   bool has_neighbour = false, behind_all = true;
@@ -77,7 +78,8 @@ bool holds_at_rim(std::span<const MasterFace> faces, const EncounterSettings& se
     if (!has_node(face, first) || !has_node(face, second)) continue;
     const bool in_front = other.height > 0, opposed = other.opposition >= 0.5 * e.opposition;
     // in one plane it is rounding that says which of the two has the node in front
-    if (in_front && opposed && !same_direction(other.normal, e.normal, degrees)) return false;
+    const bool behind_by_rounding = -e.height <= level * e.size && same_direction(other.normal, e.normal, degrees);
+    if (in_front && opposed && !behind_by_rounding) return false;
     has_neighbour = true;
     behind_all = behind_all && !in_front;
   }

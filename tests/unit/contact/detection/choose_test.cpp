@@ -113,6 +113,20 @@ TEST_CASE("inside a convex edge the normal turns from one face's to the other's 
   CHECK(last.x() > 0.3);
 }
 
+TEST_CASE("a node at the height of one side of a ridge is not deep inside, though it is behind the other side") {
+  for (const double bend : {5.0, 15.0, 19.0, 25.0}) {
+    FewFaces scene = support::two_slopes(180 + bend);
+    const Vec3 down = scene.motion[2].position, normal(-down.z(), 0, down.x());
+    for (const double along : {0.005, 0.018})
+      for (const double height : {1e-9, -1e-9}) {
+        CAPTURE(bend, along, height);
+        const auto rows = scene.rows(Vec3(0, 0.5, 0) + along * down + height * normal);
+        REQUIRE(rows.size() == 1);
+        CHECK(std::abs(rows[0].gap - height) < 1e-10);
+      }
+  }
+}
+
 // Heinstein et al. 2000, Fig. 8: a node inside a convex corner has two faces that compete; which it is pushed out of
 // depends on the criterion.
 TEST_CASE("criteria at a corner: the nearer face, the one more opposed, the one it came through") {
