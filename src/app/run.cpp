@@ -29,6 +29,7 @@ double seconds_since(Clock::time_point start) {
 
 constexpr int steps_between_watches = 200;  // the ledger costs a pass over all nodes
 constexpr int table_lines = 20;             // about so many over a run
+constexpr double collapsed = 1e-6;          // of the longest step of the run: it would not end
 
 /// Why the loop ended.
 struct Outcome {
@@ -74,6 +75,7 @@ class Loop {
 
     const time::StepReport step = time::evaluate(run_.model, run_.state, run_.scratch, run_.links, control);
     if (step.stop) stop_for_element(step);
+    watch_step(step.dt);
     if (fields) results_.read_fields();
     if (row) results_.read_probes();
     time::advance(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);
@@ -124,6 +126,15 @@ class Loop {
     return true;
   }
 
+  /// An element that is pressed flat takes the step with it before it has no volume left.
+  void watch_step(double dt) {
+    longest_step_ = std::max(longest_step_, dt);
+    if (dt >= collapsed * longest_step_) return;
+    throw GuardError(fmt::format(
+        "the stable step has collapsed to {:g}, from {:g}, at t = {:g}, step {}: some element is pressed flat", dt,
+        longest_step_, run_.state.time, static_cast<GlobalIndex>(run_.state.step)));
+  }
+
   [[noreturn]] void stop_for_element(const time::StepReport& step) {
     GlobalIndex element = -1;
     if (step.elements.inverted_block >= 0)
@@ -141,6 +152,7 @@ class Loop {
   Clock::time_point start_ = Clock::now();
   LoopCost cost_;
   double passes_ = 0;
+  double longest_step_ = 0;
   int lines_ = 0;
 };
 

@@ -171,6 +171,33 @@ class Stops(Program):
         self.assertEqual(self.summary("out")["stopped_by"], "steps")
         self.assertEqual(self.summary("out")["steps"], wanted)
 
+    def assert_stopped_by_a_guard(self, scene):
+        """With a clear word, and a state saved from before it that the run goes on from."""
+        self.run_scene(1, scene, "--out", "out", "--force", code=3)
+        self.assertRegex(self.text("out", "log.txt"), "stopped: (the stable step has collapsed|element . .* has no volume left)")
+        self.assertEqual(self.summary("out")["stopped_by"], "guard")
+        self.assertEqual(self.summary("out")["exit_code"], 3)
+        saved = max(int(name[len("checkpoint_"):-len(".h5")]) for name in self.checkpoints("out"))
+        self.assertLess(saved, int(re.search(r"step (\d+)", self.text("out", "log.txt").split("stopped:")[1])[1]))
+        self.run_scene(1, scene, "--out", "out", "--restart", "out", "--set", f"run.steps={saved + 1}")
+
+    def test_an_element_driven_through_itself_stops_the_run(self):
+        for law in ("elastic", "neo_hookean"):
+            for kind in ("hex8", "hex8_full"):
+                with self.subTest(law=law, kind=kind):
+                    self.write("spear.yaml", scenes.SPEAR.replace("LAW", law).replace("KIND", kind))
+                    self.assert_stopped_by_a_guard("spear.yaml")
+
+    def test_a_bar_pressed_to_a_twentieth_is_borne_and_one_pressed_to_nothing_stops_the_run(self):
+        for law in ("elastic", "neo_hookean"):
+            for kind in ("hex8", "hex8_full"):
+                with self.subTest(law=law, kind=kind):
+                    scene = scenes.PRESSED.replace("LAW", law).replace("KIND", kind)
+                    self.write("borne.yaml", scene.replace("END", "9.5e-3"))
+                    self.run_scene(1, "borne.yaml", "--out", "out", "--force")
+                    self.write("pressed.yaml", scene.replace("END", "1.1e-2"))
+                    self.assert_stopped_by_a_guard("pressed.yaml")
+
     def test_a_checkpoint_newer_than_the_good_state_is_kept(self):
         self.write("guard.yaml", scenes.INVERTED_LATER)
         self.run_scene(1, "guard.yaml", "--out", "out", "--set", "checkpoint.every=1.0e-9", code=3)

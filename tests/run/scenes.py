@@ -202,3 +202,36 @@ parts: {a: {material: m}, b: {material: m}}
 contact: [{between: all}]
 run: {steps: 20}
 """
+
+# E12: the vertex of a hard cube drives one soft element through itself at 500 m/s.
+SPEAR = """\
+units: SI
+mesh:
+  - {box: {part: target, size: [0.01, 0.01, 0.01], elements: [1, 1, 1]}}
+  - {box: {part: spear, size: [0.04, 0.04, 0.04], elements: [1, 1, 1], rotate: {axis: [1, -1, 0], degrees: 54.7356}, at: [0.005, 0.005, 0.0101]}}
+materials:
+  soft: {model: LAW, density: 8000, young: 2.0e9, poisson: 0.3}
+  hard: {model: elastic, density: 20000, young: 2.0e11, poisson: 0.3}
+parts: {target: {material: soft, element: KIND}, spear: {material: hard}}
+sets: {foot: {part: target, box: [[-1, -1, -0.001], [1, 1, 0.001]]}}
+fixed: [{set: foot, dofs: [x, y, z]}]
+initial: [{part: spear, velocity: [0, 0, -500]}]
+contact: [{between: [target, spear], slave: spear}]
+run: {end: 1.0e-4}
+"""
+
+# E12: a bar pressed to a twentieth of its length at t = 9.5e-3, to nothing at 1e-2.
+PRESSED = """\
+units: SI
+mesh: {box: {part: bar, size: [0.01, 0.01, 0.1], elements: [1, 1, 10]}}
+materials: {soft: {model: LAW, density: 1000, young: 1.0e6, poisson: 0.0}}
+parts: {bar: {material: soft, element: KIND}}
+sets:
+  all: {part: bar}
+  foot: {part: bar, box: [[-1, -1, -0.001], [1, 1, 0.001]]}
+  top: {part: bar, box: [[-1, -1, 0.099], [1, 1, 0.101]]}
+fixed: [{set: foot, dofs: [z]}, {set: all, dofs: [x, y]}]
+curves: {press: [[0, -10], [1, -10]]}
+prescribed: [{set: top, dof: z, velocity: press}]
+run: {end: END}
+"""
