@@ -208,10 +208,10 @@ SPEAR = """\
 units: SI
 mesh:
   - {box: {part: target, size: [0.01, 0.01, 0.01], elements: [1, 1, 1]}}
-  - {box: {part: spear, size: [0.04, 0.04, 0.04], elements: [1, 1, 1], rotate: {axis: [1, -1, 0], degrees: 54.7356}, at: [0.005, 0.005, 0.0101]}}
+  - {box: {part: spear, size: [0.02, 0.02, 0.02], elements: [1, 1, 1], rotate: {axis: [1, -1, 0], degrees: 54.7356}, at: [0.005, 0.005, 0.0101]}}
 materials:
   soft: {model: LAW, density: 8000, young: 2.0e9, poisson: 0.3}
-  hard: {model: elastic, density: 20000, young: 2.0e11, poisson: 0.3}
+  hard: {model: elastic, density: 80000, young: 2.0e11, poisson: 0.3}
 parts: {target: {material: soft, element: KIND}, spear: {material: hard}}
 sets: {foot: {part: target, box: [[-1, -1, -0.001], [1, 1, 0.001]]}}
 fixed: [{set: foot, dofs: [x, y, z]}]
