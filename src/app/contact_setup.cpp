@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact_setup.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +23,28 @@ void track_pairs(Prepared& run, contact::ContactSettings& settings) {
       run.tracked.push_back({probe.where, probe.other});
       settings.tracked.push_back({block_of(probe.where), block_of(probe.other)});
     }
+}
+
+/// How many nodes each tied pair has, among the notes of the start; none at all is a fault of the scene.
+void tell_ties(Prepared& run) {
+  const std::vector<GlobalIndex> nodes = run.contact->tied_nodes();
+  const std::size_t n = run.model.blocks.size();
+  if (nodes.empty()) return;
+  std::vector<std::string> faults;
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = a; b < n; ++b) {
+      if (run.model.contact.tied[a * n + b] == 0) continue;
+      const std::string &one = run.model.blocks[a].part, &other = run.model.blocks[b].part;
+      const GlobalIndex there = nodes[a * n + b], back = a == b ? 0 : nodes[b * n + a];
+      if (there + back == 0)
+        faults.push_back(
+            fmt::format("{}: contact: {} and {} are tied, but no node of the slave is within reach of a face "
+                        "of the other (a quarter of its edge, half of its element)",
+                        run.input.file, one, other));
+      if (there > 0) run.overlaps.report.notes.push_back(fmt::format("tied: {} nodes of {} to {}", there, one, other));
+      if (back > 0) run.overlaps.report.notes.push_back(fmt::format("tied: {} nodes of {} to {}", back, other, one));
+    }
+  if (!faults.empty()) throw InputError(std::move(faults));
 }
 
 /// Calls visit(accumulator) for each sum in a fixed order.
@@ -59,6 +83,7 @@ void make_contact(Prepared& run) {
   settings.detection.choice.criterion = static_cast<contact::Criterion>(model.contact.competing);
   settings.enforcement = model.contact.enforcement;
   settings.friction = model.contact.friction;
+  settings.tied = model.contact.tied;
   for (const model::ElementBlock& block : model.blocks) {
     const material::ElasticModuli moduli = material::initial_moduli(block.law);
     settings.impedance.push_back(std::sqrt((moduli.lambda + 2 * moduli.mu) * moduli.density));
@@ -75,6 +100,7 @@ void make_contact(Prepared& run) {
   const std::vector<contact::Wall> walls = time::walls_at(model, run.state, 0.0);
   run.contact = std::make_unique<contact::Contact>(run.links.ranks, model.mesh, model.in_symmetry_plane, inverse_mass,
                                                    constrained, walls, settings);
+  tell_ties(run);
 }
 
 time::StepControl step_control(const Prepared& run) {

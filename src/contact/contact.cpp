@@ -79,6 +79,7 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
   sums_.wall_impulse.resize(walls.size());
   sums_.tracked_impulse.resize(settings_.tracked.size());
   keep_overlaps(mesh.coordinates, walls);
+  make_ties(mesh.coordinates, walls);
 }
 
 double Contact::motion_used(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt) const {
@@ -149,17 +150,19 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
   facet_area_.assign(static_cast<std::size_t>(lists_.facet_count), Vec3::Zero());
   detection_.reserve(lists_.faces.size(), facet_area_.size(), lists_.most_faces_of_a_slave);
   node_normal_.reserve(nodes);
-  rows_.reserve(lists_.most_rows);
-  impulses_.reserve(lists_.most_rows);
-  scratch_.reserve(lists_.most_rows, nodes);
+  const std::size_t most_rows = lists_.most_rows + ties_.size();
+  rows_.reserve(most_rows);
+  impulses_.reserve(most_rows);
+  scratch_.reserve(most_rows, nodes);
+  if (rubs_ || !settings_.tied.empty()) faces_by_key_ = order_by_key(lists_.faces);
+  if (!settings_.tied.empty()) demand_ties_hold();
   if (!remembers()) return;
   const std::size_t sides = has_sheets() ? lists_.candidates.faces.values.size() : 0;
   detection_.sides.reserve(sides);
-  history_.pairs.reserve(lists_.most_rows + sides);
-  next_pairs_.reserve(lists_.most_rows + sides);
-  if (rubs_) faces_by_key_ = order_by_key(lists_.faces);
-  history_.anchors.reserve(lists_.most_rows);
-  next_anchors_.reserve(lists_.most_rows);
+  history_.pairs.reserve(most_rows + sides);
+  next_pairs_.reserve(most_rows + sides);
+  history_.anchors.reserve(most_rows);
+  next_anchors_.reserve(most_rows);
 }
 
 void Contact::share_reference() {
@@ -208,9 +211,11 @@ void Contact::detect(std::span<const Wall> walls, double dt) {
   detect_faces(lists_.candidates, lists_.faces, lists_.nodes.gid, motion_of_, facet_area_, dt, settings_.detection,
                history_.pairs, detection_, rows_);
   if (lists_.any_edges) detect_crossing_edges(dt);
+  if (!settings_.tied.empty()) drop_tied_rows();
   detect_walls(lists_.wall_candidates, walls, lists_.nodes.gid, motion_of_, dt, settings_.detection, rows_);
-  sort_rows(rows_);
   for (const Row& row : rows_) sums_.penetration = std::max(sums_.penetration, -row.gap);
+  tie_rows(ties_, tie_scene(dt), rows_);
+  sort_rows(rows_);
 }
 
 void Contact::remember(std::span<const Wall> walls, double dt) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What rows are given besides what detection finds: friction, and the slabs of the printed method.
 #include <algorithm>
+#include <cmath>
 
 #include "brunt/contact/contact.hpp"
 
@@ -29,6 +30,7 @@ AnchorScene Contact::anchor_scene(std::span<const Wall> walls) const {
 void Contact::lay_friction(std::span<const Wall> walls, double dt) {
   if (!rubs_) return;
   for (Row& row : rows_) {
+    if (std::isinf(row.friction)) continue;  // a tie
     const FrictionLaw law = friction_of(row, walls);
     if (law.any()) row.friction = friction_coefficient(law, row, motion_of_);
   }

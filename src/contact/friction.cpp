@@ -2,12 +2,14 @@
 #include "brunt/contact/friction.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace brunt::contact {
 namespace {
 
+/// Not a tie, which keeps its place by itself.
 bool has_anchor(const Row& row) {
-  return row.friction > 0 && !row.is_edge();
+  return row.friction > 0 && std::isfinite(row.friction) && !row.is_edge();
 }
 
 const Vec3& slave_of(const Row& row, const AnchorScene& scene) {

@@ -32,6 +32,23 @@ std::vector<AcceptedOverlap> overlaps_of(std::span<const Row> rows, const std::s
 
 }  // namespace
 
+/// Lists and positions of contact nodes as they are before anything moves.
+void Contact::look_at_start(const std::vector<Vec3>& reference, std::span<const Wall> walls) {
+  constexpr double any_step = 1;
+  std::vector<Vec3> still(reference.size(), Vec3::Zero());
+  const VectorView position{reinterpret_cast<const double*>(reference.data())};
+  const MutableVectorView velocity{reinterpret_cast<double*>(still.data())};
+  rebuild(position, {velocity.data}, walls, any_step);
+  if (lists_.any_rows) gather(position, {velocity.data}, velocity);
+}
+
+void Contact::forget_start() {
+  rows_.clear();
+  sums_.penetration = 0;
+  statistics_ = {};
+  have_lists_ = false;
+}
+
 /// What was accepted tells which bodies keep their overlaps. Geometry alone does not know all of their nodes: one that
 /// is outside of a facetted end may be at the rim of its face to detection, or be behind another face.
 void Contact::keep_overlaps(const std::vector<Vec3>& reference, std::span<const Wall> walls) {
@@ -44,24 +61,15 @@ void Contact::keep_overlaps(const std::vector<Vec3>& reference, std::span<const 
     all[{overlap.slave, overlap.body}] = overlap;
   }
   accepted.clear();
-  constexpr double any_step = 1;  // nothing moves
-  std::vector<Vec3> still(reference.size(), Vec3::Zero());
-  const VectorView position{reinterpret_cast<const double*>(reference.data())};
-  const MutableVectorView velocity{reinterpret_cast<double*>(still.data())};
-  rebuild(position, {velocity.data}, walls, any_step);
-  if (lists_.any_rows) {
-    gather(position, {velocity.data}, velocity);
-    detect(walls, any_step);
-  }
+  look_at_start(reference, walls);
+  constexpr double any_step = 1;
+  if (lists_.any_rows) detect(walls, any_step);
   const std::vector<std::vector<AcceptedOverlap>> to_all(static_cast<std::size_t>(ranks_.size()),
                                                          overlaps_of(rows_, keep));
   for (const AcceptedOverlap& overlap : comm::exchange(ranks_, to_all).values)
     all[{overlap.slave, overlap.body}] = overlap;
   for (const auto& [key, overlap] : all) accepted.push_back(overlap);
-  rows_.clear();
-  sums_.penetration = 0;
-  statistics_ = {};
-  have_lists_ = false;
+  forget_start();
 }
 
 }  // namespace brunt::contact

@@ -41,7 +41,11 @@ void look_at(const MasterFace& face, std::span<const NodeMotion> motion, const V
   if (distance > best.distance || (distance == best.distance && face.key > best.face)) return;
   best = {distance,
           face.key,
-          {.face = face.key, .body = face.body, .weights = closest->weights, .offset = frame.transpose() * offset}};
+          {.face = face.key,
+           .body = face.body,
+           .block = face.block,
+           .weights = closest->weights,
+           .offset = frame.transpose() * offset}};
 }
 
 /// Place of the slave among the candidates; no_index where it is none.

@@ -134,6 +134,7 @@ model::ContactRule contact_rule(const Input& input, std::span<const std::string>
   rule.active.assign(n * n, 0);
   rule.forced_slave.assign(n * n, 0);
   rule.friction.assign(n * n, {});
+  rule.tied.assign(n * n, 0);
   for (const ContactEntry& entry : input.contact) {
     rule.enforcement = entry.enforcement;
     rule.rebuild_every = entry.rebuild_every;
@@ -144,6 +145,7 @@ model::ContactRule contact_rule(const Input& input, std::span<const std::string>
         const bool straight = names_pair(entry, first, second), turned = names_pair(entry, second, first);
         if (!straight && !turned) continue;
         rule.friction[a * n + b] = entry.friction;
+        rule.tied[a * n + b] = entry.tied ? 1 : 0;
         const bool itself = a == b && entry.between.empty() && !entry.self;
         rule.active[a * n + b] = itself || excludes(entry, first, second) ? 0 : 1;
         if (entry.slave != ContactEntry::Slave::automatic && !entry.between.empty())
@@ -152,6 +154,7 @@ model::ContactRule contact_rule(const Input& input, std::span<const std::string>
           rule.forced_slave[a * n + b] = 0;
       }
   }
+  if (std::ranges::none_of(rule.tied, [](char on) { return on != 0; })) rule.tied.clear();
   rule.any = std::ranges::any_of(rule.active, [](std::int8_t on) { return on != 0; });
   return rule;
 }

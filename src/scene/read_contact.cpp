@@ -74,7 +74,7 @@ void read_enforcement(Section& entry, contact::EnforcementSettings& enforcement)
                                         {"gap_penalty", Method::gap_penalty},
                                         {"penalty", Method::penalty},
                                         {"reference", Method::reference}},
-                                       {"tied"}};
+                                       {}};
   entry.optional("method", enforcement.method, methods);
   entry.optional("tolerance", enforcement.tolerance, Range{0, 1, false, false, "a number > 0 and < 1"});
   entry.optional("max_iterations", enforcement.max_iterations, Count{1});
@@ -91,7 +91,6 @@ void read_settled(Section& entry) {
   if (entry.has("thickness") && entry.at("thickness").tree->text != "auto") {
     later(entry.at("thickness"), "thickness in contact", "auto");
   }
-  entry.not_yet("tied", "contact that may open and slide");
 }
 
 void warn(const Key& key, std::string_view what, Input& input) {
@@ -111,11 +110,20 @@ void judge_enforcement(const Key& whole, Section& entry, const ContactEntry& con
   unused("partition", method == Method::kinematic, "kinematic");
   if (method == Method::printed)
     warn(whole, "method printed over-corrects: it rebounds and may not converge; for comparisons", input);
+  const bool ties = contact.tied || std::ranges::any_of(input.contact, &ContactEntry::tied);
+  if (ties && method != Method::rate && method != Method::row_sum)
+    fault(whole, "tied parts are held by the rate constraint; accepted: method rate or row_sum");
   if (method != Method::reference) return;
   const bool rubs = contact.friction.any() ||
                     std::ranges::any_of(input.contact, [](const ContactEntry& e) { return e.friction.any(); }) ||
                     std::ranges::any_of(input.rigid_walls, [](const RigidWall& wall) { return wall.friction.any(); });
   if (rubs) fault(whole, "method reference is for scenes without friction; accepted: friction 0, on rigid walls too");
+}
+
+void judge_tied(Section& entry, const ContactEntry& contact) {
+  const Key key = entry.at("tied");
+  if (contact.between.empty()) fault(key, "'all' cannot be tied; accepted: true where between: [a, b]");
+  if (contact.friction.any()) fault(key, "tied parts do not slide; accepted: true without friction");
 }
 
 ContactEntry read_entry(Section& entry, const contact::EnforcementSettings& before) {
@@ -137,6 +145,10 @@ ContactEntry read_entry(Section& entry, const contact::EnforcementSettings& befo
   entry.optional("competing", contact.competing, competing);
   read_enforcement(entry, contact.enforcement);
   if (entry.has("rebuild")) read_rebuild(entry.at("rebuild"), contact);
+  if (entry.optional("tied", contact.tied) && contact.tied) {
+    judge_tied(entry, contact);
+    contact.initial_overlap = Overlap::offset;  // ties hold nodes where they are
+  }
   entry.optional("initial_overlap", contact.initial_overlap, overlaps);
   read_settled(entry);
   return contact;

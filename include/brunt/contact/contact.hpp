@@ -16,6 +16,7 @@
 #include "brunt/contact/history.hpp"
 #include "brunt/contact/lists.hpp"
 #include "brunt/contact/surface/surface.hpp"
+#include "brunt/contact/ties.hpp"
 #include "brunt/mesh/local_mesh.hpp"
 
 namespace brunt::contact {
@@ -51,6 +52,7 @@ struct ContactSettings {
   bool bodies = true;  ///< search for contact between bodies
   DetectionSettings detection;
   std::vector<FrictionLaw> friction;  ///< of pairs of blocks, [a * blocks + b]; empty: none
+  std::vector<char> tied{};           ///< a flag for each pair of blocks, the same places; empty: none
   std::vector<double> impedance;      ///< density times speed of sound of each block, for Method::printed
   EnforcementSettings enforcement;
   double motion_share = 0.3;  ///< of Surface::mean_depth: how far nodes may move before lists are rebuilt
@@ -134,6 +136,8 @@ class Contact {
   [[nodiscard]] const History& history() const { return history_; }  ///< of the last step, on this rank
 
   [[nodiscard]] ContactTotals collect() const;  ///< collective
+  /// How many nodes of block a are tied to faces of block b, [a * blocks + b]; empty where no pair is tied. Collective.
+  [[nodiscard]] std::vector<GlobalIndex> tied_nodes() const;
   [[nodiscard]] const ContactStatistics& statistics() const { return statistics_; }
   [[nodiscard]] ContactSums& sums() { return sums_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
@@ -144,6 +148,14 @@ class Contact {
   [[nodiscard]] bool must_rebuild(double global_motion_used) const;
   void rebuild(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt);
   void share_reference();
+  void look_at_start(const std::vector<Vec3>& reference, std::span<const Wall> walls);
+  void forget_start();
+  void make_ties(const std::vector<Vec3>& reference, std::span<const Wall> walls);
+  [[nodiscard]] bool are_tied(std::int32_t slave_block, std::int32_t master_block) const;
+  [[nodiscard]] std::int32_t tied_block(LocalIndex slave, std::int32_t master_block) const;
+  [[nodiscard]] TieScene tie_scene(double dt) const;
+  void demand_ties_hold() const;
+  void drop_tied_rows();
   void keep_overlaps(const std::vector<Vec3>& reference, std::span<const Wall> walls);
   void gather(VectorView position, VectorView old_velocity, MutableVectorView velocity);
   void detect(std::span<const Wall> walls, double dt);
@@ -197,6 +209,7 @@ class Contact {
   History history_;
   std::vector<HistoryRecord> next_pairs_;
   std::vector<AnchorRecord> next_anchors_;
+  std::vector<Tie> ties_;                 // of slaves owned here
   bool rubs_ = false;                     // friction somewhere
   std::vector<LocalIndex> faces_by_key_;  // of the lists
 

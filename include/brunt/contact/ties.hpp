@@ -13,11 +13,12 @@ namespace brunt::contact {
 
 /// A slave node and its place on a master face.
 struct Tie {
-  GlobalIndex slave = 0;            ///< gid
-  GlobalIndex face = 0;             ///< key
-  std::int32_t body = 0;            ///< of the face
-  std::array<double, 4> weights{};  ///< of the face's corners
-  Vec3 offset = Vec3::Zero();       ///< from there to the node, in the frame of the face [length]
+  GlobalIndex slave = 0;                ///< gid
+  GlobalIndex face = 0;                 ///< key
+  std::int32_t body = 0, block = 0;     ///< of the face
+  std::int32_t slave_block = no_index;  ///< that is tied to it
+  std::array<double, 4> weights{};      ///< of the face's corners
+  Vec3 offset = Vec3::Zero();           ///< from there to the node, in the frame of the face [length]
 };
 
 /// The axes of a face that offsets are measured in, as columns: two in it and its normal.

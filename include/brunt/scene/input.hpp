@@ -134,6 +134,7 @@ struct ContactEntry {
   int rebuild_every = 0;  ///< steps; 0: lists are rebuilt when the motion is used up; -1: also at random (for tests)
   enum class Slave { automatic, first, second } slave = Slave::automatic;
   bool self = true;  ///< with `all`: parts meet themselves too
+  bool tied = false;
   enum class Competing { automatic, nearest, strength, velocity } competing = Competing::automatic;
   enum class InitialOverlap { error, warn, move, offset } initial_overlap = InitialOverlap::error;
 };
