@@ -21,25 +21,22 @@ def main():
     case = Case(__file__)
     scene, result = case.scene(), case.run()
     ball, gravity = scene["mesh"]["sphere"], -scene["gravity"]["vector"][2]
-    drop = ball["at"][2] - ball["radius"]
+    drop = scene["initial"][0]["velocity"][2]**2 / (2 * gravity)  # to where it starts
     history = result.history
     time, height = history["time"], history["ball.z"] - history["ball.z"][0]
     tops = peaks(height, 100)
     case.assert_equal("bounces", BOUNCES, len(tops))
     for k in range(2):
-        case.assert_close(f"height after bounce {k + 1}, of the centre of mass [m]", drop, drop + height[tops[k]], 0.01,
+        case.assert_close(f"height after bounce {k + 1}, of the centre of mass [m]", drop, height[tops[k]], 0.01,
                           "Hertz: all is given back")
-    print("heights / drop: " + ", ".join(f"{1 + height[top] / drop:.5f}" for top in tops))
-    touched = numpy.flatnonzero(history["impulse_floor.z"] > 0)[0]
-    case.assert_close("time of the first touch [s]", numpy.sqrt(2 * drop / gravity), time[touched], 2e-6, "free fall", True)
-    start = history["external"].max()
+    print("heights / drop: " + ", ".join(f"{height[top] / drop:.5f}" for top in tops))
+    start = history["kinetic"][0]
     case.assert_below("energy that the floor gives, in any row", max(0.0, -numpy.diff(history["walls"]).min()) / start, 1e-12)
     case.assert_below("energy that the floor gives, in all", max(0.0, -history["walls"].min()) / start, 1e-12)
     energy = history["kinetic"] + history["internal"] + history["hourglass"] - history["external"]
     case.assert_below("energy of the ball, growth / energy of the fall", max(0.0, (energy - energy[0]).max()) / start, 1e-6)
     case.assert_energy(result, energy_gate=1e-10, momentum_gate=1e-9)
-    low = {"mesh.sphere.at": [0, 0, ball["radius"] + 1e-6], "run.steps": 500, "initial": [{"part": "ball", "velocity": [0, 0, -1.4]}]}
-    case.assert_same_on_ranks((1, 3), overrides=low)
+    case.assert_same_on_ranks((1, 3), overrides={"run.steps": 500})
     case.finish()
 
 
