@@ -65,6 +65,7 @@ contact::PairTable pair_table(const model::ContactRule& rule, std::size_t n) {
     for (std::int32_t b = a; b < blocks; ++b) {
       const std::size_t pair = static_cast<std::size_t>(a) * n + static_cast<std::size_t>(b);
       if (!rule.active[pair]) continue;
+      if (!rule.passes.empty()) table.set_passes(a, b, rule.passes[pair]);
       const std::int8_t forced = rule.forced_slave[pair];
       table.set(a, b,
                 forced > 0   ? contact::PairRule::slave

@@ -104,12 +104,12 @@ class Survey {
     gaps.other = other;
   }
 
-  /// Contact does not look for nodes of the master: how deep they are is no matter.
+  /// In one pass contact does not look for nodes of the master: how deep they are is no matter.
   void forgive_masters() {
     if (std::ranges::none_of(gaps.overlaps, &InitialOverlap::too_deep)) return;
     const SlaveChoice choice(input_, mesh_);
     for (InitialOverlap& o : gaps.overlaps)
-      o.too_deep = o.too_deep && choice.is_slave(o.block, o.body, o.other_block, o.other_body);
+      o.too_deep = o.too_deep && choice.is_held_off(o.block, o.body, o.other_block, o.other_body);
   }
 
   [[nodiscard]] std::int32_t body_of(const Solid& solid) const {

@@ -14,9 +14,12 @@ class SlaveChoice {
  public:
   /// mesh: with the selections of the scene.
   SlaveChoice(const scene::Input& input, const mesh::Mesh& mesh);
-  /// May a node of this block and body be held off by faces of the other?
+  /// Is a node of this block and body the slave of faces of the other, were there one pass?
   [[nodiscard]] bool is_slave(std::size_t block, std::int32_t body, std::size_t other_block,
                               std::int32_t other_body) const;
+  /// May it be held off by them, in two passes too?
+  [[nodiscard]] bool is_held_off(std::size_t block, std::int32_t body, std::size_t other_block,
+                                 std::int32_t other_body) const;
 
  private:
   contact::PairTable pairs_;

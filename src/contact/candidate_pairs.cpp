@@ -94,10 +94,11 @@ Box edge_box(const ListBuild& build, const SurfaceEdge& edge) {
   return geometry::bounding_box(std::array{position(build, edge.nodes[0]), position(build, edge.nodes[1])});
 }
 
-/// Edges of one body meet where their elements do not touch, the lower as slave.
+/// Once for a pair, however many passes its nodes and faces make. Edges of one body meet where their elements do not
+/// touch, the lower as slave.
 bool is_permitted(const ListBuild& build, const SurfaceEdge& slave, const TravellingEdge& master) {
   const std::array block{slave.block};
-  if (!may_meet(build.pairs, build.surface.bodies, block, slave.body, master.block, master.body)) return false;
+  if (!leads(build.pairs, build.surface.bodies, block, slave.body, master.block, master.body)) return false;
   if (slave.body != master.body) return true;
   const std::array gid{build.surface.gid[static_cast<std::size_t>(slave.nodes[0])],
                        build.surface.gid[static_cast<std::size_t>(slave.nodes[1])]};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conductor: gather, detect, enforce, scatter, book.
+// The conductor: gather, detect, enforce, scatter.
 #include "brunt/contact/contact.hpp"
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 
 #include "brunt/comm/rendezvous.hpp"
 #include "brunt/contact/join_surface.hpp"
-#include "brunt/core/binned_sum.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/closest_point.hpp"
 
@@ -19,6 +18,8 @@ template <class T>
 std::span<double> as_doubles(std::vector<T>& values) {
   return {reinterpret_cast<double*>(values.data()), values.size() * sizeof(T) / sizeof(double)};
 }
+
+constexpr double twin_share = 0.01;  // one pass with nodes that lie so near each other is as good as two
 
 std::vector<char> held_by_walls(const Surface& surface, const std::vector<Vec3>& reference,
                                 std::span<const Wall> walls) {
@@ -31,10 +32,6 @@ std::vector<char> held_by_walls(const Surface& surface, const std::vector<Vec3>&
       held.push_back(wall.bilateral && std::abs(gap) <= in_plane * surface.mean_edge ? 1 : 0);
     }
   return held;
-}
-
-void add_vector(std::array<comm::ExactAccumulator, 3>& sum, const Vec3& value) {
-  for (std::size_t c = 0; c < 3; ++c) sum[c].add(value[static_cast<int>(c)]);
 }
 
 }  // namespace
@@ -51,6 +48,7 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
   const Method method = settings_.enforcement.method;
   settings_.enforcement.warm_start =
       settings_.enforcement.warm_start && settings_.bodies && (method == Method::rate || method == Method::row_sum);
+  settings_.detection.twin = twin_share * surface_.mean_depth;
   std::vector<comm::RemoteSlot> source;
   for (std::size_t i = 0; i < surface_.gid.size(); ++i) {
     surface_mobility_.push_back({inverse_mass[static_cast<std::size_t>(surface_.model_node[i])], Mat3::Identity()});
@@ -76,6 +74,7 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
       surface_reference_.push_back(mesh.coordinates[static_cast<std::size_t>(node)]);
   rubs_ = std::ranges::any_of(settings_.friction, &FrictionLaw::any) ||
           std::ranges::any_of(walls, [](const Wall& wall) { return wall.friction.any(); });
+  two_passes_ = settings_.bodies && any_two_passes(settings_.pairs, surface_.bodies);
   sums_.wall_impulse.resize(walls.size());
   sums_.tracked_impulse.resize(settings_.tracked.size());
   keep_overlaps(mesh.coordinates, walls);
@@ -131,6 +130,7 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
                            .wall_capture = settings_.detection.encounter.capture * settings_.detection.wall_size,
                            .motion = motion_,
                            .faces = settings_.bodies,
+                           .two_passes = two_passes_,
                            .thickness = settings_.thickness};
   lists_ = build_lists(ranks_, surface_, settings_.pairs, roles_, list_position_, walls, held_, reach, list_scratch_);
   have_lists_ = true;
@@ -154,6 +154,7 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
   rows_.reserve(most_rows);
   impulses_.reserve(most_rows);
   scratch_.reserve(most_rows, nodes);
+  if (two_passes_) scratch_.reserve_passes(most_rows);
   if (rubs_ || !settings_.tied.empty()) faces_by_key_ = order_by_key(lists_.faces);
   if (!settings_.tied.empty()) demand_ties_hold();
   if (!remembers()) return;
@@ -243,44 +244,6 @@ void Contact::scatter(MutableVectorView velocity) {
     velocity.set(surface_.model_node[static_cast<std::size_t>(foreign_[i])], Vec3(&foreign_velocity_[3 * i]));
 }
 
-bool Contact::is_slave_in(const Row& row, std::int32_t block) const {
-  if (row.is_edge()) return row.slave_block == block;
-  const LocalIndex slave = lists_.nodes.surface_node[static_cast<std::size_t>(row.nodes[0])];
-  const auto blocks = surface_.blocks.row(slave);
-  return std::binary_search(blocks.begin(), blocks.end(), block);
-}
-
-/// Takes what impulses do at these relative velocities from the sums: half of p . r along the normal, the rest across.
-void Contact::book_work(const Row& row, const Vec3& impulse, const Vec3& relative, WorkSums& sums) {
-  const double push = row.normal.dot(impulse);
-  (row.is_wall() ? sums.walls : sums.contact).add(-0.5 * push * row.normal.dot(relative));
-  if (row.friction > 0) sums.friction.add(-0.5 * (impulse - push * row.normal).dot(relative));
-}
-
-void Contact::book() {
-  for (std::size_t q = 0; q < rows_.size(); ++q) {
-    const Vec3& impulse = impulses_[q];
-    if (impulse.isZero(0)) continue;
-    const Row& row = rows_[q];
-    Vec3 relative = relative_velocity(row, velocity_);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
-      relative += row.weights[i] * motion_of_[static_cast<std::size_t>(row.nodes[i])].old_velocity;
-    book_work(row, impulse, relative, sums_.work);
-    if (row.is_wall()) {
-      add_vector(sums_.wall_impulse[static_cast<std::size_t>(-1 - row.master_key)], impulse);
-      continue;
-    }
-    for (std::size_t t = 0; t < settings_.tracked.size(); ++t) {
-      const auto [first, second] = settings_.tracked[t];
-      const auto slave_in = [&](std::int32_t block) { return is_slave_in(row, block); };
-      if (slave_in(first) && row.master_block == second)
-        add_vector(sums_.tracked_impulse[t], impulse);
-      else if (slave_in(second) && row.master_block == first)
-        add_vector(sums_.tracked_impulse[t], -impulse);
-    }
-  }
-}
-
 void Contact::search(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt,
                      double global_motion_used) {
   demand(walls.size() == sums_.wall_impulse.size(), "contact was made for another number of walls");
@@ -299,12 +262,13 @@ void Contact::correct(VectorView position, VectorView old_velocity, MutableVecto
   }
   gather(position, old_velocity, velocity);
   detect(walls, dt);
+  lay_passes(dt);
   lay_friction(walls, dt);
   if (settings_.enforcement.method == Method::printed) lay_slabs();
   impulses_.assign(rows_.size(), Vec3::Zero());
   if (settings_.enforcement.warm_start) start_impulses(rows_, history_.pairs, dt, impulses_);
-  const EnforcementResult result = enforce({rows_, motion_of_, mobility_}, settings_.enforcement, dt, lists_.exchange,
-                                           impulses_, velocity_, scratch_);
+  const EnforcementResult result = enforce({rows_, motion_of_, mobility_, two_passes_}, settings_.enforcement, dt,
+                                           lists_.exchange, impulses_, velocity_, scratch_);
   statistics_.last = result;
   remember(walls, dt);
   if (!result.acted) return;  // v* is what it was
@@ -314,39 +278,6 @@ void Contact::correct(VectorView position, VectorView old_velocity, MutableVecto
   statistics_.largest_residual = std::max(statistics_.largest_residual, result.residual);
   scatter(velocity);
   book();
-}
-
-void Contact::add_impulses(std::span<Vec3> impulse) const {
-  if (!statistics_.last.acted) return;
-  for (std::size_t i = 0; i < lists_.nodes.gid.size(); ++i) {
-    if (lists_.nodes.home[i].rank != ranks_.rank()) continue;
-    const double* parts = &scratch_.impulse_parts[i * 3 * bin_slices];
-    const LocalIndex node = surface_.model_node[static_cast<std::size_t>(lists_.nodes.surface_node[i])];
-    impulse[static_cast<std::size_t>(node)] +=
-        Vec3(binned_value(parts), binned_value(parts + bin_slices), binned_value(parts + 2 * bin_slices));
-  }
-}
-
-ContactTotals Contact::collect() const {
-  std::vector<comm::ExactAccumulator> sums{sums_.work.contact, sums_.work.friction, sums_.work.walls};
-  for (const auto* vectors : {&sums_.wall_impulse, &sums_.tracked_impulse})
-    for (const auto& vector : *vectors) sums.insert(sums.end(), vector.begin(), vector.end());
-  std::vector<double> totals(sums.size());
-  comm::exact_sum(ranks_, sums, totals);
-
-  ContactTotals result;
-  result.contact_work = totals[0];
-  result.friction_work = totals[1];
-  result.wall_work = totals[2];
-  std::size_t next = 3;
-  for (auto [count, vectors] : {std::pair{sums_.wall_impulse.size(), &result.wall_impulse},
-                                std::pair{sums_.tracked_impulse.size(), &result.tracked_impulse}})
-    for (std::size_t i = 0; i < count; ++i, next += 3) vectors->push_back(Vec3(&totals[next]));
-  result.pairs = ranks_.sum(static_cast<GlobalIndex>(lists_.candidates.faces.values.size()));
-  result.active = ranks_.sum(static_cast<GlobalIndex>(
-      std::count_if(impulses_.begin(), impulses_.end(), [](const Vec3& impulse) { return !impulse.isZero(0); })));
-  result.penetration = ranks_.max(sums_.penetration);
-  return result;
 }
 
 }  // namespace brunt::contact

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What contact tells of its last step, for ledgers and pictures.
+// What contact tells of its last step for pictures.
 #include <algorithm>
 #include <cmath>
 
 #include "brunt/contact/contact.hpp"
 
 namespace brunt::contact {
-
-void Contact::add_second_half(WorkSums& half) const {
-  for (std::size_t q = 0; q < rows_.size(); ++q)
-    if (!impulses_[q].isZero(0)) book_work(rows_[q], impulses_[q], relative_velocity(rows_[q], velocity_), half);
-}
 
 std::vector<double> Contact::pressures(double dt) const {
   std::vector<double> pressure(surface_node_count(), 0.0);
@@ -19,7 +14,8 @@ std::vector<double> Contact::pressures(double dt) const {
     const Row& row = rows_[q];
     if (row.is_wall() || row.is_edge()) continue;
     const double area = area_of_slave(row);
-    if (area > 0) pressure[model_node_of(row)] += row.normal.dot(impulses_[q]) / (dt * area);
+    const double push = row.normal.dot(impulses_[q]) * (row.pass == Pass::both ? 1 : 2);  // that of the row's own pass
+    if (area > 0) pressure[model_node_of(row)] += push / (dt * area);
   }
   return pressure;
 }

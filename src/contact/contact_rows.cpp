@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What rows are given besides what detection finds: friction, and the slabs of the printed method.
+// What rows are given besides what detection finds: their passes, friction, and the slabs of the printed method.
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +21,25 @@ FrictionLaw Contact::friction_of(const Row& row, std::span<const Wall> walls) co
        surface_.blocks.row(lists_.nodes.surface_node[static_cast<std::size_t>(row.nodes[0])]))
     if (const FrictionLaw law = law_of(block); law.fixed > roughest.fixed) roughest = law;
   return roughest;
+}
+
+bool Contact::has_twin(const Row& row) const {
+  const auto motion = [&](LocalIndex node) { return motion_of_[static_cast<std::size_t>(node)]; };
+  return std::any_of(row.nodes.begin() + 1, row.nodes.begin() + row.node_count, [&](LocalIndex node) {
+    return are_twins(motion(row.nodes[0]), motion(node), settings_.detection);
+  });
+}
+
+/// The row of a node that has a twin holds in both passes, since the twin has none in the second (see detect_faces).
+void Contact::lay_passes(double dt) {
+  if (!two_passes_) return;
+  for (Row& row : rows_) {
+    if (row.is_wall() || row.is_edge() || row.cone == Cone::free) continue;  // ties hold in both
+    row.pass = pass_of(row, surface_.blocks.row(lists_.nodes.surface_node[static_cast<std::size_t>(row.nodes[0])]),
+                       settings_.pairs, surface_.bodies);
+    if (row.pass == Pass::first && row.slave_body != row.master_body && has_twin(row)) row.pass = Pass::both;
+  }
+  recover_gaps(rows_, motion_of_, settings_.feedback, dt);
 }
 
 AnchorScene Contact::anchor_scene(std::span<const Wall> walls) const {

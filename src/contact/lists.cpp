@@ -147,6 +147,19 @@ void fill_faces(const ListBuild& build, const FacePairs& found, ContactLists& li
   });
 }
 
+/// Which pairs are of the second pass between two bodies; within one that is not known before they meet.
+void fill_second(const ListBuild& build, const FacePairs& found, Candidates& candidates) {
+  if (!build.settings.two_passes) return;
+  for (const CandidatePair& pair : found.pairs) {
+    const std::int32_t body = build.surface.body[static_cast<std::size_t>(pair.slave)];
+    const TravellingFace& face = found.masters[static_cast<std::size_t>(pair.master)];
+    const bool second = body != face.body && !is_slave(build.surface.bodies, body, face.body) &&
+                        meet_in_two_passes(build.pairs, build.surface.bodies, build.surface.blocks.row(pair.slave),
+                                           body, face.block, face.body);
+    candidates.second.push_back(second ? 1 : 0);
+  }
+}
+
 /// Of the sheets that the slaves lie on; nothing where there are none.
 void fill_thickness(const ListBuild& build, const FacePairs& found, Candidates& candidates) {
   if (build.settings.most_clearance() == 0) return;
@@ -268,6 +281,7 @@ ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface
     candidate.node = table_index(lists.nodes, surface.gid[static_cast<std::size_t>(candidate.node)]);
   std::vector<Place> edge_facets;
   fill_faces(build, faces, lists);
+  fill_second(build, faces, lists.candidates);
   fill_thickness(build, faces, lists.candidates);
   fill_edges(build, edges, lists, edge_facets);
   lists.most_rows += lists.wall_candidates.size();

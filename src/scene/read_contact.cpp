@@ -85,9 +85,6 @@ void read_enforcement(Section& entry, contact::EnforcementSettings& enforcement)
 
 /// Words of the vocabulary of which this version has one meaning only.
 void read_settled(Section& entry) {
-  static const Choices<bool> passes{{{"auto", true}, {"one", true}}, {"two", "2"}};
-  bool only = true;
-  entry.optional("passes", only, passes);
   if (entry.has("thickness") && entry.at("thickness").tree->text != "auto") {
     later(entry.at("thickness"), "thickness in contact", "auto");
   }
@@ -108,6 +105,8 @@ void judge_enforcement(const Key& whole, Section& entry, const ContactEntry& con
   unused("stiffness", penalty, "gap_penalty or penalty");
   unused("damping", method == Method::penalty, "penalty");
   unused("partition", method == Method::kinematic, "kinematic");
+  if (contact.passes == contact::Passes::two && contact.slave != Slave::automatic && entry.has("slave"))
+    warn(entry.at("slave"), "does nothing with passes: two", input);
   if (method == Method::printed)
     warn(whole, "method printed over-corrects: it rebounds and may not converge; for comparisons", input);
   const bool ties = contact.tied || std::ranges::any_of(input.contact, &ContactEntry::tied);
@@ -126,7 +125,7 @@ void judge_tied(Section& entry, const ContactEntry& contact) {
   if (contact.friction.any()) fault(key, "tied parts do not slide; accepted: true without friction");
 }
 
-ContactEntry read_entry(Section& entry, const contact::EnforcementSettings& before) {
+ContactEntry read_entry(Section& entry, const ContactEntry& before) {
   static const Choices<Overlap> overlaps{
       {{"error", Overlap::error}, {"warn", Overlap::warn}, {"move", Overlap::move}, {"offset", Overlap::offset}}, {}};
   using Competing = ContactEntry::Competing;
@@ -135,12 +134,16 @@ ContactEntry read_entry(Section& entry, const contact::EnforcementSettings& befo
                                              {"strength", Competing::strength},
                                              {"velocity", Competing::velocity}},
                                             {}};
+  using contact::Passes;
+  static const Choices<Passes> passes{{{"auto", Passes::automatic}, {"one", Passes::one}, {"two", Passes::two}}, {}};
   ContactEntry contact;
-  contact.enforcement = before;
+  contact.enforcement = before.enforcement;
+  contact.passes = before.passes;
   read_between(entry, contact);
   if (entry.has("exclude")) read_exclude(entry.at("exclude"), contact);
   read_friction(entry, contact.friction);
   if (entry.has("slave")) read_slave(entry.at("slave"), contact);
+  entry.optional("passes", contact.passes, passes);
   entry.optional("self", contact.self);
   entry.optional("competing", contact.competing, competing);
   read_enforcement(entry, contact.enforcement);
@@ -179,9 +182,7 @@ void read_contact(Section& scene, Input& input) {
   for (const Key& key : items(scene.at("contact"), "a list of {between: all} or {between: [a, b]}")) {
     Section entry(key, "a map {between: all} or {between: [a, b]}");
     if (!entry.is_map()) continue;
-    const contact::EnforcementSettings before =
-        input.contact.empty() ? contact::EnforcementSettings{} : input.contact.back().enforcement;
-    const ContactEntry contact = read_entry(entry, before);
+    const ContactEntry contact = read_entry(entry, input.contact.empty() ? ContactEntry{} : input.contact.back());
     judge_enforcement(key, entry, contact, input);
     const contact::FrictionLaw& friction = contact.friction;
     if (friction.kinetic < friction.fixed && friction.decay == 0)

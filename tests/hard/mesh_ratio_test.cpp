@@ -83,3 +83,13 @@ TEST_CASE("the coarse side as slave by order of the scene: its nodes are held, n
   CHECK(at_node.pairs_a_node <= 4 * land(24, fine, ", slave: first", true, 0.01).pairs_a_node);
   CHECK(at_face.active == 0);
 }
+
+TEST_CASE("the coarse side as slave, but in two passes: the fine side's nodes are held as well") {
+  for (const int along : {1, 2}) {
+    const Landing landing = land(along, 1, ", slave: first, passes: two", true, 0.05);
+    CAPTURE(along, landing.rows, landing.nodes);
+    CHECK(landing.active >= 21 * 21);
+    CHECK(landing.rows <= 0.02);  // of a coarse element, nodes of both sides at any time; seen: 1.5e-4
+    CHECK(landing.nodes <= 0.02);
+  }
+}

@@ -80,6 +80,22 @@ class Ranks(Program):
         compared = self.brunt("compare", "whole/state.h5", "part/state.h5")
         self.assertEqual(compared.returncode, 0, compared.stdout)
 
+    def test_two_passes_with_friction_on_any_ranks_and_over_a_restart(self):
+        for method in ("rate", "kinematic"):
+            with self.subTest(method=method):
+                self.write("rubber.yaml", scenes.RUBBER.replace("METHOD", method))
+                wanted = []
+                for ranks in (1, 2, 3, 4):
+                    self.run_scene(ranks, "rubber.yaml", "--out", f"{method}{ranks}")
+                    wanted.append(self.summary(f"{method}{ranks}")["state_hash"])
+                self.assertEqual(len(set(wanted)), 1)
+                self.run_scene(2, "rubber.yaml", "--out", f"{method}_part", "--set", "run.steps=30")
+                self.assertGreater(self.summary(f"{method}_part")["contact"]["active"], 0)
+                self.run_scene(3, "rubber.yaml", "--out", f"{method}_part", "--restart", f"{method}_part", "--set", "run.steps=60")
+                self.assertEqual(self.summary(f"{method}_part")["state_hash"], wanted[0])
+                self.run_scene(1, "rubber.yaml", "--out", f"{method}_one", "--set", "contact.0.passes=one")
+                self.assertNotEqual(self.summary(f"{method}_one")["state_hash"], wanted[0])
+
     def test_compare_tells_results_apart(self):
         self.run_scene(1, "scene.yaml", "--out", "a", "--set", "run.steps=5")
         self.run_scene(1, "scene.yaml", "--out", "b", "--set", "run.steps=5", "--set", "initial.0.velocity=[0.5,0,-1.001]")

@@ -172,6 +172,19 @@ contact: [{between: all, initial_overlap: offset}]
 run: {steps: 1000}
 """
 
+# Rubber cubes that meet aside of each other, with friction: what is touched by either side's nodes.
+RUBBER = """\
+units: SI
+mesh:
+  - {box: {part: low, size: [0.01, 0.01, 0.01], elements: [3, 3, 3]}}
+  - {box: {part: top, size: [0.01, 0.01, 0.01], elements: [4, 4, 4], at: [0.001, 0.002, 0.01001]}}
+materials: {rubber: {model: neo_hookean, density: 1000, young: 6.0e6, poisson: 0.45}}
+parts: {low: {material: rubber, element: hex8_full}, top: {material: rubber, element: hex8_full}}
+initial: [{part: top, velocity: [2, 0, -5]}]
+contact: [{between: all, friction: 0.3, passes: two, method: METHOD}]
+run: {steps: 60}
+"""
+
 # A fork whose arms lie inside each other, at rest.
 FORK = """\
 units: none

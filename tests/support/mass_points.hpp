@@ -31,7 +31,8 @@ struct MassPoints {
 
   [[nodiscard]] contact::Contact make_contact(contact::ContactSettings settings) const {
     const std::vector<char> excluded(mesh.faces.size(), 0);
-    if (settings.bodies) settings.pairs = contact::PairTable(4, contact::PairRule::automatic);
+    if (settings.bodies && settings.pairs.block_count() == 0)
+      settings.pairs = contact::PairTable(4, contact::PairRule::automatic);
     return {ranks, mesh, excluded, inverse_mass, constrained, walls, std::move(settings)};
   }
 

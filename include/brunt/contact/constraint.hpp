@@ -31,6 +31,13 @@ enum class Cone : std::int8_t {
   free          ///< it holds both ways
 };
 
+/// Of two passes, the one that a row belongs to.
+enum class Pass : std::int8_t {
+  both,   ///< walls, edges, contact in one pass: it holds in each of them
+  first,  ///< nodes of one side on faces of the other
+  second  ///< the other way
+};
+
 /// One constraint on the relative velocity r = sum_i weights[i] v[nodes[i]]: normal . r >= required (equal, for a free
 /// cone) and, with friction, r = drift across the normal for as long as the impulse across it stays within friction
 /// times the impulse along it. An impulse p [momentum] changes the momentum of node i by weights[i] p.
@@ -50,6 +57,7 @@ struct Row {
   double gap = 0;                       ///< at x_n: > 0 open, < 0 penetration
   double required = 0;                  ///< least rate [velocity]: -gap/dt when open, a limited recovery when closed
   Cone cone = Cone::compression;
+  Pass pass = Pass::both;
   double slab = 0;            ///< Z1 Z2 / (Z1 + Z2) A of eq. (29) in Heinstein et al. 2000 [mass/time]; 0: not known
   double friction = 0;        ///< Coulomb coefficient for this step; 0: none; infinity: the node is tied to the master
   Vec3 drift = Vec3::Zero();  ///< velocity across the normal that sticking asks for [velocity]: takes back what slid

@@ -15,6 +15,7 @@
 #include "brunt/contact/friction.hpp"
 #include "brunt/contact/history.hpp"
 #include "brunt/contact/lists.hpp"
+#include "brunt/contact/passes.hpp"
 #include "brunt/contact/surface/surface.hpp"
 #include "brunt/contact/ties.hpp"
 #include "brunt/mesh/local_mesh.hpp"
@@ -55,6 +56,7 @@ struct ContactSettings {
   std::vector<char> tied{};           ///< a flag for each pair of blocks, the same places; empty: none
   std::vector<double> impedance;      ///< density times speed of sound of each block, for Method::printed
   EnforcementSettings enforcement;
+  GapFeedback feedback;       ///< of pairs in two passes
   double motion_share = 0.3;  ///< of Surface::mean_depth: how far nodes may move before lists are rebuilt
   /// By block: of two-sided sheets, met at half of it from their faces [length]; 0 or missing: the skin of a solid.
   std::vector<double> thickness{};
@@ -164,6 +166,8 @@ class Contact {
     return std::ranges::any_of(settings_.thickness, [](double thickness) { return thickness > 0; });
   }
   [[nodiscard]] double area_of_slave(const Row& row) const;
+  [[nodiscard]] bool has_twin(const Row& row) const;
+  void lay_passes(double dt);
   void lay_slabs();
   void lay_friction(std::span<const Wall> walls, double dt);
   [[nodiscard]] AnchorScene anchor_scene(std::span<const Wall> walls) const;
@@ -211,6 +215,7 @@ class Contact {
   std::vector<AnchorRecord> next_anchors_;
   std::vector<Tie> ties_;                 // of slaves owned here
   bool rubs_ = false;                     // friction somewhere
+  bool two_passes_ = false;               // of some pair
   std::vector<LocalIndex> faces_by_key_;  // of the lists
 
   ContactSums sums_;

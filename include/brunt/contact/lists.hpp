@@ -46,6 +46,7 @@ struct ListSettings {
   double wall_capture = 0;              ///< [length]
   double motion = 0;                    ///< each node and wall may move this far [length], the coming step included
   bool faces = true;                    ///< search faces at all
+  bool two_passes = false;              ///< some pair meets in two passes
   std::span<const double> thickness{};  ///< of the sheets that blocks are, see ContactSettings [length]
 
   [[nodiscard]] double thickness_of(std::int32_t block) const {

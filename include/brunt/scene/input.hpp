@@ -133,6 +133,7 @@ struct ContactEntry {
   contact::EnforcementSettings enforcement;  ///< one for all rows: the last entry's
   int rebuild_every = 0;  ///< steps; 0: lists are rebuilt when the motion is used up; -1: also at random (for tests)
   enum class Slave { automatic, first, second } slave = Slave::automatic;
+  contact::Passes passes = contact::Passes::automatic;
   bool self = true;  ///< with `all`: parts meet themselves too
   bool tied = false;
   enum class Competing { automatic, nearest, strength, velocity } competing = Competing::automatic;

@@ -38,7 +38,8 @@ void measure_reach(std::span<const MasterFace> faces, std::span<const NodeMotion
 struct Slave {
   const NodeMotion& motion;
   std::span<const LocalIndex> near, facets;
-  double half_thickness;  ///< > 0 on a sheet, whose facets look to both sides
+  std::span<const char> second;  ///< of near; empty: none
+  double half_thickness;         ///< > 0 on a sheet, whose facets look to both sides
   std::span<const HistoryRecord> remembered;
 };
 
@@ -67,6 +68,16 @@ Row row_of(const Encounter& e, const MasterFace& face, LocalIndex slave) {
   return row;
 }
 
+bool has_twin(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave, std::int32_t body) {
+  return std::ranges::any_of(slave.near, [&](LocalIndex f) {
+    const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
+    if (face.body != body) return false;
+    return std::any_of(face.nodes.begin(), face.nodes.begin() + face.corner_count, [&](LocalIndex node) {
+      return are_twins(slave.motion, scene.motion[static_cast<std::size_t>(node)], settings);
+    });
+  });
+}
+
 /// One slave node's encounters with all faces near it, body by body.
 void meet_faces(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
                 DetectionScratch& scratch) {
@@ -79,8 +90,10 @@ void meet_faces(const FacesInMotion& scene, const DetectionSettings& settings, c
     const std::int32_t body = scene.faces[static_cast<std::size_t>(slave.near[i])].body;
     const std::size_t first = met.size();
     bool two_sided = false;
+    const bool twin = !slave.second.empty() && has_twin(scene, settings, slave, body);
     for (; i < slave.near.size() && scene.faces[static_cast<std::size_t>(slave.near[i])].body == body; ++i) {
       const LocalIndex f = slave.near[i];
+      if (twin && slave.second[i] != 0) continue;
       if (!geometry::overlaps(scene.reach[static_cast<std::size_t>(f)].box, sweep)) continue;
       const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
       met.push_back({.face = f, .approach = {.clearance = face.half_thickness + slave.half_thickness}});
@@ -141,7 +154,7 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
   scratch.sides.clear();
   const FacesInMotion scene{faces, scratch.reach, motion, dt};
   const bool sheets = !candidates.half_thickness.empty();
-  std::size_t record = 0;
+  std::size_t record = 0, place = 0;
   for (std::size_t s = 0; s < candidates.slave.size(); ++s) {
     const LocalIndex node = candidates.slave[s];
     const GlobalIndex slave_gid = gid[static_cast<std::size_t>(node)];
@@ -149,8 +162,13 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
         .motion = motion[static_cast<std::size_t>(node)],
         .near = candidates.faces.row(static_cast<LocalIndex>(s)),
         .facets = candidates.slave_facets.row(static_cast<LocalIndex>(s)),
+        .second =
+            candidates.second.empty()
+                ? std::span<const char>{}
+                : std::span(candidates.second).subspan(place, candidates.faces.row(static_cast<LocalIndex>(s)).size()),
         .half_thickness = sheets ? candidates.half_thickness[s] : 0.0,
         .remembered = sheets ? records_of(slave_gid, remembered, record) : std::span<const HistoryRecord>{}};
+    place += slave.near.size();
     meet_faces(scene, settings, slave, scratch);
     if (sheets) keep_sides(scene, slave_gid, scratch);
     const std::size_t kept = choose(faces, motion, slave.motion, dt, settings.choice, scratch.encounters);

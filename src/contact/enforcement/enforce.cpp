@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "brunt/contact/enforcement/averaged.hpp"
 #include "brunt/contact/enforcement/kinematic.hpp"
 #include "brunt/contact/enforcement/penalty.hpp"
 #include "brunt/contact/enforcement/printed.hpp"
@@ -13,6 +14,7 @@ namespace brunt::contact {
 
 EnforcementResult enforce(const System& system, const EnforcementSettings& settings, double dt, Exchange& exchange,
                           std::span<Vec3> impulses, std::span<Vec3> velocity, EnforcementScratch& scratch) {
+  if (system.two_passes) return enforce_averaged(system, settings, dt, exchange, impulses, velocity, scratch);
   switch (settings.method) {
     case Method::rate:
       return enforce_rate_constraint(system, settings, StepLength::barzilai_borwein, exchange, impulses, velocity,

@@ -78,6 +78,12 @@ void EnforcementScratch::reserve(std::size_t rows, std::size_t nodes) {
   impulse_parts.reserve(nodes * impulse_width);
 }
 
+void EnforcementScratch::reserve_passes(std::size_t rows) {
+  pass_rows.reserve(rows);
+  pass_impulses.reserve(rows);
+  start.reserve(rows);
+}
+
 void demand_finite(double largest) {
   if (!std::isfinite(largest))
     throw GuardError("contact: an impulse is not finite; the velocities that came in are not, or grew without bound");

@@ -50,7 +50,7 @@ TEST_CASE("fields: contact fields come by themselves, zero without contact") {
   REQUIRE(none.size() == 2);
   CHECK(none[0].values == std::vector<double>(26, 0.0));
 
-  support::PreparedScene with(support::two_bodies + asked + "contact: [{between: all}]\n");
+  support::PreparedScene with(support::two_bodies + asked + "contact: [{between: all, passes: one}]\n");
   with.evaluate();
   with.advance();
   const std::vector<io::StateField> fields = app::contact_fields(*with.run, with.report.dt_mean);

@@ -16,7 +16,7 @@ namespace {
 
 struct Written {
   support::PreparedScene scene{support::two_bodies +
-                               "contact: [{between: all}]\noutput: {every: 1, fields: [velocity]}\n"};
+                               "contact: [{between: all, passes: one}]\noutput: {every: 1, fields: [velocity]}\n"};
   app::Log log{false, true};
   app::Results results{*scene.run, scene.folder.path.string(), std::nullopt, log};
 

@@ -60,7 +60,8 @@ contact:
   - {between: all, exclude: [[rod, ball]], friction: {static: 0, kinetic: 0, decay: 0}, method: rate, passes: auto,
      slave: auto, tolerance: 1.0e-4, max_iterations: 20, initial_overlap: warn, thickness: auto}
   - {between: [rod, target], slave: target}
-  - {between: [ball, target], slave: first, passes: one}
+  - {between: [ball, target], slave: first, passes: two}
+  - {between: [rod, ball]}
 probes:
   - {name: tip, node: 17, field: velocity}
   - {name: squeeze, contact: [rod, target]}
@@ -194,7 +195,7 @@ TEST_CASE("sets, motions and loads are read", "[scene]") {
 TEST_CASE("contact, probes and the run are read", "[scene]") {
   using Slave = ContactEntry::Slave;
   const Input input = full();
-  REQUIRE(input.contact.size() == 3);
+  REQUIRE(input.contact.size() == 4);
   CHECK(input.contact[0].between.empty());
   CHECK(input.contact[0].exclude[0] == std::array<std::string, 2>{"rod", "ball"});
   CHECK(input.contact[0].enforcement.tolerance == 1e-4);
@@ -202,6 +203,9 @@ TEST_CASE("contact, probes and the run are read", "[scene]") {
   CHECK(input.contact[0].initial_overlap == ContactEntry::InitialOverlap::warn);
   CHECK(input.contact[1].slave == Slave::second);
   CHECK(input.contact[2].slave == Slave::first);
+  CHECK(input.contact[1].passes == contact::Passes::automatic);
+  CHECK(input.contact[3].passes == contact::Passes::two);  // kept from the entry before
+  CHECK(input.contact[3].slave == Slave::automatic);
   REQUIRE(input.probes.size() == 4);
   CHECK(input.probes[0].where == "17");
   CHECK(input.probes[1].kind == Probe::Kind::contact);

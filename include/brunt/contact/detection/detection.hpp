@@ -23,6 +23,8 @@ struct Candidates {
   Ragged<LocalIndex> slave_facets;       ///< faces of the slave's own surface around it: rows of the facet area vectors
   std::vector<double> half_thickness{};  ///< of the slave where it lies on a two-sided sheet, else 0 [length]; empty:
                                          ///< there is no such sheet
+  std::vector<char> second{};            ///< a flag for each of faces.values: this way is the second of two passes, in
+                                         ///< which twins are left out; empty: there is none such
 };
 
 /// A rigid plane at t_n; bodies are on the side that the normal points to.
@@ -48,6 +50,7 @@ struct DetectionSettings {
   ChoiceSettings choice;
   double recovery = 0.05;                   ///< share of a penetration that a step may recover
   double recovery_limit = 1e-3;             ///< the same limited to this share of the longest edge
+  double twin = 0;                          ///< nodes of two bodies this near each other are twins [length]
   double wall_size = 0;                     ///< [length] stands for the longest edge where the master is a wall
   std::vector<AcceptedOverlap> accepted{};  ///< ordered by (slave, body), each pair once
 };
@@ -73,10 +76,16 @@ double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex sla
 /// of it a step.
 double required_rate(double gap, double size, double dt, const DetectionSettings& settings);
 
+/// Are the nodes so near each other that each lies where the other does? The same seen from either.
+inline bool are_twins(const NodeMotion& one, const NodeMotion& other, const DetectionSettings& settings) {
+  return (one.position - other.position).squaredNorm() < settings.twin * settings.twin;
+}
+
 /// Appends the rows of slave nodes with faces, at most most_rows_of_a_node each: see `encounter` and `choose`.
 /// facet_area: along the area vectors of the slaves' own faces (their unit normals are left in the scratch).
 /// remembered: the history; the sides of two-sided faces are taken from there, and left in the scratch for all pairs
-/// that meet (Meeting::none aside).
+/// that meet (Meeting::none aside). A node with a twin in the other body has no row there in the second of two passes:
+/// the twin's own row holds both.
 void detect_faces(const Candidates& candidates, std::span<const MasterFace> faces, std::span<const GlobalIndex> gid,
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_area, double dt,
                   const DetectionSettings& settings, std::span<const HistoryRecord> remembered,

@@ -15,6 +15,7 @@ struct System {
   std::span<const Row> rows;
   std::span<const NodeMotion> motion;  ///< of all contact nodes of this rank
   std::span<const Mobility> mobility;  ///< the same
+  bool two_passes = false;             ///< rows may belong to one pass only, on some rank: see enforcement/averaged.hpp
 };
 
 /// Arrays of the solvers, sized where lists are rebuilt so that a step allocates nothing.
@@ -26,7 +27,12 @@ struct EnforcementScratch {
   std::vector<double> row_sum_parts;  ///< two slices and the number of rows, a node each
   std::vector<double> impulse_parts;  ///< three components of two slices, a node each
 
+  std::vector<Row> pass_rows;       ///< of two passes, the one being solved
+  std::vector<Vec3> pass_impulses;  ///< of those rows
+  std::vector<Vec3> start;          ///< of all rows, where the passes start from
+
   void reserve(std::size_t rows, std::size_t nodes);
+  void reserve_passes(std::size_t rows);  ///< besides, for two passes
 };
 
 /// Throws GuardError where the largest impulse is not finite.

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "brunt/contact/options.hpp"
 #include "brunt/core/ragged.hpp"
 #include "brunt/core/types.hpp"
 #include "brunt/mesh/local_mesh.hpp"
@@ -75,11 +76,15 @@ class PairTable {
   void set(std::int32_t a, std::int32_t b, PairRule rule);
   [[nodiscard]] PairRule at(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] std::size_t block_count() const { return static_cast<std::size_t>(block_count_); }
+  /// For (a, b) and (b, a); one where never set.
+  void set_passes(std::int32_t a, std::int32_t b, Passes passes);
+  [[nodiscard]] Passes passes(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] bool forces_a_side() const;  ///< some rule names the slave
 
  private:
   std::int32_t block_count_ = 0;
   std::vector<PairRule> rule_;
+  std::vector<Passes> passes_;
 };
 
 /// Is body a the slave where it meets body b? The finer (smaller mean face area) is; where these agree within 1 %, the
@@ -87,14 +92,30 @@ class PairTable {
 /// the least error on the other side.)
 bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t b);
 
+/// Are their meshes equal where they meet, neither side much finer or lighter? See Passes::automatic.
+bool alike(const BodyFigures& one, const BodyFigures& other);
+
+/// Do a node of these blocks and body and a face of this block and body meet in two passes?
+bool meet_in_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies,
+                        std::span<const std::int32_t> node_blocks, std::int32_t node_body, std::int32_t face_block,
+                        std::int32_t face_body);
+
+/// Does any pair of bodies?
+bool any_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies);
+
 /// Which bodies can be slave, or master, of another or of themselves: the rest need not be searched as such.
 struct Roles {
   std::vector<char> slave, master;
 };
 Roles roles_of(std::span<const BodyFigures> bodies, const PairTable& pairs);
 
-/// May a node of these blocks and body be held off by a face of this block and body? Within one body every node may be
-/// a slave: which of two folds would be the finer side is not known before they meet.
+/// Is a node of these blocks and body the slave of a face of this block and body, were there one pass? Within one body
+/// every node is: which of two folds would be the finer side is not known before they meet.
+bool leads(const PairTable& pairs, std::span<const BodyFigures> bodies, std::span<const std::int32_t> node_blocks,
+           std::int32_t node_body, std::int32_t face_block, std::int32_t face_body);
+
+/// May a node of these blocks and body be held off by a face of this block and body? Those that lead, and in two passes
+/// the other side's too.
 bool may_meet(const PairTable& pairs, std::span<const BodyFigures> bodies, std::span<const std::int32_t> node_blocks,
               std::int32_t node_body, std::int32_t face_block, std::int32_t face_body);
 

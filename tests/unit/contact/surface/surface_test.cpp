@@ -2,6 +2,7 @@
 // Who is slave, and who meets whom.
 #include "brunt/contact/surface/surface.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <limits>
 
@@ -50,4 +51,46 @@ TEST_CASE("bodies that are never master, or never slave, are known") {
   std::vector<BodyFigures> folding = bodies;
   folding[1].blocks = {2};  // may meet itself, so it is a master too
   CHECK(roles_of(folding, PairTable(3, PairRule::automatic)).master == std::vector<char>{1, 1, 1});
+}
+
+TEST_CASE("two passes: by order, or where neither side is much finer or lighter and none is named the slave") {
+  constexpr double held = std::numeric_limits<double>::infinity();
+  const std::vector<BodyFigures> bodies{
+      {1.0, 5.0, {0}}, {0.46, 5.0, {1}}, {0.44, 5.0, {2}}, {1.0, 1.4, {3}}, {1.0, held, {4}}};  // 0.44: edges 1 : 1.507
+  PairTable pairs(5, PairRule::automatic);
+  CHECK_FALSE(any_two_passes(pairs, bodies));
+  for (std::int32_t a = 0; a < 5; ++a)
+    for (std::int32_t b = a; b < 5; ++b) pairs.set_passes(a, b, Passes::automatic);
+  const auto ways = [&](std::int32_t a, std::int32_t b) {  // a node on b's face, b's on a's, as edges do
+    const std::vector<std::int32_t> own{a}, other{b};
+    return std::array{may_meet(pairs, bodies, own, a, b, b), may_meet(pairs, bodies, other, b, a, a),
+                      leads(pairs, bodies, own, a, b, b), leads(pairs, bodies, other, b, a, a)};
+  };
+  using Ways = std::array<bool, 4>;
+  CHECK(any_two_passes(pairs, bodies));
+  CHECK(ways(0, 1) == Ways{true, true, false, true});
+  CHECK(ways(0, 2) == Ways{false, true, false, true});                              // too fine for its partner
+  CHECK(ways(0, 3) == Ways{false, true, false, true});                              // too light
+  CHECK(ways(0, 4) == Ways{true, false, true, false});                              // what cannot move is master
+  CHECK(meet_in_two_passes(pairs, bodies, std::vector<std::int32_t>{0}, 0, 0, 0));  // folds
+
+  pairs.set_passes(2, 0, Passes::two);
+  CHECK(ways(0, 2) == Ways{true, true, false, true});
+  pairs.set_passes(0, 1, Passes::one);
+  CHECK(ways(0, 1) == Ways{false, true, false, true});
+  pairs.set(0, 2, PairRule::apart);
+  CHECK(ways(0, 2) == Ways{false, false, false, false});
+  pairs.set(1, 2, PairRule::slave);
+  CHECK(ways(1, 2) == Ways{true, false, true, false});
+}
+
+TEST_CASE("bodies in two passes are slaves and masters") {
+  const std::vector<BodyFigures> bodies{{1.0, 5.0, {0}}, {0.9, 5.0, {1}}};
+  PairTable pairs(2, PairRule::automatic);
+  pairs.set(0, 0, PairRule::apart);
+  pairs.set(1, 1, PairRule::apart);
+  CHECK(roles_of(bodies, pairs).slave == std::vector<char>{0, 1});
+  pairs.set_passes(0, 1, Passes::automatic);
+  CHECK(roles_of(bodies, pairs).slave == std::vector<char>{1, 1});
+  CHECK(roles_of(bodies, pairs).master == std::vector<char>{1, 1});
 }

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// What sinks in between the nodes that one pass holds, and what two passes leave of it.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "brunt/geometry/closest_point.hpp"
+#include "brunt/mesh/assemble.hpp"
+#include "brunt/mesh/primitives.hpp"
+#include "brunt/mesh/topology.hpp"
+#include "support/simulation.hpp"
+
+using namespace brunt;
+using test::Simulation;
+
+namespace {
+
+/// A face of either side of the interface, by the mesh's nodes.
+struct Side {
+  std::vector<std::array<GlobalIndex, 4>> faces;
+  std::vector<GlobalIndex> nodes;
+};
+
+/// The faces of block b that lie in the plane z = height at the start.
+Side side_of(const mesh::Mesh& mesh, std::size_t b, double height) {
+  Side side;
+  std::set<GlobalIndex> nodes;
+  const mesh::Block& block = mesh.blocks[b];
+  for (LocalIndex e = 0; e < block.count(); ++e)
+    for (int f = 0; f < 6; ++f) {
+      const auto corners = mesh::face_nodes(block.shape, block.element(e), f);
+      if (!std::ranges::all_of(corners, [&](LocalIndex n) {
+            return std::abs(mesh.coordinates[static_cast<std::size_t>(n)].z() - height) < 1e-9;
+          }))
+        continue;
+      side.faces.push_back({corners[0], corners[1], corners[2], corners[3]});
+      nodes.insert(corners.begin(), corners.end());
+    }
+  side.nodes.assign(nodes.begin(), nodes.end());
+  return side;
+}
+
+/// Deepest node of `nodes` behind a face that it projects on, up to half an edge [length].
+double deepest(const Simulation& scene, const Side& nodes, const Side& faces) {
+  double depth = 0;
+  for (const GlobalIndex n : nodes.nodes) {
+    const Vec3 x = scene.position(scene.node(n));
+    for (const auto& face : faces.faces) {
+      std::array<Vec3, 4> corners;
+      for (std::size_t i = 0; i < 4; ++i) corners[i] = scene.position(scene.node(face[i]));
+      const auto closest = geometry::closest_point(x, corners);
+      if (!closest || closest->region != geometry::Region::face) continue;
+      const double behind = (closest->point - x).dot(geometry::face_normal(corners, closest->xi, closest->eta));
+      if (behind < 0.7 * geometry::longest_edge(corners)) depth = std::max(depth, behind);
+    }
+  }
+  return depth;
+}
+
+struct Sunk {
+  double depth = 0;  ///< deepest node of either side at any time, in edges of the finer mesh
+  double rows = 0;   ///< what the run reports as largest penetration, likewise
+  double taken = 0;  ///< by contact at the end, of the energy that there was
+  double least = 0;  ///< the same, least at any time
+  double error = 0;  ///< of the ledger
+};
+
+/// A cube of rubber 1 cm wide, of upper^3 elements, flies onto another one, aside by 1 and 2 mm.
+Sunk cubes(int lower, int upper, double speed, const std::string& rule, const std::string& element) {
+  constexpr double aside = 0.001, density = 1000;
+  mesh::Mesh mesh = mesh::box("lower", {0.01, 0.01, 0.01}, {lower, lower, lower});
+  mesh::Mesh top = mesh::box("upper", {0.01, 0.01, 0.01}, {upper, upper, upper});
+  mesh::place(top, 1, {0, 0, 1}, 0, {aside, 2 * aside, 0.01 + 1e-6});
+  mesh::append(mesh, std::move(top));
+  const Side below = side_of(mesh, 0, 0.01), above = side_of(mesh, 1, 0.01 + 1e-6);
+  Simulation scene(std::move(mesh),
+                   "materials: {m: {model: neo_hookean, density: " + std::to_string(density) +
+                       ", young: 6.0e6, poisson: 0.45}}\nparts: {lower: {material: m, element: " + element +
+                       "}, upper: {material: m, element: " + element + "}}\ninitial: [{part: upper, velocity: [0, 0, " +
+                       std::to_string(-speed) + "]}]\ncontact: [{between: [lower, upper]" + rule + "}]\n");
+  Sunk sunk;
+  const double start = 0.5 * density * 1e-6 * speed * speed;
+  while (scene.state.time < 1e-3) {  // the cubes part after 0.6 ms
+    scene.step();
+    const time::Ledger now = scene.ledger();
+    sunk.depth = std::max({sunk.depth, deepest(scene, below, above), deepest(scene, above, below)});
+    sunk.taken = now.contact / start;
+    sunk.least = std::min(sunk.least, sunk.taken);
+    sunk.error = std::max(sunk.error, std::abs(now.total() - start) / start);
+  }
+  const double edge = 0.01 / std::max(lower, upper);
+  sunk.depth /= edge;
+  sunk.rows = scene.contact->collect().penetration / edge;
+  return sunk;
+}
+
+}  // namespace
+
+// Seen, of an edge of the finer mesh (one pass against two), at 3 and at 10 m/s:
+//   hex8_full   3^3 on 4^3   2.5 % 0.52 %    8.6 % 1.7 %       3^3 on 3^3    4.0 % 0.36 %   15.0 % 1.2 %
+//   hex8        3^3 on 4^3   7.0 % 0.53 %   26.6 % 4.4 %       3^3 on 3^3   10.4 % 0.42 %   37.5 % 1.3 %
+// What two passes leave is what the surfaces approach within about a step, since each step halves the approach, and
+// a node at a corner of soft one-point elements swings: the gates hold this with a margin of about a half.
+TEST_CASE("rubber cubes aside of each other: corners of neither sink into the other") {
+  struct Gate {
+    const char* element;
+    int upper;
+    double speed, most;
+  };
+  for (const Gate& gate : {Gate{"hex8_full", 4, 3, 0.01}, Gate{"hex8_full", 4, 10, 0.03}, Gate{"hex8_full", 3, 3, 0.01},
+                           Gate{"hex8_full", 3, 10, 0.03}, Gate{"hex8", 4, 3, 0.01}, Gate{"hex8", 4, 10, 0.07},
+                           Gate{"hex8", 3, 3, 0.01}, Gate{"hex8", 3, 10, 0.03}}) {
+    const Sunk one = cubes(3, gate.upper, gate.speed, ", passes: one", gate.element),
+               two = cubes(3, gate.upper, gate.speed, ", passes: two", gate.element);
+    CAPTURE(gate.element, gate.upper, gate.speed, one.depth, two.depth);
+    CHECK(two.depth <= gate.most);
+    CHECK(two.depth <= 0.3 * one.depth);
+    CHECK(two.rows >= 0.3 * two.depth);  // and the run says so, but for a corner that swings out of reach
+    CHECK(two.least >= 0);               // contact took energy, at no time gave any on the whole
+    CHECK(two.error < 1e-12);
+  }
+}
