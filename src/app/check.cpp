@@ -92,6 +92,27 @@ void print_gaps(const Prepared& run, const scene::UnitSystem& units) {
     fmt::print("smallest gap     no two parts are nearer than an element's edge\n");
 }
 
+std::string friction_text(const contact::FrictionLaw& law) {
+  if (!law.any()) return "no friction";
+  if (law.kinetic == law.fixed) return fmt::format("friction {:g}", law.fixed);
+  return fmt::format("friction {:g} to {:g}", law.fixed, law.kinetic);
+}
+
+/// What may touch what, and how it is held apart.
+void print_contact(const Prepared& run) {
+  for (const scene::ContactEntry& entry : run.input.contact) {
+    const std::string parts = entry.between.empty() ? "all" : entry.between[0] + " and " + entry.between[1];
+    fmt::print("contact          {}: {}\n", parts, entry.tied ? "tied" : friction_text(entry.friction));
+  }
+  for (const scene::RigidWall& wall : run.input.rigid_walls)
+    fmt::print("rigid wall       {}: {}{}\n", wall.name, friction_text(wall.friction),
+               wall.bilateral ? ", holds both ways" : "");
+  if (!run.input.contact.empty()) {
+    const contact::EnforcementSettings& settings = run.input.contact.back().enforcement;
+    fmt::print("enforcement      {}, tolerance {:g}\n", name_of(settings.method), settings.tolerance);
+  }
+}
+
 void print_cost(const Prepared& run, const time::StepReport& step, const StepCost& cost,
                 const scene::UnitSystem& units) {
   const scene::Run& limits = run.input.run;
@@ -127,6 +148,7 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   for (const std::string& warning : run->warnings) fmt::print("warning: {}\n", warning);
   for (const std::string& note : run->overlaps.report.notes) fmt::print("{}\n", note);
   print_parts(*run, figures, units);
+  print_contact(*run);
   print_gaps(*run, units);
   print_cost(*run, step, cost, units);
   return 0;

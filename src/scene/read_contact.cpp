@@ -67,14 +67,7 @@ void read_rebuild(const Key& key, ContactEntry& contact) {
 /// How rows are enforced, and the figures of that method.
 void read_enforcement(Section& entry, contact::EnforcementSettings& enforcement) {
   using contact::Method;
-  static const Choices<Method> methods{{{"rate", Method::rate},
-                                        {"row_sum", Method::row_sum},
-                                        {"printed", Method::printed},
-                                        {"kinematic", Method::kinematic},
-                                        {"gap_penalty", Method::gap_penalty},
-                                        {"penalty", Method::penalty},
-                                        {"reference", Method::reference}},
-                                       {}};
+  static const Choices<Method> methods{{contact::method_names.begin(), contact::method_names.end()}, {}};
   entry.optional("method", enforcement.method, methods);
   entry.optional("tolerance", enforcement.tolerance, Range{0, 1, false, false, "a number > 0 and < 1"});
   entry.optional("max_iterations", enforcement.max_iterations, Count{1});

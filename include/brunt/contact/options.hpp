@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a user may choose of contact.
 #pragma once
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
+#include <utility>
 
 namespace brunt::contact {
 
@@ -23,6 +26,20 @@ enum class Passes : std::int8_t {
   one,
   two
 };
+
+/// As scenes name them.
+constexpr std::array<std::pair<std::string_view, Method>, 7> method_names{{{"rate", Method::rate},
+                                                                           {"row_sum", Method::row_sum},
+                                                                           {"printed", Method::printed},
+                                                                           {"kinematic", Method::kinematic},
+                                                                           {"gap_penalty", Method::gap_penalty},
+                                                                           {"penalty", Method::penalty},
+                                                                           {"reference", Method::reference}}};
+constexpr std::string_view name_of(Method method) {
+  for (const auto& [name, named] : method_names)
+    if (named == method) return name;
+  return {};
+}
 
 struct EnforcementSettings {
   Method method = Method::rate;
