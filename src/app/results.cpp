@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "brunt/core/error.hpp"
@@ -46,6 +48,19 @@ std::string controlling_element(const Prepared& run, const time::StepReport& ste
   return fmt::format("{}", gid + 1);
 }
 
+/// Half of the diagonal of the model at the start [length]. Collective.
+double half_diagonal(const Prepared& run) {
+  std::array<double, 6> far;
+  far.fill(-std::numeric_limits<double>::infinity());
+  for (const Quad& place : run.model.reference)
+    for (std::size_t c = 0; c < 3; ++c) {
+      far[c] = std::max(far[c], place[static_cast<int>(c)]);
+      far[3 + c] = std::max(far[3 + c], -place[static_cast<int>(c)]);
+    }
+  run.links.ranks.max(far);
+  return 0.5 * std::hypot(far[0] + far[3], far[1] + far[4], far[2] + far[5]);
+}
+
 }  // namespace
 
 Results::Results(Prepared& run, std::string folder, std::optional<GlobalIndex> restart_step, Log& log)
@@ -56,6 +71,7 @@ Results::Results(Prepared& run, std::string folder, std::optional<GlobalIndex> r
     history_ = std::make_unique<io::HistoryFile>(folder_ + "/history.csv", columns, restart_step);
   states_ = std::make_unique<io::StateFile>(run.links.ranks, folder_,
                                             io::state_mesh(run.model.mesh, run.links.ranks.rank()), restart_step);
+  extent_ = half_diagonal(run);
 }
 
 void Results::read_fields() {
@@ -201,6 +217,8 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
                        {"friction", e.friction}, {"walls", e.walls},       {"external", e.external},
                        {"eroded", e.eroded},     {"total", e.total()},     {"error_ratio", extremes_.error_ratio}};
   summary["momentum_error"] = extremes_.momentum_error;
+  const double arm = extremes_.momentum_scale * extent_;
+  summary["angular_momentum_error"] = arm > 0 ? e.contact_totals.spin.norm() / arm : 0.0;
   summary["max_penetration"] = e.contact_totals.penetration;
   const contact::ContactStatistics contact = run_.contact ? run_.contact->statistics() : contact::ContactStatistics{};
   const auto solved = static_cast<double>(std::max<GlobalIndex>(contact.solved_steps, 1));

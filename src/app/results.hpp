@@ -72,6 +72,7 @@ class Results {
   double fields_step_ = 0, fields_time_ = 0;
   time::Ledger last_ledger_;
   Extremes extremes_;
+  double extent_ = 0;  ///< half of the diagonal of the model at the start [length]
   bool watched_ = false;
   Snapshot last_good_;
   double checkpoint_step_ = -1;  // of the last checkpoint written in this run

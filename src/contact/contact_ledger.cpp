@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What contact books: work and impulses of its last step, and their sums over the run.
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "brunt/contact/contact.hpp"
@@ -33,14 +34,18 @@ void Contact::book() {
     const Vec3& impulse = impulses_[q];
     if (impulse.isZero(0)) continue;
     const Row& row = rows_[q];
-    Vec3 relative = relative_velocity(row, velocity_);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
-      relative += row.weights[i] * motion_of_[static_cast<std::size_t>(row.nodes[i])].old_velocity;
+    Vec3 relative = relative_velocity(row, velocity_), arm = Vec3::Zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
+      const NodeMotion& node = motion_of_[static_cast<std::size_t>(row.nodes[i])];
+      relative += row.weights[i] * node.old_velocity;
+      arm += row.weights[i] * node.position;
+    }
     book_work(row, impulse, relative, sums_.work);
     if (row.is_wall()) {
       add_vector(sums_.wall_impulse[static_cast<std::size_t>(-1 - row.master_key)], impulse);
       continue;
     }
+    add_vector(sums_.spin, arm.cross(impulse));
     for (std::size_t t = 0; t < settings_.tracked.size(); ++t) {
       const auto [first, second] = settings_.tracked[t];
       const auto slave_in = [&](std::int32_t block) { return is_slave_in(row, block); };
@@ -70,6 +75,7 @@ void Contact::add_impulses(std::span<Vec3> impulse) const {
 
 ContactTotals Contact::collect() const {
   std::vector<comm::ExactAccumulator> sums{sums_.work.contact, sums_.work.friction, sums_.work.walls};
+  sums.insert(sums.end(), sums_.spin.begin(), sums_.spin.end());
   for (const auto* vectors : {&sums_.wall_impulse, &sums_.tracked_impulse})
     for (const auto& vector : *vectors) sums.insert(sums.end(), vector.begin(), vector.end());
   std::vector<double> totals(sums.size());
@@ -79,7 +85,8 @@ ContactTotals Contact::collect() const {
   result.contact_work = totals[0];
   result.friction_work = totals[1];
   result.wall_work = totals[2];
-  std::size_t next = 3;
+  result.spin = Vec3(&totals[3]);
+  std::size_t next = 6;
   for (auto [count, vectors] : {std::pair{sums_.wall_impulse.size(), &result.wall_impulse},
                                 std::pair{sums_.tracked_impulse.size(), &result.tracked_impulse}})
     for (std::size_t i = 0; i < count; ++i, next += 3) vectors->push_back(Vec3(&totals[next]));

@@ -76,13 +76,17 @@ struct ContactSums {
   WorkSums work;
   std::vector<std::array<comm::ExactAccumulator, 3>> wall_impulse;     ///< by each wall on the bodies [momentum]
   std::vector<std::array<comm::ExactAccumulator, 3>> tracked_impulse;  ///< on the first block of each tracked pair
-  double penetration = 0;                                              ///< largest so far [length]
+  /// Angular momentum that contact between bodies has given: zero where nodes and face points that push on each other
+  /// coincide, or where the push is along the line between them.
+  std::array<comm::ExactAccumulator, 3> spin;
+  double penetration = 0;  ///< largest so far [length]
 };
 
 /// The same after reduction over all ranks.
 struct ContactTotals {
   double contact_work = 0, friction_work = 0, wall_work = 0;
   std::vector<Vec3> wall_impulse, tracked_impulse;
+  Vec3 spin = Vec3::Zero();           ///< given by contact between bodies [angular momentum]
   GlobalIndex pairs = 0, active = 0;  ///< candidate pairs now; rows with an impulse in the last step
   double penetration = 0;             ///< largest of the run [length]
 };
