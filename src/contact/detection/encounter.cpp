@@ -67,7 +67,7 @@ void join_hit(const FacesInMotion& scene, const EncounterSettings& settings, con
 /// May a node that projects beside encounters[i] count as on the face? Every neighbour has its say, in whatever order.
 bool holds_at_rim(std::span<const MasterFace> faces, const EncounterSettings& settings, double degrees,
                   std::span<const Encounter> encounters, std::size_t i) {
-  constexpr double level = 1e-6;
+  constexpr double level = 1e-4;  // of the size: dented by less, two faces are one to a node that crosses their edge
   const Encounter& e = encounters[i];
   const auto [first, second] = feature_nodes(faces[static_cast<std::size_t>(e.face)], e.region);
   bool has_neighbour = false, behind_all = true;

@@ -44,5 +44,5 @@ TEST_CASE("no allocation in a step of contact") {
     solved += contact.statistics().solved_steps > solved_before ? 1 : 0;
   }
   CHECK(quiet_steps >= 10);
-  CHECK(solved >= 3);
+  CHECK(solved >= 3);  // 4 when this was written: enough to have seen steps with impulses
 }
