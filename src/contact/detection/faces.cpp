@@ -78,14 +78,13 @@ bool has_twin(const FacesInMotion& scene, const DetectionSettings& settings, con
   });
 }
 
-/// One slave node's encounters with all faces near it, body by body.
-void meet_faces(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
+/// The faces near a slave, body by body, as encounters of which face and approach are set.
+void list_faces(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
                 DetectionScratch& scratch) {
   Box sweep;
   extend_by_sweep(sweep, slave.motion, scene.dt);
   sweep = geometry::grown(sweep, slave.half_thickness);
   std::vector<Encounter>& met = scratch.encounters;
-  met.clear();
   for (std::size_t i = 0; i < slave.near.size();) {
     const std::int32_t body = scene.faces[static_cast<std::size_t>(slave.near[i])].body;
     const std::size_t first = met.size();
@@ -99,16 +98,25 @@ void meet_faces(const FacesInMotion& scene, const DetectionSettings& settings, c
       met.push_back({.face = f, .approach = {.clearance = face.half_thickness + slave.half_thickness}});
       two_sided = two_sided || face.two_sided;
     }
-    const std::span<Encounter> here = std::span(met).subspan(first);
-    if (two_sided) find_sides(scene, settings.encounter, slave.motion, slave.remembered, here);
-    for (Encounter& e : here) {
-      e = encounter(scene, settings.encounter, slave.motion, e.face, e.approach);
-      e.opposition = opposition(slave, e.normal, scratch.facet_normal);
-    }
+    if (two_sided) find_sides(scene, settings.encounter, slave.motion, slave.remembered, std::span(met).subspan(first));
+  }
+  scratch.slave_of.resize(met.size(), &slave.motion);
+}
+
+/// One slave node's encounters with all faces near it, body by body; returns those where something is met.
+std::span<Encounter> meet_faces(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
+                                std::span<const Vec3> facet_normal, std::span<Encounter> met) {
+  const auto body_of = [&](const Encounter& e) { return scene.faces[static_cast<std::size_t>(e.face)].body; };
+  for (Encounter& e : met) e.opposition = opposition(slave, e.normal, facet_normal);
+  for (std::size_t first = 0, last = 0; first < met.size(); first = last) {
+    while (last < met.size() && body_of(met[last]) == body_of(met[first])) ++last;
+    const std::span<Encounter> here = met.subspan(first, last - first);
     settle_rims(scene.faces, settings.encounter, settings.choice.same_direction, here);
     judge_paths(scene, settings.encounter, slave.motion, here);
   }
-  std::erase_if(met, [](const Encounter& e) { return e.meeting == Meeting::none; });
+  const auto end =
+      std::remove_if(met.begin(), met.end(), [](const Encounter& e) { return e.meeting == Meeting::none; });
+  return met.first(static_cast<std::size_t>(end - met.begin()));
 }
 
 /// The records of a slave; `from` moves on with the slaves, which ascend.
@@ -120,12 +128,31 @@ std::span<const HistoryRecord> records_of(GlobalIndex slave, std::span<const His
   return remembered.subspan(from, end - from);
 }
 
-void keep_sides(const FacesInMotion& scene, GlobalIndex slave, DetectionScratch& scratch) {
+void keep_sides(const FacesInMotion& scene, GlobalIndex slave, std::span<const Encounter> met,
+                DetectionScratch& scratch) {
   const std::size_t first = scratch.sides.size();
-  for (const Encounter& e : scratch.encounters)
+  for (const Encounter& e : met)
     if (const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)]; face.two_sided)
       scratch.sides.push_back({.key = {.slave_gid = slave, .master_key = face.key}, .side = e.approach.side});
   std::ranges::sort(std::span(scratch.sides).subspan(first), {}, &HistoryRecord::key);
+}
+
+/// The rows of one slave, from what it meets.
+void add_rows(const FacesInMotion& scene, const Candidates& candidates, std::size_t s, std::span<const GlobalIndex> gid,
+              const DetectionSettings& settings, std::span<Encounter> met, std::vector<Row>& rows) {
+  const LocalIndex node = candidates.slave[s];
+  const GlobalIndex slave_gid = gid[static_cast<std::size_t>(node)];
+  const NodeMotion& motion = scene.motion[static_cast<std::size_t>(node)];
+  const std::size_t kept = choose(scene.faces, scene.motion, motion, scene.dt, settings.choice, met);
+  for (const Encounter& e : met.first(kept)) {
+    const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)];
+    Row row = row_of(e, face, node);
+    row.gap += accepted_depth(settings.accepted, slave_gid, face.body);
+    row.required = required_rate(row.gap, e.size, scene.dt, settings);
+    row.slave_gid = slave_gid;
+    row.slave_body = candidates.body[s];
+    rows.push_back(row);
+  }
 }
 
 }  // namespace
@@ -154,32 +181,37 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
   scratch.sides.clear();
   const FacesInMotion scene{faces, scratch.reach, motion, dt};
   const bool sheets = !candidates.half_thickness.empty();
-  std::size_t record = 0, place = 0;
-  for (std::size_t s = 0; s < candidates.slave.size(); ++s) {
-    const LocalIndex node = candidates.slave[s];
-    const GlobalIndex slave_gid = gid[static_cast<std::size_t>(node)];
-    const Slave slave{
-        .motion = motion[static_cast<std::size_t>(node)],
-        .near = candidates.faces.row(static_cast<LocalIndex>(s)),
-        .facets = candidates.slave_facets.row(static_cast<LocalIndex>(s)),
-        .second =
-            candidates.second.empty()
-                ? std::span<const char>{}
-                : std::span(candidates.second).subspan(place, candidates.faces.row(static_cast<LocalIndex>(s)).size()),
-        .half_thickness = sheets ? candidates.half_thickness[s] : 0.0,
-        .remembered = sheets ? records_of(slave_gid, remembered, record) : std::span<const HistoryRecord>{}};
-    place += slave.near.size();
-    meet_faces(scene, settings, slave, scratch);
-    if (sheets) keep_sides(scene, slave_gid, scratch);
-    const std::size_t kept = choose(faces, motion, slave.motion, dt, settings.choice, scratch.encounters);
-    for (const Encounter& e : std::span(scratch.encounters).first(kept)) {
-      const MasterFace& face = faces[static_cast<std::size_t>(e.face)];
-      Row row = row_of(e, face, node);
-      row.gap += accepted_depth(settings.accepted, slave_gid, face.body);
-      row.required = required_rate(row.gap, e.size, dt, settings);
-      row.slave_gid = slave_gid;
-      row.slave_body = candidates.body[s];
-      rows.push_back(row);
+  std::size_t record = 0;
+  const std::span<const char> second = candidates.second;
+  const auto slave_at = [&](std::size_t s) {
+    const auto near = candidates.faces.row(static_cast<LocalIndex>(s));
+    const auto place = static_cast<std::size_t>(near.data() - candidates.faces.values.data());
+    return Slave{.motion = motion[static_cast<std::size_t>(candidates.slave[s])],
+                 .near = near,
+                 .facets = candidates.slave_facets.row(static_cast<LocalIndex>(s)),
+                 .second = second.empty() ? second : second.subspan(place, near.size()),
+                 .half_thickness = sheets ? candidates.half_thickness[s] : 0.0,
+                 .remembered = {}};
+  };
+  std::array<std::size_t, slaves_at_once> last_of{};
+  for (std::size_t first = 0; first < candidates.slave.size(); first += slaves_at_once) {
+    const std::size_t end = std::min(first + slaves_at_once, candidates.slave.size());
+    scratch.encounters.clear();
+    scratch.slave_of.clear();
+    for (std::size_t s = first; s < end; ++s) {
+      Slave slave = slave_at(s);
+      if (sheets) slave.remembered = records_of(gid[static_cast<std::size_t>(candidates.slave[s])], remembered, record);
+      list_faces(scene, settings, slave, scratch);
+      last_of[s - first] = scratch.encounters.size();
+    }
+    encounter_all(scene, settings.encounter, scratch.slave_of, scratch.encounters);
+    for (std::size_t s = first, begin = 0; s < end; begin = last_of[s++ - first]) {
+      if (begin == last_of[s - first]) continue;
+      const std::span<Encounter> met =
+          meet_faces(scene, settings, slave_at(s), scratch.facet_normal,
+                     std::span(scratch.encounters).subspan(begin, last_of[s - first] - begin));
+      if (sheets) keep_sides(scene, gid[static_cast<std::size_t>(candidates.slave[s])], met, scratch);
+      add_rows(scene, candidates, s, gid, settings, met, rows);
     }
   }
 }

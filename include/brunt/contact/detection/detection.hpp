@@ -55,17 +55,22 @@ struct DetectionSettings {
   std::vector<AcceptedOverlap> accepted{};  ///< ordered by (slave, body), each pair once
 };
 
+/// Slaves whose faces are looked at together, in batches of eight: so many that hardly a lane is left empty.
+constexpr std::size_t slaves_at_once = 32;
+
 /// Arrays of detection, sized where lists are rebuilt so that a step allocates nothing.
 struct DetectionScratch {
   std::vector<FaceReach> reach;
-  std::vector<Vec3> facet_normal;  ///< unit; zero for a facet without area
-  std::vector<Encounter> encounters;
-  std::vector<HistoryRecord> sides;  ///< of the nodes that meet two-sided faces, in the order of their keys
+  std::vector<Vec3> facet_normal;           ///< unit; zero for a facet without area
+  std::vector<Encounter> encounters;        ///< of the slaves that are looked at together
+  std::vector<const NodeMotion*> slave_of;  ///< of each of these
+  std::vector<HistoryRecord> sides;         ///< of the nodes that meet two-sided faces, in the order of their keys
 
   void reserve(std::size_t faces, std::size_t facets, std::size_t most_faces_of_a_slave) {
     reach.reserve(faces);
     facet_normal.reserve(facets);
-    encounters.reserve(most_faces_of_a_slave);
+    encounters.reserve(slaves_at_once * most_faces_of_a_slave);
+    slave_of.reserve(slaves_at_once * most_faces_of_a_slave);
   }
 };
 

@@ -99,6 +99,11 @@ struct FacesInMotion {
 Encounter encounter(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
                     LocalIndex face, const Approach& approach = {});
 
+/// The same for many pairs, eight at a time, of slave[k] with met[k], whose face and approach are set. What comes of a
+/// pair does not depend on the others.
+void encounter_all(const FacesInMotion& scene, const EncounterSettings& settings,
+                   std::span<const NodeMotion* const> slave, std::span<Encounter> met);
+
 /// Does the node's path pass through the face, seen from its side, within the step? Then it is Meeting::hit.
 void find_hit(const FacesInMotion& scene, const NodeMotion& slave, Encounter& met);
 

@@ -124,3 +124,49 @@ TEST_CASE("a node on its way out meets nothing, and one that passes beside meets
   CHECK(scene.rows({1.1, 0.5, 1.3}, {0, 0, -200}).empty());
   CHECK(scene.rows({1.5, 0.5, 1.01}, {-900, 0, 0}).empty());  // over the top, parallel to it, and above: out of reach
 }
+
+TEST_CASE("many pairs at a time: each as alone, triangles and faces without area among them") {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(-0.4, 1.4), speed(-60, 60);
+  FewFaces scene = support::cube();
+  scene.faces.push_back({.key = 6, .nodes = {4, 5, 6, 0}, .corner_count = 3});
+  scene.faces.push_back({.key = 7, .nodes = {0, 1, 1, 0}});
+  for (contact::NodeMotion& node : scene.motion) {
+    node.position += 0.1 * Vec3(place(random), place(random), place(random));
+    node.predicted = Vec3(speed(random), speed(random), speed(random));
+  }
+  const std::vector<contact::FaceReach> reach(scene.faces.size(), {.box = {}, .size = 1.1});
+  const contact::FacesInMotion faces{scene.faces, reach, scene.motion, scene.dt};
+  std::vector<contact::NodeMotion> slaves;
+  for (int k = 0; k < 300; ++k)
+    slaves.push_back({Vec3(place(random), place(random), place(random)), Vec3::Zero(), Vec3(0, 0, speed(random))});
+  std::vector<const contact::NodeMotion*> slave_of;
+  std::vector<Encounter> met;
+  for (const contact::NodeMotion& slave : slaves)
+    for (LocalIndex f = 0; f < static_cast<LocalIndex>(scene.faces.size()); ++f) {
+      slave_of.push_back(&slave);
+      met.push_back({.face = f, .approach = {.side = f % 3 == 0 ? -1.0 : 1.0, .clearance = 0.01 * f}});
+    }
+  encounter_all(faces, scene.settings.encounter, slave_of, met);
+  std::array<int, 4> seen{};
+  for (std::size_t k = 0; k < met.size(); ++k) {
+    const Encounter& e = met[k];
+    const Encounter alone = encounter(faces, scene.settings.encounter, *slave_of[k], e.face, e.approach);
+    ++seen[static_cast<std::size_t>(e.meeting)];
+    REQUIRE(e.meeting == alone.meeting);
+    REQUIRE(e.region == alone.region);
+    REQUIRE(e.slow == alone.slow);
+    REQUIRE(e.size == alone.size);
+    REQUIRE(std::isnan(e.height) == std::isnan(alone.height));
+    if (std::isnan(e.height)) continue;
+    REQUIRE(std::abs(e.height - alone.height) < 1e-13);
+    REQUIRE(e.gap == e.height);
+    REQUIRE(std::abs(e.beside - alone.beside) < 1e-13);
+    REQUIRE((e.normal - alone.normal).norm() < 1e-13);
+    REQUIRE((e.point - alone.point).norm() < 1e-13);
+    for (std::size_t i = 0; i < 4; ++i) REQUIRE(std::abs(e.weights[i] - alone.weights[i]) < 1e-12);
+  }
+  CHECK(seen[static_cast<std::size_t>(Meeting::inside)] > 50);
+  CHECK(seen[static_cast<std::size_t>(Meeting::above)] > 50);
+  CHECK(seen[static_cast<std::size_t>(Meeting::none)] > 50);
+}

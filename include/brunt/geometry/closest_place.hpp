@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// closest_point of eight points on a quadrilateral each. What the common ways do not settle - Newton's method after a
+// few steps, an edge where it ends outside - is left to closest_point itself; which lanes those are, and what the
+// others give, is a function of the lane alone.
+#pragma once
+#include "brunt/core/simd.hpp"
+
+namespace brunt::geometry {
+
+/// Eight vectors.
+struct PackVec {
+  Pack x, y, z;
+};
+
+BRUNT_INLINE PackVec operator+(const PackVec& a, const PackVec& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+BRUNT_INLINE PackVec operator-(const PackVec& a, const PackVec& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+BRUNT_INLINE PackVec operator*(Pack s, const PackVec& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+BRUNT_INLINE Pack dot(const PackVec& a, const PackVec& b) {
+  return a.x * b.x + (a.y * b.y + a.z * b.z);
+}
+BRUNT_INLINE PackVec cross(const PackVec& a, const PackVec& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Eight quadrilaterals, counter-clockwise seen from outside.
+struct PackQuad {
+  PackVec corner[4];
+};
+
+/// Of the corners at (xi, eta), sum 1.
+struct PackWeights {
+  Pack of[4];
+};
+
+BRUNT_INLINE PackWeights quad_weights(Pack xi, Pack eta) {
+  return {{0.25 * (1 - xi) * (1 - eta), 0.25 * (1 + xi) * (1 - eta), 0.25 * (1 + xi) * (1 + eta),
+           0.25 * (1 - xi) * (1 + eta)}};
+}
+
+BRUNT_INLINE PackVec combine(const PackQuad& quad, const PackWeights& weights) {
+  PackVec sum = weights.of[0] * quad.corner[0];
+  for (int i = 1; i < 4; ++i) sum = sum + weights.of[i] * quad.corner[i];
+  return sum;
+}
+
+struct PackTangents {
+  PackVec xi, eta;
+};
+
+BRUNT_INLINE PackTangents tangents(const PackQuad& quad, Pack xi, Pack eta) {
+  const PackVec(&c)[4] = quad.corner;
+  const Pack quarter = broadcast(0.25);
+  return {quarter * ((1 - eta) * (c[1] - c[0]) + (1 + eta) * (c[2] - c[3])),
+          quarter * ((1 - xi) * (c[3] - c[0]) + (1 + xi) * (c[2] - c[1]))};
+}
+
+/// Where the closest points lie.
+struct PackPlace {
+  Pack xi, eta;
+  PackMask known;    ///< lanes where they are settled; the others are to be asked of closest_point
+  PackMask on_face;  ///< of these: projects on the face; the others lie on its rim:
+  Pack edge;         ///< 0, 1, 2, 3: the edge of the rim,
+  Pack along;        ///< and where on it, 0 to 1
+};
+
+PackPlace closest_place(const PackVec& x, const PackQuad& quad);
+
+}  // namespace brunt::geometry

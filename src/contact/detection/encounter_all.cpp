@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// `encounter`, eight pairs at a time: where bodies touch over a whole face, it is what contact spends its time on.
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+#include "brunt/contact/detection/encounter.hpp"
+#include "brunt/geometry/closest_place.hpp"
+
+namespace brunt::contact {
+namespace {
+
+using geometry::PackVec;
+using geometry::Region;
+
+constexpr std::size_t lanes = pack_width;
+
+/// Eight pairs of this scene; the last ones may be one and the same, to fill.
+struct Batch {
+  const NodeMotion* slave[lanes];
+  const NodeMotion* corner[4][lanes];
+  Pack side, clearance, dt;
+};
+
+/// motion(lane) points to a NodeMotion.
+template <class MotionOfLane>
+BRUNT_INLINE PackVec positions(const MotionOfLane& motion) {
+  PackVec result;
+  const auto quad = [&](int lane) {
+    Quad four;
+    std::memcpy(&four, motion(lane), sizeof four);  // the fourth belongs to the old velocity
+    return four;
+  };
+  components_of(quad, result.x, result.y, result.z);
+  return result;
+}
+
+template <class MotionOfLane>
+BRUNT_INLINE PackVec predictions(const MotionOfLane& motion) {
+  constexpr std::size_t last_four = sizeof(NodeMotion) - sizeof(Quad);
+  PackVec result;
+  const auto quad = [&](int lane) {
+    Quad four;
+    std::memcpy(&four, reinterpret_cast<const char*>(motion(lane)) + last_four, sizeof four);
+    return __builtin_shufflevector(four, four, 1, 2, 3, 0);
+  };
+  components_of(quad, result.x, result.y, result.z);
+  return result;
+}
+
+/// What `encounter` finds, lane by lane.
+struct Result {
+  alignas(64) double height[lanes], over_middle[lanes], beside[lanes], moved[lanes], edge[lanes], along[lanes];
+  alignas(64) double normal[3][lanes], point[3][lanes], weights[4][lanes];
+  alignas(64) std::int64_t known[lanes], on_face[lanes];
+};
+
+BRUNT_INLINE void keep(const Pack& from, double (&to)[lanes]) {
+  std::memcpy(to, &from, sizeof from);
+}
+
+BRUNT_INLINE void keep(const PackVec& from, double (&to)[3][lanes]) {
+  keep(from.x, to[0]);
+  keep(from.y, to[1]);
+  keep(from.z, to[2]);
+}
+
+void measure(const Batch& batch, Result& result) {
+  const auto slave = [&](int lane) { return batch.slave[lane]; };
+  const PackVec x = positions(slave);
+  geometry::PackQuad quad;
+  for (int i = 0; i < 4; ++i) quad.corner[i] = positions([&](int lane) { return batch.corner[i][lane]; });
+  const geometry::PackPlace place = geometry::closest_place(x, quad);
+
+  const geometry::PackWeights weights = geometry::quad_weights(place.xi, place.eta);
+  const PackVec point = geometry::combine(quad, weights);
+  const geometry::PackTangents t = geometry::tangents(quad, place.xi, place.eta);
+  const PackVec across = geometry::cross(t.xi, t.eta);
+  const Pack length2 = geometry::dot(across, across), scale = geometry::dot(t.xi, t.xi) + geometry::dot(t.eta, t.eta);
+  const PackMask upright = length2 > 1e-24 * scale * scale;  // else the face is folded here
+  const PackVec normal = (batch.side / pack_sqrt(length2)) * across;
+
+  const PackVec offset = x - point;
+  const Pack over_middle = geometry::dot(offset, normal);
+  const PackVec aside = offset - over_middle * normal;
+  PackVec relative = predictions(slave);
+  for (int i = 0; i < 4; ++i)
+    relative = relative - weights.of[i] * predictions([&](int lane) { return batch.corner[i][lane]; });
+
+  keep(over_middle, result.over_middle);
+  keep(over_middle - batch.clearance, result.height);
+  keep(pack_sqrt(geometry::dot(aside, aside)), result.beside);
+  keep(batch.dt * pack_sqrt(geometry::dot(relative, relative)), result.moved);
+  keep(place.edge, result.edge);
+  keep(place.along, result.along);
+  keep(normal, result.normal);
+  keep(point, result.point);
+  for (int i = 0; i < 4; ++i) keep(weights.of[i], result.weights[i]);
+  const PackMask known = place.known & upright;
+  std::memcpy(result.known, &known, sizeof known);
+  std::memcpy(result.on_face, &place.on_face, sizeof place.on_face);
+}
+
+Region region_at(const Result& from, std::size_t lane) {
+  if (from.on_face[lane] != 0) return Region::face;
+  const int edge = static_cast<int>(from.edge[lane]);
+  if (from.along[lane] <= 0) return static_cast<Region>(static_cast<int>(Region::vertex0) + edge);
+  if (from.along[lane] >= 1) return static_cast<Region>(static_cast<int>(Region::vertex0) + (edge + 1) % 4);
+  return static_cast<Region>(static_cast<int>(Region::edge0) + edge);
+}
+
+void judge(const Result& from, std::size_t lane, const MasterFace& face, const EncounterSettings& settings,
+           Encounter& met) {
+  met.region = region_at(from, lane);
+  met.height = met.gap = from.height[lane];
+  met.beside = from.beside[lane];
+  for (int c = 0; c < 3; ++c) {
+    met.normal[c] = from.normal[c][lane];
+    met.point[c] = from.point[c][lane];
+  }
+  for (std::size_t i = 0; i < 4; ++i) met.weights[i] = from.weights[i][lane];
+  if (met.height <= 0) {
+    const double deepest = settings.deepest(met.size, face.depth);
+    if (-from.over_middle[lane] <= deepest && met.beside <= deepest) met.meeting = Meeting::inside;
+    return;
+  }
+  if (met.region == Region::face || met.beside <= settings.rim * met.size) met.meeting = Meeting::above;
+  met.slow = from.moved[lane] <= settings.slow * met.size;
+}
+
+}  // namespace
+
+void encounter_all(const FacesInMotion& scene, const EncounterSettings& settings,
+                   std::span<const NodeMotion* const> slave, std::span<Encounter> met) {
+  Batch batch{};
+  batch.dt = broadcast(scene.dt);
+  Result result;
+  for (std::size_t first = 0; first < met.size(); first += lanes) {
+    const std::size_t count = std::min(lanes, met.size() - first);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const std::size_t k = first + std::min(lane, count - 1);
+      const MasterFace& face = scene.faces[static_cast<std::size_t>(met[k].face)];
+      batch.slave[lane] = slave[k];
+      batch.side[lane] = met[k].approach.side;
+      batch.clearance[lane] = met[k].approach.clearance;
+      for (std::size_t i = 0; i < 4; ++i)  // a triangle has no fourth corner; any will do, it is not used
+        batch.corner[i][lane] = &scene.motion[static_cast<std::size_t>(face.nodes[i])];
+    }
+    measure(batch, result);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      Encounter& e = met[first + lane];
+      const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)];
+      if (face.corner_count != 4 || result.known[lane] == 0) {
+        e = encounter(scene, settings, *slave[first + lane], e.face, e.approach);
+        continue;
+      }
+      e.size = scene.reach[static_cast<std::size_t>(e.face)].size;
+      judge(result, lane, face, settings, e);
+    }
+  }
+}
+
+}  // namespace brunt::contact
