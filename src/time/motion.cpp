@@ -80,9 +80,24 @@ void predict(const model::Model& model, model::State& state, model::Scratch& scr
   }
 }
 
+namespace {
+
+/// Late nodes lie apart from each other, and what all nodes have does not fit the cache: asks for a node's share early.
+inline void fetch(const model::Model& model, const model::State& state, const model::Scratch& scratch, std::size_t i) {
+  __builtin_prefetch(&state.nodes[i], 1);
+  __builtin_prefetch(&state.displacement[i], 1);
+  __builtin_prefetch(&model.reference[i]);
+  __builtin_prefetch(&scratch.force[i]);
+  __builtin_prefetch(&scratch.before[i]);
+}
+
+}  // namespace
+
 void finish_late(const model::Model& model, model::State& state, model::Scratch& scratch, double dt, double dt_mean) {
+  constexpr std::size_t ahead = 8;
   std::size_t next_constrained = 0;
   for (std::size_t k = 0; k < model.late.size(); ++k) {
+    if (k + ahead < model.late.size()) fetch(model, state, scratch, static_cast<std::size_t>(model.late[k + ahead]));
     const auto i = static_cast<std::size_t>(model.late[k]);
     NodeLine& node = state.nodes[i];
     const Vec3& before = scratch.before[i];
