@@ -20,7 +20,8 @@ import unittest
 import yaml
 
 BRUNT, RUN, CASES = os.environ["BRUNT"], os.environ["BRUNT_RUN"], os.environ["BRUNT_CASES"]
-STEPS = 450  # of a run in short: all cases have met their wall or each other by then
+STEPS = 450  # of a run in short: nearly all cases have met their wall or each other by then
+MOST_STEPS = 3600  # of those that have not
 PATIENCE = 600  # [s] for one run
 
 
@@ -58,10 +59,22 @@ class Restart(unittest.TestCase):
         with open(self.path(out, "history.csv"), encoding="utf-8") as stream:
             return list(csv.DictReader(stream))
 
+    def touching(self, out):
+        """Steps of the history in which something touches."""
+        return [int(row["step"]) for row in self.rows(out) if float(row["active_contacts"]) > 0]
+
+    def run_whole(self, scene, tree, whole):
+        """On one rank, in short as many steps as it takes until something touches, and as many again."""
+        limit = None if WHOLE else STEPS
+        self.run_scene(1, scene, whole, limit)
+        while limit and limit < MOST_STEPS and ("contact" in tree or "rigid_walls" in tree) and not self.touching(whole):
+            limit *= 2
+            self.run_scene(1, scene, whole, limit, "--force")
+        return limit
+
     def stops(self, tree, whole, shares):
         """Steps to stop at: shares of those in which something touches, so that contact is part of what is continued."""
-        rows = self.rows(whole)
-        touching = [int(row["step"]) for row in rows if float(row["active_contacts"]) > 0]
+        rows, touching = self.rows(whole), self.touching(whole)
         if "contact" in tree or "rigid_walls" in tree:
             self.assertTrue(touching, "nothing touches: the test would prove nothing about contact")
         steps = touching or [int(row["step"]) for row in rows]
@@ -84,8 +97,7 @@ class Restart(unittest.TestCase):
         for scene, tree in found.items():
             with self.subTest(scene=scene):
                 whole = scene.replace("/", "_")
-                limit = None if WHOLE else STEPS
-                self.run_scene(1, scene, whole, limit)
+                limit = self.run_whole(scene, tree, whole)
                 for stop in self.stops(tree, whole, (0.5, 0.97) if WHOLE else (0.5,)):
                     self.assert_continued(scene, limit, whole, stop)
 
