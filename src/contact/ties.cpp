@@ -26,6 +26,8 @@ struct Place {
 };
 
 /// Keeps the nearer one of `best` and this face, if that is within reach.
+constexpr double flush = 1e-3;
+
 void look_at(const MasterFace& face, std::span<const NodeMotion> motion, const Vec3& slave,
              const EncounterSettings& settings, Place& best) {
   FaceCorners storage;
@@ -45,6 +47,7 @@ void look_at(const MasterFace& face, std::span<const NodeMotion> motion, const V
            .body = face.body,
            .block = face.block,
            .weights = closest->weights,
+           .flush = distance <= flush * size,
            .offset = frame.transpose() * offset}};
 }
 

@@ -23,6 +23,7 @@ std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation, con
   settings.pairs = app::pair_table(model.contact, model.blocks.size());
   settings.enforcement = model.contact.enforcement;
   settings.friction = model.contact.friction;
+  settings.tied = model.contact.tied;
   std::vector<double> inverse_mass;
   for (const model::NodeLine& node : simulation.state.nodes) inverse_mass.push_back(1.0 / node.mass);
   std::vector<contact::ConstrainedNode> constrained;

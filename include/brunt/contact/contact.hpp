@@ -218,6 +218,7 @@ class Contact {
   std::vector<HistoryRecord> next_pairs_;
   std::vector<AnchorRecord> next_anchors_;
   std::vector<Tie> ties_;                 // of slaves owned here
+  bool ties_are_flush_ = true;            // on all ranks
   bool rubs_ = false;                     // friction somewhere
   bool two_passes_ = false;               // of some pair
   std::vector<LocalIndex> faces_by_key_;  // of the lists

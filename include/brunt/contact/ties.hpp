@@ -18,6 +18,7 @@ struct Tie {
   std::int32_t body = 0, block = 0;     ///< of the face
   std::int32_t slave_block = no_index;  ///< that is tied to it
   std::array<double, 4> weights{};      ///< of the face's corners
+  bool flush = true;                    ///< the node lies on its face, but for a thousandth of the face's longest edge
   Vec3 offset = Vec3::Zero();           ///< from there to the node, in the frame of the face [length]
 };
 

@@ -90,11 +90,15 @@ TEST_CASE("a tie on a face that turns asks for nothing, and takes back a share o
     CHECK(std::abs(row.gap) + std::abs(row.required) + row.drift.norm() < 1e-14);
   }
   const Vec3 crept(0.01, -0.02, 0.03);
-  squares.motion[7].position += turn * crept;
+  for (const std::size_t slave : {std::size_t{6}, std::size_t{7}}) squares.motion[slave].position += turn * crept;
   rows.clear();
   tie_rows(ties, squares.scene(0.1, 0.5), rows);
-  CHECK((rows[1].required * rows[1].normal + rows[1].drift + 0.2 * (turn * crept)).norm() < 1e-14);
-  CHECK(std::abs(rows[1].normal.dot(rows[1].drift)) < 1e-15);
+  for (const Row& row : rows) {
+    CHECK((row.required * row.normal + row.drift + 0.2 * (turn * crept)).norm() < 1e-14);
+    CHECK(std::abs(row.normal.dot(row.drift)) < 1e-15);
+  }
+  CHECK(ties[0].flush);
+  CHECK_FALSE(ties[1].flush);
 }
 
 TEST_CASE("a tie whose face or slave is not in the lists is told") {
