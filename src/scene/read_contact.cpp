@@ -100,6 +100,8 @@ void judge_enforcement(const Key& whole, Section& entry, const ContactEntry& con
   unused("partition", method == Method::kinematic, "kinematic");
   if (contact.passes == contact::Passes::two && contact.slave != Slave::automatic && entry.has("slave"))
     warn(entry.at("slave"), "does nothing with passes: two", input);
+  if (contact.tied && entry.has("passes") && contact.passes == contact::Passes::two)
+    warn(entry.at("passes"), "does nothing where parts are tied: ties have one pass", input);
   if (method == Method::printed)
     warn(whole, "method printed over-corrects: it rebounds and may not converge; for comparisons", input);
   const bool ties = contact.tied || std::ranges::any_of(input.contact, &ContactEntry::tied);
@@ -114,7 +116,10 @@ void judge_enforcement(const Key& whole, Section& entry, const ContactEntry& con
 
 void judge_tied(Section& entry, const ContactEntry& contact) {
   const Key key = entry.at("tied");
-  if (contact.between.empty()) fault(key, "'all' cannot be tied; accepted: true where between: [a, b]");
+  const bool all = entry.has("between") && entry.at("between").tree->kind == Tree::Kind::value;
+  if (all) fault(key, "'all' cannot be tied; accepted: true where between: [a, b]");
+  if (!contact.between.empty() && contact.between[0] == contact.between[1])
+    fault(key, "a part cannot be tied to itself; accepted: true where between: [a, b]");
   if (contact.friction.any()) fault(key, "tied parts do not slide; accepted: true without friction");
 }
 

@@ -185,6 +185,7 @@ TEST_CASE("what later versions bring is recognised and refused", "[scene]") {
       {"slave: auto", "competing: oldest", "bar.yaml:36: contact.0.competing", {"'oldest' is unknown", "velocity"}},
       {"slave: auto", "self: 7", "bar.yaml:36: contact.0.self", {"true or false"}},
       {"slave: auto", "tied: 1", "bar.yaml:36: contact.0.tied", {"true or false"}},
+      {"[left, right]\n    slave: auto", "[left, left]\n    tied: true", "bar.yaml:36: contact.0.tied", {"to itself"}},
       {"slave: auto", "tied: true\n    friction: 0.2", "bar.yaml:36: contact.0.tied", {"do not slide"}},
       {"slave: auto", "tied: true\n    method: penalty", "bar.yaml:35: contact.0", {"tied", "rate or row_sum"}},
       {"slave: auto", "method: mortar", "bar.yaml:36: contact.0.method", {"'mortar' is unknown", "rate, row_sum"}},
