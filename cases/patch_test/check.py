@@ -111,29 +111,43 @@ def blocks_of(scene):
     return lower, Block(scene["mesh"][1]["box"], lower.count)
 
 
+class Pressed:
+    """Two blocks with these columns under the pressure, by one way of contact; the force is right and nothing creeps."""
+
+    def __init__(self, case, columns, way, contact, element):
+        overrides = {f"mesh.{body}.box.elements": [columns[body], 3, 1] for body in (0, 1)}
+        overrides.update({"parts.lower.element": element, "parts.upper.element": element})
+        overrides.update({f"contact.0.{key}": value for key, value in contact.items()})
+        scene = case.scene(overrides=overrides)
+        self.law, self.pressure, self.blocks = scene["materials"]["m"], scene["pressure"][0]["value"], blocks_of(scene)
+        self.label = f"{columns[0]}:{columns[1]}, {way}, {element}"
+        name = self.label.replace(", ", "_").replace(":", "_").replace(" ", "_")
+        self.result = case.run(overrides=overrides, name=name)
+        *_, before, self.end = displacements(self.result, self.blocks)
+        points = FULL if element == "hex8_full" else [(0, 0)]
+        self.deviation, self.stress = deviation(self.blocks, self.law, self.pressure, self.end, points)
+        earlier = deviation(self.blocks, self.law, self.pressure, before, points)[1]
+        box = scene["mesh"][0]["box"]["size"]
+        self.column = box[0] / max(columns)  # of the finer block
+        case.assert_close(f"{self.label}: force", self.pressure * box[0] * box[2], abs(self.result.last("force.y")), 1e-3,
+                          "equilibrium")
+        case.assert_below(f"{self.label}: change of stress over the last third / pressure",
+                          numpy.abs(self.stress - earlier).max(), 1e-4, "steady")
+
+
 def check_pair(case, columns, slave, element):
-    overrides = {f"mesh.{body}.box.elements": [columns[body], 3, 1] for body in (0, 1)}
-    overrides.update({"contact.0.slave": slave, "parts.lower.element": element, "parts.upper.element": element})
-    scene = case.scene(overrides=overrides)
-    law, pressure, blocks = scene["materials"]["m"], scene["pressure"][0]["value"], blocks_of(scene)
-    label = f"{columns[0]}:{columns[1]}, {'finer' if slave == 'upper' else 'coarser'} slave, {element}"
-    result = case.run(overrides=overrides, name=label.replace(", ", "_").replace(":", "_").replace(" ", "_"))
-    *_, before, end = displacements(result, blocks)
-    points = FULL if element == "hex8_full" else [(0, 0)]
-    ours, stress = deviation(blocks, law, pressure, end, points)
-    earlier = deviation(blocks, law, pressure, before, points)[1]
-    box = scene["mesh"][0]["box"]["size"]
-    case.assert_close(f"{label}: force", pressure * box[0] * box[2], abs(result.last("force.y")), 1e-3, "equilibrium")
-    case.assert_below(f"{label}: change of stress over the last third / pressure", numpy.abs(stress - earlier).max(), 1e-4, "steady")
-    exact, exact_stress = deviation(blocks, law, pressure, static_solution(blocks, law, pressure, slave))
+    pressed = Pressed(case, columns, f"{'finer' if slave == 'upper' else 'coarser'} slave", {"slave": slave}, element)
+    label, ours = pressed.label, pressed.deviation
+    model = pressed.blocks, pressed.law, pressed.pressure
+    exact, exact_stress = deviation(*model, static_solution(*model, slave))
     if element == "hex8_full":
         case.assert_close(f"{label}: greatest |stress - p|/p", exact, ours, 0.02, "exact multipliers, 2 x 2 Gauss")
-        case.assert_below(f"{label}: stress at any point, from the exact one / pressure", numpy.abs(stress - exact_stress).max(),
+        case.assert_below(f"{label}: stress at any point, from the exact one / pressure", numpy.abs(pressed.stress - exact_stress).max(),
                           1e-3, "exact multipliers")
     if slave == "upper":
         case.assert_below(f"{label}: greatest |stress - p|/p", ours, 0.15 if element == "hex8_full" else 0.25, "gate")
-    case.assert_energy(result, energy_gate=1e-10, momentum_gate=1e-9)
-    case.assert_below(f"{label}: penetration / column", result.summary["max_penetration"] * max(columns) / box[0], 1e-6)
+    case.assert_energy(pressed.result, energy_gate=1e-10, momentum_gate=1e-9)
+    case.assert_below(f"{label}: penetration / column", pressed.result.summary["max_penetration"] / pressed.column, 1e-6)
     return exact, ours
 
 
@@ -149,27 +163,16 @@ def interface_depth(blocks, displacement):
 
 def check_two_passes(case, columns, element):
     """Both sides' nodes are held; no static reference but the even stress itself."""
-    overrides = {f"mesh.{body}.box.elements": [columns[body], 3, 1] for body in (0, 1)}
-    overrides.update({"contact.0.slave": "auto", "contact.0.passes": "two", "parts.lower.element": element, "parts.upper.element": element})
-    scene = case.scene(overrides=overrides)
-    law, pressure, blocks = scene["materials"]["m"], scene["pressure"][0]["value"], blocks_of(scene)
-    label = f"{columns[0]}:{columns[1]}, two passes, {element}"
-    result = case.run(overrides=overrides, name=label.replace(", ", "_").replace(":", "_").replace(" ", "_"))
-    *_, before, end = displacements(result, blocks)
-    points = FULL if element == "hex8_full" else [(0, 0)]
-    ours, stress = deviation(blocks, law, pressure, end, points)
-    earlier = deviation(blocks, law, pressure, before, points)[1]
-    box = scene["mesh"][0]["box"]["size"]
-    case.assert_close(f"{label}: force", pressure * box[0] * box[2], abs(result.last("force.y")), 1e-3, "equilibrium")
-    case.assert_below(f"{label}: change of stress over the last third / pressure", numpy.abs(stress - earlier).max(), 1e-4, "steady")
+    pressed = Pressed(case, columns, "two passes", {"slave": "auto", "passes": "two"}, element)
+    label, ours, strain = pressed.label, pressed.deviation, pressed.pressure / pressed.law["young"]
     case.assert_below(f"{label}: greatest |stress - p|/p", ours, 0.15, "gate of one pass, finer slave")
     # The passes disagree by a share of the load in every step, and it is that share of what the load moves a free
     # surface node in a step that stays as penetration: (p/E) times a column at most (seen: 0.02 to 0.30).
-    depth = interface_depth(blocks, end) * max(columns) / box[0]
-    case.assert_below(f"{label}: penetration of either side / column, in units of p/E", depth / (pressure / law["young"]), 0.4)
-    most = result.summary["max_penetration"] * max(columns) / box[0]
-    case.assert_below(f"{label}: largest at any time, likewise", most / (pressure / law["young"]), 0.4)
-    case.assert_energy(result, energy_gate=1e-10, momentum_gate=1e-9)
+    depth = interface_depth(pressed.blocks, pressed.end) / pressed.column
+    case.assert_below(f"{label}: penetration of either side / column, in units of p/E", depth / strain, 0.4)
+    most = pressed.result.summary["max_penetration"] / pressed.column
+    case.assert_below(f"{label}: largest at any time, likewise", most / strain, 0.4)
+    case.assert_energy(pressed.result, energy_gate=1e-10, momentum_gate=1e-9)
     return ours, depth
 
 

@@ -2,9 +2,8 @@
 #include "brunt/contact/detection/choose.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <compare>
+#include <tuple>
 
 namespace brunt::contact {
 namespace {
@@ -54,36 +53,19 @@ double distance(const Encounter& e) {
   return e.meeting == Meeting::hit ? std::abs(e.gap) : std::hypot(e.gap, e.beside);
 }
 
-/// What encounters are sorted by.
-struct Rank {
-  int rank = 0;
-  double size = 0, opposition = 0;
-  GlobalIndex key = 0;
-
-  Rank() = default;
-  Rank(const Choice& choice, const Encounter& e) : opposition(-e.opposition), key(choice.face(e).key) {
-    const Criterion criterion = choice.settings.criterion;
+void rank_all(const Choice& choice, std::span<Encounter> encounters) {
+  const Criterion criterion = choice.settings.criterion;
+  const auto order = [&](const Encounter& e) {
     const bool by_time = e.meeting == Meeting::hit && criterion != Criterion::nearest;
-    rank = static_cast<int>(e.meeting);
+    int rank = static_cast<int>(e.meeting);
     if (criterion == Criterion::nearest || criterion == Criterion::strength) rank = 0;
     if (criterion == Criterion::velocity) rank = by_time ? 0 : 1;
-    size = criterion == Criterion::strength ? -std::abs(e.gap) * e.opposition : (by_time ? e.time : distance(e));
-  }
-  friend auto operator<=>(const Rank&, const Rank&) = default;
-};
-
-void rank_all(const Choice& choice, std::span<Encounter> encounters) {
-  std::array<Rank, 16> few;  // ranks are formed once each where there is room, and nearly always there is
-  if (encounters.size() > few.size()) {
-    std::ranges::sort(encounters, {}, [&](const Encounter& e) { return Rank(choice, e); });
-    return;
-  }
-  for (std::size_t i = 0; i < encounters.size(); ++i) few[i] = Rank(choice, encounters[i]);
-  for (std::size_t i = 1; i < encounters.size(); ++i)
-    for (std::size_t k = i; k > 0 && few[k] < few[k - 1]; --k) {
-      std::swap(few[k], few[k - 1]);
-      std::swap(encounters[k], encounters[k - 1]);
-    }
+    const double size =
+        criterion == Criterion::strength ? -std::abs(e.gap) * e.opposition : (by_time ? e.time : distance(e));
+    return std::tuple(rank, size, -e.opposition, choice.face(e).key);
+  };
+  std::sort(encounters.begin(), encounters.end(),
+            [&](const Encounter& a, const Encounter& b) { return order(a) < order(b); });
 }
 
 /// The row's gap along another normal: a node inside is carried along, one that hits arrives at the same time.
