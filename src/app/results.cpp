@@ -175,6 +175,7 @@ void Results::seal() {
       ranks.sum(static_cast<GlobalIndex>(model::hash_of_rank(run_.registry(), ranks.is_root()))));
   steps_ = run_.state.step;
   end_time_ = run_.state.time;
+  if (run_.contact) contact_ = run_.contact->statistics();
 }
 
 void Results::write_summary(const std::string& stopped_by, int exit_code, double wall_seconds, const LoopCost& cost) {
@@ -220,14 +221,15 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   const double arm = extremes_.momentum_scale * extent_;
   summary["angular_momentum_error"] = arm > 0 ? e.contact_totals.spin.norm() / arm : 0.0;
   summary["max_penetration"] = e.contact_totals.penetration;
-  const contact::ContactStatistics contact = run_.contact ? run_.contact->statistics() : contact::ContactStatistics{};
-  const auto solved = static_cast<double>(std::max<GlobalIndex>(contact.solved_steps, 1));
-  summary["contact"] = {{"searches", contact.searches},
+  const auto solved = static_cast<double>(std::max<GlobalIndex>(contact_.solved_steps, 1));
+  summary["contact"] = {{"searches", contact_.searches},
                         {"pairs", e.contact_totals.pairs},
                         {"active", e.contact_totals.active},
-                        {"iterations_mean", static_cast<double>(contact.iterations) / solved},
-                        {"iterations_max", contact.most_iterations},
-                        {"residual_max", contact.largest_residual}};
+                        {"iterations_mean", static_cast<double>(contact_.iterations) / solved},
+                        {"iterations_max", contact_.most_iterations},
+                        {"residual_max", contact_.largest_residual},
+                        {"steps", contact_.solved_steps},
+                        {"steps_at_limit", contact_.steps_at_limit}};
   summary["state_hash"] = model::hash_digits(hash_);
   summary["stopped_by"] = stopped_by;
   summary["exit_code"] = exit_code;

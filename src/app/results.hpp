@@ -78,6 +78,7 @@ class Results {
   double checkpoint_step_ = -1;  // of the last checkpoint written in this run
   std::uint64_t hash_ = 0;
   double steps_ = 0, end_time_ = 0;
+  contact::ContactStatistics contact_;
 };
 
 }  // namespace brunt::app

@@ -80,6 +80,7 @@ class Loop {
     if (row) results_.read_probes();
     time::advance(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);
     if (!last) ++passes_;
+    if (!last) watch_iterations();
     if (fields) results_.write_fields(&step);
     if (row || line || watch) {
       const time::Ledger ledger = energies(step);
@@ -135,6 +136,18 @@ class Loop {
         longest_step_, run_.state.time, static_cast<GlobalIndex>(run_.state.step)));
   }
 
+  /// Tells the first step of which contact was left unfinished; the summary counts them all.
+  void watch_iterations() {
+    if (!run_.contact || told_limit_ || run_.contact->statistics().steps_at_limit == 0) return;
+    told_limit_ = true;
+    const contact::EnforcementSettings& settings = run_.model.contact.enforcement;
+    log_.warning(fmt::format(
+        "contact: the iteration of step {} (t = {:g}) ended at max_iterations {} with a residual of {:.2g}, above the "
+        "tolerance of {:g}: what is left may disturb the motion; raise max_iterations in contact (told once)",
+        static_cast<GlobalIndex>(run_.state.step) - 1, run_.state.time_before, settings.max_iterations,
+        run_.contact->statistics().last.residual, settings.tolerance));
+  }
+
   [[noreturn]] void stop_for_element(const time::StepReport& step) {
     GlobalIndex element = -1;
     if (step.elements.inverted_block >= 0)
@@ -154,6 +167,7 @@ class Loop {
   double passes_ = 0;
   double longest_step_ = 0;
   int lines_ = 0;
+  bool told_limit_ = false;
 };
 
 /// The checkpoint that `--restart` means.
@@ -176,6 +190,16 @@ void announce(const Prepared& run, Log& log) {
   log.line(fmt::format("{} elements, {} nodes, {} parts, {} rank{}", model.mesh.global_elements,
                        model.mesh.global_nodes, model.blocks.size(), run.links.ranks.size(),
                        run.links.ranks.size() == 1 ? "" : "s"));
+}
+
+void tell_iterations(const Prepared& run, Log& log) {
+  if (!run.contact) return;
+  const contact::ContactStatistics& contact = run.contact->statistics();
+  if (contact.steps_at_limit > 0)
+    log.line(
+        fmt::format("contact: {} of {} steps with contact ended at max_iterations {}, with residuals of {:.2g} at most",
+                    contact.steps_at_limit, contact.solved_steps, run.model.contact.enforcement.max_iterations,
+                    contact.largest_residual));
 }
 
 }  // namespace
@@ -214,6 +238,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
     log.warning(
         fmt::format("the run ended at t = {:g}, {:.2g} % past its end: steps are never cut, and this run has few",
                     prepared->state.time, 100 * past));
+  tell_iterations(*prepared, log);
   if (outcome.code != ExitCode::guard) results.write_checkpoint();
   const int code = static_cast<int>(outcome.code);
   results.seal();

@@ -276,6 +276,7 @@ void Contact::correct(VectorView position, VectorView old_velocity, MutableVecto
   statistics_.iterations += result.iterations;
   statistics_.most_iterations = std::max(statistics_.most_iterations, result.iterations);
   statistics_.largest_residual = std::max(statistics_.largest_residual, result.residual);
+  if (ended_at_limit(result, settings_.enforcement)) ++statistics_.steps_at_limit;
   scatter(velocity);
   book();
 }

@@ -233,6 +233,28 @@ class Stops(Program):
         self.assertEqual(self.summary("out")["warnings"], 1)
         self.assertRegex(self.text("out", "log.txt"), r"warning: the run ended at t = \S+, \S+ % past its end")
 
+    def test_iterations_that_end_at_their_limit_are_told_once_and_counted(self):
+        self.write("rubber.yaml", scenes.RUBBER.replace("METHOD", "rate"))
+        self.run_scene(1, "rubber.yaml", "--out", "enough")
+        self.assertEqual(self.summary("enough")["warnings"], 0)
+        self.assertEqual(self.summary("enough")["contact"]["steps_at_limit"], 0)
+        self.assertNotIn("max_iterations", self.text("enough", "log.txt"))
+        for passes in ("one", "two"):
+            with self.subTest(passes=passes):
+                self.run_scene(2, "rubber.yaml", "--out", passes, "--set", "contact.0.max_iterations=3", "--set",
+                               f"contact.0.passes={passes}")
+                found, log = self.summary(passes), self.text(passes, "log.txt")
+                self.assertEqual(found["warnings"], 1)
+                told = re.findall(r"warning: contact: the iteration of step (\d+) \(t = (\S+)\) ended at max_iterations 3 "
+                                  r"with a residual of (\S+), above the tolerance of 0.001", log)
+                self.assertEqual(len(told), 1, log)
+                self.assertGreater(float(told[0][2]), 1e-3)
+                contact = found["contact"]
+                self.assertGreater(contact["steps_at_limit"], 1)
+                self.assertLessEqual(contact["steps_at_limit"], contact["steps"])
+                self.assertIn(f"{contact['steps_at_limit']} of {contact['steps']} steps with contact ended at max_iterations 3",
+                              log)
+
     def test_results_are_not_overwritten_unasked(self):
         self.run_scene(1, "long.yaml", "--out", "out", "--set", "run.steps=3")
         self.assertIn("--force", self.run_scene(2, "long.yaml", "--out", "out", "--set", "run.steps=3", code=2))

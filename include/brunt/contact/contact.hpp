@@ -95,6 +95,7 @@ struct ContactStatistics {  ///< the same on every rank
   GlobalIndex steps = 0, searches = 0, solved_steps = 0, iterations = 0;
   int most_iterations = 0;
   double largest_residual = 0;
+  GlobalIndex steps_at_limit = 0;  ///< that ended at max_iterations, with a residual above the tolerance
   EnforcementResult last;
 };
 

@@ -97,7 +97,7 @@ TEST_CASE("a small scene is read with its defaults", "[scene]") {
   CHECK(input.rigid_walls[0].name == "wall0");
   CHECK_FALSE(input.rigid_walls[0].bilateral);
   CHECK(input.contact[0].enforcement.tolerance == 1e-3);
-  CHECK(input.contact[0].enforcement.max_iterations == 50);
+  CHECK(input.contact[0].enforcement.max_iterations == 200);
   CHECK(input.contact[0].initial_overlap == ContactEntry::InitialOverlap::error);
   CHECK(input.run.end == 1e-3);
   CHECK_FALSE(input.run.steps);

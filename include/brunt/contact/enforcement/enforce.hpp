@@ -16,6 +16,11 @@ struct EnforcementResult {
   bool acted = false;  ///< impulses changed v*: else velocity is what it was
 };
 
+/// Did the iteration stop at max_iterations, short of its tolerance? Methods that do not iterate never do.
+inline bool ended_at_limit(const EnforcementResult& result, const EnforcementSettings& settings) {
+  return result.iterations >= settings.max_iterations && result.residual > settings.tolerance;
+}
+
 /// Collective. impulses: in, the start (zero, or those of the last step); out, p [momentum], a row each. velocity: out,
 /// v on every contact node, the same bits on every copy; equal to v* where nothing acts. dt [time]: of the step ahead.
 /// Throws GuardError where an impulse is not finite.
