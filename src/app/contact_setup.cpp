@@ -27,7 +27,7 @@ void track_pairs(Prepared& run, contact::ContactSettings& settings) {
 
 /// How many nodes each tied pair has, among the notes of the start; none at all is a fault of the scene.
 void tell_ties(Prepared& run) {
-  const std::vector<GlobalIndex> nodes = run.contact->tied_nodes();
+  const auto [nodes, beside] = run.contact->tied_nodes();
   const std::size_t n = run.model.blocks.size();
   if (nodes.empty()) return;
   std::vector<std::string> faults;
@@ -41,8 +41,14 @@ void tell_ties(Prepared& run) {
             fmt::format("{}: contact: {} and {} are tied, but no node of the slave is within reach of a face "
                         "of the other (a quarter of its edge, half of its element)",
                         run.input.file, one, other));
-      if (there > 0) run.overlaps.report.notes.push_back(fmt::format("tied: {} nodes of {} to {}", there, one, other));
-      if (back > 0) run.overlaps.report.notes.push_back(fmt::format("tied: {} nodes of {} to {}", back, other, one));
+      const auto tell = [&](GlobalIndex tied, GlobalIndex left, const std::string& slave, const std::string& master) {
+        if (tied + left == 0) return;
+        std::string line = fmt::format("tied: {} nodes of {} to {}", tied, slave, master);
+        if (left > 0) line += fmt::format("; {} near it are not, since they lie beside its faces", left);
+        run.overlaps.report.notes.push_back(std::move(line));
+      };
+      tell(there, beside[a * n + b], one, other);
+      if (a != b) tell(back, beside[b * n + a], other, one);
     }
   if (!faults.empty()) throw InputError(std::move(faults));
 }

@@ -215,7 +215,7 @@ void Contact::detect(std::span<const Wall> walls, double dt) {
   if (!settings_.tied.empty()) drop_tied_rows();
   detect_walls(lists_.wall_candidates, walls, lists_.nodes.gid, motion_of_, dt, settings_.detection, rows_);
   for (const Row& row : rows_) sums_.penetration = std::max(sums_.penetration, -row.gap);
-  tie_rows(ties_, tie_scene(dt), rows_);
+  tie_rows(ties_, tie_scene(dt), levers_, rows_);
   sort_rows(rows_);
 }
 

@@ -34,18 +34,22 @@ void Contact::book() {
     const Vec3& impulse = impulses_[q];
     if (impulse.isZero(0)) continue;
     const Row& row = rows_[q];
-    Vec3 relative = relative_velocity(row, velocity_), arm = Vec3::Zero();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-      const NodeMotion& node = motion_of_[static_cast<std::size_t>(row.nodes[i])];
-      relative += row.weights[i] * node.old_velocity;
-      arm += row.weights[i] * node.position;
-    }
+    const auto old_velocity = [&](LocalIndex node) -> const Vec3& {
+      return motion_of_[static_cast<std::size_t>(node)].old_velocity;
+    };
+    const Vec3 relative = relative_velocity(row, velocity_) + relative_motion(row, old_velocity);
     book_work(row, impulse, relative, sums_.work);
     if (row.is_wall()) {
       add_vector(sums_.wall_impulse[static_cast<std::size_t>(-1 - row.master_key)], impulse);
       continue;
     }
-    add_vector(sums_.spin, arm.cross(impulse));
+    const auto place = [&](std::size_t i) -> const Vec3& {
+      return motion_of_[static_cast<std::size_t>(row.nodes[i])].position;
+    };
+    Vec3 spin = Vec3::Zero();  // about the slave: what the nodes take sums to zero
+    for (std::size_t i = 1; i < static_cast<std::size_t>(row.node_count); ++i)
+      spin += (place(i) - place(0)).cross(impulse_on_node(row, i, impulse));
+    add_vector(sums_.spin, spin);
     for (std::size_t t = 0; t < settings_.tracked.size(); ++t) {
       const auto [first, second] = settings_.tracked[t];
       const auto slave_in = [&](std::int32_t block) { return is_slave_in(row, block); };

@@ -7,10 +7,12 @@
 
 namespace brunt::contact {
 
+std::size_t Contact::place_of_pair(std::int32_t slave_block, std::int32_t master_block) const {
+  return static_cast<std::size_t>(slave_block) * settings_.pairs.block_count() + static_cast<std::size_t>(master_block);
+}
+
 bool Contact::are_tied(std::int32_t slave_block, std::int32_t master_block) const {
-  const std::size_t pair =
-      static_cast<std::size_t>(slave_block) * settings_.pairs.block_count() + static_cast<std::size_t>(master_block);
-  return settings_.tied[pair] != 0;
+  return settings_.tied[place_of_pair(slave_block, master_block)] != 0;
 }
 
 /// The block of the slave that is tied to this one, the first of several; no_index where none is.
@@ -23,32 +25,33 @@ std::int32_t Contact::tied_block(LocalIndex slave, std::int32_t master_block) co
 void Contact::make_ties(const std::vector<Vec3>& reference, std::span<const Wall> walls) {
   if (settings_.tied.empty()) return;
   look_at_start(reference, walls);
-  ties_ = find_ties(lists_.candidates, lists_.faces, lists_.nodes.gid, motion_of_, settings_.detection.encounter,
-                    [this](LocalIndex slave, LocalIndex face) {
-                      return tied_block(slave, lists_.faces[static_cast<std::size_t>(face)].block) != no_index;
-                    });
+  const auto block_of = [this](LocalIndex face) { return lists_.faces[static_cast<std::size_t>(face)].block; };
+  nodes_beside_.assign(settings_.tied.size(), 0);
+  ties_ = find_ties(
+      lists_.candidates, lists_.faces, lists_.nodes.gid, motion_of_, facet_area_, settings_.detection.encounter,
+      [&](LocalIndex slave, LocalIndex face) { return tied_block(slave, block_of(face)) != no_index; },
+      [&](LocalIndex slave, LocalIndex face) {
+        ++nodes_beside_[place_of_pair(tied_block(slave, block_of(face)), block_of(face))];
+      });
+  levers_.resize(ties_.size());
   for (Tie& tie : ties_) {
     const auto slave = std::ranges::lower_bound(lists_.nodes.gid, tie.slave) - lists_.nodes.gid.begin();
     tie.slave_block = tied_block(static_cast<LocalIndex>(slave), tie.block);
   }
-  // Impulses that act an offset apart turn the bodies, and a drift taken back with them feeds itself: then all ties
-  // hold velocities alone, whose work is none.
-  ties_are_flush_ = !ranks_.any(!std::ranges::all_of(ties_, &Tie::flush));
   forget_start();
 }
 
-std::vector<GlobalIndex> Contact::tied_nodes() const {
-  std::vector<GlobalIndex> count(settings_.tied.size(), 0);
-  for (const Tie& tie : ties_)
-    ++count[static_cast<std::size_t>(tie.slave_block) * settings_.pairs.block_count() +
-            static_cast<std::size_t>(tie.block)];
-  ranks_.sum(count);
+TiedNodes Contact::tied_nodes() const {
+  TiedNodes count{std::vector<GlobalIndex>(settings_.tied.size(), 0), nodes_beside_};
+  for (const Tie& tie : ties_) ++count.tied[place_of_pair(tie.slave_block, tie.block)];
+  ranks_.sum(count.tied);
+  ranks_.sum(count.beside);
   return count;
 }
 
 TieScene Contact::tie_scene(double dt) const {
-  const double recovery = ties_are_flush_ ? settings_.detection.recovery : 0.0;
-  return {lists_.candidates, lists_.faces, faces_by_key_, lists_.nodes.gid, motion_of_, recovery, dt};
+  return {
+      lists_.candidates, lists_.faces, faces_by_key_, lists_.nodes.gid, motion_of_, settings_.detection.recovery, dt};
 }
 
 /// Asked of new lists on all ranks, so that all stop.

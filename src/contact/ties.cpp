@@ -19,36 +19,80 @@ std::span<const Vec3> corners_of(const MasterFace& face, std::span<const NodeMot
   return {storage.data(), count};
 }
 
+/// Unit, along the area vector.
+Vec3 normal_of(std::span<const Vec3> corners) {
+  return geometry::area_vector(corners).normalized();
+}
+
+Vec3 middle_of(std::span<const Vec3> corners) {
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& corner : corners) middle += corner / static_cast<double>(corners.size());
+  return middle;
+}
+
+/// What the point that the weights name lacks across the normal is added to them: the least change, sum zero.
+void shift(std::span<const Vec3> corners, const Vec3& normal, const Vec3& across, std::array<double, 4>& weights) {
+  const Vec3 middle = middle_of(corners);
+  const Mat3 upright = normal * normal.transpose(), flat = Mat3::Identity() - upright;
+  Mat3 spread = geometry::area_vector(corners).norm() * upright;  // makes it regular, and plays no part
+  for (const Vec3& corner : corners) {
+    const Vec3 arm = flat * (corner - middle);
+    spread += arm * arm.transpose();
+  }
+  const Vec3 gradient = spread.inverse() * across;
+  for (std::size_t i = 0; i < corners.size(); ++i) weights[i] += gradient.dot(flat * (corners[i] - middle));
+}
+
+/// From the point that the weights name to the slave.
+Vec3 offset_of(const Vec3& slave, std::span<const Vec3> corners, const std::array<double, 4>& weights) {
+  Vec3 offset = slave;
+  for (std::size_t i = 0; i < corners.size(); ++i) offset -= weights[i] * corners[i];
+  return offset;
+}
+
+/// Do the slave's own faces look at one with this normal, some of them by 60 degrees or less? Nodes on the side of a
+/// part whose end is tied do not, nor do those that hang over a rim.
+bool looks_at(std::span<const LocalIndex> facets, std::span<const Vec3> facet_area, const Vec3& normal) {
+  constexpr double squarely = 0.5;
+  return facets.empty() || std::ranges::any_of(facets, [&](LocalIndex facet) {
+           const Vec3& area = facet_area[static_cast<std::size_t>(facet)];
+           return -area.dot(normal) >= squarely * area.norm();
+         });
+}
+
+/// The best place of a slave so far.
 struct Place {
   double distance = std::numeric_limits<double>::infinity();
   GlobalIndex face = no_index;
   Tie tie;
 };
 
-/// Keeps the nearer one of `best` and this face, if that is within reach.
-constexpr double flush = 1e-3;
+/// Shares of the longest edge.
+constexpr double rounding = 1e-12;
+constexpr double flush = 1e-9;  // the moment of such a height is nothing
 
-void look_at(const MasterFace& face, std::span<const NodeMotion> motion, const Vec3& slave,
-             const EncounterSettings& settings, Place& best) {
+enum class Seen : std::int8_t { nothing, beside, over };
+
+/// Keeps the nearer one of `best` and this face, if that is within reach.
+Seen look_at(const MasterFace& face, std::span<const NodeMotion> motion, const Vec3& slave,
+             std::span<const LocalIndex> facets, std::span<const Vec3> facet_area, const EncounterSettings& settings,
+             Place& best) {
   FaceCorners storage;
   const std::span<const Vec3> corners = corners_of(face, motion, storage);
   const auto closest = geometry::closest_point(slave, corners);
-  if (!closest) return;
-  const Vec3 offset = slave - closest->point;
-  const double distance = offset.norm(), size = geometry::longest_edge(corners);
-  const Mat3 frame = face_frame(corners);
-  const double over = std::abs(frame.col(2).dot(offset)),
-               beside = std::sqrt(std::max(0.0, distance * distance - over * over));
-  if (over > settings.deepest(size, face.depth) || beside > settings.rim * size) return;
-  if (distance > best.distance || (distance == best.distance && face.key > best.face)) return;
-  best = {distance,
-          face.key,
-          {.face = face.key,
-           .body = face.body,
-           .block = face.block,
-           .weights = closest->weights,
-           .flush = distance <= flush * size,
-           .offset = frame.transpose() * offset}};
+  if (!closest) return Seen::nothing;
+  const Vec3 normal = normal_of(corners), offset = slave - closest->point;
+  const double size = geometry::longest_edge(corners), over = normal.dot(offset), distance = offset.norm();
+  const double reach = settings.deepest(size, face.depth);
+  if (std::abs(over) > reach || !looks_at(facets, facet_area, normal)) return Seen::nothing;
+  const Vec3 across = offset - over * normal;
+  if (across.norm() > settings.rim * size) return distance <= reach ? Seen::beside : Seen::nothing;
+  if (distance > best.distance || (distance == best.distance && face.key > best.face)) return Seen::over;
+  best = {distance, face.key, {.face = face.key, .body = face.body, .block = face.block, .weights = closest->weights}};
+  if (across.norm() > rounding * size) shift(corners, normal, across, best.tie.weights);
+  const double height = normal.dot(offset_of(slave, corners, best.tie.weights));
+  best.tie.height = std::abs(height) > flush * size ? height : 0.0;
+  return Seen::over;
 }
 
 /// Place of the slave among the candidates; no_index where it is none.
@@ -67,7 +111,36 @@ const MasterFace* face_of(const Tie& tie, const TieScene& scene) {
                                                                    : nullptr;
 }
 
-Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const TieScene& scene) {
+Mat3 cross_matrix(const Vec3& a) {
+  Mat3 matrix;
+  matrix << 0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0;
+  return matrix;
+}
+
+/// How the offset of a slave turns with the corners. What is along the normal turns with the area vector
+/// A = 1/2 sum x_i x x_{i+1}, whose rate is sum c_i x v_i with c_i = (x_{i-1} - x_{i+1}) / 2: the gradient of what the
+/// tie keeps. The little that has crept across goes with the corners' mean spin J^-1 sum d_i x v_i.
+void lay_lever(const Vec3& offset, std::span<const Vec3> corners, const Row& row, Lever& lever) {
+  const std::size_t count = corners.size();
+  const Vec3 &normal = row.normal, middle = middle_of(corners);
+  const double height = normal.dot(offset);
+  const Mat3 tilt = height / geometry::area_vector(corners).norm() * (Mat3::Identity() - normal * normal.transpose());
+  Mat3 inertia = Mat3::Zero();
+  for (const Vec3& corner : corners) {
+    const Mat3 arm = cross_matrix(corner - middle);
+    inertia += arm.transpose() * arm;
+  }
+  const Mat3 spin = cross_matrix(offset - height * normal) * inertia.inverse();
+  lever = {};
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 along = 0.5 * (corners[(i + count - 1) % count] - corners[(i + 1) % count]);
+    lever.turn[i + 1] = spin * cross_matrix(corners[i] - middle) - tilt * cross_matrix(along);
+    lever.size[i + 1] = lever.turn[i + 1].norm();
+    lever.most = std::max(lever.most, std::abs(row.weights[i + 1]) + lever.size[i + 1]);
+  }
+}
+
+Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const TieScene& scene, Lever& lever) {
   FaceCorners storage;
   const std::span<const Vec3> corners = corners_of(face, scene.motion, storage);
   const LocalIndex slave = scene.candidates.slave[static_cast<std::size_t>(candidate)];
@@ -79,19 +152,21 @@ Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const T
   row.nodes[0] = slave;
   row.weights[0] = 1;
   row.node_count = 1;
-  Vec3 crept = scene.motion[static_cast<std::size_t>(slave)].position;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (tie.weights[i] == 0) continue;
+    if (tie.height == 0 && tie.weights[i] == 0) continue;
     const auto k = static_cast<std::size_t>(row.node_count++);
     row.nodes[k] = face.nodes[i];
     row.weights[k] = -tie.weights[i];
-    crept -= tie.weights[i] * corners[i];
   }
-  const Mat3 frame = face_frame(corners);
-  crept -= frame * tie.offset;
-  row.normal = frame.col(2);
+  row.normal = normal_of(corners);
   row.cone = Cone::free;
   row.friction = std::numeric_limits<double>::infinity();
+  const Vec3 offset = offset_of(scene.motion[static_cast<std::size_t>(slave)].position, corners, tie.weights);
+  if (tie.height != 0) {
+    lay_lever(offset, corners, row, lever);
+    row.lever = &lever;
+  }
+  const Vec3 crept = offset - tie.height * row.normal;
   row.gap = row.normal.dot(crept);
   const Vec3 back = -scene.recovery / scene.dt * crept;
   row.required = row.normal.dot(back);
@@ -101,29 +176,29 @@ Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const T
 
 }  // namespace
 
-Mat3 face_frame(std::span<const Vec3> corners) {
-  const Vec3 normal = geometry::area_vector(corners).normalized();
-  const Vec3 edge = corners[1] - corners[0];
-  Mat3 frame;
-  frame.col(0) = (edge - normal.dot(edge) * normal).normalized();
-  frame.col(1) = normal.cross(frame.col(0));
-  frame.col(2) = normal;
-  return frame;
-}
-
 std::vector<Tie> find_ties(const Candidates& candidates, std::span<const MasterFace> faces,
                            std::span<const GlobalIndex> gid, std::span<const NodeMotion> motion,
-                           const EncounterSettings& settings,
-                           const std::function<bool(LocalIndex, LocalIndex)>& may_tie) {
+                           std::span<const Vec3> facet_area, const EncounterSettings& settings,
+                           const std::function<bool(LocalIndex, LocalIndex)>& may_tie,
+                           const std::function<void(LocalIndex, LocalIndex)>& beside) {
   std::vector<Tie> ties;
-  for (std::size_t s = 0; s < candidates.slave.size(); ++s) {
-    const LocalIndex slave = candidates.slave[s];
+  for (LocalIndex s = 0; s < static_cast<LocalIndex>(candidates.slave.size()); ++s) {
+    const LocalIndex slave = candidates.slave[static_cast<std::size_t>(s)];
+    const std::span<const LocalIndex> facets =
+        s < candidates.slave_facets.rows() ? candidates.slave_facets.row(s) : std::span<const LocalIndex>{};
     Place best;
-    for (const LocalIndex f : candidates.faces.row(static_cast<LocalIndex>(s)))
-      if (may_tie(slave, f))
-        look_at(faces[static_cast<std::size_t>(f)], motion, motion[static_cast<std::size_t>(slave)].position, settings,
-                best);
-    if (best.face == no_index) continue;
+    LocalIndex passed = no_index;
+    for (const LocalIndex f : candidates.faces.row(s)) {
+      if (!may_tie(slave, f)) continue;
+      const Vec3& place = motion[static_cast<std::size_t>(slave)].position;
+      if (look_at(faces[static_cast<std::size_t>(f)], motion, place, facets, facet_area, settings, best) ==
+          Seen::beside)
+        passed = f;
+    }
+    if (best.face == no_index) {
+      if (passed != no_index) beside(slave, passed);
+      continue;
+    }
     best.tie.slave = gid[static_cast<std::size_t>(slave)];
     ties.push_back(best.tie);
   }
@@ -139,12 +214,13 @@ bool holds(const Tie& tie, const TieScene& scene) {
   return slave_of(tie, scene) != no_index && face_of(tie, scene) != nullptr;
 }
 
-void tie_rows(std::span<const Tie> ties, const TieScene& scene, std::vector<Row>& rows) {
-  for (const Tie& tie : ties) {
-    const LocalIndex slave = slave_of(tie, scene);
-    const MasterFace* face = face_of(tie, scene);
+void tie_rows(std::span<const Tie> ties, const TieScene& scene, std::span<Lever> levers, std::vector<Row>& rows) {
+  demand(levers.size() == ties.size(), "room for a lever a tie");
+  for (std::size_t t = 0; t < ties.size(); ++t) {
+    const LocalIndex slave = slave_of(ties[t], scene);
+    const MasterFace* face = face_of(ties[t], scene);
     demand(slave != no_index && face != nullptr, "the lists hold the face of a tie and its slave");
-    rows.push_back(row_of(tie, slave, *face, scene));
+    rows.push_back(row_of(ties[t], slave, *face, scene, levers[t]));
   }
 }
 

@@ -96,6 +96,19 @@ class Ranks(Program):
                 self.run_scene(1, "rubber.yaml", "--out", f"{method}_one", "--set", "contact.0.passes=one")
                 self.assertNotEqual(self.summary(f"{method}_one")["state_hash"], wanted[0])
 
+    def test_ties_across_gaps_on_any_ranks_and_over_a_restart(self):
+        self.write("rings.yaml", scenes.TIED_RINGS)
+        hashes = []
+        for ranks in (1, 2, 3, 4):
+            self.run_scene(ranks, "rings.yaml", "--out", f"rings{ranks}")
+            hashes.append(self.summary(f"rings{ranks}")["state_hash"])
+        self.assertEqual(len(set(hashes)), 1)
+        self.assertGreater(self.summary("rings1")["contact"]["active"], 0)
+        self.assertLess(self.summary("rings1")["angular_momentum_error"], 1e-13)
+        self.run_scene(2, "rings.yaml", "--out", "rings_part", "--set", "run.steps=30")
+        self.run_scene(3, "rings.yaml", "--out", "rings_part", "--restart", "rings_part", "--set", "run.steps=80")
+        self.assertEqual(self.summary("rings_part")["state_hash"], hashes[0])
+
     def test_compare_tells_results_apart(self):
         self.run_scene(1, "scene.yaml", "--out", "a", "--set", "run.steps=5")
         self.run_scene(1, "scene.yaml", "--out", "b", "--set", "run.steps=5", "--set", "initial.0.velocity=[0.5,0,-1.001]")

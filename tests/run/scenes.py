@@ -185,6 +185,12 @@ contact: [{between: all, friction: 0.3, passes: two, method: METHOD}]
 run: {steps: 60}
 """
 
+# The rings tied, where their chords are apart and where they lie in each other; they spin and tilt.
+TIED_RINGS = RINGS.replace("contact: [{between: all, initial_overlap: offset}]", """initial:
+  - {part: outer, rotation: {axis: [0, 0.3, 1], rate: 2}}
+  - {part: inner, rotation: {axis: [0, 0.3, 1], rate: 2}, velocity: [0, 0, 0.1]}
+contact: [{between: [outer, inner], tied: true}]""").replace("steps: 1000", "steps: 80")
+
 # A fork whose arms lie inside each other, at rest.
 FORK = """\
 units: none

@@ -38,6 +38,15 @@ enum class Pass : std::int8_t {
   second  ///< the other way
 };
 
+/// Of a node that is held off its master's face: where that face turns, the node goes with it. Each node's velocity v
+/// counts in r by turn v besides its weight, and each takes turn^T p of an impulse, so that the row asks for nothing
+/// where all nodes turn together, and its impulses have no moment.
+struct Lever {
+  std::array<Mat3, 5> turn{};    ///< of each node of the row
+  std::array<double, 5> size{};  ///< bounds of |turn v| / |v|
+  double most = 1;               ///< bound of what one node takes of an impulse: the largest |weight| + size
+};
+
 /// One constraint on the relative velocity r = sum_i weights[i] v[nodes[i]]: normal . r >= required (equal, for a free
 /// cone) and, with friction, r = drift across the normal for as long as the impulse across it stays within friction
 /// times the impulse along it. An impulse p [momentum] changes the momentum of node i by weights[i] p.
@@ -61,10 +70,35 @@ struct Row {
   double slab = 0;            ///< Z1 Z2 / (Z1 + Z2) A of eq. (29) in Heinstein et al. 2000 [mass/time]; 0: not known
   double friction = 0;        ///< Coulomb coefficient for this step; 0: none; infinity: the node is tied to the master
   Vec3 drift = Vec3::Zero();  ///< velocity across the normal that sticking asks for [velocity]: takes back what slid
+  const Lever* lever = nullptr;  ///< of a tie across a gap or an overlap; lives as long as the rows of a step
 
   [[nodiscard]] bool is_wall() const { return master_key < 0; }
   [[nodiscard]] bool is_edge() const { return slave_second != no_index; }
 };
+
+/// The row's relative velocity; velocity_of(node): of a contact node.
+template <class VelocityOf>
+Vec3 relative_motion(const Row& row, VelocityOf&& velocity_of) {
+  Vec3 relative = Vec3::Zero();
+  const auto count = static_cast<std::size_t>(row.node_count);
+  for (std::size_t i = 0; i < count; ++i) relative += row.weights[i] * velocity_of(row.nodes[i]);
+  if (row.lever != nullptr)
+    for (std::size_t i = 0; i < count; ++i) relative += row.lever->turn[i] * velocity_of(row.nodes[i]);
+  return relative;
+}
+
+/// What node i of the row takes of its impulse [momentum].
+inline Vec3 impulse_on_node(const Row& row, std::size_t i, const Vec3& impulse) {
+  const Vec3 share = row.weights[i] * impulse;
+  return row.lever == nullptr ? share : Vec3(share + row.lever->turn[i].transpose() * impulse);
+}
+
+/// No node takes more than this times the row's impulse.
+inline double largest_share(const Row& row) {
+  constexpr double beside = 2;  // weights of a tied node a little beside its face
+  if (row.lever != nullptr) return row.lever->most;
+  return std::isinf(row.friction) ? beside : 1.0;
+}
 
 /// The impulse nearest to this one among those that the row admits: no pull (unless the cone is free), and across the
 /// normal at most friction times the impulse along it. The normal part is settled first and by itself: Coulomb's law,

@@ -99,6 +99,12 @@ struct ContactStatistics {  ///< the same on every rank
   EnforcementResult last;
 };
 
+/// How many nodes of block a are tied to faces of block b, [a * blocks + b], and how many look at such a face within
+/// reach but lie beside it, and are not; empty where no pair is tied.
+struct TiedNodes {
+  std::vector<GlobalIndex> tied, beside;
+};
+
 class Contact {
  public:
   /// excluded: one flag for each of mesh.faces (faces in a symmetry plane). inverse_mass: of the mesh's local nodes.
@@ -143,8 +149,7 @@ class Contact {
   [[nodiscard]] const History& history() const { return history_; }  ///< of the last step, on this rank
 
   [[nodiscard]] ContactTotals collect() const;  ///< collective
-  /// How many nodes of block a are tied to faces of block b, [a * blocks + b]; empty where no pair is tied. Collective.
-  [[nodiscard]] std::vector<GlobalIndex> tied_nodes() const;
+  [[nodiscard]] TiedNodes tied_nodes() const;   ///< of all ranks; collective
   [[nodiscard]] const ContactStatistics& statistics() const { return statistics_; }
   [[nodiscard]] ContactSums& sums() { return sums_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
@@ -158,6 +163,7 @@ class Contact {
   void look_at_start(const std::vector<Vec3>& reference, std::span<const Wall> walls);
   void forget_start();
   void make_ties(const std::vector<Vec3>& reference, std::span<const Wall> walls);
+  [[nodiscard]] std::size_t place_of_pair(std::int32_t slave_block, std::int32_t master_block) const;
   [[nodiscard]] bool are_tied(std::int32_t slave_block, std::int32_t master_block) const;
   [[nodiscard]] std::int32_t tied_block(LocalIndex slave, std::int32_t master_block) const;
   [[nodiscard]] TieScene tie_scene(double dt) const;
@@ -218,11 +224,12 @@ class Contact {
   History history_;
   std::vector<HistoryRecord> next_pairs_;
   std::vector<AnchorRecord> next_anchors_;
-  std::vector<Tie> ties_;                 // of slaves owned here
-  bool ties_are_flush_ = true;            // on all ranks
-  bool rubs_ = false;                     // friction somewhere
-  bool two_passes_ = false;               // of some pair
-  std::vector<LocalIndex> faces_by_key_;  // of the lists
+  std::vector<Tie> ties_;                  // of slaves owned here
+  std::vector<Lever> levers_;              // one a tie, of the last step
+  std::vector<GlobalIndex> nodes_beside_;  // see TiedNodes, of this rank
+  bool rubs_ = false;                      // friction somewhere
+  bool two_passes_ = false;                // of some pair
+  std::vector<LocalIndex> faces_by_key_;   // of the lists
 
   ContactSums sums_;
   ContactStatistics statistics_;

@@ -2,6 +2,12 @@
 // Parts that hold together: slave nodes that lie on (or just off) a face of the other part at the start keep their
 // place against it for the whole run. A tie is Coulomb friction without limit whose normal pulls as well as pushes, so
 // its rows are solved with all the others.
+//
+// A node at the height h over its face keeps the place x_s = sum w_i x_i + h n, with n the unit area vector of the
+// face: the two are as if joined by a rigid pin that stands on the face. The row is the gradient of that, so that a
+// turn of all together asks for nothing and its impulses have no moment (see Lever). Against the other cures: weights
+// over the nodes of the element behind the face keep moments as well, but stretch the gap with the element, which
+// overloads its layer by h over its depth; moving the nodes onto the faces changes the mesh that was asked for.
 #pragma once
 #include <functional>
 #include <span>
@@ -17,21 +23,21 @@ struct Tie {
   GlobalIndex face = 0;                 ///< key
   std::int32_t body = 0, block = 0;     ///< of the face
   std::int32_t slave_block = no_index;  ///< that is tied to it
-  std::array<double, 4> weights{};      ///< of the face's corners
-  bool flush = true;                    ///< the node lies on its face, but for a thousandth of the face's longest edge
-  Vec3 offset = Vec3::Zero();           ///< from there to the node, in the frame of the face [length]
+  std::array<double, 4> weights{};      ///< of the face's corners, sum 1; a little beside the face some are negative
+  double height = 0;                    ///< over the point that they name, along the face's area vector [length]
 };
 
-/// The axes of a face that offsets are measured in, as columns: two in it and its normal.
-Mat3 face_frame(std::span<const Vec3> corners);
-
 /// Finds the ties among the candidates, in ascending order of their slaves: each slave with the nearest face (of equals
-/// the lowest key) that it may be tied to, within the settings' reach of it in its plane or out of it.
-/// may_tie(slave, face): contact node and index of the face. motion: positions of the start. faces: of the lists.
+/// the lowest key) that it may be tied to, that its own surface looks at (by 60 degrees or less), and that has it
+/// within the settings' reach over it and at most their `rim` beside it. may_tie(slave, face): contact node and index
+/// of the face. motion: positions of the start. faces: of the lists. facet_area: along the area vectors of the slaves'
+/// own faces; slaves that have none look everywhere.
+/// beside(slave, face) is called for slaves without a tie that look at a face within reach, but lie beside it.
 std::vector<Tie> find_ties(const Candidates& candidates, std::span<const MasterFace> faces,
                            std::span<const GlobalIndex> gid, std::span<const NodeMotion> motion,
-                           const EncounterSettings& settings,
-                           const std::function<bool(LocalIndex, LocalIndex)>& may_tie);
+                           std::span<const Vec3> facet_area, const EncounterSettings& settings,
+                           const std::function<bool(LocalIndex, LocalIndex)>& may_tie,
+                           const std::function<void(LocalIndex, LocalIndex)>& beside);
 
 /// What rows of ties are made from, besides the ties.
 struct TieScene {
@@ -50,7 +56,8 @@ const Tie* find_tie(std::span<const Tie> ties, GlobalIndex slave, std::int32_t b
 /// Do the lists hold the face of a tie and its slave? Not where the parts have been torn from each other.
 bool holds(const Tie& tie, const TieScene& scene);
 
-/// Appends a row a tie: free along the normal, friction without limit across it.
-void tie_rows(std::span<const Tie> ties, const TieScene& scene, std::vector<Row>& rows);
+/// Appends a row a tie: free along the normal, friction without limit across it. levers: room for one a tie, to live as
+/// long as the rows.
+void tie_rows(std::span<const Tie> ties, const TieScene& scene, std::span<Lever> levers, std::vector<Row>& rows);
 
 }  // namespace brunt::contact

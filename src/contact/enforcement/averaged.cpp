@@ -57,8 +57,7 @@ EnforcementResult enforce_averaged(const System& system, const EnforcementSettin
     result.acted = result.acted || one.acted;
   }
   if (!result.acted) return result;  // velocity is v*
-  double largest = 0;
-  for (const Vec3& impulse : impulses) keep_max(largest, impulse.norm());
+  double largest = largest_impulse_on_a_node(system.rows, impulses);
   exchange.max({&largest, 1});
   demand_finite(largest);
   apply_impulses(system, impulses, largest, exchange, velocity, scratch);

@@ -15,7 +15,7 @@ namespace {
 struct Judgement {
   double residual = 0;   ///< max H |step of length 1| [velocity]
   double energy = 0;     ///< max H |step of length 1|^2, the size of the terms of the next quotient [energy]
-  double impulse = 0;    ///< bound of |p|
+  double impulse = 0;    ///< bound of what p gives to a node
   double rise = 0;       ///< bound of what a step of length 1 can add to it
   bool coupled = false;  ///< rows share nodes: else a step of length 1 is exact
   double speed = 0;      ///< largest component of a slave's velocity
@@ -67,7 +67,7 @@ Judgement Iteration::judge(double term_size) {
     scratch_.missing[q] = missing;
     const Vec3 next = admitted(row, impulses_[q] + missing / h);
     const double step = (next - impulses_[q]).norm();
-    const double slope = std::isinf(row.friction) ? 1.0 : std::hypot(1.0, row.friction);
+    const double slope = std::isinf(row.friction) ? largest_share(row) : std::hypot(1.0, row.friction);
     const double rise = row.cone == Cone::free ? missing.norm() : std::max(0.0, row.normal.dot(missing));
     keep_max(largest[5], velocity_[static_cast<std::size_t>(row.nodes[0])].cwiseAbs().maxCoeff());
     keep_max(largest[0], h * step);
@@ -144,8 +144,7 @@ EnforcementResult enforce_rate_constraint(const System& system, const Enforcemen
   }
   const bool coupled = form_row_sums(system, exchange, scratch);
   if (settings.warm_start) {
-    double largest = 0;
-    for (const Vec3& impulse : impulses) keep_max(largest, impulse.norm());
+    double largest = largest_impulse_on_a_node(system.rows, impulses);
     exchange.max({&largest, 1});
     if (largest > 0) apply_impulses(system, impulses, largest, exchange, velocity, scratch);
   } else {

@@ -22,12 +22,13 @@ double free_share(const Row& row, const Mobility& mobility) {
   return row.friction > 0 ? 1.0 : along;
 }
 
-/// Calls visit(node, |G_qn P_n|) for the nodes of a row.
+/// Calls visit(node, |G_qn P_n|) for the nodes of a row (of a lever: a bound of it).
 template <class Visit>
 void for_each_weight(const System& system, const Row& row, Visit&& visit) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
     const auto node = static_cast<std::size_t>(row.nodes[i]);
-    visit(node, std::abs(row.weights[i]) * free_share(row, system.mobility[node]));
+    const double weight = std::abs(row.weights[i]) + (row.lever == nullptr ? 0.0 : row.lever->size[i]);
+    visit(node, weight * free_share(row, system.mobility[node]));
   }
 }
 
@@ -48,7 +49,8 @@ double shortfall(const Row& row, const Vec3& relative) {
 
 void sum_rows_of_nodes(const System& system, Exchange& exchange, EnforcementScratch& scratch) {
   const std::size_t nodes = system.motion.size();
-  const BinGrid grid = BinGrid::for_bound(1.0);
+  constexpr double largest_weight = 4;  // of levers; others' are 1 at most
+  const BinGrid grid = BinGrid::for_bound(largest_weight);
   scratch.row_sum_parts.assign(nodes * row_sum_width, 0.0);
   for (const Row& row : system.rows) {
     for_each_weight(system, row, [&](std::size_t node, double weight) {
@@ -94,10 +96,13 @@ void keep_max(double& largest, double value) {
 }
 
 Vec3 relative_velocity(const Row& row, std::span<const Vec3> velocity) {
-  Vec3 relative = Vec3::Zero();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
-    relative += row.weights[i] * velocity[static_cast<std::size_t>(row.nodes[i])];
-  return relative;
+  return relative_motion(row, [&](LocalIndex node) -> const Vec3& { return velocity[static_cast<std::size_t>(node)]; });
+}
+
+double largest_impulse_on_a_node(std::span<const Row> rows, std::span<const Vec3> impulses) {
+  double largest = 0;
+  for (std::size_t q = 0; q < rows.size(); ++q) keep_max(largest, largest_share(rows[q]) * impulses[q].norm());
+  return largest;
 }
 
 Vec3 missing_rate(const Row& row, const Vec3& relative) {
@@ -128,6 +133,7 @@ bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch&
   bool coupled = false;
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     const Row& row = system.rows[q];
+    coupled = coupled || row.lever != nullptr;  // its H is a bound
     for_each_weight(system, row, [&](std::size_t node, double weight) {
       const Mobility& mobility = system.mobility[node];
       const double sum = scratch.row_sum[node];
@@ -158,7 +164,8 @@ void apply_impulses(const System& system, std::span<const Vec3> impulses, double
     const Row& row = system.rows[q];
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
       double* parts = &scratch.impulse_parts[static_cast<std::size_t>(row.nodes[i]) * impulse_width];
-      for (int c = 0; c < 3; ++c) binned_add(grid, row.weights[i] * impulses[q][c], parts + c * bin_slices);
+      const Vec3 share = impulse_on_node(row, i, impulses[q]);
+      for (int c = 0; c < 3; ++c) binned_add(grid, share[c], parts + c * bin_slices);
     }
   }
   exchange.sum_to_owner(scratch.impulse_parts, impulse_width);

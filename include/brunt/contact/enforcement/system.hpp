@@ -41,8 +41,11 @@ void demand_finite(double largest);
 /// Maximum that does not lose NaN, which compares false with everything.
 void keep_max(double& largest, double value);
 
-/// sum_i weights[i] v[nodes[i]] [velocity].
+/// Of the row's nodes [velocity]; see Row.
 Vec3 relative_velocity(const Row& row, std::span<const Vec3> velocity);
+
+/// Bound of what a row's impulse gives to any of its nodes, over these rows [momentum].
+double largest_impulse_on_a_node(std::span<const Row> rows, std::span<const Vec3> impulses);
 
 /// What the row asks for beyond this relative velocity: required - n . v along the normal and, with friction,
 /// drift - v across it [velocity].
@@ -62,7 +65,8 @@ bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch&
 /// Fills scratch.diagonal with the diagonal of G W G^T.
 void form_diagonal(const System& system, EnforcementScratch& scratch);
 
-/// v = v* + W G^T p on owners, then on every copy. largest: bound of |p|, the same on all ranks. Collective.
+/// v = v* + W G^T p on owners, then on every copy. largest: bound of what an impulse gives to a node, the same on all
+/// ranks. Collective.
 void apply_impulses(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,
                     std::span<Vec3> velocity, EnforcementScratch& scratch);
 

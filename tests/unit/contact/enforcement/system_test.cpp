@@ -47,3 +47,30 @@ TEST_CASE("row sums bound the operator: 1 for lone pairs, more where rows share 
   form_diagonal(p.system(), scratch);
   CHECK(scratch.diagonal == std::vector<double>{2, 2});
 }
+
+TEST_CASE("a lever: nodes take what the row's rate is the transpose of, and the row sums bound the operator") {
+  Problem p;
+  const LocalIndex a = p.add_node(1, {0, 0, -1}), b = p.add_node(2, {0, 0, 0}), c = p.add_node(3, {1, 0, 2});
+  Lever lever{.turn = {}, .size = {0, 1, 1}, .most = 1.5};
+  lever.turn[1] << 0, 0.6, 0, -0.5, 0, 0.2, 0, 0, 0.3;
+  lever.turn[2] = -lever.turn[1];
+  Row& row = p.add_row({{a, 1}, {b, -0.5}, {c, -0.5}}, Vec3::UnitZ());
+  row.cone = Cone::free;
+  row.friction = std::numeric_limits<double>::infinity();
+  row.lever = &lever;
+  OneRankExchange exchange;
+  EnforcementScratch scratch;
+  CHECK(form_row_sums(p.system(), exchange, scratch));  // a bound: one step is not the solution
+  p.velocity.resize(3);
+  const Vec3 before = relative_velocity(row, std::vector<Vec3>{{0, 0, -1}, {0, 0, 0}, {1, 0, 2}});
+  for (const Vec3& impulse : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.5, -0.3, 0.8)}) {
+    apply_impulses(p.system(), std::vector<Vec3>{impulse}, 2 * largest_share(row), exchange, p.velocity, scratch);
+    CHECK(p.momentum_change().norm() < 1e-15);
+    const Vec3 answer = relative_velocity(row, p.velocity) - before;  // G W G^T p
+    CHECK(impulse.dot(answer) > 0);
+    CHECK(answer.norm() <= scratch.diagonal[0] * impulse.norm());
+  }
+  p.solve({.tolerance = 1e-12, .max_iterations = 1000});
+  CHECK(relative_velocity(row, p.velocity).norm() < 1e-11);
+  CHECK(p.kinetic(true) < p.kinetic(false));
+}
