@@ -33,7 +33,7 @@ void tell_ties(Prepared& run) {
   std::vector<std::string> faults;
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = a; b < n; ++b) {
-      if (run.model.contact.tied[a * n + b] == 0) continue;
+      if (run.model.contact.tied[a * n + b] == contact::Tied::no) continue;
       const std::string &one = run.model.blocks[a].part, &other = run.model.blocks[b].part;
       const GlobalIndex there = nodes[a * n + b], back = a == b ? 0 : nodes[b * n + a];
       if (there + back == 0)

@@ -12,7 +12,7 @@ std::size_t Contact::place_of_pair(std::int32_t slave_block, std::int32_t master
 }
 
 bool Contact::are_tied(std::int32_t slave_block, std::int32_t master_block) const {
-  return settings_.tied[place_of_pair(slave_block, master_block)] != 0;
+  return settings_.tied[place_of_pair(slave_block, master_block)] != Tied::no;
 }
 
 /// The block of the slave that is tied to this one, the first of several; no_index where none is.
@@ -61,12 +61,21 @@ void Contact::demand_ties_hold() const {
     throw GuardError("contact: tied parts have been torn from each other: a face is out of reach of a node tied to it");
 }
 
+/// Is the row's slave a node of blocks that have but their ties to do with the master's?
+bool Contact::nothing_else_acts(const Row& row) const {
+  const auto blocks = surface_.blocks.row(lists_.nodes.surface_node[static_cast<std::size_t>(row.nodes[0])]);
+  return std::ranges::all_of(blocks, [&](std::int32_t block) {
+    return settings_.tied[place_of_pair(block, row.master_block)] == Tied::alone ||
+           settings_.pairs.at(block, row.master_block) == PairRule::apart;
+  });
+}
+
 /// A tied node has nothing but its tie to do with that body, nor have edges of tied parts with each other.
 void Contact::drop_tied_rows() {
   std::erase_if(rows_, [&](const Row& row) {
     if (row.is_wall()) return false;
     if (row.is_edge()) return are_tied(row.slave_block, row.master_block);
-    return find_tie(ties_, row.slave_gid, row.master_body) != nullptr;
+    return find_tie(ties_, row.slave_gid, row.master_body) != nullptr || nothing_else_acts(row);
   });
 }
 

@@ -97,6 +97,11 @@ bool excludes(const ContactEntry& entry, const std::string& a, const std::string
   });
 }
 
+/// General contact finds tied parts tied and leaves them so; to untie them an entry must name them.
+bool leaves_tied(const ContactEntry& entry, bool tied) {
+  return tied && entry.between.empty();
+}
+
 /// Nodes that contact, walls or constraints may still change after the prediction.
 std::vector<LocalIndex> late_nodes(const model::Model& model) {
   std::vector<LocalIndex> late;
@@ -135,7 +140,7 @@ model::ContactRule contact_rule(const Input& input, std::span<const std::string>
   rule.forced_slave.assign(n * n, 0);
   rule.passes.assign(n * n, contact::Passes::one);
   rule.friction.assign(n * n, {});
-  rule.tied.assign(n * n, 0);
+  rule.tied.assign(n * n, contact::Tied::no);
   for (const ContactEntry& entry : input.contact) {
     rule.enforcement = entry.enforcement;
     rule.rebuild_every = entry.rebuild_every;
@@ -146,7 +151,12 @@ model::ContactRule contact_rule(const Input& input, std::span<const std::string>
         const bool straight = names_pair(entry, first, second), turned = names_pair(entry, second, first);
         if (!straight && !turned) continue;
         rule.friction[a * n + b] = entry.friction;
-        rule.tied[a * n + b] = entry.tied ? 1 : 0;
+        contact::Tied& tied = rule.tied[a * n + b];
+        if (leaves_tied(entry, tied != contact::Tied::no)) {
+          if (excludes(entry, first, second)) tied = contact::Tied::alone;
+          continue;
+        }
+        tied = entry.tied ? contact::Tied::yes : contact::Tied::no;
         // Passes::automatic is not offered to scenes yet: at rest the feedback answers gaps of rounding, and overlaps
         // of the start faster than they are to be recovered
         const bool two = entry.passes == contact::Passes::two && !entry.tied;
@@ -159,7 +169,7 @@ model::ContactRule contact_rule(const Input& input, std::span<const std::string>
           rule.forced_slave[a * n + b] = 0;
       }
   }
-  if (std::ranges::none_of(rule.tied, [](char on) { return on != 0; })) rule.tied.clear();
+  if (std::ranges::none_of(rule.tied, [](contact::Tied tied) { return tied != contact::Tied::no; })) rule.tied.clear();
   rule.any = std::ranges::any_of(rule.active, [](std::int8_t on) { return on != 0; });
   return rule;
 }
@@ -167,8 +177,10 @@ model::ContactRule contact_rule(const Input& input, std::span<const std::string>
 std::optional<ContactEntry::InitialOverlap> overlap_rule(const Input& input, const std::string& a,
                                                          const std::string& b) {
   std::optional<ContactEntry::InitialOverlap> rule;
+  bool tied = false;
   for (const ContactEntry& entry : input.contact) {
-    if (!names_pair(entry, a, b) && !names_pair(entry, b, a)) continue;
+    if ((!names_pair(entry, a, b) && !names_pair(entry, b, a)) || leaves_tied(entry, tied)) continue;
+    tied = entry.tied;
     const bool itself = a == b && entry.between.empty() && !entry.self;
     rule = itself || excludes(entry, a, b) ? std::nullopt : std::optional(entry.initial_overlap);
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "brunt/scene/sections.hpp"
 
@@ -123,6 +124,21 @@ void judge_tied(Section& entry, const ContactEntry& contact) {
   if (contact.friction.any()) fault(key, "tied parts do not slide; accepted: true without friction");
 }
 
+/// A later entry that names two tied parts unties them: what is meant is to be said.
+void judge_untied(const Key& whole, Section& entry, const ContactEntry& contact, Input& input) {
+  if (contact.tied || contact.between.empty() || entry.has("tied")) return;
+  const std::set<std::string> pair(contact.between.begin(), contact.between.end());
+  const auto names_it = [&](const ContactEntry& earlier) {
+    return pair == std::set<std::string>(earlier.between.begin(), earlier.between.end());
+  };
+  const auto last = std::ranges::find_if(input.contact.rbegin(), input.contact.rend(), names_it);
+  if (last == input.contact.rend() || !last->tied) return;
+  warn(whole,
+       fmt::format("unties {} and {}, which contact.{} ties; with tied: false it does so without this warning",
+                   contact.between[0], contact.between[1], input.contact.rend() - last - 1),
+       input);
+}
+
 ContactEntry read_entry(Section& entry, const ContactEntry& before) {
   static const Choices<Overlap> overlaps{
       {{"error", Overlap::error}, {"warn", Overlap::warn}, {"move", Overlap::move}, {"offset", Overlap::offset}}, {}};
@@ -182,6 +198,7 @@ void read_contact(Section& scene, Input& input) {
     if (!entry.is_map()) continue;
     const ContactEntry contact = read_entry(entry, input.contact.empty() ? ContactEntry{} : input.contact.back());
     judge_enforcement(key, entry, contact, input);
+    judge_untied(key, entry, contact, input);
     const contact::FrictionLaw& friction = contact.friction;
     if (friction.kinetic < friction.fixed && friction.decay == 0)
       warn(entry.at("friction"), "without decay the coefficient stays the static one, kinetic does nothing", input);

@@ -53,7 +53,7 @@ struct ContactSettings {
   bool bodies = true;  ///< search for contact between bodies
   DetectionSettings detection;
   std::vector<FrictionLaw> friction;  ///< of pairs of blocks, [a * blocks + b]; empty: none
-  std::vector<char> tied{};           ///< a flag for each pair of blocks, the same places; empty: none
+  std::vector<Tied> tied{};           ///< of pairs of blocks, the same places; empty: none
   std::vector<double> impedance;      ///< density times speed of sound of each block, for Method::printed
   EnforcementSettings enforcement;
   GapFeedback feedback;       ///< of pairs in two passes
@@ -164,6 +164,7 @@ class Contact {
   void forget_start();
   void make_ties(const std::vector<Vec3>& reference, std::span<const Wall> walls);
   [[nodiscard]] std::size_t place_of_pair(std::int32_t slave_block, std::int32_t master_block) const;
+  [[nodiscard]] bool nothing_else_acts(const Row& row) const;
   [[nodiscard]] bool are_tied(std::int32_t slave_block, std::int32_t master_block) const;
   [[nodiscard]] std::int32_t tied_block(LocalIndex slave, std::int32_t master_block) const;
   [[nodiscard]] TieScene tie_scene(double dt) const;

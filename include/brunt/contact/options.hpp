@@ -41,6 +41,13 @@ constexpr std::string_view name_of(Method method) {
   return {};
 }
 
+/// Of two blocks: do they hold together?
+enum class Tied : std::int8_t {
+  no,
+  yes,   ///< nodes at faces at the start do, others make contact as usual
+  alone  ///< those do, and nothing else acts between the two
+};
+
 struct EnforcementSettings {
   Method method = Method::rate;
   double tolerance = 1e-3;  ///< of the residual, relative to the largest violation by the predicted velocities

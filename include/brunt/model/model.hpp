@@ -57,7 +57,7 @@ struct ContactRule {
   std::vector<std::int8_t> active;             ///< [block_a * blocks + block_b]
   std::vector<std::int8_t> forced_slave;       ///< 0 automatic, 1: block_a is slave of block_b, -1 the other way
   std::vector<contact::FrictionLaw> friction;  ///< the same places
-  std::vector<char> tied;                      ///< likewise; empty: no pair is
+  std::vector<contact::Tied> tied;             ///< likewise; empty: no pair is
   std::vector<contact::Passes> passes;         ///< likewise; empty: one
   contact::EnforcementSettings enforcement;
   int rebuild_every = 0;  ///< steps; 0: when the motion is used up; -1: also at random

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the entries of `contact` come to for each pair of blocks.
+#include "brunt/scene/build.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "brunt/scene/read.hpp"
+#include "unit/scene/good_scene.hpp"
+
+using namespace brunt;
+using namespace brunt::scene;
+using contact::Tied;
+
+namespace {
+
+Input scene_with(const std::string& contact) {
+  const std::vector<std::string> overrides{"contact=" + contact};
+  return read_scene(std::string(small_scene), "small.yaml", overrides);
+}
+
+/// Of the pair (left, right).
+struct Rule {
+  Tied tied = Tied::no;
+  bool active = false;
+  double friction = 0;
+  int slave = 0;
+  std::optional<ContactEntry::InitialOverlap> overlap;
+};
+
+Rule rule_of(const std::string& contact) {
+  const Input input = scene_with(contact);
+  const model::ContactRule rule = contact_rule(input, std::vector<std::string>{"left", "right"});
+  return {rule.tied.empty() ? Tied::no : rule.tied[1], rule.active[1] != 0, rule.friction[1].fixed,
+          rule.forced_slave[1], overlap_rule(input, "left", "right")};
+}
+
+using Overlap = ContactEntry::InitialOverlap;
+
+}  // namespace
+
+TEST_CASE("tied parts stay tied under general contact, before it or after it", "[scene]") {
+  for (const char* contact : {"[{between: [left, right], tied: true, slave: right}, {between: all, friction: 0.2}]",
+                              "[{between: all, friction: 0.2}, {between: [right, left], tied: true, slave: right}]"}) {
+    CAPTURE(contact);
+    const Rule rule = rule_of(contact);
+    CHECK(rule.tied == Tied::yes);
+    CHECK(rule.active);
+    CHECK(rule.slave == -1);
+    CHECK(rule.overlap == Overlap::offset);
+  }
+  CHECK(rule_of("[{between: [left, right], tied: true}, {between: all, friction: 0.2}]").friction == 0.2);
+}
+
+TEST_CASE("tied parts that general contact excludes have their ties and nothing else", "[scene]") {
+  const Rule rule = rule_of("[{between: [left, right], tied: true}, {between: all, exclude: [[right, left]]}]");
+  CHECK(rule.tied == Tied::alone);
+  CHECK(rule.active);
+  CHECK(rule.overlap == Overlap::offset);
+  CHECK(rule_of("[{between: all, exclude: [[right, left]]}, {between: [left, right], tied: true}]").tied == Tied::yes);
+}
+
+TEST_CASE("an entry that names tied parts unties them, with a warning unless it says so", "[scene]") {
+  const std::string tied = "[{between: [left, right], tied: true}, {between: all}, ";
+  const Rule rule = rule_of(tied + "{between: [right, left]}]");
+  CHECK(rule.tied == Tied::no);
+  CHECK(rule.overlap == Overlap::error);
+  const Input told = scene_with(tied + "{between: [right, left]}]");
+  REQUIRE(told.warnings.size() == 1);
+  CHECK_THAT(told.warnings[0], Catch::Contains("contact.2: unties right and left, which contact.0 ties"));
+  CHECK(scene_with(tied + "{between: [right, left], tied: false}]").warnings.empty());
+  CHECK(scene_with(tied + "{between: [left, left]}]").warnings.empty());
+  CHECK(scene_with("[{between: [left, right]}, {between: [left, right]}]").warnings.empty());
+}
