@@ -9,6 +9,7 @@ TEST_CASE("no allocation in a step of contact") {
   using namespace brunt;
   const auto passes = GENERATE(contact::Passes::one, contact::Passes::two);
   const double friction = GENERATE(0.0, 0.2);
+  const auto tied = GENERATE(contact::Tied::no, contact::Tied::yes);
   const comm::Communicator world = comm::Communicator::world();
   mesh::Mesh mesh;
   support::append_box(mesh, {0, 0, 0}, {4, 4, 1}, {4, 4, 1});
@@ -23,6 +24,7 @@ TEST_CASE("no allocation in a step of contact") {
   settings.pairs.set(0, 1, contact::PairRule::automatic);
   settings.pairs.set_passes(0, 1, passes);
   settings.friction.assign(4, {friction, friction, 0});
+  if (tied != contact::Tied::no) settings.tied = {contact::Tied::no, tied, tied, contact::Tied::no};
   contact::Contact contact = points.make_contact(settings);
   int quiet_steps = 0, solved = 0;
   for (int step = 0; step < 20; ++step) {

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is said of overlaps: names of the input, one line a pair, advice that fits what can be done.
+#include "app/overlap_report.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "brunt/mesh/assemble.hpp"
+#include "brunt/mesh/primitives.hpp"
+#include "brunt/scene/read.hpp"
+
+using namespace brunt;
+using app::InitialGaps;
+using app::InitialOverlap;
+using app::OverlapReport;
+using app::OverlapRule;
+using Catch::Contains;
+
+namespace {
+
+/// Two cubes of one element each: nodes 1 to 8 and 9 to 16, blocks 0 and 1.
+struct Parts {
+  scene::Input input = scene::read_scene(
+      "units: none\nmesh: {file: of_the_test}\nrun: {end: 1}\n"
+      "materials: {m: {model: elastic, density: 1, young: 1, poisson: 0}}\n"
+      "parts: {anvil: {block: a, material: m}, hammer: {block: b, material: m}}\n"
+      "contact: [{between: all}]\n",
+      "forge.yaml");
+  mesh::Mesh mesh;
+  Parts() {
+    mesh::append(mesh, mesh::box("a", Vec3(1, 1, 1), {1, 1, 1}), "");
+    mesh::append(mesh, mesh::box("b", Vec3(1, 1, 1), {1, 1, 1}), "");
+    for (std::size_t n = 0; n < mesh.node_id.size(); ++n) mesh.node_id[n] = 100 + static_cast<GlobalIndex>(n);
+  }
+  [[nodiscard]] OverlapReport report(std::vector<InitialOverlap> overlaps,
+                                     std::vector<app::Piercing> piercings = {}) const {
+    InitialGaps gaps;
+    gaps.overlaps = std::move(overlaps);
+    gaps.piercings = std::move(piercings);
+    return report_overlaps(input, mesh, gaps);
+  }
+};
+
+/// A node of the hammer in the anvil, behind its upper face.
+InitialOverlap in_anvil(LocalIndex node, double depth, OverlapRule rule = OverlapRule::error) {
+  InitialOverlap overlap{.node = node, .block = 1, .other_block = 0, .body = 1, .other_body = 0, .depth = depth};
+  overlap.face = {4, 5, 7, 6};
+  overlap.rule = rule;
+  return overlap;
+}
+
+}  // namespace
+
+TEST_CASE("overlap report: nothing to say of parts that do not overlap") {
+  const OverlapReport report = Parts().report({});
+  CHECK(report.list.empty());
+  CHECK(report.faults.empty());
+  CHECK(report.warnings.empty());
+}
+
+TEST_CASE("overlap report: nodes and faces have the input's numbers; both ways between two parts are one pair") {
+  InitialOverlap back = in_anvil(7, 0.1);
+  std::swap(back.block, back.other_block);
+  std::swap(back.body, back.other_body);
+  const OverlapReport report = Parts().report({in_anvil(8, 0.25), in_anvil(9, 0.125), back});
+  REQUIRE(report.list.size() == 3);
+  CHECK_THAT(report.list[0], Contains("108") && Contains("of hammer") && Contains("0.25 inside anvil") &&
+                                 Contains("behind its face 104-105-107-106"));
+  CHECK_THAT(report.list[2], Contains("107") && Contains("of anvil") && Contains("inside hammer"));
+  REQUIRE(report.faults.size() == 2);
+  CHECK_THAT(report.faults[0],
+             Contains("forge.yaml: contact: node 108 of part 'hammer' lies 0.25 inside part 'anvil'") &&
+                 Contains("the deepest of 3 nodes"));
+  CHECK_THAT(report.faults[1], Contains("warn") && Contains("move") && Contains("offset"));
+}
+
+TEST_CASE("overlap report: one node is not called the deepest of one") {
+  const OverlapReport report = Parts().report({in_anvil(8, 0.25, OverlapRule::warn)});
+  REQUIRE(report.warnings.size() == 1);
+  CHECK_THAT(report.warnings[0], !Contains("deepest"));
+  CHECK(report.faults.empty());
+}
+
+TEST_CASE("overlap report: what move and offset treat is not told; what they cannot is a fault of its own") {
+  for (const OverlapRule rule : {OverlapRule::move, OverlapRule::offset}) {
+    InitialOverlap deep = in_anvil(9, 0.5, rule);
+    CHECK(Parts().report({in_anvil(8, 0.1, rule)}).faults.empty());
+    deep.too_deep = true;
+    const OverlapReport report = Parts().report({deep, in_anvil(8, 0.1, rule)});
+    REQUIRE(report.faults.size() == 2);
+    CHECK_THAT(report.faults[0], Contains("1 of them so deep"));
+    CHECK_THAT(report.faults[1], Contains("move the parts apart") && !Contains("recovered slowly"));
+  }
+}
+
+TEST_CASE("overlap report: a body in itself can be offset but not moved; piercings never are") {
+  InitialOverlap fold = in_anvil(8, 0.1, OverlapRule::move);
+  fold.body = fold.other_body;
+  const OverlapReport moved = Parts().report({fold});
+  REQUIRE(moved.faults.size() == 2);
+  CHECK_THAT(moved.faults[0], Contains("one body, which overlaps itself"));
+  CHECK_THAT(moved.faults[1], Contains("does not part a body from itself"));
+  fold.rule = OverlapRule::offset;
+  CHECK(Parts().report({fold}).faults.empty());
+  const app::Piercing piercing{.block = 1,
+                               .other_block = 0,
+                               .edges = 2,
+                               .edge = {8, 12},
+                               .face = {0, 1, 2, no_index},
+                               .rule = OverlapRule::offset};
+  const OverlapReport pierced = Parts().report({}, {piercing});
+  REQUIRE(pierced.faults.size() == 2);
+  CHECK_THAT(pierced.faults[0],
+             Contains("'hammer' pierces part 'anvil' (2 edges; first: nodes 108-112 through face 100-101-102)"));
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// What elements cost a rank, and which faces bring contact its work.
+#include "app/weights.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "brunt/mesh/assemble.hpp"
+#include "brunt/mesh/primitives.hpp"
+#include "brunt/scene/read.hpp"
+#include "brunt/scene/select.hpp"
+
+using namespace brunt;
+
+namespace {
+
+/// A fine cube of 3^3 elements that stands, or falls, over a slab of 2 x 2 x 1.
+struct Scene {
+  scene::Input input;
+  mesh::CanonicalMesh whole;
+
+  explicit Scene(const std::string& more, double height = 0.01)
+      : input(scene::read_scene("units: none\nmesh: {file: of_the_test}\nrun: {end: 1}\n"
+                                "materials: {m: {model: elastic, density: 1, young: 1, poisson: 0}}\n"
+                                "parts: {slab: {material: m}, cube: {material: m, element: hex8_full}}\n" +
+                                    more,
+                                "scene of the test")) {
+    mesh::Mesh mesh;
+    mesh::append(mesh, mesh::box("slab", Vec3(4, 4, 1), {2, 2, 1}), "");
+    mesh::Mesh cube = mesh::box("cube", Vec3(1, 1, 1), {3, 3, 3});
+    for (Vec3& x : cube.coordinates) x += Vec3(0, 1.5, 1 + height);
+    mesh::append(mesh, std::move(cube), "");
+    whole = mesh::canonical_order(std::move(mesh));
+    scene::select(input, whole);
+  }
+  [[nodiscard]] partition::Weights weights() const { return app::weigh(input, whole); }
+};
+
+std::int64_t faces_of(const partition::Weights& weights, std::size_t from, std::size_t to) {
+  std::int64_t sum = 0;
+  for (std::size_t e = from; e < to; ++e) sum += weights.contact_faces[e];
+  return sum;
+}
+
+constexpr std::size_t slab = 4, all = 4 + 27;
+
+}  // namespace
+
+TEST_CASE("weights: a fully integrated element costs five of one point") {
+  const partition::Weights weights = Scene("").weights();
+  REQUIRE(weights.cost.size() == all);
+  for (std::size_t e = 0; e < all; ++e) CHECK(weights.cost[e] == Approx(weights.cost[0] * (e < slab ? 1 : 5)));
+  CHECK(faces_of(weights, 0, all) == 0);  // no contact
+}
+
+TEST_CASE("weights: faces of the slave that are near the master, or fall onto it, count") {
+  const partition::Weights near = Scene("contact: [{between: all}]\n").weights();
+  CHECK(faces_of(near, 0, slab) == 0);
+  CHECK(faces_of(near, slab, all) >= 9);       // its foot
+  CHECK(faces_of(near, slab, all) <= 9 + 12);  // and what of its sides is near
+  const std::string falls = "contact: [{between: all}]\ninitial: [{part: cube, velocity: [0, 0, -SPEED]}]\n";
+  std::string fast = falls;
+  fast.replace(fast.find("SPEED"), 5, "10");
+  CHECK(faces_of(Scene(fast, 5).weights(), slab, all) == 9);
+}
+
+TEST_CASE("weights: faces in a plane of symmetry touch nothing") {
+  const Scene whole("contact: [{between: all}]\n"),
+      half("contact: [{between: all}]\nsymmetry: [{point: [0, 0, 0], normal: [1, 0, 0]}]\n");
+  const std::size_t exterior = (2 * 4 + 4 * 2) + 6 * 9;
+  CHECK(app::contact_faces(whole.input, whole.whole.mesh).size() == exterior);
+  CHECK(app::contact_faces(half.input, half.whole.mesh).size() == exterior - 2 - 9);
+}
