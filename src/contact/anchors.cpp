@@ -22,6 +22,13 @@ const Wall& wall_of(const AnchorScene& scene, GlobalIndex key) {
   return scene.walls[static_cast<std::size_t>(-1 - key)];
 }
 
+Vec3 slip_of_edges(const AnchorScene& scene, const AnchorRecord& anchor, const Row& row) {
+  Vec3 apart = Vec3::Zero();
+  for (std::size_t i = 0; i < 4; ++i)
+    apart += anchor.weights[i] * scene.motion[static_cast<std::size_t>(row.nodes[i])].position;
+  return apart;
+}
+
 }  // namespace
 
 std::vector<LocalIndex> order_by_key(std::span<const MasterFace> faces) {
@@ -31,7 +38,9 @@ std::vector<LocalIndex> order_by_key(std::span<const MasterFace> faces) {
   return order;
 }
 
-std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, const Vec3& slave) {
+std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, const Row& row) {
+  if (row.is_edge()) return slip_of_edges(scene, anchor, row);
+  const Vec3& slave = scene.motion[static_cast<std::size_t>(row.nodes[0])].position;
   if (anchor.key.master < 0) return slave - (wall_of(scene, anchor.key.master).point + Vec3(anchor.on_wall.data()));
   const MasterFace* face = find_face(scene, anchor.face);
   if (face == nullptr) return std::nullopt;
@@ -50,8 +59,11 @@ std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, c
 }
 
 AnchorRecord anchor_of(const AnchorScene& scene, const Row& row) {
-  demand(!row.is_edge(), "an edge has no anchor");
   AnchorRecord anchor{.key = anchor_key_of(row)};
+  if (row.is_edge()) {
+    std::copy_n(row.weights.begin(), 4, anchor.weights.begin());
+    return anchor;
+  }
   if (row.is_wall()) {
     const Vec3& slave = scene.motion[static_cast<std::size_t>(row.nodes[0])].position;
     const Vec3 place = slave - row.gap * row.normal - wall_of(scene, row.master_key).point;

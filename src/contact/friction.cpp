@@ -9,11 +9,7 @@ namespace {
 
 /// Not a tie, which keeps its place by itself.
 bool has_anchor(const Row& row) {
-  return row.friction > 0 && std::isfinite(row.friction) && !row.is_edge();
-}
-
-const Vec3& slave_of(const Row& row, const AnchorScene& scene) {
-  return scene.motion[static_cast<std::size_t>(row.nodes[0])].position;
+  return row.friction > 0 && std::isfinite(row.friction);
 }
 
 bool sticks(const Row& row, const Vec3& impulse) {
@@ -39,7 +35,7 @@ void aim_at_anchors(std::span<Row> rows, const AnchorScene& scene, std::span<con
   for (Row& row : rows) {
     if (!has_anchor(row)) continue;
     const AnchorRecord* anchor = find_anchor(anchors, anchor_key_of(row));
-    const std::optional<Vec3> crept = anchor ? slip(scene, *anchor, slave_of(row, scene)) : std::nullopt;
+    const std::optional<Vec3> crept = anchor ? slip(scene, *anchor, row) : std::nullopt;
     if (!crept) continue;
     const Vec3 across = *crept - row.normal.dot(*crept) * row.normal;
     const double size = across.norm();
@@ -54,7 +50,7 @@ void write_anchors(std::span<const Row> rows, std::span<const Vec3> impulses, co
     const Row& row = rows[q];
     if (!has_anchor(row) || !sticks(row, impulses[q])) continue;
     const AnchorRecord* anchor = find_anchor(before, anchor_key_of(row));
-    const bool holds = anchor != nullptr && slip(scene, *anchor, slave_of(row, scene)).has_value();
+    const bool holds = anchor != nullptr && slip(scene, *anchor, row).has_value();
     after.push_back(holds ? *anchor : anchor_of(scene, row));
   }
   // several faces of one body may hold a node: the one of the lowest key is its anchor

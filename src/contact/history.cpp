@@ -42,9 +42,10 @@ void to_tables(const History& history, HistoryTables& tables) {
     tables[0].keys.insert(tables[0].keys.end(), {key.slave_gid, key.slave_second, key.master_key, key.master_second});
     tables[0].values.insert(tables[0].values.end(), {force[0], force[1], force[2], side});
   }
-  tables[1] = {.name = "contact_anchors", .key_width = 3, .value_width = 7};
+  tables[1] = {.name = "contact_anchors", .key_width = 5, .value_width = 7};
   for (const AnchorRecord& anchor : history.anchors) {
-    tables[1].keys.insert(tables[1].keys.end(), {anchor.key.slave_gid, anchor.key.master, anchor.face});
+    tables[1].keys.insert(tables[1].keys.end(), {anchor.key.slave_gid, anchor.key.master, anchor.key.slave_second,
+                                                 anchor.key.master_second, anchor.face});
     std::vector<double>& values = tables[1].values;
     values.insert(values.end(), anchor.weights.begin(), anchor.weights.end());
     values.insert(values.end(), anchor.on_wall.begin(), anchor.on_wall.end());
@@ -61,8 +62,8 @@ History from_tables(const HistoryTables& tables) {
   for (auto key = pairs.keys.begin(); key != pairs.keys.end(); key += 4, value += 4)
     history.pairs.push_back({{key[0], key[1], key[2], key[3]}, {value[0], value[1], value[2]}, value[3]});
   value = anchors.values.data();
-  for (auto key = anchors.keys.begin(); key != anchors.keys.end(); key += 3, value += 7) {
-    AnchorRecord anchor{.key = {key[0], key[1]}, .face = key[2]};
+  for (auto key = anchors.keys.begin(); key != anchors.keys.end(); key += 5, value += 7) {
+    AnchorRecord anchor{.key = {key[0], key[1], key[2], key[3]}, .face = key[4]};
     std::copy_n(value, 4, anchor.weights.begin());
     std::copy_n(value + 4, 3, anchor.on_wall.begin());
     history.anchors.push_back(anchor);

@@ -69,12 +69,13 @@ void Contact::restore_history(const HistoryTables& tables) {
     return std::array{surface_.gid[static_cast<std::size_t>(edge.nodes[0])],
                       surface_.gid[static_cast<std::size_t>(edge.nodes[1])]};
   };
-  std::erase_if(history_.pairs, [&](const HistoryRecord& record) {
-    const auto [slave, second, master, other] = record.key;
+  const auto belongs_elsewhere = [&](const auto& record) {
+    const GlobalIndex slave = record.key.slave_gid, second = record.key.slave_second;
     return second == no_index ? !owns(slave)
                               : !std::ranges::binary_search(surface_.edges, std::array{slave, second}, {}, ends);
-  });
-  std::erase_if(history_.anchors, [&](const AnchorRecord& anchor) { return !owns(anchor.key.slave_gid); });
+  };
+  std::erase_if(history_.pairs, belongs_elsewhere);
+  std::erase_if(history_.anchors, belongs_elsewhere);
   std::ranges::sort(history_.pairs, {}, &HistoryRecord::key);
   std::ranges::sort(history_.anchors, {}, &AnchorRecord::key);
 }

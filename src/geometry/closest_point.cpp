@@ -161,7 +161,8 @@ FacePoint by_sampling(const Vec3& x, Corners c) {
     spacing *= 0.4;
   }
   const EdgePoint edge = nearest_edge(x, c);
-  if (edge.distance2 <= best_distance2) return on_edge(c, edge);
+  const bool on_rim = std::max(std::abs(best.xi), std::abs(best.eta)) >= 1;  // by rounding it may seem nearer there
+  if (on_rim || edge.distance2 <= best_distance2) return on_edge(c, edge);
   return face_point(c, best.xi, best.eta, Region::face);
 }
 

@@ -24,12 +24,13 @@ struct AnchorScene {
 /// Once a list.
 std::vector<LocalIndex> order_by_key(std::span<const MasterFace> faces);
 
-/// How far the slave has moved off its anchor [length], at x_n. Nothing where it lies on a face and is farther from the
-/// slave than the settings' reach (and half the face's thickness): then it is dropped, on every rank and
-/// whatever the lists hold, for lists hold all faces that are nearer.
-std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, const Vec3& slave);
+/// How far the row's slave has moved off its anchor [length], at x_n. Nothing where it lies on a face and is farther
+/// from the slave than the settings' reach (and half the face's thickness): then it is dropped, on every rank and
+/// whatever the lists hold, for lists hold all faces that are nearer. Of edges it is the points that met at first which
+/// have come apart.
+std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, const Row& row);
 
-/// An anchor where the row's slave meets its master now. Of an edge there is none: rows of nodes only.
+/// An anchor where the row's slave meets its master now.
 AnchorRecord anchor_of(const AnchorScene& scene, const Row& row);
 
 }  // namespace brunt::contact

@@ -30,23 +30,25 @@ struct HistoryRecord {
   double side = 0;  ///< +1, -1: the side of a two-sided face, along and against its normal; 0 of other rows
 };
 
-/// Where a slave that sticks holds on. Its key names the master's body, not the face: the slave finds its anchor again
-/// when it has come to lie over the next face.
+/// Where a slave that sticks holds on. A node's key names the master's body, not the face: it finds its anchor again
+/// when it has come to lie over the next face. An edge holds on to an edge.
 struct AnchorKey {
   GlobalIndex slave_gid = 0;
-  GlobalIndex master = 0;  ///< body; for wall w: -1 - w
+  GlobalIndex master = 0;  ///< body; for wall w: -1 - w; of an edge its first node
+  GlobalIndex slave_second = no_index, master_second = no_index;  ///< of edges
   friend auto operator<=>(const AnchorKey&, const AnchorKey&) = default;
 };
 
 struct AnchorRecord {
   AnchorKey key;
-  GlobalIndex face = no_index;      ///< key of the face that holds the anchor; none on a wall
-  std::array<double, 4> weights{};  ///< of the face's corners at the anchor
+  GlobalIndex face = no_index;      ///< key of the face that holds the anchor; none on a wall or an edge
+  std::array<double, 4> weights{};  ///< of the face's corners at the anchor; of both edges' ends
   std::array<double, 3> on_wall{};  ///< the anchor less the wall's point [length]
 };
 
 inline AnchorKey anchor_key_of(const Row& row) {
-  return {row.slave_gid, row.is_wall() ? row.master_key : GlobalIndex{row.master_body}};
+  if (row.is_edge()) return {row.slave_gid, row.master_key, row.slave_second, row.master_second};
+  return {.slave_gid = row.slave_gid, .master = row.is_wall() ? row.master_key : GlobalIndex{row.master_body}};
 }
 
 /// Both in ascending order of their keys.

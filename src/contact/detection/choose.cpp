@@ -36,14 +36,19 @@ struct Choice {
   }
 };
 
-/// Those to keep come first; returns how many.
-std::size_t drop_sideways(std::span<Encounter> encounters) {
-  double most = 0;
-  for (const Encounter& e : encounters)
-    if (e.meeting != Meeting::none) most = std::max(most, e.opposition);
-  if (most <= sideways) return 0;
+/// Those to keep come first; returns how many. In a valley both slopes are met, also the one that a slave's surface
+/// opposes but little; around a convex edge that one is a side along which bodies lie flush.
+std::size_t drop_sideways(const Choice& choice, std::span<Encounter> encounters) {
+  constexpr double slope = 0.1;
+  const auto less = [](const Encounter& a, const Encounter& b) {
+    return (a.meeting == Meeting::none ? -1 : a.opposition) < (b.meeting == Meeting::none ? -1 : b.opposition);
+  };
+  const auto found = std::ranges::max_element(encounters, less);
+  if (found == encounters.end() || found->meeting == Meeting::none || found->opposition <= sideways) return 0;
+  const Encounter best = *found;  // a copy: the others are moved
   const auto end = std::remove_if(encounters.begin(), encounters.end(), [&](const Encounter& e) {
-    return e.meeting == Meeting::none || e.opposition < 0.5 * most;
+    if (e.meeting == Meeting::none || e.opposition < slope * best.opposition) return true;
+    return e.opposition < 0.5 * best.opposition && !(choice.same_body(e, best) && choice.concave(e, best));
   });
   return static_cast<std::size_t>(end - encounters.begin());
 }
@@ -125,7 +130,7 @@ bool asks_for_a_row(const Choice& choice, std::span<const Encounter> kept, const
 std::size_t choose(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const NodeMotion& slave,
                    double dt, const ChoiceSettings& settings, std::span<Encounter> encounters) {
   const Choice choice{faces, motion, slave, dt, settings};
-  encounters = encounters.first(drop_sideways(encounters));
+  encounters = encounters.first(drop_sideways(choice, encounters));
   if (encounters.size() < 2) return encounters.size();
   rank_all(choice, encounters);
   merge_corner(choice, encounters);

@@ -48,6 +48,7 @@ Box box_of(const geometry::Segment& start, const geometry::Segment& end) {
 }
 
 constexpr double facet_curvature = 0.02;  // sine of an angle
+constexpr double along_a_face = 5;        // [degrees] from a face's normal: the edge lies in the face
 constexpr double kink = 0.5;              // [radians] between edges of a chain that a node presses in
 
 /// Does `direction` lie between the normals of the two faces of a convex edge, or beyond them by no more than rounding
@@ -145,13 +146,18 @@ bool meet_in_step(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide&
   return true;
 }
 
-/// Has an end of the slave edge a row of its own along nearly the same normal?
-bool held_at_an_end(const EdgeScene& scene, std::span<const Vec3> node_normal, const EdgeSide& slave,
-                    const EdgeMeeting& met) {
-  return std::ranges::any_of(slave.nodes, [&](LocalIndex node) {
-    return same_direction(node_normal[static_cast<std::size_t>(node)], met.normal,
-                          scene.settings.choice.same_direction);
-  });
+/// Have the ends of the slave edge rows of their own that hold it? Along nearly the same normal: then the edge lies in
+/// a face. An end that hangs over the master's rim has none, and one whose face slants is less deep than the edge is at
+/// the rim. Where an end lies deep, its own row tells how deep it is.
+bool held_at_ends(const EncounterSettings& settings, std::span<const Vec3> node_normal, const EdgeSide& slave,
+                  double size, const EdgeMeeting& met) {
+  const bool deep = -met.gap > settings.rim * size;
+  const auto held = [&](std::size_t end, double weight) {
+    const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];
+    if (deep && weight >= 1 - settings.rim) return !normal.isZero(0);
+    return weight <= settings.rim || same_direction(normal, met.normal, along_a_face);
+  };
+  return held(0, 1 - met.s) && held(1, met.s);
 }
 
 bool has_accepted_end(const EdgeScene& scene, const EdgeSide& edge, std::int32_t body) {
@@ -218,7 +224,7 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
       if (!meet_now(scene, slave, master, size, met) &&
           (is_slow(scene, slave, master, size) || !meet_in_step(scene, slave, master, met)))
         continue;
-      if (held_at_an_end(scene, node_normal, slave, met)) continue;
+      if (held_at_ends(settings.encounter, node_normal, slave, size, met)) continue;
       met.gap += accepted_overlap(scene, slave, master, met);
       rows.push_back(row_of(slave, master, met, required_rate(met.gap, size, dt, settings), gid));
     }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "brunt/contact/detection/detection.hpp"
+#include "brunt/contact/detection/false_depth.hpp"
 #include "brunt/contact/detection/sides.hpp"
 
 namespace brunt::contact {
@@ -112,6 +113,7 @@ std::span<Encounter> meet_faces(const FacesInMotion& scene, const DetectionSetti
     while (last < met.size() && body_of(met[last]) == body_of(met[first])) ++last;
     const std::span<Encounter> here = met.subspan(first, last - first);
     settle_rims(scene.faces, settings.encounter, settings.choice.same_direction, here);
+    if (settings.choice.criterion == Criterion::automatic) drop_false_depths(scene, settings.encounter, here);
     judge_paths(scene, settings.encounter, slave.motion, here);
   }
   const auto end =

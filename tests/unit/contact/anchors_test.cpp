@@ -26,6 +26,11 @@ struct TwoSquares {
     motion.push_back({.position = Vec3(0.95, 0.5, 0)});
   }
   [[nodiscard]] AnchorScene scene() const { return {faces, by_key, motion, walls}; }
+  /// With the slave there.
+  std::optional<Vec3> slip_at(const AnchorRecord& anchor, const Vec3& slave) {
+    motion[6].position = slave;
+    return slip(scene(), anchor, row());
+  }
   [[nodiscard]] Row row() const {
     return {.slave_gid = 77,
             .master_key = 9,
@@ -44,24 +49,24 @@ TEST_CASE("an anchor on a face turns and moves with it, over whichever face its 
   const AnchorRecord anchor = anchor_of(squares.scene(), squares.row());
   CHECK(anchor.key == contact::AnchorKey{77, 2});
   CHECK(anchor.face == 9);
-  REQUIRE(slip(squares.scene(), anchor, squares.motion[6].position));
-  CHECK(slip(squares.scene(), anchor, squares.motion[6].position)->norm() < 1e-15);
+  REQUIRE(slip(squares.scene(), anchor, squares.row()));
+  CHECK(slip(squares.scene(), anchor, squares.row())->norm() < 1e-15);
   const Vec3 over_the_next(1.1, 0.5, 0);
-  CHECK((*slip(squares.scene(), anchor, over_the_next) - Vec3(0.15, 0, 0)).norm() < 1e-15);
+  CHECK((*squares.slip_at(anchor, over_the_next) - Vec3(0.15, 0, 0)).norm() < 1e-15);
   const Eigen::AngleAxisd turn(1.0, Vec3(1, 2, 3).normalized());
   for (contact::NodeMotion& node : squares.motion) node.position = turn * node.position + Vec3(5, 6, 7);
   const Vec3 moved = turn * over_the_next + Vec3(5, 6, 7);
-  CHECK((*slip(squares.scene(), anchor, moved) - turn * Vec3(0.15, 0, 0)).norm() < 1e-14);
+  CHECK((*squares.slip_at(anchor, moved) - turn * Vec3(0.15, 0, 0)).norm() < 1e-14);
 }
 
 TEST_CASE("an anchor is dropped where it is out of reach, whether its face is known here or not") {
   TwoSquares squares;
   const AnchorRecord anchor = anchor_of(squares.scene(), squares.row());
-  CHECK(slip(squares.scene(), anchor, {1.19, 0.5, 0}));
-  CHECK_FALSE(slip(squares.scene(), anchor, {1.21, 0.5, 0}));  // 0.25 of the edge, capture's share
+  CHECK(squares.slip_at(anchor, {1.19, 0.5, 0}));
+  CHECK_FALSE(squares.slip_at(anchor, {1.21, 0.5, 0}));  // 0.25 of the edge, capture's share
   AnchorRecord elsewhere = anchor;
   elsewhere.face = 5;
-  CHECK_FALSE(slip(squares.scene(), elsewhere, {0.95, 0.5, 0}));
+  CHECK_FALSE(squares.slip_at(elsewhere, {0.95, 0.5, 0}));
 }
 
 TEST_CASE("an anchor on a wall is in its plane, moves with it, and is never dropped") {
@@ -71,8 +76,23 @@ TEST_CASE("an anchor on a wall is in its plane, moves with it, and is never drop
   row.gap = (slave - squares.walls[1].point).dot(normal);
   const AnchorRecord anchor = anchor_of(squares.scene(), row);
   CHECK(anchor.key == contact::AnchorKey{77, -2});
-  CHECK((*slip(squares.scene(), anchor, slave) - row.gap * normal).norm() < 1e-15);
+  CHECK((*slip(squares.scene(), anchor, row) - row.gap * normal).norm() < 1e-15);
   squares.walls[1].point += Vec3(0, 0.1, 0.2);
-  CHECK((*slip(squares.scene(), anchor, slave + Vec3(10, 0.1, 0.2)) - row.gap * normal - Vec3(10, 0, 0)).norm() <
-        1e-14);
+  squares.motion[6].position += Vec3(10, 0.1, 0.2);
+  CHECK((*slip(squares.scene(), anchor, row) - row.gap * normal - Vec3(10, 0, 0)).norm() < 1e-14);
+}
+
+TEST_CASE("an edge holds on to the edge that it meets, at the points of both that met at first") {
+  TwoSquares squares;
+  Row row{.slave_gid = 40, .slave_second = 41, .master_key = 50, .master_second = 51};
+  row.nodes = {0, 1, 3, 4};
+  row.weights = {0.75, 0.25, -0.75, -0.25};
+  row.node_count = 4;
+  REQUIRE(row.is_edge());
+  const AnchorRecord anchor = anchor_of(squares.scene(), row);
+  CHECK(anchor.key == contact::AnchorKey{40, 50, 41, 51});
+  CHECK((*slip(squares.scene(), anchor, row) - Vec3(0, -1, 0)).norm() < 1e-15);  // as far apart as their edges are
+  for (const std::size_t i : {0, 1}) squares.motion[i].position += Vec3(0.1, 0, 0);
+  row.weights = {0.65, 0.35, -0.75, -0.25};  // it has slid along itself: now they meet elsewhere
+  CHECK((*slip(squares.scene(), anchor, row) - Vec3(0.1, -1, 0)).norm() < 1e-15);
 }

@@ -70,7 +70,7 @@ TEST_CASE("anchors are found by slave and master, whichever face holds them") {
 TEST_CASE("tables carry a history to the bit, in whatever order the records come") {
   History history;
   history.pairs = {{{1, -1, -2, -1}, {0.1, 0, 0}, 0}, {{3, 4, 5, 6}, {0, 0, -0.0}, -1}};
-  history.anchors = {{{3, 2}, 77, {0.1, 0.2, 0.3, 0.4}, {1, 2, 3}}, {.key = {4, -1}}};
+  history.anchors = {{{3, 2, 8, 9}, 77, {0.1, 0.2, 0.3, 0.4}, {1, 2, 3}}, {.key = {4, -1}}};
   contact::HistoryTables tables;
   to_tables(history, tables);
   CHECK(tables[0].rows() == 2);
@@ -85,7 +85,7 @@ TEST_CASE("tables carry a history to the bit, in whatever order the records come
   CHECK(back.pairs[1].side == -1);
   REQUIRE(back.anchors.size() == 2);
   const AnchorRecord& anchor = back.anchors[0];
-  CHECK(anchor.key == contact::AnchorKey{3, 2});
+  CHECK(anchor.key == contact::AnchorKey{3, 2, 8, 9});
   CHECK((anchor.face == 77 && anchor.weights[3] == 0.4 && anchor.on_wall[2] == 3));
   CHECK(back.anchors[1].face == no_index);
 }

@@ -87,6 +87,24 @@ TEST_CASE("closest point on random warped quadrilaterals is never farther than a
   }
 }
 
+// Squared distances far from the face resolve its rim to half the digits only: by rounding a sample of the rim may be
+// nearer than the nearest point of the edge.
+TEST_CASE("a point far beside a warped quadrilateral is nearest to its rim, never to the face") {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> jitter(-0.2, 0.2), place(-1, 1);
+  for (int trial = 0; trial < 20000; ++trial) {
+    std::array<Vec3, 4> corners = rectangle;
+    for (Vec3& corner : corners) corner += Vec3(jitter(random), jitter(random), 2 * jitter(random));
+    const Vec3 x(1 + 8 * place(random), 0.5 + 8 * place(random), place(random));
+    const auto closest = closest_point(x, corners);
+    REQUIRE(closest);
+    if (closest->region != Region::face) continue;
+    const Vec3 offset = x - closest->point, normal = face_normal(corners, closest->xi, closest->eta);
+    CAPTURE(trial, closest->xi, closest->eta);
+    CHECK((offset - offset.dot(normal) * normal).norm() < 1e-5);
+  }
+}
+
 TEST_CASE("hard faces end in an answer or a refusal, never NaN") {
   SECTION("warped by 45 degrees") {
     const std::array<Vec3, 4> quad{Vec3(0, 0, 0), Vec3(1, 0, 1), Vec3(1, 1, 0), Vec3(0, 1, 1)};

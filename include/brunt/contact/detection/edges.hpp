@@ -28,10 +28,11 @@ struct EdgeCandidates {
 
 /// Appends a row where two edges touch, come into contact in this step, or are near enough for its impulses to bring
 /// them there; the normal is the common perpendicular, out of the master. It must lie between the normals of the two
-/// faces of either edge (else a face or a node is what touches). Where an end of the slave edge has a row of its own
-/// along nearly the same normal, that row does the work. facet_normal: unit. node_normal: of each contact node's first
-/// row with a face in this step, zero without, the same on every copy. reference: positions of the contact nodes at the
-/// start, from which edges have their accepted overlaps; empty where the settings accept none.
+/// faces of either edge (else a face or a node is what touches). Where both ends of the slave edge, or the one at which
+/// they cross, have rows of their own along nearly the same normal, those do the work. facet_normal: unit. node_normal:
+/// of each contact node's first row with a face in this step, zero without, the same on every copy. reference:
+/// positions of the contact nodes at the start, from which edges have their accepted overlaps; empty where the settings
+/// accept none.
 void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex> gid,
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_normal,
                   std::span<const Vec3> node_normal, std::span<const Vec3> reference, double dt,

@@ -117,13 +117,18 @@ TEST_CASE("parallel flush edges give no row: their faces and nodes do the work")
   }
 }
 
-TEST_CASE(
-    "edges of two flush blocks that stand on each other, crossing at a right angle, give no row beside the faces'") {
+TEST_CASE("an edge that lies on a table has no row at the table's rim, one that hangs over it or slants does") {
   TwoEdges edges(90, 0);
   edges.facets = {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(0, 0, -1), Vec3(1, 0, 0)};
-  REQUIRE(edges.rows().size() == 1);  // an edge over the rim of a table does touch it ...
-  edges.node_normal[2] = Vec3::UnitZ();
-  CHECK(edges.rows().empty());  // ... but where a node of it lies on the table, that node's row holds it
+  edges.node_normal[2] = edges.node_normal[3] = Vec3::UnitZ();
+  CHECK(edges.rows().empty());  // both ends have rows on the table
+  edges.node_normal[3] = Vec3(0, -1, 0);
+  CHECK(edges.rows().size() == 1);  // one end is off the table and may sink: the rim holds the edge between them
+  edges.node_normal[3] = Vec3(0, std::sin(0.2), std::cos(0.2));
+  CHECK(edges.rows().size() == 1);  // 11 degrees: the edge is deeper at the rim than at its end
+  edges.node_normal[3] = Vec3::Zero();
+  edges.motion[2].position = Vec3(0, -0.005, 0);
+  CHECK(edges.rows().empty());  // the end that lies on the table lies at its rim and holds the edge there
 }
 
 TEST_CASE("edges that look the same way have nothing to do with each other, edges that have passed each other do") {

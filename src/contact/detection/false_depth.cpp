@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/detection/false_depth.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace brunt::contact {
+namespace {
+
+using geometry::Region;
+
+/// From the node to the nearest point of the face.
+double distance(const Encounter& e) {
+  return std::hypot(e.height, e.beside);
+}
+
+/// Of the face around the encounter's point [rad]; all of it, or half of it, but at a corner.
+double angle_at_point(const FacesInMotion& scene, const Encounter& e) {
+  constexpr double straight = 3.14159265358979323846;
+  if (e.region == Region::face) return 2 * straight;
+  if (e.region < Region::vertex0) return straight;
+  const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)];
+  const auto count = static_cast<std::size_t>(face.corner_count);
+  const auto corner = static_cast<std::size_t>(static_cast<int>(e.region) - static_cast<int>(Region::vertex0));
+  const auto at = [&](std::size_t i) -> const Vec3& {
+    return scene.motion[static_cast<std::size_t>(face.nodes[i % count])].position;
+  };
+  const Vec3 next = at(corner + 1) - at(corner), last = at(corner + count - 1) - at(corner);
+  return std::atan2(next.cross(last).norm(), next.dot(last));
+}
+
+/// Of the surface near the node.
+struct Nearest {
+  const Encounter* face = nullptr;
+  double distance = 0;
+  double opposition = 0;  ///< the largest one of the faces that share the point
+  bool outside = false;
+};
+
+Nearest nearest_of(const FacesInMotion& scene, std::span<const Encounter> encounters) {
+  constexpr double same_point = 1e-9;  // of the size
+  Nearest nearest;
+  for (const Encounter& e : encounters)
+    if (!std::isnan(e.height) && (nearest.face == nullptr || distance(e) < nearest.distance))
+      nearest = {.face = &e, .distance = distance(e)};
+  if (nearest.face == nullptr) return nearest;
+  nearest.opposition = nearest.face->opposition;
+  double height = 0;
+  for (const Encounter& e : encounters) {
+    if (std::isnan(e.height) || (e.point - nearest.face->point).norm() > same_point * e.size) continue;
+    height += angle_at_point(scene, e) * e.height;
+    nearest.opposition = std::max(nearest.opposition, e.opposition);
+  }
+  nearest.outside = height > 0;
+  return nearest;
+}
+
+/// Would the surface lie far behind the face there, as it does around a convex edge?
+bool lies_behind(const Vec3& point, const Encounter& face) {
+  return (point - face.point).dot(face.normal) < 0.5 * face.height;
+}
+
+}  // namespace
+
+void drop_false_depths(const FacesInMotion& scene, const EncounterSettings& settings, std::span<Encounter> encounters) {
+  constexpr double level = 1e-4;  // of the size: nearer to a face than this, a node may be on either side by rounding
+  const auto is_deep = [&](const Encounter& e, double than) {
+    return e.meeting == Meeting::inside && !scene.faces[static_cast<std::size_t>(e.face)].two_sided &&
+           -e.height > than + settings.rim * e.size;
+  };
+  if (std::ranges::none_of(encounters, [&](const Encounter& e) { return is_deep(e, 0); })) return;
+  const Nearest nearest = nearest_of(scene, encounters);
+  double most = 0;
+  for (const Encounter& e : encounters)
+    if (!std::isnan(e.height)) most = std::max(most, e.opposition);
+  const bool opposed = nearest.opposition >= settings.facing * most;
+  const bool clear = nearest.outside && nearest.distance > level * nearest.face->size;
+  if (!opposed && !clear) return;
+  const Vec3 point = nearest.face->point;
+  for (Encounter& e : encounters)
+    if (is_deep(e, nearest.distance) && lies_behind(point, e)) e.meeting = Meeting::none;
+}
+
+}  // namespace brunt::contact
