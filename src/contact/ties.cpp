@@ -50,14 +50,23 @@ Vec3 offset_of(const Vec3& slave, std::span<const Vec3> corners, const std::arra
   return offset;
 }
 
-/// Do the slave's own faces look at one with this normal, some of them by 60 degrees or less? Nodes on the side of a
-/// part whose end is tied do not, nor do those that hang over a rim.
+/// Do the slave's own faces look at one with this normal, one of them or all together (at the edge of a wedge) by 60
+/// degrees or less? Nodes on the side of a part whose end is tied do not, nor do those that hang over a rim.
 bool looks_at(std::span<const LocalIndex> facets, std::span<const Vec3> facet_area, const Vec3& normal) {
-  constexpr double squarely = 0.5;
-  return facets.empty() || std::ranges::any_of(facets, [&](LocalIndex facet) {
-           const Vec3& area = facet_area[static_cast<std::size_t>(facet)];
-           return -area.dot(normal) >= squarely * area.norm();
-         });
+  const auto is_opposed = [&](const Vec3& area) {
+    constexpr double squarely = 0.5;
+    return -area.dot(normal) >= squarely * area.norm();
+  };
+  constexpr double nothing = 1e-6;  // is left of faces that look away from each other
+  Vec3 sum = Vec3::Zero();
+  double total = 0;
+  for (const LocalIndex facet : facets) {
+    const Vec3& area = facet_area[static_cast<std::size_t>(facet)];
+    if (is_opposed(area)) return true;
+    sum += area;
+    total += area.norm();
+  }
+  return facets.empty() || (sum.norm() > nothing * total && is_opposed(sum));
 }
 
 /// The best place of a slave so far.

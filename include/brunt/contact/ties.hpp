@@ -28,11 +28,11 @@ struct Tie {
 };
 
 /// Finds the ties among the candidates, in ascending order of their slaves: each slave with the nearest face (of equals
-/// the lowest key) that it may be tied to, that its own surface looks at (by 60 degrees or less), and that has it
-/// within the settings' reach over it and at most their `rim` beside it. may_tie(slave, face): contact node and index
-/// of the face. motion: positions of the start. faces: of the lists. facet_area: along the area vectors of the slaves'
-/// own faces; slaves that have none look everywhere.
-/// beside(slave, face) is called for slaves without a tie that look at a face within reach, but lie beside it.
+/// the lowest key) that it may be tied to, that its own surface looks at (one face of it, or their sum, by 60 degrees
+/// or less), and that has it within the settings' reach over it and at most their `rim` beside it. may_tie(slave,
+/// face): contact node and index of the face. motion: positions of the start. faces: of the lists. facet_area: along
+/// the area vectors of the slaves' own faces; slaves that have none look everywhere. beside(slave, face) is called for
+/// slaves without a tie that look at a face within reach, but lie beside it.
 std::vector<Tie> find_ties(const Candidates& candidates, std::span<const MasterFace> faces,
                            std::span<const GlobalIndex> gid, std::span<const NodeMotion> motion,
                            std::span<const Vec3> facet_area, const EncounterSettings& settings,

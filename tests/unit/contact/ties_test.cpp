@@ -189,6 +189,18 @@ TEST_CASE("a tie across a gap asks for the rate of what it keeps, by differences
   }
 }
 
+TEST_CASE("the edge of a wedge looks where its two faces look together") {
+  TwoSquares squares({{0.4, 0.5, 0}, {0.6, 0.5, 0}});
+  const std::vector<Vec3> facet_area{Vec3(1, 0, -0.3), Vec3(-1, 0, -0.3), Vec3(-1, 0, 0.3)};
+  squares.candidates.slave_facets.values = {0, 1, 0, 2};
+  squares.candidates.slave_facets.offsets = {0, 2, 4};
+  const std::vector<Tie> ties = find_ties(
+      squares.candidates, squares.faces, squares.gid, squares.motion, facet_area, {},
+      [](LocalIndex, LocalIndex) { return true; }, [](LocalIndex, LocalIndex) {});
+  REQUIRE(ties.size() == 1);
+  CHECK(ties[0].slave == 106);
+}
+
 TEST_CASE("nodes beside the master, and nodes whose faces do not look at it, are not tied") {
   TwoSquares squares(
       {{0.4, 0.5, 0.1}, {0.4, -0.1, 0.1}, {0.4, 0.5, 0.1}, {-0.2, 0.5, 0.05}, {0.4, 0.5, 0.3}, {0.4, -0.3, 0}});
