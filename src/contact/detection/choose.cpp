@@ -58,8 +58,21 @@ double distance(const Encounter& e) {
   return e.meeting == Meeting::hit ? std::abs(e.gap) : std::hypot(e.gap, e.beside);
 }
 
+/// Is the node behind the plane of a face beside it, but over the neighbour? Which of the two it lies on is then told
+/// by where it is: behind a ridge's plane it would be lifted off the other slope, and fall back on it, for ever.
+bool lies_on_neighbour(const Choice& choice, std::span<const Encounter> encounters, const Encounter& e) {
+  if (e.meeting != Meeting::inside || e.region == geometry::Region::face) return false;
+  return std::ranges::any_of(encounters, [&](const Encounter& other) {
+    if (other.region != geometry::Region::face || !choice.same_body(other, e)) return false;
+    const double apart = (other.point - e.point).norm();
+    return apart <= choice.settings.same_place * std::min(e.size, other.size) && choice.same_direction(other, e);
+  });
+}
+
 void rank_all(const Choice& choice, std::span<Encounter> encounters) {
   const Criterion criterion = choice.settings.criterion;
+  for (Encounter& e : encounters)
+    if (lies_on_neighbour(choice, encounters, e)) e.meeting = Meeting::above;
   const auto order = [&](const Encounter& e) {
     const bool by_time = e.meeting == Meeting::hit && criterion != Criterion::nearest;
     int rank = static_cast<int>(e.meeting);
