@@ -262,7 +262,7 @@ void Contact::correct(VectorView position, VectorView old_velocity, MutableVecto
   }
   gather(position, old_velocity, velocity);
   detect(walls, dt);
-  lay_passes(dt);
+  lay_passes();
   lay_friction(walls, dt);
   if (settings_.enforcement.method == Method::printed) lay_slabs();
   impulses_.assign(rows_.size(), Vec3::Zero());

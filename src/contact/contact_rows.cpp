@@ -31,7 +31,7 @@ bool Contact::has_twin(const Row& row) const {
 }
 
 /// The row of a node that has a twin holds in both passes, since the twin has none in the second (see detect_faces).
-void Contact::lay_passes(double dt) {
+void Contact::lay_passes() {
   if (!two_passes_) return;
   for (Row& row : rows_) {
     if (row.is_wall() || row.is_edge() || row.cone == Cone::free) continue;  // ties hold in both
@@ -39,7 +39,6 @@ void Contact::lay_passes(double dt) {
                        settings_.pairs, surface_.bodies);
     if (row.pass == Pass::first && row.slave_body != row.master_body && has_twin(row)) row.pass = Pass::both;
   }
-  recover_gaps(rows_, motion_of_, settings_.feedback, dt);
 }
 
 AnchorScene Contact::anchor_scene(std::span<const Wall> walls) const {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/contact/passes.hpp"
 
-#include <algorithm>
-
 namespace brunt::contact {
 
 Pass pass_of(const Row& row, std::span<const std::int32_t> node_blocks, const PairTable& pairs,
@@ -13,16 +11,6 @@ Pass pass_of(const Row& row, std::span<const std::int32_t> node_blocks, const Pa
     return is_slave(bodies, row.slave_body, row.master_body) ? Pass::first : Pass::second;
   const Vec3 askew(0.81, 0.47, 0.35);  // no face of a body that was meshed along the axes looks across it
   return row.normal.dot(askew) > 0 ? Pass::first : Pass::second;
-}
-
-void recover_gaps(std::span<Row> rows, std::span<const NodeMotion> motion, const GapFeedback& feedback, double dt) {
-  for (Row& row : rows) {
-    if (row.pass == Pass::both || !(row.gap < 0)) continue;
-    double approach = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
-      approach -= row.weights[i] * row.normal.dot(motion[static_cast<std::size_t>(row.nodes[i])].predicted);
-    row.required = std::max(row.required, std::min(-feedback.recovery * row.gap / dt, approach));
-  }
 }
 
 }  // namespace brunt::contact

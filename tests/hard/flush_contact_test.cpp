@@ -14,19 +14,21 @@ using test::Simulation;
 namespace {
 
 const std::string materials = "materials: {m: {model: elastic, density: 1, young: 100, poisson: 0.3}}\n";
-const std::string exact_contact = "contact: [{between: all, passes: one, tolerance: 1.0e-12, max_iterations: 5000}]\n";
+std::string exact_contact(const std::string& passes = "auto") {
+  return "contact: [{between: all, passes: " + passes + ", tolerance: 1.0e-12, max_iterations: 5000}]\n";
+}
 constexpr double h = 0.25;
 
 /// The upper block (3 x 3 elements) comes down on the lower one (5 x 5 elements of the same size) at 5 % of the wave
 /// speed; the interface is z = 0, where gaps of 1e-16 are numbers.
-Simulation flat_on_flat(double gap, const Vec3& shift) {
+Simulation flat_on_flat(double gap, const Vec3& shift, const std::string& passes) {
   mesh::Mesh mesh = mesh::box("low", {5 * h, 5 * h, 2 * h}, {5, 5, 2});
   mesh::place(mesh, 1, {0, 0, 1}, 0, {0, 0, -2 * h});
   mesh::Mesh top = mesh::box("top", {3 * h, 3 * h, 2 * h}, {3, 3, 2});
   mesh::place(top, 1, {0, 0, 1}, 0, Vec3(h, h, gap) + shift);
   mesh::append(mesh, std::move(top));
   return {std::move(mesh), materials + "parts: {low: {material: m}, top: {material: m}}\n" +
-                               "initial: [{part: top, velocity: [0, 0, -0.5]}]\n" + exact_contact};
+                               "initial: [{part: top, velocity: [0, 0, -0.5]}]\n" + exact_contact(passes)};
 }
 
 Vec3 momentum_of(const Simulation& scene, GlobalIndex first, GlobalIndex last) {
@@ -39,28 +41,38 @@ Vec3 momentum_of(const Simulation& scene, GlobalIndex first, GlobalIndex last) {
 
 TEST_CASE("flat on flat: gaps at rounding give one total force, and every node has exactly one face") {
   constexpr GlobalIndex low_nodes = 6 * 6 * 3, top_nodes = 4 * 4 * 3;
-  for (const Vec3& shift : {Vec3(0, 0, 0), Vec3(h / 3, 0, 0), Vec3(h / 3, h / 3, 0), Vec3(h / 2, -h / 3, 0)}) {
-    std::vector<double> expected;
-    for (const double gap : {0.0, 1e-16 * h, -1e-16 * h, 1e-12 * h, -1e-12 * h}) {
-      CAPTURE(shift.transpose(), gap);
-      Simulation scene = flat_on_flat(gap, shift);
-      std::vector<double> momentum;
-      for (int step = 0; step < 12; ++step) {
-        scene.step();
-        momentum.push_back(momentum_of(scene, 0, low_nodes).z());
-        if (step > 0) continue;
-        std::map<GlobalIndex, int> rows_of;
-        for (const contact::Row& row : scene.contact->rows()) ++rows_of[row.slave_gid];
-        CHECK(rows_of.size() == 16);  // the upper block is lighter, its foot the slave
-        for (const auto& [gid, count] : rows_of) CHECK(count == 1);
+  struct Place {
+    Vec3 shift;
+    std::size_t below;  ///< nodes of the lower block under the upper one, none of them a twin
+  };
+  for (const auto& [shift, below] :
+       {Place{{0, 0, 0}, 0}, Place{{h / 3, 0, 0}, 12}, Place{{h / 3, h / 3, 0}, 9}, Place{{h / 2, -h / 3, 0}, 9}})
+    for (const std::string passes : {"one", "two"}) {
+      std::vector<double> expected;
+      for (const double gap : {0.0, 1e-16 * h, -1e-16 * h, 1e-12 * h, -1e-12 * h}) {
+        CAPTURE(shift.transpose(), gap, passes);
+        Simulation scene = flat_on_flat(gap, shift, passes);
+        std::vector<double> momentum;
+        for (int step = 0; step < 12; ++step) {
+          scene.step();
+          momentum.push_back(momentum_of(scene, 0, low_nodes).z());
+          if (step > 0) continue;
+          std::map<GlobalIndex, int> rows_of;
+          for (const contact::Row& row : scene.contact->rows()) ++rows_of[row.slave_gid];
+          CHECK(rows_of.size() == 16 + (passes == "one" ? 0 : below));  // its foot: the upper block is the lighter
+          for (const auto& [gid, count] : rows_of) CHECK(count == 1);
+        }
+        if (expected.empty()) expected = momentum;
+        // The mean of two passes leaves gaps of some 1e-4 h. After the first step the blocks are bent, and over an edge
+        // between two faces it is rounding that says which one a node has its foot on: the feet are a gap times the
+        // bend apart, which is seen as 1e-6 of the momentum.
+        for (std::size_t i = 0; i < momentum.size(); ++i)
+          CHECK(momentum[i] == Approx(expected[i]).epsilon(passes == "one" || i == 0 ? 1e-9 : 1e-5));
+        CHECK(momentum_of(scene, low_nodes, low_nodes + top_nodes).z() + momentum.back() ==
+              Approx(-0.5 * 27 * h * h * h * 2 / 3).epsilon(1e-9));
       }
-      if (expected.empty()) expected = momentum;
-      for (std::size_t i = 0; i < momentum.size(); ++i) CHECK(momentum[i] == Approx(expected[i]).epsilon(1e-9));
-      CHECK(momentum_of(scene, low_nodes, low_nodes + top_nodes).z() + momentum.back() ==
-            Approx(-0.5 * 27 * h * h * h * 2 / 3).epsilon(1e-9));
+      CHECK(expected.back() < -0.01 * h * h * h);
     }
-    CHECK(expected.back() < -0.01 * h * h * h);
-  }
 }
 
 namespace {
@@ -86,7 +98,7 @@ Blow corner_on_corner(const Vec3& offset, double turn) {
   mesh::place(top, 1, {0, 0, 1}, 0, offset + Vec3(0, 0, 1e-3));
   mesh::append(mesh, std::move(top));
   Simulation scene(std::move(mesh), materials + "parts: {low: {material: m}, top: {material: m}}\n" +
-                                        "initial: [{part: top, velocity: [0, 0, -0.5]}]\n" + exact_contact);
+                                        "initial: [{part: top, velocity: [0, 0, -0.5]}]\n" + exact_contact());
   Blow blow;
   Vec3 before = Vec3::Zero();
   for (int step = 0; step < 150; ++step) {
@@ -146,7 +158,7 @@ TEST_CASE("bodies that share one node, and a T of plates that share one line: no
       for (LocalIndex e = 0; e < mesh->blocks[b].count(); ++e) mesh->blocks[b].element_id.push_back(++elements);
     }
     Simulation scene(*mesh, materials + "parts: {box0: {material: m}, box1: {material: m}}\n" +
-                                "initial: [{part: box1, velocity: [0, 0, -0.02]}]\n" + exact_contact);
+                                "initial: [{part: box1, velocity: [0, 0, -0.02]}]\n" + exact_contact());
     double start = 0;
     for (int step = 0; step < 200; ++step) {
       scene.step();

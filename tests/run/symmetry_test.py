@@ -25,7 +25,7 @@ mesh: {mesh}
 materials: {{m: {{model: elastic, density: 1, young: 100, poisson: 0.3}}}}
 parts: {{low: {{block: low, material: m, element: {low}}}, top: {{block: top, material: m, element: {top}}}}}
 initial: [{{part: top, velocity: {velocity}}}]
-contact: [{{between: all, tolerance: 1.0e-10, max_iterations: 2000}}]
+contact: [{{between: all, passes: {passes}, tolerance: 1.0e-10, max_iterations: 2000}}]
 {more}
 run: {{end: 0.12}}
 output: {{every: 0.02, fields: [displacement, velocity]}}
@@ -36,8 +36,8 @@ def box(part, size, elements, at):
     return f"{{box: {{part: {part}, size: {size}, elements: {elements}, at: {at}}}}}"
 
 
-def scene(mesh, velocity=(0, 0, -1), more="", low="hex8", top="hex8"):
-    return SCENE.format(mesh=mesh, velocity=list(velocity), more=more, low=low, top=top)
+def scene(mesh, velocity=(0, 0, -1), more="", low="hex8", top="hex8", passes="auto"):
+    return SCENE.format(mesh=mesh, velocity=list(velocity), more=more, low=low, top=top, passes=passes)
 
 
 class Impact(unittest.TestCase):
@@ -94,12 +94,12 @@ class Symmetry(Impact):
     def quarter(self, part, n, z):
         return box(part, [1, 1, 1], [n, n, 2], [0, 0, z])
 
-    def check_quarter(self, fine, gate):
+    def check_quarter(self, fine, gate, passes="auto"):
         planes = "symmetry: [{point: [0, 0, 0], normal: [1, 0, 0]}, {point: [0, 0, 0], normal: [0, 1, 0]}]"
         whole = [self.halves("low", 2, 0), self.halves("top", fine, 1.001)]
         cut = [self.quarter("low", 2, 0), self.quarter("top", fine, 1.001)]
-        self.run_impact("whole", scene("[" + ", ".join(whole) + "]"))
-        self.run_impact("cut", scene("[" + ", ".join(cut) + "]", more=planes))
+        self.run_impact("whole", scene("[" + ", ".join(whole) + "]", passes=passes))
+        self.run_impact("cut", scene("[" + ", ".join(cut) + "]", more=planes, passes=passes))
         self.assert_same(self.motion("cut"), self.motion("whole"), (1, 1, 1), gate)
 
     def test_a_quarter_moves_as_the_whole_on_equal_meshes(self):
@@ -109,7 +109,12 @@ class Symmetry(Impact):
         # nodes of the plane slide on an edge between two faces and are pushed along the mean of their normals: nothing
         # in the whole model, which has no plane to hold them, pushes them aside but what the tolerance leaves (8e-9 when
         # this was written; 2.4e-4 while they took the normal of one face)
-        self.check_quarter(3, 1e-7)
+        self.check_quarter(3, 1e-7, "one")
+
+    def test_a_quarter_moves_as_the_whole_on_other_meshes_in_two_passes(self):
+        # the mean of two passes leaves gaps, and over an edge between two faces rounding says on which of them a node
+        # of the plane has its foot: a gap times the bend aside of the plane (2.6e-6 when this was written)
+        self.check_quarter(3, 1e-5, "two")
 
     def test_the_mirror_image_moves_as_the_image(self):
         low = box("low", [2, 2, 1], [4, 4, 2], [-1, -1, 0])

@@ -56,7 +56,6 @@ struct ContactSettings {
   std::vector<Tied> tied{};           ///< of pairs of blocks, the same places; empty: none
   std::vector<double> impedance;      ///< density times speed of sound of each block, for Method::printed
   EnforcementSettings enforcement;
-  GapFeedback feedback;       ///< of pairs in two passes
   double motion_share = 0.3;  ///< of Surface::mean_depth: how far nodes may move before lists are rebuilt
   /// By block: of two-sided sheets, met at half of it from their faces [length]; 0 or missing: the skin of a solid.
   std::vector<double> thickness{};
@@ -179,7 +178,7 @@ class Contact {
   }
   [[nodiscard]] double area_of_slave(const Row& row) const;
   [[nodiscard]] bool has_twin(const Row& row) const;
-  void lay_passes(double dt);
+  void lay_passes();
   void lay_slabs();
   void lay_friction(std::span<const Wall> walls, double dt);
   [[nodiscard]] AnchorScene anchor_scene(std::span<const Wall> walls) const;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact in two passes: nodes of either side on faces of the other. Both held exactly would leave the surfaces no
 // freedom (nearly every one of their nodes is constrained), so each pass is solved by itself and the mean is taken:
-// beta = 1/2 of Heinstein et al. 2000, eq. (24), with the rate constraint in place of the predictor. The mean leaves
-// some approach where the passes disagree; what becomes of it is asked back as a gap (see `recover_gaps`).
+// beta = 1/2 of Heinstein et al. 2000, eq. (24), with the rate constraint in place of the predictor (see
+// enforcement/averaged.hpp).
 #pragma once
 #include <span>
 
@@ -16,14 +16,5 @@ namespace brunt::contact {
 /// normals.
 Pass pass_of(const Row& row, std::span<const std::int32_t> node_blocks, const PairTable& pairs,
              std::span<const BodyFigures> bodies);
-
-struct GapFeedback {
-  double recovery = 1;  ///< share of a penetration that its pass recovers in a step; half of it is left by the mean
-};
-
-/// Row::required of the closed rows of one pass: where bodies press on each other the passes disagree in every step, by
-/// a share of what contact has to hold off, n . G v*. So up to that rate the penetration is asked back, above the slow
-/// recovery that all rows have.
-void recover_gaps(std::span<Row> rows, std::span<const NodeMotion> motion, const GapFeedback& feedback, double dt);
 
 }  // namespace brunt::contact

@@ -2,9 +2,12 @@
 #include "brunt/contact/enforcement/averaged.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace brunt::contact {
 namespace {
+
+constexpr std::array passes{Pass::first, Pass::second};
 
 /// What a row's impulse in one of its passes counts for in the mean; each is exact.
 double share_of(const Row& row, Pass pass) {
@@ -18,49 +21,113 @@ bool passes_differ(const System& system, Exchange& exchange) {
   return split > 0;
 }
 
-/// Solves the rows of one pass and adds its share to the sum. start: of all rows, the mean of before.
-EnforcementResult solve_pass(Pass pass, const System& system, const EnforcementSettings& settings, double dt,
-                             Exchange& exchange, std::span<const Vec3> start, std::span<Vec3> sum,
-                             std::span<Vec3> velocity, EnforcementScratch& scratch) {
+/// Every row asks for what it requires, and each pass starts from the impulses of the mean.
+void start_passes(const System& system, std::span<const Vec3> impulses, EnforcementScratch& scratch) {
+  scratch.asked.clear();
+  for (std::vector<Vec3>& start : scratch.start) start.clear();
+  for (std::size_t q = 0; q < system.rows.size(); ++q) {
+    const Row& row = system.rows[q];
+    scratch.asked.push_back(row.required);
+    for (std::size_t k = 0; k < passes.size(); ++k)
+      scratch.start[k].push_back(row.pass == passes[k] ? Vec3(2 * impulses[q]) : impulses[q]);
+  }
+}
+
+/// Solves the rows of one pass, adds its share to the sum and keeps its impulses to start from.
+EnforcementResult solve_pass(std::size_t k, const System& system, const EnforcementSettings& settings, double dt,
+                             Exchange& exchange, std::span<Vec3> sum, std::span<Vec3> velocity,
+                             EnforcementScratch& scratch) {
   scratch.pass_rows.clear();
   scratch.pass_impulses.clear();
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    const Row& row = system.rows[q];
-    if (share_of(row, pass) == 0) continue;
-    scratch.pass_rows.push_back(row);
-    scratch.pass_impulses.push_back(row.pass == pass ? Vec3(2 * start[q]) : start[q]);
+    if (share_of(system.rows[q], passes[k]) == 0) continue;
+    scratch.pass_rows.push_back(system.rows[q]);
+    scratch.pass_rows.back().required = scratch.asked[q];
+    scratch.pass_impulses.push_back(scratch.start[k][q]);
   }
   const System rows{scratch.pass_rows, system.motion, system.mobility};
   const EnforcementResult result = enforce(rows, settings, dt, exchange, scratch.pass_impulses, velocity, scratch);
   std::size_t next = 0;
-  for (std::size_t q = 0; q < system.rows.size(); ++q)
-    if (const double share = share_of(system.rows[q], pass); share > 0) sum[q] += share * scratch.pass_impulses[next++];
+  for (std::size_t q = 0; q < system.rows.size(); ++q) {
+    const double share = share_of(system.rows[q], passes[k]);
+    if (share == 0) continue;
+    scratch.start[k][q] = scratch.pass_impulses[next++];
+    sum[q] += share * scratch.start[k][q];
+  }
   return result;
 }
 
+/// Solves both passes and applies the mean of their impulses, unless there is none.
+void solve_both(const System& system, const EnforcementSettings& settings, double dt, Exchange& exchange,
+                std::span<Vec3> impulses, std::span<Vec3> velocity, EnforcementScratch& scratch,
+                EnforcementResult& result) {
+  std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
+  int iterations = 0;
+  for (std::size_t k = 0; k < passes.size(); ++k) {
+    const EnforcementResult one = solve_pass(k, system, settings, dt, exchange, impulses, velocity, scratch);
+    result.violation = std::max(result.violation, one.violation);
+    result.residual = std::max(result.residual, one.residual);
+    iterations = std::max(iterations, one.iterations);
+    result.acted = result.acted || one.acted;
+  }
+  result.iterations += iterations;
+  if (!result.acted) return;
+  double largest = largest_impulse_on_a_node(system.rows, impulses);
+  exchange.max({&largest, 1});
+  demand_finite(largest);
+  apply_impulses(system, impulses, largest, exchange, velocity, scratch);
+}
+
+/// Raises what the closed rows of one pass ask for to asked_back. least: below it `left` is the iteration's own error.
+/// Is there any such row, on any rank?
+bool ask_back(const System& system, double least, double dt, Exchange& exchange, std::span<const Vec3> velocity,
+              EnforcementScratch& scratch) {
+  double any = 0;
+  for (std::size_t q = 0; q < system.rows.size(); ++q) {
+    const Row& row = system.rows[q];
+    if (row.pass == Pass::both || !(row.gap < 0)) continue;
+    const double averaged = row.normal.dot(relative_velocity(row, velocity));
+    if (row.required - averaged <= least) continue;
+    double predicted = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
+      predicted += row.weights[i] * row.normal.dot(system.motion[static_cast<std::size_t>(row.nodes[i])].predicted);
+    scratch.asked[q] = asked_back(row.gap, row.required, predicted, averaged, dt);
+    if (scratch.asked[q] > row.required) any = 1;
+  }
+  exchange.max({&any, 1});
+  return any > 0;
+}
+
+/// The others close gaps by themselves.
+bool holds_rates(Method method) {
+  return method == Method::rate || method == Method::row_sum || method == Method::printed ||
+         method == Method::reference;
+}
+
 }  // namespace
+
+double asked_back(double gap, double required, double predicted, double averaged, double dt) {
+  constexpr double own_making = 8;
+  const double left = required - averaged;
+  if (!(gap < 0) || !(left > 0)) return required;
+  const double wanted = std::min({-gap / dt, required + 2 * left, -predicted});
+  const double fade = std::clamp(2 + gap / (own_making * left * dt), 0.0, 1.0);
+  return std::max(required, fade * wanted);
+}
 
 EnforcementResult enforce_averaged(const System& system, const EnforcementSettings& settings, double dt,
                                    Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
                                    EnforcementScratch& scratch) {
   if (!passes_differ(system, exchange))
     return enforce({system.rows, system.motion, system.mobility}, settings, dt, exchange, impulses, velocity, scratch);
-  scratch.start.assign(impulses.begin(), impulses.end());
-  std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
+  start_passes(system, impulses, scratch);
   EnforcementResult result;
-  for (const Pass pass : {Pass::first, Pass::second}) {
-    const EnforcementResult one =
-        solve_pass(pass, system, settings, dt, exchange, scratch.start, impulses, velocity, scratch);
-    result.violation = std::max(result.violation, one.violation);
-    result.residual = std::max(result.residual, one.residual);
-    result.iterations = std::max(result.iterations, one.iterations);
-    result.acted = result.acted || one.acted;
-  }
-  if (!result.acted) return result;  // velocity is v*
-  double largest = largest_impulse_on_a_node(system.rows, impulses);
-  exchange.max({&largest, 1});
-  demand_finite(largest);
-  apply_impulses(system, impulses, largest, exchange, velocity, scratch);
+  solve_both(system, settings, dt, exchange, impulses, velocity, scratch, result);
+  if (!result.acted || !holds_rates(settings.method)) return result;
+  if (!ask_back(system, settings.tolerance * result.violation, dt, exchange, velocity, scratch)) return result;
+  EnforcementSettings again = settings;
+  again.warm_start = true;
+  solve_both(system, again, dt, exchange, impulses, velocity, scratch, result);
   return result;
 }
 

@@ -83,7 +83,8 @@ void EnforcementScratch::reserve(std::size_t rows, std::size_t nodes) {
 void EnforcementScratch::reserve_passes(std::size_t rows) {
   pass_rows.reserve(rows);
   pass_impulses.reserve(rows);
-  start.reserve(rows);
+  for (std::vector<Vec3>& impulses : start) impulses.reserve(rows);
+  asked.reserve(rows);
 }
 
 void demand_finite(double largest) {

@@ -25,7 +25,7 @@ Rank bodies_apart(GlobalIndex gid, int ranks) {
 MassPoints plates(const comm::Communicator& ranks, Rank (*deal)(GlobalIndex, int)) {
   mesh::Mesh mesh;
   support::append_box(mesh, {0, 0, 0}, {4, 4, 1}, {4, 4, 1});
-  support::append_box(mesh, {0.3, 0.2, 1.02}, {3.1, 3.3, 0.5}, {4, 5, 1});
+  support::append_box(mesh, {0.3, 0.2, 1.02}, {3.1, 3.3, 0.5}, {4, 4, 1});
   MassPoints points(
       ranks, mesh, [&](GlobalIndex gid) { return deal(gid, ranks.size()); },
       [](const Vec3& x) { return 1 + 0.3 * std::sin(3 * x.x() + 5 * x.y() + x.z()); },

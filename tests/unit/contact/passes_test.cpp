@@ -33,25 +33,3 @@ TEST_CASE("rows of two bodies are of the pass of their slave, rows within a body
   CHECK(downward != Pass::both);
   CHECK(upward != downward);
 }
-
-TEST_CASE("a penetration of one pass is asked back at the rate at which its bodies press on each other, at most") {
-  constexpr double dt = 0.1;
-  std::vector<NodeMotion> motion(2);
-  motion[0].predicted = {5, 0, -3};
-  Row row{.weights = {1, -1}, .node_count = 2, .normal = Vec3::UnitZ(), .gap = -0.2, .required = 0.01};
-  row.nodes = {0, 1};
-  const auto required = [&](Pass pass, double gap, double recovery = 1) {
-    std::vector<Row> rows{row};
-    rows[0].pass = pass;
-    rows[0].gap = gap;
-    recover_gaps(rows, motion, {.recovery = recovery}, dt);
-    return rows[0].required;
-  };
-  CHECK(required(Pass::both, -0.2) == 0.01);
-  CHECK(required(Pass::first, 0.2) == 0.01);  // open
-  CHECK(required(Pass::first, -0.2) == Approx(2));
-  CHECK(required(Pass::second, -0.2, 0.5) == Approx(1));
-  CHECK(required(Pass::second, -0.5) == Approx(3));  // no faster than they approach
-  motion[0].predicted.z() = 3;
-  CHECK(required(Pass::second, -0.5) == 0.01);  // they part: the slow recovery that all rows have
-}

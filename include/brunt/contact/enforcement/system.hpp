@@ -3,6 +3,7 @@
 // of: what a row still asks for, the impulses it admits, the diagonal, the velocities that impulses give.
 // Sums over rows are binned, so no bit depends on the ranks.
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -27,9 +28,10 @@ struct EnforcementScratch {
   std::vector<double> row_sum_parts;  ///< two slices and the number of rows, a node each
   std::vector<double> impulse_parts;  ///< three components of two slices, a node each
 
-  std::vector<Row> pass_rows;       ///< of two passes, the one being solved
-  std::vector<Vec3> pass_impulses;  ///< of those rows
-  std::vector<Vec3> start;          ///< of all rows, where the passes start from
+  std::vector<Row> pass_rows;              ///< of two passes, the one being solved
+  std::vector<Vec3> pass_impulses;         ///< of those rows
+  std::array<std::vector<Vec3>, 2> start;  ///< of all rows, where each pass starts from
+  std::vector<double> asked;               ///< of all rows, the least rate asked for [velocity]
 
   void reserve(std::size_t rows, std::size_t nodes);
   void reserve_passes(std::size_t rows);  ///< besides, for two passes

@@ -56,7 +56,7 @@ TEST_CASE("bodies that are never master, or never slave, are known") {
 TEST_CASE("two passes: by order, or where neither side is much finer or lighter and none is named the slave") {
   constexpr double held = std::numeric_limits<double>::infinity();
   const std::vector<BodyFigures> bodies{
-      {1.0, 5.0, {0}}, {0.46, 5.0, {1}}, {0.44, 5.0, {2}}, {1.0, 1.4, {3}}, {1.0, held, {4}}};  // 0.44: edges 1 : 1.507
+      {1.0, 5.0, {0}}, {0.52, 5.0, {1}}, {0.50, 5.0, {2}}, {1.0, 1.8, {3}}, {1.0, held, {4}}};  // 0.50: edges 1 : 1.414
   PairTable pairs(5, PairRule::automatic);
   CHECK_FALSE(any_two_passes(pairs, bodies));
   for (std::int32_t a = 0; a < 5; ++a)
