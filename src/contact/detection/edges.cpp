@@ -119,7 +119,7 @@ std::optional<geometry::CommonPerpendicular> crossing(const EdgeScene& scene, co
   const Vec3 middle = (apart - apart.dot(mean) * mean).normalized();
   const Vec3 between = (sine / full * perpendicular + (full - sine) * middle).normalized();
   for (const Vec3& direction : {between, across(-out_of_slave, own), across(out_of_master, other)})
-    if (const auto met = geometry::crossing_along(own, other, direction); met) return met;
+    if (auto met = geometry::crossing_along(own, other, direction); met) return met;
   return std::nullopt;
 }
 

@@ -71,6 +71,7 @@ void drop_false_depths(const FacesInMotion& scene, const EncounterSettings& sett
   };
   if (std::ranges::none_of(encounters, [&](const Encounter& e) { return is_deep(e, 0); })) return;
   const Nearest nearest = nearest_of(scene, encounters);
+  if (nearest.face == nullptr) return;
   double most = 0;
   for (const Encounter& e : encounters)
     if (!std::isnan(e.height)) most = std::max(most, e.opposition);
