@@ -81,7 +81,8 @@ bool holds_at_rim(std::span<const MasterFace> faces, const EncounterSettings& se
     const bool behind_by_rounding = -e.height <= level * e.size && same_direction(other.normal, e.normal, degrees);
     if (in_front && opposed && !behind_by_rounding) return false;
     has_neighbour = true;
-    behind_all = behind_all && !in_front;
+    const bool in_one_place = (other.point - e.point).norm() <= level * e.size;
+    behind_all = behind_all && !in_front && (other.region == Region::face || in_one_place);
   }
   return e.beside <= settings.rim * e.size || (e.height <= 0 && has_neighbour && behind_all);
 }

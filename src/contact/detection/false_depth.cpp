@@ -79,8 +79,9 @@ void drop_false_depths(const FacesInMotion& scene, const EncounterSettings& sett
   const bool clear = nearest.outside && nearest.distance > level * nearest.face->size;
   if (!opposed && !clear) return;
   const Vec3 point = nearest.face->point;
+  const double reached = nearest.outside ? 0 : nearest.distance;
   for (Encounter& e : encounters)
-    if (is_deep(e, nearest.distance) && lies_behind(point, e)) e.meeting = Meeting::none;
+    if (is_deep(e, reached) && lies_behind(point, e)) e.meeting = Meeting::none;
 }
 
 }  // namespace brunt::contact

@@ -112,8 +112,9 @@ bool same_direction(const Vec3& one, const Vec3& other, double degrees);
 
 /// A node that projects a little beside a face (by `rim`) still meets it, unless a neighbour that its surface opposes
 /// as well, and whose normal differs by more than `same_direction` degrees, has it in front; one farther beside meets
-/// it only where all faces of the body that share that edge or corner have it behind them (the bottom of a groove). The
-/// others become Meeting::none. encounters: of one slave with the faces of one body, with their opposition.
+/// it only where all faces of the body that share that edge or corner have it behind them, over them or nearest there
+/// too (the bottom of a groove: a node beyond the end of a bore is beside its facets). The others become Meeting::none.
+/// encounters: of one slave with the faces of one body, with their opposition.
 void settle_rims(std::span<const MasterFace> faces, const EncounterSettings& settings, double same_direction,
                  std::span<Encounter> encounters);
 

@@ -46,6 +46,21 @@ TEST_CASE("a node that its surface hardly turns to a side is outside all the sam
   }
 }
 
+TEST_CASE("a node well outside of a side is not behind a face around the corner, even if it is less deep there") {
+  FewFaces scene = bar();
+  scene.facets = {Vec3(0, -0.7, 0.7)};
+  for (const double x : {0.5, 0.8, 0.9})
+    for (const Row& row : scene.rows(Vec3(x, 1.12, 0.1))) CHECK(row.gap > 0);
+}
+
+TEST_CASE("a node beyond the end of a bore is not inside of the wall, though it is behind the bore's facets") {
+  FewFaces scene = support::two_slopes(150);  // two facets of a bore along y, which ends at y = 1
+  scene.facets = {Vec3(0, -0.7, -0.7)};
+  const Vec3 slope = scene.motion[2].position, into(slope.z(), 0, -slope.x());
+  for (const double depth : {0.05, 0.1, 0.2})
+    for (const double along : {0.3, 0.02}) CHECK(scene.rows(Vec3(0, 1.17, 0) + along * slope + depth * into).empty());
+}
+
 TEST_CASE("a node that came in through a side is as deep as it is there") {
   FewFaces scene = bar();
   for (const double opposition : {0.15, 0.5, 1.0}) {
