@@ -71,8 +71,6 @@ bool lies_on_neighbour(const Choice& choice, std::span<const Encounter> encounte
 
 void rank_all(const Choice& choice, std::span<Encounter> encounters) {
   const Criterion criterion = choice.settings.criterion;
-  for (Encounter& e : encounters)
-    if (lies_on_neighbour(choice, encounters, e)) e.meeting = Meeting::above;
   const auto order = [&](const Encounter& e) {
     const bool by_time = e.meeting == Meeting::hit && criterion != Criterion::nearest;
     int rank = static_cast<int>(e.meeting);
@@ -145,6 +143,8 @@ std::size_t choose(std::span<const MasterFace> faces, std::span<const NodeMotion
   const Choice choice{faces, motion, slave, dt, settings};
   encounters = encounters.first(drop_sideways(choice, encounters));
   if (encounters.size() < 2) return encounters.size();
+  for (Encounter& e : encounters)
+    if (lies_on_neighbour(choice, encounters, e)) e.meeting = Meeting::above;
   rank_all(choice, encounters);
   merge_corner(choice, encounters);
   std::size_t kept = 1;

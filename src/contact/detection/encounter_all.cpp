@@ -28,8 +28,8 @@ BRUNT_INLINE PackVec positions(const MotionOfLane& motion) {
   PackVec result;
   const auto quad = [&](int lane) {
     Quad four;
-    std::memcpy(&four, reinterpret_cast<const char*>(motion(lane)),
-                sizeof four);  // the fourth belongs to the old velocity
+    // the fourth belongs to the old velocity
+    std::memcpy(&four, reinterpret_cast<const char*>(motion(lane)), sizeof four);
     return four;
   };
   components_of(quad, result.x, result.y, result.z);

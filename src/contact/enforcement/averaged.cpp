@@ -88,9 +88,8 @@ bool ask_back(const System& system, double least, double dt, Exchange& exchange,
     if (row.pass == Pass::both || !(row.gap < 0)) continue;
     const double averaged = row.normal.dot(relative_velocity(row, velocity));
     if (row.required - averaged <= least) continue;
-    double predicted = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
-      predicted += row.weights[i] * row.normal.dot(system.motion[static_cast<std::size_t>(row.nodes[i])].predicted);
+    const double predicted = row.normal.dot(relative_motion(
+        row, [&](LocalIndex node) -> const Vec3& { return system.motion[static_cast<std::size_t>(node)].predicted; }));
     scratch.asked[q] = asked_back(row.gap, row.required, predicted, averaged, dt);
     if (scratch.asked[q] > row.required) any = 1;
   }
