@@ -2,10 +2,55 @@
 #include "brunt/contact/history.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "brunt/core/error.hpp"
 
 namespace brunt::contact {
+namespace {
+
+bool same_slave(const HistoryKey& a, const HistoryKey& b) {
+  return a.slave_gid == b.slave_gid && a.slave_second == b.slave_second;
+}
+
+HistoryKey least_of_slave(const Row& row) {
+  constexpr auto least = std::numeric_limits<GlobalIndex>::min();
+  return {row.slave_gid, row.slave_second, least, least};
+}
+
+bool acted(const HistoryRecord& record) {
+  return std::ranges::any_of(record.force, [](double component) { return component != 0; });
+}
+
+/// Rows and records of one slave: those of the same keys belong together, then, each once, those that point alike.
+void start_slave(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt,
+                 std::span<Vec3> impulses) {
+  constexpr double alike = 0.9;  // cosine: friction may tilt a force by 26 degrees
+  const auto has_record = [&](const Row& row) {
+    return std::ranges::any_of(records, [&](const HistoryRecord& record) { return record.key == key_of(row); });
+  };
+  for (const HistoryRecord& record : records) {
+    const Vec3 force(record.force.data());
+    const auto own = std::ranges::find(rows, record.key, key_of);
+    if (own != rows.end()) {
+      impulses[static_cast<std::size_t>(own - rows.begin())] = admitted(*own, dt * force);
+      continue;
+    }
+    if (record.key.master_key < 0 || !acted(record)) continue;  // walls have no next face
+    std::size_t best = rows.size();
+    double most = alike * force.norm();
+    for (std::size_t q = 0; q < rows.size(); ++q) {
+      if (rows[q].is_wall() || !impulses[q].isZero(0) || has_record(rows[q])) continue;
+      const double along = rows[q].normal.dot(force);
+      if (along <= most) continue;
+      most = along;
+      best = q;
+    }
+    if (best < rows.size()) impulses[best] = admitted(rows[best], dt * force);
+  }
+}
+
+}  // namespace
 
 const AnchorRecord* find_anchor(std::span<const AnchorRecord> anchors, const AnchorKey& key) {
   const auto found = std::ranges::lower_bound(anchors, key, {}, &AnchorRecord::key);
@@ -15,9 +60,15 @@ const AnchorRecord* find_anchor(std::span<const AnchorRecord> anchors, const Anc
 void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt,
                     std::span<Vec3> impulses) {
   std::ranges::fill(impulses, Vec3::Zero());
-  for_each_remembered(rows, records, [&](std::size_t q, const HistoryRecord& record) {
-    impulses[q] = admitted(rows[q], dt * Vec3(record.force.data()));
-  });
+  auto record = records.begin();
+  for (std::size_t first = 0, last = 0; first < rows.size(); first = last) {
+    while (last < rows.size() && same_slave(key_of(rows[last]), key_of(rows[first]))) ++last;
+    const HistoryKey least = least_of_slave(rows[first]);
+    while (record != records.end() && record->key < least) ++record;
+    const auto begin = record;
+    while (record != records.end() && same_slave(record->key, least)) ++record;
+    start_slave(rows.subspan(first, last - first), {begin, record}, dt, impulses.subspan(first, last - first));
+  }
 }
 
 void write_pairs(std::span<const Row> rows, std::span<const Vec3> impulses, double dt,

@@ -78,7 +78,9 @@ void for_each_remembered(std::span<const Row> rows, std::span<const HistoryRecor
 const AnchorRecord* find_anchor(std::span<const AnchorRecord> anchors, const AnchorKey& key);
 
 /// Impulses to start the iteration from [momentum]: what the rows, as they are now, admit of the forces of the last
-/// step, over a step of length dt; zero for rows that did not act. Rows in order.
+/// step, over a step of length dt. Where a slave has gone over to the next face, its row there starts from the force of
+/// the row that it has no more, if that points along the new normal: nodes that rest on an edge between faces change
+/// sides at every breath. Zero for rows that did not act. Rows in order.
 void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt,
                     std::span<Vec3> impulses);
 

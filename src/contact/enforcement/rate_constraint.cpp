@@ -104,10 +104,12 @@ EnforcementResult iterate(const System& system, const EnforcementSettings& setti
                           double violation, Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
                           EnforcementScratch& scratch) {
   constexpr double rounding_share = 1e-15;
-  constexpr int patience = 30;  // Barzilai-Borwein steps do not descend one by one
+  constexpr double gained = 0.1, still = 1e-6;  // see the header: of a warm start's residual; of the tolerance
+  constexpr int patience = 30;                  // Barzilai-Borwein steps do not descend one by one
   EnforcementResult result{.violation = violation};
   Iteration iteration(system, coupled, exchange, impulses, velocity, scratch);
   bool quotients = length == StepLength::barzilai_borwein;
+  double settled = std::numeric_limits<double>::infinity();
   double taken = 1, terms = 0, best = std::numeric_limits<double>::infinity(), best_before = best;
   while (true) {
     const Judgement now = iteration.judge(terms);
@@ -117,9 +119,13 @@ EnforcementResult iterate(const System& system, const EnforcementSettings& setti
       return {violation, 0.0, 1, true};
     }
     const bool rounding = now.residual <= rounding_share * now.speed;  // of velocities: nothing is left to gain
-    if (result.residual <= settings.tolerance || rounding || result.iterations == settings.max_iterations) {
-      if (taken > 1) iteration.advance(now, 1);
-      result.acted = now.impulse > 0 || taken > 1;
+    if (result.iterations == 0 && settings.warm_start)
+      settled = std::max(gained * result.residual, still * settings.tolerance);
+    if (result.residual <= std::min(settings.tolerance, settled) || rounding ||
+        result.iterations == settings.max_iterations) {
+      const bool sweep = taken > 1 || (result.iterations == 0 && !rounding);
+      if (sweep) iteration.advance(now, 1);
+      result.acted = now.impulse > 0 || sweep;
       return result;
     }
     best = std::min(best, result.residual);

@@ -26,7 +26,7 @@ TEST_CASE("impulses start from the forces of the same rows as their normals see 
   std::vector<Row> rows{row(1, -2), row(1, 7), row(3, 7), row(3, 5, 4, 6), row(5, 1), row(6, -1)};
   rows[2].normal = Vec3(0, 0.6, 0.8);
   rows[5].cone = contact::Cone::free;
-  const std::vector<HistoryRecord> records{{{1, -1, -2, -1}, {0, 0, 10}}, {{1, -1, 8, -1}, {0, 0, 20}},
+  const std::vector<HistoryRecord> records{{{1, -1, -2, -1}, {0, 0, 10}}, {{1, -1, 8, -1}, {20, 0, 0}},
                                            {{3, -1, 7, -1}, {9, 0, 30}},  {{3, 4, 5, 6}, {0, 7, 40}},
                                            {{5, -1, 1, -1}, {0, 0, -50}}, {{6, -1, -1, -1}, {0, 0, -60}}};
   std::vector<Vec3> impulses(6, Vec3(99, 99, 99));
@@ -35,6 +35,23 @@ TEST_CASE("impulses start from the forces of the same rows as their normals see 
   for (std::size_t q = 0; q < rows.size(); ++q)
     CHECK((impulses[q] - along[q] * rows[q].normal).norm() <
           1e-14);  // a row that only pushes does not start with a pull
+}
+
+TEST_CASE("a slave that has gone over to the next face takes along the force of the row that it has no more") {
+  std::vector<Row> rows{row(1, -1), row(1, 4), row(1, 9), row(2, 4), row(3, 5, 6, 7), row(4, 2)};
+  rows[1].normal = Vec3::UnitX();
+  const std::vector<HistoryRecord> records{
+      {{1, -1, -2, -1}, {0, 0, 10}},  // a wall has no next face
+      {{1, -1, 7, -1}, {0.1, 0, 20}}, {{2, -1, 4, -1}, {0, 0, 30}},
+      {{2, -1, 5, -1}, {0, 0, 40}},                                    // no row is left without a record
+      {{3, 6, 2, 5}, {0, 0, 50}},     {{4, -1, 3, -1}, {30, 0, 10}}};  // the new face looks elsewhere
+  std::vector<Vec3> impulses(rows.size(), Vec3(99, 99, 99));
+  start_impulses(rows, records, 0.5, impulses);
+  const std::vector<double> along{0, 0, 10, 15, 25, 0};
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    CAPTURE(q);
+    CHECK((impulses[q] - along[q] * rows[q].normal).norm() < 1e-14);
+  }
 }
 
 TEST_CASE("a step leaves what acted and the sides seen, in order of keys") {

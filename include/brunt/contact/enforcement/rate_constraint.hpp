@@ -9,6 +9,10 @@
 //   is 1 or more (Barzilai and Borwein, IMA J. Numer. Anal. 8, 1988; projected: Dai and Fletcher, Numer. Math. 100,
 //   2005). Where thirty iterations have not halved the residual it goes on with row sums; it ends with a row sum sweep,
 //   since a long step stopped half-way is a rebound that nothing in the bodies has asked for.
+// A warm start may be within the tolerance before anything is done. To leave it at that would let bodies at rest float
+// on forces that answer to nothing, until they have moved by the tolerance; to correct it a little in each step is a
+// soft spring, which the recovery of gaps turns into an engine (its force lags). So it goes on until a tenth is left
+// of what it began with, or a millionth of the tolerance, and makes one sweep at least: what stirs bodies dies out.
 #pragma once
 #include "brunt/contact/enforcement/enforce.hpp"
 
