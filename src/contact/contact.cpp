@@ -10,14 +10,10 @@
 #include "brunt/contact/join_surface.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/closest_point.hpp"
+#include "memory.hpp"
 
 namespace brunt::contact {
 namespace {
-
-template <class T>
-std::span<double> as_doubles(std::vector<T>& values) {
-  return {reinterpret_cast<double*>(values.data()), values.size() * sizeof(T) / sizeof(double)};
-}
 
 constexpr double twin_share = 0.01;  // one pass with nodes that lie so near each other is as good as two
 
@@ -81,117 +77,23 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
   make_ties(mesh.coordinates, walls);
 }
 
-double Contact::motion_used(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt) const {
-  if (!have_lists_) return std::numeric_limits<double>::infinity();
-  double largest = 0;
-  const auto keep = [&](const Vec3& moved, const Vec3& velocity) {  // what is not finite must not be lost
-    const Vec3 coming = dt * velocity;
-    if (2 * (moved.squaredNorm() + coming.squaredNorm()) <= largest * largest) return;  // (a + b)^2 <= 2 (a^2 + b^2)
-    const double used = moved.norm() + coming.norm();
-    if (!(used <= largest)) largest = used;
-  };
-  for (std::size_t i = 0; i < surface_.gid.size(); ++i) {
-    const LocalIndex node = surface_.model_node[i];
-    keep(position[node] - list_position_[i], predicted[node]);
-  }
-  for (std::size_t w = 0; w < walls.size(); ++w) keep(walls[w].point - list_wall_[w], walls[w].velocity);
-  return largest / motion_;
-}
-
-bool Contact::must_rebuild(double global_motion_used) const {
-  if (!(global_motion_used < 1)) return true;
-  const auto step = static_cast<std::uint64_t>(statistics_.steps);
-  switch (settings_.rebuild.when) {
-    case Rebuild::When::every:
-      return step % static_cast<std::uint64_t>(settings_.rebuild.steps) == 0;
-    case Rebuild::When::random:
-      return ((step + settings_.rebuild.seed) * 0x9E3779B97F4A7C15ULL >> 40) % 4 == 0;
-    case Rebuild::When::motion_used_up:
-      break;
-  }
-  return false;
-}
-
-void Contact::rebuild(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt) {
-  double fastest = 0;
-  list_position_.clear();
-  for (const LocalIndex node : surface_.model_node) {
-    list_position_.push_back(position[node]);
-    const double speed = predicted[node].norm();
-    if (!(speed <= fastest)) fastest = speed;
-  }
-  list_wall_.clear();
-  for (const Wall& wall : walls) {
-    list_wall_.push_back(wall.point);
-    fastest = std::max(fastest, wall.velocity.norm());
-  }
-  motion_ = std::max(settings_.motion_share * surface_.mean_depth, 4 * dt * ranks_.max(fastest));
-  const ListSettings reach{.encounter = settings_.detection.encounter,
-                           .wall_capture = settings_.detection.encounter.capture * settings_.detection.wall_size,
-                           .motion = motion_,
-                           .faces = settings_.bodies,
-                           .two_passes = two_passes_,
-                           .thickness = settings_.thickness};
-  lists_ = build_lists(ranks_, surface_, settings_.pairs, roles_, list_position_, walls, held_, reach, list_scratch_);
-  have_lists_ = true;
-  ++statistics_.searches;
-
-  const std::size_t nodes = lists_.nodes.gid.size();
-  motion_of_.assign(nodes, {});
-  velocity_.assign(nodes, Vec3::Zero());
-  mobility_.assign(nodes, {});
-  for (std::size_t i = 0; i < nodes; ++i)
-    if (lists_.nodes.surface_node[i] != no_index)
-      mobility_[i] = surface_mobility_[static_cast<std::size_t>(lists_.nodes.surface_node[i])];
-  static_assert(sizeof(Mobility) == 10 * sizeof(double));
-  lists_.exchange.share(as_doubles(mobility_), 10);
-  share_reference();
-  own_area_.assign(surface_.faces.size(), Vec3::Zero());
-  facet_area_.assign(static_cast<std::size_t>(lists_.facet_count), Vec3::Zero());
-  detection_.reserve(lists_.faces.size(), facet_area_.size(), lists_.most_faces_of_a_slave);
-  node_normal_.reserve(nodes);
-  const std::size_t most_rows = lists_.most_rows + ties_.size();
-  rows_.reserve(most_rows);
-  impulses_.reserve(most_rows);
-  scratch_.reserve(most_rows, nodes);
-  if (two_passes_) scratch_.reserve_passes(most_rows);
-  if (rubs_ || !settings_.tied.empty()) faces_by_key_ = order_by_key(lists_.faces);
-  if (!settings_.tied.empty()) demand_ties_hold();
-  if (!remembers()) return;
-  const std::size_t sides = has_sheets() ? lists_.candidates.faces.values.size() : 0;
-  detection_.sides.reserve(sides);
-  history_.pairs.reserve(most_rows + sides);
-  next_pairs_.reserve(most_rows + sides);
-  history_.anchors.reserve(most_rows);
-  next_anchors_.reserve(most_rows);
-}
-
-void Contact::share_reference() {
-  if (settings_.detection.accepted.empty()) return;
-  reference_.assign(lists_.nodes.gid.size(), Vec3::Zero());
-  for (std::size_t i = 0; i < reference_.size(); ++i)
-    if (const LocalIndex here = lists_.nodes.surface_node[i]; here != no_index)
-      reference_[i] = surface_reference_[static_cast<std::size_t>(here)];
-  lists_.exchange.share(as_doubles(reference_), 3);
-}
-
 void Contact::gather(VectorView position, VectorView old_velocity, MutableVectorView velocity) {
-  for (std::size_t i = 0; i < motion_of_.size(); ++i) {
-    const LocalIndex here = lists_.nodes.surface_node[i];
-    if (here == no_index) continue;
-    const LocalIndex node = surface_.model_node[static_cast<std::size_t>(here)];
-    motion_of_[i] = {position[node], old_velocity[node], velocity[node]};
+  for (std::size_t k = 0; k < nodes_here_.size(); ++k) {
+    if (k + far_ahead < nodes_here_.size()) {
+      position.fetch(nodes_here_[k + far_ahead].model_node);
+      old_velocity.fetch(nodes_here_[k + far_ahead].model_node);
+    }
+    const auto [contact_node, node] = nodes_here_[k];
+    motion_of_[static_cast<std::size_t>(contact_node)] = {position[node], old_velocity[node], velocity[node]};
   }
   lists_.exchange.share(as_doubles(motion_of_), node_motion_width);
   if (!lists_.any_facets) return;
-  for (std::size_t f = 0; f < surface_.faces.size(); ++f) {
-    if (lists_.facet_needed[f] == 0) continue;
-    const SurfaceFace& face = surface_.faces[f];
-    const auto count = static_cast<std::size_t>(face.corner_count);
+  for (const FacetHere& facet : facets_here_) {
+    const auto count = static_cast<std::size_t>(facet.corner_count);
     std::array<Vec3, 4> corners;
-    for (std::size_t i = 0; i < count; ++i)
-      corners[i] = position[surface_.model_node[static_cast<std::size_t>(face.nodes[i])]];
-    own_area_[f] = geometry::area_vector({corners.data(), count}) / static_cast<double>(count);
+    for (std::size_t i = 0; i < count; ++i) corners[i] = position[facet.model_nodes[i]];
+    own_area_[static_cast<std::size_t>(facet.face)] =
+        geometry::area_vector({corners.data(), count}) / static_cast<double>(count);
   }
   lists_.facets.forward(as_doubles(own_area_), as_doubles(facet_area_), 3);
 }
@@ -216,7 +118,7 @@ void Contact::detect(std::span<const Wall> walls, double dt) {
   detect_walls(lists_.wall_candidates, walls, lists_.nodes.gid, motion_of_, dt, settings_.detection, rows_);
   for (const Row& row : rows_) sums_.penetration = std::max(sums_.penetration, -row.gap);
   tie_rows(ties_, tie_scene(dt), levers_, rows_);
-  sort_rows(rows_);
+  sort_rows(rows_, row_sort_);
 }
 
 void Contact::remember(std::span<const Wall> walls, double dt) {
@@ -230,10 +132,8 @@ void Contact::remember(std::span<const Wall> walls, double dt) {
 }
 
 void Contact::scatter(MutableVectorView velocity) {
-  for (std::size_t i = 0; i < velocity_.size(); ++i) {
-    const LocalIndex here = lists_.nodes.surface_node[i];
-    if (here != no_index) velocity.set(surface_.model_node[static_cast<std::size_t>(here)], velocity_[i]);
-  }
+  for (const auto& [contact_node, node] : nodes_here_)
+    velocity.set(node, velocity_[static_cast<std::size_t>(contact_node)]);
   if (!any_copies_) return;
   for (const LocalIndex node : lent_) {
     const auto i = static_cast<std::size_t>(node);
@@ -242,12 +142,6 @@ void Contact::scatter(MutableVectorView velocity) {
   surface_copies_.forward(surface_velocity_, foreign_velocity_, 3);
   for (std::size_t i = 0; i < foreign_.size(); ++i)
     velocity.set(surface_.model_node[static_cast<std::size_t>(foreign_[i])], Vec3(&foreign_velocity_[3 * i]));
-}
-
-void Contact::search(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt,
-                     double global_motion_used) {
-  demand(walls.size() == sums_.wall_impulse.size(), "contact was made for another number of walls");
-  if (must_rebuild(global_motion_used)) rebuild(position, predicted, walls, dt);
 }
 
 void Contact::correct(VectorView position, VectorView old_velocity, MutableVectorView velocity,

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "brunt/contact/contact.hpp"
-#include "brunt/core/binned_sum.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -70,10 +69,8 @@ void Contact::add_impulses(std::span<Vec3> impulse) const {
   if (!statistics_.last.acted) return;
   for (std::size_t i = 0; i < lists_.nodes.gid.size(); ++i) {
     if (lists_.nodes.home[i].rank != ranks_.rank()) continue;
-    const double* parts = &scratch_.impulse_parts[i * 3 * bin_slices];
     const LocalIndex node = surface_.model_node[static_cast<std::size_t>(lists_.nodes.surface_node[i])];
-    impulse[static_cast<std::size_t>(node)] +=
-        Vec3(binned_value(parts), binned_value(parts + bin_slices), binned_value(parts + 2 * bin_slices));
+    impulse[static_cast<std::size_t>(node)] += impulse_of_node(scratch_, i);
   }
 }
 

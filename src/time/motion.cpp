@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/time/motion.hpp"
 
+#include <limits>
+#include <type_traits>
+
 #include "brunt/model/curve.hpp"
 
 namespace brunt::time {
@@ -30,8 +33,31 @@ inline void move(const Quad& X, const Quad& force, NodeLine& node, Quad& u, doub
   node.x_mass() = __builtin_shufflevector(X + u, node.x_mass(), 0, 1, 2, 7);
 }
 
-template <bool loaded>
-void predict_all(const model::Model& model, model::State& state, model::Scratch& scratch, double dt, double dt_mean) {
+/// The least and the largest components of velocities, four at a time.
+struct Spread {
+  Quad low = Quad{} + std::numeric_limits<double>::infinity(), high = -low;
+  Quad lost{};  // NaN once there was something that is not finite: comparisons lose it
+  void add(const Quad& v) {
+    low = v < low ? v : low;
+    high = v > high ? v : high;
+    lost += 0.0 * v;
+  }
+  void put(double* to) const {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const bool finite = lost[c] == 0;
+      to[c] = finite ? high[c] : std::numeric_limits<double>::infinity();
+      to[c + 3] = finite ? -low[c] : std::numeric_limits<double>::infinity();
+    }
+  }
+};
+struct NodeSpread {
+  Spread before, after;
+};
+struct NoSpread {};
+
+template <bool loaded, class Velocities>
+void predict_all(const model::Model& model, model::State& state, model::Scratch& scratch, double dt, double dt_mean,
+                 Velocities& velocities) {
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     NodeLine& node = state.nodes[i];
     Quad force = scratch.force[i];  // its fourth component is zero: `late` stays as it is
@@ -39,10 +65,26 @@ void predict_all(const model::Model& model, model::State& state, model::Scratch&
     const Quad before = node.v_late();
     const Quad after = before + (dt_mean / node.mass) * force;
     node.v_late() = after;
-    if (node.late != 0.0) continue;
+    if constexpr (!std::is_same_v<Velocities, NoSpread>) {
+      velocities.before.add(before);
+      velocities.after.add(after);
+    }
+    if (node.late != 0.0) {
+      scratch.before[i] = Vec3(before[0], before[1], before[2]);
+      continue;
+    }
     if constexpr (loaded) book_loads(state, scratch, i, dt_mean, before + after);
     move(model.reference[i], scratch.force[i], node, state.displacement[i], dt, dt_mean, before + after);
   }
+}
+
+template <class Velocities>
+void predict_nodes(const model::Model& model, model::State& state, model::Scratch& scratch, double dt, double dt_mean,
+                   Velocities& velocities) {
+  if (model.loaded())
+    predict_all<true>(model, state, scratch, dt, dt_mean, velocities);
+  else
+    predict_all<false>(model, state, scratch, dt, dt_mean, velocities);
 }
 
 /// The given velocity of a constrained node at the half step to come.
@@ -60,15 +102,15 @@ Vec3 driven_velocity(const model::Model& model, const model::ConstrainedNode& co
 
 }  // namespace
 
-void predict(const model::Model& model, model::State& state, model::Scratch& scratch, double dt, double dt_mean) {
-  for (const LocalIndex node : model.late) {
-    const auto i = static_cast<std::size_t>(node);
-    scratch.before[i] = Eigen::Map<const Vec3>(state.nodes[i].v);
+contact::VelocitySpan predict(const model::Model& model, model::State& state, model::Scratch& scratch, double dt,
+                              double dt_mean) {
+  if (model.late.empty()) {
+    NoSpread nothing;
+    predict_nodes(model, state, scratch, dt, dt_mean, nothing);
+    return {};
   }
-  if (model.loaded())
-    predict_all<true>(model, state, scratch, dt, dt_mean);
-  else
-    predict_all<false>(model, state, scratch, dt, dt_mean);
+  NodeSpread velocities;
+  predict_nodes(model, state, scratch, dt, dt_mean, velocities);
   for (std::size_t k = 0; k < model.constrained.size(); ++k) {
     const model::ConstrainedNode& constrained = model.constrained[k];
     NodeLine& node = state.nodes[static_cast<std::size_t>(constrained.node)];
@@ -77,7 +119,12 @@ void predict(const model::Model& model, model::State& state, model::Scratch& scr
     const Vec3 allowed = constrained.free * v + given;
     scratch.reaction[k] = node.mass * (allowed - v);
     v = allowed;
+    velocities.after.add(node.v_late());
   }
+  contact::VelocitySpan span;
+  velocities.before.put(span.data());
+  velocities.after.put(span.data() + 6);
+  return span;
 }
 
 namespace {

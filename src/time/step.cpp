@@ -63,7 +63,7 @@ void place_walls(const model::Model& model, const model::State& state, double ti
 
 /// v = v* + W G^T impulses on the nodes that touch something.
 void correct_contact(const model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
-                     contact::Contact& contact, double dt) {
+                     contact::Contact& contact, double dt, contact::VelocitySpan velocities) {
   place_walls(model, state, state.time + 0.5 * dt, links.walls);
   constexpr int line = sizeof(model::NodeLine) / sizeof(double);
   auto* nodes = reinterpret_cast<double*>(state.nodes.data());
@@ -71,8 +71,8 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
   const contact::VectorView before{reinterpret_cast<const double*>(scratch.before.data()), 3};
   {
     const auto timed = links.timers.measure(Phase::search);
-    const double used = links.ranks.max(contact.motion_used(position, predicted, links.walls, dt));
-    contact.search(position, predicted, links.walls, dt, used);
+    links.ranks.max(velocities);
+    contact.search(position, predicted, links.walls, dt, velocities);
   }
   const auto timed = links.timers.measure(Phase::enforcement);
   contact.correct(position, before, {nodes + 4, line}, links.walls, dt);
@@ -116,11 +116,12 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
 
 void advance(const model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
              contact::Contact* contact, const StepReport& step) {
+  contact::VelocitySpan velocities;
   {
     const auto timed = links.timers.measure(Phase::other);
-    predict(model, state, scratch, step.dt, step.dt_mean);
+    velocities = predict(model, state, scratch, step.dt, step.dt_mean);
   }
-  if (contact) correct_contact(model, state, scratch, links, *contact, step.dt);
+  if (contact) correct_contact(model, state, scratch, links, *contact, step.dt, velocities);
   const auto timed = links.timers.measure(Phase::other);
   finish_late(model, state, scratch, step.dt, step.dt_mean);
   for (std::size_t w = 0; w < model.walls.size(); ++w)

@@ -19,6 +19,8 @@ struct MassPoints {
   std::vector<contact::ConstrainedNode> constrained;
   std::vector<contact::Wall> walls;
   std::vector<Vec3> x, v;
+  std::vector<Vec3> x_before;  ///< at the start of the last step
+  double dt_before = 0;
 
   MassPoints(const comm::Communicator& on, const mesh::Mesh& whole, const std::function<Rank(GlobalIndex)>& rank_of,
              const std::function<double(const Vec3&)>& mass, const std::function<Vec3(const Vec3&)>& velocity)
@@ -41,11 +43,29 @@ struct MassPoints {
     const contact::VectorView position{reinterpret_cast<const double*>(x.data())},
         before{reinterpret_cast<const double*>(old.data())};
     const contact::MutableVectorView after{reinterpret_cast<double*>(v.data())};
-    const double used = ranks.max(contact.motion_used(position, before, walls, dt));
-    contact.search(position, before, walls, dt, used);
+    contact.search(position, before, walls, dt, velocities(old));
     contact.correct(position, before, after, walls, dt);
+    x_before = x;
+    dt_before = dt;
     for (std::size_t n = 0; n < x.size(); ++n) x[n] += dt * v[n];
     for (contact::Wall& wall : walls) wall.point += dt * wall.velocity;
+  }
+
+  /// Of all ranks: those that moved the points since the last step (by whatever), and those to come.
+  [[nodiscard]] contact::VelocitySpan velocities(const std::vector<Vec3>& predicted) const {
+    contact::VelocitySpan span;
+    span.fill(-1e300);
+    const auto take = [&](const std::vector<Vec3>& of, std::size_t place) {
+      for (const Vec3& one : of)
+        for (std::size_t c = 0; c < 6; ++c)
+          span[place + c] = std::max(span[place + c], (c < 3 ? 1 : -1) * one[static_cast<int>(c % 3)]);
+    };
+    std::vector<Vec3> moved_by;
+    for (std::size_t n = 0; n < x_before.size(); ++n) moved_by.push_back((x[n] - x_before[n]) / dt_before);
+    take(moved_by, 0);
+    take(predicted, 6);
+    ranks.max(span);
+    return span;
   }
 
   [[nodiscard]] double sum_of_owned(const std::function<double(std::size_t)>& term) const {

@@ -76,14 +76,21 @@ struct Row {
   [[nodiscard]] bool is_edge() const { return slave_second != no_index; }
 };
 
+/// What levers add to it.
+template <class VelocityOf>
+[[gnu::noinline]] void add_turned(const Row& row, const VelocityOf& velocity_of, Vec3& relative) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
+    relative += row.lever->turn[i] * velocity_of(row.nodes[i]);
+}
+
 /// The row's relative velocity; velocity_of(node): of a contact node.
 template <class VelocityOf>
-Vec3 relative_motion(const Row& row, VelocityOf&& velocity_of) {
+[[gnu::always_inline]] inline Vec3 relative_motion(const Row& row, const VelocityOf& velocity_of) {
   Vec3 relative = Vec3::Zero();
   const auto count = static_cast<std::size_t>(row.node_count);
   for (std::size_t i = 0; i < count; ++i) relative += row.weights[i] * velocity_of(row.nodes[i]);
-  if (row.lever != nullptr)
-    for (std::size_t i = 0; i < count; ++i) relative += row.lever->turn[i] * velocity_of(row.nodes[i]);
+  if (row.lever != nullptr) [[unlikely]]
+    add_turned(row, velocity_of, relative);
   return relative;
 }
 

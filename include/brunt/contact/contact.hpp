@@ -14,6 +14,7 @@
 #include "brunt/contact/enforcement/enforce.hpp"
 #include "brunt/contact/friction.hpp"
 #include "brunt/contact/history.hpp"
+#include "brunt/contact/list_motion.hpp"
 #include "brunt/contact/lists.hpp"
 #include "brunt/contact/passes.hpp"
 #include "brunt/contact/surface/surface.hpp"
@@ -27,6 +28,7 @@ struct VectorView {
   const double* data = nullptr;
   std::ptrdiff_t stride = 3;
   [[nodiscard]] Vec3 operator[](LocalIndex node) const { return Vec3(data + node * stride); }
+  void fetch(LocalIndex node) const { __builtin_prefetch(data + node * stride); }  ///< to the cache, for later
 };
 struct MutableVectorView {
   double* data = nullptr;
@@ -113,14 +115,10 @@ class Contact {
           std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained,
           std::span<const Wall> walls, ContactSettings settings);
 
-  /// How much of the motion allowed would be used after this step, as a share (1: all): the caller takes the maximum
-  /// over all ranks (with its other reductions) and hands it to `search`. predicted: v*.
-  [[nodiscard]] double motion_used(VectorView position, VectorView predicted, std::span<const Wall> walls,
-                                   double dt) const;
-
-  /// Makes the lists anew where the motion they allow is used up. Once a step, before `correct`. Collective.
+  /// Makes the lists anew where the motion they allow is used up. Once a step, before `correct`. predicted: v*.
+  /// velocities: of all ranks; their bounds tell for most steps that the lists hold (see ListMotion). Collective.
   void search(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt,
-              double global_motion_used);
+              const VelocitySpan& velocities);
 
   /// Replaces v* by v = v* + W G^T impulses on every local node, the same bits on every copy. walls: at t_n.
   /// Collective.
@@ -156,9 +154,12 @@ class Contact {
   [[nodiscard]] std::span<const Vec3> impulses() const { return impulses_; }  ///< of those rows
 
  private:
-  [[nodiscard]] bool must_rebuild(double global_motion_used) const;
+  [[nodiscard]] bool must_rebuild() const;
+  bool motion_is_used_up(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt,
+                         const VelocitySpan& velocities);
   void rebuild(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt);
   void share_reference();
+  void plan_gather();
   void look_at_start(const std::vector<Vec3>& reference, std::span<const Wall> walls);
   void forget_start();
   void make_ties(const std::vector<Vec3>& reference, std::span<const Wall> walls);
@@ -207,11 +208,20 @@ class Contact {
   ContactLists lists_;
   ListScratch list_scratch_;
   bool have_lists_ = false;
-  double motion_ = 0;                // allowed
-  std::vector<Vec3> list_position_;  // of surface nodes when the lists were built
-  std::vector<Vec3> list_wall_;      // points of walls then
+  double motion_ = 0;       // allowed
+  ListMotion list_motion_;  // of surface nodes, then of walls
+  double last_dt_ = 0;      // of the step before
 
-  std::vector<NodeMotion> motion_of_;  // contact nodes
+  struct NodeHere {
+    LocalIndex contact_node, model_node;
+  };
+  std::vector<NodeHere> nodes_here_;  // contact nodes that this rank's mesh has
+  struct FacetHere {
+    LocalIndex face, corner_count;
+    std::array<LocalIndex, 4> model_nodes;
+  };
+  std::vector<FacetHere> facets_here_;  // surface faces whose area vector some rank needs
+  std::vector<NodeMotion> motion_of_;   // contact nodes
   std::vector<Mobility> mobility_;
   std::vector<Vec3> velocity_;
   std::vector<Vec3> reference_;              // of contact nodes, likewise
@@ -219,6 +229,7 @@ class Contact {
   std::vector<Vec3> node_normal_;            // of each contact node's first row with a face
   DetectionScratch detection_;
   std::vector<Row> rows_;
+  RowSortScratch row_sort_;
   std::vector<Vec3> impulses_;
   EnforcementScratch scratch_;
   History history_;

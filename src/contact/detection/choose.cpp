@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace brunt::contact {
 namespace {
@@ -71,17 +70,19 @@ bool lies_on_neighbour(const Choice& choice, std::span<const Encounter> encounte
 
 void rank_all(const Choice& choice, std::span<Encounter> encounters) {
   const Criterion criterion = choice.settings.criterion;
-  const auto order = [&](const Encounter& e) {
-    const bool by_time = e.meeting == Meeting::hit && criterion != Criterion::nearest;
-    int rank = static_cast<int>(e.meeting);
-    if (criterion == Criterion::nearest || criterion == Criterion::strength) rank = 0;
-    if (criterion == Criterion::velocity) rank = by_time ? 0 : 1;
-    const double size =
-        criterion == Criterion::strength ? -std::abs(e.gap) * e.opposition : (by_time ? e.time : distance(e));
-    return std::tuple(rank, size, -e.opposition, choice.face(e).key);
+  const auto by_time = [&](const Encounter& e) { return e.meeting == Meeting::hit && criterion != Criterion::nearest; };
+  const auto rank = [&](const Encounter& e) {
+    if (criterion == Criterion::nearest || criterion == Criterion::strength) return 0;
+    return criterion == Criterion::velocity ? (by_time(e) ? 0 : 1) : static_cast<int>(e.meeting);
   };
-  std::sort(encounters.begin(), encounters.end(),
-            [&](const Encounter& a, const Encounter& b) { return order(a) < order(b); });
+  for (Encounter& e : encounters)
+    e.order = criterion == Criterion::strength ? -std::abs(e.gap) * e.opposition : (by_time(e) ? e.time : distance(e));
+  std::sort(encounters.begin(), encounters.end(), [&](const Encounter& a, const Encounter& b) {
+    if (rank(a) != rank(b)) return rank(a) < rank(b);
+    if (a.order != b.order) return a.order < b.order;
+    if (a.opposition != b.opposition) return a.opposition > b.opposition;
+    return choice.face(a).key < choice.face(b).key;
+  });
 }
 
 /// The row's gap along another normal: a node inside is carried along, one that hits arrives at the same time.

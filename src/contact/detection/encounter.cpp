@@ -169,7 +169,11 @@ Encounter encounter(const FacesInMotion& scene, const EncounterSettings& setting
 }
 
 bool same_direction(const Vec3& one, const Vec3& other, double degrees) {
-  return one.dot(other) >= std::cos(degrees * std::numbers::pi / 180);
+  const double cosine = one.dot(other), angle = degrees * std::numbers::pi / 180, half_square = 0.5 * angle * angle;
+  // the series of the cosine brackets it: that settles nearly all
+  if (cosine < 1 - half_square - 1e-14) return false;
+  if (cosine > 1 - half_square * (1 - half_square / 6) + 1e-14) return true;
+  return cosine >= std::cos(angle);
 }
 
 void settle_rims(std::span<const MasterFace> faces, const EncounterSettings& settings, double same_direction,

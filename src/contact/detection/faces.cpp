@@ -53,8 +53,10 @@ double opposition(const Slave& slave, const Vec3& normal, std::span<const Vec3> 
   return -least;
 }
 
-Row row_of(const Encounter& e, const MasterFace& face, LocalIndex slave) {
-  Row row{.master_key = face.key, .master_body = face.body, .master_block = face.block};
+void fill_row(const Encounter& e, const MasterFace& face, LocalIndex slave, Row& row) {
+  row.master_key = face.key;
+  row.master_body = face.body;
+  row.master_block = face.block;
   row.nodes[0] = slave;
   row.weights[0] = 1;
   row.node_count = 1;
@@ -66,7 +68,6 @@ Row row_of(const Encounter& e, const MasterFace& face, LocalIndex slave) {
   }
   row.normal = e.normal;
   row.gap = e.gap;
-  return row;
 }
 
 bool has_twin(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave, std::int32_t body) {
@@ -96,7 +97,9 @@ void list_faces(const FacesInMotion& scene, const DetectionSettings& settings, c
       if (twin && slave.second[i] != 0) continue;
       if (!geometry::overlaps(scene.reach[static_cast<std::size_t>(f)].box, sweep)) continue;
       const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
-      met.push_back({.face = f, .approach = {.clearance = face.half_thickness + slave.half_thickness}});
+      Encounter& e = met.emplace_back();
+      e.face = f;
+      e.approach.clearance = face.half_thickness + slave.half_thickness;
       two_sided = two_sided || face.two_sided;
     }
     if (two_sided) find_sides(scene, settings.encounter, slave.motion, slave.remembered, std::span(met).subspan(first));
@@ -148,12 +151,12 @@ void add_rows(const FacesInMotion& scene, const Candidates& candidates, std::siz
   const std::size_t kept = choose(scene.faces, scene.motion, motion, scene.dt, settings.choice, met);
   for (const Encounter& e : met.first(kept)) {
     const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)];
-    Row row = row_of(e, face, node);
+    Row& row = rows.emplace_back();
+    fill_row(e, face, node, row);
     row.gap += accepted_depth(settings.accepted, slave_gid, face.body);
     row.required = required_rate(row.gap, e.size, scene.dt, settings);
     row.slave_gid = slave_gid;
     row.slave_body = candidates.body[s];
-    rows.push_back(row);
   }
 }
 

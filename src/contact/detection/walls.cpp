@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Node against rigid wall, and the order of rows.
 #include <algorithm>
-#include <tuple>
 
 #include "brunt/contact/detection/detection.hpp"
 
@@ -34,13 +33,6 @@ void detect_walls(std::span<const WallCandidate> candidates, std::span<const Wal
     row.cone = held ? Cone::free : Cone::compression;
     rows.push_back(row);
   }
-}
-
-void sort_rows(std::vector<Row>& rows) {
-  const auto order = [](const Row& row) {
-    return std::tuple(row.slave_gid, row.slave_second, row.master_key, row.master_second);
-  };
-  std::sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) { return order(a) < order(b); });
 }
 
 }  // namespace brunt::contact

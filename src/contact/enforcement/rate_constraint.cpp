@@ -67,7 +67,8 @@ Judgement Iteration::judge(double term_size) {
     scratch_.missing[q] = missing;
     const Vec3 next = admitted(row, impulses_[q] + missing / h);
     const double step = (next - impulses_[q]).norm();
-    const double slope = std::isinf(row.friction) ? largest_share(row) : std::hypot(1.0, row.friction);
+    const double slope =
+        std::isinf(row.friction) ? largest_share(row) : (row.friction == 0 ? 1.0 : std::hypot(1.0, row.friction));
     const double rise = row.cone == Cone::free ? missing.norm() : std::max(0.0, row.normal.dot(missing));
     keep_max(largest[5], velocity_[static_cast<std::size_t>(row.nodes[0])].cwiseAbs().maxCoeff());
     keep_max(largest[0], h * step);

@@ -3,43 +3,71 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
-#include "brunt/core/binned_sum.hpp"
 #include "brunt/core/error.hpp"
+#include "brunt/core/simd.hpp"
 
 namespace brunt::contact {
 namespace {
 
-constexpr int row_sum_width = bin_slices + 1, impulse_width = 3 * bin_slices;
+constexpr int row_sum_width = bin_slices + 1;
 
 /// Share of an impulse along the row's directions that the node is free to follow; what is left of a projector's
 /// rounding along a direction that is held counts as nothing.
 double free_share(const Row& row, const Mobility& mobility) {
   constexpr double held = 1e-6;
-  const double along = (mobility.projector * row.normal).norm();
+  const bool is_free = mobility.projector.trace() == 3;  // the trace of a projector is its rank
+  const double along = is_free ? row.normal.norm() : (mobility.projector * row.normal).norm();
   if (along <= held) return 0.0;
   return row.friction > 0 ? 1.0 : along;
 }
 
-/// Calls visit(node, |G_qn P_n|) for the nodes of a row (of a lever: a bound of it).
+/// |G_qn P_n| of node i of a row (of a lever: a bound of it).
+double weight_of(const Row& row, std::size_t i, const Mobility& mobility) {
+  const double weight = std::abs(row.weights[i]) + (row.lever == nullptr ? 0.0 : row.lever->size[i]);
+  return weight * free_share(row, mobility);
+}
+
+/// Calls visit(node, |G_qn P_n|) for the nodes of a row.
 template <class Visit>
 void for_each_weight(const System& system, const Row& row, Visit&& visit) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
     const auto node = static_cast<std::size_t>(row.nodes[i]);
-    const double weight = std::abs(row.weights[i]) + (row.lever == nullptr ? 0.0 : row.lever->size[i]);
-    visit(node, weight * free_share(row, system.mobility[node]));
+    visit(node, weight_of(row, i, system.mobility[node]));
   }
 }
 
 /// Can an impulse in this row change its rate? Else the row is left out: prescribed motion has the authority.
 bool can_act(const System& system, const Row& row) {
-  bool acts = false;
-  for_each_weight(system, row, [&](std::size_t node, double weight) {
-    acts = acts || (weight > 0 && system.mobility[node].inverse_mass > 0);
-  });
-  return acts;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
+    const Mobility& mobility = system.mobility[static_cast<std::size_t>(row.nodes[i])];
+    if (mobility.inverse_mass > 0 && weight_of(row, i, mobility) > 0) return true;
+  }
+  return false;
 }
+
+/// binned_add of the three components at once.
+class ImpulseGrid {
+ public:
+  explicit ImpulseGrid(const BinGrid& grid) : coarse_(Quad{} + grid.anchor[0]), fine_(Quad{} + grid.anchor[1]) {}
+  void add(const Vec3& impulse, double* parts) const {
+    const Quad term{impulse[0], impulse[1], impulse[2], 0};
+    const Quad coarse = (term + coarse_) - coarse_, rest = term - coarse;
+    add_to(parts, coarse);
+    add_to(parts + 4, (rest + fine_) - fine_);
+  }
+
+ private:
+  static void add_to(double* sum, const Quad& term) {
+    Quad value;
+    std::memcpy(&value, sum, sizeof value);
+    value += term;
+    std::memcpy(sum, &value, sizeof value);
+  }
+  Quad coarse_, fine_;
+};
 
 double shortfall(const Row& row, const Vec3& relative) {
   if (std::isinf(row.friction)) return missing_rate(row, relative).norm();
@@ -52,8 +80,11 @@ void sum_rows_of_nodes(const System& system, Exchange& exchange, EnforcementScra
   constexpr double largest_weight = 4;  // of levers; others' are 1 at most
   const BinGrid grid = BinGrid::for_bound(largest_weight);
   scratch.row_sum_parts.assign(nodes * row_sum_width, 0.0);
-  for (const Row& row : system.rows) {
-    for_each_weight(system, row, [&](std::size_t node, double weight) {
+  scratch.share.resize(system.rows.size());
+  for (std::size_t q = 0; q < system.rows.size(); ++q) {
+    auto share = scratch.share[q].begin();
+    for_each_weight(system, system.rows[q], [&](std::size_t node, double weight) {
+      *share++ = weight;
       double* parts = &scratch.row_sum_parts[node * row_sum_width];
       binned_add(grid, weight, parts);
       parts[bin_slices] += 1;
@@ -73,6 +104,7 @@ void sum_rows_of_nodes(const System& system, Exchange& exchange, EnforcementScra
 
 void EnforcementScratch::reserve(std::size_t rows, std::size_t nodes) {
   diagonal.reserve(rows);
+  share.reserve(rows);
   previous.reserve(rows);
   missing.reserve(rows);
   row_sum.reserve(nodes);
@@ -135,13 +167,14 @@ bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch&
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     const Row& row = system.rows[q];
     coupled = coupled || row.lever != nullptr;  // its H is a bound
-    for_each_weight(system, row, [&](std::size_t node, double weight) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
+      const auto node = static_cast<std::size_t>(row.nodes[i]);
       const Mobility& mobility = system.mobility[node];
-      const double sum = scratch.row_sum[node];
+      const double weight = scratch.share[q][i], sum = scratch.row_sum[node];
       if (mobility.inverse_mass > 0 && weight > 0)
         coupled = coupled || sum != weight || (row.friction > 0 && !mobility.projector.isIdentity(0));
       scratch.diagonal[q] += weight * sum * mobility.inverse_mass;
-    });
+    }
   }
   return coupled;
 }
@@ -158,23 +191,20 @@ void form_diagonal(const System& system, EnforcementScratch& scratch) {
 void apply_impulses(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,
                     std::span<Vec3> velocity, EnforcementScratch& scratch) {
   const std::size_t nodes = system.motion.size();
-  const BinGrid grid = BinGrid::for_bound(largest);
+  const ImpulseGrid grid(BinGrid::for_bound(largest));
   scratch.impulse_parts.assign(nodes * impulse_width, 0.0);
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     if (impulses[q].isZero(0)) continue;
     const Row& row = system.rows[q];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-      double* parts = &scratch.impulse_parts[static_cast<std::size_t>(row.nodes[i]) * impulse_width];
-      const Vec3 share = impulse_on_node(row, i, impulses[q]);
-      for (int c = 0; c < 3; ++c) binned_add(grid, share[c], parts + c * bin_slices);
-    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
+      grid.add(impulse_on_node(row, i, impulses[q]),
+               &scratch.impulse_parts[static_cast<std::size_t>(row.nodes[i]) * impulse_width]);
   }
   exchange.sum_to_owner(scratch.impulse_parts, impulse_width);
   for (std::size_t node = 0; node < nodes; ++node) {
-    const double* parts = &scratch.impulse_parts[node * impulse_width];
-    const Vec3 impulse(binned_value(parts), binned_value(parts + bin_slices), binned_value(parts + 2 * bin_slices));
     const Mobility& mobility = system.mobility[node];
-    velocity[node] = system.motion[node].predicted + mobility.inverse_mass * (mobility.projector * impulse);
+    velocity[node] =
+        system.motion[node].predicted + mobility.inverse_mass * (mobility.projector * impulse_of_node(scratch, node));
   }
   // a rank without nodes takes part all the same
   exchange.share(nodes == 0 ? std::span<double>{} : std::span<double>(velocity.front().data(), 3 * nodes), 3);

@@ -108,7 +108,26 @@ void detect_walls(std::span<const WallCandidate> candidates, std::span<const Wal
                   std::span<const GlobalIndex> gid, std::span<const NodeMotion> motion, double dt,
                   const DetectionSettings& settings, std::vector<Row>& rows);
 
-/// The order in which rows are kept.
-void sort_rows(std::vector<Row>& rows);
+/// Arrays of sort_rows, sized where lists are rebuilt.
+struct RowSortScratch {
+  struct Place {
+    std::array<GlobalIndex, 4> key;  ///< of the row: slave_gid, slave_second, master_key, master_second
+    std::size_t row;                 ///< where it stands
+  };
+  std::vector<Place> places, merged;
+  std::vector<std::size_t> runs;  ///< beginnings of runs in order, and the end
+  std::vector<Row> rows;
+
+  void reserve(std::size_t most_rows) {
+    places.reserve(most_rows);
+    merged.reserve(most_rows);
+    runs.reserve(most_rows + 1);
+    rows.reserve(most_rows);
+  }
+};
+
+/// The order in which rows are kept. They come in a few runs that are in order (those of faces, of edges, of each
+/// wall), which are merged.
+void sort_rows(std::vector<Row>& rows, RowSortScratch& scratch);
 
 }  // namespace brunt::contact

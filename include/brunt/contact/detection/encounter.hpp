@@ -58,6 +58,7 @@ struct Encounter {
   double gap = 0;              ///< that the row closes [length]
   double time = 0;             ///< of a hit, as a share of the step
   double size = 0;             ///< longest edge of the face [length]
+  double order = 0;            ///< what ranks it among the slave's, the least first: see `choose`
   bool slow = false;           ///< moves little against the face within the step
   double opposition = 0;       ///< cosine between the master's normal and the reversed normal of the most opposed facet
   Vec3 normal = Vec3::Zero();  ///< of the row, unit, out of the face on the node's side

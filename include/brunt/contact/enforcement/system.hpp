@@ -9,6 +9,7 @@
 
 #include "brunt/contact/constraint.hpp"
 #include "brunt/contact/exchange.hpp"
+#include "brunt/core/binned_sum.hpp"
 
 namespace brunt::contact {
 
@@ -19,14 +20,18 @@ struct System {
   bool two_passes = false;             ///< rows may belong to one pass only, on some rank: see enforcement/averaged.hpp
 };
 
+/// Of the binned sum of a node's impulses: two slices of four, the components and one to spare.
+constexpr int impulse_width = 4 * bin_slices;
+
 /// Arrays of the solvers, sized where lists are rebuilt so that a step allocates nothing.
 struct EnforcementScratch {
-  std::vector<double> diagonal;       ///< H [1/mass], a row each; 0: no impulse in this row can change its rate
-  std::vector<Vec3> previous;         ///< impulses of the iterate before, a row each
-  std::vector<Vec3> missing;          ///< what the rows still ask for [velocity], a row each
-  std::vector<double> row_sum;        ///< s, a node each
-  std::vector<double> row_sum_parts;  ///< two slices and the number of rows, a node each
-  std::vector<double> impulse_parts;  ///< three components of two slices, a node each
+  std::vector<double> diagonal;              ///< H [1/mass], a row each; 0: no impulse in this row can change its rate
+  std::vector<Vec3> previous;                ///< impulses of the iterate before, a row each
+  std::vector<Vec3> missing;                 ///< what the rows still ask for [velocity], a row each
+  std::vector<std::array<double, 5>> share;  ///< |G_qn P_n| of a row's nodes (of a lever: a bound of it), a row each
+  std::vector<double> row_sum;               ///< s, a node each
+  std::vector<double> row_sum_parts;         ///< two slices and the number of rows, a node each
+  std::vector<double> impulse_parts;         ///< impulse_width a node, see impulse_of_node
 
   std::vector<Row> pass_rows;              ///< of two passes, the one being solved
   std::vector<Vec3> pass_impulses;         ///< of those rows
@@ -36,6 +41,12 @@ struct EnforcementScratch {
   void reserve(std::size_t rows, std::size_t nodes);
   void reserve_passes(std::size_t rows);  ///< besides, for two passes
 };
+
+/// What the rows gave to a node by the last `apply_impulses`, on its owner [momentum].
+inline Vec3 impulse_of_node(const EnforcementScratch& scratch, std::size_t node) {
+  const double* parts = &scratch.impulse_parts[node * impulse_width];
+  return Vec3(parts[0], parts[1], parts[2]) + Vec3(parts[4], parts[5], parts[6]);
+}
 
 /// Throws GuardError where the largest impulse is not finite.
 void demand_finite(double largest);

@@ -185,7 +185,8 @@ TEST_CASE("rigid walls") {
   std::vector<Row> rows;
 
   detect_walls(candidates, walls, gid, motion, 1e-3, settings, rows);
-  sort_rows(rows);
+  RowSortScratch scratch;
+  sort_rows(rows, scratch);
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].slave_gid == 2);
   CHECK(rows[0].master_key == -1);

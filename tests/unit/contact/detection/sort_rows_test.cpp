@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+#include <tuple>
+
+#include "brunt/contact/detection/detection.hpp"
+
+using namespace brunt;
+using namespace brunt::contact;
+
+namespace {
+
+auto key_of_row(const Row& row) {
+  return std::tuple(row.slave_gid, row.slave_second, row.master_key, row.master_second);
+}
+
+/// `runs` runs of ascending rows, each with its number as its gap.
+std::vector<Row> rows_in_runs(int runs, int length, std::mt19937& random) {
+  std::vector<Row> rows;
+  for (int run = 0; run < runs; ++run) {
+    std::vector<Row> some(static_cast<std::size_t>(length));
+    for (Row& row : some) {
+      row.slave_gid = static_cast<GlobalIndex>(random() % 50);
+      row.slave_second = random() % 3 == 0 ? static_cast<GlobalIndex>(random() % 5) : no_index;
+      row.master_key = run == 0 ? static_cast<GlobalIndex>(random()) : -1 - run;
+      row.master_second = static_cast<GlobalIndex>(random());
+    }
+    std::ranges::sort(some, {}, key_of_row);
+    rows.insert(rows.end(), some.begin(), some.end());
+  }
+  for (std::size_t q = 0; q < rows.size(); ++q) rows[q].gap = static_cast<double>(q);
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("rows are sorted by their keys, however many runs they come in, and nothing is lost") {
+  std::mt19937 random(11);
+  RowSortScratch scratch;  // the same for all, as from step to step
+  for (const int runs : {0, 1, 2, 3, 4, 5, 8, 13, 60})
+    for (const int length : {1, 2, 7, 40}) {
+      std::vector<Row> rows = rows_in_runs(runs, length, random), expected = rows;
+      std::ranges::sort(expected, {}, key_of_row);
+      sort_rows(rows, scratch);
+      REQUIRE(rows.size() == expected.size());
+      bool same = true;
+      for (std::size_t q = 0; q < rows.size(); ++q)
+        same = same && key_of_row(rows[q]) == key_of_row(expected[q]) && rows[q].gap == expected[q].gap;
+      CHECK(same);
+    }
+}
