@@ -7,10 +7,16 @@
 namespace brunt::contact {
 namespace {
 
+/// Has it a spring now? Of the others nothing must be seen, not even in the row sums: which faces a node has in reach
+/// depends on how the scene is turned.
+bool has_spring(const Row& row) {
+  return row.cone == Cone::free || row.gap < 0;
+}
+
 /// The impulse of one row's spring and damper; zero where it is open.
 Vec3 spring_impulse(const Row& row, const Vec3& missing, double stiffness, double damping, double dt, double h) {
   if (row.cone == Cone::free) return admitted(row, missing / h);
-  if (!(row.gap < 0)) return Vec3::Zero();
+  if (!has_spring(row)) return Vec3::Zero();
   const double closing = row.normal.dot(missing) - row.required;
   const double along = -stiffness * row.gap / dt + damping * closing;
   const Vec3 across = missing - row.normal.dot(missing) * row.normal;
@@ -23,7 +29,7 @@ EnforcementResult enforce_penalty(const System& system, const EnforcementSetting
                                   Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
                                   EnforcementScratch& scratch) {
   const double violation = start_from_prediction(system, exchange, velocity);
-  form_row_sums(system, exchange, scratch);
+  form_row_sums(system, exchange, scratch, has_spring);
   double largest = 0;
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     const Row& row = system.rows[q];

@@ -75,13 +75,15 @@ double shortfall(const Row& row, const Vec3& relative) {
   return row.cone == Cone::free ? std::abs(missing) : std::max(missing, 0.0);
 }
 
-void sum_rows_of_nodes(const System& system, Exchange& exchange, EnforcementScratch& scratch) {
+void sum_rows_of_nodes(const System& system, Exchange& exchange, EnforcementScratch& scratch,
+                       bool (*counts)(const Row&)) {
   const std::size_t nodes = system.motion.size();
   constexpr double largest_weight = 4;  // of levers; others' are 1 at most
   const BinGrid grid = BinGrid::for_bound(largest_weight);
   scratch.row_sum_parts.assign(nodes * row_sum_width, 0.0);
   scratch.share.resize(system.rows.size());
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
+    if (counts != nullptr && !counts(system.rows[q])) continue;
     auto share = scratch.share[q].begin();
     for_each_weight(system, system.rows[q], [&](std::size_t node, double weight) {
       *share++ = weight;
@@ -160,12 +162,13 @@ double start_from_prediction(const System& system, Exchange& exchange, std::span
   return largest_violation(system, velocity, exchange);
 }
 
-bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch& scratch) {
-  sum_rows_of_nodes(system, exchange, scratch);
+bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch& scratch, bool (*counts)(const Row&)) {
+  sum_rows_of_nodes(system, exchange, scratch, counts);
   scratch.diagonal.assign(system.rows.size(), 0.0);
   bool coupled = false;
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     const Row& row = system.rows[q];
+    if (counts != nullptr && !counts(row)) continue;
     coupled = coupled || row.lever != nullptr;  // its H is a bound
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
       const auto node = static_cast<std::size_t>(row.nodes[i]);

@@ -72,8 +72,9 @@ double start_from_prediction(const System& system, Exchange& exchange, std::span
 
 /// Fills scratch.diagonal with the row sums H_q = sum_n |G_qn P_n| s_n / m_n, s_n = sum_p |G_pn P_n|: H - G W G^T is
 /// positive semidefinite by Gershgorin's theorem. Returns whether rows of this rank share nodes with other rows: else H
-/// is G W G^T itself. Collective.
-bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch& scratch);
+/// is G W G^T itself. Only rows that count, if a function is given; others have zero. Collective.
+bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch& scratch,
+                   bool (*counts)(const Row&) = nullptr);
 
 /// Fills scratch.diagonal with the diagonal of G W G^T.
 void form_diagonal(const System& system, EnforcementScratch& scratch);
