@@ -58,6 +58,7 @@ template <class Visit>
 void for_each_sum(contact::ContactSums& sums, Visit&& visit) {
   for (comm::ExactAccumulator* sum : {&sums.work.contact, &sums.work.friction, &sums.work.walls}) visit(*sum);
   for (comm::ExactAccumulator& component : sums.spin) visit(component);
+  visit(sums.push);
   for (auto* list : {&sums.wall_impulse, &sums.tracked_impulse})
     for (auto& vector : *list)
       for (comm::ExactAccumulator& component : vector) visit(component);

@@ -218,8 +218,10 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
                        {"friction", e.friction}, {"walls", e.walls},       {"external", e.external},
                        {"eroded", e.eroded},     {"total", e.total()},     {"error_ratio", extremes_.error_ratio}};
   summary["momentum_error"] = extremes_.momentum_error;
-  const double arm = extremes_.momentum_scale * extent_;
-  summary["angular_momentum_error"] = arm > 0 ? e.contact_totals.spin.norm() / arm : 0.0;
+  // of bodies at rest the momentum is nothing, while their impulses sum up with time, and with them what rounding
+  // leaves
+  const double turned = std::max(extremes_.momentum_scale, e.contact_totals.push) * extent_;
+  summary["angular_momentum_error"] = turned > 0 ? e.contact_totals.spin.norm() / turned : 0.0;
   summary["max_penetration"] = e.contact_totals.penetration;
   const auto solved = static_cast<double>(std::max<GlobalIndex>(contact_.solved_steps, 1));
   summary["contact"] = {{"searches", contact_.searches},

@@ -11,13 +11,6 @@
 namespace brunt::contact {
 namespace {
 
-const MasterFace* find_face(const AnchorScene& scene, GlobalIndex key) {
-  const auto key_of = [&](LocalIndex face) { return scene.faces[static_cast<std::size_t>(face)].key; };
-  const auto found = std::ranges::lower_bound(scene.by_key, key, {}, key_of);
-  return found != scene.by_key.end() && key_of(*found) == key ? &scene.faces[static_cast<std::size_t>(*found)]
-                                                              : nullptr;
-}
-
 const Wall& wall_of(const AnchorScene& scene, GlobalIndex key) {
   return scene.walls[static_cast<std::size_t>(-1 - key)];
 }
@@ -38,11 +31,17 @@ std::vector<LocalIndex> order_by_key(std::span<const MasterFace> faces) {
   return order;
 }
 
+const MasterFace* find_face(std::span<const MasterFace> faces, std::span<const LocalIndex> by_key, GlobalIndex key) {
+  const auto key_of = [&](LocalIndex face) { return faces[static_cast<std::size_t>(face)].key; };
+  const auto found = std::ranges::lower_bound(by_key, key, {}, key_of);
+  return found != by_key.end() && key_of(*found) == key ? &faces[static_cast<std::size_t>(*found)] : nullptr;
+}
+
 std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, const Row& row) {
   if (row.is_edge()) return slip_of_edges(scene, anchor, row);
   const Vec3& slave = scene.motion[static_cast<std::size_t>(row.nodes[0])].position;
   if (anchor.key.master < 0) return slave - (wall_of(scene, anchor.key.master).point + Vec3(anchor.on_wall.data()));
-  const MasterFace* face = find_face(scene, anchor.face);
+  const MasterFace* face = find_face(scene.faces, scene.by_key, anchor.face);
   if (face == nullptr) return std::nullopt;
   std::array<Vec3, 4> corners;
   const auto count = static_cast<std::size_t>(face->corner_count);
@@ -70,7 +69,7 @@ AnchorRecord anchor_of(const AnchorScene& scene, const Row& row) {
     anchor.on_wall = {place[0], place[1], place[2]};
     return anchor;
   }
-  const MasterFace* face = find_face(scene, row.master_key);
+  const MasterFace* face = find_face(scene.faces, scene.by_key, row.master_key);
   demand(face != nullptr, "the face of a row is in the lists");
   anchor.face = row.master_key;
   for (std::size_t k = 1; k < static_cast<std::size_t>(row.node_count); ++k) {

@@ -49,6 +49,7 @@ void Contact::book() {
     for (std::size_t i = 1; i < static_cast<std::size_t>(row.node_count); ++i)
       spin += (place(i) - place(0)).cross(impulse_on_node(row, i, impulse));
     add_vector(sums_.spin, spin);
+    sums_.push.add(impulse.norm());
     for (std::size_t t = 0; t < settings_.tracked.size(); ++t) {
       const auto [first, second] = settings_.tracked[t];
       const auto slave_in = [&](std::int32_t block) { return is_slave_in(row, block); };
@@ -77,6 +78,7 @@ void Contact::add_impulses(std::span<Vec3> impulse) const {
 ContactTotals Contact::collect() const {
   std::vector<comm::ExactAccumulator> sums{sums_.work.contact, sums_.work.friction, sums_.work.walls};
   sums.insert(sums.end(), sums_.spin.begin(), sums_.spin.end());
+  sums.push_back(sums_.push);
   for (const auto* vectors : {&sums_.wall_impulse, &sums_.tracked_impulse})
     for (const auto& vector : *vectors) sums.insert(sums.end(), vector.begin(), vector.end());
   std::vector<double> totals(sums.size());
@@ -87,7 +89,8 @@ ContactTotals Contact::collect() const {
   result.friction_work = totals[1];
   result.wall_work = totals[2];
   result.spin = Vec3(&totals[3]);
-  std::size_t next = 6;
+  result.push = totals[6];
+  std::size_t next = 7;
   for (auto [count, vectors] : {std::pair{sums_.wall_impulse.size(), &result.wall_impulse},
                                 std::pair{sums_.tracked_impulse.size(), &result.tracked_impulse}})
     for (std::size_t i = 0; i < count; ++i, next += 3) vectors->push_back(Vec3(&totals[next]));

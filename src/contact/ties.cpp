@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "brunt/contact/anchors.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/closest_point.hpp"
+#include "brunt/geometry/face_weights.hpp"
 
 namespace brunt::contact {
 namespace {
 
+using geometry::middle_of;
 using FaceCorners = std::array<Vec3, 4>;
 
 std::span<const Vec3> corners_of(const MasterFace& face, std::span<const NodeMotion> motion, FaceCorners& storage) {
@@ -22,25 +25,6 @@ std::span<const Vec3> corners_of(const MasterFace& face, std::span<const NodeMot
 /// Unit, along the area vector.
 Vec3 normal_of(std::span<const Vec3> corners) {
   return geometry::area_vector(corners).normalized();
-}
-
-Vec3 middle_of(std::span<const Vec3> corners) {
-  Vec3 middle = Vec3::Zero();
-  for (const Vec3& corner : corners) middle += corner / static_cast<double>(corners.size());
-  return middle;
-}
-
-/// What the point that the weights name lacks across the normal is added to them: the least change, sum zero.
-void shift(std::span<const Vec3> corners, const Vec3& normal, const Vec3& across, std::array<double, 4>& weights) {
-  const Vec3 middle = middle_of(corners);
-  const Mat3 upright = normal * normal.transpose(), flat = Mat3::Identity() - upright;
-  Mat3 spread = geometry::area_vector(corners).norm() * upright;  // makes it regular, and plays no part
-  for (const Vec3& corner : corners) {
-    const Vec3 arm = flat * (corner - middle);
-    spread += arm * arm.transpose();
-  }
-  const Vec3 gradient = spread.inverse() * across;
-  for (std::size_t i = 0; i < corners.size(); ++i) weights[i] += gradient.dot(flat * (corners[i] - middle));
 }
 
 /// From the point that the weights name to the slave.
@@ -98,7 +82,7 @@ Seen look_at(const MasterFace& face, std::span<const NodeMotion> motion, const V
   if (across.norm() > settings.rim * size) return distance <= reach ? Seen::beside : Seen::nothing;
   if (distance > best.distance || (distance == best.distance && face.key > best.face)) return Seen::over;
   best = {distance, face.key, {.face = face.key, .body = face.body, .block = face.block, .weights = closest->weights}};
-  if (across.norm() > rounding * size) shift(corners, normal, across, best.tie.weights);
+  if (across.norm() > rounding * size) geometry::shift_weights(corners, normal, across, best.tie.weights);
   const double height = normal.dot(offset_of(slave, corners, best.tie.weights));
   best.tie.height = std::abs(height) > flush * size ? height : 0.0;
   return Seen::over;
@@ -114,10 +98,7 @@ LocalIndex slave_of(const Tie& tie, const TieScene& scene) {
 }
 
 const MasterFace* face_of(const Tie& tie, const TieScene& scene) {
-  const auto key_of = [&](LocalIndex face) { return scene.faces[static_cast<std::size_t>(face)].key; };
-  const auto found = std::ranges::lower_bound(scene.by_key, tie.face, {}, key_of);
-  return found != scene.by_key.end() && key_of(*found) == tie.face ? &scene.faces[static_cast<std::size_t>(*found)]
-                                                                   : nullptr;
+  return find_face(scene.faces, scene.by_key, tie.face);
 }
 
 Mat3 cross_matrix(const Vec3& a) {
@@ -149,6 +130,23 @@ void lay_lever(const Vec3& offset, std::span<const Vec3> corners, const Row& row
   }
 }
 
+/// What of the place that a tie keeps would be lost within a step at the velocities before it, though its rates are
+/// kept: the pin turns [length]. Asked back beforehand, since a pin that is longer whenever it pulls does work.
+Vec3 lost_in_turning(const Tie& tie, const Vec3& crept, const Row& row, const MasterFace& face, const TieScene& scene) {
+  const auto old_velocity = [&](LocalIndex node) -> const Vec3& {
+    return scene.motion[static_cast<std::size_t>(node)].old_velocity;
+  };
+  const auto place_after = [&](LocalIndex node) -> Vec3 {
+    return scene.motion[static_cast<std::size_t>(node)].position + scene.dt * old_velocity(node);
+  };
+  FaceCorners storage;
+  const auto count = static_cast<std::size_t>(face.corner_count);
+  for (std::size_t i = 0; i < count; ++i) storage[i] = place_after(face.nodes[i]);
+  const std::span<const Vec3> corners(storage.data(), count);
+  const Vec3 after = offset_of(place_after(row.nodes[0]), corners, tie.weights) - tie.height * normal_of(corners);
+  return after - crept - scene.dt * relative_motion(row, old_velocity);
+}
+
 Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const TieScene& scene, Lever& lever) {
   FaceCorners storage;
   const std::span<const Vec3> corners = corners_of(face, scene.motion, storage);
@@ -177,7 +175,8 @@ Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const T
   }
   const Vec3 crept = offset - tie.height * row.normal;
   row.gap = row.normal.dot(crept);
-  const Vec3 back = -scene.recovery / scene.dt * crept;
+  Vec3 back = -scene.recovery / scene.dt * crept;
+  if (tie.height != 0) back -= lost_in_turning(tie, crept, row, face, scene) / scene.dt;
   row.required = row.normal.dot(back);
   row.drift = back - row.required * row.normal;
   return row;

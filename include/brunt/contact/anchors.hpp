@@ -24,6 +24,9 @@ struct AnchorScene {
 /// Once a list.
 std::vector<LocalIndex> order_by_key(std::span<const MasterFace> faces);
 
+/// The face of this key, or null. by_key: the faces in ascending order of their keys.
+const MasterFace* find_face(std::span<const MasterFace> faces, std::span<const LocalIndex> by_key, GlobalIndex key);
+
 /// How far the row's slave has moved off its anchor [length], at x_n. Nothing where it lies on a face and is farther
 /// from the slave than the settings' reach (and half the face's thickness): then it is dropped, on every rank and
 /// whatever the lists hold, for lists hold all faces that are nearer. Of edges it is the points that met at first which

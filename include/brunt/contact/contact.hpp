@@ -80,7 +80,8 @@ struct ContactSums {
   /// Angular momentum that contact between bodies has given: zero where nodes and face points that push on each other
   /// coincide, or where the push is along the line between them.
   std::array<comm::ExactAccumulator, 3> spin;
-  double penetration = 0;  ///< largest so far [length]
+  comm::ExactAccumulator push;  ///< sizes of the impulses between bodies [momentum]
+  double penetration = 0;       ///< largest so far [length]
 };
 
 /// The same after reduction over all ranks.
@@ -88,6 +89,7 @@ struct ContactTotals {
   double contact_work = 0, friction_work = 0, wall_work = 0;
   std::vector<Vec3> wall_impulse, tracked_impulse;
   Vec3 spin = Vec3::Zero();           ///< given by contact between bodies [angular momentum]
+  double push = 0;                    ///< sum of the sizes of the impulses between bodies [momentum]
   GlobalIndex pairs = 0, active = 0;  ///< candidate pairs now; rows with an impulse in the last step
   double penetration = 0;             ///< largest of the run [length]
 };

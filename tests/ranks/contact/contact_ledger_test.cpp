@@ -71,6 +71,7 @@ TEST_CASE("ledger: tracked impulses are the momentum of either side, and its tur
   const Vec3 turned = angular_momentum(points) - spin;
   CHECK(turned.norm() > 1e-6);  // friction acts a gap apart
   CHECK((totals.spin - turned).norm() <= 1e-11 * spin.norm());
+  CHECK(totals.push >= given.norm());  // what the spin is measured by: sizes, not sums
 }
 
 TEST_CASE("ledger: work on bodies and walls is the energy they lose, in halves too") {
