@@ -165,13 +165,13 @@ def check_two_passes(case, columns, element):
     """Both sides' nodes are held; no static reference but the even stress itself."""
     pressed = Pressed(case, columns, "two passes", {"slave": "auto", "passes": "two"}, element)
     label, ours, strain = pressed.label, pressed.deviation, pressed.pressure / pressed.law["young"]
-    case.assert_below(f"{label}: greatest |stress - p|/p", ours, 0.15, "gate of one pass, finer slave")
+    case.assert_below(f"{label}: greatest |stress - p|/p", ours, 0.1, "ours")
     # The passes disagree by a share of the load in every step, and it is that share of what the load moves a free
     # surface node in a step that stays as penetration: (p/E) times a column at most (seen: 0.02 to 0.30).
     depth = interface_depth(pressed.blocks, pressed.end) / pressed.column
-    case.assert_below(f"{label}: penetration of either side / column, in units of p/E", depth / strain, 0.4)
+    case.assert_below(f"{label}: penetration of either side / column, in units of p/E", depth / strain, 1e-4)
     most = pressed.result.summary["max_penetration"] / pressed.column
-    case.assert_below(f"{label}: largest at any time, likewise", most / strain, 0.4)
+    case.assert_below(f"{label}: largest at any time, likewise", most / strain, 0.01)
     case.assert_energy(pressed.result, energy_gate=1e-10, momentum_gate=1e-9)
     return ours, depth
 

@@ -157,10 +157,7 @@ model::ContactRule contact_rule(const Input& input, std::span<const std::string>
           continue;
         }
         tied = entry.tied ? contact::Tied::yes : contact::Tied::no;
-        // Passes::automatic is not offered to scenes yet: edges that hang over a rim sink deeper in two passes than in
-        // one (tests/hard, sharp edges: 6.4 % of an element in a fold for 3)
-        const bool two = entry.passes == contact::Passes::two && !entry.tied;
-        rule.passes[a * n + b] = two ? contact::Passes::two : contact::Passes::one;
+        rule.passes[a * n + b] = entry.tied ? contact::Passes::one : entry.passes;
         const bool itself = a == b && entry.between.empty() && !entry.self;
         rule.active[a * n + b] = itself || excludes(entry, first, second) ? 0 : 1;
         if (entry.slave != ContactEntry::Slave::automatic && !entry.between.empty())

@@ -11,8 +11,10 @@
 using namespace brunt;
 using test::Simulation;
 
-// Under load such an edge is bent by 1e-5: a ridge, on both sides of which a node is behind the other side's plane.
-TEST_CASE("five cubes, every other one turned a little, stay at rest where nodes lie beside edges of faces") {
+namespace {
+
+/// Largest kinetic energy of five stacked cubes after their damping ends, of the work of their fall.
+double unrest(const std::string& passes) {
   constexpr int cubes = 5;
   constexpr double side = 0.1, gravity = 9.81, density = 1000;
   mesh::Mesh mesh;
@@ -29,14 +31,24 @@ TEST_CASE("five cubes, every other one turned a little, stay at rest where nodes
                    "materials: {soft: {model: elastic, density: 1000, young: 1.0e8, poisson: 0.3}}\nparts: {" + parts +
                        "}\ngravity: {vector: [0, 0, -9.81]}\ndamping: {alpha: 100, from: 0, to: 0.4}\n" +
                        "rigid_walls: [{point: [0, 0, 0], normal: [0, 0, 1], friction: 0.5}]\n" +
-                       "contact: [{between: all, self: false, friction: 0.5}]\n");
+                       "contact: [{between: all, self: false, friction: 0.5, passes: " + passes + "}]\n");
   const double fall = cubes * density * side * side * side * gravity * cubes * side / 2;
   double most = 0;
   while (scene.state.time < 0.6) {
     scene.step();
     if (scene.state.time > 0.41) most = std::max(most, std::abs(scene.ledger().kinetic));
   }
-  CHECK(most < 1e-11 * fall);  // 4e-9 and growing where the row changed to and fro
+  return most / fall;
+}
+
+}  // namespace
+
+// Under load such an edge is bent by 1e-5: a ridge, on both sides of which a node is behind the other side's plane.
+// E10 asks for 1e-9. In two passes the mean of the second solution is not quite what each row requires either: nodes
+// move to and fro by that from step to step, steadily (seen: 1.6e-11; 9e-10 at a tolerance of 1e-8).
+TEST_CASE("five cubes, every other one turned a little, stay at rest where nodes lie beside edges of faces") {
+  CHECK(unrest("one") < 1e-11);  // 4e-9 and growing where the row changed to and fro
+  CHECK(unrest("two") < 1e-9);
 }
 
 // Whatever stirs them: a residual that jumps from step to step, a soft spring that lags, nodes on the line between two

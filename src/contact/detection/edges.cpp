@@ -128,6 +128,8 @@ bool meet_now(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& mas
   const auto closest = crossing(scene, slave, master);
   if (!closest) return false;
   met = {closest->s, closest->t, closest->gap, closest->normal};
+  // a node that contact holds presses a chain in by little: deep ones pass each other beside the end of one
+  if (closest->past_an_end && -met.gap > scene.settings.encounter.rim * size) return false;
   // where a chain of edges ends for good, faces and nodes meet, along the normal of a face
   const double beyond = closest->past_an_end ? -0.1 : facet_curvature;
   if (!touches_as_edges(scene, slave, master, met.normal, beyond)) return false;

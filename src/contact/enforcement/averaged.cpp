@@ -78,19 +78,19 @@ void solve_both(const System& system, const EnforcementSettings& settings, doubl
   apply_impulses(system, impulses, largest, exchange, velocity, scratch);
 }
 
-/// Raises what the closed rows of one pass ask for to asked_back. least: below it `left` is the iteration's own error.
+/// Raises what rows of one pass ask for to asked_back. least: what is left below it is the iteration's own error.
 /// Is there any such row, on any rank?
-bool ask_back(const System& system, double least, double dt, Exchange& exchange, std::span<const Vec3> velocity,
+bool ask_back(const System& system, double least, Exchange& exchange, std::span<const Vec3> velocity,
               EnforcementScratch& scratch) {
   double any = 0;
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     const Row& row = system.rows[q];
-    if (row.pass == Pass::both || !(row.gap < 0)) continue;
+    if (row.pass == Pass::both) continue;
     const double averaged = row.normal.dot(relative_velocity(row, velocity));
     if (row.required - averaged <= least) continue;
     const double predicted = row.normal.dot(relative_motion(
         row, [&](LocalIndex node) -> const Vec3& { return system.motion[static_cast<std::size_t>(node)].predicted; }));
-    scratch.asked[q] = asked_back(row.gap, row.required, predicted, averaged, dt);
+    scratch.asked[q] = asked_back(row.required, predicted, averaged);
     if (scratch.asked[q] > row.required) any = 1;
   }
   exchange.max({&any, 1});
@@ -105,13 +105,9 @@ bool holds_rates(Method method) {
 
 }  // namespace
 
-double asked_back(double gap, double required, double predicted, double averaged, double dt) {
-  constexpr double own_making = 8;
+double asked_back(double required, double predicted, double averaged) {
   const double left = required - averaged;
-  if (!(gap < 0) || !(left > 0)) return required;
-  const double wanted = std::min({-gap / dt, required + 2 * left, -predicted});
-  const double fade = std::clamp(2 + gap / (own_making * left * dt), 0.0, 1.0);
-  return std::max(required, fade * wanted);
+  return left > 0 ? std::max(required, std::min(required + 2 * left, -predicted)) : required;
 }
 
 EnforcementResult enforce_averaged(const System& system, const EnforcementSettings& settings, double dt,
@@ -123,7 +119,7 @@ EnforcementResult enforce_averaged(const System& system, const EnforcementSettin
   EnforcementResult result;
   solve_both(system, settings, dt, exchange, impulses, velocity, scratch, result);
   if (!result.acted || !holds_rates(settings.method)) return result;
-  if (!ask_back(system, settings.tolerance * result.violation, dt, exchange, velocity, scratch)) return result;
+  if (!ask_back(system, settings.tolerance * result.violation, exchange, velocity, scratch)) return result;
   EnforcementSettings again = settings;
   again.warm_start = true;
   solve_both(system, again, dt, exchange, impulses, velocity, scratch, result);

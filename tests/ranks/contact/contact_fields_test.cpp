@@ -57,7 +57,7 @@ TEST_CASE("fields: gaps of the nodes that are near a face, zero elsewhere") {
   CHECK(points.ranks.sum(near) == 20);
 }
 
-TEST_CASE("fields: nodes stopped by a fixed plate carry their momentum over their area, a rigid half in two passes") {
+TEST_CASE("fields: nodes stopped by a fixed plate carry their momentum over their area") {
   for (const contact::Passes passes : {contact::Passes::one, contact::Passes::two}) {
     MassPoints points = plates(comm::Communicator::world(), [](const Vec3&) { return 0.0; });
     const auto area_of = [](const Vec3& x) {
@@ -79,7 +79,7 @@ TEST_CASE("fields: nodes stopped by a fixed plate carry their momentum over thei
     GlobalIndex loaded = 0;
     for (const double p : pressure) {
       if (p == 0) continue;
-      CHECK(p == Approx(2 / dt).epsilon(1e-9));  // of the row's own pass, whose mean is applied
+      CHECK(p == Approx(2 / dt).epsilon(1e-9));
       ++loaded;
     }
     CHECK(points.ranks.sum(loaded) == 20);

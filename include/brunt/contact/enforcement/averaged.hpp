@@ -2,8 +2,7 @@
 // The mean of two passes, each solved by the method chosen from the same v*: half the impulse of each row of one pass,
 // of rows of both the mean of their two. Since the kinetic energy is convex the mean has no more than the passes, and
 // what holds in both of them holds in the mean. What the mean leaves of an approach, since the passes disagree, is
-// asked back as far as there is a gap of it, and both passes are solved once more: the gap feedback, in the place of
-// the corrector (25) of Heinstein et al. 2000.
+// asked back, and both passes are solved once more: in the place of the corrector (25) of Heinstein et al. 2000.
 #pragma once
 #include "brunt/contact/enforcement/enforce.hpp"
 
@@ -14,16 +13,13 @@ EnforcementResult enforce_averaged(const System& system, const EnforcementSettin
                                    Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
                                    EnforcementScratch& scratch);
 
-/// What a row of one pass asks for in the second solution [velocity], `required` or more. gap: of the row [length];
-/// predicted, averaged: its rates by v* and by the mean of the first solution [velocity].
+/// What a row of one pass asks for in the second solution [velocity], `required` or more. predicted, averaged: its
+/// rates by v* and by the mean of the first solution [velocity].
 /// - Its own pass met `required`, so the other pass missed it by 2 (required - averaged): as much makes the mean meet
-///   it. Where the load stays, so does the gap, at about one step of what the mean leaves.
-/// - No more than closes the gap within the step: in a step without a penetration the mean is left alone.
+///   it. That holds gaps as one pass does, also where only one of the passes sees that the bodies meet, and without a
+///   jump where a gap closes (a rule for closed gaps alone makes bodies at rest flicker from step to step).
 /// - No more than the rate at which the bodies come together by v*, so that an impulse p does the work
 ///   p (predicted + asked) / 2 <= 0 and the feedback gives no energy.
-/// - A penetration beyond some eight steps of what the mean leaves is not of its making but of the start, or of a load
-///   that is gone: the slow recovery, which is in `required`, takes it back. From eight to sixteen steps the rate fades
-///   (tests/hard holds with four and with sixteen in the place of eight).
-double asked_back(double gap, double required, double predicted, double averaged, double dt);
+double asked_back(double required, double predicted, double averaged);
 
 }  // namespace brunt::contact

@@ -110,6 +110,18 @@ TEST_CASE("an edge nearly along a chain that is dented at the crossing is not lo
   }
 }
 
+TEST_CASE("an edge that passes just beyond the end of another meets it where a node is pressed in, not far below") {
+  const auto rows = [](double depth, double beyond) {
+    TwoEdges edges(90, -depth);
+    for (std::size_t i = 2; i < 4; ++i) edges.motion[i].position.x() += beyond > 0 ? 0.5 + beyond : 0;
+    return edges.rows().size();
+  };
+  CHECK(rows(0.01, 0) == 1);
+  CHECK(rows(0.01, 0.004) == 1);
+  CHECK(rows(0.1, 0) == 1);
+  CHECK(rows(0.1, 0.04) == 0);  // beside the body: nothing is inside it
+}
+
 TEST_CASE("parallel flush edges give no row: their faces and nodes do the work") {
   for (const double gap : {0.0, 1e-16, -1e-12, 1e-3}) {
     TwoEdges edges(0, gap);

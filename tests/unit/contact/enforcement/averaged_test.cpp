@@ -143,7 +143,7 @@ TEST_CASE("every method takes two passes; where no row is of one pass alone they
 }
 
 TEST_CASE("a warm start of two passes begins at the impulses of its passes: little is left to do") {
-  Problem p = two_sided(7, 5, 2, 0);
+  Problem p = two_sided(8, 8, 2, 0);  // whose mean leaves nothing to ask back
   const EnforcementSettings settings{.tolerance = 1e-9, .max_iterations = 10000, .warm_start = true};
   const EnforcementResult cold = solve_two(p, settings);
   OneRankExchange exchange;
@@ -159,43 +159,41 @@ TEST_CASE("a warm start of two passes begins at the impulses of its passes: litt
   CHECK(warm.residual <= settings.tolerance);
 }
 
-TEST_CASE("asked back is what the mean left, as far as a gap of its making and the coming together reach") {
-  constexpr double dt = 0.1, required = 0.01, predicted = -3, averaged = -0.4, left = required - averaged;
-  const auto asked = [&](double gap) { return asked_back(gap, required, predicted, averaged, dt); };
-  CHECK(asked(0.05) == required);                     // open
-  CHECK(asked(0) == required);                        // nothing to close
-  CHECK(asked(-0.05) == Approx(0.05 / dt));           // closed within the step
-  CHECK(asked(-0.2) == Approx(required + 2 * left));  // the mean of this and of what the other pass missed
-  CHECK(asked(-12 * left * dt) == Approx(0.5 * (required + 2 * left)));  // of the start rather than of the mean
-  CHECK(asked(-16.001 * left * dt) == required);
-  CHECK(asked_back(-0.2, required, -0.3, averaged, dt) == Approx(0.3));  // as they come together, no faster
-  CHECK(asked_back(-0.2, required, 0.3, averaged, dt) == required);      // they part by themselves
-  CHECK(asked_back(-0.2, required, predicted, 0.02, dt) == required);    // the mean met it
+TEST_CASE("asked back is what the mean left, as far as the coming together reaches") {
+  constexpr double required = 0.01, averaged = -0.4, left = required - averaged;
+  CHECK(asked_back(required, -3, averaged) == Approx(required + 2 * left));  // and the other pass missed as much
+  CHECK(asked_back(required, -0.3, averaged) == Approx(0.3));                // as they come together, no faster
+  CHECK(asked_back(required, 0.3, averaged) == required);                    // they part by themselves
+  CHECK(asked_back(required, -3, 0.02) == required);                         // the mean met it
+  CHECK(asked_back(-0.5, -3, -1) == Approx(0.5));                            // a gap that is to close within the step
 }
 
-TEST_CASE("gap feedback takes back what the mean leaves and gives no energy") {
+TEST_CASE("the second solution takes back what the mean leaves and gives no energy") {
   const auto [n, m] = GENERATE(std::pair(7, 5), std::pair(8, 8), std::pair(12, 4));
   const double friction = GENERATE(0.0, 0.3);
   double before = 0, after = 0;
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    Problem open = two_sided(n, m, seed, friction);
-    for (Row& row : open.rows)
+    Problem p = two_sided(n, m, seed, friction);
+    for (Row& row : p.rows)
       if (row.pass == Pass::both) row.required = 0;
-    Problem closed = open;
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> depth(0, 0.5);
-    for (Row& row : closed.rows) row.gap = row.pass == Pass::both ? 0 : -depth(random);
     const EnforcementSettings settings{.tolerance = 1e-10, .max_iterations = 10000};
-    solve_two(open, settings);
-    CHECK(solve_two(closed, settings).acted);
-    CHECK(closed.kinetic(true) <= closed.kinetic(false) * (1 + 1e-12));
-    CHECK(momentum_of_pairs(closed).norm() <= 1e-12);
-    for (std::size_t q = 0; q < open.rows.size(); ++q) {
-      before += std::max(0.0, -open.rate(q));
-      after += std::max(0.0, -closed.rate(q));
-      CHECK(closed.push(q) >= 0);
+    Problem mean = p;
+    mean.velocity.assign(p.motion.size(), Vec3::Zero());
+    for (const Pass pass : {Pass::first, Pass::second}) {
+      Problem one = p;
+      std::erase_if(one.rows, [&](const Row& row) { return row.pass != pass && row.pass != Pass::both; });
+      one.solve(settings);
+      for (std::size_t node = 0; node < one.velocity.size(); ++node) mean.velocity[node] += 0.5 * one.velocity[node];
+    }
+    CHECK(solve_two(p, settings).acted);
+    CHECK(p.kinetic(true) <= p.kinetic(false) * (1 + 1e-12));
+    CHECK(momentum_of_pairs(p).norm() <= 1e-12);
+    for (std::size_t q = 0; q < p.rows.size(); ++q) {
+      before += std::max(0.0, -mean.rate(q));
+      after += std::max(0.0, -p.rate(q));
+      CHECK(p.push(q) >= 0);
     }
   }
   CAPTURE(n, m, friction, before, after);
-  CHECK(after <= 0.75 * before + 1e-6);  // seen: 0.33 of 7 on 5, 0.69 of 12 on 4; of 8 on 8 nothing is left at all
+  CHECK(after <= 0.55 * before + 1e-6);  // seen: 0.002 of 7 on 5, 0.46 of 12 on 4; of 8 on 8 nothing is left at all
 }
