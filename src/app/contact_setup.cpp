@@ -100,6 +100,7 @@ void make_contact(Prepared& run) {
   if (model.contact.rebuild_every > 0) settings.rebuild = {contact::Rebuild::When::every, model.contact.rebuild_every};
   if (model.contact.rebuild_every < 0) settings.rebuild.when = contact::Rebuild::When::random;
   settings.detection.accepted = run.overlaps.accepted;
+  settings.detection.recovery_gives = run.overlaps.recovered;
   track_pairs(run, settings);
 
   std::vector<double> inverse_mass;

@@ -105,9 +105,9 @@ TEST_CASE("rubber cubes aside of each other: corners of neither sink into the ot
     int upper;
     double speed;
   };
-  for (const Gate& gate : {Gate{"hex8_full", 4, 3}, Gate{"hex8_full", 4, 10}, Gate{"hex8_full", 3, 3},
-                           Gate{"hex8_full", 3, 10}, Gate{"hex8", 4, 3}, Gate{"hex8", 4, 10}, Gate{"hex8", 3, 3},
-                           Gate{"hex8", 3, 10}}) {
+  for (const Gate& gate :
+       {Gate{"hex8_full", 4, 3}, Gate{"hex8_full", 4, 10}, Gate{"hex8_full", 3, 3}, Gate{"hex8_full", 3, 10},
+        Gate{"hex8", 4, 3}, Gate{"hex8", 4, 10}, Gate{"hex8", 3, 3}, Gate{"hex8", 3, 10}}) {
     const Sunk one = cubes(3, gate.upper, gate.speed, ", passes: one", gate.element),
                two = cubes(3, gate.upper, gate.speed, ", passes: two", gate.element);
     CAPTURE(gate.element, gate.upper, gate.speed, one.depth, two.depth);

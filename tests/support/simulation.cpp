@@ -24,6 +24,9 @@ std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation, con
   settings.enforcement = model.contact.enforcement;
   settings.friction = model.contact.friction;
   settings.tied = model.contact.tied;
+  settings.detection.recovery_gives = std::ranges::any_of(simulation.input.contact, [](const auto& entry) {
+    return entry.initial_overlap == scene::ContactEntry::InitialOverlap::warn;
+  });
   std::vector<double> inverse_mass;
   for (const model::NodeLine& node : simulation.state.nodes) inverse_mass.push_back(1.0 / node.mass);
   std::vector<contact::ConstrainedNode> constrained;

@@ -50,6 +50,7 @@ Box box_of(const geometry::Segment& start, const geometry::Segment& end) {
 constexpr double facet_curvature = 0.02;  // sine of an angle
 constexpr double along_a_face = 5;        // [degrees] from a face's normal: the edge lies in the face
 constexpr double kink = 0.5;              // [radians] between edges of a chain that a node presses in
+constexpr double across_it = 0.35;        // cosine: from here on a direction is aside of another
 
 /// Does `direction` lie between the normals of the two faces of a convex edge, or beyond them by no more than rounding
 /// and the curvature of a facet? beyond: sine of the angle.
@@ -150,7 +151,8 @@ bool meet_in_step(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide&
 
 /// Have the ends of the slave edge rows of their own that hold it? Along nearly the same normal: then the edge lies in
 /// a face. An end that hangs over the master's rim has none, and one whose face slants is less deep than the edge is at
-/// the rim. Where an end lies deep, its own row tells how deep it is.
+/// the rim. Where an end lies deep, its own row tells how deep it is. A deep edge of which both ends are held across
+/// that has come in from their side, where it is as deep as they are, over the end of the master's edge.
 bool held_at_ends(const EncounterSettings& settings, std::span<const Vec3> node_normal, const EdgeSide& slave,
                   double size, const EdgeMeeting& met) {
   const bool deep = -met.gap > settings.rim * size;
@@ -159,7 +161,11 @@ bool held_at_ends(const EncounterSettings& settings, std::span<const Vec3> node_
     if (deep && weight >= 1 - settings.rim) return !normal.isZero(0);
     return weight <= settings.rim || same_direction(normal, met.normal, along_a_face);
   };
-  return held(0, 1 - met.s) && held(1, met.s);
+  const auto held_across = [&](std::size_t end) {
+    const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];
+    return !normal.isZero(0) && std::abs(normal.dot(met.normal)) < across_it;
+  };
+  return (held(0, 1 - met.s) && held(1, met.s)) || (deep && held_across(0) && held_across(1));
 }
 
 bool has_accepted_end(const EdgeScene& scene, const EdgeSide& edge, std::int32_t body) {
@@ -183,8 +189,7 @@ double accepted_overlap(const EdgeScene& scene, const EdgeSide& slave, const Edg
   return start ? std::max(0.0, -start->gap) : 0.0;
 }
 
-Row row_of(const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met, double required,
-           std::span<const GlobalIndex> gid) {
+Row row_of(const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met, std::span<const GlobalIndex> gid) {
   const auto id = [&](LocalIndex node) { return gid[static_cast<std::size_t>(node)]; };
   Row row{.slave_gid = id(slave.nodes[0]),
           .slave_second = id(slave.nodes[1]),
@@ -199,7 +204,6 @@ Row row_of(const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met
   row.master_block = master.block;
   row.normal = met.normal;
   row.gap = met.gap;
-  row.required = required;
   return row;
 }
 
@@ -228,7 +232,8 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
         continue;
       if (held_at_ends(settings.encounter, node_normal, slave, size, met)) continue;
       met.gap += accepted_overlap(scene, slave, master, met);
-      rows.push_back(row_of(slave, master, met, required_rate(met.gap, size, dt, settings), gid));
+      Row& row = rows.emplace_back(row_of(slave, master, met, gid));
+      row.required = required_rate(row, size, dt, motion, settings);
     }
   }
 }

@@ -154,7 +154,7 @@ void add_rows(const FacesInMotion& scene, const Candidates& candidates, std::siz
     Row& row = rows.emplace_back();
     fill_row(e, face, node, row);
     row.gap += accepted_depth(settings.accepted, slave_gid, face.body);
-    row.required = required_rate(row.gap, e.size, scene.dt, settings);
+    row.required = required_rate(row, e.size, scene.dt, scene.motion, settings);
     row.slave_gid = slave_gid;
     row.slave_body = candidates.body[s];
   }
@@ -171,9 +171,14 @@ double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex sla
   return found != accepted.end() && found->slave == slave && found->body == body ? found->depth : 0;
 }
 
-double required_rate(double gap, double size, double dt, const DetectionSettings& settings) {
-  if (gap >= 0) return -gap / dt;
-  return std::min(-settings.recovery * gap, settings.recovery_limit * size) / dt;
+double required_rate(const Row& row, double size, double dt, std::span<const NodeMotion> motion,
+                     const DetectionSettings& settings) {
+  if (row.gap >= 0) return -row.gap / dt;
+  const double recovery = std::min(-settings.recovery * row.gap, settings.recovery_limit * size) / dt;
+  if (settings.recovery_gives || -row.gap <= settings.drift * size) return recovery;
+  const Vec3 relative = relative_motion(
+      row, [&](LocalIndex node) -> const Vec3& { return motion[static_cast<std::size_t>(node)].old_velocity; });
+  return std::clamp(-row.normal.dot(relative), 0.0, recovery);
 }
 
 void detect_faces(const Candidates& candidates, std::span<const MasterFace> faces, std::span<const GlobalIndex> gid,

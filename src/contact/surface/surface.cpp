@@ -58,8 +58,8 @@ bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t 
 
 bool alike(const BodyFigures& one, const BodyFigures& other) {
   if (std::isinf(one.mean_mass) || std::isinf(other.mean_mass)) return false;
-  // ratio at most: meshes of 3 on 4 gain most in the patch test; in the stack of 2 on 3 two passes leave nodes 2e-5 of a side deep,
-  // one pass none
+  // ratio at most: meshes of 3 on 4 gain most in the patch test; in the stack of 2 on 3 two passes leave nodes 2e-5 of
+  // a side deep, one pass none
   constexpr double edges = 1.4;
   const auto near = [](double x, double y, double ratio) { return x <= ratio * y && y <= ratio * x; };
   return near(one.mean_area, other.mean_area, edges * edges) &&

@@ -50,6 +50,8 @@ struct DetectionSettings {
   ChoiceSettings choice;
   double recovery = 0.05;                   ///< share of a penetration that a step may recover
   double recovery_limit = 1e-3;             ///< the same limited to this share of the longest edge
+  bool recovery_gives = true;               ///< energy, where overlaps of the start are to part
+  double drift = 1e-3;                      ///< of the longest edge: else penetrations deeper than this give none
   double twin = 0;                          ///< nodes of two bodies this near each other are twins [length]
   double wall_size = 0;                     ///< [length] stands for the longest edge where the master is a wall
   std::vector<AcceptedOverlap> accepted{};  ///< ordered by (slave, body), each pair once
@@ -77,9 +79,12 @@ struct DetectionScratch {
 /// [length]; 0 where none is accepted.
 double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex slave, std::int32_t body);
 
-/// Least rate that a gap asks for [velocity]: it may close within the step; a penetration is recovered, a limited share
-/// of it a step.
-double required_rate(double gap, double size, double dt, const DetectionSettings& settings);
+/// Least rate that the row's gap asks for [velocity]: it may close within the step; a penetration is recovered, a
+/// limited share of it a step. Under load recovery does work on the bodies. Of a drift that is little; one that was
+/// seen late (edges that slip over a rim) would give what contact never took: it is recovered no faster than the bodies
+/// came together, and stays while they are pressed.
+double required_rate(const Row& row, double size, double dt, std::span<const NodeMotion> motion,
+                     const DetectionSettings& settings);
 
 /// Are the nodes so near each other that each lies where the other does? The same seen from either.
 inline bool are_twins(const NodeMotion& one, const NodeMotion& other, const DetectionSettings& settings) {
