@@ -175,7 +175,7 @@ double required_rate(const Row& row, double size, double dt, std::span<const Nod
                      const DetectionSettings& settings) {
   if (row.gap >= 0) return -row.gap / dt;
   const double recovery = std::min(-settings.recovery * row.gap, settings.recovery_limit * size) / dt;
-  if (settings.recovery_gives || -row.gap <= settings.drift * size) return recovery;
+  if (settings.recovery_gives || !row.is_edge() || -row.gap <= settings.drift * size) return recovery;
   const Vec3 relative = relative_motion(
       row, [&](LocalIndex node) -> const Vec3& { return motion[static_cast<std::size_t>(node)].old_velocity; });
   return std::clamp(-row.normal.dot(relative), 0.0, recovery);

@@ -104,16 +104,10 @@ TEST_CASE("a penetration is recovered at a limited rate") {
   CHECK(scene.detect({0.5, 0.5, 0.7}).empty());  // deeper than the capture: not this face's business
 }
 
-TEST_CASE("a penetration that was seen late is recovered no faster than the bodies came together") {
+TEST_CASE("of nodes, which sink in by what each step leaves, a penetration is recovered under load as well") {
   CubeAndNode scene;
   scene.settings.recovery_gives = false;
-  for (const double speed : {0.02, 0.0, -0.03, -1.0}) {
-    const auto rows = scene.detect({0.5, 0.5, 1 - 2e-3}, {0, 0, speed});
-    REQUIRE(rows.size() == 1);
-    CHECK(rows[0].required == Approx(std::clamp(-speed, 0.0, 0.1)).margin(1e-12));
-  }
-  CHECK(scene.detect({0.5, 0.5, 1 - 5e-4}).front().required == Approx(0.05 * 5e-4 / 1e-3));  // a drift
-  CHECK(scene.detect({0.5, 0.5, 1 + 1e-4}, {0, 0, -1}).front().required == Approx(-1e-4 / 1e-3));
+  CHECK(scene.detect({0.5, 0.5, 1 - 2e-3}).front().required == Approx(0.05 * 2e-3 / 1e-3));
 }
 
 TEST_CASE("what cannot touch in this step makes no row, what comes fast does") {

@@ -122,6 +122,20 @@ TEST_CASE("an edge that passes just beyond the end of another meets it where a n
   CHECK(rows(0.1, 0.04) == 0);  // beside the body: nothing is inside it
 }
 
+TEST_CASE("edges that are deep when they are seen are parted no faster than they came together") {
+  for (const double speed : {-0.02, 0.0, 0.03, 1.0}) {
+    TwoEdges edges(90, -0.01, speed);
+    edges.settings.recovery_gives = false;
+    for (NodeMotion& node : edges.motion) node.old_velocity = node.predicted;
+    const auto rows = edges.rows();
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0].required == Approx(std::clamp(speed, 0.0, 0.05 * 0.01 / 1e-3)).margin(1e-12));
+  }
+  TwoEdges drifted(90, -5e-4);
+  drifted.settings.recovery_gives = false;
+  CHECK(drifted.rows().front().required == Approx(0.05 * 5e-4 / 1e-3));
+}
+
 TEST_CASE("parallel flush edges give no row: their faces and nodes do the work") {
   for (const double gap : {0.0, 1e-16, -1e-12, 1e-3}) {
     TwoEdges edges(0, gap);
