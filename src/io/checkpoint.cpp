@@ -22,7 +22,7 @@ namespace brunt::io {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr GlobalIndex format_version = 2;
+constexpr GlobalIndex format_version = 3;
 
 GlobalIndex header_hash(const CheckpointHeader& header, GlobalIndex nodes) {
   const auto time = std::bit_cast<std::uint64_t>(header.time);

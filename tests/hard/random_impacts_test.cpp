@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bodies of random shape, mesh and attitude run into each other, corners, edges and rims first: contact takes for a
-// penetration only what is one by the positions of both, conserves momentum and gives no energy.
+// penetration only what is one by the positions of both, conserves momentum and gives no energy to speak of.
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -113,15 +113,15 @@ double deepest_row(const contact::Contact& contact) {
 
 }  // namespace
 
-TEST_CASE("random impacts: no penetration is reported that is not there, no energy is given") {
+TEST_CASE("random impacts: no penetration is reported that is not there, hardly any energy is given") {
   for (const std::string passes : {"one", "two"})
     for (unsigned seed = 1; seed <= 60; ++seed) {
       Impact now = impact(seed, passes);
-      const std::array<mesh::Block, 2> blocks{now.mesh.blocks[0], now.mesh.blocks[1]};
-      std::array<Skin, 2> skins{Skin(blocks[0]), Skin(blocks[1])};
+      std::array<Skin, 2> skins{Skin(now.mesh, 0), Skin(now.mesh, 1)};
       Simulation scene(std::move(now.mesh), now.scene);
       CAPTURE(passes, seed, now.scene);
       double looked_at = 0.02 * now.edge, energy = 0;
+      Vec3 momentum = Vec3::Zero();
       while (scene.state.time < now.end) {
         for (Skin& skin : skins)
           if (!scene.contact->rows().empty())
@@ -129,8 +129,12 @@ TEST_CASE("random impacts: no penetration is reported that is not there, no ener
         scene.step();
         const double depth = deepest_row(*scene.contact);
         const time::Ledger ledger = scene.ledger();
-        if (energy == 0) energy = ledger.total();
-        CHECK(ledger.contact > -1e-4 * energy);
+        if (energy == 0) {
+          energy = ledger.total();
+          momentum = ledger.momentum;
+        }
+        CHECK((ledger.momentum - momentum).norm() <= 1e-12 * momentum.norm());
+        CHECK(ledger.contact > -1e-4 * energy);  // recovery of what steps leave works under load; 1e-2 where edges did
         if (depth <= looked_at) continue;
         looked_at = depth + 0.02 * now.edge;
         const double really = std::max(skins[0].depth_of(skins[1]), skins[1].depth_of(skins[0]));

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <map>
+#include <limits>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -19,34 +19,23 @@ namespace brunt::test {
 
 using Triangle = std::array<Vec3, 3>;
 
-/// Outer faces of a block, three or four corners each, by the mesh's nodes.
-inline std::vector<std::vector<LocalIndex>> skin_of(const mesh::Block& block) {
-  std::map<std::set<LocalIndex>, std::pair<int, std::vector<LocalIndex>>> seen;
-  const int faces = block.shape == mesh::Shape::tet4 ? 4 : 6;
-  for (LocalIndex e = 0; e < block.count(); ++e)
-    for (int f = 0; f < faces; ++f) {
-      std::vector<LocalIndex> corners;
-      for (const LocalIndex node : mesh::face_nodes(block.shape, block.element(e), f))
-        if (std::ranges::find(corners, node) == corners.end()) corners.push_back(node);
-      auto& [count, face] = seen[std::set<LocalIndex>(corners.begin(), corners.end())];
-      ++count;
-      face = std::move(corners);
-    }
-  std::vector<std::vector<LocalIndex>> skin;
-  for (auto& [key, entry] : seen)
-    if (entry.first == 1) skin.push_back(std::move(entry.second));
-  return skin;
-}
-
+/// The surface of one block. Distances are its own, not those of geometry/, by which contact finds what is checked.
 class Skin {
  public:
-  explicit Skin(const mesh::Block& block) : faces_(skin_of(block)) {
-    for (const auto& face : faces_)
+  Skin(const mesh::Mesh& mesh, LocalIndex block) {
+    for (const mesh::Side& side : mesh::exterior_sides(mesh)) {
+      if (side.block != block) continue;
+      const mesh::Block& own = mesh.blocks[static_cast<std::size_t>(block)];
+      std::vector<LocalIndex> face;
+      for (const LocalIndex node : mesh::face_nodes(own.shape, own.element(side.element), side.face))
+        if (node != no_index) face.push_back(node);
       for (std::size_t i = 0; i < face.size(); ++i) {
         const LocalIndex a = face[i], b = face[(i + 1) % face.size()];
         nodes_.insert(a);
         edges_.insert({std::min(a, b), std::max(a, b)});
       }
+      faces_.push_back(std::move(face));
+    }
   }
 
   /// Every face as triangles about its middle.

@@ -50,7 +50,7 @@ Box box_of(const geometry::Segment& start, const geometry::Segment& end) {
 constexpr double facet_curvature = 0.02;  // sine of an angle
 constexpr double along_a_face = 5;        // [degrees] from a face's normal: the edge lies in the face
 constexpr double kink = 0.5;              // [radians] between edges of a chain that a node presses in
-constexpr double across_it = 0.35;        // cosine: from here on a direction is aside of another
+constexpr double crosswise = 0.35;        // cosine between directions that lie across each other, at most
 
 /// Does `direction` lie between the normals of the two faces of a convex edge, or beyond them by no more than rounding
 /// and the curvature of a facet? beyond: sine of the angle.
@@ -163,7 +163,7 @@ bool held_at_ends(const EncounterSettings& settings, std::span<const Vec3> node_
   };
   const auto held_across = [&](std::size_t end) {
     const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];
-    return !normal.isZero(0) && std::abs(normal.dot(met.normal)) < across_it;
+    return !normal.isZero(0) && std::abs(normal.dot(met.normal)) < crosswise;
   };
   return (held(0, 1 - met.s) && held(1, met.s)) || (deep && held_across(0) && held_across(1));
 }
