@@ -67,6 +67,16 @@ def peaks(result, rest):
     return [height for _, height in found]
 
 
+def errors(scene, result):
+    """For scripts/pareto: shares of times, heights and impulse, and what the floor takes of the energy."""
+    reference, heights = exact(scene), peaks(result, scene["mesh"][0]["box"]["size"][2] / 2)
+    after = result.at("impulse_floor.z", reference["impact"] + 1.2 * reference["contact"])
+    taken = result.at("walls", reference["impact_2"] - 0.5) + result.at("contact", reference["impact_2"] - 0.5)
+    return {"time of impact 2": impact_times(result, scene)[1] / reference["impact_2"] - 1,
+            "peak 1": heights[0] / reference["peak_1"] - 1, "peak 2": heights[1] / reference["peak_2"] - 1,
+            "impulse": after / reference["impulse"] - 1, "energy taken": taken / reference["energy"]}
+
+
 def check(case, label, result, scene, peak_gates):
     reference = exact(scene)
     heights = peaks(result, scene["mesh"][0]["box"]["size"][2] / 2)
@@ -87,6 +97,7 @@ def check(case, label, result, scene, peak_gates):
 
 def main():
     case = Case(__file__)
+    case.answer(errors)
     scene = case.scene()
     result = case.run()
     heights = {100: check(case, "N = 100", result, scene, (0.01, 0.04))}

@@ -106,6 +106,21 @@ def deviation(blocks, law, pressure, displacement, points=tuple(FULL)):
     return numpy.abs(stress + pressure).max() / pressure, stress / pressure
 
 
+def errors(scene, result):
+    """For scripts/pareto: greatest and mean square deviation from the even pressure; greatest one from what is exact for its
+    contact, in one pass the solution with exact multipliers, in two the even pressure."""
+    blocks, entry = blocks_of(scene), scene["contact"][0]
+    model = blocks, scene["materials"]["m"], scene["pressure"][0]["value"]
+    full = scene["parts"]["lower"]["element"] == "hex8_full"
+    greatest, stress = deviation(*model, displacements(result, blocks)[-1], FULL if full else [(0, 0)])
+    found = {"greatest stress error": greatest, "mean stress error": numpy.sqrt(((stress + 1)**2).mean())}
+    if full:
+        one = static_solution(*model, entry["slave"]) if entry.get("passes") != "two" else None
+        exact = -1 if one is None else deviation(*model, one)[1]
+        found["stress, from the exact one"] = numpy.abs(stress - exact).max()
+    return found
+
+
 def blocks_of(scene):
     lower = Block(scene["mesh"][0]["box"], 0)
     return lower, Block(scene["mesh"][1]["box"], lower.count)
@@ -178,6 +193,7 @@ def check_two_passes(case, columns, element):
 
 def main():
     case = Case(__file__)
+    case.answer(errors)
     lines, two = [], []
     for columns in PAIRS:
         fine, coarse = (check_pair(case, columns, slave, "hex8_full") for slave in ("upper", "lower"))

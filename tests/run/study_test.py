@@ -18,6 +18,7 @@ settings:
   as it is: {{}}
   small steps: {{run.cfl: 0.5}}
 errors: [energy taken, velocity of the target]
+others: {{by hand: {{seconds: 1e3, energy taken: 0.02}}}}
 """
 
 STUDY = f"""\
@@ -75,6 +76,8 @@ class Studies(unittest.TestCase):
                                 (("size: 1e-2", "size: -1"), ("meshes.coarse.size",)),
                                 (("small steps: {run.cfl: 0.5}", "small steps: 0.5"), ("settings.small steps",)),
                                 (("errors: [", "errors: [cost, "), ("'cost'", "mean force")),
+                                (("seconds: 1e3, ", ""), ("others.by hand", "seconds")),
+                                (("seconds: 1e3, energy", "seconds: 1e3, colour"), ("others", "'colour taken'")),
                                 (("errors:", "repeat: 0\nerrors:"), ("repeat",)),
                                 (("errors:", "ranks: two\nerrors:"), ("ranks",))):
             with self.subTest(change=change):
