@@ -19,13 +19,14 @@ namespace brunt::material {
 ///   L : dP/dt <= lambda tr(L)^2 + 2 mu L : L.
 /// For the Jaumann rate, L : dP/dt = D : C : D + tr(D) s : D + [W^T W s] + 2 [W s D] - [D D s]. With s = m 1 + dev,
 /// the bracket terms are at most (|m| + |dev|) L : L and tr(D) s : D at most m tr^2 + |dev| (3/2 tr^2 + 1/2 L : L);
-/// the spectral norm |dev| is bounded by the largest row sum. Compression lowers lambda and raises mu.
+/// the spectral norm |dev| is sqrt(2/3) of the Frobenius norm at most (dev has no trace), exact in uniaxial stress, and
+/// the same however the scene is turned. Compression lowers lambda and raises mu.
 BRUNT_INLINE void rate_law_tangent(double elastic_lambda, double elastic_mu, const Pack (&stress)[6], Pack& lambda,
                                    Pack& mu) {
   const Pack mean = (stress[0] + stress[1] + stress[2]) * (1.0 / 3.0);
-  const Pack xy = pack_abs(stress[3]), yz = pack_abs(stress[4]), zx = pack_abs(stress[5]);
-  const Pack dev_norm = pack_max(pack_max(pack_abs(stress[0] - mean) + xy + zx, pack_abs(stress[1] - mean) + xy + yz),
-                                 pack_abs(stress[2] - mean) + yz + zx);
+  Pack norm2 = 2.0 * (stress[3] * stress[3] + stress[4] * stress[4] + stress[5] * stress[5]);
+  for (int i = 0; i < 3; ++i) norm2 += (stress[i] - mean) * (stress[i] - mean);
+  const Pack dev_norm = pack_sqrt((2.0 / 3.0) * norm2);
   lambda = elastic_lambda + mean + 1.5 * dev_norm;
   mu = elastic_mu + 0.5 * pack_abs(mean) + 0.75 * dev_norm;
 }

@@ -58,3 +58,20 @@ TEST_CASE("rate-law tangent without stress is the elastic one: nothing of the st
   CHECK(lambda[3] == law.lambda);
   CHECK(mu[3] == law.mu);
 }
+
+TEST_CASE("the rate-law tangent, and with it the stable step, does not see how the scene is turned") {
+  std::mt19937 engine(11);
+  const material::ElasticResponse law({1, 1.0, 0.3});
+  for (int sample = 0; sample < 50; ++sample) {
+    Matrix s = test::random_matrix(engine, 0.3);
+    s = (0.5 * (s + s.transpose())).eval();
+    const Matrix turn = Eigen::HouseholderQR<Matrix>(test::random_matrix(engine, 1.0)).householderQ();
+    Pack stress[6], lambda, mu, turned_lambda, turned_mu;
+    test::set_symmetric(s, stress);
+    law.tangent(stress, lambda, mu);
+    test::set_symmetric(turn * s * turn.transpose(), stress);
+    law.tangent(stress, turned_lambda, turned_mu);
+    CHECK(turned_lambda[0] == Approx(lambda[0]).epsilon(1e-13));
+    CHECK(turned_mu[0] == Approx(mu[0]).epsilon(1e-13));
+  }
+}
