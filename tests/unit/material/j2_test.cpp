@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/material/j2.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <type_traits>
 
 #include "support/material_point.hpp"
 
@@ -182,4 +184,49 @@ TEST_CASE("the stress stays on the yield surface and the back stress a deviator 
     CHECK(std::abs(back.trace()) < 1e-8 * radius);
   }
   CHECK(point.plastic_strain() > 0.2);
+}
+
+// The largest power over the bound's, of any velocity gradient: exact for unloading, which is what is stiffest.
+TEST_CASE("the tangent of the stable step bounds the true one at every plastic state, loading and unloading") {
+  std::mt19937 engine(17);
+  double tightest = 1;
+  for (int sample = 0; sample < 100; ++sample) {
+    const J2 soft{1, 1.0, 0.3, sample % 2 == 0 ? 0.02 : 0.3, 0.1, {}, 0};  // stress up to a third of Young's modulus
+    RatePoint<J2Response<false, false>> state{J2Response<false, false>(soft)};
+    for (int step = 0; step < 4; ++step) {
+      Matrix increment = test::random_matrix(engine, 0.3);
+      state.strain(0.5 * (increment + increment.transpose()));
+    }
+    REQUIRE(state.plastic_strain() > 0);
+    const auto nominal_of = [&](const auto& law, const Matrix& H) -> Matrix {
+      RatePoint<std::decay_t<decltype(law)>> point{law};
+      std::copy(state.stress, state.stress + 6, point.stress);
+      if constexpr (std::is_same_v<std::decay_t<decltype(law)>, J2Response<false, false>>)
+        point.scalars[0] = state.scalars[0];
+      const Matrix F = Matrix::Identity() + H;
+      point.deform(Matrix::Identity(), F);
+      return F.determinant() * point.cauchy() * F.inverse().transpose();
+    };
+    Pack lambda, mu;
+    state.law.tangent(state.stress, lambda, mu);
+    const test::Matrix9 bound = test::bound_form(lambda[0], mu[0]);
+    const material::ElasticResponse elastic({1, 1.0, 0.3});
+    const test::Matrix9 unloading = test::stiffness_form([&](const Matrix& H) { return nominal_of(elastic, H); }, 1e-5);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<test::Matrix9> shares(unloading, bound);
+    CHECK(shares.eigenvalues().maxCoeff() <= 1 + 1e-8);
+    tightest = std::min(tightest, shares.eigenvalues().maxCoeff());
+    constexpr double step = 1e-5;
+    const Matrix at_rest = nominal_of(state.law, Matrix::Zero());
+    for (int direction = 0; direction < 9; ++direction) {
+      const test::Matrix9& axes = shares.eigenvectors();
+      const Matrix L = Eigen::Map<const Matrix>(axes.col(direction).data());
+      for (const double sign : {1.0, -1.0}) {
+        const Matrix H = sign * step * L;
+        const double power = (L * sign).cwiseProduct((nominal_of(state.law, H) - at_rest) / step).sum();
+        CHECK(power <= 1 + 1e-3);  // of the bound's, which is 1 along these; one-sided differences: step / stress
+      }
+    }
+  }
+  CAPTURE(tightest);
+  CHECK(tightest > 0.4);  // or the step would be cut for nothing
 }
