@@ -177,12 +177,12 @@ def interface_depth(blocks, displacement):
 
 
 def check_two_passes(case, columns, element):
-    """Both sides' nodes are held; no static reference but the even stress itself."""
+    """Both sides' nodes are held, and pass on even pressure exactly (Taylor and Papadopoulos 1991)."""
     pressed = Pressed(case, columns, "two passes", {"slave": "auto", "passes": "two"}, element)
     label, ours, strain = pressed.label, pressed.deviation, pressed.pressure / pressed.law["young"]
-    case.assert_below(f"{label}: greatest |stress - p|/p", ours, 0.1, "gate of ours: that of one pass is 0.15")
-    # In units of what the load moves a free surface by, (p/E) times a column: the second solution takes back all but a
-    # trace of what the mean leaves (seen: 2e-6 at the end, 3e-4 at any time; a first mean alone leaves 0.02 to 0.30).
+    case.assert_below(f"{label}: greatest |stress - p|/p", ours, 10 * strain,
+                      "exact but for the finite strains, of the order of p/E")
+    # In units of what the load moves a free surface by, (p/E) times a column.
     depth = interface_depth(pressed.blocks, pressed.end) / pressed.column
     case.assert_below(f"{label}: penetration of either side / column, in units of p/E", depth / strain, 1e-4)
     most = pressed.result.summary["max_penetration"] / pressed.column

@@ -8,14 +8,15 @@
 namespace brunt::contact {
 
 std::vector<double> Contact::pressures(double dt) const {
-  std::vector<double> pressure(surface_node_count(), 0.0), pushes(pressure.size(), 0.0);
+  std::vector<double> pressure(surface_node_count(), 0.0), pushes(pressure.size(), 0.0), count(pressure.size(), 0.0);
   if (!(dt > 0)) return pressure;
   std::vector<Vec3> given(pressure.size(), Vec3::Zero());  // by the other bodies
   if (two_passes_) add_impulses(given);
   for (std::size_t q = 0; q < rows_.size(); ++q) {
     if (rows_[q].is_wall()) given[model_node_of(rows_[q])] -= impulses_[q];
-    if (!rows_[q].is_wall() && !rows_[q].is_edge())
-      pushes[model_node_of(rows_[q])] += rows_[q].normal.dot(impulses_[q]);
+    if (rows_[q].is_wall() || rows_[q].is_edge()) continue;
+    pushes[model_node_of(rows_[q])] += rows_[q].normal.dot(impulses_[q]);
+    count[model_node_of(rows_[q])] += 1;
   }
   for (std::size_t q = 0; q < rows_.size(); ++q) {
     const Row& row = rows_[q];
@@ -23,8 +24,10 @@ std::vector<double> Contact::pressures(double dt) const {
     const std::size_t node = model_node_of(row);
     const double area = area_of_slave(row);
     double push = row.normal.dot(impulses_[q]);
-    // in two passes the rows that it is a master's corner of push a node as well
-    if (row.pass != Pass::both && pushes[node] > 0) push *= std::max(0.0, row.normal.dot(given[node])) / pushes[node];
+    if (row.pass != Pass::both) {  // the rows that it is a master's corner of push a node as well, or alone
+      const double share = pushes[node] > 0 ? push / pushes[node] : 1 / count[node];
+      push = share * std::max(0.0, row.normal.dot(given[node]));
+    }
     if (area > 0) pressure[node] += push / (dt * area);
   }
   return pressure;

@@ -62,6 +62,7 @@ struct Sunk {
   double rows = 0;   ///< what the run reports as largest penetration, likewise
   double taken = 0;  ///< by contact at the end, of the energy that there was
   double least = 0;  ///< the same, least at any time
+  double given = 0;  ///< the same, by how much it falls from what it was at most
   double error = 0;  ///< of the ledger
 };
 
@@ -79,6 +80,7 @@ Sunk cubes(int lower, int upper, double speed, const std::string& rule, const st
                        "}, upper: {material: m, element: " + element + "}}\ninitial: [{part: upper, velocity: [0, 0, " +
                        std::to_string(-speed) + "]}]\ncontact: [{between: [lower, upper]" + rule + "}]\n");
   Sunk sunk;
+  double most = 0;
   const double start = 0.5 * density * 1e-6 * speed * speed;
   while (scene.state.time < 1e-3) {  // the cubes part after 0.6 ms
     scene.step();
@@ -86,6 +88,8 @@ Sunk cubes(int lower, int upper, double speed, const std::string& rule, const st
     sunk.depth = std::max({sunk.depth, deepest(scene, below, above), deepest(scene, above, below)});
     sunk.taken = now.contact / start;
     sunk.least = std::min(sunk.least, sunk.taken);
+    most = std::max(most, sunk.taken);
+    sunk.given = std::max(sunk.given, most - sunk.taken);
     sunk.error = std::max(sunk.error, std::abs(now.total() - start) / start);
   }
   const double edge = 0.01 / std::max(lower, upper);
@@ -96,9 +100,11 @@ Sunk cubes(int lower, int upper, double speed, const std::string& rule, const st
 
 }  // namespace
 
-// Seen, of an edge of the finer mesh (one pass against two), at 3 and at 10 m/s:
-//   hex8_full   3^3 on 4^3   2.1 % 0.028 %    9.1 % 0.10 %       3^3 on 3^3    3.8 % 0.022 %   15.6 % 0.10 %
-//   hex8        3^3 on 4^3   7.0 % 0.058 %   26.6 % 0.16 %       3^3 on 3^3   10.3 % 0.078 %   37.6 % 0.25 %
+// Seen at 3 and at 10 m/s: depth of an edge of the finer mesh (one pass against two), and what contact gives back of
+// the energy (two passes, held together; as the mean of two solutions they gave 4e-3 to 1e-2):
+//   hex8_full   3^3 on 4^3   2.1 % 0.005 % 7e-7    9.1 % 0.035 % 2e-5    3^3 on 3^3    3.8 % 0.006 % 1e-5   15.6 %
+//   0.041 % 5e-5 hex8        3^3 on 4^3   7.0 % 0.013 % 8e-6   26.6 % 0.125 % 5e-5    3^3 on 3^3   10.3 % 0.006 % 7e-6
+//   37.6 % 0.042 % 2e-5
 TEST_CASE("rubber cubes aside of each other: corners of neither sink into the other") {
   struct Gate {
     const char* element;
@@ -111,10 +117,43 @@ TEST_CASE("rubber cubes aside of each other: corners of neither sink into the ot
     const Sunk one = cubes(3, gate.upper, gate.speed, ", passes: one", gate.element),
                two = cubes(3, gate.upper, gate.speed, ", passes: two", gate.element);
     CAPTURE(gate.element, gate.upper, gate.speed, one.depth, two.depth);
-    CHECK(two.depth <= 0.005);
+    CHECK(two.depth <= 0.0025);
     CHECK(two.depth <= 0.03 * one.depth);
     CHECK(two.rows >= 0.3 * two.depth);  // and the run says so, but for a corner that swings out of reach
     CHECK(two.least >= 0);               // contact took energy, at no time gave any on the whole
+    CHECK(two.given <= 2e-4);            // at any time, from what it had taken: recovery, and the tolerance
     CHECK(two.error < 1e-12);
   }
+}
+
+// The load moves on the rubber while it is pressed: what opens under load does the work of the press backwards.
+TEST_CASE("a rubber cube pressed on another one in two passes: contact gives none of the work of the press") {
+  const double upper = GENERATE(0.08, 0.1);  // within the lower one; over its rim
+  constexpr double lower = 0.1;
+  mesh::Mesh mesh = mesh::box("a", {lower, lower, lower}, {3, 3, 3}),
+             top = mesh::box("b", {upper, upper, lower}, {3, 3, 3});
+  mesh::place(top, 1, {0, 0, 1}, 0, {0.007, 0.004, lower});
+  mesh::append(mesh, std::move(top));
+  Simulation scene(
+      std::move(mesh),
+      "materials: {r: {model: neo_hookean, density: 1000, young: 1.0e6, poisson: 0.3}}\n"
+      "parts: {a: {material: r}, b: {material: r}}\n"
+      "sets: {foot: {box: [[-1, -1, -0.001], [1, 1, 0.001]]}, top: {box: [[-1, -1, 0.1999], [1, 1, 0.3]]}}\n"
+      "fixed: [{set: foot, dofs: [x, y, z]}, {set: top, dofs: [x, y]}]\n"
+      "curves: {c: [[0, 0], [0.005, -0.6], [0.03, -0.6], [0.035, 0], [1, 0]]}\n"
+      "prescribed: [{set: top, dof: z, velocity: c}]\n"
+      "damping: {alpha: 200, from: 0, to: 1}\n"
+      "contact: [{between: all, passes: two}]\n");
+  double taken = 0, most = 0, given = 0;
+  while (scene.state.time < 0.1) {
+    scene.step();
+    taken = scene.ledger().contact;
+    most = std::max(most, taken);
+    given = std::max(given, most - taken);
+  }
+  const double work = scene.ledger().external;
+  CAPTURE(upper, taken / work, given / work);
+  CHECK(work > 1);
+  CHECK(given <= 1e-3 * work);  // seen: 5e-4 and 3e-4; the mean of two solutions gave 6e-3 and 2e-3
+  CHECK(scene.contact->collect().penetration <= 0.06 * lower / 3);
 }

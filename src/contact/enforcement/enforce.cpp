@@ -11,10 +11,19 @@
 #include "brunt/contact/enforcement/reference.hpp"
 
 namespace brunt::contact {
+namespace {
+
+/// By the exact law of complementarity: rows of both passes at once contradict each other in nothing.
+bool holds_rates(Method method) {
+  return method == Method::rate || method == Method::row_sum || method == Method::reference;
+}
+
+}  // namespace
 
 EnforcementResult enforce(const System& system, const EnforcementSettings& settings, double dt, Exchange& exchange,
                           std::span<Vec3> impulses, std::span<Vec3> velocity, EnforcementScratch& scratch) {
-  if (system.two_passes) return enforce_averaged(system, settings, dt, exchange, impulses, velocity, scratch);
+  if (system.two_passes && !holds_rates(settings.method))
+    return enforce_averaged(system, settings, dt, exchange, impulses, velocity, scratch);
   switch (settings.method) {
     case Method::rate:
       return enforce_rate_constraint(system, settings, StepLength::barzilai_borwein, exchange, impulses, velocity,

@@ -17,7 +17,7 @@ struct System {
   std::span<const Row> rows;
   std::span<const NodeMotion> motion;  ///< of all contact nodes of this rank
   std::span<const Mobility> mobility;  ///< the same
-  bool two_passes = false;             ///< rows may belong to one pass only, on some rank: see enforcement/averaged.hpp
+  bool two_passes = false;             ///< rows may belong to one pass only, on some rank: see contact/passes.hpp
 };
 
 /// Of the binned sum of a node's impulses: two slices of four, the components and one to spare.
@@ -36,7 +36,6 @@ struct EnforcementScratch {
   std::vector<Row> pass_rows;              ///< of two passes, the one being solved
   std::vector<Vec3> pass_impulses;         ///< of those rows
   std::array<std::vector<Vec3>, 2> start;  ///< of all rows, where each pass starts from
-  std::vector<double> asked;               ///< of all rows, the least rate asked for [velocity]
 
   void reserve(std::size_t rows, std::size_t nodes);
   void reserve_passes(std::size_t rows);  ///< besides, for two passes
