@@ -63,11 +63,8 @@ TEST_CASE("flat on flat: gaps at rounding give one total force, and every node h
           for (const auto& [gid, count] : rows_of) CHECK(count == 1);
         }
         if (expected.empty()) expected = momentum;
-        // The mean of two passes leaves gaps of some 1e-4 h. After the first step the blocks are bent, and over an edge
-        // between two faces it is rounding that says which one a node has its foot on: the feet are a gap times the
-        // bend apart, which is seen as 1e-6 of the momentum.
         for (std::size_t i = 0; i < momentum.size(); ++i)
-          CHECK(momentum[i] == Approx(expected[i]).epsilon(passes == "one" || i == 0 ? 1e-9 : 1e-5));
+          CHECK(momentum[i] == Approx(expected[i]).epsilon(1e-9));
         CHECK(momentum_of(scene, low_nodes, low_nodes + top_nodes).z() + momentum.back() ==
               Approx(-0.5 * 27 * h * h * h * 2 / 3).epsilon(1e-9));
       }

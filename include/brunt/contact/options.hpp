@@ -20,7 +20,7 @@ enum class Method : std::int8_t {
   reference     ///< the exact solution of (22) by PETSc: for comparisons, not bitwise the same on all ranks
 };
 
-/// In how many passes two sides meet: nodes of the one on faces of the other, or both ways and the mean of the two.
+/// In how many passes two sides meet: nodes of the one on faces of the other, or both ways (see passes.hpp).
 enum class Passes : std::int8_t {
   automatic,  ///< two within a body and between bodies of equal meshes, where no side is named the slave; else one
   one,
