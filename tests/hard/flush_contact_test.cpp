@@ -63,8 +63,7 @@ TEST_CASE("flat on flat: gaps at rounding give one total force, and every node h
           for (const auto& [gid, count] : rows_of) CHECK(count == 1);
         }
         if (expected.empty()) expected = momentum;
-        for (std::size_t i = 0; i < momentum.size(); ++i)
-          CHECK(momentum[i] == Approx(expected[i]).epsilon(1e-9));
+        for (std::size_t i = 0; i < momentum.size(); ++i) CHECK(momentum[i] == Approx(expected[i]).epsilon(1e-9));
         CHECK(momentum_of(scene, low_nodes, low_nodes + top_nodes).z() + momentum.back() ==
               Approx(-0.5 * 27 * h * h * h * 2 / 3).epsilon(1e-9));
       }
