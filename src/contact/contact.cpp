@@ -15,8 +15,6 @@
 namespace brunt::contact {
 namespace {
 
-constexpr double twin_share = 0.01;  // one pass with nodes that lie so near each other is as good as two
-
 std::vector<char> held_by_walls(const Surface& surface, const std::vector<Vec3>& reference,
                                 std::span<const Wall> walls) {
   constexpr double in_plane = 1e-6;

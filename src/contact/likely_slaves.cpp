@@ -7,12 +7,15 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
+#include "brunt/contact/passes.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/box.hpp"
 #include "brunt/geometry/closest_point.hpp"
 #include "brunt/mesh/topology.hpp"
+#include "flight_shadow.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -161,6 +164,22 @@ bool may_reach(const Face& face, const Patch& other, double duration, double far
   return passes_through({other.box.low - reach, other.box.high + reach}, 0.5 * (near.low + near.high), way);
 }
 
+/// Where the patch's nodes are, as one sees them who flies on it.
+FlightShadow shadow_of(const mesh::Mesh& mesh, std::span<const mesh::Side> sides, const Patch& patch, const Vec3& way) {
+  std::vector<Vec3> nodes;
+  for (const std::size_t f : patch.faces)
+    for (const LocalIndex node : corners_of(mesh, sides[f]))
+      nodes.push_back(mesh.coordinates[static_cast<std::size_t>(node)]);
+  return {way, nodes};
+}
+
+/// Have all nodes of the face twins there? In the second of two passes they have no rows then (see detect_faces).
+bool has_twins(const mesh::Mesh& mesh, const mesh::Side& side, double size, const FlightShadow& others) {
+  return std::ranges::all_of(corners_of(mesh, side), [&](LocalIndex node) {
+    return others.passes_by(mesh.coordinates[static_cast<std::size_t>(node)], twin_share * size);
+  });
+}
+
 double span_of(const geometry::Box& a, const geometry::Box& b) {
   return (a.high.cwiseMax(b.high) - a.low.cwiseMin(b.low)).norm();
 }
@@ -189,8 +208,13 @@ std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const me
       if (!may_meet(pairs, bodies, {&own.second, 1}, own.first, others.second, others.first)) continue;
       any_pair = true;
       const double farthest = span_of(slave.box, master.box);
-      for (const std::size_t f : slave.faces)
-        if (may_reach(faces[f], master, outlook.duration, farthest)) likely[f] = 1;
+      const bool second = !leads(pairs, bodies, {&own.second, 1}, own.first, others.second, others.first);
+      std::optional<FlightShadow> twins;
+      for (const std::size_t f : slave.faces) {
+        if (likely[f] != 0 || !may_reach(faces[f], master, outlook.duration, farthest)) continue;
+        if (second && !twins) twins = shadow_of(mesh, sides, master, slave.velocity - master.velocity);
+        if (!second || !has_twins(mesh, sides[f], faces[f].size, *twins)) likely[f] = 1;
+      }
     }
   if (!any_pair) return {};
   const bool nothing_near = std::ranges::find(likely, 1) == likely.end();

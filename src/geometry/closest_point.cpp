@@ -212,11 +212,6 @@ Vec3 face_normal(Corners corners, double xi, double eta) {
   return cross.norm() > floor ? cross.normalized() : area_vector(corners).normalized();
 }
 
-Vec3 area_vector(Corners c) {
-  if (c.size() == 3) return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]);
-  return 0.5 * (c[2] - c[0]).cross(c[3] - c[1]);
-}
-
 double longest_edge(Corners corners) {
   return std::sqrt(longest_edge2(corners));
 }

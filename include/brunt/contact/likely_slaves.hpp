@@ -18,7 +18,8 @@ struct Outlook {
 };
 
 /// The faces of slaves (as is_slave chooses them; detection and enforcement run on the ranks of slaves) that are near
-/// the box around what they may meet, by a face's size, or that fly on towards it. Where nothing is near anything, all
+/// the box around what they may meet, by a face's size, or that fly on towards it; of two passes both, but for nodes of
+/// the second that will lie on nodes of the first, which have no rows there. Where nothing is near anything, all
 /// faces; where no pair may meet, none. faces: the contact faces of the whole mesh.
 std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const mesh::Side> faces, const PairTable& pairs,
                                       const Outlook& outlook);

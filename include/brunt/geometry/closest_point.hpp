@@ -7,6 +7,7 @@
 //   |            |         0 (0-1), 1 (1-2), 2 (2-0); xi and eta are the weights of corners 1 and 2.
 //   0 --edge 0-- 1
 #pragma once
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -41,7 +42,10 @@ Vec3 face_normal(Corners corners, double xi, double eta);
 
 /// Area-weighted normal [length^2]: half the cross product of the diagonals, which is the exact area vector of a
 /// bilinear patch as well.
-Vec3 area_vector(Corners corners);
+inline Vec3 area_vector(Corners corners) {
+  if (corners.size() == 3) return 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  return 0.5 * (corners[2] - corners[0]).cross(corners[3] - corners[1]);
+}
 
 /// Longest edge [length].
 double longest_edge(Corners corners);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace brunt::contact {
 namespace {
@@ -54,7 +55,7 @@ std::size_t drop_sideways(const Choice& choice, std::span<Encounter> encounters)
 
 /// |gap|, for a node beside the face to its rim.
 double distance(const Encounter& e) {
-  return e.meeting == Meeting::hit ? std::abs(e.gap) : std::hypot(e.gap, e.beside);
+  return e.meeting == Meeting::hit ? std::abs(e.gap) : std::sqrt(e.gap * e.gap + e.beside * e.beside);
 }
 
 /// Is the node behind the plane of a face beside it, but over the neighbour? Which of the two it lies on is then told
@@ -68,22 +69,33 @@ bool lies_on_neighbour(const Choice& choice, std::span<const Encounter> encounte
   });
 }
 
-void rank_all(const Choice& choice, std::span<Encounter> encounters) {
-  const Criterion criterion = choice.settings.criterion;
-  const auto by_time = [&](const Encounter& e) { return e.meeting == Meeting::hit && criterion != Criterion::nearest; };
-  const auto rank = [&](const Encounter& e) {
-    if (criterion == Criterion::nearest || criterion == Criterion::strength) return 0;
-    return criterion == Criterion::velocity ? (by_time(e) ? 0 : 1) : static_cast<int>(e.meeting);
-  };
-  for (Encounter& e : encounters)
-    e.order = criterion == Criterion::strength ? -std::abs(e.gap) * e.opposition : (by_time(e) ? e.time : distance(e));
-  std::sort(encounters.begin(), encounters.end(), [&](const Encounter& a, const Encounter& b) {
+/// Who of a slave's encounters goes before whom; their order is set with it.
+class Ranking {
+ public:
+  Ranking(const Choice& choice, std::span<Encounter> encounters)
+      : choice_(choice), criterion_(choice.settings.criterion) {
+    for (Encounter& e : encounters)
+      e.order =
+          criterion_ == Criterion::strength ? -std::abs(e.gap) * e.opposition : (by_time(e) ? e.time : distance(e));
+  }
+  [[nodiscard]] bool operator()(const Encounter& a, const Encounter& b) const {
     if (rank(a) != rank(b)) return rank(a) < rank(b);
     if (a.order != b.order) return a.order < b.order;
     if (a.opposition != b.opposition) return a.opposition > b.opposition;
-    return choice.face(a).key < choice.face(b).key;
-  });
-}
+    return choice_.face(a).key < choice_.face(b).key;
+  }
+
+ private:
+  [[nodiscard]] bool by_time(const Encounter& e) const {
+    return e.meeting == Meeting::hit && criterion_ != Criterion::nearest;
+  }
+  [[nodiscard]] int rank(const Encounter& e) const {
+    if (criterion_ == Criterion::nearest || criterion_ == Criterion::strength) return 0;
+    return criterion_ == Criterion::velocity ? (by_time(e) ? 0 : 1) : static_cast<int>(e.meeting);
+  }
+  const Choice& choice_;
+  Criterion criterion_;
+};
 
 /// The row's gap along another normal: a node inside is carried along, one that hits arrives at the same time.
 void turn(const Choice& choice, const Vec3& normal, Encounter& e) {
@@ -146,8 +158,13 @@ std::size_t choose(std::span<const MasterFace> faces, std::span<const NodeMotion
   if (encounters.size() < 2) return encounters.size();
   for (Encounter& e : encounters)
     if (lies_on_neighbour(choice, encounters, e)) e.meeting = Meeting::above;
-  rank_all(choice, encounters);
+  const Ranking before(choice, encounters);
+  std::swap(encounters.front(), *std::ranges::min_element(encounters, before));
   merge_corner(choice, encounters);
+  const std::span<Encounter> others = encounters.subspan(1);
+  const auto asks = [&](const Encounter& e) { return asks_for_a_row(choice, encounters.first(1), e); };
+  if (std::ranges::none_of(others, asks)) return 1;  // nearly always: one surface
+  std::sort(others.begin(), others.end(), before);
   std::size_t kept = 1;
   for (std::size_t i = 1; i < encounters.size() && kept < most_rows_of_a_node; ++i)
     if (asks_for_a_row(choice, encounters.first(kept), encounters[i])) std::swap(encounters[kept++], encounters[i]);

@@ -6,6 +6,7 @@
 
 #include "brunt/contact/detection/encounter.hpp"
 #include "brunt/geometry/closest_place.hpp"
+#include "motion_quads.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -26,26 +27,14 @@ struct Batch {
 template <class MotionOfLane>
 BRUNT_INLINE PackVec positions(const MotionOfLane& motion) {
   PackVec result;
-  const auto quad = [&](int lane) {
-    Quad four;
-    // the fourth belongs to the old velocity
-    std::memcpy(&four, reinterpret_cast<const char*>(motion(lane)), sizeof four);
-    return four;
-  };
-  components_of(quad, result.x, result.y, result.z);
+  components_of([&](int lane) { return position_quad(*motion(lane)); }, result.x, result.y, result.z);
   return result;
 }
 
 template <class MotionOfLane>
 BRUNT_INLINE PackVec predictions(const MotionOfLane& motion) {
-  constexpr std::size_t last_four = sizeof(NodeMotion) - sizeof(Quad);
   PackVec result;
-  const auto quad = [&](int lane) {
-    Quad four;
-    std::memcpy(&four, reinterpret_cast<const char*>(motion(lane)) + last_four, sizeof four);
-    return __builtin_shufflevector(four, four, 1, 2, 3, 0);
-  };
-  components_of(quad, result.x, result.y, result.z);
+  components_of([&](int lane) { return predicted_quad(*motion(lane)); }, result.x, result.y, result.z);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/contact/detection/false_depth.hpp"
 #include "brunt/contact/detection/sides.hpp"
+#include "motion_quads.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -18,21 +19,42 @@ inline void extend_by_sweep(Box& box, const NodeMotion& node, double dt) {
   geometry::extend(box, node.position + dt * node.predicted);
 }
 
+/// Longest edge [length].
+BRUNT_INLINE double size_of(const std::array<Quad, 4>& corners, std::size_t count) {
+  double longest2 = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Quad edge = corners[i + 1 < count ? i + 1 : 0] - corners[i], square = edge * edge;
+    longest2 = std::max(longest2, square[0] + square[1] + square[2]);
+  }
+  return std::sqrt(longest2);
+}
+
+FaceReach reach_of(const MasterFace& face, std::span<const NodeMotion> motion, double dt,
+                   const EncounterSettings& settings) {
+  const auto count = static_cast<std::size_t>(face.corner_count);
+  std::array<Quad, 4> corners{};
+  Quad low{}, high{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const NodeMotion& corner = motion[static_cast<std::size_t>(face.nodes[i])];
+    corners[i] = position_quad(corner);
+    const Quad end = corners[i] + dt * predicted_quad(corner);
+    if (i == 0) low = high = end;
+    low = low < end ? low : end;
+    low = low < corners[i] ? low : corners[i];
+    high = high > end ? high : end;
+    high = high > corners[i] ? high : corners[i];
+  }
+  FaceReach reach{.box = {}, .size = size_of(corners, count)};
+  const double margin = settings.reach(reach.size, face.depth) + face.half_thickness;
+  reach.box.low = Vec3(low[0], low[1], low[2]).array() - margin;
+  reach.box.high = Vec3(high[0], high[1], high[2]).array() + margin;
+  return reach;
+}
+
 void measure_reach(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, double dt,
                    const EncounterSettings& settings, std::vector<FaceReach>& reach) {
   reach.clear();
-  std::array<Vec3, 4> corners;
-  for (const MasterFace& face : faces) {
-    Box sweep;
-    const auto count = static_cast<std::size_t>(face.corner_count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const NodeMotion& corner = motion[static_cast<std::size_t>(face.nodes[i])];
-      extend_by_sweep(sweep, corner, dt);
-      corners[i] = corner.position;
-    }
-    const double size = geometry::longest_edge({corners.data(), count});
-    reach.push_back({geometry::grown(sweep, settings.reach(size, face.depth) + face.half_thickness), size});
-  }
+  for (const MasterFace& face : faces) reach.push_back(reach_of(face, motion, dt, settings));
 }
 
 /// A slave node with what lies around it.
@@ -70,41 +92,50 @@ void fill_row(const Encounter& e, const MasterFace& face, LocalIndex slave, Row&
   row.gap = e.gap;
 }
 
-bool has_twin(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave, std::int32_t body) {
-  return std::ranges::any_of(slave.near, [&](LocalIndex f) {
+bool has_twin(const FacesInMotion& scene, const DetectionSettings& settings, const NodeMotion& slave,
+              std::span<const LocalIndex> near) {
+  return std::ranges::any_of(near, [&](LocalIndex f) {
     const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
-    if (face.body != body) return false;
     return std::any_of(face.nodes.begin(), face.nodes.begin() + face.corner_count, [&](LocalIndex node) {
-      return are_twins(slave.motion, scene.motion[static_cast<std::size_t>(node)], settings);
+      return are_twins(slave, scene.motion[static_cast<std::size_t>(node)], settings);
     });
   });
 }
 
-/// The faces near a slave, body by body, as encounters of which face and approach are set.
+/// The faces of one body near a slave, as encounters of which face and approach are set. second: a flag each, or none.
+void list_faces_of_body(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
+                        const Box& sweep, std::span<const LocalIndex> near, std::span<const char> second,
+                        std::vector<Encounter>& met) {
+  const bool in_second = std::ranges::any_of(second, [](char flag) { return flag != 0; });
+  const bool twin = in_second && has_twin(scene, settings, slave.motion, near);
+  const std::size_t first = met.size();
+  bool two_sided = false;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    if (twin && second[i] != 0) continue;
+    if (!geometry::overlaps(scene.reach[static_cast<std::size_t>(near[i])].box, sweep)) continue;
+    const MasterFace& face = scene.faces[static_cast<std::size_t>(near[i])];
+    Encounter& e = met.emplace_back();
+    e.face = near[i];
+    e.approach.clearance = face.half_thickness + slave.half_thickness;
+    two_sided = two_sided || face.two_sided;
+  }
+  if (two_sided) find_sides(scene, settings.encounter, slave.motion, slave.remembered, std::span(met).subspan(first));
+}
+
+/// The same of all faces near it, body by body.
 void list_faces(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
                 DetectionScratch& scratch) {
   Box sweep;
   extend_by_sweep(sweep, slave.motion, scene.dt);
   sweep = geometry::grown(sweep, slave.half_thickness);
-  std::vector<Encounter>& met = scratch.encounters;
-  for (std::size_t i = 0; i < slave.near.size();) {
-    const std::int32_t body = scene.faces[static_cast<std::size_t>(slave.near[i])].body;
-    const std::size_t first = met.size();
-    bool two_sided = false;
-    const bool twin = !slave.second.empty() && has_twin(scene, settings, slave, body);
-    for (; i < slave.near.size() && scene.faces[static_cast<std::size_t>(slave.near[i])].body == body; ++i) {
-      const LocalIndex f = slave.near[i];
-      if (twin && slave.second[i] != 0) continue;
-      if (!geometry::overlaps(scene.reach[static_cast<std::size_t>(f)].box, sweep)) continue;
-      const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
-      Encounter& e = met.emplace_back();
-      e.face = f;
-      e.approach.clearance = face.half_thickness + slave.half_thickness;
-      two_sided = two_sided || face.two_sided;
-    }
-    if (two_sided) find_sides(scene, settings.encounter, slave.motion, slave.remembered, std::span(met).subspan(first));
+  const auto body_at = [&](std::size_t i) { return scene.faces[static_cast<std::size_t>(slave.near[i])].body; };
+  for (std::size_t first = 0, end = 0; first < slave.near.size(); first = end) {
+    while (end < slave.near.size() && body_at(end) == body_at(first)) ++end;
+    const auto second = slave.second.empty() ? slave.second : slave.second.subspan(first, end - first);
+    list_faces_of_body(scene, settings, slave, sweep, slave.near.subspan(first, end - first), second,
+                       scratch.encounters);
   }
-  scratch.slave_of.resize(met.size(), &slave.motion);
+  scratch.slave_of.resize(scratch.encounters.size(), &slave.motion);
 }
 
 /// One slave node's encounters with all faces near it, body by body; returns those where something is met.

@@ -37,9 +37,11 @@ struct Cubes {
 
   /// How many faces of each cube are foretold.
   std::array<std::size_t, 2> foretold(contact::PairRule rule = contact::PairRule::automatic,
-                                      double duration = std::numeric_limits<double>::infinity()) const {
-    const auto sides = contact::likely_slaves(mesh, mesh::exterior_sides(mesh), contact::PairTable(2, rule),
-                                              {density, velocity, duration});
+                                      double duration = std::numeric_limits<double>::infinity(),
+                                      contact::Passes passes = contact::Passes::one) const {
+    contact::PairTable pairs(2, rule);
+    pairs.set_passes(0, 1, passes);
+    const auto sides = contact::likely_slaves(mesh, mesh::exterior_sides(mesh), pairs, {density, velocity, duration});
     const auto of_first = std::ranges::count(sides, 0, &mesh::Side::block);
     return {static_cast<std::size_t>(of_first), sides.size() - static_cast<std::size_t>(of_first)};
   }
@@ -80,4 +82,15 @@ TEST_CASE("bodies that fly side by side do not meet") {
 
 TEST_CASE("without a pair that may meet nothing is foretold") {
   CHECK(Cubes(0.01, 0, towards).foretold(contact::PairRule::apart) == Counts{0, 0});
+}
+
+TEST_CASE("of two passes both are foretold, but for nodes that will lie on nodes of the other cube") {
+  const auto in_two_passes = [](const Cubes& cubes) {
+    return cubes.foretold(contact::PairRule::automatic, std::numeric_limits<double>::infinity(), contact::Passes::two);
+  };
+  CHECK(in_two_passes(Cubes(20, 0.5, towards)) == Counts{face_of_cube, face_of_cube});
+  CHECK(in_two_passes(Cubes(20, 0, towards)) == Counts{face_of_cube, 0});
+  CHECK(in_two_passes(Cubes(20, 0.005, towards)) == Counts{face_of_cube, 0});
+  CHECK(in_two_passes(Cubes(20, 2, towards)) == Counts{16, 8});  // half of the second cube finds no twins
+  CHECK(in_two_passes(Cubes(0.005, 0, Vec3::Zero())) == Counts{2 * face_of_cube, face_of_cube});  // sides have none
 }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is known of a node, four doubles at a time: x, y, z and one that means nothing.
+#pragma once
+#include <cstring>
+
+#include "brunt/contact/constraint.hpp"
+#include "brunt/core/simd.hpp"
+
+namespace brunt::contact {
+
+BRUNT_INLINE Quad position_quad(const NodeMotion& node) {
+  Quad four;
+  std::memcpy(&four, reinterpret_cast<const char*>(&node), sizeof four);  // the fourth belongs to the old velocity
+  return four;
+}
+
+BRUNT_INLINE Quad predicted_quad(const NodeMotion& node) {
+  Quad four;
+  std::memcpy(&four, reinterpret_cast<const char*>(&node) + sizeof(NodeMotion) - sizeof four, sizeof four);
+  return __builtin_shufflevector(four, four, 1, 2, 3, 0);
+}
+
+}  // namespace brunt::contact

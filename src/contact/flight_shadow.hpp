@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points as they are seen along a direction: does a body that flies along it meet one of them?
+#pragma once
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "brunt/core/types.hpp"
+
+namespace brunt::contact {
+
+class FlightShadow {
+ public:
+  /// way: of the flight, of any length; zero: points are compared where they are.
+  FlightShadow(const Vec3& way, const std::vector<Vec3>& points)
+      : direction_(way.norm() > 0 ? way.normalized() : Vec3::Zero()) {
+    points_.reserve(points.size());
+    for (const Vec3& point : points) points_.push_back(keyed(point));
+    std::ranges::sort(points_, {}, &Keyed::key);
+  }
+
+  /// Does one of the points pass by this one nearer than `within` [length]?
+  [[nodiscard]] bool passes_by(const Vec3& point, double within) const {
+    const Keyed wanted = keyed(point);
+    auto one = std::ranges::lower_bound(points_, wanted.key - within, {}, &Keyed::key);
+    for (; one != points_.end() && one->key <= wanted.key + within; ++one)
+      if ((one->place - wanted.place).norm() < within) return true;
+    return false;
+  }
+
+ private:
+  struct Keyed {
+    double key;
+    Vec3 place;
+  };
+  [[nodiscard]] Keyed keyed(const Vec3& point) const {
+    static const Vec3 askew = Vec3(0.81, 0.47, 0.35).normalized();  // few nodes of a mesh lie in a plane across it
+    const Vec3 place = point - direction_.dot(point) * direction_;
+    return {askew.dot(place), place};
+  }
+
+  Vec3 direction_;
+  std::vector<Keyed> points_;
+};
+
+}  // namespace brunt::contact
