@@ -99,9 +99,10 @@ void judge_enforcement(const Key& whole, Section& entry, const ContactEntry& con
   unused("stiffness", penalty, "gap_penalty or penalty");
   unused("damping", method == Method::penalty, "penalty");
   unused("partition", method == Method::kinematic, "kinematic");
-  if (contact.passes == contact::Passes::two && contact.slave != Slave::automatic && entry.has("slave"))
-    warn(entry.at("slave"), "does nothing with passes: two", input);
-  if (contact.tied && entry.has("passes") && contact.passes == contact::Passes::two)
+  const bool two = contact.passes == contact::Passes::two || contact.passes == contact::Passes::averaged;
+  if (two && contact.slave != Slave::automatic && entry.has("slave"))
+    warn(entry.at("slave"), "does nothing in two passes", input);
+  if (contact.tied && entry.has("passes") && two)
     warn(entry.at("passes"), "does nothing where parts are tied: ties have one pass", input);
   if (method == Method::printed)
     warn(whole, "method printed over-corrects: it rebounds and may not converge; for comparisons", input);
@@ -149,7 +150,8 @@ ContactEntry read_entry(Section& entry, const ContactEntry& before) {
                                              {"velocity", Competing::velocity}},
                                             {}};
   using contact::Passes;
-  static const Choices<Passes> passes{{{"auto", Passes::automatic}, {"one", Passes::one}, {"two", Passes::two}}, {}};
+  static const Choices<Passes> passes{
+      {{"auto", Passes::automatic}, {"one", Passes::one}, {"two", Passes::two}, {"averaged", Passes::averaged}}, {}};
   ContactEntry contact;
   contact.enforcement = before.enforcement;
   contact.passes = before.passes;

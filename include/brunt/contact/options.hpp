@@ -24,7 +24,8 @@ enum class Method : std::int8_t {
 enum class Passes : std::int8_t {
   automatic,  ///< two within a body and between bodies of equal meshes, where no side is named the slave; else one
   one,
-  two
+  two,      ///< held by one system of rows
+  averaged  ///< two, each solved by itself, and the mean of their impulses acts; then so do all of a scene's
 };
 
 /// As scenes name them.
@@ -58,6 +59,7 @@ struct EnforcementSettings {
   /// cubes at rest on each other up to 1e-8 of m g h. A warm one leaves a share of what has changed since the last
   /// step, which is nothing at rest (1e-20), and takes a fifth of the iterations there.
   bool warm_start = true;
+  bool averaged = false;   ///< of two passes: see Passes::averaged; penalty, kinematic and printed methods always
   double partition = 1;    ///< beta of (24): share of the gap that a pass closes
   double stiffness = 0.1;  ///< of penalties, in units of 1 / (H dt^2); at most 2
   double damping = 0.1;    ///< of the rate's penalty, in units of 1 / H; at most 1

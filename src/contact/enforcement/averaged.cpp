@@ -21,17 +21,19 @@ bool passes_differ(const System& system, Exchange& exchange) {
   return split > 0;
 }
 
-/// Each pass starts from the impulses of the mean.
+/// Every row asks for what it requires, and each pass starts from the impulses of the mean.
 void start_passes(const System& system, std::span<const Vec3> impulses, EnforcementScratch& scratch) {
+  scratch.asked.clear();
   for (std::vector<Vec3>& start : scratch.start) start.clear();
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     const Row& row = system.rows[q];
+    scratch.asked.push_back(row.required);
     for (std::size_t k = 0; k < passes.size(); ++k)
       scratch.start[k].push_back(row.pass == passes[k] ? Vec3(2 * impulses[q]) : impulses[q]);
   }
 }
 
-/// Solves the rows of one pass and adds its share to the sum.
+/// Solves the rows of one pass, adds its share to the sum and keeps its impulses to start from.
 EnforcementResult solve_pass(std::size_t k, const System& system, const EnforcementSettings& settings, double dt,
                              Exchange& exchange, std::span<Vec3> sum, std::span<Vec3> velocity,
                              EnforcementScratch& scratch) {
@@ -40,6 +42,7 @@ EnforcementResult solve_pass(std::size_t k, const System& system, const Enforcem
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     if (share_of(system.rows[q], passes[k]) == 0) continue;
     scratch.pass_rows.push_back(system.rows[q]);
+    scratch.pass_rows.back().required = scratch.asked[q];
     scratch.pass_impulses.push_back(scratch.start[k][q]);
   }
   const System rows{scratch.pass_rows, system.motion, system.mobility};
@@ -48,12 +51,64 @@ EnforcementResult solve_pass(std::size_t k, const System& system, const Enforcem
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     const double share = share_of(system.rows[q], passes[k]);
     if (share == 0) continue;
-    sum[q] += share * scratch.pass_impulses[next++];
+    scratch.start[k][q] = scratch.pass_impulses[next++];
+    sum[q] += share * scratch.start[k][q];
   }
   return result;
 }
 
+/// Solves both passes and applies the mean of their impulses, unless there is none.
+void solve_both(const System& system, const EnforcementSettings& settings, double dt, Exchange& exchange,
+                std::span<Vec3> impulses, std::span<Vec3> velocity, EnforcementScratch& scratch,
+                EnforcementResult& result) {
+  std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
+  int iterations = 0;
+  for (std::size_t k = 0; k < passes.size(); ++k) {
+    const EnforcementResult one = solve_pass(k, system, settings, dt, exchange, impulses, velocity, scratch);
+    result.violation = std::max(result.violation, one.violation);
+    result.residual = std::max(result.residual, one.residual);
+    iterations = std::max(iterations, one.iterations);
+    result.acted = result.acted || one.acted;
+  }
+  result.iterations += iterations;
+  if (!result.acted) return;
+  double largest = largest_impulse_on_a_node(system.rows, impulses);
+  exchange.max({&largest, 1});
+  demand_finite(largest);
+  apply_impulses(system, impulses, largest, exchange, velocity, scratch);
+}
+
+/// Raises what rows of one pass ask for to asked_back. least: what is left below it is the iteration's own error.
+/// Is there any such row, on any rank?
+bool ask_back(const System& system, double least, Exchange& exchange, std::span<const Vec3> velocity,
+              EnforcementScratch& scratch) {
+  double any = 0;
+  for (std::size_t q = 0; q < system.rows.size(); ++q) {
+    const Row& row = system.rows[q];
+    if (row.pass == Pass::both) continue;
+    const double averaged = row.normal.dot(relative_velocity(row, velocity));
+    if (row.required - averaged <= least) continue;
+    const double predicted = row.normal.dot(relative_motion(
+        row, [&](LocalIndex node) -> const Vec3& { return system.motion[static_cast<std::size_t>(node)].predicted; }));
+    scratch.asked[q] = asked_back(row.required, predicted, averaged);
+    if (scratch.asked[q] > row.required) any = 1;
+  }
+  exchange.max({&any, 1});
+  return any > 0;
+}
+
+/// The others close gaps by themselves.
+bool asks_back(Method method) {
+  return method == Method::rate || method == Method::row_sum || method == Method::printed ||
+         method == Method::reference;
+}
+
 }  // namespace
+
+double asked_back(double required, double predicted, double averaged) {
+  const double left = required - averaged;
+  return left > 0 ? std::max(required, std::min(required + 2 * left, -predicted)) : required;
+}
 
 EnforcementResult enforce_averaged(const System& system, const EnforcementSettings& settings, double dt,
                                    Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
@@ -62,19 +117,12 @@ EnforcementResult enforce_averaged(const System& system, const EnforcementSettin
     return enforce({system.rows, system.motion, system.mobility}, settings, dt, exchange, impulses, velocity, scratch);
   start_passes(system, impulses, scratch);
   EnforcementResult result;
-  std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
-  for (std::size_t k = 0; k < passes.size(); ++k) {
-    const EnforcementResult one = solve_pass(k, system, settings, dt, exchange, impulses, velocity, scratch);
-    result.violation = std::max(result.violation, one.violation);
-    result.residual = std::max(result.residual, one.residual);
-    result.iterations = std::max(result.iterations, one.iterations);
-    result.acted = result.acted || one.acted;
-  }
-  if (!result.acted) return result;
-  double largest = largest_impulse_on_a_node(system.rows, impulses);
-  exchange.max({&largest, 1});
-  demand_finite(largest);
-  apply_impulses(system, impulses, largest, exchange, velocity, scratch);
+  solve_both(system, settings, dt, exchange, impulses, velocity, scratch, result);
+  if (!result.acted || !asks_back(settings.method)) return result;
+  if (!ask_back(system, settings.tolerance * result.violation, exchange, velocity, scratch)) return result;
+  EnforcementSettings again = settings;
+  again.warm_start = true;
+  solve_both(system, again, dt, exchange, impulses, velocity, scratch, result);
   return result;
 }
 

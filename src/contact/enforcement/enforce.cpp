@@ -22,7 +22,7 @@ bool holds_rates(Method method) {
 
 EnforcementResult enforce(const System& system, const EnforcementSettings& settings, double dt, Exchange& exchange,
                           std::span<Vec3> impulses, std::span<Vec3> velocity, EnforcementScratch& scratch) {
-  if (system.two_passes && !holds_rates(settings.method))
+  if (system.two_passes && (settings.averaged || !holds_rates(settings.method)))
     return enforce_averaged(system, settings, dt, exchange, impulses, velocity, scratch);
   switch (settings.method) {
     case Method::rate:

@@ -118,6 +118,7 @@ void EnforcementScratch::reserve_passes(std::size_t rows) {
   pass_rows.reserve(rows);
   pass_impulses.reserve(rows);
   for (std::vector<Vec3>& impulses : start) impulses.reserve(rows);
+  asked.reserve(rows);
 }
 
 void demand_finite(double largest) {

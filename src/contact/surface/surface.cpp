@@ -45,6 +45,10 @@ bool PairTable::forces_a_side() const {
   return std::find(rule_.begin(), rule_.end(), PairRule::slave) != rule_.end();
 }
 
+bool PairTable::averages() const {
+  return std::find(passes_.begin(), passes_.end(), Passes::averaged) != passes_.end();
+}
+
 bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t b) {
   const BodyFigures &one = bodies[static_cast<std::size_t>(a)], &other = bodies[static_cast<std::size_t>(b)];
   constexpr double alike = 0.01;
@@ -73,7 +77,7 @@ bool in_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies, 
   const PairRule rule = pairs.at(block, other_block);
   if (rule == PairRule::apart) return false;
   const Passes passes = pairs.passes(block, other_block);
-  if (passes != Passes::automatic) return passes == Passes::two;
+  if (passes != Passes::automatic) return passes != Passes::one;
   return rule == PairRule::automatic && (body == other_body || alike(bodies[static_cast<std::size_t>(body)],
                                                                      bodies[static_cast<std::size_t>(other_body)]));
 }

@@ -36,6 +36,7 @@ struct EnforcementScratch {
   std::vector<Row> pass_rows;              ///< of two passes, the one being solved
   std::vector<Vec3> pass_impulses;         ///< of those rows
   std::array<std::vector<Vec3>, 2> start;  ///< of all rows, where each pass starts from
+  std::vector<double> asked;               ///< of all rows, the least rate asked for [velocity]
 
   void reserve(std::size_t rows, std::size_t nodes);
   void reserve_passes(std::size_t rows);  ///< besides, for two passes

@@ -80,6 +80,7 @@ class PairTable {
   void set_passes(std::int32_t a, std::int32_t b, Passes passes);
   [[nodiscard]] Passes passes(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] bool forces_a_side() const;  ///< some rule names the slave
+  [[nodiscard]] bool averages() const;       ///< some pair asks for the mean of its passes
 
  private:
   std::int32_t block_count_ = 0;
