@@ -75,6 +75,17 @@ double opposition(const Slave& slave, const Vec3& normal, std::span<const Vec3> 
   return -least;
 }
 
+constexpr double flush = 0.1;  // cosine: a face that stands on a flat surface so steeply is a side
+
+/// Then sides of other bodies that stand on it oppose it by their tilt alone: a node of a plate, level with the foot of
+/// a block and a little beside its corner, is not inside of the block's front.
+bool lies_in_flat_surface(const Slave& slave, std::span<const Vec3> facet_normal) {
+  constexpr double alike = 0.9;  // cosine
+  const auto normal = [&](LocalIndex facet) { return facet_normal[static_cast<std::size_t>(facet)]; };
+  return std::ranges::all_of(slave.facets,
+                             [&](LocalIndex facet) { return normal(slave.facets.front()).dot(normal(facet)) > alike; });
+}
+
 void fill_row(const Encounter& e, const MasterFace& face, LocalIndex slave, Row& row) {
   row.master_key = face.key;
   row.master_body = face.body;
@@ -142,7 +153,11 @@ void list_faces(const FacesInMotion& scene, const DetectionSettings& settings, c
 std::span<Encounter> meet_faces(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
                                 std::span<const Vec3> facet_normal, std::span<Encounter> met) {
   const auto body_of = [&](const Encounter& e) { return scene.faces[static_cast<std::size_t>(e.face)].body; };
-  for (Encounter& e : met) e.opposition = opposition(slave, e.normal, facet_normal);
+  const bool flat = lies_in_flat_surface(slave, facet_normal);
+  for (Encounter& e : met) {
+    e.opposition = opposition(slave, e.normal, facet_normal);
+    if (flat && e.opposition < flush) e.opposition = std::min(e.opposition, 0.0);
+  }
   for (std::size_t first = 0, last = 0; first < met.size(); first = last) {
     while (last < met.size() && body_of(met[last]) == body_of(met[first])) ++last;
     const std::span<Encounter> here = met.subspan(first, last - first);
