@@ -91,13 +91,16 @@ bool holds_at_rim(std::span<const MasterFace> faces, const EncounterSettings& se
 /// behind one face, with its foot on it, and in front of the other: that one is what it meets.
 bool is_outside_of_a_sharp_edge(std::span<const MasterFace> faces, double degrees,
                                 std::span<const Encounter> encounters, std::size_t i) {
+  constexpr double level = 1e-4;  // of the size
   const Encounter& e = encounters[i];
   const MasterFace& face = faces[static_cast<std::size_t>(e.face)];
   return std::ranges::any_of(encounters, [&](const Encounter& other) {
     if (!(other.height > 0) || other.opposition < 0.5 * e.opposition) return false;
     if (same_direction(other.normal, e.normal, degrees)) return false;
-    const bool convex = (other.point - e.point).dot(e.normal) < 0.5 * e.height;  // it has a point as deep as the node
-    return convex && shared_nodes(face, faces[static_cast<std::size_t>(other.face)]) >= 2;
+    const Vec3 apart = other.point - e.point;
+    const bool as_deep = apart.dot(e.normal) < 0.5 * e.height;       // it has a point as deep as the node
+    const bool convex = -apart.dot(other.normal) <= level * e.size;  // a dent between warped faces is none
+    return as_deep && convex && shared_nodes(face, faces[static_cast<std::size_t>(other.face)]) >= 2;
   });
 }
 

@@ -131,11 +131,15 @@ TEST_CASE("a corner on a corner meets the opposed face, not the sides, whatever 
   }
 }
 
-TEST_CASE("a surface at right angles to a face, but for rounding, has nothing to do with it") {
+TEST_CASE("a flat surface at right angles to a face, but for a little tilt, has nothing to do with it") {
   CubeAndNode scene;
-  scene.facets = {Vec3(-1e-15, 0, 1)};
-  CHECK(scene.detect({1.01, 0.5, 1}).empty());
-  scene.facets = {Vec3(-1e-3, 0, 1)};
+  for (const double tilt : {1e-15, 1e-3, 0.09}) {
+    scene.facets = {Vec3(-tilt, 0, 1).normalized()};
+    CHECK(scene.detect({1.01, 0.5, 1}).empty());
+  }
+  scene.facets = {Vec3(-0.2, 0, 1).normalized()};
+  CHECK(scene.detect({1.01, 0.5, 1}).size() == 1);
+  scene.facets = {Vec3(-0.05, 0, 1).normalized(), Vec3(-0.05, 0, -1).normalized()};  // of a blade
   CHECK(scene.detect({1.01, 0.5, 1}).size() == 1);
 }
 
