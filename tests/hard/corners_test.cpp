@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Corners in two passes: one beside which a block slides over a plate's node, one that is pressed into a face which it
 // warps. Contact keeps hold of them and gives nothing.
-#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/primitives.hpp"
+#include "given_back.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;
-using test::Simulation;
-
-namespace {
-
-struct Given {
-  double most = 0, now = 0;
-  double given = 0;  ///< by how much what contact has taken fell from what it was at most [energy]
-
-  void look(Simulation& scene) {
-    now = scene.ledger().contact;
-    most = std::max(most, now);
-    given = std::max(given, most - now);
-  }
-};
-
-}  // namespace
+using test::GivenBack, test::Simulation;
 
 // A plate's node level with the block's foot, a little beside its front corner, was taken for inside of its front,
 // which opposes the plate by its tilt: contact gave a third of the work of gravity, 0.37 mm deep.
@@ -41,10 +26,10 @@ TEST_CASE("a block slides on a plate whose nodes pass beside its corners") {
                    "fixed: [{set: foot, dofs: [x, y, z]}]\ngravity: {vector: [3.3552, 0, -9.2184]}\n"
                    "damping: {alpha: 200, from: 0, to: 0.05}\n"
                    "contact: [{between: all, friction: 0.2, passes: two}]\n");
-  Given contact;
+  GivenBack contact;
   while (scene.state.time < 0.25) {
     scene.step();
-    contact.look(scene);
+    contact.look(scene.ledger().contact);
   }
   const double work = scene.ledger().external;
   CAPTURE(work, contact.given);
@@ -66,10 +51,10 @@ TEST_CASE("a rubber cube falls on its corner upon a face of another one") {
                    "initial: [{part: b, velocity: [0.01, 0, -0.1]}]\n"
                    "contact: [{between: all, friction: 0.3, passes: two}]\n");
   constexpr double energy = 0.5 * (0.1 * 0.1 + 0.01 * 0.01);
-  Given contact;
+  GivenBack contact;
   while (scene.state.time < 20) {
     scene.step();
-    contact.look(scene);
+    contact.look(scene.ledger().contact);
   }
   CAPTURE(degrees, contact.most / energy, contact.given / energy);
   CHECK(contact.most > 1e-3 * energy);

@@ -7,7 +7,7 @@
 
 TEST_CASE("no allocation in a step of contact") {
   using namespace brunt;
-  const auto passes = GENERATE(contact::Passes::one, contact::Passes::two);
+  const auto passes = GENERATE(contact::Passes::one, contact::Passes::two, contact::Passes::averaged);
   const double friction = GENERATE(0.0, 0.2);
   const auto tied = GENERATE(contact::Tied::no, contact::Tied::yes);
   const comm::Communicator world = comm::Communicator::world();

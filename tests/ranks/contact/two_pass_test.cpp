@@ -67,8 +67,9 @@ std::vector<double> run(const comm::Communicator& ranks, Rank (*deal)(GlobalInde
 }  // namespace
 
 TEST_CASE("two passes have the same bits on any number of ranks and whenever lists are made") {
+  const auto passes = GENERATE(contact::Passes::two, contact::Passes::averaged);
   const double friction = GENERATE(0.0, 0.3);
-  ContactSettings settings = two_passes(friction), one = two_passes(friction, contact::Passes::one);
+  ContactSettings settings = two_passes(friction, passes), one = two_passes(friction, contact::Passes::one);
   settings.enforcement.warm_start = one.enforcement.warm_start = GENERATE(false, true);
   const std::vector<double> expected = run(comm::Communicator::self(), by_stripes, settings);
   const comm::Communicator world = comm::Communicator::world();
@@ -80,10 +81,11 @@ TEST_CASE("two passes have the same bits on any number of ranks and whenever lis
 }
 
 TEST_CASE("two passes: nodes of both sides have rows, momentum to round-off, the work is booked") {
+  const auto passes = GENERATE(contact::Passes::automatic, contact::Passes::averaged);
   const comm::Communicator world = comm::Communicator::world();
   MassPoints points = plates(world, by_stripes);
   points.walls.clear();
-  contact::Contact contact = points.make_contact(two_passes(0, contact::Passes::automatic));
+  contact::Contact contact = points.make_contact(two_passes(0, passes));
   const Vec3 momentum = points.momentum();
   const double start = points.kinetic();
   GlobalIndex first = 0, second = 0;
@@ -102,8 +104,9 @@ TEST_CASE("two passes: nodes of both sides have rows, momentum to round-off, the
 }
 
 TEST_CASE("the history of two passes with friction goes home and the run goes on to the same bits") {
+  const auto passes = GENERATE(contact::Passes::two, contact::Passes::averaged);
   const comm::Communicator world = comm::Communicator::world();
-  ContactSettings settings = two_passes(0.4);
+  ContactSettings settings = two_passes(0.4, passes);
   settings.enforcement.warm_start = true;
   MassPoints points = plates(world, by_stripes);
   contact::Contact contact = points.make_contact(settings);
@@ -122,6 +125,7 @@ TEST_CASE("the history of two passes with friction goes home and the run goes on
 
 TEST_CASE("twins: equal meshes that lie node on node have one row each, and the bits of one pass") {
   const comm::Communicator world = comm::Communicator::world();
+  const auto passes = GENERATE(contact::Passes::automatic, contact::Passes::averaged);
   std::vector<double> all[2];
   std::size_t most_rows[2]{};
   for (const bool two : {false, true}) {
@@ -132,8 +136,7 @@ TEST_CASE("twins: equal meshes that lie node on node have one row each, and the 
         world, mesh, [&](GlobalIndex gid) { return by_stripes(gid, world.size()); }, [](const Vec3&) { return 1.0; },
         [](const Vec3& x) { return Vec3(0, 0, x.z() > 1 ? -1 - 0.1 * x.x() : 0.0); });
     points.mesh.blocks.resize(2);
-    contact::Contact contact =
-        points.make_contact(two_passes(0, two ? contact::Passes::automatic : contact::Passes::one));
+    contact::Contact contact = points.make_contact(two_passes(0, two ? passes : contact::Passes::one));
     for (int step = 0; step < 20; ++step) {
       points.step(contact, dt);
       most_rows[two ? 1 : 0] = std::max(most_rows[two ? 1 : 0], contact.rows().size());

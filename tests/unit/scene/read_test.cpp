@@ -62,6 +62,7 @@ contact:
   - {between: [rod, target], slave: target}
   - {between: [ball, target], slave: first, passes: two}
   - {between: [rod, ball]}
+  - {between: [rod, target], passes: averaged}
 probes:
   - {name: tip, node: 17, field: velocity}
   - {name: squeeze, contact: [rod, target]}
@@ -195,7 +196,7 @@ TEST_CASE("sets, motions and loads are read", "[scene]") {
 TEST_CASE("contact, probes and the run are read", "[scene]") {
   using Slave = ContactEntry::Slave;
   const Input input = full();
-  REQUIRE(input.contact.size() == 4);
+  REQUIRE(input.contact.size() == 5);
   CHECK(input.contact[0].between.empty());
   CHECK(input.contact[0].exclude[0] == std::array<std::string, 2>{"rod", "ball"});
   CHECK(input.contact[0].enforcement.tolerance == 1e-4);
@@ -206,6 +207,7 @@ TEST_CASE("contact, probes and the run are read", "[scene]") {
   CHECK(input.contact[1].passes == contact::Passes::automatic);
   CHECK(input.contact[3].passes == contact::Passes::two);  // kept from the entry before
   CHECK(input.contact[3].slave == Slave::automatic);
+  CHECK(input.contact[4].passes == contact::Passes::averaged);
   REQUIRE(input.probes.size() == 4);
   CHECK(input.probes[0].where == "17");
   CHECK(input.probes[1].kind == Probe::Kind::contact);

@@ -48,6 +48,19 @@ EnforcementResult solve_two(Problem& p, const EnforcementSettings& settings) {
   return enforce({p.rows, p.motion, p.mobility, true}, settings, 1.0, exchange, p.impulses, p.velocity, scratch);
 }
 
+/// Each pass is solved by itself, with the rows of both; of its velocities half counts.
+Problem mean_of_passes(const Problem& p, const EnforcementSettings& settings) {
+  Problem mean = p;
+  mean.velocity.assign(p.motion.size(), Vec3::Zero());
+  for (const Pass pass : {Pass::first, Pass::second}) {
+    Problem one = p;
+    std::erase_if(one.rows, [&](const Row& row) { return row.pass != pass && row.pass != Pass::both; });
+    one.solve(settings);
+    for (std::size_t node = 0; node < one.velocity.size(); ++node) mean.velocity[node] += 0.5 * one.velocity[node];
+  }
+  return mean;
+}
+
 /// Change of momentum by rows between nodes: walls are taken off.
 Vec3 momentum_of_pairs(const Problem& p) {
   Vec3 change = p.momentum_change();
@@ -169,17 +182,10 @@ TEST_CASE("methods that close gaps later take the mean of both passes: no energy
     for (Row& row : p.rows)
       if (row.pass == Pass::both) row.required = 0;
     const EnforcementSettings settings{.method = method, .tolerance = 1e-10, .max_iterations = 10000};
-    Problem sum = p;
-    sum.velocity.assign(p.motion.size(), Vec3::Zero());
-    for (const Pass pass : {Pass::first, Pass::second}) {
-      Problem one = p;
-      std::erase_if(one.rows, [&](const Row& row) { return row.pass != pass && row.pass != Pass::both; });
-      one.solve(settings);
-      for (std::size_t node = 0; node < one.velocity.size(); ++node) sum.velocity[node] += 0.5 * one.velocity[node];
-    }
+    const Problem mean = mean_of_passes(p, settings);
     solve_two(p, settings);
     for (std::size_t node = 0; node < p.velocity.size(); ++node)
-      CHECK((p.velocity[node] - sum.velocity[node]).norm() <= 1e-12);
+      CHECK((p.velocity[node] - mean.velocity[node]).norm() <= 1e-12);
   }
 }
 
@@ -201,14 +207,7 @@ TEST_CASE("averaged: the second solution takes back what the mean leaves and giv
     for (Row& row : p.rows)
       if (row.pass == Pass::both) row.required = 0;
     const EnforcementSettings settings{.tolerance = 1e-10, .max_iterations = 10000, .averaged = true};
-    Problem mean = p;
-    mean.velocity.assign(p.motion.size(), Vec3::Zero());
-    for (const Pass pass : {Pass::first, Pass::second}) {
-      Problem one = p;
-      std::erase_if(one.rows, [&](const Row& row) { return row.pass != pass && row.pass != Pass::both; });
-      one.solve(settings);
-      for (std::size_t node = 0; node < one.velocity.size(); ++node) mean.velocity[node] += 0.5 * one.velocity[node];
-    }
+    const Problem mean = mean_of_passes(p, settings);
     CHECK(solve_two(p, settings).acted);
     CHECK(p.kinetic(true) <= p.kinetic(false) * (1 + 1e-12));
     CHECK(momentum_of_pairs(p).norm() <= 1e-12);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Does contact give back what it took? Its term of the ledger is energy taken from the bodies, and ought not to fall.
+#pragma once
+#include <algorithm>
+
+namespace brunt::test {
+
+/// Looked at after each step.
+struct GivenBack {
+  double now = 0;    ///< taken so far [energy]
+  double least = 0;  ///< the same, at any time
+  double most = 0;
+  double given = 0;  ///< by how much it fell at most from what it was at most before
+
+  void look(double taken) {
+    now = taken;
+    least = std::min(least, now);
+    most = std::max(most, now);
+    given = std::max(given, most - now);
+  }
+};
+
+}  // namespace brunt::test
