@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact in two passes: nodes of either side on faces of the other. The rate constraint holds all of them in one
 // system. It has more rows than the surfaces have freedom, so its impulses are not unique; the velocities are (the
-// least change of v* that no row forbids), and so is what each node is given. As rows only push, nothing locks: where
-// the surfaces bend, some rows let go. Even pressure passes from mesh to mesh exactly where they line up (Taylor and
+// least change of v* that no row forbids), and so is what each node is given. None was seen to lock: as rows only push,
+// some let go where the surfaces bend. Even pressure passes from mesh to mesh exactly where they line up (Taylor and
 // Papadopoulos 1991), which neither one pass nor the mean of two does; and contact does no work but that of recovery,
 // while a mean of two solutions pushes open in one what the other closes. Penalties, the kinematic predictor and the
 // printed method, which would push twice, take the mean of both passes (see enforcement/averaged.hpp).

@@ -19,7 +19,8 @@ inline void extend_by_sweep(Box& box, const NodeMotion& node, double dt) {
   geometry::extend(box, node.position + dt * node.predicted);
 }
 
-/// Longest edge [length].
+/// Longest edge [length]: geometry::longest_edge, but of corners as they lie here, since it is asked for of every face
+/// in every step.
 BRUNT_INLINE double size_of(const std::array<Quad, 4>& corners, std::size_t count) {
   double longest2 = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -46,8 +47,7 @@ FaceReach reach_of(const MasterFace& face, std::span<const NodeMotion> motion, d
   }
   FaceReach reach{.box = {}, .size = size_of(corners, count)};
   const double margin = settings.reach(reach.size, face.depth) + face.half_thickness;
-  reach.box.low = Vec3(low[0], low[1], low[2]).array() - margin;
-  reach.box.high = Vec3(high[0], high[1], high[2]).array() + margin;
+  reach.box = geometry::grown({Vec3(low[0], low[1], low[2]), Vec3(high[0], high[1], high[2])}, margin);
   return reach;
 }
 
@@ -75,10 +75,12 @@ double opposition(const Slave& slave, const Vec3& normal, std::span<const Vec3> 
   return -least;
 }
 
-constexpr double flush = 0.1;  // cosine: a face that stands on a flat surface so steeply is a side
+/// A face that opposes a flat surface by no more than this cosine stands on it: it is a side of the body whose foot
+/// lies there, and opposes the surface by its tilt alone.
+constexpr double side_on_flat = 0.1;
 
-/// Then sides of other bodies that stand on it oppose it by their tilt alone: a node of a plate, level with the foot of
-/// a block and a little beside its corner, is not inside of the block's front.
+/// Are all facets around the slave of one direction? Then it meets no side of a body that stands there (a node of a
+/// plate, level with a block's foot and a little beside its corner, is not inside of the block's front).
 bool lies_in_flat_surface(const Slave& slave, std::span<const Vec3> facet_normal) {
   constexpr double alike = 0.9;  // cosine
   const auto normal = [&](LocalIndex facet) { return facet_normal[static_cast<std::size_t>(facet)]; };
@@ -156,7 +158,7 @@ std::span<Encounter> meet_faces(const FacesInMotion& scene, const DetectionSetti
   const bool flat = lies_in_flat_surface(slave, facet_normal);
   for (Encounter& e : met) {
     e.opposition = opposition(slave, e.normal, facet_normal);
-    if (flat && e.opposition < flush) e.opposition = std::min(e.opposition, 0.0);
+    if (flat && e.opposition < side_on_flat) e.opposition = std::min(e.opposition, 0.0);
   }
   for (std::size_t first = 0, last = 0; first < met.size(); first = last) {
     while (last < met.size() && body_of(met[last]) == body_of(met[first])) ++last;

@@ -48,12 +48,13 @@ struct AcceptedOverlap {
 struct DetectionSettings {
   EncounterSettings encounter;
   ChoiceSettings choice;
-  double recovery = 0.05;                   ///< share of a penetration that a step may recover
-  double recovery_limit = 1e-3;             ///< the same limited to this share of the longest edge
-  bool recovery_gives = true;               ///< energy, where overlaps of the start are to part
-  double drift = 1e-3;                      ///< of the longest edge: else edges deeper in each other give none
-  double twin = 0;                          ///< nodes of two bodies this near each other are twins [length]
-  double wall_size = 0;                     ///< [length] stands for the longest edge where the master is a wall
+  double recovery = 0.05;        ///< share of a penetration that a step may recover
+  double recovery_limit = 1e-3;  ///< the same limited to this share of the longest edge
+  bool recovery_gives = true;  ///< recovery may do work on the bodies at any depth: where overlaps of the start are to
+                               ///< part. Else edges deeper than `drift` do not (see required_rate)
+  double drift = 1e-3;         ///< depth that a step may leave by itself, as a share of the longest edge
+  double twin = 0;             ///< nodes of two bodies this near each other are twins [length]
+  double wall_size = 0;        ///< [length] stands for the longest edge where the master is a wall
   std::vector<AcceptedOverlap> accepted{};  ///< ordered by (slave, body), each pair once
 };
 
@@ -80,10 +81,10 @@ struct DetectionScratch {
 double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex slave, std::int32_t body);
 
 /// Least rate that the row's gap asks for [velocity]: it may close within the step; a penetration is recovered, a
-/// limited share of it a step. Under load recovery does work on the bodies. Of a drift that is little; edges that are
-/// seen late (they slip over a rim) would give what contact never took: they are parted no faster than they came
-/// together, and stay while they are pressed. Not so nodes: what a step leaves of two passes would add up (a pressed
-/// cube that hangs over another crept in by a tenth of an edge).
+/// limited share of it a step. Under load recovery does work on the bodies. Where they drifted in, that is little.
+/// Edges that are deep when they are first seen (they slipped over a rim) would be given what contact never took: they
+/// are parted no faster than they came together, and stay while they are pressed. Not so nodes: what a step leaves of
+/// averaged passes would add up (a pressed cube that hangs over another crept in by a tenth of an edge).
 double required_rate(const Row& row, double size, double dt, std::span<const NodeMotion> motion,
                      const DetectionSettings& settings);
 
