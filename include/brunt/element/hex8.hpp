@@ -9,7 +9,9 @@
 //   force              f_iI = -(s_ij B_jI + Q_ia gamma_aI)
 //   hourglass forces   Q <- beta R (Q + k q dt), beta the share of the trial deviator that radial return leaves: Q
 //   stands
-//     for what stresses within the element deviate from their mean, which flow limits with it (elastic: beta = 1)
+//     for what stresses within the element deviate from their mean, which flow limits with it (elastic: beta = 1);
+//     viscous control: Q = c q. Their work over a step is dt q . (Q before + Q after)/2, as nodes take it from them: a
+//     viscous force of t_n acts on v_{n+1/2} too, and the product c q^2 dt is more than it takes
 //   frequency          omega^2 <= 8/(m V) [lambda tr S + 2 mu s_max] + 8/m k_hg (|gamma|^2 summed - 24):
 // the bracket is the exact maximum over all strain modes when S is a multiple of the unit tensor (a cube).
 #pragma once
@@ -35,12 +37,13 @@ struct Hex8 {
   using Memory = SolidMemory<Response, 1>;
   static constexpr int at_hourglass_energy = Memory::size;
   static constexpr int at_hourglass_force = at_hourglass_energy + (hourglass == HourglassKind::none ? 0 : 1);
-  static constexpr int history_size = at_hourglass_force + (hourglass == HourglassKind::stiffness ? 12 : 0);
+  static constexpr int history_size = at_hourglass_force + (hourglass == HourglassKind::none ? 0 : 12);
 
   static std::vector<HistoryField> history() {
     std::vector<HistoryField> fields = Memory::fields();
-    if (hourglass != HourglassKind::none) fields.push_back({"hourglass_energy", 1});
-    if (hourglass == HourglassKind::stiffness) fields.push_back({"hourglass_force", 12});
+    if (hourglass == HourglassKind::none) return fields;
+    fields.push_back({"hourglass_energy", 1});
+    fields.push_back({"hourglass_force", 12});
     return fields;
   }
 
@@ -217,8 +220,11 @@ void Hex8<Response, hourglass>::resist_hourglass(const Kinematics& k, [[maybe_un
         stored[i] = Q[i];
       }
     } else {
-      work += viscous * dot(Q, Q);
-      for (int i = 0; i < 3; ++i) Q[i] *= viscous;
+      for (int i = 0; i < 3; ++i) {
+        const Pack now = viscous * Q[i];
+        work += 0.5 * (stored[i] + now) * Q[i];
+        stored[i] = Q[i] = now;
+      }
     }
   }
   history[at_hourglass_energy] += dt * work;
