@@ -63,4 +63,15 @@ void Log::clear_bar() {
   bar_shown_ = false;
 }
 
+std::string told_from(double value, double limit) {
+  constexpr int all_digits = 17;
+  const std::string beside = fmt::format("{:g}", limit);
+  std::string text;
+  for (int digits = 2; digits <= all_digits; ++digits) {
+    text = fmt::format("{:.{}g}", value, digits);
+    if (text != beside) break;
+  }
+  return text;
+}
+
 }  // namespace brunt::app

@@ -32,4 +32,8 @@ class Log {
   std::FILE* file_ = nullptr;
 };
 
+/// `value` with as many digits as tell it from `limit` written as {:g}, two at least: a message that says "above" shows
+/// it.
+std::string told_from(double value, double limit);
+
 }  // namespace brunt::app

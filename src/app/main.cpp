@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -39,10 +40,19 @@ void add_check(CLI::App& program, app::CheckOptions& options, Command& chosen) {
   check->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::check(ranks, options); }; });
 }
 
+/// CLI11 takes -np 2 for -n p and says of that only what it is not.
+std::string no_count_of_parts(const std::string& text) {
+  constexpr int most = 1000000;
+  int parts = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parts);
+  if (error == std::errc{} && end == text.data() + text.size() && parts >= 1 && parts <= most) return {};
+  return fmt::format("'{}' is no number of parts; accepted: a whole number from 1 to {}, as in -n 4", text, most);
+}
+
 void add_partition(CLI::App& program, app::PartitionOptions& options, Command& chosen) {
   CLI::App* partition = program.add_subcommand("partition", "Split the mesh of a scene and tell how good the split is");
   partition->add_option("scene", options.scene, "Scene file (YAML)")->required();
-  partition->add_option("-n", options.parts, "Number of parts")->required()->check(CLI::Range(1, 1000000));
+  partition->add_option("-n", options.parts, "Number of parts")->required()->check(no_count_of_parts);
   partition->add_option("--set", options.overrides, "Change a value of the scene: key.path=value; may be given again");
   partition->callback(
       [&] { chosen = [&](const comm::Communicator& ranks) { return app::partition(ranks, options); }; });

@@ -142,10 +142,10 @@ class Loop {
     told_limit_ = true;
     const contact::EnforcementSettings& settings = run_.model.contact.enforcement;
     log_.warning(fmt::format(
-        "contact: the iteration of step {} (t = {:g}) ended at max_iterations {} with a residual of {:.2g}, above the "
+        "contact: the iteration of step {} (t = {:g}) ended at max_iterations {} with a residual of {}, above the "
         "tolerance of {:g}: what is left may disturb the motion; raise max_iterations in contact (told once)",
         static_cast<GlobalIndex>(run_.state.step) - 1, run_.state.time_before, settings.max_iterations,
-        run_.contact->statistics().last.residual, settings.tolerance));
+        told_from(run_.contact->statistics().last.residual, settings.tolerance), settings.tolerance));
   }
 
   [[noreturn]] void stop_for_element(const time::StepReport& step) {

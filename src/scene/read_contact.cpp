@@ -45,13 +45,14 @@ void read_exclude(const Key& key, ContactEntry& contact) {
 }
 
 void read_slave(const Key& key, ContactEntry& contact) {
-  std::vector<std::string> words{"auto", "first", "second"};
   const std::vector<std::string>& parts = contact.between;
+  if (parts.empty() && key.tree->kind == Tree::Kind::value && key.tree->text != "auto")
+    return fault(key,
+                 fmt::format("'{}' needs a pair of parts, between: [a, b]; accepted with 'all': auto", key.tree->text));
+  std::vector<std::string> words{"auto", "first", "second"};
   words.insert(words.end(), parts.begin(), parts.end());
   const std::size_t chosen = read_choice(key, words, {});
   if (chosen == words.size() || chosen == 0) return;
-  if (parts.empty())
-    return fault(key, "'all' has no first and second; accepted: auto, or a slave where between: [a, b]");
   contact.slave = chosen % 2 == 1 ? Slave::first : Slave::second;
 }
 

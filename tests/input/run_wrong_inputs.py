@@ -100,7 +100,7 @@ def check_good_scene(brunt, work):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--brunt", required=True)
-    parser.add_argument("--run", required=True, help="scripts/run, for the cases on two ranks")
+    parser.add_argument("--run", required=True, help="scripts/run, for the cases on two ranks; render and plot lie beside it")
     parser.add_argument("--work", required=True)
     parser.add_argument("--only", default="", help="cases whose name holds this text")
     parser.add_argument("--show", action="store_true", help="print every message")
@@ -115,6 +115,9 @@ def main():
         jobs = [pool.submit(check, w, [given.brunt] + ([w.command] if w.command else []), alone) for w in cases]
         on_ranks = [w for w in cases if w in wrong_inputs.FILES[-3:] or (w.command == "run" and w.target)]
         jobs += [pool.submit(check, w, [given.run, "-np", "2"], ranks, {"BRUNT": given.brunt}) for w in on_ranks]
+        scripts = os.path.dirname(given.run)
+        jobs += [pool.submit(check, w, [os.path.join(scripts, w.command)], alone) for w in wrong_inputs.SCRIPTS
+                 if given.only in w.name]
         results = [job.result() for job in jobs]
     for name, faults, output in results:
         if given.show or faults:

@@ -162,8 +162,19 @@ OPTIONS = [
           files={"here.out": b"precious"}, keeps=["here.out"]),
     Wrong("result folder is the scene", ["scene.yaml"], command="run", arguments=["--out", "scene.yaml"],
           keeps=["scene.yaml"]),
-    Wrong("partition into no ranks", ["-n"], command="partition", arguments=["-n", "0"]),
+    Wrong("partition into no ranks", ["-n", "'0'", "whole number"], command="partition", arguments=["-n", "0"]),
+    Wrong("partition asked as mpirun is", ["-n", "'p'", "whole number"], command="partition", arguments=["-np", "2"]),
     Wrong("compare with nothing", ["missing"], command="compare", target="missing", arguments=["missing2"]),
+]
+
+SCRIPTS = [  # scripts/COMMAND
+    Wrong(f"{script} {what}", [script, *says], command=script, target=target, files=files)
+    for script, inside in (("render", "state.h5"), ("plot", "history.csv"))
+    for what, target, says, files in (
+        ("of nothing", "nope", ["nope", "no such file", inside], {}),
+        ("of an empty folder", "old", [f"old/{inside}", "no such file"], {"old/x": b""}),
+        ("of a scene", "scene.yaml", ["scene.yaml"], {}),
+        ("of another kind of file", "old", [f"old/{inside}"], {f"old/{inside}": bytes(range(256)) * 8}))
 ]
 
 ALL = FILES + SCENES + OPTIONS

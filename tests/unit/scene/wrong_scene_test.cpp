@@ -206,7 +206,11 @@ TEST_CASE("what later versions bring is recognised and refused", "[scene]") {
       {"[left, right]\n    slave: auto",
        "all\n    slave: first",
        "bar.yaml:36: contact.0.slave",
-       {"no first and second"}},
+       {"'first' needs a pair", "accepted with 'all': auto"}},
+      {"[left, right]\n    slave: auto",
+       "all\n    slave: right",
+       "bar.yaml:36: contact.0.slave",
+       {"'right' needs a pair", "between: [a, b]"}},
   });
 }
 
