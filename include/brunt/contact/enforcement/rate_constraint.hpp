@@ -13,6 +13,9 @@
 // on forces that answer to nothing, until they have moved by the tolerance; to correct it a little in each step is a
 // soft spring, which the recovery of gaps turns into an engine (its force lags). So it goes on until a tenth is left
 // of what it began with, or a millionth of the tolerance, and makes one sweep at least: what stirs bodies dies out.
+// That takes 1.4 iterations a step in the mean and 4 at most in cases/stack (2.5 and 26 in two passes; 62 is the most
+// seen), none in impacts. They count in max_iterations, but a step that ends there within the tolerance has not ended
+// at the limit (see ended_at_limit).
 #pragma once
 #include "brunt/contact/enforcement/enforce.hpp"
 
