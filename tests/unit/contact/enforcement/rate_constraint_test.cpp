@@ -172,6 +172,21 @@ TEST_CASE("a warm start goes on below the tolerance, a tenth of what is left at 
   CHECK(p.impulses != impulses);  // a force answers what moves it, however little that is
 }
 
+TEST_CASE("a step that ends at max_iterations has ended at the limit only above the tolerance") {
+  Problem p = random_patch(9);
+  const EnforcementSettings short_of = to(1e-3, 2);
+  const EnforcementResult cold = p.solve(short_of);
+  CHECK(cold.iterations == 2);
+  CHECK(ended_at_limit(cold, short_of));
+  p.solve(to(1e-3, 200));
+  EnforcementSettings warm = short_of;  // goes on below the tolerance, and gets no further in two
+  warm.warm_start = true;
+  const EnforcementResult within = p.solve(warm);
+  CHECK(within.iterations == 2);
+  CHECK(within.residual <= 1e-3);
+  CHECK_FALSE(ended_at_limit(within, warm));
+}
+
 TEST_CASE("velocities that are not finite stop the run") {
   Problem p;
   const LocalIndex one = p.add_node(1, {0, 0, std::numeric_limits<double>::quiet_NaN()}),
