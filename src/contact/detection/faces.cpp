@@ -7,6 +7,7 @@
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/contact/detection/false_depth.hpp"
 #include "brunt/contact/detection/sides.hpp"
+#include "brunt/contact/detection/twins.hpp"
 #include "motion_quads.hpp"
 
 namespace brunt::contact {
@@ -105,22 +106,13 @@ void fill_row(const Encounter& e, const MasterFace& face, LocalIndex slave, Row&
   row.gap = e.gap;
 }
 
-bool has_twin(const FacesInMotion& scene, const DetectionSettings& settings, const NodeMotion& slave,
-              std::span<const LocalIndex> near) {
-  return std::ranges::any_of(near, [&](LocalIndex f) {
-    const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
-    return std::any_of(face.nodes.begin(), face.nodes.begin() + face.corner_count, [&](LocalIndex node) {
-      return are_twins(slave, scene.motion[static_cast<std::size_t>(node)], settings);
-    });
-  });
-}
-
 /// The faces of one body near a slave, as encounters of which face and approach are set. second: a flag each, or none.
 void list_faces_of_body(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
                         const Box& sweep, std::span<const LocalIndex> near, std::span<const char> second,
-                        std::vector<Encounter>& met) {
+                        std::span<const Vec3> facet_normal, std::vector<Encounter>& met) {
   const bool in_second = std::ranges::any_of(second, [](char flag) { return flag != 0; });
-  const bool twin = in_second && has_twin(scene, settings, slave.motion, near);
+  const bool twin = in_second && has_twin(scene, {slave.motion, slave.facets, facet_normal, slave.half_thickness > 0},
+                                          near, settings.twin);
   const std::size_t first = met.size();
   bool two_sided = false;
   for (std::size_t i = 0; i < near.size(); ++i) {
@@ -146,7 +138,7 @@ void list_faces(const FacesInMotion& scene, const DetectionSettings& settings, c
     while (end < slave.near.size() && body_at(end) == body_at(first)) ++end;
     const auto second = slave.second.empty() ? slave.second : slave.second.subspan(first, end - first);
     list_faces_of_body(scene, settings, slave, sweep, slave.near.subspan(first, end - first), second,
-                       scratch.encounters);
+                       scratch.facet_normal, scratch.encounters);
   }
   scratch.slave_of.resize(scratch.encounters.size(), &slave.motion);
 }

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/detection/twins.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brunt::contact {
+namespace {
+
+constexpr double looks = 0.5, lies = 0.94;  // cosines of 60 and 20 degrees
+
+std::span<const LocalIndex> corners_of(const MasterFace& face) {
+  return {face.nodes.data(), static_cast<std::size_t>(face.corner_count)};
+}
+
+Vec3 normal_of(const FacesInMotion& scene, const MasterFace& face) {
+  std::array<Vec3, 4> corners;
+  const auto count = static_cast<std::size_t>(face.corner_count);
+  for (std::size_t i = 0; i < count; ++i) corners[i] = scene.motion[static_cast<std::size_t>(face.nodes[i])].position;
+  return geometry::area_vector({corners.data(), count}).normalized();
+}
+
+/// Cosine between the normal and the reversed one of a facet [-1, 1].
+double opposition(const NodeOnSurface& node, LocalIndex facet, const Vec3& normal) {
+  const double cosine = -node.facet_normal[static_cast<std::size_t>(facet)].dot(normal);
+  return node.two_sided ? std::abs(cosine) : cosine;
+}
+
+/// Faces around a node [unit normals, length].
+struct Around {
+  Vec3 normals = Vec3::Zero(), corners = Vec3::Zero();  ///< sums: of normals, of corners from the node
+  int count = 0;
+  [[nodiscard]] bool are_sharp_corner() const { return normals.norm() < lies * count && corners.dot(normals) < 0; }
+};
+
+/// Does one row hold the node and `twin`, a corner of some of the faces?
+bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
+                       LocalIndex twin) {
+  constexpr std::size_t most = 32;  // facets of a node; of more the rest is not asked
+  std::array<double, most> facet_lies{};
+  const std::size_t facets = std::min(most, node.facets.size());
+  Around around;
+  bool fit = true;
+  for (const LocalIndex f : near) {
+    const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
+    if (std::ranges::find(corners_of(face), twin) == corners_of(face).end()) continue;
+    const Vec3 normal = normal_of(scene, face);
+    around.normals += normal;
+    ++around.count;
+    for (const LocalIndex corner : corners_of(face))
+      around.corners += scene.motion[static_cast<std::size_t>(corner)].position - node.motion.position;
+    double face_lies = 0;
+    for (std::size_t i = 0; i < facets; ++i) {
+      const double cosine = opposition(node, node.facets[i], normal);
+      face_lies = std::max(face_lies, cosine);
+      facet_lies[i] = std::max(facet_lies[i], cosine);
+    }
+    fit = fit && (face_lies <= looks || face_lies >= lies);
+  }
+  fit = fit && std::none_of(facet_lies.begin(), facet_lies.end(),
+                            [](double cosine) { return cosine > looks && cosine < lies; });
+  return fit || around.are_sharp_corner();
+}
+
+}  // namespace
+
+bool has_twin(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
+              double distance) {
+  for (const LocalIndex f : near)
+    for (const LocalIndex corner : corners_of(scene.faces[static_cast<std::size_t>(f)])) {
+      const Vec3& there = scene.motion[static_cast<std::size_t>(corner)].position;
+      if ((there - node.motion.position).squaredNorm() < distance * distance)
+        return are_held_together(scene, node, near, corner);
+    }
+  return false;
+}
+
+}  // namespace brunt::contact

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nodes that lie on each other: where one row holds both, and where it does not.
+#include "brunt/contact/detection/twins.hpp"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "few_faces.hpp"
+
+using namespace brunt;
+using namespace brunt::contact;
+using support::FewFaces;
+
+namespace {
+
+constexpr double distance = 0.01;
+
+/// Four unit squares around the origin, their outer corners lifted or lowered: a dent (> 0), a blunt corner (< 0).
+FewFaces around_a_node(double lift) {
+  std::vector<Vec3> points;
+  for (const double y : {-1.0, 0.0, 1.0})
+    for (const double x : {-1.0, 0.0, 1.0}) points.emplace_back(x, y, lift * std::max(std::abs(x), std::abs(y)));
+  return {points, {{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}, {4, 5, 8, 7}}};
+}
+
+bool is_twin(FewFaces& scene, const Vec3& position, const std::vector<Vec3>& facet_normal) {
+  const NodeMotion node{.position = position};
+  std::vector<LocalIndex> near, facets;
+  for (std::size_t f = 0; f < scene.faces.size(); ++f) near.push_back(static_cast<LocalIndex>(f));
+  for (std::size_t f = 0; f < facet_normal.size(); ++f) facets.push_back(static_cast<LocalIndex>(f));
+  const std::vector<FaceReach> reach(scene.faces.size());
+  return has_twin({scene.faces, reach, scene.motion, scene.dt}, {node, facets, facet_normal}, near, distance);
+}
+
+/// Normals of the three faces of a cube's lowest corner, which stands upright on it.
+std::vector<Vec3> standing_corner(double turned) {
+  std::vector<Vec3> normals;
+  const double low = -1 / std::sqrt(3.0), out = std::sqrt(2.0 / 3);
+  for (const double angle : {0.0, 2.0, 4.0}) {
+    const double at = turned + angle * std::numbers::pi / 3;
+    normals.emplace_back(out * std::cos(at), out * std::sin(at), low);
+  }
+  return normals;
+}
+
+}  // namespace
+
+TEST_CASE("the corner of a block on a node of a flat face, or of an equal block, is its twin, near enough") {
+  FewFaces flat = around_a_node(0), block = support::cube();
+  const std::vector<Vec3> corner{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, -1)};
+  CHECK(is_twin(flat, Vec3(0.5 * distance, 0, 0), corner));
+  CHECK_FALSE(is_twin(flat, Vec3(2 * distance, 0, 0), corner));
+  CHECK(is_twin(block, Vec3(1, 1, 1 - 1e-6), corner));
+  const auto bulged = Eigen::AngleAxisd(0.3, Vec3(1, -1, 0).normalized());
+  CHECK(is_twin(block, Vec3(1, 1, 1), {bulged * corner[0], bulged * corner[1], corner[2]}));
+}
+
+TEST_CASE("corner on corner: they are twins, however they are turned") {
+  FewFaces block = support::cube();
+  const Vec3 diagonal = Vec3(1, 1, 1).normalized();
+  for (const double turn : {0.0, 0.4, 1.0}) {
+    std::vector<Vec3> facets;
+    for (const Vec3& axis : {Vec3(-1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, -1)})
+      facets.push_back(Eigen::AngleAxisd(turn, diagonal) * axis);
+    CHECK(is_twin(block, Vec3(1, 1, 1 + 1e-6), facets));
+  }
+}
+
+TEST_CASE("nodes of curved faces that fit are twins; a corner that has pressed a dent, or stands on a face, is none") {
+  FewFaces dent = around_a_node(0.3), flat = around_a_node(0);
+  std::vector<Vec3> fitting;
+  for (const MasterFace& face : dent.faces) {
+    std::array<Vec3, 4> corners;
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = dent.motion[static_cast<std::size_t>(face.nodes[i])].position;
+    fitting.push_back(-geometry::area_vector(corners).normalized());
+  }
+  CHECK(is_twin(dent, Vec3(0, 0, 1e-3), fitting));
+  for (const double turned : {0.0, 0.2, 0.7}) {
+    CAPTURE(turned);
+    CHECK_FALSE(is_twin(dent, Vec3(0, 0, 1e-3), standing_corner(turned)));
+    CHECK_FALSE(is_twin(flat, Vec3(0, 0, 1e-3), standing_corner(turned)));
+  }
+  // three of the dent's sides have a face that lies on them, the fourth looks at one that does not
+  fitting.pop_back();
+  fitting.push_back(Vec3(0.9, 0, -std::sqrt(1 - 0.81)));
+  CHECK_FALSE(is_twin(dent, Vec3(0, 0, 1e-3), fitting));
+}
