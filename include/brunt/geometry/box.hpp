@@ -35,7 +35,7 @@ inline bool contains(const Box& box, const Vec3& point) {
 
 inline bool overlaps(const Box& a, const Box& b) {
   bool apart = false;  // all six without a branch: which of them tells is different at every turn
-  for (int c = 0; c < 3; ++c) apart |= !(a.low[c] <= b.high[c]) | !(b.low[c] <= a.high[c]);
+  for (int c = 0; c < 3; ++c) apart |= !(a.low[c] <= b.high[c]) | !(b.low[c] <= a.high[c]);  // NOLINT
   return !apart;
 }
 

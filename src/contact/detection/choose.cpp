@@ -18,21 +18,12 @@ struct Choice {
   const ChoiceSettings& settings;
 
   [[nodiscard]] const MasterFace& face(const Encounter& e) const { return faces[static_cast<std::size_t>(e.face)]; }
-  [[nodiscard]] Vec3 centre(const Encounter& e) const {
-    const MasterFace& master = face(e);
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(master.corner_count); ++i)
-      sum += motion[static_cast<std::size_t>(master.nodes[i])].position;
-    return sum / master.corner_count;
-  }
   [[nodiscard]] bool same_body(const Encounter& a, const Encounter& b) const { return face(a).body == face(b).body; }
   [[nodiscard]] bool same_direction(const Encounter& a, const Encounter& b) const {
     return contact::same_direction(a.normal, b.normal, settings.same_direction);
   }
-  /// Is each of two faces of one body in front of the other?
   [[nodiscard]] bool concave(const Encounter& a, const Encounter& b) const {
-    constexpr double level = 1e-6;
-    return (centre(b) - a.point).dot(a.normal) > level * b.size && (centre(a) - b.point).dot(b.normal) > level * a.size;
+    return contact::concave(faces, motion, a, b);
   }
 };
 

@@ -65,21 +65,21 @@ void join_hit(const FacesInMotion& scene, const EncounterSettings& settings, con
 }
 
 /// May a node that projects beside encounters[i] count as on the face? Every neighbour has its say, in whatever order.
-bool holds_at_rim(std::span<const MasterFace> faces, const EncounterSettings& settings, double degrees,
+bool holds_at_rim(const FacesInMotion& scene, const EncounterSettings& settings, double degrees,
                   std::span<const Encounter> encounters, std::size_t i) {
   constexpr double level = 1e-4;  // of the size: dented by less, two faces are one to a node that crosses their edge
   const Encounter& e = encounters[i];
-  const auto [first, second] = feature_nodes(faces[static_cast<std::size_t>(e.face)], e.region);
+  const auto [first, second] = feature_nodes(scene.faces[static_cast<std::size_t>(e.face)], e.region);
   bool has_neighbour = false, behind_all = true;
   for (std::size_t k = 0; k < encounters.size(); ++k) {
     const Encounter& other = encounters[k];
     if (k == i || std::isnan(other.height)) continue;
-    const MasterFace& face = faces[static_cast<std::size_t>(other.face)];
+    const MasterFace& face = scene.faces[static_cast<std::size_t>(other.face)];
     if (!has_node(face, first) || !has_node(face, second)) continue;
     const bool in_front = other.height > 0, opposed = other.opposition >= 0.5 * e.opposition;
     // in one plane it is rounding that says which of the two has the node in front
     const bool behind_by_rounding = -e.height <= level * e.size && same_direction(other.normal, e.normal, degrees);
-    if (in_front && opposed && !behind_by_rounding) return false;
+    if (in_front && opposed && !behind_by_rounding && !concave(scene.faces, scene.motion, e, other)) return false;
     has_neighbour = true;
     const bool in_one_place = (other.point - e.point).norm() <= level * e.size;
     behind_all = behind_all && !in_front && (other.region == Region::face || in_one_place);
@@ -179,14 +179,27 @@ bool same_direction(const Vec3& one, const Vec3& other, double degrees) {
   return cosine >= std::cos(angle);
 }
 
-void settle_rims(std::span<const MasterFace> faces, const EncounterSettings& settings, double same_direction,
+bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const Encounter& a,
+             const Encounter& b) {
+  constexpr double level = 1e-6;  // of the size
+  const auto centre = [&](const Encounter& e) {
+    const MasterFace& face = faces[static_cast<std::size_t>(e.face)];
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i)
+      sum += motion[static_cast<std::size_t>(face.nodes[i])].position;
+    return Vec3(sum / face.corner_count);
+  };
+  return (centre(b) - a.point).dot(a.normal) > level * b.size && (centre(a) - b.point).dot(b.normal) > level * a.size;
+}
+
+void settle_rims(const FacesInMotion& scene, const EncounterSettings& settings, double same_direction,
                  std::span<Encounter> encounters) {
   for (std::size_t i = 0; i < encounters.size(); ++i) {
     Encounter& e = encounters[i];
     if (e.meeting != Meeting::inside && e.meeting != Meeting::above) continue;
     const bool holds =
-        (e.region == Region::face || holds_at_rim(faces, settings, same_direction, encounters, i)) &&
-        (e.meeting == Meeting::above || !is_outside_of_a_sharp_edge(faces, same_direction, encounters, i));
+        (e.region == Region::face || holds_at_rim(scene, settings, same_direction, encounters, i)) &&
+        (e.meeting == Meeting::above || !is_outside_of_a_sharp_edge(scene.faces, same_direction, encounters, i));
     if (!holds) e.meeting = Meeting::none;
   }
 }

@@ -155,7 +155,7 @@ std::span<Encounter> meet_faces(const FacesInMotion& scene, const DetectionSetti
   for (std::size_t first = 0, last = 0; first < met.size(); first = last) {
     while (last < met.size() && body_of(met[last]) == body_of(met[first])) ++last;
     const std::span<Encounter> here = met.subspan(first, last - first);
-    settle_rims(scene.faces, settings.encounter, settings.choice.same_direction, here);
+    settle_rims(scene, settings.encounter, settings.choice.same_direction, here);
     if (settings.choice.criterion == Criterion::automatic) drop_false_depths(scene, settings.encounter, here);
     judge_paths(scene, settings.encounter, slave.motion, here);
   }

@@ -111,12 +111,17 @@ void find_hit(const FacesInMotion& scene, const NodeMotion& slave, Encounter& me
 /// Do two unit normals differ by at most so many degrees?
 bool same_direction(const Vec3& one, const Vec3& other, double degrees);
 
+/// Is each of two faces of one body in front of the other, as on the slopes of a valley or a pit?
+bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const Encounter& a,
+             const Encounter& b);
+
 /// A node that projects a little beside a face (by `rim`) still meets it, unless a neighbour that its surface opposes
-/// as well, and whose normal differs by more than `same_direction` degrees, has it in front; one farther beside meets
+/// as well, and whose normal differs by more than `same_direction` degrees, has it in front (around a convex edge: in
+/// a pit all slopes hold, whichever of them has the node in front by a little); one farther beside meets
 /// it only where all faces of the body that share that edge or corner have it behind them, over them or nearest there
 /// too (the bottom of a groove: a node beyond the end of a bore is beside its facets). The others become Meeting::none.
 /// encounters: of one slave with the faces of one body, with their opposition.
-void settle_rims(std::span<const MasterFace> faces, const EncounterSettings& settings, double same_direction,
+void settle_rims(const FacesInMotion& scene, const EncounterSettings& settings, double same_direction,
                  std::span<Encounter> encounters);
 
 /// Looks along the path of a node that is outside of faces: those that it passes through become Meeting::hit. Nodes
