@@ -77,13 +77,15 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
 }
 
 void Contact::gather(VectorView position, VectorView old_velocity, MutableVectorView velocity) {
+  const VectorView predicted{velocity.data, velocity.stride};
   for (std::size_t k = 0; k < nodes_here_.size(); ++k) {
     if (k + far_ahead < nodes_here_.size()) {
       position.fetch(nodes_here_[k + far_ahead].model_node);
       old_velocity.fetch(nodes_here_[k + far_ahead].model_node);
+      predicted.fetch(nodes_here_[k + far_ahead].model_node);
     }
     const auto [contact_node, node] = nodes_here_[k];
-    motion_of_[static_cast<std::size_t>(contact_node)] = {position[node], old_velocity[node], velocity[node]};
+    motion_of_[static_cast<std::size_t>(contact_node)] = {position[node], old_velocity[node], predicted[node]};
   }
   lists_.exchange.share(as_doubles(motion_of_), node_motion_width);
   if (!lists_.any_facets) return;

@@ -79,6 +79,7 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
   static_assert(sizeof(Mobility) == 10 * sizeof(double));
   lists_.exchange.share(as_doubles(mobility_), 10);
   share_reference();
+  list_possible_twins();
   plan_gather();
   own_area_.assign(surface_.faces.size(), Vec3::Zero());
   facet_area_.assign(static_cast<std::size_t>(lists_.facet_count), Vec3::Zero());
@@ -108,6 +109,16 @@ void Contact::share_reference() {
     if (const LocalIndex here = lists_.nodes.surface_node[i]; here != no_index)
       reference_[i] = surface_reference_[static_cast<std::size_t>(here)];
   lists_.exchange.share(as_doubles(reference_), 3);
+}
+
+void Contact::list_possible_twins() {
+  if (!two_passes_) return;
+  std::vector<Vec3> positions(lists_.nodes.gid.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (const LocalIndex here = lists_.nodes.surface_node[i]; here != no_index)
+      positions[i] = list_motion_.starts()[static_cast<std::size_t>(here)];
+  lists_.exchange.share(as_doubles(positions), 3);
+  list_twins(lists_.faces, positions, motion_, settings_.detection, lists_.candidates);
 }
 
 /// What `gather` takes from the model, so that it need not look through all of the surface.

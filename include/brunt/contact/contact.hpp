@@ -161,6 +161,7 @@ class Contact {
                          const VelocitySpan& velocities);
   void rebuild(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt);
   void share_reference();
+  void list_possible_twins();
   void plan_gather();
   void look_at_start(const std::vector<Vec3>& reference, std::span<const Wall> walls);
   void forget_start();

@@ -13,6 +13,7 @@ using Pack = double __attribute__((vector_size(64)));
 using PackMask =
     std::int64_t __attribute__((vector_size(64)));     ///< -1 where true, 0 where false (a comparison's result)
 using Quad = double __attribute__((vector_size(32)));  ///< four doubles: x, y, z and one to spare
+using QuadMask = std::int64_t __attribute__((vector_size(32)));
 
 /// Kernels are long straight code on 64-byte values: a call that is not inlined spills all of them. (The sanitizers'
 /// build sets it to `inline`.)
@@ -46,6 +47,10 @@ BRUNT_INLINE bool any(PackMask mask) {
   std::int64_t seen = 0;
   for (int lane = 0; lane < pack_width; ++lane) seen |= mask[lane];
   return seen != 0;
+}
+
+BRUNT_INLINE bool all(QuadMask mask) {
+  return (mask[0] & mask[1] & mask[2] & mask[3]) != 0;
 }
 
 /// First three components of eight quads, component by component: x[lane] = quad(lane)[0] ...

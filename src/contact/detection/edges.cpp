@@ -26,6 +26,7 @@ struct EdgeScene {
   std::span<const Vec3> facet_normal, reference;
   double dt;
   const DetectionSettings& settings;
+  double full;  ///< sine of the angle of settings.choice.same_direction
 
   [[nodiscard]] const NodeMotion& at(LocalIndex node) const { return motion[static_cast<std::size_t>(node)]; }
   [[nodiscard]] geometry::Segment start(const EdgeSide& edge) const {
@@ -114,7 +115,7 @@ std::optional<geometry::CommonPerpendicular> crossing(const EdgeScene& scene, co
   Vec3 perpendicular = own.along().cross(other.along());
   if (perpendicular.dot(apart) < 0) perpendicular = -perpendicular;
   const double sine = perpendicular.norm();
-  const double full = std::sin(scene.settings.choice.same_direction * std::numbers::pi / 180);
+  const double full = scene.full;
   if (sine >= full) return geometry::crossing_along(own, other, perpendicular.normalized(), kink);
   const Vec3 mean = axes_of(own, other).col(0);
   const Vec3 middle = (apart - apart.dot(mean) * mean).normalized();
@@ -213,7 +214,8 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_normal,
                   std::span<const Vec3> node_normal, std::span<const Vec3> reference, double dt,
                   const DetectionSettings& settings, std::vector<Row>& rows) {
-  const EdgeScene scene{gid, motion, facet_normal, reference, dt, settings};
+  const double full = std::sin(settings.choice.same_direction * std::numbers::pi / 180);
+  const EdgeScene scene{gid, motion, facet_normal, reference, dt, settings, full};
   for (std::size_t e = 0; e < candidates.slaves.size(); ++e) {
     const EdgeSide& slave = candidates.slaves[e];
     const Box slave_box = box_of(scene.start(slave), scene.end(slave));

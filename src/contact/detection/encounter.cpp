@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "brunt/geometry/first_contact.hpp"
 
@@ -37,9 +36,12 @@ std::array<LocalIndex, 2> feature_nodes(const MasterFace& face, Region region) {
   return {face.nodes[edge], face.nodes[(edge + 1) % count]};
 }
 
+/// Without a branch: which corner it is is different at every turn.
 bool has_node(const MasterFace& face, LocalIndex node) {
-  const auto end = face.nodes.begin() + face.corner_count;
-  return std::find(face.nodes.begin(), end, node) != end;
+  const auto& corner = face.nodes;
+  return static_cast<bool>(static_cast<int>(corner[0] == node) | static_cast<int>(corner[1] == node) |
+                           static_cast<int>(corner[2] == node) |
+                           (static_cast<int>(corner[3] == node) & static_cast<int>(face.corner_count == 4)));
 }
 
 std::ptrdiff_t shared_nodes(const MasterFace& one, const MasterFace& other) {
@@ -69,22 +71,29 @@ bool holds_at_rim(const FacesInMotion& scene, const EncounterSettings& settings,
                   std::span<const Encounter> encounters, std::size_t i) {
   constexpr double level = 1e-4;  // of the size: dented by less, two faces are one to a node that crosses their edge
   const Encounter& e = encounters[i];
+  const bool near_rim = e.beside <= settings.rim * e.size;
+  if (!near_rim && e.height > 0) return false;
   const auto [first, second] = feature_nodes(scene.faces[static_cast<std::size_t>(e.face)], e.region);
   bool has_neighbour = false, behind_all = true;
   for (std::size_t k = 0; k < encounters.size(); ++k) {
     const Encounter& other = encounters[k];
-    if (k == i || std::isnan(other.height)) continue;
+    const bool in_front = other.height > 0;
+    if (k == i || std::isnan(other.height) || (near_rim && !in_front)) continue;
     const MasterFace& face = scene.faces[static_cast<std::size_t>(other.face)];
     if (!has_node(face, first) || !has_node(face, second)) continue;
-    const bool in_front = other.height > 0, opposed = other.opposition >= 0.5 * e.opposition;
     // in one plane it is rounding that says which of the two has the node in front
-    const bool behind_by_rounding = -e.height <= level * e.size && same_direction(other.normal, e.normal, degrees);
-    if (in_front && opposed && !behind_by_rounding && !concave(scene.faces, scene.motion, e, other)) return false;
+    const auto behind_by_rounding = [&] {
+      return -e.height <= level * e.size && same_direction(other.normal, e.normal, degrees);
+    };
+    if (in_front && other.opposition >= 0.5 * e.opposition && !behind_by_rounding() &&
+        !concave(scene.faces, scene.motion, e, other))
+      return false;
+    if (near_rim) continue;
     has_neighbour = true;
-    const bool in_one_place = (other.point - e.point).norm() <= level * e.size;
-    behind_all = behind_all && !in_front && (other.region == Region::face || in_one_place);
+    const auto in_one_place = [&] { return (other.point - e.point).norm() <= level * e.size; };
+    behind_all = behind_all && !in_front && (other.region == Region::face || in_one_place());
   }
-  return e.beside <= settings.rim * e.size || (e.height <= 0 && has_neighbour && behind_all);
+  return near_rim || (has_neighbour && behind_all);
 }
 
 /// Is a node behind encounters[i] outside of the body all the same? At an edge sharper than a right angle it may be
@@ -169,14 +178,6 @@ Encounter encounter(const FacesInMotion& scene, const EncounterSettings& setting
   if (over || met.beside <= settings.rim * met.size) met.meeting = Meeting::above;
   met.slow = relative_motion(scene, slave, face, met.weights).norm() <= settings.slow * met.size;
   return met;
-}
-
-bool same_direction(const Vec3& one, const Vec3& other, double degrees) {
-  const double cosine = one.dot(other), angle = degrees * std::numbers::pi / 180, half_square = 0.5 * angle * angle;
-  // the series of the cosine brackets it: that settles nearly all
-  if (cosine < 1 - half_square - 1e-14) return false;
-  if (cosine > 1 - half_square * (1 - half_square / 6) + 1e-14) return true;
-  return cosine >= std::cos(angle);
 }
 
 bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const Encounter& a,

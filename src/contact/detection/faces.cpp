@@ -15,9 +15,28 @@ namespace {
 
 using geometry::Box;
 
-inline void extend_by_sweep(Box& box, const NodeMotion& node, double dt) {
-  geometry::extend(box, node.position);
-  geometry::extend(box, node.position + dt * node.predicted);
+/// Box of what a node sweeps in the step; the fourth of each is beyond everything.
+struct Sweep {
+  Quad low, high;
+};
+
+BRUNT_INLINE Sweep sweep_of(const NodeMotion& node, double dt, double margin) {
+  const Quad start = position_quad(node), end = start + dt * predicted_quad(node);
+  Sweep sweep{(start < end ? start : end) - margin, (start > end ? start : end) + margin};
+  sweep.low[3] = -std::numeric_limits<double>::infinity();
+  sweep.high[3] = std::numeric_limits<double>::infinity();
+  return sweep;
+}
+
+/// All six comparisons at once: which of them tells is different at every turn.
+BRUNT_INLINE bool overlaps(const Box& box, const Sweep& sweep) {
+  static_assert(sizeof(Box) == 6 * sizeof(double));
+  const char* const six = reinterpret_cast<const char*>(&box);
+  Quad low, last;  // the low corner and x of the high one; z of the low corner and the high one
+  std::memcpy(&low, six, sizeof low);
+  std::memcpy(&last, six + sizeof(Box) - sizeof last, sizeof last);
+  const Quad high = __builtin_shufflevector(last, last, 1, 2, 3, 3);
+  return all((low <= sweep.high) & (sweep.low <= high));
 }
 
 /// Longest edge [length]: geometry::longest_edge, but of corners as they lie here, since it is asked for of every face
@@ -63,7 +82,8 @@ struct Slave {
   const NodeMotion& motion;
   std::span<const LocalIndex> near, facets;
   std::span<const char> second;  ///< of near; empty: none
-  double half_thickness;         ///< > 0 on a sheet, whose facets look to both sides
+  std::span<const PossibleTwin> twins;
+  double half_thickness;  ///< > 0 on a sheet, whose facets look to both sides
   std::span<const HistoryRecord> remembered;
 };
 
@@ -108,16 +128,16 @@ void fill_row(const Encounter& e, const MasterFace& face, LocalIndex slave, Row&
 
 /// The faces of one body near a slave, as encounters of which face and approach are set. second: a flag each, or none.
 void list_faces_of_body(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
-                        const Box& sweep, std::span<const LocalIndex> near, std::span<const char> second,
+                        const Sweep& sweep, std::span<const LocalIndex> near, std::span<const char> second,
                         std::span<const Vec3> facet_normal, std::vector<Encounter>& met) {
-  const bool in_second = std::ranges::any_of(second, [](char flag) { return flag != 0; });
-  const bool twin = in_second && has_twin(scene, {slave.motion, slave.facets, facet_normal, slave.half_thickness > 0},
-                                          near, settings.twin);
+  const bool twin =
+      !slave.twins.empty() && has_twin(scene, {slave.motion, slave.facets, facet_normal, slave.half_thickness > 0},
+                                       near, slave.twins, settings.twin);
   const std::size_t first = met.size();
   bool two_sided = false;
   for (std::size_t i = 0; i < near.size(); ++i) {
     if (twin && second[i] != 0) continue;
-    if (!geometry::overlaps(scene.reach[static_cast<std::size_t>(near[i])].box, sweep)) continue;
+    if (!overlaps(scene.reach[static_cast<std::size_t>(near[i])].box, sweep)) continue;
     const MasterFace& face = scene.faces[static_cast<std::size_t>(near[i])];
     Encounter& e = met.emplace_back();
     e.face = near[i];
@@ -130,9 +150,7 @@ void list_faces_of_body(const FacesInMotion& scene, const DetectionSettings& set
 /// The same of all faces near it, body by body.
 void list_faces(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
                 DetectionScratch& scratch) {
-  Box sweep;
-  extend_by_sweep(sweep, slave.motion, scene.dt);
-  sweep = geometry::grown(sweep, slave.half_thickness);
+  const Sweep sweep = sweep_of(slave.motion, scene.dt, slave.half_thickness);
   const auto body_at = [&](std::size_t i) { return scene.faces[static_cast<std::size_t>(slave.near[i])].body; };
   for (std::size_t first = 0, end = 0; first < slave.near.size(); first = end) {
     while (end < slave.near.size() && body_at(end) == body_at(first)) ++end;
@@ -236,12 +254,14 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
   const auto slave_at = [&](std::size_t s) {
     const auto near = candidates.faces.row(static_cast<LocalIndex>(s));
     const auto place = static_cast<std::size_t>(near.data() - candidates.faces.values.data());
-    return Slave{.motion = motion[static_cast<std::size_t>(candidates.slave[s])],
-                 .near = near,
-                 .facets = candidates.slave_facets.row(static_cast<LocalIndex>(s)),
-                 .second = second.empty() ? second : second.subspan(place, near.size()),
-                 .half_thickness = sheets ? candidates.half_thickness[s] : 0.0,
-                 .remembered = {}};
+    return Slave{
+        .motion = motion[static_cast<std::size_t>(candidates.slave[s])],
+        .near = near,
+        .facets = candidates.slave_facets.row(static_cast<LocalIndex>(s)),
+        .second = second.empty() ? second : second.subspan(place, near.size()),
+        .twins = second.empty() ? std::span<const PossibleTwin>{} : candidates.twins.row(static_cast<LocalIndex>(s)),
+        .half_thickness = sheets ? candidates.half_thickness[s] : 0.0,
+        .remembered = {}};
   };
   std::array<std::size_t, slaves_at_once> last_of{};
   for (std::size_t first = 0; first < candidates.slave.size(); first += slaves_at_once) {

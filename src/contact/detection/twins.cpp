@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "brunt/contact/detection/detection.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -65,14 +68,40 @@ bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, st
 }  // namespace
 
 bool has_twin(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-              double distance) {
-  for (const LocalIndex f : near)
-    for (const LocalIndex corner : corners_of(scene.faces[static_cast<std::size_t>(f)])) {
-      const Vec3& there = scene.motion[static_cast<std::size_t>(corner)].position;
-      if ((there - node.motion.position).squaredNorm() < distance * distance)
-        return are_held_together(scene, node, near, corner);
-    }
+              std::span<const PossibleTwin> possible, double distance) {
+  const std::int32_t body = scene.faces[static_cast<std::size_t>(near.front())].body;
+  for (const PossibleTwin& other : possible) {
+    const Vec3& there = scene.motion[static_cast<std::size_t>(other.node)].position;
+    if (other.body == body && (there - node.motion.position).squaredNorm() < distance * distance)
+      return are_held_together(scene, node, near, other.node);
+  }
   return false;
+}
+
+void list_twins(std::span<const MasterFace> faces, std::span<const Vec3> positions, double motion,
+                const DetectionSettings& settings, Candidates& candidates) {
+  candidates.twins.clear();
+  if (candidates.second.empty()) return;
+  const double within = (settings.twin + 2 * motion) * (1 + 1e-6);  // what is later measured is rounded otherwise
+  const auto place = [&](LocalIndex node) -> const Vec3& { return positions[static_cast<std::size_t>(node)]; };
+  for (LocalIndex s = 0; s < candidates.faces.rows(); ++s) {
+    const std::span<const LocalIndex> near = std::as_const(candidates.faces).row(s);
+    const char* second = candidates.second.data() + (near.data() - candidates.faces.values.data());
+    const auto known = [&, first = candidates.twins.values.size()](LocalIndex node) {
+      return std::ranges::any_of(std::span(candidates.twins.values).subspan(first),
+                                 [&](const PossibleTwin& twin) { return twin.node == node; });
+    };
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      if (second[i] == 0) continue;
+      const MasterFace& face = faces[static_cast<std::size_t>(near[i])];
+      for (std::size_t c = 0; c < static_cast<std::size_t>(face.corner_count); ++c) {
+        const LocalIndex node = face.nodes[c];
+        if ((place(node) - place(candidates.slave[static_cast<std::size_t>(s)])).norm() < within && !known(node))
+          candidates.twins.values.push_back({node, face.body});
+      }
+    }
+    candidates.twins.close_row();
+  }
 }
 
 }  // namespace brunt::contact

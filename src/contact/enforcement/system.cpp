@@ -15,35 +15,37 @@ namespace {
 constexpr int row_sum_width = bin_slices + 1;
 
 /// Share of an impulse along the row's directions that the node is free to follow; what is left of a projector's
-/// rounding along a direction that is held counts as nothing.
-double free_share(const Row& row, const Mobility& mobility) {
+/// rounding along a direction that is held counts as nothing. length: of the row's normal.
+double free_share(const Row& row, double length, const Mobility& mobility) {
   constexpr double held = 1e-6;
   const bool is_free = mobility.projector.trace() == 3;  // the trace of a projector is its rank
-  const double along = is_free ? row.normal.norm() : (mobility.projector * row.normal).norm();
+  const double along = is_free ? length : (mobility.projector * row.normal).norm();
   if (along <= held) return 0.0;
   return row.friction > 0 ? 1.0 : along;
 }
 
 /// |G_qn P_n| of node i of a row (of a lever: a bound of it).
-double weight_of(const Row& row, std::size_t i, const Mobility& mobility) {
+double weight_of(const Row& row, double length, std::size_t i, const Mobility& mobility) {
   const double weight = std::abs(row.weights[i]) + (row.lever == nullptr ? 0.0 : row.lever->size[i]);
-  return weight * free_share(row, mobility);
+  return weight * free_share(row, length, mobility);
 }
 
 /// Calls visit(node, |G_qn P_n|) for the nodes of a row.
 template <class Visit>
 void for_each_weight(const System& system, const Row& row, Visit&& visit) {
+  const double length = row.normal.norm();
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
     const auto node = static_cast<std::size_t>(row.nodes[i]);
-    visit(node, weight_of(row, i, system.mobility[node]));
+    visit(node, weight_of(row, length, i, system.mobility[node]));
   }
 }
 
 /// Can an impulse in this row change its rate? Else the row is left out: prescribed motion has the authority.
 bool can_act(const System& system, const Row& row) {
+  const double length = row.normal.norm();
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
     const Mobility& mobility = system.mobility[static_cast<std::size_t>(row.nodes[i])];
-    if (mobility.inverse_mass > 0 && weight_of(row, i, mobility) > 0) return true;
+    if (mobility.inverse_mass > 0 && weight_of(row, length, i, mobility) > 0) return true;
   }
   return false;
 }

@@ -9,6 +9,7 @@
 #include "brunt/contact/constraint.hpp"
 #include "brunt/contact/detection/choose.hpp"
 #include "brunt/contact/detection/encounter.hpp"
+#include "brunt/contact/detection/twins.hpp"
 #include "brunt/contact/history.hpp"
 #include "brunt/contact/options.hpp"
 #include "brunt/core/ragged.hpp"
@@ -25,6 +26,7 @@ struct Candidates {
                                          ///< there is no such sheet
   std::vector<char> second{};            ///< a flag for each of faces.values: this way is the second of two passes, in
                                          ///< which twins are left out; empty: there is none such
+  Ragged<PossibleTwin> twins{};          ///< of each slave, in the bodies that it meets in the second pass; likewise
 };
 
 /// A rigid plane at t_n; bodies are on the side that the normal points to.
@@ -92,6 +94,11 @@ double required_rate(const Row& row, double size, double dt, std::span<const Nod
 inline bool are_twins(const NodeMotion& one, const NodeMotion& other, const DetectionSettings& settings) {
   return (one.position - other.position).squaredNorm() < settings.twin * settings.twin;
 }
+
+/// Fills candidates.twins, where there are second passes. positions: of the contact nodes where lists are made, from
+/// where each may move by `motion` [length].
+void list_twins(std::span<const MasterFace> faces, std::span<const Vec3> positions, double motion,
+                const DetectionSettings& settings, Candidates& candidates);
 
 /// Appends the rows of slave nodes with faces, at most most_rows_of_a_node each: see `encounter` and `choose`.
 /// facet_area: along the area vectors of the slaves' own faces (their unit normals are left in the scratch).

@@ -15,11 +15,19 @@ struct NodeOnSurface {
   bool two_sided = false;  ///< it lies on a sheet, whose facets look to both sides
 };
 
-/// Is a corner of one of the faces `near` nearer to the node than `distance` [length], so that one row holds both, that
-/// of the corner's node on the node's own faces? It does where the surfaces lie on each other (whatever looks at the
-/// other side by 60 degrees or less has a face there to which it is opposed within 20), and where two sharp corners
-/// meet. A sharp corner that stands on a face, or has pressed a dent into it, is no twin of the node there: that node
-/// meets one side of the corner, and its row would leave the corner to fall along that side into the dent.
-bool has_twin(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near, double distance);
+/// A contact node of another body that may come to lie where a slave does.
+struct PossibleTwin {
+  LocalIndex node = 0;
+  std::int32_t body = 0;
+};
+
+/// Is a corner of the faces `near` (of one body) nearer to the node than `distance` [length], so that one row holds
+/// both, that of the corner's node on the node's own faces? It does where the surfaces lie on each other (whatever
+/// looks at the other side by 60 degrees or less has a face there to which it is opposed within 20), and where two
+/// sharp corners meet. A sharp corner that stands on a face, or has pressed a dent into it, is no twin of the node
+/// there: that node meets one side of the corner, and its row would leave the corner to fall along that side into the
+/// dent. possible: all nodes that may be so near.
+bool has_twin(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
+              std::span<const PossibleTwin> possible, double distance);
 
 }  // namespace brunt::contact

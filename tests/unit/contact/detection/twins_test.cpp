@@ -30,7 +30,9 @@ bool is_twin(FewFaces& scene, const Vec3& position, const std::vector<Vec3>& fac
   for (std::size_t f = 0; f < scene.faces.size(); ++f) near.push_back(static_cast<LocalIndex>(f));
   for (std::size_t f = 0; f < facet_normal.size(); ++f) facets.push_back(static_cast<LocalIndex>(f));
   const std::vector<FaceReach> reach(scene.faces.size());
-  return has_twin({scene.faces, reach, scene.motion, scene.dt}, {node, facets, facet_normal}, near, distance);
+  std::vector<PossibleTwin> corners;
+  for (std::size_t i = 0; i + 1 < scene.motion.size(); ++i) corners.push_back({static_cast<LocalIndex>(i), 0});
+  return has_twin({scene.faces, reach, scene.motion, scene.dt}, {node, facets, facet_normal}, near, corners, distance);
 }
 
 /// Normals of the three faces of a cube's lowest corner, which stands upright on it.
