@@ -16,11 +16,15 @@ std::span<const LocalIndex> corners_of(const MasterFace& face) {
   return {face.nodes.data(), static_cast<std::size_t>(face.corner_count)};
 }
 
-Vec3 normal_of(const FacesInMotion& scene, const MasterFace& face) {
+Vec3 area_of(const FacesInMotion& scene, const MasterFace& face) {
   std::array<Vec3, 4> corners;
   const auto count = static_cast<std::size_t>(face.corner_count);
   for (std::size_t i = 0; i < count; ++i) corners[i] = scene.motion[static_cast<std::size_t>(face.nodes[i])].position;
-  return geometry::area_vector({corners.data(), count}).normalized();
+  return geometry::area_vector({corners.data(), count});
+}
+
+bool has_corner(const MasterFace& face, LocalIndex node) {
+  return std::ranges::find(corners_of(face), node) != corners_of(face).end();
 }
 
 /// Cosine between the normal and the reversed one of a facet [-1, 1].
@@ -36,6 +40,26 @@ struct Around {
   [[nodiscard]] bool are_sharp_corner() const { return normals.norm() < lies * count && corners.dot(normals) < 0; }
 };
 
+/// Are both surfaces flat there and on each other, as nearly all twins' are? What is said to be so here the thorough
+/// look below finds too: every face lies on the first facet, and every facet on the first face.
+bool lie_flat(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
+              LocalIndex twin) {
+  constexpr double clearly = 0.95 * 0.95;  // squared cosine
+  const auto faces_each_other = [&](LocalIndex facet, const Vec3& area) {
+    const double along = -node.facet_normal[static_cast<std::size_t>(facet)].dot(area);
+    return (along > 0 || node.two_sided) && along * along > clearly * area.squaredNorm();
+  };
+  auto facets = node.facets;  // for the first face all, for the others the first
+  for (const LocalIndex f : near) {
+    const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
+    if (!has_corner(face, twin)) continue;
+    const Vec3 area = area_of(scene, face);
+    if (!std::ranges::all_of(facets, [&](LocalIndex facet) { return faces_each_other(facet, area); })) return false;
+    facets = facets.first(std::min<std::size_t>(1, facets.size()));
+  }
+  return !node.facets.empty();
+}
+
 /// Does one row hold the node and `twin`, a corner of some of the faces?
 bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
                        LocalIndex twin) {
@@ -46,8 +70,8 @@ bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, st
   bool fit = true;
   for (const LocalIndex f : near) {
     const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
-    if (std::ranges::find(corners_of(face), twin) == corners_of(face).end()) continue;
-    const Vec3 normal = normal_of(scene, face);
+    if (!has_corner(face, twin)) continue;
+    const Vec3 normal = area_of(scene, face).normalized();
     around.normals += normal;
     ++around.count;
     for (const LocalIndex corner : corners_of(face))
@@ -73,7 +97,7 @@ bool has_twin(const FacesInMotion& scene, const NodeOnSurface& node, std::span<c
   for (const PossibleTwin& other : possible) {
     const Vec3& there = scene.motion[static_cast<std::size_t>(other.node)].position;
     if (other.body == body && (there - node.motion.position).squaredNorm() < distance * distance)
-      return are_held_together(scene, node, near, other.node);
+      return lie_flat(scene, node, near, other.node) || are_held_together(scene, node, near, other.node);
   }
   return false;
 }
