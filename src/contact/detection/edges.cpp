@@ -49,6 +49,7 @@ Box box_of(const geometry::Segment& start, const geometry::Segment& end) {
 }
 
 constexpr double facet_curvature = 0.02;  // sine of an angle
+constexpr double warp = 0.1;              // sine: by so much a warped face's normal turns along its rim
 constexpr double along_a_face = 5;        // [degrees] from a face's normal: the edge lies in the face
 constexpr double kink = 0.5;              // [radians] between edges of a chain that a node presses in
 constexpr double crosswise = 0.35;        // cosine between directions that lie across each other, at most
@@ -132,8 +133,10 @@ bool meet_now(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& mas
   met = {closest->s, closest->t, closest->gap, closest->normal};
   // a node that contact holds presses a chain in by little: deep ones pass each other beside the end of one
   if (closest->past_an_end && -met.gap > scene.settings.encounter.rim * size) return false;
+  // edges that hold each other would let go for a step wherever their normal passes the mean normal of a warped face
+  const bool shallow = std::abs(met.gap) <= scene.settings.encounter.rim * size;
   // where a chain of edges ends for good, faces and nodes meet, along the normal of a face
-  const double beyond = closest->past_an_end ? -0.1 : facet_curvature;
+  const double beyond = closest->past_an_end ? -0.1 : (shallow ? warp : facet_curvature);
   if (!touches_as_edges(scene, slave, master, met.normal, beyond)) return false;
   if (met.gap <= 0) return -met.gap <= scene.settings.encounter.deepest(size, std::min(slave.depth, master.depth));
   return is_slow(scene, slave, master, size);
