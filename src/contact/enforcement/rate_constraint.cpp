@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "brunt/core/fixed_sum.hpp"
 
@@ -99,19 +98,37 @@ double quotient(const Judgement& now, int iteration) {
   return length >= 1 ? std::min(length, longest) : 1.0;  // also where nothing is left to divide
 }
 
+/// v = v*; the largest violation by it, and the largest impulse to start from on a node: in one message.
+std::array<double, 2> look_at_start(const System& system, bool warm_start, Exchange& exchange,
+                                    std::span<const Vec3> impulses, std::span<Vec3> velocity) {
+  for (std::size_t node = 0; node < system.motion.size(); ++node) velocity[node] = system.motion[node].predicted;
+  std::array<double, 2> largest{violation_here(system, velocity),
+                                warm_start ? largest_impulse_on_a_node(system.rows, impulses) : 0.0};
+  exchange.max(largest);
+  return largest;
+}
+
+/// The residual to end with, of the one to start from: see the header.
+double residual_to_reach(const EnforcementSettings& settings, double first) {
+  constexpr double gained = 0.1, still = 1e-6;  // of a warm start's residual; of the tolerance
+  if (!settings.warm_start) return settings.tolerance;
+  return std::min(settings.tolerance, std::max(gained * first, still * settings.tolerance));
+}
+
 }  // namespace
 
 EnforcementResult iterate(const System& system, const EnforcementSettings& settings, StepLength length, bool coupled,
                           double violation, Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
                           EnforcementScratch& scratch) {
-  constexpr double rounding_share = 1e-15;
-  constexpr double gained = 0.1, still = 1e-6;  // see the header: of a warm start's residual; of the tolerance
-  constexpr int patience = 30;                  // Barzilai-Borwein steps do not descend one by one
   EnforcementResult result{.violation = violation};
   Iteration iteration(system, coupled, exchange, impulses, velocity, scratch);
-  bool quotients = length == StepLength::barzilai_borwein;
-  double settled = std::numeric_limits<double>::infinity();
-  double taken = 1, terms = 0, best = std::numeric_limits<double>::infinity(), best_before = best;
+  const bool quotients = length == StepLength::barzilai_borwein;
+  constexpr double rounding_share = 1e-15;
+  constexpr double long_steps_share = 0.75;  // of the iterations, where they do not descend
+  Stall stall(30);                           // Barzilai-Borwein steps do not descend one by one
+  double enough = settings.tolerance;
+  double taken = 1, terms = 0;
+  int sweeps = 0;  // that come next
   while (true) {
     const Judgement now = iteration.judge(terms);
     result.residual = now.residual / violation;
@@ -120,21 +137,17 @@ EnforcementResult iterate(const System& system, const EnforcementSettings& setti
       return {violation, 0.0, 1, true};
     }
     const bool rounding = now.residual <= rounding_share * now.speed;  // of velocities: nothing is left to gain
-    if (result.iterations == 0 && settings.warm_start)
-      settled = std::max(gained * result.residual, still * settings.tolerance);
-    if (result.residual <= std::min(settings.tolerance, settled) || rounding ||
-        result.iterations == settings.max_iterations) {
+    if (result.iterations == 0) enough = residual_to_reach(settings, result.residual);
+    if (result.residual <= enough || rounding || result.iterations == settings.max_iterations) {
       const bool sweep = taken > 1 || (result.iterations == 0 && !rounding);
       if (sweep) iteration.advance(now, 1);
       result.acted = now.impulse > 0 || sweep;
       return result;
     }
-    best = std::min(best, result.residual);
-    if (result.iterations % patience == 0) {
-      if (best > 0.5 * best_before) quotients = false;
-      best_before = best;
-    }
-    taken = quotients && result.iterations > 0 ? quotient(now, result.iterations) : 1.0;
+    if (const int due = stall.sweeps_due(result.iterations, result.residual); due > 0)
+      sweeps = result.iterations < long_steps_share * settings.max_iterations ? due : settings.max_iterations;
+    taken = quotients && result.iterations > 0 && sweeps == 0 ? quotient(now, result.iterations) : 1.0;
+    sweeps = std::max(sweeps - 1, 0);
     iteration.advance(now, taken);
     terms = quotients ? taken * taken * now.energy : 0.0;
     ++result.iterations;
@@ -144,19 +157,11 @@ EnforcementResult iterate(const System& system, const EnforcementSettings& setti
 EnforcementResult enforce_rate_constraint(const System& system, const EnforcementSettings& settings, StepLength length,
                                           Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
                                           EnforcementScratch& scratch) {
-  const double violation = start_from_prediction(system, exchange, velocity);
-  if (violation == 0) {
-    std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
-    return {};
-  }
+  const auto [violation, largest] = look_at_start(system, settings.warm_start, exchange, impulses, velocity);
+  if (violation == 0 || !settings.warm_start) std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
+  if (violation == 0) return {};
   const bool coupled = form_row_sums(system, exchange, scratch);
-  if (settings.warm_start) {
-    double largest = largest_impulse_on_a_node(system.rows, impulses);
-    exchange.max({&largest, 1});
-    if (largest > 0) apply_impulses(system, impulses, largest, exchange, velocity, scratch);
-  } else {
-    std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
-  }
+  if (largest > 0) apply_impulses(system, impulses, largest, exchange, velocity, scratch);
   return iterate(system, settings, length, coupled, violation, exchange, impulses, velocity, scratch);
 }
 

@@ -149,19 +149,20 @@ Vec3 missing_rate(const Row& row, const Vec3& relative) {
   return missing;
 }
 
-double largest_violation(const System& system, std::span<const Vec3> velocity, Exchange& exchange) {
+double violation_here(const System& system, std::span<const Vec3> velocity) {
   double largest = 0;
   for (const Row& row : system.rows) {
     const double missing = shortfall(row, relative_velocity(row, velocity));
     if (missing != 0 && can_act(system, row)) keep_max(largest, missing);
   }
-  exchange.max({&largest, 1});
   return largest;
 }
 
 double start_from_prediction(const System& system, Exchange& exchange, std::span<Vec3> velocity) {
   for (std::size_t node = 0; node < system.motion.size(); ++node) velocity[node] = system.motion[node].predicted;
-  return largest_violation(system, velocity, exchange);
+  double largest = violation_here(system, velocity);
+  exchange.max({&largest, 1});
+  return largest;
 }
 
 bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch& scratch, bool (*counts)(const Row&)) {

@@ -64,8 +64,8 @@ double largest_impulse_on_a_node(std::span<const Row> rows, std::span<const Vec3
 /// drift - v across it [velocity].
 Vec3 missing_rate(const Row& row, const Vec3& relative);
 
-/// Largest max(0, required - n . v) over the rows that can act (for tied rows also across the normal). Collective.
-double largest_violation(const System& system, std::span<const Vec3> velocity, Exchange& exchange);
+/// Largest max(0, required - n . v) over this rank's rows that can act (for tied rows also across the normal).
+double violation_here(const System& system, std::span<const Vec3> velocity);
 
 /// v = v*, and the largest violation by it. Collective.
 double start_from_prediction(const System& system, Exchange& exchange, std::span<Vec3> velocity);
