@@ -44,11 +44,6 @@ bool has_node(const MasterFace& face, LocalIndex node) {
                            (static_cast<int>(corner[3] == node) & static_cast<int>(face.corner_count == 4)));
 }
 
-std::ptrdiff_t shared_nodes(const MasterFace& one, const MasterFace& other) {
-  return std::count_if(one.nodes.begin(), one.nodes.begin() + one.corner_count,
-                       [&](LocalIndex node) { return has_node(other, node); });
-}
-
 /// A face whose rim is where the node passes through a neighbour, and that has it in front as well, is hit with it: at
 /// a convex corner it is rounding that decides which one the path crosses.
 void join_hit(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
@@ -122,6 +117,11 @@ void seen_from(const Approach& approach, std::span<Vec3> corners) {
 }
 
 }  // namespace
+
+std::ptrdiff_t shared_nodes(const MasterFace& one, const MasterFace& other) {
+  return std::count_if(one.nodes.begin(), one.nodes.begin() + one.corner_count,
+                       [&](LocalIndex node) { return has_node(other, node); });
+}
 
 void find_hit(const FacesInMotion& scene, const NodeMotion& slave, Encounter& met) {
   const MasterFace& face = scene.faces[static_cast<std::size_t>(met.face)];

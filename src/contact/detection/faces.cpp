@@ -6,6 +6,7 @@
 
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/contact/detection/false_depth.hpp"
+#include "brunt/contact/detection/ledges.hpp"
 #include "brunt/contact/detection/sides.hpp"
 #include "brunt/contact/detection/twins.hpp"
 #include "motion_quads.hpp"
@@ -176,6 +177,7 @@ std::span<Encounter> meet_faces(const FacesInMotion& scene, const DetectionSetti
     settle_rims(scene, settings.encounter, settings.choice.same_direction, here);
     if (settings.choice.criterion == Criterion::automatic) drop_false_depths(scene, settings.encounter, here);
     judge_paths(scene, settings.encounter, slave.motion, here);
+    pass_ledges(scene, settings.choice.same_direction, slave.motion, here);
   }
   const auto end =
       std::remove_if(met.begin(), met.end(), [](const Encounter& e) { return e.meeting == Meeting::none; });

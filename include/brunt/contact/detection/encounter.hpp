@@ -107,6 +107,9 @@ Encounter encounter(const FacesInMotion& scene, const EncounterSettings& setting
 void encounter_all(const FacesInMotion& scene, const EncounterSettings& settings,
                    std::span<const NodeMotion* const> slave, std::span<Encounter> met);
 
+/// How many corners two faces have in common.
+std::ptrdiff_t shared_nodes(const MasterFace& one, const MasterFace& other);
+
 /// Does the node's path pass through the face, seen from its side, within the step? Then it is Meeting::hit.
 void find_hit(const FacesInMotion& scene, const NodeMotion& slave, Encounter& met);
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ledges: where a body slides from one to another that lies flush with it, the first has settled by a little under the
+// load, and the second stands out by so much. A node that slides along comes to the side of the second then, a hair
+// below its edge, and a row there would stop the body dead, or throw it back.
+#pragma once
+#include <span>
+
+#include "brunt/contact/detection/encounter.hpp"
+
+namespace brunt::contact {
+
+/// Ledges no higher than this share of the longest edge are passed over.
+constexpr double ledge = 1e-3;
+
+/// Sides of ledges become Meeting::none: a node that moves into a face e, but along its neighbour t across a convex
+/// edge, and is behind t by no more than a ledge, is left to t, which takes back the height slowly (see
+/// required_rate). What moves as much into t, or hardly at all, has no ledge: there the nearest face holds, as ever.
+/// encounters: of one slave with the faces of one body, with their opposition, after judge_paths.
+void pass_ledges(const FacesInMotion& scene, double same_direction, const NodeMotion& slave,
+                 std::span<Encounter> encounters);
+
+/// Does what moves like this in a step [length] move into what has one normal, but along what has the other?
+/// size: longest edge [length].
+inline bool slides_into(const Vec3& motion, const Vec3& normal, const Vec3& along, double size) {
+  constexpr double still = 1e-6;  // of the size
+  const double into = -motion.dot(normal);
+  return into > still * size && -motion.dot(along) < 0.5 * into;
+}
+
+}  // namespace brunt::contact

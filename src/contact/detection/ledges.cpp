@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/detection/ledges.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brunt::contact {
+namespace {
+
+const MasterFace& face_of(const FacesInMotion& scene, const Encounter& e) {
+  return scene.faces[static_cast<std::size_t>(e.face)];
+}
+
+/// How far node and face point have moved apart in the last step: the predicted velocities hold what presses the node
+/// into a face that bears it.
+Vec3 last_motion(const FacesInMotion& scene, const NodeMotion& slave, const Encounter& e) {
+  const MasterFace& face = face_of(scene, e);
+  Vec3 relative = slave.old_velocity;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i)
+    relative -= e.weights[i] * scene.motion[static_cast<std::size_t>(face.nodes[i])].old_velocity;
+  return scene.dt * relative;
+}
+
+/// Is the place where the node meets `side` below the edge of `top` by no more than a ledge?
+bool is_ledge(const FacesInMotion& scene, double same_direction, const Encounter& side, const Encounter& top) {
+  const double height = ledge * std::min(side.size, top.size);
+  if (!(top.height <= 0) || -top.height > height || top.opposition < 0.5 * side.opposition) return false;
+  if ((top.point - side.point).dot(top.normal) > 2 * height) return false;
+  return shared_nodes(face_of(scene, side), face_of(scene, top)) >= 2 &&
+         !contact::same_direction(side.normal, top.normal, same_direction) &&
+         !concave(scene.faces, scene.motion, side, top);
+}
+
+}  // namespace
+
+void pass_ledges(const FacesInMotion& scene, double same_direction, const NodeMotion& slave,
+                 std::span<Encounter> encounters) {
+  for (Encounter& side : encounters) {
+    if (side.meeting == Meeting::none) continue;
+    const auto passes = [&](const Encounter& top) {
+      return &top != &side && is_ledge(scene, same_direction, side, top) &&
+             slides_into(last_motion(scene, slave, side), side.normal, top.normal, side.size);
+    };
+    if (std::ranges::any_of(encounters, passes)) side.meeting = Meeting::none;
+  }
+}
+
+}  // namespace brunt::contact
