@@ -25,10 +25,9 @@ Vec3 last_motion(const FacesInMotion& scene, const NodeMotion& slave, const Enco
 bool is_ledge(const FacesInMotion& scene, double same_direction, const Encounter& side, const Encounter& top) {
   const double height = ledge * std::min(side.size, top.size);
   if (!(top.height <= 0) || -top.height > height || top.opposition < 0.5 * side.opposition) return false;
-  if ((top.point - side.point).dot(top.normal) > 2 * height) return false;
-  return shared_nodes(face_of(scene, side), face_of(scene, top)) >= 2 &&
-         !contact::same_direction(side.normal, top.normal, same_direction) &&
-         !concave(scene.faces, scene.motion, side, top);
+  if (contact::same_direction(side.normal, top.normal, same_direction)) return false;  // as nearly all are
+  return (top.point - side.point).dot(top.normal) <= 2 * height &&
+         shared_nodes(face_of(scene, side), face_of(scene, top)) >= 2 && !concave(scene.faces, scene.motion, side, top);
 }
 
 }  // namespace
