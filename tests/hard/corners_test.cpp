@@ -10,7 +10,7 @@
 #include "support/simulation.hpp"
 
 using namespace brunt;
-using test::GivenBack, test::Simulation;
+using test::GivenBack, test::run_until, test::Simulation;
 
 // A plate's node level with the block's foot, a little beside its front corner, was taken for inside of its front,
 // which opposes the plate by its tilt: contact gave a third of the work of gravity, 0.37 mm deep.
@@ -27,11 +27,7 @@ TEST_CASE("a block slides on a plate whose nodes pass beside its corners") {
                    "fixed: [{set: foot, dofs: [x, y, z]}]\ngravity: {vector: [3.3552, 0, -9.2184]}\n"
                    "damping: {alpha: 200, from: 0, to: 0.05}\n"
                    "contact: [{between: all, friction: 0.2, passes: two}]\n");
-  GivenBack contact;
-  while (scene.state.time < 0.25) {
-    scene.step();
-    contact.look(scene.ledger().contact);
-  }
+  const GivenBack contact = run_until(scene, 0.25);
   const double work = scene.ledger().external;
   CAPTURE(work, contact.given);
   CHECK(work > 0.01);
@@ -52,11 +48,7 @@ TEST_CASE("a rubber cube falls on its corner upon a face of another one") {
                    "initial: [{part: b, velocity: [0.01, 0, -0.1]}]\n"
                    "contact: [{between: all, friction: 0.3, passes: two}]\n");
   constexpr double energy = 0.5 * (0.1 * 0.1 + 0.01 * 0.01);
-  GivenBack contact;
-  while (scene.state.time < 20) {
-    scene.step();
-    contact.look(scene.ledger().contact);
-  }
+  const GivenBack contact = run_until(scene, 20);
   CAPTURE(degrees, contact.most / energy, contact.given / energy);
   CHECK(contact.most > 1e-3 * energy);
   CHECK(contact.given <= 5e-4 * energy);                      // seen: 1.2e-4
@@ -80,11 +72,7 @@ TEST_CASE("a rubber cube falls on its corner upon a node of another one") {
                    "initial: [{part: b, velocity: [0.01, 0, -0.1]}]\n"
                    "contact: [{between: all, passes: two}]\n");
   constexpr double energy = 0.5 * (0.1 * 0.1 + 0.01 * 0.01);
-  GivenBack contact;
-  while (scene.state.time < 8) {
-    scene.step();
-    contact.look(scene.ledger().contact);
-  }
+  const GivenBack contact = run_until(scene, 8);
   CAPTURE(aside.transpose(), contact.most / energy, contact.given / energy);
   CHECK(contact.most > 1e-3 * energy);
   CHECK(contact.given <= 5e-3 * energy);                       // seen: 2e-3; 1e-2 .. 3e-2 before
@@ -110,11 +98,7 @@ TEST_CASE("a cube falls on its corner upon another one without friction: the pit
                                         "}}\ninitial: [{part: b, velocity: [" + std::to_string(0.1 * speed) + ", 0, " +
                                         std::to_string(-speed) + "]}]\ncontact: [{between: all, passes: two}]\n");
   const double energy = 0.5 * 1.01 * speed * speed;
-  GivenBack contact;
-  while (scene.state.time < 12) {
-    scene.step();
-    contact.look(scene.ledger().contact);
-  }
+  const GivenBack contact = run_until(scene, 12);
   CAPTURE(model, element, degrees, speed, contact.most / energy, contact.given / energy,
           scene.contact->collect().penetration / 0.2);
   CHECK(contact.most > 1e-3 * energy);

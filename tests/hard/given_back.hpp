@@ -3,6 +3,8 @@
 #pragma once
 #include <algorithm>
 
+#include "support/simulation.hpp"
+
 namespace brunt::test {
 
 /// Looked at after each step.
@@ -19,5 +21,15 @@ struct GivenBack {
     given = std::max(given, most - now);
   }
 };
+
+/// Steps on until `end` [time], and looks after each step.
+inline GivenBack run_until(Simulation& scene, double end) {
+  GivenBack contact;
+  while (scene.state.time < end) {
+    scene.step();
+    contact.look(scene.ledger().contact);
+  }
+  return contact;
+}
 
 }  // namespace brunt::test

@@ -12,7 +12,7 @@
 #include "support/simulation.hpp"
 
 using namespace brunt;
-using test::GivenBack, test::Simulation;
+using test::GivenBack, test::run_until, test::Simulation;
 
 namespace {
 
@@ -144,11 +144,7 @@ TEST_CASE("a rubber cube pressed on another one in two passes: contact gives non
       "prescribed: [{set: top, dof: z, velocity: c}]\n"
       "damping: {alpha: 200, from: 0, to: 1}\n"
       "contact: [{between: all, passes: two}]\n");
-  GivenBack contact;
-  while (scene.state.time < 0.1) {
-    scene.step();
-    contact.look(scene.ledger().contact);
-  }
+  const GivenBack contact = run_until(scene, 0.1);
   const double work = scene.ledger().external;
   CAPTURE(upper, contact.now / work, contact.given / work);
   CHECK(work > 1);

@@ -7,54 +7,15 @@
 #include <numbers>
 #include <optional>
 
-#include "brunt/contact/detection/ledges.hpp"
-#include "brunt/geometry/segments.hpp"
+#include "edge_ledges.hpp"
 
 namespace brunt::contact {
 namespace {
-
-using geometry::Box;
-
-/// How two edges meet: points (1-s) a0 + s a1 and (1-t) b0 + t b1.
-struct EdgeMeeting {
-  double s = 0, t = 0, gap = 0;
-  Vec3 normal = Vec3::Zero();  ///< out of the master
-};
-
-struct EdgeScene {
-  std::span<const GlobalIndex> gid;
-  std::span<const NodeMotion> motion;
-  std::span<const Vec3> facet_normal, reference;
-  double dt;
-  const DetectionSettings& settings;
-  double full;  ///< sine of the angle of settings.choice.same_direction
-
-  [[nodiscard]] const NodeMotion& at(LocalIndex node) const { return motion[static_cast<std::size_t>(node)]; }
-  [[nodiscard]] geometry::Segment start(const EdgeSide& edge) const {
-    return {at(edge.nodes[0]).position, at(edge.nodes[1]).position};
-  }
-  [[nodiscard]] geometry::Segment end(const EdgeSide& edge) const {
-    const geometry::Segment from = start(edge);
-    return {from.start + dt * at(edge.nodes[0]).predicted, from.end + dt * at(edge.nodes[1]).predicted};
-  }
-  [[nodiscard]] Vec3 normal(const EdgeSide& edge, std::size_t side) const {
-    return facet_normal[static_cast<std::size_t>(edge.facets[side])];
-  }
-  [[nodiscard]] Vec3 outward(const EdgeSide& edge) const { return normal(edge, 0) + normal(edge, 1); }
-};
-
-Box box_of(const geometry::Segment& start, const geometry::Segment& end) {
-  Box box;
-  for (const Vec3& point : {start.start, start.end, end.start, end.end}) geometry::extend(box, point);
-  return box;
-}
 
 constexpr double facet_curvature = 0.02;  // sine of an angle
 constexpr double warp = 0.1;              // sine: by so much a warped face's normal turns along its rim
 constexpr double along_a_face = 5;        // [degrees] from a face's normal: the edge lies in the face
 constexpr double kink = 0.5;              // [radians] between edges of a chain that a node presses in
-constexpr double upright = 0.9;           // cosine between an edge and the normal of what it stands on, at least
-constexpr double parallel = 1e-3;         // sine between edges, at most
 constexpr double crosswise = 0.35;        // cosine between directions that lie across each other, at most
 
 /// Does `direction` lie between the normals of the two faces of a convex edge, or beyond them by no more than rounding
@@ -175,73 +136,6 @@ bool held_at_ends(const EncounterSettings& settings, std::span<const Vec3> node_
   return (held(0, 1 - met.s) && held(1, met.s)) || (deep && held_across(0) && held_across(1));
 }
 
-/// How the edges have moved against each other in the last step, where they meet: see last_motion in ledges.cpp.
-Vec3 last_motion(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met) {
-  const auto last = [&](const EdgeSide& edge, std::size_t i) { return scene.at(edge.nodes[i]).old_velocity; };
-  return scene.dt * ((1 - met.s) * last(slave, 0) + met.s * last(slave, 1) - (1 - met.t) * last(master, 0) -
-                     met.t * last(master, 1));
-}
-
-/// Parallel edges that slide by each other on a ledge (see ledges.hpp): along a face of the master, no deeper than that
-/// behind it. Edges that cross, at however small an angle, hold each other: bars laid on each other at one degree gave
-/// energy without that row.
-bool pass_along(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size,
-                const EdgeMeeting& met, const Vec3& motion) {
-  const geometry::Segment own = scene.start(slave), other = scene.start(master);
-  if (own.along().cross(other.along()).norm() > parallel) return false;
-  const Vec3 apart = (1 - met.s) * own.start + met.s * own.end - (1 - met.t) * other.start - met.t * other.end;
-  const auto faces = [&](const EdgeSide& edge, std::size_t i, const Vec3& normal) {
-    return scene.normal(edge, i).dot(normal) < -0.5;
-  };
-  // face i of the slave lies on face k of the master, and the others meet
-  const auto lies_on = [&](std::size_t i, std::size_t k) {
-    const Vec3 top = scene.normal(master, k), side = scene.normal(master, 1 - k);
-    const double height = apart.dot(top);
-    return faces(slave, i, top) && faces(slave, 1 - i, side) && height <= 0 && -height <= ledge * size &&
-           slides_into(motion, side, top, size);
-  };
-  return lies_on(0, 0) || lies_on(0, 1) || lies_on(1, 0) || lies_on(1, 1);
-}
-
-/// Calls visit(end) for the ends of the edge that are within a ledge of where it is met; at: that, from its first end.
-template <class Visit>
-bool any_end_at_ledge(const EdgeScene& scene, const EdgeSide& edge, double at, double size, Visit&& visit) {
-  const geometry::Segment here = scene.start(edge);
-  const double reach = ledge * size / (here.end - here.start).norm();
-  return (at <= reach && visit(std::size_t{0})) || (1 - at <= reach && visit(std::size_t{1}));
-}
-
-/// Does the slave edge stand on one of its ends, and come with it to a ledge?
-bool stands_at_ledge(const EdgeScene& scene, std::span<const Vec3> node_normal, const EdgeSide& slave, double size,
-                     const EdgeMeeting& met, const Vec3& motion) {
-  return any_end_at_ledge(scene, slave, met.s, size, [&](std::size_t end) {
-    const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];
-    return std::abs(normal.dot(scene.start(slave).along())) > upright && slides_into(motion, met.normal, normal, size);
-  });
-}
-
-/// Is it the other way round? What holds the end of a master edge is not known, but that the slave edge has a face
-/// across it, and that no other edge goes on from there (near: all that the slave edge may meet). Corner on corner is
-/// no ledge.
-bool is_ledge_below(const EdgeScene& scene, const EdgeCandidates& candidates, std::span<const LocalIndex> near,
-                    const EdgeSide& slave, const EdgeSide& master, double size, const EdgeMeeting& met,
-                    const Vec3& motion) {
-  if (any_end_at_ledge(scene, slave, met.s, size, [](std::size_t) { return true; })) return false;
-  const Vec3 along = scene.start(master).along();
-  return any_end_at_ledge(scene, master, met.t, size, [&](std::size_t end) {
-    const auto goes_on = [&](LocalIndex m) {
-      const EdgeSide& other = candidates.masters[static_cast<std::size_t>(m)];
-      return other.nodes != master.nodes && std::ranges::find(other.nodes, master.nodes[end]) != other.nodes.end() &&
-             std::abs(scene.start(other).along().dot(along)) > upright;
-    };
-    const auto crosses = [&](std::size_t side) {
-      const Vec3 normal = scene.normal(slave, side);
-      return std::abs(normal.dot(along)) > upright && slides_into(motion, met.normal, -normal, size);
-    };
-    return (crosses(0) || crosses(1)) && std::ranges::none_of(near, goes_on);
-  });
-}
-
 bool has_accepted_end(const EdgeScene& scene, const EdgeSide& edge, std::int32_t body) {
   return std::ranges::any_of(edge.nodes, [&](LocalIndex node) {
     return accepted_depth(scene.settings.accepted, scene.gid[static_cast<std::size_t>(node)], body) > 0;
@@ -291,26 +185,17 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
   const EdgeScene scene{gid, motion, facet_normal, reference, dt, settings, full};
   for (std::size_t e = 0; e < candidates.slaves.size(); ++e) {
     const EdgeSide& slave = candidates.slaves[e];
-    const Box slave_box = box_of(scene.start(slave), scene.end(slave));
+    const geometry::Box slave_box = scene.sweep(slave);
     const std::span<const LocalIndex> near = candidates.near.row(static_cast<LocalIndex>(e));
     for (const LocalIndex m : near) {
       const EdgeSide& master = candidates.masters[static_cast<std::size_t>(m)];
-      const geometry::Segment start = scene.start(master);
-      const double length = (start.end - start.start).norm();
-      const Box reach =
-          geometry::grown(box_of(start, scene.end(master)), settings.encounter.reach(length, master.depth));
-      if (!geometry::overlaps(reach, slave_box)) continue;
-      const geometry::Segment own = scene.start(slave);
-      const double size = std::min(length, (own.end - own.start).norm());
+      if (!geometry::overlaps(scene.reach(master), slave_box)) continue;
+      const double size = std::min(scene.length(slave), scene.length(master));
       EdgeMeeting met;
       if (!meet_now(scene, slave, master, size, met) &&
           (is_slow(scene, slave, master, size) || !meet_in_step(scene, slave, master, met)))
         continue;
-      const Vec3 slid = last_motion(scene, slave, master, met);
-      if (pass_along(scene, slave, master, size, met, slid) ||
-          stands_at_ledge(scene, node_normal, slave, size, met, slid) ||
-          is_ledge_below(scene, candidates, near, slave, master, size, met, slid))
-        continue;
+      if (meet_on_ledge(scene, candidates, near, node_normal, slave, master, met)) continue;
       if (held_at_ends(settings.encounter, node_normal, slave, size, met)) continue;
       met.gap += accepted_overlap(scene, slave, master, met);
       Row& row = rows.emplace_back(row_of(slave, master, met, gid));

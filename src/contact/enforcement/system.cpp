@@ -158,8 +158,12 @@ double violation_here(const System& system, std::span<const Vec3> velocity) {
   return largest;
 }
 
-double start_from_prediction(const System& system, Exchange& exchange, std::span<Vec3> velocity) {
+void take_prediction(const System& system, std::span<Vec3> velocity) {
   for (std::size_t node = 0; node < system.motion.size(); ++node) velocity[node] = system.motion[node].predicted;
+}
+
+double start_from_prediction(const System& system, Exchange& exchange, std::span<Vec3> velocity) {
+  take_prediction(system, velocity);
   double largest = violation_here(system, velocity);
   exchange.max({&largest, 1});
   return largest;

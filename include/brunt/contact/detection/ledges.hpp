@@ -12,9 +12,9 @@ namespace brunt::contact {
 /// Ledges no higher than this share of the longest edge are passed over.
 constexpr double ledge = 1e-3;
 
-/// Sides of ledges become Meeting::none: a node that moves into a face e, but along its neighbour t across a convex
-/// edge, and is behind t by no more than a ledge, is left to t, which takes back the height slowly (see
-/// required_rate). What moves as much into t, or hardly at all, has no ledge: there the nearest face holds, as ever.
+/// Sides of ledges become Meeting::none: a node that moves into a face, but along the neighbour across a convex edge,
+/// and is behind that by no more than a ledge, is left to the neighbour, which takes back the height slowly (see
+/// required_rate). What moves as much into the neighbour, or hardly at all, has no ledge: there the nearest face holds.
 /// encounters: of one slave with the faces of one body, with their opposition, after judge_paths.
 void pass_ledges(const FacesInMotion& scene, double same_direction, const NodeMotion& slave,
                  std::span<Encounter> encounters);

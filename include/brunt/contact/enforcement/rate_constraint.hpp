@@ -18,34 +18,11 @@
 // seen), none in impacts. They count in max_iterations, but a step that ends there within the tolerance has not ended
 // at the limit (see ended_at_limit).
 #pragma once
-#include <algorithm>
-#include <limits>
-#include <utility>
-
 #include "brunt/contact/enforcement/enforce.hpp"
 
 namespace brunt::contact {
 
 enum class StepLength { row_sum, barzilai_borwein };
-
-/// Has the residual been halved in so many iterations? Else a few sweeps of row sums, which descend, come in between.
-/// (To go on with them alone took more than 200 iterations where five of them and long steps again take 60; more of
-/// them each time took 2000 to 1e-6 where the same five take 500.)
-class Stall {
- public:
-  explicit Stall(int patience) : patience_(patience) {}
-  /// 0: none.
-  int sweeps_due(int iteration, double residual) {
-    constexpr int few = 5;
-    best_ = std::min(best_, residual);
-    if (iteration % patience_ != 0) return 0;
-    return best_ <= 0.5 * std::exchange(before_, best_) ? 0 : few;
-  }
-
- private:
-  int patience_;
-  double best_ = std::numeric_limits<double>::infinity(), before_ = best_;
-};
 
 /// As `enforce`; scratch.diagonal is formed here.
 EnforcementResult enforce_rate_constraint(const System& system, const EnforcementSettings& settings, StepLength length,

@@ -67,7 +67,10 @@ Vec3 missing_rate(const Row& row, const Vec3& relative);
 /// Largest max(0, required - n . v) over this rank's rows that can act (for tied rows also across the normal).
 double violation_here(const System& system, std::span<const Vec3> velocity);
 
-/// v = v*, and the largest violation by it. Collective.
+/// v = v*.
+void take_prediction(const System& system, std::span<Vec3> velocity);
+
+/// The same, and the largest violation by it. Collective.
 double start_from_prediction(const System& system, Exchange& exchange, std::span<Vec3> velocity);
 
 /// Fills scratch.diagonal with the row sums H_q = sum_n |G_qn P_n| s_n / m_n, s_n = sum_p |G_pn P_n|: H - G W G^T is

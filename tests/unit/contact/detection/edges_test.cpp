@@ -206,3 +206,56 @@ TEST_CASE("an overlap of the start that is accepted is where the gap begins, for
     }
   CHECK(gap(-0.02, -0.02, 0, 2, 5) == Approx(-0.02).margin(1e-14));  // against another body
 }
+
+namespace {
+
+/// The upper edge of a block's side (slave, along y) and the upright edge of another block (master) that slides towards
+/// it along x, its foot a little below; far: how far off it is.
+struct UprightAtLedge {
+  std::vector<GlobalIndex> gid{0, 1, 2, 3, 4};
+  std::vector<NodeMotion> motion{5};
+  std::vector<Vec3> facets{Vec3(0, 0, 1), Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, node_normal{5, Vec3::Zero()};
+  EdgeCandidates candidates;
+  DetectionSettings settings;
+
+  UprightAtLedge(double far, double below) {
+    motion[0].position = {0, -0.5, 0};
+    motion[1].position = {0, 0.5, 0};
+    motion[2].position = {-far, 0.1, -below};
+    motion[3].position = {-far, 0.1, 1};
+    for (std::size_t i = 2; i < 5; ++i) motion[i].old_velocity = Vec3(1, 0, 0);
+    candidates.slaves = {{.nodes = {0, 1}, .facets = {0, 1}, .body = 0}};
+    candidates.masters = {{.nodes = {2, 3}, .facets = {2, 3}, .body = 1}};
+    candidates.near.values = {0};
+  }
+  /// Lists the edge that goes on from the foot, down by `length`.
+  void go_on(double length) {
+    motion[4].position = motion[2].position - Vec3(0, 0, length);
+    candidates.masters.push_back({.nodes = {2, 4}, .facets = {2, 3}, .body = 1});
+    candidates.near.values.push_back(1);
+  }
+  std::vector<Row> rows() {
+    candidates.near.close_row();
+    std::vector<Row> found;
+    detect_edges(candidates, gid, motion, facets, node_normal, {}, 1e-3, settings, found);
+    return found;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an upright edge passes over a ledge with its foot, not where it goes on or the step is higher") {
+  CHECK(UprightAtLedge(1e-4, 5e-4).rows().empty());
+  CHECK(UprightAtLedge(1e-4, 5e-3).rows().size() == 1);
+  UprightAtLedge long_edge(1e-4, 5e-4);
+  long_edge.go_on(1);
+  CHECK(long_edge.rows().size() == 1);
+}
+
+TEST_CASE("an edge that is listed but out of reach does not tell whether another one goes on") {
+  UprightAtLedge alone(0.1, 5e-4), listed(0.1, 5e-4);
+  listed.go_on(0.01);  // so short that its reach ends before the slave edge
+  CHECK(listed.rows().size() == alone.rows().size());
+  UprightAtLedge high(0.1, 5e-3);  // there is something to pass over
+  CHECK(high.rows().size() == 1);
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "edge_ledges.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "brunt/contact/detection/ledges.hpp"
+
+namespace brunt::contact {
+namespace {
+
+constexpr double upright = 0.9;    // cosine between an edge and the normal of what it stands on, at least
+constexpr double parallel = 1e-3;  // sine between edges, at most
+
+/// How the edges have moved against each other in the last step, where they meet: see last_motion in ledges.cpp.
+Vec3 last_motion(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met) {
+  const auto last = [&](const EdgeSide& edge, std::size_t i) { return scene.at(edge.nodes[i]).old_velocity; };
+  return scene.dt * ((1 - met.s) * last(slave, 0) + met.s * last(slave, 1) - (1 - met.t) * last(master, 0) -
+                     met.t * last(master, 1));
+}
+
+/// Parallel edges that slide by each other on a ledge (see ledges.hpp): along a face of the master, no deeper than that
+/// behind it. Edges that cross, at however small an angle, hold each other: bars laid on each other at one degree gave
+/// energy without that row.
+bool pass_along(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size,
+                const EdgeMeeting& met, const Vec3& motion) {
+  const geometry::Segment own = scene.start(slave), other = scene.start(master);
+  if (own.along().cross(other.along()).norm() > parallel) return false;
+  const Vec3 apart = (1 - met.s) * own.start + met.s * own.end - (1 - met.t) * other.start - met.t * other.end;
+  const auto faces = [&](const EdgeSide& edge, std::size_t i, const Vec3& normal) {
+    return scene.normal(edge, i).dot(normal) < -0.5;
+  };
+  // face i of the slave lies on face k of the master, and the others meet
+  const auto lies_on = [&](std::size_t i, std::size_t k) {
+    const Vec3 top = scene.normal(master, k), side = scene.normal(master, 1 - k);
+    const double height = apart.dot(top);
+    return faces(slave, i, top) && faces(slave, 1 - i, side) && height <= 0 && -height <= ledge * size &&
+           slides_into(motion, side, top, size);
+  };
+  return lies_on(0, 0) || lies_on(0, 1) || lies_on(1, 0) || lies_on(1, 1);
+}
+
+/// Calls visit(end) for the ends of the edge that are within a ledge of where it is met; at: that, from its first end.
+template <class Visit>
+bool any_end_at_ledge(const EdgeScene& scene, const EdgeSide& edge, double at, double size, Visit&& visit) {
+  const double reach = ledge * size / scene.length(edge);
+  return (at <= reach && visit(std::size_t{0})) || (1 - at <= reach && visit(std::size_t{1}));
+}
+
+/// Does the slave edge stand on one of its ends, and come with it to a ledge?
+bool stands_at_ledge(const EdgeScene& scene, std::span<const Vec3> node_normal, const EdgeSide& slave, double size,
+                     const EdgeMeeting& met, const Vec3& motion) {
+  return any_end_at_ledge(scene, slave, met.s, size, [&](std::size_t end) {
+    const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];
+    return std::abs(normal.dot(scene.start(slave).along())) > upright && slides_into(motion, met.normal, normal, size);
+  });
+}
+
+/// Is it the other way round? What holds the end of a master edge is not known, but that the slave edge has a face
+/// across it, and that no other edge within reach goes on from there. Corner on corner is no ledge.
+bool is_ledge_below(const EdgeScene& scene, const EdgeCandidates& candidates, std::span<const LocalIndex> near,
+                    const EdgeSide& slave, const EdgeSide& master, double size, const EdgeMeeting& met,
+                    const Vec3& motion) {
+  if (any_end_at_ledge(scene, slave, met.s, size, [](std::size_t) { return true; })) return false;
+  const Vec3 along = scene.start(master).along();
+  const geometry::Box slave_box = scene.sweep(slave);
+  return any_end_at_ledge(scene, master, met.t, size, [&](std::size_t end) {
+    const auto goes_on = [&](LocalIndex m) {
+      const EdgeSide& other = candidates.masters[static_cast<std::size_t>(m)];
+      return other.nodes != master.nodes && std::ranges::find(other.nodes, master.nodes[end]) != other.nodes.end() &&
+             geometry::overlaps(scene.reach(other), slave_box) &&
+             std::abs(scene.start(other).along().dot(along)) > upright;
+    };
+    const auto crosses = [&](std::size_t side) {
+      const Vec3 normal = scene.normal(slave, side);
+      return std::abs(normal.dot(along)) > upright && slides_into(motion, met.normal, -normal, size);
+    };
+    return (crosses(0) || crosses(1)) && std::ranges::none_of(near, goes_on);
+  });
+}
+
+}  // namespace
+
+bool meet_on_ledge(const EdgeScene& scene, const EdgeCandidates& candidates, std::span<const LocalIndex> near,
+                   std::span<const Vec3> node_normal, const EdgeSide& slave, const EdgeSide& master,
+                   const EdgeMeeting& met) {
+  const double size = std::min(scene.length(slave), scene.length(master));
+  const Vec3 slid = last_motion(scene, slave, master, met);
+  return pass_along(scene, slave, master, size, met, slid) ||
+         stands_at_ledge(scene, node_normal, slave, size, met, slid) ||
+         is_ledge_below(scene, candidates, near, slave, master, size, met, slid);
+}
+
+}  // namespace brunt::contact

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sharp edges that come to a ledge (see ledges.hpp) are passed over as nodes are.
+#pragma once
+#include "edge_scene.hpp"
+
+namespace brunt::contact {
+
+/// Parallel edges of which one slides along a face of the other; an edge that stands with its end on the surface along
+/// which it slides. near: of the slave edge. node_normal: as of detect_edges.
+bool meet_on_ledge(const EdgeScene& scene, const EdgeCandidates& candidates, std::span<const LocalIndex> near,
+                   std::span<const Vec3> node_normal, const EdgeSide& slave, const EdgeSide& master,
+                   const EdgeMeeting& met);
+
+}  // namespace brunt::contact
