@@ -19,6 +19,7 @@
 #include "brunt/scene/read.hpp"
 #include "brunt/scene/select.hpp"
 #include "brunt/time/initialise.hpp"
+#include "coarse_slaves.hpp"
 #include "contact_setup.hpp"
 #include "failure.hpp"
 #include "partition/distribute.hpp"
@@ -146,6 +147,8 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
     prepared->warnings = prepared->input.warnings;
     whole = whole_mesh(prepared->input, prepared->warnings);
     prepared->overlaps = treat_overlaps(prepared->input, whole);
+    for (std::string& line : warn_of_coarse_slaves(prepared->input, whole))
+      prepared->warnings.push_back(std::move(line));
     part = partition::split(partition::dual_graph(whole.mesh), weigh(prepared->input, whole), ranks.size());
   });
   share_accepted(ranks, prepared->overlaps.accepted);

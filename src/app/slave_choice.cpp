@@ -2,26 +2,18 @@
 #include "slave_choice.hpp"
 
 #include <array>
-#include <string>
 
 #include "brunt/contact/likely_slaves.hpp"
 #include "brunt/scene/build.hpp"
-#include "brunt/scene/select.hpp"
 #include "contact_setup.hpp"
 #include "weights.hpp"
 
 namespace brunt::app {
 
 SlaveChoice::SlaveChoice(const scene::Input& input, const mesh::Mesh& mesh) {
-  std::vector<std::string> names;
-  std::vector<double> density;
-  for (const std::size_t p : scene::parts_of_blocks(input, mesh)) {
-    const scene::Part& part = input.parts[p];
-    names.push_back(part.name);
-    density.push_back(material::initial_moduli(input.materials.at(part.material)).density);
-  }
-  pairs_ = pair_table(scene::contact_rule(input, names), names.size());
-  bodies_ = contact::body_figures(mesh, contact_faces(input, mesh), density);
+  const BlockMaterials blocks = block_materials(input, mesh);
+  pairs_ = pair_table(scene::contact_rule(input, blocks.part), blocks.part.size());
+  bodies_ = contact::body_figures(mesh, contact_faces(input, mesh), blocks.density);
 }
 
 bool SlaveChoice::is_slave(std::size_t block, std::int32_t body, std::size_t other_block,

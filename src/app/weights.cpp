@@ -35,23 +35,28 @@ std::vector<mesh::Side> contact_faces(const scene::Input& input, const mesh::Mes
   return faces;
 }
 
-partition::Weights weigh(const scene::Input& input, const mesh::CanonicalMesh& whole) {
-  std::vector<std::string> names;
-  std::vector<double> cost, density;
-  for (const std::size_t p : scene::parts_of_blocks(input, whole.mesh)) {
+BlockMaterials block_materials(const scene::Input& input, const mesh::Mesh& mesh) {
+  BlockMaterials blocks;
+  for (const std::size_t p : scene::parts_of_blocks(input, mesh)) {
     const scene::Part& part = input.parts[p];
-    names.push_back(part.name);
-    cost.push_back(cost_of(part.element));
-    density.push_back(material::initial_moduli(input.materials.at(part.material)).density);
+    blocks.part.push_back(part.name);
+    blocks.density.push_back(material::initial_moduli(input.materials.at(part.material)).density);
   }
-  const model::ContactRule rule = scene::contact_rule(input, names);
+  return blocks;
+}
+
+partition::Weights weigh(const scene::Input& input, const mesh::CanonicalMesh& whole) {
+  std::vector<double> cost;
+  for (const std::size_t p : scene::parts_of_blocks(input, whole.mesh)) cost.push_back(cost_of(input.parts[p].element));
+  const BlockMaterials blocks = block_materials(input, whole.mesh);
+  const model::ContactRule rule = scene::contact_rule(input, blocks.part);
   if (!rule.any) return partition::weigh(whole.mesh, {}, cost);
   const std::vector<Vec3> velocity =
       scene::initial_velocities(input, whole.mesh.coordinates, whole.origin, whole.mesh.node_sets);
   const double duration = input.run.end.value_or(std::numeric_limits<double>::infinity());
   return partition::weigh(whole.mesh,
                           contact::likely_slaves(whole.mesh, contact_faces(input, whole.mesh),
-                                                 pair_table(rule, names.size()), {density, velocity, duration}),
+                                                 pair_table(rule, cost.size()), {blocks.density, velocity, duration}),
                           cost);
 }
 

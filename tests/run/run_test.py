@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The program end to end. Needs BRUNT (the program) and BRUNT_RUN (scripts/run) in the environment."""
-import itertools
 import json
 import os
 import re
@@ -273,120 +272,6 @@ class Stops(Program):
         self.assertIn("--force", self.run_scene(2, "long.yaml", "--out", "out", "--set", "run.steps=3", code=2))
         self.run_scene(1, "long.yaml", "--out", "out", "--set", "run.steps=4", "--force")
         self.assertEqual(self.summary("out")["steps"], 4)
-
-
-class Start(Program):
-    """Cubes of edge 1, the right one at x = at: apart by at - 1, or overlapping."""
-
-    def check(self, at, rule="error"):
-        self.write("pair.yaml", scenes.PAIR.replace("AT", str(at)).replace("RULE", rule))
-        done = self.brunt("check", "pair.yaml")
-        return done.returncode, done.stdout + done.stderr
-
-    def test_gap_is_listed(self):
-        self.assertIn("smallest gap     0.05 m", self.check(1.05)[1])
-        self.assertIn("smallest gap     0 m", self.check(1.0)[1])
-        self.assertIn("no two parts are nearer", self.check(3)[1])
-
-    def test_shallow_and_deep_overlap_is_an_error(self):
-        for at in (0.99, 0.4, 0.05):  # 0.05: by almost a whole cube
-            code, output = self.check(at)
-            self.assertEqual(code, 2, output)
-            self.assertRegex(output, r"node \d+ of part '(left|right)' lies [\d.]+ inside part '(left|right)'")
-        self.assertIn("lies 0.01 inside", self.check(0.99)[1])
-
-    def test_overlap_that_is_accepted_is_a_warning(self):
-        code, output = self.check(0.99, "warn")
-        self.assertEqual(code, 0, output)
-        self.assertIn("warning: pair.yaml: contact: node", output)
-
-    def run_pair(self, rule, ranks, *arguments):
-        self.write("pair.yaml", scenes.PAIR.replace("AT", "0.99").replace("RULE", rule))
-        self.run_scene(ranks, "pair.yaml", "--out", f"{rule}{ranks}", "--force", *arguments)
-        return self.summary(f"{rule}{ranks}")
-
-    def test_overlaps_are_recovered_moved_or_kept(self):
-        parted = self.run_pair("warn", 1, "--set", "run.steps=300")
-        self.assertEqual(parted["stopped_by"], "steps")  # no guard takes what recovery gives for an explosion
-        self.assertLess(parted["energy"]["contact"], 0)
-        self.assertLess(parted["energy"]["error_ratio"], 1e-10)
-        for rule in ("move", "offset"):  # nothing to do for contact, so nothing moves
-            still = self.run_pair(rule, 1, "--set", "run.steps=300")
-            self.assertLess(abs(still["energy"]["kinetic"]), 1e-12 * parted["energy"]["kinetic"])
-            self.assertLess(still["max_penetration"], 1e-12)
-        self.assertRegex(self.text("move1", "log.txt"), r"initial overlaps: \d+ nodes moved, by 0\.01")
-        self.assertRegex(self.text("offset1", "log.txt"), r"initial overlaps: \d+ nodes keep theirs as zero gap, 0.01")
-
-    def test_kept_overlaps_of_edges(self):
-        """Corners inside each other: nodes behind faces, and edges across edges."""
-        for rule in ("warn", "offset"):
-            self.write("pair.yaml", scenes.PAIR.replace("AT, 0.1, 0.1", "0.99, 0.99, 0.99").replace("RULE", rule))
-            self.run_scene(2, "pair.yaml", "--out", rule, "--set", "run.steps=200")
-        self.assertGreater(self.summary("warn")["energy"]["kinetic"], 0)
-        self.assertLess(self.summary("offset")["energy"]["kinetic"], 1e-12 * self.summary("warn")["energy"]["kinetic"])
-        self.assertLess(self.summary("offset")["max_penetration"], 1e-12)
-
-    def test_a_body_that_overlaps_itself(self):
-        self.write("fork.msh", scenes.fork(0.05))
-        self.write("fork.yaml", scenes.FORK)
-        done = self.brunt("check", "fork.yaml")
-        self.assertEqual(done.returncode, 2)
-        self.assertIn("inside part 'fork' at the start (one body, which overlaps itself)", done.stderr)
-        listed = re.findall(r"^overlap +node +\d+ of fork +0\.0(?:5|4427) inside fork, ", done.stdout, re.M)
-        self.assertEqual(len(listed), 2 * 5 * 3)  # of each arm, from x = 4 to 8; at 4 the slope is nearer
-        for rule, ranks in (("warn", 1), ("offset", 1), ("offset", 3)):
-            self.run_scene(ranks, "fork.yaml", "--out", f"{rule}{ranks}", "--set", f"contact.0.initial_overlap={rule}")
-        parted, kept = self.summary("warn1")["energy"], self.summary("offset1")["energy"]
-        self.assertGreater(parted["kinetic"], 0)
-        self.assertLess(parted["error_ratio"], 1e-10)
-        self.assertLess(kept["kinetic"], 1e-12 * parted["kinetic"])  # zero gap: nothing pushes
-        self.assertEqual(self.summary("offset1")["state_hash"], self.summary("offset3")["state_hash"])
-
-    def test_facetted_parts_that_overlap_rest_where_they_are(self):
-        """Nodes outside a facetted end count too where detection takes them for inside."""
-        self.write("rings.yaml", scenes.RINGS)
-        self.write("fork.msh", scenes.bent_ring(0.05))
-        self.write("bent.yaml", scenes.FORK.replace("steps: 50", "steps: 1000").replace(
-            "between: all", "between: all, initial_overlap: offset"))
-        for scene, ranks in itertools.product(("rings", "bent"), (1, 3)):
-            self.run_scene(ranks, scene + ".yaml", "--out", f"{scene}{ranks}")
-            done = self.summary(f"{scene}{ranks}")
-            self.assertEqual(done["stopped_by"], "steps")
-            self.assertLess(done["energy"]["kinetic"], 1e-24)  # of a modulus of 100 and volumes of about 1
-            self.assertLess(done["max_penetration"], 1e-12)
-        for scene in ("rings", "bent"):
-            self.assertEqual(self.summary(scene + "1")["state_hash"], self.summary(scene + "3")["state_hash"])
-
-    def test_kept_overlaps_over_ranks_and_a_restart(self):
-        push = ("--set", "initial=[{part: right, velocity: [-5, 0, 0]}]")
-        one = self.run_pair("offset", 1, *push, "--set", "run.steps=60")
-        self.assertLess(one["max_penetration"], 1e-4)  # from the overlap on, which is 0.01
-        three = self.run_pair("offset", 3, *push, "--set", "run.steps=60")
-        self.assertEqual(three["state_hash"], one["state_hash"])
-        self.run_scene(2, "pair.yaml", "--out", "part", *push, "--set", "run.steps=25")
-        self.run_scene(1, "pair.yaml", "--out", "part", "--restart", "part", *push, "--set", "run.steps=60")
-        self.assertEqual(self.summary("part")["state_hash"], one["state_hash"])
-
-    def test_one_line_a_pair_and_the_nodes_in_the_list(self):
-        for rule, code in (("error", 2), ("warn", 0)):
-            found, output = self.check(0.99, rule)
-            self.assertEqual(found, code)
-            # inside the other: 9 x 9 nodes of left less those beside right, 7 x 7 of right
-            told = re.findall(r"the deepest of (\d+) nodes of the two parts", output)
-            self.assertEqual(len(told), 1, output)
-            listed = re.findall(r"^overlap +node +\d+ of (?:left|right) +0.01 inside (?:left|right), "
-                                r"behind its face \d+-\d+-\d+-\d+$", output, re.M)
-            self.assertEqual(len(listed), int(told[0]))
-            self.assertGreater(len(listed), 7 * 7)
-
-    def test_cost_is_measured(self):
-        code, output = self.check(1.05)
-        self.assertEqual(code, 0)
-        self.assertRegex(output, r"estimated cost +\S+ s on 1 rank without output \([1-9]\d* ns per element-step")
-
-    def test_touching_is_no_overlap(self):
-        self.assertEqual(self.check(1.0)[0], 0)
-        self.assertEqual(self.check(1 - 1e-9)[0], 0)
 
 
 if __name__ == "__main__":
