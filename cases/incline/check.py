@@ -77,6 +77,18 @@ def check_straight_sliding(case, name, degrees, friction):
     case.assert_close(f"{label}: impulse of friction over the normal one", friction, abs(along / across), 1e-4, SOURCE)
 
 
+def check_lagging(case, name, degrees, friction):
+    """Friction that follows the pressure with a lag (of two periods of the block in shear, 4 H / c each) does not shiver."""
+    scene = case.scene(name)
+    block, soft = scene["mesh"][0]["box"], scene["materials"]["soft"]
+    speed = math.sqrt(soft["young"] / (2 * (1 + soft["poisson"]) * soft["density"]))
+    law = {friction_of(scene): {"static": friction, "lag": 2 * 4 * block["size"][2] / speed}}
+    result, scene, label = run(case, name, degrees, friction, law, " with a lag")
+    ours = numpy.polyfit(*late(result, "block.x", scene), 1)[0]
+    case.assert_close(f"{label}: acceleration [m/s2]", acceleration(degrees, friction), ours, 1e-3, SOURCE)
+    case.assert_within(f"{label}: friction takes energy", 0, math.inf, result.summary["energy"]["friction"])
+
+
 def check_sticking(case, name, degrees, friction):
     """A 10 degree incline and friction 0.2: drift at most 1e-6 m a second (A5), at most 1e-6 m in 1e6 steps (E11)."""
     result, scene, label = run(case, name, degrees, friction)
@@ -94,11 +106,18 @@ def main():
         for degrees, friction in ((20, 0.2), (30, 0.5), (30, 0.3), (45, 0.5)):
             check_sliding(case, name, degrees, friction)
         check_straight_sliding(case, name, 30, 0.5)
+        check_lagging(case, name, 30, 0.5)
         check_sticking(case, name, 10, 0.2)
+    check_lagging(case, "plate.yaml", 17, 0.3)
+    check_lagging(case, "plate.yaml", 42, 0.8)
     short = {"run.end": 0.06}
     for name in ("scene.yaml", "plate.yaml"):
+        key = friction_of(case.scene(name))
         case.assert_same_on_ranks((1, 2, 3, 4) if case.long else (1, 3), scene=name, overrides=short)
-        stick = {**short, **overrides(10, 0.2, friction_of(case.scene(name)))}
+        lag = {**short, key: {"static": 0.2, "lag": 0.01}}
+        case.assert_same_on_ranks((1, 3), scene=name, overrides=lag)
+        case.assert_same_after_restart(case.run(name, overrides=lag, name="lag"), 0.03, scene=name, overrides=lag)
+        stick = {**short, **overrides(10, 0.2, key)}
         whole = case.run(name, overrides=stick, name="whole")
         case.assert_same_after_restart(whole, 0.03, scene=name, overrides=stick)
     if case.long:

@@ -94,8 +94,9 @@ void print_gaps(const Prepared& run, const scene::UnitSystem& units) {
 
 std::string friction_text(const contact::FrictionLaw& law) {
   if (!law.any()) return "no friction";
-  if (law.kinetic == law.fixed) return fmt::format("friction {:g}", law.fixed);
-  return fmt::format("friction {:g} to {:g}", law.fixed, law.kinetic);
+  std::string text = fmt::format("friction {:g}", law.fixed);
+  if (law.kinetic != law.fixed) text += fmt::format(" to {:g}", law.kinetic);
+  return law.lag == 0 ? text : text + fmt::format(", lag {:g}", law.lag);
 }
 
 /// What may touch what, and how it is held apart.

@@ -130,6 +130,7 @@ void Contact::remember(std::span<const Wall> walls, double dt) {
   if (!rubs_) return;
   write_anchors(rows_, impulses_, anchor_scene(walls), history_.anchors, next_anchors_);
   std::swap(history_.anchors, next_anchors_);
+  write_limits(rows_, impulses_, dt, history_.limits);
 }
 
 void Contact::scatter(MutableVectorView velocity) {

@@ -100,6 +100,7 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
   next_pairs_.reserve(most_rows + sides);
   history_.anchors.reserve(most_rows);
   next_anchors_.reserve(most_rows);
+  history_.limits.reserve(most_rows);
 }
 
 void Contact::share_reference() {

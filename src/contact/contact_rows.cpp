@@ -50,7 +50,9 @@ void Contact::lay_friction(std::span<const Wall> walls, double dt) {
   for (Row& row : rows_) {
     if (std::isinf(row.friction)) continue;  // a tie
     const FrictionLaw law = friction_of(row, walls);
-    if (law.any()) row.friction = friction_coefficient(law, row, motion_of_);
+    if (!law.any()) continue;
+    row.friction = friction_coefficient(law, row, motion_of_);
+    if (law.lag > 0) let_friction_lag(row, history_.limits, law.lag, dt);
   }
   const DetectionSettings& detection = settings_.detection;
   aim_at_anchors(rows_, anchor_scene(walls), history_.anchors,

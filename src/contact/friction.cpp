@@ -15,7 +15,7 @@ bool has_anchor(const Row& row) {
 bool sticks(const Row& row, const Vec3& impulse) {
   constexpr double inside = 1 - 1e-9;
   const double push = row.normal.dot(impulse);
-  return push > 0 && (impulse - push * row.normal).norm() < inside * row.friction * push;
+  return push > 0 && (impulse - push * row.normal).norm() < inside * friction_limit(row, push);
 }
 
 }  // namespace
@@ -27,6 +27,33 @@ double friction_coefficient(const FrictionLaw& law, const Row& row, std::span<co
     slip += row.weights[i] * motion[static_cast<std::size_t>(row.nodes[i])].old_velocity;
   slip -= row.normal.dot(slip) * row.normal;
   return law.coefficient(slip.norm());
+}
+
+void let_friction_lag(Row& row, std::span<const LimitRecord> limits, double lag, double dt) {
+  row.lags = true;
+  const AnchorKey key = anchor_key_of(row);
+  const auto found = std::ranges::lower_bound(limits, key, {}, &LimitRecord::key);
+  if (found == limits.end() || found->key != key) return;
+  row.friction *= dt / (dt + lag);
+  row.lagging = lag / (dt + lag) * found->limit * dt;
+}
+
+void write_limits(std::span<const Row> rows, std::span<const Vec3> impulses, double dt,
+                  std::vector<LimitRecord>& after) {
+  after.clear();
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    if (!rows[q].lags) continue;
+    const double limit = friction_limit(rows[q], std::max(0.0, rows[q].normal.dot(impulses[q]))) / dt;
+    if (limit > 0) after.push_back({anchor_key_of(rows[q]), limit});
+  }
+  std::ranges::sort(after, {}, [](const LimitRecord& record) { return std::pair(record.key, record.limit); });
+  auto kept = after.begin();
+  for (auto first = after.begin(), end = first; first != after.end(); first = end) {
+    double sum = 0;
+    for (end = first; end != after.end() && end->key == first->key; ++end) sum += end->limit;
+    *kept++ = {first->key, sum / static_cast<double>(end - first)};
+  }
+  after.erase(kept, after.end());
 }
 
 void aim_at_anchors(std::span<Row> rows, const AnchorScene& scene, std::span<const AnchorRecord> anchors,

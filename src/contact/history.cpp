@@ -101,13 +101,19 @@ void to_tables(const History& history, HistoryTables& tables) {
     values.insert(values.end(), anchor.weights.begin(), anchor.weights.end());
     values.insert(values.end(), anchor.on_wall.begin(), anchor.on_wall.end());
   }
+  tables[2] = {.name = "contact_limits", .key_width = 4, .value_width = 1};
+  for (const auto& [key, limit] : history.limits) {
+    tables[2].keys.insert(tables[2].keys.end(), {key.slave_gid, key.master, key.slave_second, key.master_second});
+    tables[2].values.push_back(limit);
+  }
 }
 
 History from_tables(const HistoryTables& tables) {
   History history;
-  const auto& [pairs, anchors] = tables;
+  const auto& [pairs, anchors, limits] = tables;
   demand(pairs.values.size() == 4 * static_cast<std::size_t>(pairs.rows()) &&
-             anchors.values.size() == 7 * static_cast<std::size_t>(anchors.rows()),
+             anchors.values.size() == 7 * static_cast<std::size_t>(anchors.rows()) &&
+             limits.values.size() == static_cast<std::size_t>(limits.rows()),
          "the tables of contact's history are complete");
   const double* value = pairs.values.data();
   for (auto key = pairs.keys.begin(); key != pairs.keys.end(); key += 4, value += 4)
@@ -119,8 +125,12 @@ History from_tables(const HistoryTables& tables) {
     std::copy_n(value + 4, 3, anchor.on_wall.begin());
     history.anchors.push_back(anchor);
   }
+  value = limits.values.data();
+  for (auto key = limits.keys.begin(); key != limits.keys.end(); key += 4)
+    history.limits.push_back({{key[0], key[1], key[2], key[3]}, *value++});
   std::ranges::sort(history.pairs, {}, &HistoryRecord::key);
   std::ranges::sort(history.anchors, {}, &AnchorRecord::key);
+  std::ranges::sort(history.limits, {}, &LimitRecord::key);
   return history;
 }
 

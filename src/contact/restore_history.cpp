@@ -60,6 +60,7 @@ void Contact::restore_history(const HistoryTables& tables) {
   const std::vector<GlobalIndex> slaves = slaves_here(surface_, ranks_.rank());
   history_.pairs = fetch(ranks_, loose.pairs, slaves);
   history_.anchors = fetch(ranks_, loose.anchors, slaves);
+  history_.limits = fetch(ranks_, loose.limits, slaves);
   const auto owns = [&](GlobalIndex gid) {
     const auto found = std::ranges::lower_bound(surface_.gid, gid);
     return found != surface_.gid.end() && *found == gid &&
@@ -76,8 +77,10 @@ void Contact::restore_history(const HistoryTables& tables) {
   };
   std::erase_if(history_.pairs, belongs_elsewhere);
   std::erase_if(history_.anchors, belongs_elsewhere);
+  std::erase_if(history_.limits, belongs_elsewhere);
   std::ranges::sort(history_.pairs, {}, &HistoryRecord::key);
   std::ranges::sort(history_.anchors, {}, &AnchorRecord::key);
+  std::ranges::sort(history_.limits, {}, &LimitRecord::key);
 }
 
 }  // namespace brunt::contact

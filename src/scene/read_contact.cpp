@@ -184,11 +184,12 @@ void read_friction(Section& entry, contact::FrictionLaw& friction) {
     friction.kinetic = friction.fixed;
     return;
   }
-  Section law(key, "a map {static: number, kinetic: number, decay: number}");
+  Section law(key, "a map {static: number, kinetic: number, decay: number, lag: number}");
   const bool has_static = law.required("static", friction.fixed, not_negative);
   friction.kinetic = friction.fixed;
   law.optional("kinetic", friction.kinetic, not_negative);
   law.optional("decay", friction.decay, not_negative);
+  law.optional("lag", friction.lag, not_negative);
   if (has_static && friction.kinetic > friction.fixed)
     fault(law.at("kinetic"),
           fmt::format("{} is more than static {}; accepted: at most as much", friction.kinetic, friction.fixed));

@@ -49,8 +49,8 @@ struct Lever {
 
 /// One constraint on the relative velocity r = sum_i weights[i] v[nodes[i]]: normal . r >= required (equal, for a free
 /// cone) and, with friction, r = drift across the normal for as long as the impulse across it stays within friction
-/// times the impulse along it. An impulse p [momentum] changes the momentum of node i by weights[i] p.
-/// Rows are ordered by (slave_gid, slave_second, master_key, master_second).
+/// times the impulse along it, and what friction lags behind by. An impulse p [momentum] changes the momentum of node i
+/// by weights[i] p. Rows are ordered by (slave_gid, slave_second, master_key, master_second).
 struct Row {
   GlobalIndex slave_gid = 0;
   GlobalIndex slave_second = no_index;   ///< other end of a slave edge
@@ -69,6 +69,8 @@ struct Row {
   Pass pass = Pass::both;
   double slab = 0;            ///< Z1 Z2 / (Z1 + Z2) A of eq. (29) in Heinstein et al. 2000 [mass/time]; 0: not known
   double friction = 0;        ///< Coulomb coefficient for this step; 0: none; infinity: the node is tied to the master
+  bool lags = false;          ///< friction follows the pressure late: see FrictionLaw::lag
+  double lagging = 0;         ///< what it admits for the pressure of before [momentum]
   Vec3 drift = Vec3::Zero();  ///< velocity across the normal that sticking asks for [velocity]: takes back what slid
   const Lever* lever = nullptr;  ///< of a tie across a gap or an overlap; lives as long as the rows of a step
 
@@ -107,9 +109,14 @@ inline double largest_share(const Row& row) {
   return std::isinf(row.friction) ? beside : 1.0;
 }
 
+/// The largest impulse across the normal [momentum] beside this one along it.
+inline double friction_limit(const Row& row, double along) {
+  return row.friction * std::abs(along) + row.lagging;
+}
+
 /// The impulse nearest to this one among those that the row admits: no pull (unless the cone is free), and across the
-/// normal at most friction times the impulse along it. The normal part is settled first and by itself: Coulomb's law,
-/// not the projection on the cone, which would push the bodies apart where they slide.
+/// normal at most what friction allows beside the impulse along it. The normal part is settled first and by itself:
+/// Coulomb's law, not the projection on the cone, which would push the bodies apart where they slide.
 inline Vec3 admitted(const Row& row, const Vec3& impulse) {
   const double along = row.normal.dot(impulse);
   const double push = row.cone == Cone::compression && along < 0 ? 0.0 : along;
@@ -117,7 +124,7 @@ inline Vec3 admitted(const Row& row, const Vec3& impulse) {
   if (row.friction == 0 || (push == 0 && !holds_pull)) return push * row.normal;
   const Vec3 across = impulse - along * row.normal;
   if (std::isinf(row.friction)) return push * row.normal + across;
-  const double limit = row.friction * std::abs(push), size = across.norm();
+  const double limit = friction_limit(row, push), size = across.norm();
   return push * row.normal + (size > limit ? Vec3(limit / size * across) : across);
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What friction adds to rows: its coefficient, and where a node that sticks holds on. A sticking node has an anchor on
-// its face (or wall); what it has crept away from it is asked back by the rate target, so that nothing drifts however
-// many steps it sticks. The anchor goes where the node slides or lifts off, or is far from it (see `slip`).
+// What friction adds to rows: its coefficient, what it lags behind the pressure by, and where a node that sticks holds
+// on. A sticking node has an anchor on its face (or wall); what it has crept away from it is asked back by the rate
+// target, so that nothing drifts however many steps it sticks. The anchor goes where the node slides or lifts off, or
+// is far from it (see `slip`).
 #pragma once
 #include <span>
 #include <vector>
@@ -14,6 +15,15 @@ namespace brunt::contact {
 
 /// The law's coefficient at the slip rate that the row's nodes had before the step; v at n - 1/2.
 double friction_coefficient(const FrictionLaw& law, const Row& row, std::span<const NodeMotion> motion);
+
+/// Gives the row its friction where it lags: the step's own pressure counts by dt / (dt + lag) (backward Euler), the
+/// rest is the limit of before. A row without a record has Coulomb's friction at once. limits: in order of their keys.
+void let_friction_lag(Row& row, std::span<const LimitRecord> limits, double lag, double dt);
+
+/// The limits after a step with these impulses, in order of their keys: of rows that lag, as soon as they are pressed
+/// and for as long as they are there. Allocates nothing where `after` has room for all rows.
+void write_limits(std::span<const Row> rows, std::span<const Vec3> impulses, double dt,
+                  std::vector<LimitRecord>& after);
 
 struct AnchorSettings {
   double recovery = 0.05;  ///< share of the distance to the anchor that a step takes back

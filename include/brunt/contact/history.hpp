@@ -46,19 +46,28 @@ struct AnchorRecord {
   std::array<double, 3> on_wall{};  ///< the anchor less the wall's point [length]
 };
 
+/// The limit of friction where it lags (see FrictionLaw::lag). The key is that of anchors, so that it stays with a node
+/// which slides over to the next face; of several rows of one key it is the mean.
+struct LimitRecord {
+  AnchorKey key;
+  double limit = 0;  ///< after the last step [force]
+};
+
 inline AnchorKey anchor_key_of(const Row& row) {
   if (row.is_edge()) return {row.slave_gid, row.master_key, row.slave_second, row.master_second};
   return {.slave_gid = row.slave_gid, .master = row.is_wall() ? row.master_key : GlobalIndex{row.master_body}};
 }
 
-/// Both in ascending order of their keys.
+/// All in ascending order of their keys.
 struct History {
   std::vector<HistoryRecord> pairs;
   std::vector<AnchorRecord> anchors;
+  std::vector<LimitRecord> limits;
 
   void clear() {
     pairs.clear();
     anchors.clear();
+    limits.clear();
   }
 };
 
@@ -90,7 +99,7 @@ void write_pairs(std::span<const Row> rows, std::span<const Vec3> impulses, doub
                  std::span<const HistoryRecord> sides, std::vector<HistoryRecord>& records);
 
 /// The history as tables for checkpoints and the state hash, and back.
-using HistoryTables = std::array<RecordTable, 2>;
+using HistoryTables = std::array<RecordTable, 3>;
 void to_tables(const History& history, HistoryTables& tables);
 History from_tables(const HistoryTables& tables);
 

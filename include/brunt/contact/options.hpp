@@ -65,10 +65,15 @@ struct EnforcementSettings {
   double damping = 0.1;    ///< of the rate's penalty, in units of 1 / H; at most 1
 };
 
-/// Coulomb friction; the coefficient falls from `fixed` at rest to `kinetic` with exp(-decay |slip rate|).
+/// Coulomb friction; the coefficient falls from `fixed` at rest to `kinetic` with exp(-decay |slip rate|). With a lag
+/// the limit tau of friction follows its law's value late, dtau/dt = (coefficient times pressure - tau) / lag: the
+/// regularised law of Prakash and Clifton (1993) in the form of Cochard and Rice, J. Geophys. Res. 105 (2000) 25891.
+/// Coulomb's law at once makes elastic bodies that slide shiver by themselves from coefficients of 0.3 to 0.5 on
+/// (Martins et al., 1995); a lag longer than the periods of that shiver takes it away, a shorter one feeds it.
 struct FrictionLaw {
   double fixed = 0, kinetic = 0;
   double decay = 0;  ///< [time/length]
+  double lag = 0;    ///< [time]
 
   [[nodiscard]] double coefficient(double slip_rate) const {
     return kinetic + (fixed - kinetic) * std::exp(-decay * slip_rate);

@@ -23,7 +23,7 @@ void read_run(Section& scene, Input& input);  ///< run, output, history, checkpo
 
 /// A selection: exactly one of the keys `part` (noted as a reference) and `set`.
 bool read_selection(Section& entry, std::string& where);
-/// The key `friction`, if there: a coefficient, or a map of static, kinetic and decay.
+/// The key `friction`, if there: a coefficient, or a map of static, kinetic, decay and lag.
 void read_friction(Section& entry, contact::FrictionLaw& friction);
 
 /// Names that are used but not defined, generated parts without an entry in `parts`, names used twice.

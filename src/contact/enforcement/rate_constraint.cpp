@@ -74,7 +74,7 @@ Judgement Iteration::judge(double term_size) {
     keep_max(largest[5], velocity_[static_cast<std::size_t>(row.nodes[0])].cwiseAbs().maxCoeff());
     keep_max(largest[0], h * step);
     keep_max(largest[1], h * step * step);
-    keep_max(largest[2], slope * impulses_[q].norm());
+    keep_max(largest[2], slope * impulses_[q].norm() + row.lagging);
     keep_max(largest[3], slope * rise / h);
   }
   exchange_.reduce(largest, sums);

@@ -88,12 +88,15 @@ TEST_CASE("tables carry a history to the bit, in whatever order the records come
   History history;
   history.pairs = {{{1, -1, -2, -1}, {0.1, 0, 0}, 0}, {{3, 4, 5, 6}, {0, 0, -0.0}, -1}};
   history.anchors = {{{3, 2, 8, 9}, 77, {0.1, 0.2, 0.3, 0.4}, {1, 2, 3}}, {.key = {4, -1}}};
+  history.limits = {{{1, 2}, 0.7}, {{3, -1}, 0.1}};
   contact::HistoryTables tables;
   to_tables(history, tables);
   CHECK(tables[0].rows() == 2);
   CHECK(tables[1].values.size() == static_cast<std::size_t>(tables[1].rows() * tables[1].value_width));
   std::ranges::rotate(tables[0].keys, tables[0].keys.begin() + 4);
   std::ranges::rotate(tables[0].values, tables[0].values.begin() + 4);
+  std::ranges::rotate(tables[2].keys, tables[2].keys.begin() + 4);
+  std::ranges::rotate(tables[2].values, tables[2].values.begin() + 1);
   const History back = contact::from_tables(tables);
   REQUIRE(back.pairs.size() == 2);
   CHECK(back.pairs[0].key == history.pairs[0].key);
@@ -105,4 +108,7 @@ TEST_CASE("tables carry a history to the bit, in whatever order the records come
   CHECK(anchor.key == contact::AnchorKey{3, 2, 8, 9});
   CHECK((anchor.face == 77 && anchor.weights[3] == 0.4 && anchor.on_wall[2] == 3));
   CHECK(back.anchors[1].face == no_index);
+  REQUIRE(back.limits.size() == 2);
+  CHECK((back.limits[0].key == contact::AnchorKey{1, 2} && back.limits[0].limit == 0.7));
+  CHECK(back.limits[1].limit == 0.1);
 }

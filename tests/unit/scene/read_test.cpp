@@ -259,13 +259,14 @@ TEST_CASE("a density that no matter has draws a warning", "[scene]") {
 TEST_CASE("friction and methods are read; what would do nothing draws a warning", "[scene]") {
   const std::vector<std::string> overrides{
       "contact=[{between: all, friction: {static: 0.3, kinetic: 0.1}, method: kinematic, stiffness: 1},"
-      "{between: [left, right], friction: {static: 0.4, kinetic: 0.2, decay: 3}}]",
+      "{between: [left, right], friction: {static: 0.4, kinetic: 0.2, decay: 3, lag: 0.5}}]",
       "rigid_walls.0.friction=0.5"};
   const Input input = read_scene(std::string(small_scene), "small.yaml", overrides);
   REQUIRE(input.contact.size() == 2);
   CHECK(input.contact[0].friction.coefficient(1e9) == 0.3);
   CHECK(input.contact[1].friction.coefficient(0) == 0.4);
   CHECK(input.contact[1].friction.coefficient(1e9) == 0.2);
+  CHECK(input.contact[1].friction.lag == 0.5);
   CHECK(input.contact[1].enforcement.method == contact::Method::kinematic);  // kept from the entry before
   CHECK(input.rigid_walls[0].friction.kinetic == 0.5);
   REQUIRE(input.warnings.size() == 2);

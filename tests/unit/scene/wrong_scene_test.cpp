@@ -189,6 +189,7 @@ TEST_CASE("what later versions bring is recognised and refused", "[scene]") {
       {"slave: auto", "tied: true\n    friction: 0.2", "bar.yaml:36: contact.0.tied", {"do not slide"}},
       {"slave: auto", "tied: true\n    method: penalty", "bar.yaml:35: contact.0", {"tied", "rate or row_sum"}},
       {"slave: auto", "method: mortar", "bar.yaml:36: contact.0.method", {"'mortar' is unknown", "rate, row_sum"}},
+      {"slave: auto", "friction: {static: 0.3, lag: -1}", "bar.yaml:36: contact.0.friction.lag", {">= 0"}},
       {"slave: auto", "friction: {kinetic: 0.3}", "bar.yaml:36: contact.0.friction.static", {"missing"}},
       {"slave: auto", "friction: 0.1\n    method: reference", "bar.yaml:35: contact.0", {"without friction"}},
       {"slave: auto", "stiffness: 2.5", "bar.yaml:36: contact.0.stiffness", {"> 0 and <= 2"}},

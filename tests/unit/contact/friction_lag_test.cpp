@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "brunt/contact/friction.hpp"
+
+using namespace brunt;
+using contact::LimitRecord, contact::Row;
+
+namespace {
+
+constexpr double coefficient = 0.4, lag = 0.5;
+
+Row rubbing(GlobalIndex slave, GlobalIndex face) {
+  return {.slave_gid = slave, .master_key = face, .normal = {0, 0, 1}, .friction = coefficient};
+}
+
+/// A node pressed with 1, from some time on with 2, on one face and then on the next: its limit a time of `lag` later.
+double limit_after_a_lag(int steps) {
+  const double dt = lag / steps;
+  std::vector<LimitRecord> limits;
+  double force = 0;
+  for (int step = 0; step < 2 * steps; ++step) {
+    std::vector<Row> rows{rubbing(7, step % 5)};
+    let_friction_lag(rows[0], limits, lag, dt);
+    const double push = (step < steps ? 1 : 2) * dt;
+    const Vec3 impulse = admitted(rows[0], {100, 0, push});
+    CHECK(impulse.z() == push);
+    force = impulse.x() / dt;
+    if (step < steps) CHECK(force == Approx(coefficient));  // Coulomb's at once, as it comes into touch
+    write_limits(rows, std::vector<Vec3>{impulse}, dt, limits);
+  }
+  return force;
+}
+
+}  // namespace
+
+TEST_CASE("friction that lags follows a jump of the pressure as exp(-t / lag), to first order in the step") {
+  const double exact = coefficient * (2 - std::exp(-1));
+  const double coarse = limit_after_a_lag(50) - exact, fine = limit_after_a_lag(100) - exact;
+  CHECK(std::abs(fine) < 2e-3 * coefficient);
+  CHECK(coarse / fine == Approx(2).epsilon(0.05));
+}
+
+TEST_CASE("friction that lags: nothing without pressure, its limit remains while the row is there, and goes with it") {
+  std::vector<LimitRecord> limits{{.key = {.slave_gid = 7}, .limit = 3}};
+  std::vector<Row> rows{rubbing(7, 0)};
+  let_friction_lag(rows[0], limits, lag, 0.1);
+  CHECK(admitted(rows[0], {5, 0, -1}).isZero(0));
+  write_limits(rows, std::vector<Vec3>{Vec3::Zero()}, 0.1, limits);
+  REQUIRE(limits.size() == 1);
+  CHECK(limits[0].limit == Approx(3 * lag / (lag + 0.1)));
+  write_limits({}, {}, 0.1, limits);
+  CHECK(limits.empty());
+  std::vector<Row> open{rubbing(7, 0), rubbing(8, 0)};
+  open[0].lags = true;  // the other one does not lag
+  write_limits(open, std::vector<Vec3>{Vec3::Zero(), {0, 0, 1}}, 0.1, limits);
+  CHECK(limits.empty());
+}
+
+TEST_CASE("limits of friction stand in order of their keys, the mean where a node has several rows on a body") {
+  std::vector<Row> rows{rubbing(2, 1), rubbing(2, 3), rubbing(2, 4), rubbing(9, 0)};
+  rows[2].master_body = -1;
+  for (Row& row : rows) row.lags = true;
+  std::vector<LimitRecord> limits;
+  write_limits(rows, std::vector<Vec3>{{0, 0, 1}, {0, 0, 2}, {0, 0, 5}, {0, 0, 7}}, 1, limits);
+  REQUIRE(limits.size() == 3);
+  CHECK((limits[0].key.slave_gid == 2 && limits[0].key.master == -1));
+  CHECK(limits[0].limit == Approx(5 * coefficient));
+  CHECK(limits[1].limit == Approx(1.5 * coefficient));
+  CHECK((limits[2].key.slave_gid == 9 && limits[2].limit == Approx(7 * coefficient)));
+}
