@@ -15,7 +15,7 @@ struct Hex8Choice {
       using element::HourglassKind;
       if (block.hourglass.kind == HourglassKind::viscous)
         return use(element::Hex8<Response, HourglassKind::viscous>{response, block.hourglass, block.bulk});
-      if (block.hourglass.kind == HourglassKind::stiffness)
+      if (block.hourglass.kind == HourglassKind::stiffness || block.hourglass.kind == HourglassKind::elastic)
         return use(element::Hex8<Response, HourglassKind::stiffness>{response, block.hourglass, block.bulk});
       return use(element::Hex8<Response, HourglassKind::none>{response, block.hourglass, block.bulk});
     });

@@ -12,11 +12,14 @@ const Choices<ElementKind> element_kinds{{{"hex8", ElementKind::hex8},
                                           {"hex8_bbar", ElementKind::hex8_bbar},
                                           {"tet4", ElementKind::tet4}},
                                          {"shell4", "quad4"}};
-const Choices<HourglassKind> hourglass_kinds{
-    {{"none", HourglassKind::none}, {"viscous", HourglassKind::viscous}, {"stiffness", HourglassKind::stiffness}}, {}};
+const Choices<HourglassKind> hourglass_kinds{{{"none", HourglassKind::none},
+                                              {"viscous", HourglassKind::viscous},
+                                              {"stiffness", HourglassKind::stiffness},
+                                              {"elastic", HourglassKind::elastic}},
+                                             {}};
 
 void read_hourglass(const Key& key, Hourglass& hourglass) {
-  Section section(key, "a map {kind: none, viscous or stiffness, coefficient: number}");
+  Section section(key, "a map {kind: none, viscous, stiffness or elastic, coefficient: number}");
   section.optional("kind", hourglass.kind, hourglass_kinds);
   constexpr double default_viscous = 0.1, default_stiffness = 0.05;
   hourglass.coefficient = hourglass.kind == HourglassKind::viscous ? default_viscous : default_stiffness;

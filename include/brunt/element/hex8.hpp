@@ -8,8 +8,8 @@
 //   hourglass shape    gamma_aI = Gamma_aI - (1/V) B_jI (x_jJ Gamma_aJ),  rates q_ia = v_iI gamma_aI
 //   force              f_iI = -(s_ij B_jI + Q_ia gamma_aI)
 //   hourglass forces   Q <- beta R (Q + k q dt), beta the share of the trial deviator that radial return leaves: Q
-//   stands
-//     for what stresses within the element deviate from their mean, which flow limits with it (elastic: beta = 1);
+//     stands for what stresses within the element deviate from their mean, which flow limits with it (without flow, and
+//     where the control is `elastic`, beta = 1);
 //     viscous control: Q = c q. Their work over a step is dt q . (Q before + Q after)/2, as nodes take it from them: a
 //     viscous force of t_n acts on v_{n+1/2} too, and the product c q^2 dt is more than it takes
 //   frequency          omega^2 <= 8/(m V) [lambda tr S + 2 mu s_max] + 8/m k_hg (|gamma|^2 summed - 24):
@@ -170,7 +170,8 @@ void Hex8<Response, hourglass>::resist(const Kinematics& k, const Tangent& tange
   for (int c = 0; c < 9; ++c) r.stress[c] = s[place[c]];
   for (int c = 0; c < 9; c += 4) r.stress[c] += viscous;
   if constexpr (hourglass != HourglassKind::none)
-    resist_hourglass(k, tangent.left, dt, over_mass, mass, trace, largest, history, r);
+    resist_hourglass(k, control.kind == HourglassKind::elastic ? broadcast(1.0) : tangent.left, dt, over_mass, mass,
+                     trace, largest, history, r);
 }
 
 template <class Response, HourglassKind hourglass>

@@ -26,7 +26,12 @@ constexpr const char* name_of(ElementKind kind) {
   return "";
 }
 
-enum class HourglassKind { none, viscous, stiffness };
+enum class HourglassKind {
+  none,
+  viscous,
+  stiffness,  ///< springs whose forces plastic flow takes back as it does the stress deviator
+  elastic     ///< springs that stay whatever flows: holds back the rim of what flows far, but lets no corner fold
+};
 
 struct Hourglass {
   HourglassKind kind = HourglassKind::stiffness;
