@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brunt/core/error.hpp"
+#include "brunt/force/folded.hpp"
 #include "brunt/io/checkpoint.hpp"
 #include "brunt/io/summary.hpp"
 #include "brunt/model/hash.hpp"
@@ -178,6 +179,26 @@ void Results::seal() {
   if (run_.contact) contact_ = run_.contact->statistics();
 }
 
+void Results::watch_folds() {
+  const comm::Communicator& ranks = run_.links.ranks;
+  const auto timed = run_.links.timers.measure(Phase::output);
+  const force::FoldedElements here = force::folded_elements(run_.model, run_.state);
+  const GlobalIndex count = ranks.sum(here.count);
+  if (count > 0 && extremes_.folded == 0) {
+    const double worst = ranks.min(here.worst);
+    const GlobalIndex element = ranks.max(here.worst == worst ? here.element : -1);
+    const auto block = static_cast<std::size_t>(ranks.max(GlobalIndex{here.element == element ? here.block : -1}));
+    log_.warning(fmt::format(
+        "{} hex8 element{} folded at t = {:g}, step {}, with a corner inside out; worst is element {} (position in the "
+        "input) of part '{}'. Contact loses nodes behind folded faces and may give energy. Take hourglass: {{kind: "
+        "elastic}} or "
+        "element: hex8_full (told once; folded_elements in summary.json is the largest number seen)",
+        count, count == 1 ? " is" : "s are", run_.state.time, static_cast<GlobalIndex>(run_.state.step), element + 1,
+        run_.model.blocks[block].part));
+  }
+  extremes_.folded = std::max(extremes_.folded, count);
+}
+
 void Results::write_summary(const std::string& stopped_by, int exit_code, double wall_seconds, const LoopCost& cost) {
   const comm::Communicator& ranks = run_.links.ranks;
   std::array<double, phases> seconds{};
@@ -213,6 +234,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   }
   summary["share"]["other"] = 1.0 - booked;
   summary["warnings"] = log_.warnings();
+  summary["folded_elements"] = extremes_.folded;
   summary["energy"] = {{"kinetic", e.kinetic},   {"internal", e.internal}, {"hourglass", e.hourglass},
                        {"bulk", e.bulk},         {"damping", e.damping},   {"contact", e.contact},
                        {"friction", e.friction}, {"walls", e.walls},       {"external", e.external},

@@ -25,6 +25,7 @@ struct Extremes {
   Vec3 start_momentum = Vec3::Zero();
   double momentum_error = 0;  ///< largest |p - p0 - impulses given| over the largest sum of m |v|
   double momentum_scale = 0;
+  GlobalIndex folded = 0;  ///< largest number of folded elements seen at one look
 };
 
 /// The loop as it ended: what is written after it is not its cost.
@@ -47,6 +48,8 @@ class Results {
   void write_history(const time::Ledger& ledger, const time::StepReport& step);
   /// Keeps account of a ledger, and throws GuardError where the energy cannot be right. Collective.
   void watch(const time::Ledger& ledger, double time);
+  /// Counts elements folded at x_n, and warns of the first that are seen. Collective.
+  void watch_folds();
   std::string write_checkpoint();
   /// Remembers the state of t_n, which all guards have let pass. Collective.
   void remember_good();

@@ -27,7 +27,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-constexpr int steps_between_watches = 200;  // the ledger costs a pass over all nodes
+constexpr int steps_between_watches = 200;  // the ledger costs a pass over all nodes, a look at folds one of elements
 constexpr int table_lines = 20;             // about so many over a run
 constexpr double collapsed = 1e-6;          // of the longest step of the run: it would not end
 
@@ -73,6 +73,7 @@ class Loop {
     const bool line = last || progress(state, input.run) * table_lines >= lines_;
     const auto watch = static_cast<GlobalIndex>(state.step) % steps_between_watches == 0;
 
+    if (fields || watch) results_.watch_folds();
     const time::StepReport step = time::evaluate(run_.model, run_.state, run_.scratch, run_.links, control);
     if (step.stop) stop_for_element(step);
     watch_step(step.dt);

@@ -267,6 +267,26 @@ class Stops(Program):
                 self.assertIn(f"{contact['steps_at_limit']} of {contact['steps']} steps with contact ended at max_iterations 3",
                               log)
 
+    def test_folded_elements_are_told_once_and_counted(self):
+        self.write("ball.yaml", scenes.FAST_BALL)
+        found, told = [], []
+        for ranks in (1, 3):
+            self.run_scene(ranks, "ball.yaml", "--out", f"on{ranks}")
+            found.append(self.summary(f"on{ranks}"))
+            told.append(re.findall(r"warning: (\d+) hex8 elements? (?:is|are) folded at t = (\S+), .* worst is element (\d+) "
+                                   r"\(position in the input\) of part 'ball'", self.text(f"on{ranks}", "log.txt")))
+            self.assertEqual(found[-1]["warnings"], 1)
+        self.assertEqual(len(told[0]), 1)
+        self.assertEqual(told[0], told[1])
+        self.assertGreaterEqual(found[0]["folded_elements"], int(told[0][0][0]))
+        for same in ("folded_elements", "state_hash"):
+            self.assertEqual(found[0][same], found[1][same])
+        for number, remedy in enumerate(("hourglass.kind=elastic", "element=hex8_full")):
+            self.run_scene(1, "ball.yaml", "--out", str(number), "--set", f"parts.plate.{remedy}", "--set",
+                           f"parts.ball.{remedy}")
+            self.assertEqual(self.summary(str(number))["folded_elements"], 0, remedy)
+            self.assertEqual(self.summary(str(number))["warnings"], 0, remedy)
+
     def test_results_are_not_overwritten_unasked(self):
         self.run_scene(1, "long.yaml", "--out", "out", "--set", "run.steps=3")
         self.assertIn("--force", self.run_scene(2, "long.yaml", "--out", "out", "--set", "run.steps=3", code=2))

@@ -159,6 +159,20 @@ contact: [{between: all, initial_overlap: RULE}]
 run: {steps: 1}
 """
 
+# A steel ball on a plate at 500 m/s: corners of the ball's one-point elements fold.
+FAST_BALL = """\
+units: SI
+mesh:
+  - {plate: {part: plate, size: [0.06, 0.06], thickness: 0.004, elements: [20, 20, 2]}}
+  - {sphere: {part: ball, radius: 0.006, elements: 5, at: [0.0005, 0.0007, 0.0102]}}
+materials: {steel: {model: j2, density: 7800, young: 2.0e11, poisson: 0.3, yield: 4.0e8, hardening: 5.0e8}}
+parts: {plate: {material: steel, hourglass: {kind: stiffness}}, ball: {material: steel, hourglass: {kind: stiffness}}}
+initial: [{part: ball, velocity: [0, 0, -500]}]
+contact: [{between: all}]
+run: {end: 1.2e-5}
+output: {every: 1.0e-6}
+"""
+
 # One ring in another, both of chords: nodes of each lie behind the other's faces.
 RINGS = """\
 units: none

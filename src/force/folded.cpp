@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/force/folded.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "block_loop.hpp"
+
+namespace brunt::force {
+namespace {
+
+/// Corners at the other ends of the three edges of each, right-handed.
+constexpr std::array<std::array<std::size_t, 3>, 8> edges_of{
+    {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
+
+/// Smallest Jacobian at a corner over the largest in size, of eight elements.
+Pack least_of_corners(const Pack (&x)[3][8]) {
+  Pack least = broadcast(std::numeric_limits<double>::max()), largest = broadcast(0.0);
+  for (std::size_t k = 0; k < 8; ++k) {
+    const auto [a, b, c] = edges_of[k];
+    Pack u[3], v[3], w[3];
+    for (int i = 0; i < 3; ++i) {
+      u[i] = x[i][a] - x[i][k];
+      v[i] = x[i][b] - x[i][k];
+      w[i] = x[i][c] - x[i][k];
+    }
+    const Pack jacobian =
+        u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
+    least = pack_min(least, jacobian);
+    largest = pack_max(largest, pack_abs(jacobian));
+  }
+  return least / largest;
+}
+
+void look_at(const model::ElementBlock& block, std::int32_t index, const model::State& state, FoldedElements& folded) {
+  constexpr double flat = -1e-6;
+  Pack x[3][8];
+  for (LocalIndex batch = 0; batch < block.batches(); ++batch) {
+    const LocalIndex* node = block.node.data() + static_cast<std::ptrdiff_t>(batch) * 8 * pack_width;
+    for (int c = 0; c < 8; ++c) {
+      const LocalIndex* corner = node + c * pack_width;
+      const auto position = [&](int lane) {
+        return *reinterpret_cast<const Quad*>(state.nodes[static_cast<std::size_t>(corner[lane])].x);
+      };
+      components_of(position, x[0][c], x[1][c], x[2][c]);
+    }
+    const Pack least = least_of_corners(x);
+    if (!any(least < flat)) continue;
+    const int lanes = std::min(pack_width, block.count - batch * pack_width);
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (!(least[lane] < flat)) continue;
+      ++folded.count;
+      const GlobalIndex element = block.input[static_cast<std::size_t>(batch * pack_width + lane)];
+      if (least[lane] > folded.worst || (least[lane] == folded.worst && element < folded.element)) continue;
+      folded.worst = least[lane];
+      folded.element = element;
+      folded.block = index;
+    }
+  }
+}
+
+}  // namespace
+
+FoldedElements folded_elements(const model::Model& model, const model::State& state) {
+  FoldedElements folded;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    if (model.blocks[b].kind == element::ElementKind::hex8)
+      look_at(model.blocks[b], static_cast<std::int32_t>(b), state, folded);
+  return folded;
+}
+
+}  // namespace brunt::force
