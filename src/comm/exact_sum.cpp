@@ -2,7 +2,6 @@
 #include "brunt/comm/exact_sum.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -14,36 +13,9 @@ namespace brunt::comm {
 
 namespace {
 
-// Bit 0 of limb 0 weighs 2^-1074, the least double; the greatest has its first bit at position 2097 = limb 65, so four
-// limbs are left for carries.
 constexpr int lowest_exponent = -1074;
-constexpr int limb_bits = 32;
-constexpr std::uint64_t limb_mask = 0xffffffffu;
-// Each addition changes a limb by less than 2^32; two accumulators with this many stay below 2^63 when added.
-constexpr std::int64_t most_pending = std::int64_t{1} << 29;
 
 }  // namespace
-
-void ExactAccumulator::add(double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  const int biased = static_cast<int>((bits >> 52) & 0x7ff);
-  if (biased == 0x7ff) {
-    limb_[limbs] += 1;
-    return;
-  }
-  const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
-  const std::uint64_t significand = biased == 0 ? fraction : fraction | (std::uint64_t{1} << 52);
-  const int position = std::max(biased, 1) - 1;  // of the significand's last bit, above 2^-1074
-  const int shift = position % limb_bits;
-  const std::uint64_t low = significand << shift;  // the 53 + 31 bits in two words
-  const std::uint64_t high = shift == 0 ? 0 : significand >> (64 - shift);
-  const std::int64_t sign = (bits >> 63) == 0 ? 1 : -1;
-  std::int64_t* limb = limb_.data() + position / limb_bits;
-  limb[0] += sign * static_cast<std::int64_t>(low & limb_mask);
-  limb[1] += sign * static_cast<std::int64_t>(low >> limb_bits);
-  limb[2] += sign * static_cast<std::int64_t>(high);
-  if (++pending_ >= most_pending) normalise();
-}
 
 void ExactAccumulator::add(const ExactAccumulator& other) {
   for (std::size_t i = 0; i <= limbs; ++i) limb_[i] += other.limb_[i];

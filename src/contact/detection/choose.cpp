@@ -46,7 +46,7 @@ std::size_t drop_sideways(const Choice& choice, std::span<Encounter> encounters)
 
 /// |gap|, for a node beside the face to its rim.
 double distance(const Encounter& e) {
-  return e.meeting == Meeting::hit ? std::abs(e.gap) : std::hypot(e.gap, e.beside);
+  return e.meeting == Meeting::hit ? std::abs(e.gap) : std::sqrt(e.gap * e.gap + e.beside * e.beside);
 }
 
 /// Is the node behind the plane of a face beside it, but over the neighbour? Which of the two it lies on is then told

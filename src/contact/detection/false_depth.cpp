@@ -12,7 +12,7 @@ using geometry::Region;
 
 /// From the node to the nearest point of the face.
 double distance(const Encounter& e) {
-  return std::hypot(e.height, e.beside);
+  return std::sqrt(e.height * e.height + e.beside * e.beside);
 }
 
 /// Of the face around the encounter's point [rad]; all of it, or half of it, but at a corner.
