@@ -10,14 +10,12 @@
 namespace brunt::contact {
 namespace {
 
-using Bodies = std::pair<std::int32_t, std::int32_t>;
-
-Bodies bodies_of(std::int32_t a, std::int32_t b) {
+BodyPair bodies_of(std::int32_t a, std::int32_t b) {
   return std::minmax(a, b);
 }
 
 /// The deepest of each (slave, master body) of this rank's rows, between bodies that keep their overlaps.
-std::vector<AcceptedOverlap> overlaps_of(std::span<const Row> rows, const std::set<Bodies>& keep) {
+std::vector<AcceptedOverlap> overlaps_of(std::span<const Row> rows, const std::set<BodyPair>& keep) {
   std::vector<AcceptedOverlap> seen;
   for (const Row& row : rows) {
     if (row.is_wall() || row.is_edge() || row.gap >= 0) continue;
@@ -54,7 +52,7 @@ void Contact::forget_start() {
 void Contact::keep_overlaps(const std::vector<Vec3>& reference, std::span<const Wall> walls) {
   std::vector<AcceptedOverlap>& accepted = settings_.detection.accepted;
   if (accepted.empty()) return;
-  std::set<Bodies> keep;
+  std::set<BodyPair> keep;
   std::map<std::pair<GlobalIndex, std::int32_t>, AcceptedOverlap> all;
   for (const AcceptedOverlap& overlap : accepted) {
     keep.insert(bodies_of(overlap.slave_body, overlap.body));
@@ -69,6 +67,7 @@ void Contact::keep_overlaps(const std::vector<Vec3>& reference, std::span<const 
   for (const AcceptedOverlap& overlap : comm::exchange(ranks_, to_all).values)
     all[{overlap.slave, overlap.body}] = overlap;
   for (const auto& [key, overlap] : all) accepted.push_back(overlap);
+  settings_.detection.fitted.assign(keep.begin(), keep.end());
   forget_start();
 }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """What is told before the first step: gaps, overlaps and how they are treated, sides badly chosen."""
+import csv
 import itertools
 import re
 import unittest
@@ -16,6 +17,11 @@ class Start(Program):
         self.write("pair.yaml", scenes.PAIR.replace("AT", str(at)).replace("RULE", rule))
         done = self.brunt("check", "pair.yaml")
         return done.returncode, done.stdout + done.stderr
+
+    def history(self, result, *terms):
+        header, *rows = csv.reader(self.text(result, "history.csv").splitlines())
+        places = [[name.split(" ")[0] for name in header].index(term) for term in terms]
+        return [[float(row[place]) for place in places] for row in rows]
 
     def test_gap_is_listed(self):
         self.assertIn("smallest gap     0.05 m", self.check(1.05)[1])
@@ -100,6 +106,20 @@ class Start(Program):
         self.run_scene(2, "pair.yaml", "--out", "part", *push, "--set", "run.steps=25")
         self.run_scene(1, "pair.yaml", "--out", "part", "--restart", "part", *push, "--set", "run.steps=60")
         self.assertEqual(self.summary("part")["state_hash"], one["state_hash"])
+
+    def test_what_slides_into_its_seat_is_not_pushed_out(self):
+        """Frictionless contact gives no energy, though nodes that come to the seat overlap by 0.2 and 0.3 mm."""
+        for (name, scene), (rule, given) in itertools.product(scenes.SLIDING_FITS.items(), (("offset", 1e-6), ("move", 3e-3))):
+            with self.subTest(scene=name, rule=rule):
+                out = f"{name}_{rule}"
+                self.write(out + ".yaml", scene.replace("RULE", rule))
+                for ranks in (1, 3):
+                    self.run_scene(ranks, out + ".yaml", "--out", f"{out}{ranks}")
+                energy = self.history(out + "1", "kinetic", "contact")
+                self.assertGreater(min(contact for _, contact in energy), -given * energy[0][0])
+                self.assertEqual(self.summary(out + "1")["state_hash"], self.summary(out + "3")["state_hash"])
+                if rule == "offset":  # zero gap all along the seat: nothing holds it
+                    self.assertAlmostEqual(energy[-1][0], energy[0][0], delta=1e-3 * energy[0][0])
 
     def test_one_line_a_pair_and_the_nodes_in_the_list(self):
         for rule, code in (("error", 2), ("warn", 0)):

@@ -213,11 +213,15 @@ void add_rows(const FacesInMotion& scene, const Candidates& candidates, std::siz
     const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)];
     Row& row = rows.emplace_back();
     fill_row(e, face, node, row);
-    row.gap += accepted_depth(settings.accepted, slave_gid, face.body);
-    row.required = required_rate(row, e.size, scene.dt, scene.motion, settings);
     row.slave_gid = slave_gid;
     row.slave_body = candidates.body[s];
+    row.gap += accepted_depth(settings.accepted, slave_gid, face.body);
+    row.required = required_rate(row, e.size, scene.dt, scene.motion, settings);
   }
+}
+
+bool are_fitted(std::span<const BodyPair> fitted, const Row& row) {
+  return std::ranges::binary_search(fitted, BodyPair(std::minmax(row.slave_body, row.master_body)));
 }
 
 }  // namespace
@@ -235,7 +239,9 @@ double required_rate(const Row& row, double size, double dt, std::span<const Nod
                      const DetectionSettings& settings) {
   if (row.gap >= 0) return -row.gap / dt;
   const double recovery = std::min(-settings.recovery * row.gap, settings.recovery_limit * size) / dt;
-  if (settings.recovery_gives || !row.is_edge() || -row.gap <= settings.drift * size) return recovery;
+  const bool fitted = are_fitted(settings.fitted, row);
+  const bool gives = !fitted && (settings.recovery_gives || !row.is_edge());
+  if (gives || -row.gap <= (fitted ? settings.touch : settings.drift) * size) return recovery;
   const Vec3 relative = relative_motion(
       row, [&](LocalIndex node) -> const Vec3& { return motion[static_cast<std::size_t>(node)].old_velocity; });
   return std::clamp(-row.normal.dot(relative), 0.0, recovery);

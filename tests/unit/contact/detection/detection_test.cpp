@@ -110,6 +110,21 @@ TEST_CASE("of nodes, which sink in by what each step leaves, a penetration is re
   CHECK(scene.detect({0.5, 0.5, 1 - 2e-3}).front().required == Approx(0.05 * 2e-3 / 1e-3));
 }
 
+TEST_CASE("of fitted bodies, nodes deeper than what counts as touching are parted no faster than they came together") {
+  CubeAndNode scene;
+  scene.settings.fitted = {{0, 0}, {0, 1}, {1, 1}};
+  for (const double depth : {2e-4, 1e-3, 2e-2})
+    for (const double speed : {-0.02, 0.0, 3e-3, 5.0}) {
+      CAPTURE(depth, speed);
+      const double recovery = std::min(0.05 * depth, 1e-3) / 1e-3;
+      CHECK(scene.detect({0.5, 0.5, 1 - depth}, {0, 0, -speed}).at(0).required ==
+            Approx(std::clamp(speed, 0.0, recovery)).margin(1e-12));
+    }
+  CHECK(scene.detect({0.5, 0.5, 1 - 5e-5}).at(0).required == Approx(0.05 * 5e-5 / 1e-3));  // a drift
+  scene.settings.fitted = {{0, 0}, {1, 1}, {0, 2}};
+  CHECK(scene.detect({0.5, 0.5, 1 - 2e-3}).at(0).required == Approx(0.05 * 2e-3 / 1e-3));
+}
+
 TEST_CASE("what cannot touch in this step makes no row, what comes fast does") {
   CubeAndNode scene;
   CHECK(scene.detect({0.5, 0.5, 1.3}).empty());
