@@ -6,13 +6,28 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 
 #include "brunt/core/error.hpp"
 
 namespace brunt::app {
 
-Log::Log(bool speaks, bool quiet)
-    : speaks_(speaks), quiet_(quiet), terminal_(isatty(STDOUT_FILENO) != 0 && !std::getenv("BRUNT_NO_BAR")) {}
+namespace {
+
+/// Does a person look on? mpirun gives a rank a terminal even where its own output goes to a file: then it is the
+/// output of the process that started this one which tells.
+bool is_looked_on() {
+  if (isatty(STDOUT_FILENO) == 0) return false;
+  if (!std::getenv("OMPI_COMM_WORLD_SIZE")) return true;
+  std::error_code unknown;
+  const std::string output =
+      std::filesystem::read_symlink(fmt::format("/proc/{}/fd/{}", getppid(), STDOUT_FILENO), unknown).string();
+  return output.starts_with("/dev/pts/") || output.starts_with("/dev/tty");
+}
+
+}  // namespace
+
+Log::Log(bool speaks, bool quiet) : speaks_(speaks), quiet_(quiet), terminal_(is_looked_on()) {}
 
 Log::~Log() {
   clear_bar();
@@ -50,6 +65,10 @@ void Log::warning(const std::string& text) {
 
 void Log::progress(double share, double seconds_left) {
   if (!speaks_ || quiet_ || !terminal_) return;
+  constexpr auto pause = std::chrono::milliseconds(200);
+  const auto now = std::chrono::steady_clock::now();
+  if (now - bar_drawn_ < pause) return;
+  bar_drawn_ = now;
   constexpr int width = 40;
   const int full = static_cast<int>(std::clamp(share, 0.0, 1.0) * width);
   fmt::print("\r[{:#<{}}{:.<{}}] {:3.0f} %  {:.0f} s left   ", "", full, "", width - full, 100 * share, seconds_left);

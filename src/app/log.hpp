@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the user sees: lines on the terminal and, the same, in log.txt; a progress bar on the terminal alone.
 #pragma once
+#include <chrono>
 #include <cstdio>
 #include <string>
 
@@ -8,8 +9,7 @@ namespace brunt::app {
 
 class Log {
  public:
-  /// Silent on ranks other than the root. mpirun gives a rank a terminal even where its own output goes to a file:
-  /// BRUNT_NO_BAR in the environment then keeps the bar away.
+  /// Silent on ranks other than the root.
   Log(bool speaks, bool quiet);
   ~Log();
   Log(const Log&) = delete;
@@ -19,7 +19,7 @@ class Log {
   void open(const std::string& folder, bool append);
   void line(const std::string& text);
   void warning(const std::string& text);
-  /// Redraws the bar in place if the terminal is one; `share` 0..1.
+  /// Redraws the bar in place, now and then, if the terminal is one; `share` 0..1.
   void progress(double share, double seconds_left);
   [[nodiscard]] int warnings() const { return warnings_; }
 
@@ -27,6 +27,7 @@ class Log {
   void clear_bar();
   bool speaks_, quiet_, terminal_;
   bool bar_shown_ = false;
+  std::chrono::steady_clock::time_point bar_drawn_{};
   int warnings_ = 0;
   std::string before_open_;
   std::FILE* file_ = nullptr;

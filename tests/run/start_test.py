@@ -1,13 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What is told before the first step: gaps, overlaps and how they are treated, sides badly chosen."""
+"""What is told before the first step: gaps, overlaps and how they are treated, sides badly chosen; and to whom a bar is shown."""
 import csv
 import itertools
+import os
+import pty
 import re
+import subprocess
 import unittest
 
 import scenes
-from run_test import Program
+from run_test import PATIENCE, RUN, Program
 
 
 class Start(Program):
@@ -150,6 +153,23 @@ class Start(Program):
             self.assertEqual(self.summary(f"out{ranks}")["warnings"], 1)
         self.run_scene(1, "pair.yaml", "--out", "right", *named, "--set", "contact.0.slave=right")
         self.assertEqual(self.summary("right")["warnings"], 0)
+
+    def said_to(self, file):
+        self.write("pair.yaml", scenes.PAIR.replace("AT", "1.05").replace("RULE", "error"))
+        steps = ("--set", "run.steps=60", "--force")
+        subprocess.run([RUN, "-np", "2", "pair.yaml", "--out", "out", *steps], cwd=self.folder, stdout=file,
+                       timeout=PATIENCE, check=True)
+
+    def test_a_progress_bar_is_for_terminals(self):
+        with open(os.path.join(self.folder, "job"), "w", encoding="utf-8") as file:
+            self.said_to(file)
+        self.assertIn("done; results in", self.text("job"))
+        self.assertNotIn("s left", self.text("job"))  # though mpirun gives the first rank a terminal of its own
+        master, slave = pty.openpty()
+        self.addCleanup(os.close, master)
+        self.said_to(slave)
+        os.close(slave)
+        self.assertIn(b"s left", os.read(master, 1 << 16))
 
     def test_touching_is_no_overlap(self):
         self.assertEqual(self.check(1.0)[0], 0)
