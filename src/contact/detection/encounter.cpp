@@ -104,7 +104,8 @@ bool is_outside_of_a_sharp_edge(std::span<const MasterFace> faces, double degree
     const Vec3 apart = other.point - e.point;
     const bool as_deep = apart.dot(e.normal) < 0.5 * e.height;       // it has a point as deep as the node
     const bool convex = -apart.dot(other.normal) <= level * e.size;  // a dent between warped faces is none
-    return as_deep && convex && shared_nodes(face, faces[static_cast<std::size_t>(other.face)]) >= 2;
+    // one node is enough: near a node of a ridge, faces meet across it that share no more
+    return as_deep && convex && shared_nodes(face, faces[static_cast<std::size_t>(other.face)]) >= 1;
   });
 }
 

@@ -58,7 +58,7 @@ struct DetectionSettings {
   double recovery_limit = 1e-3;  ///< the same limited to this share of the longest edge
   bool recovery_gives = true;  ///< recovery may do work on the bodies at any depth: where overlaps of the start are to
                                ///< part. Else edges deeper than `drift` do not (see required_rate)
-  double drift = 1e-3;         ///< depth that a step may leave by itself, as a share of the longest edge
+  double drift = 3e-5;         ///< depth that a step may leave by itself, as a share of the longest edge
   double touch = 1e-4;         ///< of fitted bodies, in place of drift: at the start deeper nodes overlap
   double twin = 0;             ///< nodes of two bodies this near each other are twins [length]
   double wall_size = 0;        ///< [length] stands for the longest edge where the master is a wall
@@ -90,11 +90,12 @@ double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex sla
 
 /// Least rate that the row's gap asks for [velocity]: it may close within the step; a penetration is recovered, a
 /// limited share of it a step. Under load recovery does work on the bodies. Where they drifted in, that is little.
-/// Edges that are deep when they are first seen (they slipped over a rim) would be given what contact never took: they
-/// are parted no faster than they came together, and stay while they are pressed. Not so nodes: what a step leaves of
-/// averaged passes would add up (a pressed cube that hangs over another crept in by a tenth of an edge). But of fitted
-/// bodies nodes too: what slides into the seat comes as deep as others lay there at the start, without any work, and
-/// pushed out it gave 95 % of a peg's energy in a hole.
+/// Edges that are deeper when they are first seen (they slipped over a rim, or their crossing passed a node where the
+/// loaded chain of edges is bent, up to 1e-3 in a step) would be given what contact never took: they are parted no
+/// faster than they came together, and stay while they are pressed. Not so nodes: what a step leaves of averaged passes
+/// would add up (a pressed cube that hangs over another crept in by a tenth of an edge). But of fitted bodies nodes
+/// too: what slides into the seat comes as deep as others lay there at the start, without any work, and pushed out it
+/// gave 95 % of a peg's energy in a hole.
 double required_rate(const Row& row, double size, double dt, std::span<const NodeMotion> motion,
                      const DetectionSettings& settings);
 

@@ -72,6 +72,26 @@ TEST_CASE("at an edge sharper than a right angle a node may be behind one face, 
   }
 }
 
+// Of the faces beyond the ridge, that of the next span shares one node with the one that the node lies on. The face of
+// the next span on this side does not tell either, where a load has bent the ridge: the node is behind its plane.
+TEST_CASE("a node on one slope of a ridge is on it however near it is to where the next faces begin") {
+  for (const double degrees : {280.0, 270.0}) {  // 80 degrees inside, or square to rounding
+    const double half = 0.5 * (360 - degrees) * std::numbers::pi / 180;
+    const Vec3 down(std::sin(half), 0, -std::cos(half)), normal(std::cos(half), 0, std::sin(half));
+    const Vec3 other(-down.x(), 0, down.z()), step = Vec3::UnitY(), bent(0, 2, -1e-3);
+    FewFaces ridge({Vec3::Zero(), step, bent, down, down + step, down + bent, other, other + step, other + bent},
+                   {{0, 3, 4, 1}, {1, 4, 5, 2}, {0, 1, 7, 6}, {1, 2, 8, 7}});
+    for (const double along : {0.5, 0.985, 0.9999})
+      for (const double out : {1e-12, 1e-9}) {
+        CAPTURE(degrees, along, out);
+        const auto rows = ridge.rows(along * step + 0.01 * down + out * normal);
+        REQUIRE(rows.size() == 1);
+        CHECK(rows[0].normal.dot(normal) > 0.9);
+        CHECK(rows[0].gap == Approx(out));
+      }
+  }
+}
+
 TEST_CASE("what a neighbour in front forbids does not depend on the order of the faces") {
   const auto kept = [](FewFaces scene, const Vec3& position, const std::vector<LocalIndex>& order) {
     std::vector<Encounter> met;
