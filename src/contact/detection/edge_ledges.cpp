@@ -12,6 +12,7 @@ namespace {
 
 constexpr double upright = 0.9;    // cosine between an edge and the normal of what it stands on, at least
 constexpr double parallel = 1e-3;  // sine between edges, at most
+constexpr double level = 0.1;      // of what edges slide along a face they may move so much across it
 
 /// How the edges have moved against each other in the last step, where they meet: see last_motion in ledges.cpp.
 Vec3 last_motion(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met) {
@@ -20,13 +21,19 @@ Vec3 last_motion(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& 
                      met.t * last(master, 1));
 }
 
-/// Parallel edges that slide by each other on a ledge (see ledges.hpp): along a face of the master, no deeper than that
-/// behind it. Edges that cross, at however small an angle, hold each other: bars laid on each other at one degree gave
-/// energy without that row.
-bool pass_along(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size,
-                const EdgeMeeting& met, const Vec3& motion) {
+/// Edges nearly along each other that slide by on a ledge (see ledges.hpp): along a face of the master, no farther than
+/// that from its plane. Edges that cross must lie on that face, or the other way round: both ends of one are held by
+/// it. Else they hold each other, however small their angle: bars laid on each other at one degree gave energy without
+/// that.
+bool pass_along(const EdgeScene& scene, std::span<const Vec3> node_normal, const EdgeSide& slave,
+                const EdgeSide& master, double size, const EdgeMeeting& met, const Vec3& motion) {
   const geometry::Segment own = scene.start(slave), other = scene.start(master);
-  if (own.along().cross(other.along()).norm() > parallel) return false;
+  const double sine = own.along().cross(other.along()).norm();
+  if (sine >= scene.full) return false;
+  const auto lies_along = [&](const EdgeSide& edge, const Vec3& out) {
+    return std::ranges::all_of(
+        edge.nodes, [&](LocalIndex node) { return node_normal[static_cast<std::size_t>(node)].dot(out) > upright; });
+  };
   const Vec3 apart = (1 - met.s) * own.start + met.s * own.end - (1 - met.t) * other.start - met.t * other.end;
   const auto faces = [&](const EdgeSide& edge, std::size_t i, const Vec3& normal) {
     return scene.normal(edge, i).dot(normal) < -0.5;
@@ -35,8 +42,9 @@ bool pass_along(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& m
   const auto lies_on = [&](std::size_t i, std::size_t k) {
     const Vec3 top = scene.normal(master, k), side = scene.normal(master, 1 - k);
     const double height = apart.dot(top);
-    return faces(slave, i, top) && faces(slave, 1 - i, side) && height <= 0 && -height <= ledge * size &&
-           slides_into(motion, side, top, size);
+    if (sine > parallel && !lies_along(slave, top) && !lies_along(master, -top)) return false;
+    return faces(slave, i, top) && faces(slave, 1 - i, side) && std::abs(height) <= ledge * size &&
+           slides_into(motion, side, top, size) && std::abs(motion.dot(top)) < level * std::abs(motion.dot(side));
   };
   return lies_on(0, 0) || lies_on(0, 1) || lies_on(1, 0) || lies_on(1, 1);
 }
@@ -87,7 +95,7 @@ bool meet_on_ledge(const EdgeScene& scene, const EdgeCandidates& candidates, std
                    const EdgeMeeting& met) {
   const double size = std::min(scene.length(slave), scene.length(master));
   const Vec3 slid = last_motion(scene, slave, master, met);
-  return pass_along(scene, slave, master, size, met, slid) ||
+  return pass_along(scene, node_normal, slave, master, size, met, slid) ||
          stands_at_ledge(scene, node_normal, slave, size, met, slid) ||
          is_ledge_below(scene, candidates, near, slave, master, size, met, slid);
 }
