@@ -39,7 +39,8 @@ mpi_environment() {
   if [ "${SLURM_JOB_NUM_NODES:-1}" -eq 1 ] && [ -z "${OMPI_MCA_orte_default_hostfile:-}" ]; then
     export OMPI_MCA_pml="${OMPI_MCA_pml:-ob1}" OMPI_MCA_btl="${OMPI_MCA_btl:-self,vader}"
     export OMPI_MCA_btl_vader_single_copy_mechanism="${OMPI_MCA_btl_vader_single_copy_mechanism:-none}"
-    if [ "$1" -gt "$(nproc)" ]; then
+    # ranks that wait give way: with a core for each it costs nothing, and a core that others use as well is enough then
+    if [ "$1" -ge "$(nproc)" ]; then
       export OMPI_MCA_mpi_yield_when_idle="${OMPI_MCA_mpi_yield_when_idle:-1}"
     fi
   fi

@@ -2,6 +2,7 @@
 #include "log.hpp"
 
 #include <fmt/core.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -39,6 +40,7 @@ void Log::open(const std::string& folder, bool append) {
   const std::string path = folder + "/log.txt";
   file_ = std::fopen(path.c_str(), append ? "a" : "w");
   if (!file_) throw MachineError(path + ": cannot be written");
+  flock(fileno(file_), LOCK_EX | LOCK_NB);  // see io::prepare_result_folder; a file system may have no locks
   fmt::print(file_, "{}", before_open_);
   std::fflush(file_);
 }

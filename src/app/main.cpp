@@ -22,11 +22,17 @@ namespace {
 using namespace brunt;
 using Command = std::function<int(const comm::Communicator&)>;
 
+/// One value each, so that a scene may stand behind them.
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+  command.add_option("--set", overrides, "Change a value of the scene: key.path=value; may be given again")
+      ->allow_extra_args(false);
+}
+
 void add_run(CLI::App& program, app::RunOptions& options, Command& chosen) {
   CLI::App* run = program.add_subcommand("run", "Run a scene");
   run->add_option("scene", options.scene, "Scene file (YAML)")->required();
   run->add_option("--out", options.out, "Result folder; default: SCENE.out");
-  run->add_option("--set", options.overrides, "Change a value of the scene: key.path=value; may be given again");
+  add_overrides(*run, options.overrides);
   run->add_option("--restart", options.restart, "Go on from a checkpoint file or the latest of a result folder");
   run->add_flag("--force", options.force, "Replace the results of an earlier run");
   run->add_flag("--quiet", options.quiet, "Nothing on the terminal but faults (log.txt is written all the same)");
@@ -36,7 +42,7 @@ void add_run(CLI::App& program, app::RunOptions& options, Command& chosen) {
 void add_check(CLI::App& program, app::CheckOptions& options, Command& chosen) {
   CLI::App* check = program.add_subcommand("check", "Read and validate a scene, list what is in it; runs nothing");
   check->add_option("scene", options.scene, "Scene file (YAML)")->required();
-  check->add_option("--set", options.overrides, "Change a value of the scene: key.path=value; may be given again");
+  add_overrides(*check, options.overrides);
   check->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::check(ranks, options); }; });
 }
 
@@ -53,7 +59,7 @@ void add_partition(CLI::App& program, app::PartitionOptions& options, Command& c
   CLI::App* partition = program.add_subcommand("partition", "Split the mesh of a scene and tell how good the split is");
   partition->add_option("scene", options.scene, "Scene file (YAML)")->required();
   partition->add_option("-n", options.parts, "Number of parts")->required()->check(no_count_of_parts);
-  partition->add_option("--set", options.overrides, "Change a value of the scene: key.path=value; may be given again");
+  add_overrides(*partition, options.overrides);
   partition->callback(
       [&] { chosen = [&](const comm::Communicator& ranks) { return app::partition(ranks, options); }; });
 }

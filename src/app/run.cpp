@@ -185,6 +185,16 @@ std::string checkpoint_of(const comm::Communicator& ranks, const std::string& re
   return path;
 }
 
+/// A run goes on in the folder of its checkpoint; in another one there are results of another run.
+io::ExistingResults existing_results(const RunOptions& options, const std::string& checkpoint,
+                                     const std::string& folder) {
+  if (options.force) return io::ExistingResults::replace;
+  std::error_code no_folder;
+  const std::filesystem::path from = std::filesystem::path(checkpoint).parent_path();
+  const bool its_own = !checkpoint.empty() && std::filesystem::equivalent(from.empty() ? "." : from, folder, no_folder);
+  return its_own ? io::ExistingResults::keep : io::ExistingResults::refuse;
+}
+
 void announce(const Prepared& run, Log& log) {
   const model::Model& model = run.model;
   log.line(fmt::format("{} ({} units)", run.input.title.empty() ? run.input.file : run.input.title, run.input.units));
@@ -219,10 +229,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
     restart_step = io::read_checkpoint(ranks, checkpoint, prepared->fingerprint, prepared->registry()).step;
     prepared->after_restart();
   }
-  io::prepare_result_folder(ranks, folder,
-                            options.force  ? io::ExistingResults::replace
-                            : restart_step ? io::ExistingResults::keep
-                                           : io::ExistingResults::refuse);
+  io::prepare_result_folder(ranks, folder, existing_results(options, checkpoint, folder));
   if (ranks.is_root()) log.open(folder, restart_step.has_value());
   announce(*prepared, log);
   for (const std::string& warning : prepared->warnings) log.warning(warning);

@@ -3,6 +3,7 @@
 #include "brunt/io/result_folder.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -44,6 +45,15 @@ void check_writable(const fs::path& folder) {
   fs::remove(probe);
 }
 
+/// A run holds a lock on its log.txt as long as it lasts.
+void refuse_run_in_progress(const fs::path& folder) {
+  const int log = ::open((folder / "log.txt").c_str(), O_RDONLY);
+  if (log < 0) return;
+  const bool held = ::flock(log, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(log);
+  if (held) throw InputError(folder.string() + ": another run is writing there; choose another folder with --out");
+}
+
 void prepare_on_root(const fs::path& folder, ExistingResults existing) {
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw InputError(folder.string() + ": the result folder's name is taken by a file; choose another with --out");
@@ -55,6 +65,7 @@ void prepare_on_root(const fs::path& folder, ExistingResults existing) {
     throw InputError(folder.string() + ": holds results already (" + found.front().filename().string() +
                      "); choose another folder with --out, replace them with --force or go on with --restart");
   check_writable(folder);
+  refuse_run_in_progress(folder);
   if (existing == ExistingResults::replace)
     for (const fs::path& file : found) fs::remove(file);
 }

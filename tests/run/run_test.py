@@ -292,6 +292,19 @@ class Stops(Program):
         self.assertIn("--force", self.run_scene(2, "long.yaml", "--out", "out", "--set", "run.steps=3", code=2))
         self.run_scene(1, "long.yaml", "--out", "out", "--set", "run.steps=4", "--force")
         self.assertEqual(self.summary("out")["steps"], 4)
+        self.run_scene(1, "long.yaml", "--out", "other", "--set", "run.steps=5")
+        before = self.text("other", "history.csv")
+        told = self.run_scene(1, "long.yaml", "--out", "other", "--restart", "out", code=2)  # not its own run
+        self.assertIn("other: holds results already", told)
+        self.assertEqual(self.text("other", "history.csv"), before)
+
+    def test_a_folder_belongs_to_one_run_at_a_time(self):
+        run = self.start()
+        self.wait_for("out", "log.txt")
+        told = self.run_scene(1, "--set", "run.steps=3", "long.yaml", "--out", "out", "--force", code=2)
+        self.assertIn("another run is writing there", told)
+        run.send_signal(signal.SIGTERM)
+        self.assert_stopped(run, "signal")
 
 
 if __name__ == "__main__":
