@@ -131,7 +131,7 @@ std::array<double, 2> look_at_start(const System& system, bool warm_start, Excha
 
 /// The residual to end with, of the one to start from: see the header.
 double residual_to_reach(const EnforcementSettings& settings, double first) {
-  constexpr double gained = 0.1, still = 1e-6;  // of a warm start's residual; of the tolerance
+  constexpr double gained = 0.03, still = 1e-8;  // of a warm start's residual; of the tolerance
   if (!settings.warm_start) return settings.tolerance;
   return std::min(settings.tolerance, std::max(gained * first, still * settings.tolerance));
 }

@@ -12,8 +12,9 @@
 //   half-way is a rebound that nothing in the bodies has asked for.
 // A warm start may be within the tolerance before anything is done. To leave it at that would let bodies at rest float
 // on forces that answer to nothing, until they have moved by the tolerance; to correct it a little in each step is a
-// soft spring, which the recovery of gaps turns into an engine (its force lags). So it goes on until a tenth is left
-// of what it began with, or a millionth of the tolerance, and makes one sweep at least: what stirs bodies dies out.
+// soft spring, which the recovery of gaps turns into an engine (its force lags). So it goes on until 0.03 are left of
+// what it began with, or 1e-8 of the tolerance, and makes one sweep at least: what stirs bodies dies out (with 0.1 and
+// 1e-6 the energy of cubes stacked at rest grew by e in 6000 steps, from 1e-20 J to 3e-6 J in a million).
 // That takes 1.4 iterations a step in the mean and 4 at most in cases/stack (2.5 and 26 in two passes; 62 is the most
 // seen), none in impacts. They count in max_iterations, but a step that ends there within the tolerance has not ended
 // at the limit (see ended_at_limit).
