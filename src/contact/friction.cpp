@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace brunt::contact {
 namespace {
@@ -33,9 +34,8 @@ void let_friction_lag(Row& row, std::span<const LimitRecord> limits, double lag,
   row.lags = true;
   const AnchorKey key = anchor_key_of(row);
   const auto found = std::ranges::lower_bound(limits, key, {}, &LimitRecord::key);
-  if (found == limits.end() || found->key != key) return;
   row.friction *= dt / (dt + lag);
-  row.lagging = lag / (dt + lag) * found->limit * dt;
+  if (found != limits.end() && found->key == key) row.lagging = lag / (dt + lag) * found->limit * dt;
 }
 
 void write_limits(std::span<const Row> rows, std::span<const Vec3> impulses, double dt,
@@ -43,15 +43,20 @@ void write_limits(std::span<const Row> rows, std::span<const Vec3> impulses, dou
   after.clear();
   for (std::size_t q = 0; q < rows.size(); ++q) {
     if (!rows[q].lags) continue;
-    const double limit = friction_limit(rows[q], std::max(0.0, rows[q].normal.dot(impulses[q]))) / dt;
-    if (limit > 0) after.push_back({anchor_key_of(rows[q]), limit});
+    const double push = std::max(0.0, rows[q].normal.dot(impulses[q]));
+    const double limit = friction_limit(rows[q], push) / dt;
+    if (limit > 0) after.push_back({anchor_key_of(rows[q]), limit, push > 0});
   }
-  std::ranges::sort(after, {}, [](const LimitRecord& record) { return std::pair(record.key, record.limit); });
+  const auto order = [](const LimitRecord& record) { return std::tuple(record.key, !record.pressed, record.limit); };
+  std::ranges::sort(after, {}, order);
   auto kept = after.begin();
-  for (auto first = after.begin(), end = first; first != after.end(); first = end) {
+  for (auto first = after.begin(), end = first; first != after.end();) {
     double sum = 0;
-    for (end = first; end != after.end() && end->key == first->key; ++end) sum += end->limit;
-    *kept++ = {first->key, sum / static_cast<double>(end - first)};
+    for (end = first; end != after.end() && end->key == first->key && end->pressed == first->pressed; ++end)
+      sum += end->limit;
+    *kept = {first->key, sum / static_cast<double>(end - first), first->pressed};
+    const AnchorKey key = kept++->key;
+    for (first = end; first != after.end() && first->key == key;) ++first;  // rows that are not pressed
   }
   after.erase(kept, after.end());
 }

@@ -102,9 +102,10 @@ void to_tables(const History& history, HistoryTables& tables) {
     values.insert(values.end(), anchor.on_wall.begin(), anchor.on_wall.end());
   }
   tables[2] = {.name = "contact_limits", .key_width = 4, .value_width = 1};
-  for (const auto& [key, limit] : history.limits) {
+  for (const LimitRecord& record : history.limits) {
+    const AnchorKey& key = record.key;
     tables[2].keys.insert(tables[2].keys.end(), {key.slave_gid, key.master, key.slave_second, key.master_second});
-    tables[2].values.push_back(limit);
+    tables[2].values.push_back(record.limit);
   }
 }
 
@@ -127,7 +128,7 @@ History from_tables(const HistoryTables& tables) {
   }
   value = limits.values.data();
   for (auto key = limits.keys.begin(); key != limits.keys.end(); key += 4)
-    history.limits.push_back({{key[0], key[1], key[2], key[3]}, *value++});
+    history.limits.push_back({.key = {key[0], key[1], key[2], key[3]}, .limit = *value++});
   std::ranges::sort(history.pairs, {}, &HistoryRecord::key);
   std::ranges::sort(history.anchors, {}, &AnchorRecord::key);
   std::ranges::sort(history.limits, {}, &LimitRecord::key);

@@ -157,7 +157,8 @@ model::ContactRule contact_rule(const Input& input, std::span<const std::string>
           continue;
         }
         tied = entry.tied ? contact::Tied::yes : contact::Tied::no;
-        rule.passes[a * n + b] = entry.tied ? contact::Passes::one : entry.passes;
+        const bool lags = entry.friction.lag > 0 && entry.passes == contact::Passes::automatic;
+        rule.passes[a * n + b] = entry.tied || lags ? contact::Passes::one : entry.passes;
         const bool itself = a == b && entry.between.empty() && !entry.self;
         rule.active[a * n + b] = itself || excludes(entry, first, second) ? 0 : 1;
         if (entry.slave != ContactEntry::Slave::automatic && !entry.between.empty())

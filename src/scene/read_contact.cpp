@@ -103,6 +103,10 @@ void judge_enforcement(const Key& whole, Section& entry, const ContactEntry& con
   const bool two = contact.passes == contact::Passes::two || contact.passes == contact::Passes::averaged;
   if (two && contact.slave != Slave::automatic && entry.has("slave"))
     warn(entry.at("slave"), "does nothing in two passes", input);
+  if (two && contact.friction.lag > 0)
+    fault(
+        entry.has("passes") ? entry.at("passes") : entry.at("friction"),
+        "friction with a lag is for one pass (in two, rows come and go, and their lag with them); accepted: auto, one");
   if (contact.tied && entry.has("passes") && two)
     warn(entry.at("passes"), "does nothing where parts are tied: ties have one pass", input);
   if (method == Method::printed)

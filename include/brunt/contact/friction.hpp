@@ -17,7 +17,7 @@ namespace brunt::contact {
 double friction_coefficient(const FrictionLaw& law, const Row& row, std::span<const NodeMotion> motion);
 
 /// Gives the row its friction where it lags: the step's own pressure counts by dt / (dt + lag) (backward Euler), the
-/// rest is the limit of before. A row without a record has Coulomb's friction at once. limits: in order of their keys.
+/// rest is the limit of before, which is 0 for a row without a record. limits: in order of their keys.
 void let_friction_lag(Row& row, std::span<const LimitRecord> limits, double lag, double dt);
 
 /// The limits after a step with these impulses, in order of their keys: of rows that lag, as soon as they are pressed

@@ -47,10 +47,11 @@ struct AnchorRecord {
 };
 
 /// The limit of friction where it lags (see FrictionLaw::lag). The key is that of anchors, so that it stays with a node
-/// which slides over to the next face; of several rows of one key it is the mean.
+/// which slides over to the next face; of several rows of one key it is the mean of those that are pressed, if any is.
 struct LimitRecord {
   AnchorKey key;
-  double limit = 0;  ///< after the last step [force]
+  double limit = 0;      ///< after the last step [force]
+  bool pressed = false;  ///< where it comes from; not kept
 };
 
 inline AnchorKey anchor_key_of(const Row& row) {
