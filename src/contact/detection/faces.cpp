@@ -240,13 +240,11 @@ double required_rate(const Row& row, double size, double dt, std::span<const Nod
   if (row.gap >= 0) return -row.gap / dt;
   const double recovery = std::min(-settings.recovery * row.gap, settings.recovery_limit * size) / dt;
   const bool fitted = are_fitted(settings.fitted, row);
-  if (!fitted && (settings.recovery_gives || (settings.averaged && !row.is_edge()))) return recovery;
-  const double shallow = fitted ? settings.touch : (row.is_edge() ? settings.drift : settings.late);
-  if (-row.gap <= shallow * size) return recovery;
+  const bool gives = !fitted && (settings.recovery_gives || !row.is_edge());
+  if (gives || -row.gap <= (fitted ? settings.touch : settings.drift) * size) return recovery;
   const Vec3 relative = relative_motion(
       row, [&](LocalIndex node) -> const Vec3& { return motion[static_cast<std::size_t>(node)].old_velocity; });
-  const double slowly = fitted || row.is_edge() ? 0.0 : settings.late_share * relative.norm();
-  return std::clamp(-row.normal.dot(relative), std::min(slowly, recovery), recovery);
+  return std::clamp(-row.normal.dot(relative), 0.0, recovery);
 }
 
 void detect_faces(const Candidates& candidates, std::span<const MasterFace> faces, std::span<const GlobalIndex> gid,

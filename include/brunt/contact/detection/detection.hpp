@@ -59,9 +59,6 @@ struct DetectionSettings {
   bool recovery_gives = true;  ///< recovery may do work on the bodies at any depth: where overlaps of the start are to
                                ///< part. Else edges deeper than `drift` do not (see required_rate)
   double drift = 3e-5;         ///< depth that a step may leave by itself, as a share of the longest edge
-  double late = 1e-3;          ///< share of the longest edge: nodes that are deeper were seen late (see required_rate)
-  double late_share = 0.1;     ///< of the relative speed: they are parted no faster, unless they came so
-  bool averaged = false;       ///< passes are: their nodes drift deeper, and are recovered from any depth
   double touch = 1e-4;         ///< of fitted bodies, in place of drift: at the start deeper nodes overlap
   double twin = 0;             ///< nodes of two bodies this near each other are twins [length]
   double wall_size = 0;        ///< [length] stands for the longest edge where the master is a wall
@@ -95,13 +92,10 @@ double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex sla
 /// limited share of it a step. Under load recovery does work on the bodies. Where they drifted in, that is little.
 /// Edges that are deeper when they are first seen (they slipped over a rim, or their crossing passed a node where the
 /// loaded chain of edges is bent, up to 1e-3 in a step) would be given what contact never took: they are parted no
-/// faster than they came together, and stay while they are pressed. Nodes that are first seen deep (behind a rim) are
-/// parted a little in each step besides, by a share of the speed at which the bodies move on each other: what curved
-/// surfaces that slide leave in a step is less, and a share of the depth in each step would be a speed that grows as
-/// the step shrinks (a small element anywhere in the scene made contact give 12 % of an impact's energy). Not so where
-/// passes are averaged: what a step leaves of them would add up (a pressed cube that hangs over another crept in by a
-/// tenth of an edge). Of fitted bodies nodes are parted as edges are: what slides into the seat comes as deep as others
-/// lay there at the start, without any work, and pushed out it gave 95 % of a peg's energy in a hole.
+/// faster than they came together, and stay while they are pressed. Not so nodes: what a step leaves of averaged passes
+/// would add up (a pressed cube that hangs over another crept in by a tenth of an edge). But of fitted bodies nodes
+/// too: what slides into the seat comes as deep as others lay there at the start, without any work, and pushed out it
+/// gave 95 % of a peg's energy in a hole.
 double required_rate(const Row& row, double size, double dt, std::span<const NodeMotion> motion,
                      const DetectionSettings& settings);
 
