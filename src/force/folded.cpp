@@ -51,7 +51,8 @@ void look_at(const model::ElementBlock& block, std::int32_t index, const model::
     for (int lane = 0; lane < lanes; ++lane) {
       if (!(least[lane] < flat)) continue;
       ++folded.count;
-      const GlobalIndex element = block.input[static_cast<std::size_t>(batch * pack_width + lane)];
+      const GlobalIndex element =
+          block.input[static_cast<std::size_t>(batch) * pack_width + static_cast<std::size_t>(lane)];
       if (least[lane] > folded.worst || (least[lane] == folded.worst && element < folded.element)) continue;
       folded.worst = least[lane];
       folded.element = element;
