@@ -14,8 +14,8 @@ namespace brunt::comm {
 
 class ExactAccumulator {
  public:
-  void add(
-      double value);  ///< non-finite values are remembered and returned as NaN; some are added for every row of a step
+  /// Non-finite values are remembered and returned as NaN. Inline: some are added for every row of a step.
+  void add(double value);
   void add(const ExactAccumulator& other);
   [[nodiscard]] double round() const;  ///< nearest double to the exact sum
   void clear();

@@ -51,7 +51,7 @@ struct AnchorRecord {
 struct LimitRecord {
   AnchorKey key;
   double limit = 0;      ///< after the last step [force]
-  bool pressed = false;  ///< where it comes from; not kept
+  bool pressed = false;  ///< was its row, in the step that wrote it? Asked only there: not in checkpoints
 };
 
 inline AnchorKey anchor_key_of(const Row& row) {

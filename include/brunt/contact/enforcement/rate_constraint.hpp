@@ -15,9 +15,8 @@
 // soft spring, which the recovery of gaps turns into an engine (its force lags). So it goes on until 0.03 are left of
 // what it began with, or 1e-8 of the tolerance, and makes one sweep at least: what stirs bodies dies out (with 0.1 and
 // 1e-6 the energy of cubes stacked at rest grew by e in 6000 steps, from 1e-20 J to 3e-6 J in a million).
-// That takes 1.4 iterations a step in the mean and 4 at most in cases/stack (2.5 and 26 in two passes; 62 is the most
-// seen), none in impacts. They count in max_iterations, but a step that ends there within the tolerance has not ended
-// at the limit (see ended_at_limit).
+// That takes 2.3 iterations a step in the mean and 6 at most in cases/stack, none in impacts. They count in
+// max_iterations, but a step that ends there within the tolerance has not ended at the limit (see ended_at_limit).
 #pragma once
 #include "brunt/contact/enforcement/enforce.hpp"
 
