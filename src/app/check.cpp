@@ -14,6 +14,7 @@
 #include "commands.hpp"
 #include "contact_setup.hpp"
 #include "prepare.hpp"
+#include "scene_listing.hpp"
 
 namespace brunt::app {
 namespace {
@@ -136,9 +137,11 @@ void print_cost(const Prepared& run, const time::StepReport& step, const StepCos
 int check(const comm::Communicator& ranks, const CheckOptions& options) {
   const std::unique_ptr<Prepared> run = prepare(ranks, options.scene, options.overrides);
   if (ranks.is_root())
-    for (const std::string& line : run->overlaps.report.list) fmt::print("overlap          {}\n", line);
+    for (const std::string& line : options.all ? run->overlaps.report.list : run->overlaps.report.deepest)
+      fmt::print("overlap          {}\n", line);
   refuse_overlaps(*run);
   const std::vector<PartFigures> figures = part_figures(*run);
+  const std::vector<std::string> listing = list_scene(*run);
   const time::StepReport step = time::evaluate(run->model, run->state, run->scratch, run->links, step_control(*run));
   if (ranks.any(step.stop)) throw InputError(options.scene + ": an element has no volume in its initial position");
   const StepCost cost = measure_steps(*run, step);
@@ -149,6 +152,7 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   for (const std::string& warning : run->warnings) fmt::print("warning: {}\n", warning);
   for (const std::string& note : run->overlaps.report.notes) fmt::print("{}\n", note);
   print_parts(*run, figures, units);
+  for (const std::string& line : listing) fmt::print("{}\n", line);
   print_contact(*run);
   print_gaps(*run, units);
   print_cost(*run, step, cost, units);

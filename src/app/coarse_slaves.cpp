@@ -97,9 +97,9 @@ class Pairs {
 std::string describe(const scene::Input& input, const std::string& slave, const std::string& master, double coarse,
                      double fine, bool tied) {
   const std::string finer = fmt::format(
-      "{}: contact: part '{}' is the slave of '{}', whose faces are much finer where they meet (edges of {:.3g} "
+      "{}: part '{}' is the slave of '{}', whose faces are much finer where they meet (edges of {:.3g} "
       "against {:.3g})",
-      input.file, slave, master, fine, coarse);
+      input.at(scene::contact_key(input, slave, master) + ".slave"), slave, master, fine, coarse);
   if (tied) return finer + fmt::format(": '{}' hangs on few nodes; say slave: {}", master, master);
   return finer + fmt::format(
                      ": its nodes sink in between those of '{}', or pass through, and max_penetration does not "

@@ -11,8 +11,9 @@ namespace brunt::app {
 struct CheckOptions {
   std::string scene;
   std::vector<std::string> overrides;
+  bool all = false;  ///< every overlap, not the deepest alone
 };
-/// Parts, masses, stable step, gaps and overlaps at the start, estimated cost.
+/// Parts, masses, sets, supports, loads, contact, stable step, gaps and overlaps at the start, estimated cost.
 int check(const comm::Communicator& ranks, const CheckOptions& options);
 
 struct PartitionOptions {

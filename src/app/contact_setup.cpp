@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "brunt/core/error.hpp"
+#include "brunt/scene/build.hpp"
 #include "brunt/time/step.hpp"
 
 namespace brunt::app {
@@ -37,10 +38,10 @@ void tell_ties(Prepared& run) {
       const std::string &one = run.model.blocks[a].part, &other = run.model.blocks[b].part;
       const GlobalIndex there = nodes[a * n + b], back = a == b ? 0 : nodes[b * n + a];
       if (there + back == 0)
-        faults.push_back(
-            fmt::format("{}: contact: {} and {} are tied, but no node of the slave is within reach of a face "
-                        "of the other (a quarter of its edge, half of its element)",
-                        run.input.file, one, other));
+        faults.push_back(fmt::format(
+            "{}: {} and {} are tied, but no node of the slave is near a face of the other; accepted: parts that "
+            "meet within a quarter of the face's edge and half of its element",
+            run.input.at(scene::contact_key(run.input, one, other) + ".tied"), one, other));
       const auto tell = [&](GlobalIndex tied, GlobalIndex left, const std::string& slave, const std::string& master) {
         if (tied + left == 0) return;
         std::string line = fmt::format("tied: {} nodes of {} to {}", tied, slave, master);

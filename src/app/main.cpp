@@ -43,6 +43,8 @@ void add_check(CLI::App& program, app::CheckOptions& options, Command& chosen) {
   CLI::App* check = program.add_subcommand("check", "Read and validate a scene, list what is in it; runs nothing");
   check->add_option("scene", options.scene, "Scene file (YAML)")->required();
   add_overrides(*check, options.overrides);
+  check->add_flag("--all", options.all,
+                  "List every node that overlaps at the start; without it the ten deepest of each pair of parts");
   check->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::check(ranks, options); }; });
 }
 

@@ -108,9 +108,9 @@ class Judge {
     const std::size_t block = static_cast<std::size_t>(worst - mesh_.blocks.data());
     const std::string& part = input_.parts[scene::parts_of_blocks(input_, mesh_)[block]].name;
     faults.push_back(fmt::format(
-        "{}: contact: initial_overlap: move would {} element {} of part '{}' (a corner keeps {:.3g} of its volume, at "
+        "{}: initial_overlap: move would {} element {} of part '{}' (a corner keeps {:.3g} of its volume, at "
         "least {:g} is wanted); move the parts apart, or keep the overlap with offset",
-        input_.file, least > 0 ? "flatten" : "invert", number, part, least, least_share));
+        input_.at("contact"), least > 0 ? "flatten" : "invert", number, part, least, least_share));
   }
 
  private:
@@ -134,9 +134,9 @@ class Judge {
     }
     if (count == 0) return;
     faults.push_back(fmt::format(
-        "{}: contact: initial_overlap: move would move {} node{} that {}.{} holds (first: node {}, by {:.4g}); let the "
+        "{}: initial_overlap: move would move {} node{} that {}.{} holds (first: node {}, by {:.4g}); let the "
         "other part move with `slave`, or keep the overlap with offset",
-        input_.file, count, count == 1 ? "" : "s", kind, entry, mesh_.node_id[static_cast<std::size_t>(first)],
+        input_.at("contact"), count, count == 1 ? "" : "s", kind, entry, mesh_.node_id[static_cast<std::size_t>(first)],
         move_of(first).norm()));
   }
 
@@ -180,10 +180,11 @@ MoveReport move_overlaps(const scene::Input& input, mesh::CanonicalMesh& whole, 
   judge.look_at_elements();
   report.faults = std::move(judge.faults);
   if (!left.empty() && report.faults.empty())
-    report.faults.push_back(fmt::format(
-        "{}: contact: initial_overlap: move leaves {} nodes overlapping after {} passes (the deepest: node {}, by "
-        "{:.4g}); move the parts apart, or keep the overlap with offset",
-        input.file, left.size(), most_passes, mesh.node_id[static_cast<std::size_t>(left[0].node)], left[0].depth));
+    report.faults.push_back(
+        fmt::format("{}: initial_overlap: move leaves {} nodes overlapping after {} passes (the deepest: node {}, by "
+                    "{:.4g}); move the parts apart, or keep the overlap with offset",
+                    input.at("contact"), left.size(), most_passes, mesh.node_id[static_cast<std::size_t>(left[0].node)],
+                    left[0].depth));
   if (!report.faults.empty()) {
     mesh.coordinates = before;
     return report;

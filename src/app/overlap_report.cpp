@@ -4,7 +4,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
+#include "brunt/scene/build.hpp"
 #include "brunt/scene/select.hpp"
 
 namespace brunt::app {
@@ -18,13 +21,25 @@ struct Reporter {
   [[nodiscard]] const std::string& part(std::size_t block) const { return input.parts[part_of[block]].name; }
   [[nodiscard]] GlobalIndex node(LocalIndex index) const { return mesh.node_id[static_cast<std::size_t>(index)]; }
 
+  /// The two parts of an overlap, whichever is inside the other.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> parts(const InitialOverlap& overlap) const {
+    return std::minmax({part_of[overlap.block], part_of[overlap.other_block]});
+  }
+  /// The entry of `contact` that holds for the two.
+  [[nodiscard]] std::string where(std::size_t block, std::size_t other) const {
+    return input.at(scene::contact_key(input, part(block), part(other)));
+  }
+
   [[nodiscard]] std::string describe(const InitialOverlap& deepest, std::size_t nodes, std::size_t too_deep) const {
-    std::string line =
-        fmt::format("{}: contact: node {} of part '{}' lies {:.4g} inside part '{}' at the start", input.file,
-                    node(deepest.node), part(deepest.block), deepest.depth, part(deepest.other_block));
+    std::string line = fmt::format("{}: node {} of part '{}' lies {:.4g} inside part '{}' at the start",
+                                   where(deepest.block, deepest.other_block), node(deepest.node), part(deepest.block),
+                                   deepest.depth, part(deepest.other_block));
     if (deepest.is_within_itself()) line += " (one body, which overlaps itself)";
     if (nodes > 1)
-      line += fmt::format(", the deepest of {} nodes of the two parts that overlap (brunt check lists them)", nodes);
+      line += fmt::format(
+          ", the deepest of {} nodes of the two parts that overlap (brunt check lists them: the deepest, with --all "
+          "every one)",
+          nodes);
     if (too_deep > 0)
       line += fmt::format("; {} of them so deep that contact does not see them, or sees them from the wrong side",
                           too_deep);
@@ -33,10 +48,11 @@ struct Reporter {
 
   [[nodiscard]] std::string describe(const Piercing& piercing) const {
     return fmt::format(
-        "{}: contact: part '{}' pierces part '{}' ({} edge{}; first: nodes {}-{} through face {}) without a node "
+        "{}: part '{}' pierces part '{}' ({} edge{}; first: nodes {}-{} through face {}) without a node "
         "inside: contact would see them from the wrong side",
-        input.file, part(piercing.block), part(piercing.other_block), piercing.edges, piercing.edges == 1 ? "" : "s",
-        node(piercing.edge[0]), node(piercing.edge[1]), name_of_face(mesh, piercing.face));
+        where(piercing.block, piercing.other_block), part(piercing.block), part(piercing.other_block), piercing.edges,
+        piercing.edges == 1 ? "" : "s", node(piercing.edge[0]), node(piercing.edge[1]),
+        name_of_face(mesh, piercing.face));
   }
 };
 
@@ -49,12 +65,9 @@ struct Pair {
 
 std::vector<Pair> pairs_of(const Reporter& reporter, const InitialGaps& gaps) {
   std::vector<Pair> pairs;
-  const auto parts = [&](const InitialOverlap& overlap) {
-    const std::size_t one = reporter.part_of[overlap.block], other = reporter.part_of[overlap.other_block];
-    return std::pair(std::min(one, other), std::max(one, other));
-  };
   for (const InitialOverlap& overlap : gaps.overlaps) {
-    auto known = std::ranges::find_if(pairs, [&](const Pair& pair) { return parts(*pair.deepest) == parts(overlap); });
+    auto known = std::ranges::find_if(
+        pairs, [&](const Pair& pair) { return reporter.parts(*pair.deepest) == reporter.parts(overlap); });
     if (known == pairs.end()) known = pairs.insert(pairs.end(), Pair{&overlap});
     ++known->nodes;
     known->too_deep += overlap.too_deep ? 1 : 0;
@@ -63,19 +76,38 @@ std::vector<Pair> pairs_of(const Reporter& reporter, const InitialGaps& gaps) {
   return pairs;
 }
 
-void list_all(const Reporter& reporter, const InitialGaps& gaps, std::vector<std::string>& list) {
-  for (const InitialOverlap& overlap : gaps.overlaps)
-    list.push_back(fmt::format("node {:>8} of {:<16} {:.4g} inside {}{}{}", reporter.node(overlap.node),
-                               reporter.part(overlap.block), overlap.depth, reporter.part(overlap.other_block),
-                               overlap.face[0] == no_index
-                                   ? ""
-                                   : fmt::format(", behind its face {}", name_of_face(reporter.mesh, overlap.face)),
-                               overlap.too_deep ? ", deeper than contact looks" : ""));
-  for (const Piercing& piercing : gaps.piercings)
-    list.push_back(fmt::format("{} edges of {} through {}, first {}-{} through face {}", piercing.edges,
-                               reporter.part(piercing.block), reporter.part(piercing.other_block),
-                               reporter.node(piercing.edge[0]), reporter.node(piercing.edge[1]),
-                               name_of_face(reporter.mesh, piercing.face)));
+std::string listed(const Reporter& reporter, const InitialOverlap& overlap) {
+  return fmt::format(
+      "node {:>8} of {:<16} {:.4g} inside {}{}{}", reporter.node(overlap.node), reporter.part(overlap.block),
+      overlap.depth, reporter.part(overlap.other_block),
+      overlap.face[0] == no_index ? "" : fmt::format(", behind its face {}", name_of_face(reporter.mesh, overlap.face)),
+      overlap.too_deep ? ", deeper than contact looks" : "");
+}
+
+std::string listed(const Reporter& reporter, const Piercing& piercing) {
+  return fmt::format("{} edges of {} through {}, first {}-{} through face {}", piercing.edges,
+                     reporter.part(piercing.block), reporter.part(piercing.other_block),
+                     reporter.node(piercing.edge[0]), reporter.node(piercing.edge[1]),
+                     name_of_face(reporter.mesh, piercing.face));
+}
+
+/// Overlaps come deepest first.
+void list_overlaps(const Reporter& reporter, const InitialGaps& gaps, OverlapReport& report) {
+  constexpr std::size_t most = 10;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> nodes;  // of a pair of parts
+  for (const InitialOverlap& overlap : gaps.overlaps) {
+    report.list.push_back(listed(reporter, overlap));
+    if (++nodes[reporter.parts(overlap)] <= most) report.deepest.push_back(report.list.back());
+  }
+  for (const auto& [pair, count] : nodes)
+    if (count > most)
+      report.deepest.push_back(
+          fmt::format("... and {} more nodes of {} and {}, no deeper; brunt check --all lists them", count - most,
+                      reporter.input.parts[pair.first].name, reporter.input.parts[pair.second].name));
+  for (const Piercing& piercing : gaps.piercings) {
+    report.list.push_back(listed(reporter, piercing));
+    report.deepest.push_back(report.list.back());
+  }
 }
 
 }  // namespace
@@ -92,7 +124,7 @@ OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh,
   OverlapReport report;
   if (gaps.overlaps.empty() && gaps.piercings.empty()) return report;
   const Reporter reporter{input, mesh};
-  list_all(reporter, gaps, report.list);
+  list_overlaps(reporter, gaps, report);
   bool refused = false, untreatable = false;
   const auto judge = [&](OverlapRule rule, bool treatable, std::string line) {
     if (rule == OverlapRule::warn) return report.warnings.push_back(std::move(line));
@@ -112,18 +144,17 @@ OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh,
   }
   for (const Piercing& piercing : gaps.piercings) judge(piercing.rule, false, reporter.describe(piercing));
   if (refused)
-    report.faults.push_back(input.file +
-                            ": contact: move the parts apart, or accept the overlap with initial_overlap: warn "
+    report.faults.push_back(input.at("contact") +
+                            ": accepted: parts that do not overlap, or initial_overlap: warn "
                             "(recovered slowly), move (nodes moved out before the run) or offset (kept as zero gap)");
   if (untreatable)
-    report.faults.push_back(input.file +
-                            ": contact: initial_overlap: move and offset treat nodes that are less than a quarter of a "
+    report.faults.push_back(input.at("contact") +
+                            ": initial_overlap: move and offset treat nodes that are less than a quarter of a "
                             "face's edge and half an element inside; move the parts apart");
   if (moves_itself)
-    report.faults.push_back(
-        input.file +
-        ": contact: initial_overlap: move does not part a body from itself; mend its mesh, or accept "
-        "the overlap with warn (recovered slowly) or offset (kept as zero gap)");
+    report.faults.push_back(input.at("contact") +
+                            ": initial_overlap: move does not part a body from itself; mend its mesh, or accept "
+                            "the overlap with warn (recovered slowly) or offset (kept as zero gap)");
   return report;
 }
 

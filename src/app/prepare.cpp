@@ -55,7 +55,7 @@ mesh::Mesh assemble(const scene::Input& input, std::vector<std::string>& warning
   std::vector<std::string> faults;
   for (const scene::MeshEntry& entry : input.mesh) {
     const auto* file = std::get_if<scene::MeshFile>(&entry.body);
-    const std::string where = file ? file->file : fmt::format("{}: {}", input.file, entry.key);
+    const std::string where = file ? input.at(entry.key + ".file") + ": " + file->file : input.at(entry.key);
     try {
       mesh::Mesh piece = generate(entry);
       const mesh::CheckReport report = mesh::check(piece);
@@ -67,7 +67,8 @@ mesh::Mesh assemble(const scene::Input& input, std::vector<std::string>& warning
       mesh::append(whole, std::move(piece), file ? file->prefix : "");
     } catch (const InputError& error) {
       for (const std::string& fault : error.faults())
-        faults.push_back(fault.find(where) == std::string::npos ? where + ": " + fault : fault);
+        faults.push_back(file && fault.starts_with(file->file) ? input.at(entry.key + ".file") + ": " + fault
+                                                               : where + ": " + fault);
     }
   }
   if (!faults.empty()) throw InputError(std::move(faults));

@@ -128,6 +128,10 @@ Mesh plate(const std::string& part, const std::array<double, 2>& size, double th
                         elements[2]);
 }
 
+int elements_around(int across_radius) {
+  return 8 * RoundedCore(1.0, across_radius).half_cells();
+}
+
 Mesh cylinder(const std::string& part, double radius, double length, const std::array<int, 2>& elements) {
   ParameterCheck check("cylinder " + part);
   check.positive("radius", radius);
@@ -139,7 +143,7 @@ Mesh cylinder(const std::string& part, double radius, double length, const std::
   const Section section = butterfly(radius, elements[0]);
   Mesh mesh = extrude(part, section, length, elements[1]);
   const auto layer = static_cast<LocalIndex>(section.points.size());
-  const LocalIndex outer = layer - 8 * RoundedCore(radius, elements[0]).half_cells();
+  const LocalIndex outer = layer - elements_around(elements[0]);
   const LocalIndex top = layer * elements[1];
   add_surface_sets(mesh, {{part + "_bottom", [=](LocalIndex n) { return n < layer; }},
                           {part + "_top", [=](LocalIndex n) { return n >= top; }},

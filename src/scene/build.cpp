@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/scene/build.hpp"
 
+#include <fmt/core.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 
@@ -172,17 +174,28 @@ model::ContactRule contact_rule(const Input& input, std::span<const std::string>
   return rule;
 }
 
-std::optional<ContactEntry::InitialOverlap> overlap_rule(const Input& input, const std::string& a,
-                                                         const std::string& b) {
-  std::optional<ContactEntry::InitialOverlap> rule;
+std::optional<std::size_t> deciding_entry(const Input& input, const std::string& a, const std::string& b) {
+  std::optional<std::size_t> deciding;
   bool tied = false;
-  for (const ContactEntry& entry : input.contact) {
+  for (std::size_t k = 0; k < input.contact.size(); ++k) {
+    const ContactEntry& entry = input.contact[k];
     if ((!names_pair(entry, a, b) && !names_pair(entry, b, a)) || leaves_tied(entry, tied)) continue;
     tied = entry.tied;
     const bool itself = a == b && entry.between.empty() && !entry.self;
-    rule = itself || excludes(entry, a, b) ? std::nullopt : std::optional(entry.initial_overlap);
+    deciding = itself || excludes(entry, a, b) ? std::nullopt : std::optional(k);
   }
-  return rule;
+  return deciding;
+}
+
+std::optional<ContactEntry::InitialOverlap> overlap_rule(const Input& input, const std::string& a,
+                                                         const std::string& b) {
+  const std::optional<std::size_t> entry = deciding_entry(input, a, b);
+  return entry ? std::optional(input.contact[*entry].initial_overlap) : std::nullopt;
+}
+
+std::string contact_key(const Input& input, const std::string& a, const std::string& b) {
+  const std::optional<std::size_t> entry = deciding_entry(input, a, b);
+  return entry ? fmt::format("contact.{}", *entry) : "contact";
 }
 
 std::vector<Vec3> initial_velocities(const Input& input, std::span<const Vec3> coordinates, const Vec3& origin,

@@ -27,9 +27,9 @@ void hold(const Input& input, const model::Model& model, HeldNodes& held, const 
     for (const Held& other : held[node]) {
       const bool both_at_rest = what.drive < 0 && other.drive < 0;
       if (both_at_rest || std::abs(what.direction.dot(other.direction)) < 1e-12 || told) continue;
-      faults.push_back(fmt::format("{}: node {} is in {} and in {}, which hold the same direction differently",
-                                   input.file, model.mesh.node_id[static_cast<std::size_t>(node)], other.source,
-                                   what.source));
+      faults.push_back(fmt::format(
+          "{}: node {} is in {} too, which holds the same direction differently; accepted: one of them there",
+          input.at(what.source), model.mesh.node_id[static_cast<std::size_t>(node)], other.source));
       told = true;
     }
     held[node].push_back(what);

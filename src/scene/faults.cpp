@@ -10,15 +10,17 @@
 
 namespace brunt::scene {
 
-void Faults::add(const Place& place, std::string_view path, std::string_view what) {
+std::size_t Faults::add(const Place& place, std::string_view path, std::string_view what) {
   const bool in_file = place.line > 0;
   const std::string where = in_file ? fmt::format("{}:{}", place.source, place.line) : place.source;
   const int order = in_file ? place.line : std::numeric_limits<int>::max();
   lines_.push_back(
       {order, path.empty() ? fmt::format("{}: {}", where, what) : fmt::format("{}: {}: {}", where, path, what)});
+  return lines_.size() - 1;
 }
 
 void Faults::throw_if_any() {
+  std::erase_if(lines_, [](const Line& line) { return line.text.empty(); });
   if (lines_.empty()) return;
   std::stable_sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) { return a.line < b.line; });
   std::vector<std::string> texts;

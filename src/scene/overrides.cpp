@@ -57,7 +57,8 @@ void apply(Tree& scene, const std::string& path, const Tree& value, const Place&
     walked += (walked.empty() ? "" : ".") + step;
     if (lone_mesh) continue;  // a mesh of one body may be written without the list
     if (at->kind == Tree::Kind::value) {
-      return faults.add(place, walked, "its parent is a single value; accepted: a path through maps and lists");
+      faults.add(place, walked, "its parent is a single value; accepted: a path through maps and lists");
+      return;
     }
     parent = at;
     at = at->kind == Tree::Kind::list ? list_entry(*at, step, walked, place, faults) : map_entry(*at, step, place);

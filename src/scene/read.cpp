@@ -26,6 +26,15 @@ void read_head(Section& scene, Input& input) {
   scene.optional("space", solid, spaces);
 }
 
+void note_places(const Tree& tree, const std::string& path, Places& places) {
+  for (std::size_t i = 0; i < tree.children.size(); ++i) {
+    const std::string name = tree.kind == Tree::Kind::map ? tree.keys[i] : std::to_string(i);
+    const std::string below = path.empty() ? name : path + "." + name;
+    places.note(below, tree.children[i].place);
+    note_places(tree.children[i], below, places);
+  }
+}
+
 }  // namespace
 
 bool read_selection(Section& entry, std::string& where) {
@@ -36,7 +45,7 @@ bool read_selection(Section& entry, std::string& where) {
   }
   if (part) return entry.required("part", where, Named::part);
   if (set) return entry.required("set", where, "the name of a set or part");
-  fault(entry.key(), "no selection is given; accepted: part: name, or set: name");
+  lacking(entry.key(), {"part", "set"}, "no selection is given; accepted: part: name, or set: name");
   return false;
 }
 
@@ -47,6 +56,7 @@ Input read_scene(const std::string& text, const std::string& file_name, std::spa
   Tree tree = parse_yaml(text, file_name, findings.faults);
   if (tree.kind == Tree::Kind::null) findings.faults.throw_if_any();
   apply_overrides(tree, overrides, findings.faults);
+  note_places(tree, "", input.places);
   {
     Section scene({&tree, tree.place, "", &findings}, "a map of sections: units, mesh, materials, parts, run, ...");
     if (scene.is_map()) {

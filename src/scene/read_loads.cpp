@@ -29,7 +29,7 @@ InitialMotion read_motion(Section& entry) {
     rotation.optional("point", motion.spin_point, Vector::any);
     rotation.required("rate", motion.spin_rate, any_number);
   } else if (!entry.has("velocity")) {
-    fault(entry.key(), "no motion is given; accepted: velocity, rotation, or both");
+    lacking(entry.key(), {"velocity", "rotation"}, "no motion is given; accepted: velocity, rotation, or both");
   }
   return motion;
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials by model, and the plausibility of their density in the scene's units.
+// Materials by model.
 #include <fmt/format.h>
 
 #include "brunt/scene/sections.hpp"
-#include "brunt/scene/units.hpp"
 
 namespace brunt::scene {
 namespace {
@@ -100,24 +99,13 @@ material::Law read_law(Section& material) {
   }
 }
 
-/// Densities of matter lie between aerogel and osmium; one outside tells of mixed-up units.
-void warn_of_density(const Key& key, const material::Law& law, Input& input) {
-  const UnitSystem* units = find_unit_system(input.units);
-  const double density = std::visit([](const auto& some) { return some.density; }, law);
-  if (units == nullptr || units->metre == 0 || density == 0) return;
-  const double in_si = density * units->kilogram / (units->metre * units->metre * units->metre);
-  if (in_si >= 1 && in_si <= 25000) return;
-  input.warnings.push_back(fmt::format("{}.density: {:g} {} is {:.3g} kg/m^3: is it given in the units '{}'?",
-                                       place_of(key), density, units->density, in_si, units->name));
-}
-
 }  // namespace
 
 void read_materials(Section& scene, Input& input) {
   for (const auto& [name, key] : entries(scene.at("materials"), "a map of names, each {model: ..., density: ...}")) {
     Section material(key, "a map {model: elastic, j2 or neo_hookean, density: ...}");
     input.materials[name] = material.is_map() ? read_law(material) : material::Elastic{};
-    warn_of_density(key, input.materials[name], input);
+    warn_of_units(material, input.materials[name], input);
   }
 }
 

@@ -133,7 +133,9 @@ void read_entry(const Key& key, Input& input) {
     ++bodies;
     mesh.body = read_file(entry, input.file, mesh.placement);
   }
-  if (bodies != 1) fault(key, fmt::format("{} bodies in one entry; accepted: {}", bodies, body_words));
+  const std::string what = fmt::format("{} bodies in one entry; accepted: {}", bodies, body_words);
+  if (bodies == 0) lacking(key, {"file", "box", "cylinder", "sphere", "tube", "plate"}, what);
+  if (bodies > 1) fault(key, what);
   input.mesh.push_back(std::move(mesh));
 }
 

@@ -77,9 +77,10 @@ SetEntry read_set(const std::string& name, const Key& key) {
   const bool has_box = section.has("box");
   if (has_box) read_box(section.at("box"), set);
   const bool box_of_other = has_box && (section.has("node_set") || section.has("side_set"));
-  if (section.is_map() && (sources > 1 || (sources == 0 && !has_box) || box_of_other)) {
-    fault(key, "no single selection; accepted: one of part, node_set, side_set; box, alone or with part");
-  }
+  constexpr std::string_view what =
+      "no single selection; accepted: one of part, node_set, side_set; box, alone or with part";
+  if (section.is_map() && (sources > 1 || box_of_other)) fault(key, what);
+  if (section.is_map() && sources == 0 && !has_box) lacking(key, {"part", "node_set", "side_set", "box"}, what);
   return set;
 }
 

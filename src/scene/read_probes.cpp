@@ -61,8 +61,9 @@ void read_place(Section& entry, Probe& probe) {
   }
   if (places != 1) {
     entry.has("field");  // known, whatever the place
-    return fault(entry.key(),
-                 fmt::format("{} places to probe; accepted: one of node, set, part, wall, contact", places));
+    const std::string what = fmt::format("{} places to probe; accepted: one of node, set, part, wall, contact", places);
+    return places > 0 ? fault(entry.key(), what)
+                      : lacking(entry.key(), {"node", "set", "part", "wall", "contact"}, what);
   }
   if (probe.kind == Kind::node || probe.kind == Kind::set) read_field(entry, probe);
 }

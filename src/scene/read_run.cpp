@@ -48,7 +48,7 @@ void read_run(Section& scene, Input& input) {
     if (run.required("steps", steps, Count{1, 1'000'000'000'000})) input.run.steps = steps;
   }
   if (run.is_map() && !run.has("end") && !run.has("steps")) {
-    fault(run.key(), "no end is given; accepted: end: time, or steps: count");
+    lacking(run.key(), {"end", "steps"}, "no end is given; accepted: end: time, or steps: count");
   }
   run.optional("cfl", input.run.cfl, courant);
   if (run.has("wall_limit")) read_wall_limit(run.at("wall_limit"), input.run);

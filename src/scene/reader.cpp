@@ -42,6 +42,38 @@ std::optional<double> number_in(const Key& key) {
   return error == std::errc{} ? number : infinity;
 }
 
+bool is_number(std::string_view text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return !text.empty() && end == text.data() + text.size();
+}
+
+constexpr std::string_view without_comma = "a number has a point and no comma";
+
+/// "7,800" or "0,3": its writer means something, but not the same in every country.
+bool comma_in_number(const Key& key, std::string_view accepted) {
+  if (key.tree == nullptr || key.tree->kind != Tree::Kind::value) return false;
+  const std::string& text = key.tree->text;
+  std::string joined, pointed;
+  for (const char c : text) {
+    if (c != ',') joined += c;
+    pointed += c == ',' ? '.' : c;
+  }
+  if (joined.size() == text.size() || !is_number(joined)) return false;
+  const std::string write = is_number(pointed) ? fmt::format("{} or {}", joined, pointed) : joined;
+  fault(key, fmt::format("'{}': {}: write {}; accepted: {}", text, without_comma, write, accepted));
+  return true;
+}
+
+/// A list of numbers that is longer than it should be: decimal commas part its entries.
+std::string comma_in_list(const Tree& list, std::size_t size) {
+  if (size == 0 || list.children.size() <= size) return {};
+  const bool digits = std::all_of(list.children.begin(), list.children.end(), [](const Tree& entry) {
+    return entry.kind == Tree::Kind::value && is_number(entry.text) && entry.text.find('.') == std::string::npos;
+  });
+  return digits ? fmt::format(" (a comma parts entries: {})", without_comma) : "";
+}
+
 Key child(const Key& parent, const Tree& tree, std::string_view name) {
   return {&tree, tree.place, fmt::format("{}{}{}", parent.path, parent.path.empty() ? "" : ".", name), parent.findings};
 }
@@ -59,8 +91,19 @@ std::string place_of(const Key& key) {
 }
 
 bool wrong(const Key& key, std::string_view accepted) {
-  fault(key, fmt::format("{}; accepted: {}", described(key), accepted));
+  const std::size_t number =
+      key.findings->faults.add(key.place, key.path, fmt::format("{}; accepted: {}", described(key), accepted));
+  if (key.tree == nullptr) {
+    const std::size_t dot = key.path.rfind('.');
+    const bool top = dot == std::string::npos;
+    key.findings->missing.push_back(
+        {top ? "" : key.path.substr(0, dot), {top ? key.path : key.path.substr(dot + 1)}, number});
+  }
   return false;
+}
+
+void lacking(const Key& map, std::vector<std::string> names, std::string_view what) {
+  map.findings->missing.push_back({map.path, std::move(names), map.findings->faults.add(map.place, map.path, what)});
 }
 
 bool later(const Key& key, std::string_view what, std::string_view accepted) {
@@ -74,7 +117,7 @@ bool Range::holds(double x) const {
 
 bool read(const Key& key, double& target, const Range& range) {
   const std::optional<double> number = number_in(key);
-  if (!number) return wrong(key, range.words);
+  if (!number) return !comma_in_number(key, range.words) && wrong(key, range.words);
   if (!std::isfinite(*number)) {
     fault(key, fmt::format("{} is not a finite number; accepted: {}", key.tree->text, range.words));
     return false;
@@ -97,7 +140,7 @@ bool read(const Key& key, std::optional<double>& target, const Range& range) {
 bool read(const Key& key, GlobalIndex& target, Count count) {
   const std::string accepted = fmt::format("an integer from {} to {}", count.low, count.high);
   const std::optional<double> number = number_in(key);
-  if (!number) return wrong(key, accepted);
+  if (!number) return !comma_in_number(key, accepted) && wrong(key, accepted);
   constexpr double exact = 9007199254740992.0;  // 2^53: integers up to here are doubles
   const bool integer = std::abs(*number) < exact && std::trunc(*number) == *number;
   const GlobalIndex value = integer ? static_cast<GlobalIndex>(*number) : 0;
@@ -156,7 +199,7 @@ bool read(const Key& key, Vec3& target, Vector kind) {
 std::vector<Key> items(const Key& key, std::string_view accepted, std::size_t size) {
   const bool is_list = key.tree != nullptr && key.tree->kind == Tree::Kind::list;
   if (!is_list || (size != 0 && key.tree->children.size() != size)) {
-    wrong(key, accepted);
+    wrong(key, std::string(accepted) + (is_list ? comma_in_list(*key.tree, size) : ""));
     return {};
   }
   std::vector<Key> keys;
@@ -222,10 +265,41 @@ Section::~Section() {
   if (!is_map_) return;
   for (std::size_t i = 0; i < key_.tree->keys.size(); ++i) {
     const std::string& name = key_.tree->keys[i];
-    if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
-    fault(child(key_, key_.tree->children[i], name),
-          fmt::format("unknown key, nearest is '{}'; accepted: {}", nearest(name, known_), listed(known_)));
+    if (std::find(known_.begin(), known_.end(), name) == known_.end()) refuse(i);
   }
+}
+
+void Section::refuse(std::size_t position) const {
+  const std::string& name = key_.tree->keys[position];
+  const Tree& value = key_.tree->children[position];
+  const Key key = child(key_, value, name);
+  if (position > 0 && value.kind == Tree::Kind::null && is_number(name)) {
+    const Tree& before = key_.tree->children[position - 1];
+    if (before.kind == Tree::Kind::value && is_number(before.text)) {
+      const std::string text = before.text + "," + name;
+      return fault(child(key_, before, key_.tree->keys[position - 1]),
+                   fmt::format("'{}': {}, which parts it in two here: write {} or {}; accepted: a number", text,
+                               without_comma, before.text + name, before.text + "." + name));
+    }
+  }
+  std::string meant = nearest(name, known_);
+  const auto close = [&](const std::string& known) {
+    return 2 * edit_distance(name, known) <= static_cast<int>(std::max<std::size_t>(known.size(), 2));
+  };
+  std::vector<Missing>& missing = key_.findings->missing;
+  for (auto lack = missing.begin(); lack != missing.end(); ++lack) {
+    if (lack->path != key_.path) continue;
+    const std::string wanted = nearest(name, lack->names);
+    if (!close(wanted) || edit_distance(name, wanted) > edit_distance(name, meant)) continue;
+    meant = wanted;
+    key_.findings->faults.take_back(lack->fault);
+    missing.erase(lack);
+    break;
+  }
+  fault(key,
+        fmt::format("unknown key{}; accepted: {}",
+                    close(meant) ? fmt::format(", did you mean '{}'?", meant) : fmt::format(", nearest is '{}'", meant),
+                    listed(known_)));
 }
 
 void Section::know(std::string_view name) {

@@ -30,13 +30,17 @@ std::vector<std::string> defined(const Input& input, Named kind) {
   return names;
 }
 
-void check_uses(const Input& input, Findings& findings) {
+/// Names of a required section that is not there are no faults of their own.
+void check_uses(const Input& input, Section& scene) {
+  Findings& findings = *scene.key().findings;
   constexpr std::array words{"material", "curve", "part", "rigid wall"};
   constexpr std::array sections{"materials", "curves", "parts", "rigid_walls"};
   for (const Reference& use : findings.references) {
     const auto kind = static_cast<std::size_t>(use.kind);
     const std::vector<std::string> names = defined(input, use.kind);
     if (std::find(names.begin(), names.end(), use.name) != names.end()) continue;
+    const bool required = use.kind == Named::material || use.kind == Named::part;
+    if (required && scene.at(sections[kind]).tree == nullptr) continue;
     const std::string what = fmt::format("unknown {} '{}'", words[kind], use.name);
     const std::string accepted =
         names.empty() ? fmt::format("; accepted: a name defined in {}, which is empty", sections[kind])
@@ -113,8 +117,7 @@ void check_twice(const Key& section, const std::vector<std::string>& names, std:
 }  // namespace
 
 void check_references(const Input& input, Section& scene) {
-  Findings& findings = *scene.key().findings;
-  check_uses(input, findings);
+  check_uses(input, scene);
   check_bodies(input, scene);
   std::vector<std::string> probes;
   for (const Probe& probe : input.probes) probes.push_back(probe.name);

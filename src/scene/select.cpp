@@ -37,10 +37,28 @@ class Selector {
     on_plane_ = 1e-9 * (high - low).norm();
   }
 
+  /// A set of the scene that names none of the mesh is told where it is defined, used or not.
+  void check_definitions() {
+    for (const SetEntry& set : input_.sets) {
+      const std::string key = fmt::format("sets.{}", set.name);
+      const auto& nodes = whole_.mesh.node_sets;
+      const auto& sides = whole_.mesh.side_sets;
+      if (set.node_set && !nodes.contains(*set.node_set))
+        undefined(set.name, key + ".node_set", "node set", *set.node_set, names(nodes), sides.contains(*set.node_set));
+      if (set.side_set && !sides.contains(*set.side_set))
+        undefined(set.name, key + ".side_set", "side set", *set.side_set, names(sides), nodes.contains(*set.side_set));
+    }
+  }
+
+  /// What a set of the scene selects, if anything.
+  void add_defined(const std::string& reserved, const SetEntry& set) {
+    if (std::optional<Nodes> found = nodes_of_entry(set)) whole_.mesh.node_sets[reserved] = std::move(*found);
+  }
+
   void add_nodes(const std::string& reserved, const std::string& where, const std::string& key) {
     std::optional<Nodes> found = nodes_of(where);
     if (!found) return unknown(where, key);
-    if (found->empty()) faults_.push_back(fmt::format("{}: {}: '{}' selects no node", input_.file, key, where));
+    if (found->empty()) tell(key, "'{}' selects no node; accepted: a selection of at least one, {}", where, extent());
     whole_.mesh.node_sets[reserved] = std::move(*found);
   }
 
@@ -48,14 +66,16 @@ class Selector {
     std::string name = where;
     for (const SetEntry& set : input_.sets)
       if (set.name == where && set.side_set) name = *set.side_set;
+    if (undefined_.contains(where)) return;
     const auto found = whole_.mesh.side_sets.find(name);
     if (found == whole_.mesh.side_sets.end()) {
-      faults_.push_back(fmt::format("{}: {}: no side set '{}'; side sets: {}", input_.file, key, where,
-                                    names(whole_.mesh.side_sets)));
-      return;
+      std::vector<std::string> known = names(whole_.mesh.side_sets);
+      for (const SetEntry& set : input_.sets)
+        if (set.side_set) known.push_back(set.name);
+      return tell(key, "no side set '{}'{}", where, accepted(where, known));
     }
     if (found->second.empty())
-      faults_.push_back(fmt::format("{}: {}: side set '{}' has no side", input_.file, key, where));
+      tell(key, "side set '{}' has no side; accepted: a side set with at least one face", where);
     whole_.mesh.side_sets[reserved] = found->second;
   }
 
@@ -66,7 +86,7 @@ class Selector {
       if (std::abs((whole_.mesh.coordinates[i] - (point - whole_.origin)).dot(normal.normalized())) <= on_plane_)
         nodes.push_back(static_cast<LocalIndex>(i));
     if (nodes.empty() && must_hold)
-      faults_.push_back(fmt::format("{}: {}: no node lies in this plane", input_.file, key));
+      tell(key, "no node lies in this plane; accepted: a plane through nodes, {}", extent());
     whole_.mesh.node_sets[reserved] = std::move(nodes);
   }
 
@@ -87,10 +107,8 @@ class Selector {
         }
     for (const auto& [number, heights] : range)
       if (heights[0] < -on_plane_ && heights[1] > on_plane_)
-        faults_.push_back(
-            fmt::format("{}: {}: goes through a body, which reaches {:g} behind the wall; accepted: bodies on one "
-                        "side of it",
-                        input_.file, key, -heights[0]));
+        tell(key, "goes through a body, which reaches {:g} behind the wall; accepted: bodies on one side of it",
+             -heights[0]);
   }
 
   void add_surface() { whole_.mesh.node_sets[surface_set] = nodes_of_sides(mesh::exterior_sides(whole_.mesh)); }
@@ -101,26 +119,63 @@ class Selector {
         whole_.mesh.node_sets[reserved] = {static_cast<LocalIndex>(i)};
         return;
       }
-    faults_.push_back(fmt::format("{}: {}: the mesh has no node {}", input_.file, key, id_text));
+    const auto [lowest, highest] = std::ranges::minmax(whole_.mesh.node_id);
+    tell(key, "the mesh has no node {}; accepted: the number of one of its {} nodes, from {} to {}", id_text,
+         whole_.mesh.node_id.size(), lowest, highest);
   }
 
  private:
+  template <class... Values>
+  void tell(const std::string& key, fmt::format_string<Values...> what, Values&&... values) {
+    faults_.push_back(fmt::format("{}: {}", input_.at(key), fmt::format(what, std::forward<Values>(values)...)));
+  }
+
   template <class Map>
-  static std::string names(const Map& sets) {
-    std::string text;
+  static std::vector<std::string> names(const Map& sets) {
+    std::vector<std::string> known;
     for (const auto& [name, members] : sets)
-      if (name.front() != '@') text += (text.empty() ? "" : ", ") + name;
-    return text.empty() ? "none" : text;
+      if (name.front() != '@') known.push_back(name);
+    return known;
+  }
+
+  static std::string accepted(const std::string& word, const std::vector<std::string>& known) {
+    return known.empty() ? "; accepted: none, the mesh has no such set"
+                         : fmt::format(", nearest is '{}'; accepted: {}", nearest(word, known), listed(known));
+  }
+
+  void undefined(const std::string& set, const std::string& key, const char* kind, const std::string& word,
+                 const std::vector<std::string>& known, bool of_other_kind) {
+    undefined_.insert(set);
+    const std::string_view other = std::string_view(kind) == "side set" ? "node set" : "side set";
+    tell(key, "the mesh has no {} '{}'{}{}", kind, word,
+         of_other_kind ? fmt::format(" (it has a {} of that name)", other) : "", accepted(word, known));
+  }
+
+  /// Where the nodes of the mesh are.
+  [[nodiscard]] std::string extent() const {
+    Vec3 low = Vec3::Constant(1e300), high = -low;
+    for (const Vec3& X : whole_.mesh.coordinates) {
+      low = low.cwiseMin(X + whole_.origin);
+      high = high.cwiseMax(X + whole_.origin);
+    }
+    return fmt::format("which lie from ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", low[0], low[1], low[2], high[0],
+                       high[1], high[2]);
   }
 
   void unknown(const std::string& where, const std::string& key) {
-    std::string known;
-    for (const std::string& part : part_of_block_) known += (known.empty() ? "" : ", ") + part;
-    std::string sets;
-    for (const SetEntry& set : input_.sets) sets += (sets.empty() ? "" : ", ") + set.name;
-    faults_.push_back(fmt::format(
-        "{}: {}: no part or set '{}'; parts: {}; sets: {}; of the mesh: node sets: {}; side sets: {}", input_.file, key,
-        where, known, sets.empty() ? "none" : sets, names(whole_.mesh.node_sets), names(whole_.mesh.side_sets)));
+    if (undefined_.contains(where)) return;
+    std::vector<std::string> known, own;
+    for (const std::string& part : part_of_block_)
+      if (std::ranges::find(known, part) == known.end()) known.push_back(part);
+    for (const SetEntry& set : input_.sets) own.push_back(set.name);
+    std::vector<std::string> of_mesh = names(whole_.mesh.node_sets);
+    for (const std::string& name : names(whole_.mesh.side_sets))
+      if (std::ranges::find(of_mesh, name) == of_mesh.end()) of_mesh.push_back(name);
+    const auto none = [](const std::vector<std::string>& list) { return list.empty() ? "none" : listed(list); };
+    const std::string lists =
+        fmt::format("parts: {}; sets: {}; sets of the mesh: {}", none(known), none(own), none(of_mesh));
+    for (const auto* list : {&own, &of_mesh}) known.insert(known.end(), list->begin(), list->end());
+    tell(key, "no part or set '{}', nearest is '{}'; accepted: {}", where, nearest(where, known), lists);
   }
 
   Nodes nodes_of_part(const std::string& part) const {
@@ -169,11 +224,16 @@ class Selector {
       if (std::ranges::find(part_of_block_, *set.part) == part_of_block_.end()) return std::nullopt;
       nodes = nodes_of_part(*set.part);
     }
-    for (const std::optional<std::string>& name : {set.node_set, set.side_set}) {
-      if (!name) continue;
-      const std::optional<Nodes> more = nodes_of_mesh_set(*name);
-      if (!more) return std::nullopt;
-      nodes = nodes ? intersection(*nodes, *more) : *more;
+    if (set.node_set) {
+      const auto found = whole_.mesh.node_sets.find(*set.node_set);
+      if (found == whole_.mesh.node_sets.end()) return std::nullopt;
+      nodes = found->second;
+      sort_unique(*nodes);
+    }
+    if (set.side_set) {  // a node set may have the same number
+      const auto found = whole_.mesh.side_sets.find(*set.side_set);
+      if (found == whole_.mesh.side_sets.end()) return std::nullopt;
+      nodes = nodes_of_sides(found->second);
     }
     if (!set.box) return nodes;
     if (!nodes) {
@@ -188,65 +248,24 @@ class Selector {
     return nodes;
   }
 
-  static Nodes intersection(const Nodes& a, const Nodes& b) {
-    Nodes both;
-    std::ranges::set_intersection(a, b, std::back_inserter(both));
-    return both;
-  }
-
   const Input& input_;
   mesh::CanonicalMesh& whole_;
   std::vector<std::string>& faults_;
   std::vector<std::string> part_of_block_;
-  double on_plane_ = 0;  // a node this near to a plane lies in it
+  std::set<std::string> undefined_;  ///< sets of the scene that name none of the mesh
+  double on_plane_ = 0;              // a node this near to a plane lies in it
 };
 
-const char* fitting_elements(mesh::Shape shape) {
-  return shape == mesh::Shape::hex8 ? "hex8, hex8_full or hex8_bbar" : "tet4";
+/// Key of what an entry selects by: its `part` or its `set`.
+std::string selecting_key(const Input& input, const char* list, std::size_t entry) {
+  const std::string part = fmt::format("{}.{}.part", list, entry);
+  return input.places.has(part) ? part : fmt::format("{}.{}.set", list, entry);
 }
 
 }  // namespace
 
 std::string selection_name(const std::string& kind, std::size_t entry) {
   return fmt::format("@{}:{}", kind, entry);
-}
-
-std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& mesh) {
-  std::vector<std::string> faults;
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> part_of(mesh.blocks.size(), none);
-  std::string known;
-  for (const mesh::Block& block : mesh.blocks)
-    known +=
-        fmt::format("{}{}{}", known.empty() ? "" : ", ", block.id, block.name.empty() ? "" : " (" + block.name + ")");
-  for (std::size_t p = 0; p < input.parts.size(); ++p) {
-    const Part& part = input.parts[p];
-    bool found = false;
-    for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
-      const mesh::Block& block = mesh.blocks[b];
-      if (block.name != part.block && std::to_string(block.id) != part.block) continue;
-      found = true;
-      if (part_of[b] != none)
-        faults.push_back(fmt::format("{}: parts.{}: block {} already belongs to part '{}'", input.file, part.name,
-                                     part.block, input.parts[part_of[b]].name));
-      part_of[b] = p;
-      if ((part.element == ElementKind::tet4) != (block.shape == mesh::Shape::tet4))
-        faults.push_back(fmt::format("{}: parts.{}.element: {} does not fit the block's elements; accepted: {}",
-                                     input.file, part.name, element::name_of(part.element),
-                                     fitting_elements(block.shape)));
-      break;
-    }
-    if (!found)
-      faults.push_back(fmt::format("{}: parts.{}: the mesh has no block '{}'; blocks: {}", input.file, part.name,
-                                   part.block, known));
-  }
-  for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
-    if (part_of[b] == none)
-      faults.push_back(fmt::format(
-          "{}: parts: block {} has no part; give it one", input.file,
-          mesh.blocks[b].name.empty() ? std::to_string(mesh.blocks[b].id) : "'" + mesh.blocks[b].name + "'"));
-  if (!faults.empty()) throw InputError(std::move(faults));
-  return part_of;
 }
 
 void select(const Input& input, mesh::CanonicalMesh& whole) {
@@ -256,20 +275,21 @@ void select(const Input& input, mesh::CanonicalMesh& whole) {
     for (std::size_t k = 0; k < list.size(); ++k) use(list[k], k);
   };
   if (!input.contact.empty() || !input.rigid_walls.empty()) selector.add_surface();
-  each(input.initial, [&](const InitialMotion& entry, std::size_t k) {
-    selector.add_nodes(selection_name("initial", k), entry.where, fmt::format("initial.{}", k));
-  });
-  each(input.fixed, [&](const Fixed& entry, std::size_t k) {
-    selector.add_nodes(selection_name("fixed", k), entry.where, fmt::format("fixed.{}", k));
-  });
-  each(input.prescribed, [&](const Prescribed& entry, std::size_t k) {
-    selector.add_nodes(selection_name("prescribed", k), entry.where, fmt::format("prescribed.{}", k));
-  });
+  selector.check_definitions();
+  each(input.sets, [&](const SetEntry& set, std::size_t k) { selector.add_defined(selection_name("set", k), set); });
+  const auto nodes = [&](const char* list) {
+    return [&input, &selector, list](const auto& entry, std::size_t k) {
+      selector.add_nodes(selection_name(list, k), entry.where, selecting_key(input, list, k));
+    };
+  };
+  each(input.initial, nodes("initial"));
+  each(input.fixed, nodes("fixed"));
+  each(input.prescribed, nodes("prescribed"));
   each(input.symmetry, [&](const Symmetry& entry, std::size_t k) {
     selector.add_plane(selection_name("symmetry", k), entry.point, entry.normal, fmt::format("symmetry.{}", k), true);
   });
   each(input.pressure, [&](const Pressure& entry, std::size_t k) {
-    selector.add_sides(selection_name("pressure", k), entry.where, fmt::format("pressure.{}", k));
+    selector.add_sides(selection_name("pressure", k), entry.where, fmt::format("pressure.{}.set", k));
   });
   each(input.rigid_walls, [&](const RigidWall& entry, std::size_t k) {
     selector.add_plane(selection_name("wall", k), entry.point, entry.normal, fmt::format("rigid_walls.{}", k),
@@ -277,9 +297,9 @@ void select(const Input& input, mesh::CanonicalMesh& whole) {
     selector.require_one_side(entry, fmt::format("rigid_walls.{}", k));
   });
   each(input.probes, [&](const Probe& entry, std::size_t k) {
-    const std::string key = fmt::format("probes.{}", k), reserved = selection_name("probe", k);
-    if (entry.kind == Probe::Kind::node) selector.add_node(reserved, entry.where, key);
-    if (entry.kind == Probe::Kind::set) selector.add_nodes(reserved, entry.where, key);
+    const std::string reserved = selection_name("probe", k);
+    if (entry.kind == Probe::Kind::node) selector.add_node(reserved, entry.where, fmt::format("probes.{}.node", k));
+    if (entry.kind == Probe::Kind::set) selector.add_nodes(reserved, entry.where, selecting_key(input, "probes", k));
   });
   if (!faults.empty()) throw InputError(std::move(faults));
 }

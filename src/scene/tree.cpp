@@ -45,11 +45,15 @@ struct Converter {
 
   void add(Tree& map, const YAML::Node& key, const YAML::Node& value, const std::string& path) {
     const Place at = place(key.Mark());
-    if (!key.IsScalar()) return faults.add(at, path, "a key is no plain text; accepted: key: value");
+    if (!key.IsScalar()) {
+      faults.add(at, path, "a key is no plain text; accepted: key: value");
+      return;
+    }
     const std::string& name = key.Scalar();
     if (const Tree* first = map.find(name)) {
       const std::string before = first->place.line > 0 ? fmt::format(" (first in line {})", first->place.line) : "";
-      return faults.add(at, join(path, name), fmt::format("duplicate key{}; accepted: each key once", before));
+      faults.add(at, join(path, name), fmt::format("duplicate key{}; accepted: each key once", before));
+      return;
     }
     map.keys.push_back(name);
     map.children.push_back(convert(value, at, join(path, name)));

@@ -50,6 +50,8 @@ def faults_of(wrong, code, output, folder, before):
     lines = [line for line in output.splitlines() if line.strip()]
     if not any(all(phrase.lower() in line.lower() for phrase in wrong.says) for line in lines):
         faults.append(f"no line says {' and '.join(wrong.says)}")
+    if wrong.lines and len(lines) != wrong.lines:
+        faults.append(f"{len(lines)} lines, not {wrong.lines}")
     if len(lines) > MOST_LINES:
         faults.append(f"{len(lines)} lines, more than {MOST_LINES}")
     faults += [f"a line of {len(line)} characters" for line in lines if len(line) > LONGEST_LINE]

@@ -275,7 +275,7 @@ materials:
   hard: {model: elastic, density: 80000, young: 2.0e11, poisson: 0.3}
 parts: {target: {material: soft, element: KIND}, spear: {material: hard}}
 sets: {foot: {part: target, box: [[-1, -1, -0.001], [1, 1, 0.001]]}}
-fixed: [{set: foot, dofs: [x, y, z]}]
+fixed: [{set: foot, dofs: [y, z]}]
 initial: [{part: spear, velocity: [0, 0, -500]}]
 contact: [{between: [target, spear], slave: spear}]
 run: {end: 1.0e-4}
@@ -295,4 +295,27 @@ fixed: [{set: foot, dofs: [z]}, {set: all, dofs: [x, y]}]
 curves: {press: [[0, -10], [1, -10]]}
 prescribed: [{set: top, dof: z, velocity: press}]
 run: {end: END}
+"""
+
+# A rod over a table, with everything that can be held or loaded.
+ROD = """\
+units: SI
+mesh:
+  - {cylinder: {part: rod, radius: 1, length: 5, elements: [6, 5], at: [0, 0, 0.5]}}
+  - {box: {part: table, size: [10, 10, 0.5], elements: [2, 2, 1], at: [-5, -5, -0.5]}}
+materials: {steel: {model: elastic, density: 7800, young: 2.0e11, poisson: 0.3}}
+parts: {rod: {material: steel}, table: {material: steel}}
+sets: {foot: {part: table, box: [[-9, -9, -9], [9, 9, -0.4]]}, head: {side_set: rod_top}}
+curves: {ramp: [[0, 0], [1, 1]]}
+initial: [{part: rod, velocity: [0, 0, -1], rotation: {axis: [0, 0, 5], rate: 2}}]
+fixed: [{set: foot, dofs: [y, z]}]
+symmetry: [{point: [-5, 0, 0], normal: [1, 0, 0]}]
+prescribed:
+  - {set: table_xmax, dof: x, velocity: ramp, scale: 3}
+  - {set: rod_top, dof: z, velocity: 0.5}
+pressure: [{set: head, value: 1.0e6, curve: ramp}]
+gravity: {vector: [0, 0, -9.81]}
+damping: {alpha: 100, to: 1.0e-3}
+contact: [{between: all}]
+run: {steps: 10}
 """

@@ -10,15 +10,15 @@ import subprocess
 import unittest
 
 import scenes
-from run_test import PATIENCE, RUN, Program
+from run_test import BRUNT, PATIENCE, RUN, Program
 
 
 class Start(Program):
     """Cubes of edge 1, the right one at x = at: apart by at - 1, or overlapping."""
 
-    def check(self, at, rule="error"):
+    def check(self, at, rule="error", *options):
         self.write("pair.yaml", scenes.PAIR.replace("AT", str(at)).replace("RULE", rule))
-        done = self.brunt("check", "pair.yaml")
+        done = self.brunt("check", "pair.yaml", *options)
         return done.returncode, done.stdout + done.stderr
 
     def history(self, result, *terms):
@@ -41,7 +41,7 @@ class Start(Program):
     def test_overlap_that_is_accepted_is_a_warning(self):
         code, output = self.check(0.99, "warn")
         self.assertEqual(code, 0, output)
-        self.assertIn("warning: pair.yaml: contact: node", output)
+        self.assertRegex(output, r"warning: pair\.yaml:\d+: contact\.0: node")
 
     def run_pair(self, rule, ranks, *arguments):
         self.write("pair.yaml", scenes.PAIR.replace("AT", "0.99").replace("RULE", rule))
@@ -72,7 +72,7 @@ class Start(Program):
     def test_a_body_that_overlaps_itself(self):
         self.write("fork.msh", scenes.fork(0.05))
         self.write("fork.yaml", scenes.FORK)
-        done = self.brunt("check", "fork.yaml")
+        done = self.brunt("check", "fork.yaml", "--all")
         self.assertEqual(done.returncode, 2)
         self.assertIn("inside part 'fork' at the start (one body, which overlaps itself)", done.stderr)
         listed = re.findall(r"^overlap +node +\d+ of fork +0\.0(?:5|4427) inside fork, ", done.stdout, re.M)
@@ -126,7 +126,7 @@ class Start(Program):
 
     def test_one_line_a_pair_and_the_nodes_in_the_list(self):
         for rule, code in (("error", 2), ("warn", 0)):
-            found, output = self.check(0.99, rule)
+            found, output = self.check(0.99, rule, "--all")
             self.assertEqual(found, code)
             # inside the other: 9 x 9 nodes of left less those beside right, 7 x 7 of right
             told = re.findall(r"the deepest of (\d+) nodes of the two parts", output)
@@ -135,6 +135,34 @@ class Start(Program):
                                 r"behind its face \d+-\d+-\d+-\d+$", output, re.M)
             self.assertEqual(len(listed), int(told[0]))
             self.assertGreater(len(listed), 7 * 7)
+            short = re.findall(r"^overlap +(.*)", self.check(0.99, rule)[1], re.M)
+            self.assertEqual(len(short), 11)
+            self.assertIn(f"and {len(listed) - 10} more nodes of left and right", short[-1])
+
+    def test_check_lists_what_the_scene_selects(self):
+        self.write("rod.yaml", scenes.ROD)
+        done = self.brunt("check", "rod.yaml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        around, along = 32, 5  # of 6 elements across; 8 (2 x 4)^2 / 4 + 2 rings of 32 cells in the section
+        for line in ("mesh             rod: cylinder, elements: 6 across the radius, 32 around, 5 along",
+                     "mesh             table: box, elements: 2 x 2 x 1",
+                     "set              foot: 9 nodes",
+                     "set              head: 145 nodes, 128 faces",
+                     f"set of the mesh  rod_side: {around * (along + 1)} nodes, {around * along} faces",
+                     "set of the mesh  table_zmin: 9 nodes, 4 faces",
+                     "initial          rod: velocity (0, 0, -1) m/s, rotation 2 rad/s about (0, 0, 1), 870 nodes",
+                     "fixed            foot: y z, 9 nodes",
+                     "symmetry         plane through (-5, 0, 0) with normal (1, 0, 0): 6 nodes",
+                     "prescribed       table_xmax: velocity x curve ramp times 3, 6 nodes",
+                     "prescribed       rod_top: velocity z 0.5 m/s, 145 nodes",
+                     "pressure         head: 1e+06 Pa, curve ramp, 128 faces",
+                     "gravity          (0, 0, -9.81) m/s^2",
+                     "damping          100 1/s from 0 to 0.001"):
+            self.assertIn(line + "\n", done.stdout)
+        two = subprocess.run(["mpirun", "-np", "3", BRUNT, "check", "rod.yaml"], cwd=self.folder, capture_output=True,
+                             text=True, timeout=PATIENCE, check=True)
+        listing = lambda text: [line for line in text.splitlines() if " nodes" in line]
+        self.assertEqual(listing(two.stdout), listing(done.stdout))
 
     def test_cost_is_measured(self):
         code, output = self.check(1.05)
@@ -144,7 +172,7 @@ class Start(Program):
     def test_a_coarse_slave_is_told_at_the_start(self):
         self.write("pair.yaml", scenes.PAIR.replace("AT", "1.05").replace("RULE", "error").replace("[8, 8, 8]", "[1, 1, 1]"))
         named = ("--set", "contact.0.between=[left, right]", "--set", "contact.0.slave=left", "--set", "run.steps=2")
-        told = (r"warning: pair\.yaml: contact: part 'left' is the slave of 'right', whose faces are much finer where they "
+        told = (r"warning: (?:pair\.yaml:\d+|--set contact\.0\.slave=left): contact\.0\.slave: part 'left' is the slave of 'right', whose faces are much finer where they "
                 r"meet \(edges of 0\.167 against 1\).*; say slave: right, or passes: two")
         self.assertRegex(self.brunt("check", "pair.yaml", *named).stdout, told)
         for ranks in (1, 3):

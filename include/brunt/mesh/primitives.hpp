@@ -20,8 +20,13 @@ Mesh box(const std::string& part, const Vec3& size, const std::array<int, 3>& el
 Mesh plate(const std::string& part, const std::array<double, 2>& size, double thickness,
            const std::array<int, 3>& elements);
 
-/// Solid, axis z, foot centre at the origin. elements: across the radius (>= 2), along the axis. The section is a
-/// butterfly: a rounded square core within rings; all its outer nodes lie on the circle.
+/// Elements around a cylinder, and around a great circle of a sphere, that has so many across its radius: 8 for each
+/// half cell of the core, which takes 0.6 of the radius.
+int elements_around(int across_radius);
+
+/// Solid, axis z, foot centre at the origin. elements: across the radius (>= 2), along the axis; around it there are
+/// `elements_around`. The section is a butterfly: a rounded square core within rings; all its outer nodes lie on the
+/// circle.
 /// Sets PART_bottom, _top, _side.
 Mesh cylinder(const std::string& part, double radius, double length, const std::array<int, 2>& elements);
 

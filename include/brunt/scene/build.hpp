@@ -17,6 +17,13 @@ namespace brunt::scene {
 /// incompatible constraints (both are named).
 model::Model build_model(const Input& input, mesh::LocalMesh&& mesh);
 
+/// Position in `contact` of the entry that holds for two parts; none where they have no contact. Tied parts stay so
+/// under later entries with `all`.
+std::optional<std::size_t> deciding_entry(const Input& input, const std::string& a, const std::string& b);
+
+/// Its key path, "contact.1"; "contact" where there is none.
+std::string contact_key(const Input& input, const std::string& a, const std::string& b);
+
 /// What the scene wants where these two parts overlap at the start; none where they have no contact.
 std::optional<ContactEntry::InitialOverlap> overlap_rule(const Input& input, const std::string& a,
                                                          const std::string& b);

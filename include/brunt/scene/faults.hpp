@@ -15,16 +15,17 @@ struct Place {
 
 class Faults {
  public:
-  /// One line: `FILE:LINE: key.path: what`; the path may be empty.
-  void add(const Place& place, std::string_view path, std::string_view what);
-  [[nodiscard]] bool any() const { return !lines_.empty(); }
+  /// One line: `FILE:LINE: key.path: what`; the path may be empty. Returns its number, to take it back.
+  std::size_t add(const Place& place, std::string_view path, std::string_view what);
+  /// Another fault says the same better.
+  void take_back(std::size_t fault) { lines_[fault].text.clear(); }
   /// Throws InputError with all faults, those of the file by line, then those of overrides.
   void throw_if_any();
 
  private:
   struct Line {
     int line;
-    std::string text;
+    std::string text;  ///< empty: taken back
   };
   std::vector<Line> lines_;
 };

@@ -13,6 +13,7 @@
 #include "brunt/core/types.hpp"
 #include "brunt/element/options.hpp"
 #include "brunt/material/law.hpp"
+#include "brunt/scene/places.hpp"
 
 namespace brunt::scene {
 
@@ -181,6 +182,10 @@ struct Input {
   std::optional<double> history_every;
   std::optional<double> checkpoint_every;
   std::vector<std::string> warnings;  ///< accepted, but worth a line to the user
+  Places places;                      ///< of all keys
+
+  /// "FILE:LINE: key.path": how messages begin of what is found after reading.
+  [[nodiscard]] std::string at(std::string_view key) const { return places.name(key, file); }
 };
 
 }  // namespace brunt::scene

@@ -25,9 +25,17 @@ struct Reference {
   Named kind;
 };
 
+/// A fault that says that one of some keys is missing: taken back where one of them turns out to be mistyped.
+struct Missing {
+  std::string path;  ///< of the map that lacks them
+  std::vector<std::string> names;
+  std::size_t fault;
+};
+
 /// What reading gathers beside the input itself.
 struct Findings {
   Faults faults;
+  std::vector<Missing> missing;
   std::vector<Reference> references;
 };
 
@@ -44,6 +52,8 @@ void fault(const Key& key, std::string_view what);
 std::string place_of(const Key& key);
 /// "WHAT IS THERE; accepted: ACCEPTED": always false, so that a reader can return it.
 bool wrong(const Key& key, std::string_view accepted);
+/// The fault of a map that has none of the keys `names`.
+void lacking(const Key& map, std::vector<std::string> names, std::string_view what);
 /// The fault of a value or key that belongs to a later version: always false.
 bool later(const Key& key, std::string_view what, std::string_view accepted);
 
@@ -150,6 +160,7 @@ class Section {
 
  private:
   void know(std::string_view name);
+  void refuse(std::size_t position) const;  ///< of an unknown key
 
   Key key_;
   bool is_map_;

@@ -26,6 +26,9 @@ bool read_selection(Section& entry, std::string& where);
 /// The key `friction`, if there: a coefficient, or a map of static, kinetic, decay and lag.
 void read_friction(Section& entry, contact::FrictionLaw& friction);
 
+/// Warns of a density or a speed of waves that no matter has, where the scene names its units.
+void warn_of_units(Section& material, const material::Law& law, Input& input);
+
 /// Names that are used but not defined, generated parts without an entry in `parts`, names used twice.
 void check_references(const Input& input, Section& scene);
 

@@ -68,9 +68,28 @@ TEST_CASE("overlap report: nodes and faces have the input's numbers; both ways b
   CHECK_THAT(report.list[2], Contains("107") && Contains("of anvil") && Contains("inside hammer"));
   REQUIRE(report.faults.size() == 2);
   CHECK_THAT(report.faults[0],
-             Contains("forge.yaml: contact: node 108 of part 'hammer' lies 0.25 inside part 'anvil'") &&
+             Contains("forge.yaml:6: contact.0: node 108 of part 'hammer' lies 0.25 inside part 'anvil'") &&
                  Contains("the deepest of 3 nodes"));
   CHECK_THAT(report.faults[1], Contains("warn") && Contains("move") && Contains("offset"));
+}
+
+TEST_CASE("overlap report: of many nodes the ten deepest of each pair are listed, and how many more there are") {
+  std::vector<InitialOverlap> overlaps;
+  for (int k = 0; k < 8; ++k) overlaps.push_back(in_anvil(8 + k, 0.5 - 0.01 * k));
+  for (int k = 0; k < 4; ++k) {
+    overlaps.push_back(in_anvil(k, 0.3 - 0.01 * k));
+    std::swap(overlaps.back().block, overlaps.back().other_block);
+  }
+  for (int k = 0; k < 2; ++k) {
+    overlaps.push_back(in_anvil(8 + k, 0.1));
+    overlaps.back().other_block = 1;  // a pair of its own
+  }
+  const OverlapReport report = Parts().report(overlaps);
+  CHECK(report.list.size() == 14);
+  REQUIRE(report.deepest.size() == 13);
+  for (std::size_t k = 0; k < 10; ++k) CHECK(report.deepest[k] == report.list[k]);
+  CHECK(report.deepest[10] == report.list[12]);
+  CHECK_THAT(report.deepest[12], Contains("2 more nodes of anvil and hammer") && Contains("--all"));
 }
 
 TEST_CASE("overlap report: one node is not called the deepest of one") {

@@ -35,7 +35,7 @@ struct SceneFolder {
 /// A block `low` of 2 x 2 x 1 unit elements at rest and a cube `top` of one element that touches it at z = 1 and falls
 /// at 2 and moves along x at 1; density 3, so that the masses are 12 and 3.
 const std::string two_bodies =
-    "units: SI\n"
+    "units: none\n"
     "mesh:\n"
     "  - {box: {part: low, size: [2, 2, 1], elements: [2, 2, 1]}}\n"
     "  - {box: {part: top, size: [1, 1, 1], elements: [1, 1, 1], at: [0.5, 0.5, 1]}}\n"

@@ -93,6 +93,14 @@ TEST_CASE("a plate stands on its centre", "[primitives]") {
   CHECK(mesh.side_sets.at("p_xmax").size() == 4);
 }
 
+TEST_CASE("around a cylinder there are as many elements as is told", "[primitives]") {
+  for (const int n : {2, 3, 4, 6, 9, 16}) {
+    const Mesh mesh = cylinder("c", 2, 3, {n, 4});
+    CHECK(mesh.side_sets.at("c_side").size() == static_cast<std::size_t>(4 * elements_around(n)));
+  }
+  CHECK(elements_around(6) == 32);
+}
+
 TEST_CASE("a cylinder's section is a regular polygon", "[primitives]") {
   for (const int n : {2, 3, 5, 8}) {
     const Mesh mesh = cylinder("c", 2, 3, {n, 4});

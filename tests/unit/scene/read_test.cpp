@@ -249,11 +249,42 @@ run: {steps: 4}
 }
 
 TEST_CASE("a density that no matter has draws a warning", "[scene]") {
-  const std::vector<std::string> overrides{"units=mm-s-tonne"};  // 7800 t/mm^3 for 7800 kg/m^3
-  const Input input = read_scene(std::string(small_scene), "small.yaml", overrides);
-  REQUIRE(input.warnings.size() == 1);
-  CHECK_THAT(input.warnings[0], Catch::Contains("materials.steel.density"));
-  CHECK_THAT(input.warnings[0], Catch::Contains("7.8e+15 kg/m^3"));
+  const auto told = [](const std::string& units, const std::string& density) {
+    const std::vector<std::string> overrides{"units=" + units, "materials.steel.density=" + density};
+    const Input input = read_scene(std::string(small_scene), "small.yaml", overrides);
+    REQUIRE(input.warnings.size() == 1);  // and none of the speed of waves, which follows from it
+    return input.warnings[0];
+  };
+  CHECK_THAT(told("mm-s-tonne", "7800"),
+             Catch::Contains("density: 7800 t/mm^3 (7.8e+15 kg/m^3) is no density of matter") &&
+                 Catch::Contains("in kg/m^3, of units SI, it would be 7800 kg/m^3"));
+  CHECK_THAT(told("SI", "7.8e-9"), Catch::Contains("density: 7.8e-09 kg/m^3 is no density of matter (1 to") &&
+                                       Catch::Contains("in t/mm^3, of units mm-s-tonne, it would be 7800 kg/m^3"));
+  CHECK_THAT(told("SI", "1e40"), !Catch::Contains("would"));
+}
+
+TEST_CASE("a speed of waves that no matter has draws a warning with the speed and the likely cause", "[scene]") {
+  const auto warnings = [](const std::string& units, const std::string& density, const std::string& young) {
+    const std::vector<std::string> overrides{"units=" + units, "materials.steel.density=" + density,
+                                             "materials.steel.young=" + young};
+    return read_scene(std::string(small_scene), "small.yaml", overrides).warnings;
+  };
+  CHECK(warnings("SI", "7800", "2.0e11").empty());
+  CHECK(warnings("mm-s-tonne", "7.8e-9", "2.0e5").empty());
+  CHECK(warnings("none", "7800", "2.0").empty());
+  CHECK(warnings("SI", "1100", "1.0e6").empty());  // soft rubber
+  // sqrt(E (1 - nu) / ((1 + nu) (1 - 2 nu)) / rho) with nu = 0.3: 5875 m/s for steel
+  const std::vector<std::string> mega = warnings("SI", "7800", "2.0e5");
+  REQUIRE(mega.size() == 1);
+  CHECK_THAT(mega[0], Catch::Contains("materials.steel.young: ") && Catch::Contains("waves run at 5.88 m/s") &&
+                          Catch::Contains("stresses are in Pa here: if young is in MPa, they run at 5.88e+03 m/s"));
+  const std::vector<std::string> giga = warnings("SI", "7800", "2.0e2");
+  REQUIRE(giga.size() == 1);
+  CHECK_THAT(giga[0], Catch::Contains("0.186 m/s") && Catch::Contains("in GPa"));
+  const std::vector<std::string> pascal = warnings("mm-s-tonne", "7.8e-9", "2.0e11");
+  REQUIRE(pascal.size() == 1);
+  CHECK_THAT(pascal[0],
+             Catch::Contains("5.88e+06 m/s") && Catch::Contains("stresses are in MPa here: if young is in Pa"));
 }
 
 TEST_CASE("friction and methods are read; what would do nothing draws a warning", "[scene]") {

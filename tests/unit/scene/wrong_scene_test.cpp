@@ -56,7 +56,16 @@ TEST_CASE("wrong numbers", "[scene]") {
       {"7800", "0", "bar.yaml:16: materials.steel.density", {"out of range"}},
       {"7800", "\"7800\"", "bar.yaml:16: materials.steel.density", {"quoted text '7800'", "a number > 0"}},
       {"7800", "7800 kg", "bar.yaml:16: materials.steel.density", {"'7800 kg'", "a number > 0"}},
-      {"7800", "7,800", "bar.yaml:16: materials.steel.density", {"'7,800'"}},
+      {"7800", "7,800", "bar.yaml:16: materials.steel.density", {"'7,800'", "no comma", "write 7800 or 7.800"}},
+      {"7800", "'7,8'", "bar.yaml:16: materials.steel.density", {"'7,8'", "no comma", "write 78 or 7.8"}},
+      {"7800", "1,234,567", "bar.yaml:16: materials.steel.density", {"no comma", "write 1234567; accepted"}},
+      {"poisson: 0.3", "poisson: 0,3", "bar.yaml:18: materials.steel.poisson", {"no comma", "0.3"}},
+      {"cfl: 0.9", "steps: 4,000", "bar.yaml:43: run.steps", {"no comma", "4000", "an integer"}},
+      {"  end: 1.0e-3\n  cfl: 0.9",
+       "  {end: 1,500, cfl: 0.9}",
+       "bar.yaml:42: run.end",
+       {"'1,500'", "no comma", "1500"}},
+      {"at: [1, 0, 0]", "at: [1,5, 0, 0]", "bar.yaml:12: mesh.1.box.at", {"a list of 4", "no comma"}},
       {"7800", "", "bar.yaml:16: materials.steel.density", {"nothing is given"}},
       {"7800", "[1, 2]", "bar.yaml:16: materials.steel.density", {"a list of 2 is given"}},
       {"2.0e11", ".inf", "bar.yaml:17: materials.steel.young", {"not a finite number"}},
@@ -84,11 +93,11 @@ TEST_CASE("wrong keys and words", "[scene]") {
       {"yield: 4.0e8",
        "yield: 4.0e8\n    hardning: 1.0e8",
        "bar.yaml:20: materials.steel.hardning",
-       {"unknown key", "nearest is 'hardening'"}},
+       {"unknown key", "did you mean 'hardening'?"}},
       {"model: j2", "model: elastic", "bar.yaml:19: materials.steel.yield", {"unknown key"}},
       {"model: j2", "model: J3", "bar.yaml:15: materials.steel.model", {"'J3' is unknown", "nearest is 'j2'"}},
-      {"output:", "ouput:", "bar.yaml:44: ouput", {"unknown key", "nearest is 'output'"}},
-      {"cfl:", "clf:", "bar.yaml:43: run.clf", {"unknown key", "nearest is 'cfl'"}},
+      {"output:", "ouput:", "bar.yaml:44: ouput", {"unknown key", "did you mean 'output'?"}},
+      {"cfl:", "clf:", "bar.yaml:43: run.clf", {"unknown key", "did you mean 'cfl'?"}},
       {"units: SI", "units: si", "bar.yaml:2: units", {"'si' is unknown", "nearest is 'SI'", "mm-ms-kg", "none"}},
       {"units: SI\n", "", "bar.yaml:1: units", {"missing", "mm-ms-kg"}},
       {"    density: 7800\n", "", "bar.yaml:14: materials.steel.density", {"missing", "a number > 0"}},
@@ -126,6 +135,31 @@ TEST_CASE("wrong keys and words", "[scene]") {
       {"[[0, 0], [1, 1]]", "[]", "bar.yaml:26: curves.ramp", {"a list of points"}},
       {"name: tip", "name: a,b", "bar.yaml:38: probes.0.name", {"cannot head a column"}},
   });
+}
+
+TEST_CASE("a mistyped key that is required is one fault", "[scene]") {
+  check_all({
+      {"density:",
+       "densty:",
+       "bar.yaml:16: materials.steel.densty",
+       {"unknown key", "did you mean 'density'?", "yield"}},
+      {"units:", "unit:", "bar.yaml:2: unit", {"did you mean 'units'?"}},
+      {"materials:", "matrials:", "bar.yaml:13: matrials", {"did you mean 'materials'?"}},
+      {"parts:", "part:", "bar.yaml:20: part", {"did you mean 'parts'?"}},
+      {"  end: 1.0e-3", "  edn: 1.0e-3", "bar.yaml:42: run.edn", {"did you mean 'end'?"}},
+      {"    velocity: [1, 0, 0]",
+       "    velocty: [1, 0, 0]",
+       "bar.yaml:29: initial.0.velocty",
+       {"did you mean 'velocity'?"}},
+      {"- part: left", "- prt: left", "bar.yaml:28: initial.0.prt", {"did you mean 'part'?"}},
+      {"    node: 1", "    nod: 1", "bar.yaml:39: probes.0.nod", {"did you mean 'node'?"}},
+      {"  - box:\n      part: left", "  - bx:\n      part: left", "bar.yaml:4: mesh.0.bx", {"did you mean 'box'?"}},
+  });
+  // what is not near is another matter
+  const std::vector<std::string> two = faults_of(spoilt("density: 7800", "colour: 7800"));
+  REQUIRE(two.size() == 2);
+  CHECK_THAT(two[0], Catch::Contains("density: missing"));
+  CHECK_THAT(two[1], Catch::Contains("colour: unknown key, nearest is"));
 }
 
 TEST_CASE("names that do not fit together", "[scene]") {
@@ -233,7 +267,7 @@ TEST_CASE("broken YAML", "[scene]") {
 
 TEST_CASE("wrong overrides are named as such", "[scene]") {
   const std::string good(small_scene);
-  check_message(faults_of(good, {"run.ned=1"}), "--set run.ned=1: run.ned", {"unknown key", "nearest is 'end'"});
+  check_message(faults_of(good, {"run.ned=1"}), "--set run.ned=1: run.ned", {"unknown key", "did you mean 'end'?"});
   check_message(faults_of(good, {"run.end=-1"}), "--set run.end=-1: run.end", {"out of range"});
   check_message(faults_of(good, {"run.end"}), "--set run.end", {"--set key.path=value"});
   check_message(faults_of(good, {"run..end=1"}), "--set run..end=1", {"--set key.path=value"});

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the keys of a scene were written, kept for what is found only after reading: in the mesh, or between bodies.
+#pragma once
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "brunt/scene/faults.hpp"
+
+namespace brunt::scene {
+
+class Places {
+ public:
+  /// `path`: as in messages, "contact.0.between.1".
+  void note(const std::string& path, const Place& place) { places_.emplace(path, place); }
+  [[nodiscard]] bool has(const std::string& path) const { return places_.contains(path); }
+  /// "FILE:LINE: path" with the line of the key or, where it was not written, of what it belongs to; "FILE: path" where
+  /// neither is known.
+  [[nodiscard]] std::string name(std::string_view path, const std::string& file) const;
+
+ private:
+  std::map<std::string, Place, std::less<>> places_;
+};
+
+}  // namespace brunt::scene

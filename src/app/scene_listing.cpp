@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene_listing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <variant>
+
+#include "brunt/mesh/primitives.hpp"
+#include "brunt/scene/select.hpp"
+#include "brunt/scene/units.hpp"
+
+namespace brunt::app {
+namespace {
+
+std::string vector_text(const Vec3& v) {
+  return fmt::format("({:g}, {:g}, {:g})", v[0], v[1], v[2]);
+}
+
+std::string counted(GlobalIndex count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string curve_text(const std::string& curve) {
+  return curve.empty() ? "" : ", curve " + curve;
+}
+
+std::string body_text(const scene::MeshEntry& entry) {
+  return std::visit(
+      [](const auto& body) -> std::string {
+        using Body = std::decay_t<decltype(body)>;
+        if constexpr (std::is_same_v<Body, scene::MeshFile>) {
+          return "file " + body.file;
+        } else if constexpr (std::is_same_v<Body, scene::CylinderMesh>) {
+          return fmt::format("{}: cylinder, elements: {} across the radius, {} around, {} along", body.part,
+                             body.elements[0], mesh::elements_around(body.elements[0]), body.elements[1]);
+        } else if constexpr (std::is_same_v<Body, scene::SphereMesh>) {
+          return fmt::format("{}: sphere, elements: {} across the radius, {} around the whole", body.part,
+                             body.elements, mesh::elements_around(body.elements));
+        } else if constexpr (std::is_same_v<Body, scene::TubeMesh>) {
+          return fmt::format("{}: tube, elements: {} through the wall, {} around, {} along", body.part,
+                             body.elements[0], body.elements[1], body.elements[2]);
+        } else {
+          const char* kind = std::is_same_v<Body, scene::BoxMesh> ? "box" : "plate";
+          return fmt::format("{}: {}, elements: {} x {} x {}", body.part, kind, body.elements[0], body.elements[1],
+                             body.elements[2]);
+        }
+      },
+      entry.body);
+}
+
+class Listing {
+ public:
+  explicit Listing(const Prepared& run) : run_(run), units_(*scene::find_unit_system(run.input.units)) {
+    const scene::Input& input = run.input;
+    for (const scene::MeshEntry& entry : input.mesh) add("mesh", body_text(entry));
+    add_sets();
+    each(input.initial, &Listing::add_motion);
+    each(input.fixed, &Listing::add_fixed);
+    each(input.symmetry, &Listing::add_symmetry);
+    each(input.prescribed, &Listing::add_prescribed);
+    each(input.pressure, &Listing::add_pressure);
+    add_fields();
+  }
+
+  std::vector<std::string> lines;
+
+ private:
+  void add(const char* kind, const std::string& what) { lines.push_back(fmt::format("{:<16} {}", kind, what)); }
+
+  template <class Entry>
+  void each(const std::vector<Entry>& list, void (Listing::*tell)(const Entry&, std::size_t)) {
+    for (std::size_t k = 0; k < list.size(); ++k) (this->*tell)(list[k], k);
+  }
+
+  /// Of a set of nodes, over all ranks.
+  [[nodiscard]] std::string nodes_of(const std::string& set) const {
+    GlobalIndex count = 0;
+    for (const LocalIndex node : run_.model.mesh.node_sets.at(set))
+      count += std::ranges::binary_search(run_.model.owned, node) ? 1 : 0;
+    return counted(run_.links.ranks.sum(count), "node");
+  }
+
+  [[nodiscard]] std::string nodes_of(const char* list, std::size_t entry) const {
+    return nodes_of(scene::selection_name(list, entry));
+  }
+
+  [[nodiscard]] std::string faces_of(const std::string& set) const {
+    const auto count = static_cast<GlobalIndex>(run_.model.mesh.side_sets.at(set).size());
+    return counted(run_.links.ranks.sum(count), "face");
+  }
+
+  void add_sets() {
+    const mesh::LocalMesh& mesh = run_.model.mesh;
+    for (std::size_t k = 0; k < run_.input.sets.size(); ++k) {
+      const scene::SetEntry& set = run_.input.sets[k];
+      std::string text = set.name + ": " + nodes_of("set", k);
+      if (set.side_set) text += ", " + faces_of(*set.side_set);
+      add("set", text);
+    }
+    for (const auto& [name, nodes] : mesh.node_sets) {
+      if (name.front() == '@') continue;
+      add("set of the mesh",
+          fmt::format("{}: {}{}", name, nodes_of(name), mesh.side_sets.contains(name) ? ", " + faces_of(name) : ""));
+    }
+    for (const auto& [name, sides] : mesh.side_sets)
+      if (name.front() != '@' && !mesh.node_sets.contains(name))
+        add("set of the mesh", fmt::format("{}: {}", name, faces_of(name)));
+  }
+
+  void add_motion(const scene::InitialMotion& motion, std::size_t k) {
+    std::string text = fmt::format("{}: velocity {} {}", motion.where, vector_text(motion.velocity), units_.velocity);
+    if (motion.spin_rate != 0)
+      text +=
+          fmt::format(", rotation {:g} rad/{} about {}", motion.spin_rate, units_.time, vector_text(motion.spin_axis));
+    add("initial", text + ", " + nodes_of("initial", k));
+  }
+
+  void add_fixed(const scene::Fixed& fixed, std::size_t k) {
+    std::string directions;
+    for (std::size_t c = 0; c < 3; ++c)
+      if (fixed.dofs[c]) directions += fmt::format("{}{}", directions.empty() ? "" : " ", "xyz"[c]);
+    add("fixed", fmt::format("{}: {}, {}", fixed.where, directions, nodes_of("fixed", k)));
+  }
+
+  void add_symmetry(const scene::Symmetry& plane, std::size_t k) {
+    add("symmetry", fmt::format("plane through {} with normal {}: {}", vector_text(plane.point),
+                                vector_text(plane.normal), nodes_of("symmetry", k)));
+  }
+
+  void add_prescribed(const scene::Prescribed& motion, std::size_t k) {
+    const std::string velocity = motion.curve.empty() ? fmt::format("{:g} {}", motion.scale, units_.velocity)
+                                                      : fmt::format("curve {} times {:g}", motion.curve, motion.scale);
+    add("prescribed",
+        fmt::format("{}: velocity {} {}, {}", motion.where, "xyz"[motion.dof], velocity, nodes_of("prescribed", k)));
+  }
+
+  void add_pressure(const scene::Pressure& pressure, std::size_t k) {
+    add("pressure", fmt::format("{}: {:g} {}{}, {}", pressure.where, pressure.value, units_.stress,
+                                curve_text(pressure.curve), faces_of(scene::selection_name("pressure", k))));
+  }
+
+  void add_fields() {
+    if (const auto& gravity = run_.input.gravity)
+      add("gravity", fmt::format("{} {}/{}^2{}", vector_text(gravity->vector), units_.length, units_.time,
+                                 curve_text(gravity->curve)));
+    if (const auto& damping = run_.input.damping)
+      add("damping", fmt::format("{:g} 1/{} from {:g}{}", damping->alpha, units_.time, damping->from,
+                                 std::isfinite(damping->to) ? fmt::format(" to {:g}", damping->to) : " on"));
+  }
+
+  const Prepared& run_;
+  const scene::UnitSystem& units_;
+};
+
+}  // namespace
+
+std::vector<std::string> list_scene(const Prepared& run) {
+  return Listing(run).lines;
+}
+
+}  // namespace brunt::app

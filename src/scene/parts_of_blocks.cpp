@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which part each block of the mesh is.
+#include <fmt/core.h>
+
+#include "brunt/core/error.hpp"
+#include "brunt/scene/nearest.hpp"
+#include "brunt/scene/select.hpp"
+
+namespace brunt::scene {
+namespace {
+
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+const char* fitting_elements(mesh::Shape shape) {
+  return shape == mesh::Shape::hex8 ? "hex8, hex8_full or hex8_bbar" : "tet4";
+}
+
+/// "7" or "7 (bar)": either may stand in a scene.
+std::string shown(const mesh::Block& block) {
+  return fmt::format("{}{}", block.id, block.name.empty() ? "" : " (" + block.name + ")");
+}
+
+std::string shown_blocks(const mesh::Mesh& mesh) {
+  std::vector<std::string> known;
+  for (const mesh::Block& block : mesh.blocks) known.push_back(shown(block));
+  return known.empty() ? "none, the mesh has no block" : listed(known);
+}
+
+}  // namespace
+
+std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& mesh) {
+  std::vector<std::string> faults;
+  std::vector<std::size_t> part_of(mesh.blocks.size(), none);
+  for (std::size_t p = 0; p < input.parts.size(); ++p) {
+    const Part& part = input.parts[p];
+    const std::string key = "parts." + part.name;
+    std::size_t b = 0;
+    while (b < mesh.blocks.size() && mesh.blocks[b].name != part.block &&
+           std::to_string(mesh.blocks[b].id) != part.block)
+      ++b;
+    if (b == mesh.blocks.size()) {
+      faults.push_back(fmt::format("{}: the mesh has no block '{}'; accepted: {}", input.at(key + ".block"), part.block,
+                                   shown_blocks(mesh)));
+      continue;
+    }
+    if (part_of[b] != none)
+      faults.push_back(fmt::format("{}: block {} already belongs to part '{}'; accepted: a block of its own",
+                                   input.at(key + ".block"), part.block, input.parts[part_of[b]].name));
+    part_of[b] = p;
+    if ((part.element == ElementKind::tet4) != (mesh.blocks[b].shape == mesh::Shape::tet4))
+      faults.push_back(fmt::format("{}: {} does not fit the block's elements; accepted: {}", input.at(key + ".element"),
+                                   element::name_of(part.element), fitting_elements(mesh.blocks[b].shape)));
+  }
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+    if (part_of[b] == none)
+      faults.push_back(
+          fmt::format("{}: block {} of the mesh has no part; accepted: parts with NAME: {{block: {}, "
+                      "material: ...}}",
+                      input.at("parts"), shown(mesh.blocks[b]), mesh.blocks[b].id));
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return part_of;
+}
+
+}  // namespace brunt::scene
