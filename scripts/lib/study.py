@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What scripts/study and scripts/pareto share: study files, runs with overrides, tables."""
 import csv
+import difflib
 import json
 import os
 import subprocess
@@ -21,8 +22,10 @@ class Study:
         try:
             with open(path, encoding="utf-8") as stream:
                 self.tree = yaml.safe_load(stream)
-        except (OSError, UnicodeDecodeError) as error:
-            self.stop(f"cannot be read ({error})")
+        except OSError as error:
+            self.stop(f"cannot be read ({error.strerror}); accepted: a study file")
+        except UnicodeDecodeError as error:
+            self.stop(f"cannot be read ({error}); accepted: a study file")
         except yaml.YAMLError as error:
             self.stop(" ".join(str(error).split()))
         if not isinstance(self.tree, dict):
@@ -34,6 +37,12 @@ class Study:
     def stop(self, what):
         print(f"{self.program}: {self.path}: {what}", file=sys.stderr)
         sys.exit(WRONG_INPUT)
+
+    def make_folder(self):
+        try:
+            os.makedirs(self.results, exist_ok=True)
+        except OSError as error:
+            self.stop(f"no folder {self.results} for results ({error.strerror}); accepted: a study where files may be written")
 
     def value(self, key, kind, accepted, default=None):
         """The value of a key, of one kind and not empty; without a default the key must be there."""
@@ -55,6 +64,12 @@ class Study:
             if not isinstance(overrides or {}, dict):
                 self.stop(f"{key}.{name}: accepted: a map of key path: value")
         return {str(name): dict(overrides or {}) for name, overrides in maps.items()}
+
+
+def nearest_of(word, known):
+    """", nearest is 'x'" where some known word is near."""
+    near = difflib.get_close_matches(word, known, 1)
+    return f", nearest is '{near[0]}'" if near else ""
 
 
 def set_options(overrides):

@@ -185,4 +185,22 @@ SCRIPTS = [  # scripts/COMMAND
         ("of another kind of file", "old", [f"old/{inside}"], {f"old/{inside}": bytes(range(256)) * 8}))
 ]
 
+SCRIPTS += [  # before anything is built, run or drawn
+    Wrong(f"{script} with a misspelt option", [script, option], command=script, target="", arguments=[option], lines=1)
+    for script, option in (("test", "--halp"), ("demo", "--halp"), ("setup", "--halp"), ("tidy", "--halp"), ("run", "--halp"),
+                           ("render", "--halp"), ("plot", "--halp"), ("study", "--halp"), ("pareto", "--halp"))
+] + [
+    Wrong("test with a word too many", ["test", "'law'", "accepted"], command="test", target="", arguments=["law"], lines=1),
+    Wrong("test with an option cut short", ["test", "-R"], command="test", target="", arguments=["-R"], lines=1),
+    Wrong("setup with a word too many", ["setup", "'x'"], command="setup", target="", arguments=["--list", "x"], lines=1),
+    Wrong("demo with two scenes", ["demo", "'x'"], command="demo", arguments=["x"], lines=1),
+    Wrong("run with a misspelt option of brunt", ["run", "--forse", "--force"], command="run", arguments=["--forse"], lines=1),
+    Wrong("study on no ranks", ["study", "'0'", "whole number"], command="study", arguments=["-np", "0"], lines=1),
+    Wrong("study that is not there", ["study", "nope.yaml"], command="study", target="nope.yaml", lines=1),
+    Wrong("pareto that is not there", ["pareto", "nope.yaml"], command="pareto", target="nope.yaml", lines=1),
+    Wrong("pareto on half a rank", ["pareto", "'0.5'", "whole number"], command="pareto", arguments=["-np", "0.5"], lines=1),
+    Wrong("render in no colours", ["render", "--colours", "accepted"], command="render", arguments=["--colours", "trubo"], lines=1),
+    Wrong("render of no size", ["render", "--size", "accepted"], command="render", arguments=["--size", "0", "0"], lines=1),
+]
+
 ALL = FILES + SCENES + OPTIONS

@@ -26,7 +26,7 @@ scene: {CASES}/bar_impact/scene.yaml
 runs:
   short: {{run.steps: 5}}
   long: {{run.steps: 9, ranks: 2}}
-columns: [steps, energy.error_ratio, last striker.x, no such column]
+columns: [steps, energy.error_ratio, last striker.x]
 """
 
 
@@ -95,9 +95,24 @@ class Studies(unittest.TestCase):
         done = self.run_study("study", STUDY)
         self.assertEqual(done.returncode, 0, done.stderr)
         rows = self.table()
-        self.assertEqual([(row["run"], row["steps"], row["no such column"]) for row in rows],
-                         [("short", "5", ""), ("long", "9", "")])
+        self.assertEqual([(row["run"], row["steps"]) for row in rows], [("short", "5"), ("long", "9")])
         self.assertLess(float(rows[1]["last striker.x"]), float(rows[0]["last striker.x"]))
+
+    def test_study_with_a_column_that_no_run_has_ends_with_the_first(self):
+        for change, phrases in ((("steps,", "stps,"), ("'stps'", "no key of summary.json", "nearest is 'steps'", "energy.total")),
+                                (("energy.error_ratio", "energy"), ("'energy'", "energy.kinetic")),
+                                (("last striker.x", "last striker.y2"), ("'striker.y2'", "no column of history.csv", "striker.x"))):
+            with self.subTest(change=change):
+                self.assert_refused("study", STUDY.replace(*change), "columns", *phrases)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "s.out", "long")))
+
+    def test_study_with_columns_of_some_runs(self):
+        probe = "probes: [{name: tip, part: striker, field: position}]"
+        text = STUDY.replace("short: {run.steps: 5}", f"short: {{run.steps: 5, {probe}}}").replace("last striker.x", "last tip.x")
+        done = self.run_study("study", text)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([bool(row["last tip.x"]) for row in self.table()], [True, False])
+        self.assert_refused("study", text.replace("last tip.x", "last top.x"), "'top.x'", "tip.x")
 
     def test_study_of_several_scenes(self):
         scene = STUDY.split("scene: ", 1)[1].split("\n", 1)[0]
@@ -112,6 +127,8 @@ class Studies(unittest.TestCase):
                                 (("scene: ", "scenes: {a: b}\nscene: "), ("scene:", "one of the two")),
                                 (("columns: [steps", "ranks: 0\ncolumns: [steps"), ("ranks",)),
                                 (("{run.steps: 5}", "5"), ("runs.short",)),
+                                (("bar_impact/scene", "bar_impact/scen"), ("scene:", "is not there")),
+                                (("ranks: 2", "ranks: 0"), ("runs.long.ranks",)),
                                 (("columns:", "runs: ["), ("s.yaml",)),):
             with self.subTest(change=change):
                 done = self.run_study("study", STUDY.replace(*change))

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the scripts in Python share: options told wrong, and pictures that cannot be written, are one line and exit code 2."""
+import argparse
+import os
+import sys
+
+WRONG_INPUT = 2  # as of brunt itself
+
+
+class Parser(argparse.ArgumentParser):
+    def parse_args(self, args=None, namespace=None):
+        known = [option for action in self._actions for option in action.option_strings]
+        for word in sys.argv[1:] if args is None else args:
+            name = word.split("=")[0]
+            if name.startswith("--") and not any(option.startswith(name) for option in known):
+                self.error(f"unknown option '{name}'; accepted: {', '.join(known)}")
+        return super().parse_args(args, namespace)
+
+    def error(self, message):
+        print(f"{self.prog}: {message}; see scripts/{self.prog} --help", file=sys.stderr)
+        sys.exit(WRONG_INPUT)
+
+
+def rank_count(text):
+    """The value of -np."""
+    if not text.isdigit() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"'{text}' is no number of ranks; accepted: a whole number from 1 up")
+    return int(text)
+
+
+def refuse_place(path, fail):
+    """Fails where no picture can be: before the work is done that leads to it."""
+    folder = os.path.dirname(os.path.abspath(path))
+    if not os.path.isdir(folder):
+        fail(f"{path}: there is no folder {folder}; accepted: a file in a folder that is there")
+    if os.path.isdir(path):
+        fail(f"{path}: is a folder; accepted: the name of a picture, such as {os.path.join(path, 'picture.png')}")
+    if not os.access(folder, os.W_OK):
+        fail(f"{path}: nothing can be written in {folder}; accepted: a file in a folder of your own")
+
+
+def write_picture(figure, path, fail, **options):
+    try:
+        figure.savefig(path, **options)
+    except (OSError, ValueError) as error:  # a full disk; an ending of no kind of picture
+        fail(f"{path}: cannot be written ({getattr(error, 'strerror', None) or error})")
