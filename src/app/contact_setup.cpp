@@ -84,6 +84,11 @@ contact::PairTable pair_table(const model::ContactRule& rule, std::size_t n) {
   return table;
 }
 
+double speed_of_sound(const model::ElementBlock& block) {
+  const material::ElasticModuli moduli = material::initial_moduli(block.law);
+  return std::sqrt((moduli.lambda + 2 * moduli.mu) / moduli.density);
+}
+
 void make_contact(Prepared& run) {
   const model::Model& model = run.model;
   if (!model.contact.any && model.walls.empty()) return;
@@ -95,8 +100,8 @@ void make_contact(Prepared& run) {
   settings.friction = model.contact.friction;
   settings.tied = model.contact.tied;
   for (const model::ElementBlock& block : model.blocks) {
-    const material::ElasticModuli moduli = material::initial_moduli(block.law);
-    settings.impedance.push_back(std::sqrt((moduli.lambda + 2 * moduli.mu) * moduli.density));
+    settings.sound.push_back(speed_of_sound(block));
+    settings.impedance.push_back(settings.sound.back() * material::initial_moduli(block.law).density);
   }
   if (model.contact.rebuild_every > 0) settings.rebuild = {contact::Rebuild::When::every, model.contact.rebuild_every};
   if (model.contact.rebuild_every < 0) settings.rebuild.when = contact::Rebuild::When::random;

@@ -8,6 +8,9 @@
 
 namespace brunt::app {
 
+/// Of dilatational waves in the block's material as it is at the start [velocity].
+double speed_of_sound(const model::ElementBlock& block);
+
 /// The rules for pairs of blocks as the contact room reads them.
 contact::PairTable pair_table(const model::ContactRule& rule, std::size_t blocks);
 

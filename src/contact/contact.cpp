@@ -28,6 +28,18 @@ std::vector<char> held_by_walls(const Surface& surface, const std::vector<Vec3>&
   return held;
 }
 
+/// Of each body, the slowest of its blocks.
+std::vector<double> sound_of(std::span<const BodyFigures> bodies, std::span<const double> sound) {
+  std::vector<double> slowest;
+  if (sound.empty()) return slowest;
+  for (const BodyFigures& body : bodies) {
+    slowest.push_back(std::numeric_limits<double>::infinity());
+    for (const std::int32_t block : body.blocks)
+      slowest.back() = std::min(slowest.back(), sound[static_cast<std::size_t>(block)]);
+  }
+  return slowest;
+}
+
 }  // namespace
 
 Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const char> excluded,
@@ -38,6 +50,7 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
       surface_(join_surface(ranks, mesh, excluded, inverse_mass)),
       roles_(roles_of(surface_.bodies, settings_.pairs)) {
   settings_.detection.wall_size = surface_.mean_edge;
+  settings_.detection.sound = sound_of(surface_.bodies, settings_.sound);
   // walls alone are solved at once, other methods start from nothing: no history is kept for them
   const Method method = settings_.enforcement.method;
   settings_.enforcement.warm_start =

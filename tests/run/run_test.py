@@ -209,12 +209,29 @@ class Stops(Program):
         self.assertLess(saved, int(re.search(r"step (\d+)", self.text("out", "log.txt").split("stopped:")[1])[1]))
         self.run_scene(1, scene, "--out", "out", "--restart", "out", "--set", f"run.steps={saved + 1}")
 
+    def write_spear(self, law, kind, density, speed):
+        scene = scenes.SPEAR.replace("LAW", law).replace("KIND", kind)
+        self.write("spear.yaml", scene.replace("DENSITY", str(density)).replace("SPEED", str(speed)))
+
     def test_an_element_driven_through_itself_stops_the_run(self):
         for law in ("elastic", "neo_hookean"):
             for kind in ("hex8", "hex8_full"):
                 with self.subTest(law=law, kind=kind):
-                    self.write("spear.yaml", scenes.SPEAR.replace("LAW", law).replace("KIND", kind))
+                    self.write_spear(law, kind, 800000, 700)
                     self.assert_stopped_by_a_guard("spear.yaml")
+
+    def test_an_element_speared_stops_the_run_or_is_told_to_be_folded(self):
+        """At 500 m/s neo-Hooke's law may bear the spear: then corners lie inside out, and the run says so."""
+        for law in ("elastic", "neo_hookean"):
+            for kind in ("hex8", "hex8_full"):
+                with self.subTest(law=law, kind=kind):
+                    self.write_spear(law, kind, 80000, 500)
+                    done = self.brunt("run", "spear.yaml", "--out", "out", "--force", "--quiet")
+                    self.assertIn(done.returncode, (0, 3))
+                    self.assertLess(abs(self.summary("out")["energy"]["error_ratio"]), 1e-10)
+                    if done.returncode == 0:
+                        self.assertGreater(self.summary("out")["folded_elements"], 0)
+                        self.assertIn("folded at t =", self.text("out", "log.txt"))
 
     def test_a_bar_pressed_to_a_twentieth_is_borne_and_one_pressed_to_nothing_stops_the_run(self):
         for law in ("elastic", "neo_hookean"):

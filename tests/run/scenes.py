@@ -264,7 +264,7 @@ contact: [{between: all}]
 run: {steps: 20}
 """
 
-# E12: the vertex of a hard cube drives one soft element through itself at 500 m/s.
+# E12: the vertex of a hard cube is driven into one soft element, at 500 m/s.
 SPEAR = """\
 units: SI
 mesh:
@@ -272,11 +272,11 @@ mesh:
   - {box: {part: spear, size: [0.02, 0.02, 0.02], elements: [1, 1, 1], rotate: {axis: [1, -1, 0], degrees: 54.7356}, at: [0.005, 0.005, 0.0101]}}
 materials:
   soft: {model: LAW, density: 8000, young: 2.0e9, poisson: 0.3}
-  hard: {model: elastic, density: 80000, young: 2.0e11, poisson: 0.3}
+  hard: {model: elastic, density: DENSITY, young: 2.0e11, poisson: 0.3}
 parts: {target: {material: soft, element: KIND}, spear: {material: hard}}
 sets: {foot: {part: target, box: [[-1, -1, -0.001], [1, 1, 0.001]]}}
-fixed: [{set: foot, dofs: [y, z]}]
-initial: [{part: spear, velocity: [0, 0, -500]}]
+fixed: [{set: foot, dofs: [x, y, z]}]
+initial: [{part: spear, velocity: [0, 0, -SPEED]}]
 contact: [{between: [target, spear], slave: spear}]
 run: {end: 1.0e-4}
 """

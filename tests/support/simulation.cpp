@@ -23,6 +23,7 @@ std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation, con
   settings.pairs = app::pair_table(model.contact, model.blocks.size());
   settings.enforcement = model.contact.enforcement;
   settings.friction = model.contact.friction;
+  std::ranges::transform(model.blocks, std::back_inserter(settings.sound), app::speed_of_sound);
   settings.tied = model.contact.tied;
   settings.detection.recovery_gives = std::ranges::any_of(simulation.input.contact, [](const auto& entry) {
     return entry.initial_overlap == scene::ContactEntry::InitialOverlap::warn;

@@ -57,6 +57,7 @@ struct ContactSettings {
   std::vector<FrictionLaw> friction;  ///< of pairs of blocks, [a * blocks + b]; empty: none
   std::vector<Tied> tied{};           ///< of pairs of blocks, the same places; empty: none
   std::vector<double> impedance;      ///< density times speed of sound of each block, for Method::printed
+  std::vector<double> sound{};        ///< speed of sound of each block [velocity]; empty: see DetectionSettings::sound
   EnforcementSettings enforcement;
   double motion_share = 0.3;  ///< of Surface::mean_depth: how far nodes may move before lists are rebuilt
   /// By block: of two-sided sheets, met at half of it from their faces [length]; 0 or missing: the skin of a solid.

@@ -235,10 +235,18 @@ double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex sla
   return found != accepted.end() && found->slave == slave && found->body == body ? found->depth : 0;
 }
 
+double recovery_time(const Row& row, double size, double dt, std::span<const double> sound) {
+  if (sound.empty()) return dt;
+  double slower = sound[static_cast<std::size_t>(row.slave_body)];
+  if (!row.is_wall()) slower = std::min(slower, sound[static_cast<std::size_t>(row.master_body)]);
+  return std::max(dt, 0.5 * size / slower);
+}
+
 double required_rate(const Row& row, double size, double dt, std::span<const NodeMotion> motion,
                      const DetectionSettings& settings) {
   if (row.gap >= 0) return -row.gap / dt;
-  const double recovery = std::min(-settings.recovery * row.gap, settings.recovery_limit * size) / dt;
+  const double recovery = std::min(-settings.recovery * row.gap, settings.recovery_limit * size) /
+                          recovery_time(row, size, dt, settings.sound);
   const bool fitted = are_fitted(settings.fitted, row);
   const bool gives = !fitted && (settings.recovery_gives || !row.is_edge());
   if (gives || -row.gap <= (fitted ? settings.touch : settings.drift) * size) return recovery;

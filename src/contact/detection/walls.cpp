@@ -29,7 +29,8 @@ void detect_walls(std::span<const WallCandidate> candidates, std::span<const Wal
     row.master_block = no_index;
     row.normal = wall.normal;
     row.gap = gap;
-    row.required = wall_rate + (closed ? recovery : -gap) / dt;
+    row.required =
+        wall_rate + (closed ? recovery / recovery_time(row, settings.wall_size, dt, settings.sound) : -gap / dt);
     row.cone = held ? Cone::free : Cone::compression;
     rows.push_back(row);
   }

@@ -62,6 +62,7 @@ struct DetectionSettings {
   double touch = 1e-4;         ///< of fitted bodies, in place of drift: at the start deeper nodes overlap
   double twin = 0;             ///< nodes of two bodies this near each other are twins [length]
   double wall_size = 0;        ///< [length] stands for the longest edge where the master is a wall
+  std::vector<double> sound{};  ///< speed of sound of each body [velocity]; empty: recovery is as fast as steps are
   std::vector<AcceptedOverlap> accepted{};  ///< ordered by (slave, body), each pair once
   std::vector<BodyPair> fitted{};           ///< ascending: bodies of which some overlap was accepted, or moved away
 };
@@ -88,6 +89,11 @@ struct DetectionScratch {
 /// [length]; 0 where none is accepted.
 double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex slave, std::int32_t body);
 
+/// The time that stands for the step where a penetration is recovered [time]: the step, or if that is longer half the
+/// time that sound takes along `size` [length] in the slower of the two bodies, which is about the stable step of a
+/// cube of that size by itself. sound: of each body [velocity], or empty.
+double recovery_time(const Row& row, double size, double dt, std::span<const double> sound);
+
 /// Least rate that the row's gap asks for [velocity]: it may close within the step; a penetration is recovered, a
 /// limited share of it a step. Under load recovery does work on the bodies. Where they drifted in, that is little.
 /// Edges that are deeper when they are first seen (they slipped over a rim, or their crossing passed a node where the
@@ -96,6 +102,10 @@ double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex sla
 /// would add up (a pressed cube that hangs over another crept in by a tenth of an edge). But of fitted bodies nodes
 /// too: what slides into the seat comes as deep as others lay there at the start, without any work, and pushed out it
 /// gave 95 % of a peg's energy in a hole.
+///
+/// Where steps are short (a small element elsewhere, or one that is crushed) recovery_time counts in their place. Else
+/// the speed would grow as they shrink, and nodes that are first seen deep, behind a rim, would be shot out: contact
+/// gave 12 % of an impact's energy.
 double required_rate(const Row& row, double size, double dt, std::span<const NodeMotion> motion,
                      const DetectionSettings& settings);
 

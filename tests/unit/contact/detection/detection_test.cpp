@@ -104,6 +104,18 @@ TEST_CASE("a penetration is recovered at a limited rate") {
   CHECK(scene.detect({0.5, 0.5, 0.7}).empty());  // deeper than the capture: not this face's business
 }
 
+// At a share of the depth in each step bodies would be shot out of each other where steps are short.
+TEST_CASE("a penetration is recovered no faster than the slower body's elements feel it, however short the step") {
+  CubeAndNode scene;
+  const double depth = 2e-3, edge = 1, dt = 1e-3;
+  for (const double sound : {1e4, 1e3, 200.0, 10.0}) {
+    CAPTURE(sound);
+    scene.settings.sound = {sound, 300 * sound};
+    CHECK(scene.detect({0.5, 0.5, 1 - depth}).at(0).required ==
+          Approx(0.05 * depth / std::max(dt, 0.5 * edge / sound)).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("of nodes, which sink in by what each step leaves, a penetration is recovered under load as well") {
   CubeAndNode scene;
   scene.settings.recovery_gives = false;
