@@ -56,6 +56,7 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
   settings_.enforcement.warm_start =
       settings_.enforcement.warm_start && settings_.bodies && (method == Method::rate || method == Method::row_sum);
   settings_.enforcement.averaged = settings_.pairs.averages();
+  settings_.detection.drifts = settings_.enforcement.averaged || !solves_rows(method);
   settings_.detection.twin = twin_share * surface_.mean_depth;
   std::vector<comm::RemoteSlot> source;
   for (std::size_t i = 0; i < surface_.gid.size(); ++i) {

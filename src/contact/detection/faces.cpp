@@ -245,11 +245,13 @@ double recovery_time(const Row& row, double size, double dt, std::span<const dou
 double required_rate(const Row& row, double size, double dt, std::span<const NodeMotion> motion,
                      const DetectionSettings& settings) {
   if (row.gap >= 0) return -row.gap / dt;
-  const double recovery = std::min(-settings.recovery * row.gap, settings.recovery_limit * size) /
-                          recovery_time(row, size, dt, settings.sound);
+  const double time = recovery_time(row, size, dt, settings.sound);
+  const double recovery = std::min(-settings.recovery * row.gap, settings.recovery_limit * size) / time;
   const bool fitted = are_fitted(settings.fitted, row);
-  const bool gives = !fitted && (settings.recovery_gives || !row.is_edge());
-  if (gives || -row.gap <= (fitted ? settings.touch : settings.drift) * size) return recovery;
+  if (settings.recovery_gives && !fitted) return recovery;
+  if (!fitted && !row.is_edge())
+    return settings.drifts ? recovery : std::min(recovery, settings.late_limit * size / time);
+  if (-row.gap <= (fitted ? settings.touch : settings.drift) * size) return recovery;
   const Vec3 relative = relative_motion(
       row, [&](LocalIndex node) -> const Vec3& { return motion[static_cast<std::size_t>(node)].old_velocity; });
   return std::clamp(-row.normal.dot(relative), 0.0, recovery);

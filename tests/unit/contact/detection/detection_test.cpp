@@ -119,6 +119,11 @@ TEST_CASE("a penetration is recovered no faster than the slower body's elements 
 TEST_CASE("of nodes, which sink in by what each step leaves, a penetration is recovered under load as well") {
   CubeAndNode scene;
   scene.settings.recovery_gives = false;
+  CHECK(scene.detect({0.5, 0.5, 1 - 2e-4}).front().required == Approx(0.05 * 2e-4 / 1e-3));
+  // deeper ones were seen late, and are parted no faster
+  CHECK(scene.detect({0.5, 0.5, 1 - 2e-3}).front().required == Approx(5e-5 / 1e-3));
+  CHECK(scene.detect({0.5, 0.5, 1 - 2e-2}).front().required == Approx(5e-5 / 1e-3));
+  scene.settings.drifts = true;  // but where steps leave more
   CHECK(scene.detect({0.5, 0.5, 1 - 2e-3}).front().required == Approx(0.05 * 2e-3 / 1e-3));
 }
 
