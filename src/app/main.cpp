@@ -31,6 +31,7 @@ void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
 void add_run(CLI::App& program, app::RunOptions& options, Command& chosen) {
   CLI::App* run = program.add_subcommand("run", "Run a scene");
   run->add_option("scene", options.scene, "Scene file (YAML)")->required();
+  run->footer("Results, key by key with units: src/io/README.md. Keys of a scene: src/scene/README.md");
   run->add_option("--out", options.out, "Result folder; default: SCENE.out");
   add_overrides(*run, options.overrides);
   run->add_option("--restart", options.restart, "Go on from a checkpoint file or the latest of a result folder");

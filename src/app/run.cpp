@@ -195,6 +195,19 @@ io::ExistingResults existing_results(const RunOptions& options, const std::strin
   return its_own ? io::ExistingResults::keep : io::ExistingResults::refuse;
 }
 
+/// A checkpoint that is more than a step past the end asked for belongs to a longer run.
+void refuse_past_end(const Prepared& run, const std::string& checkpoint) {
+  const scene::Run& limits = run.input.run;
+  const model::State& state = run.state;
+  if (limits.end && state.time_before >= *limits.end)
+    throw InputError(fmt::format("{}: {:g} is past already: {} stands at t = {:g}; accepted: a later time",
+                                 run.input.at("run.end"), *limits.end, checkpoint, state.time));
+  if (limits.steps && state.step > static_cast<double>(*limits.steps))
+    throw InputError(fmt::format("{}: {} are done already: {} stands at step {}; accepted: more steps",
+                                 run.input.at("run.steps"), *limits.steps, checkpoint,
+                                 static_cast<GlobalIndex>(state.step)));
+}
+
 void announce(const Prepared& run, Log& log) {
   const model::Model& model = run.model;
   log.line(fmt::format("{} ({} units)", run.input.title.empty() ? run.input.file : run.input.title, run.input.units));
@@ -228,6 +241,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   if (!checkpoint.empty()) {
     restart_step = io::read_checkpoint(ranks, checkpoint, prepared->fingerprint, prepared->registry()).step;
     prepared->after_restart();
+    refuse_past_end(*prepared, checkpoint);
   }
   io::prepare_result_folder(ranks, folder, existing_results(options, checkpoint, folder));
   if (ranks.is_root()) log.open(folder, restart_step.has_value());
@@ -235,6 +249,12 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   for (const std::string& warning : prepared->warnings) log.warning(warning);
   for (const std::string& note : prepared->overlaps.report.notes) log.line(note);
   if (restart_step) log.line(fmt::format("restart from {} at step {}", checkpoint, *restart_step));
+  const bool over = restart_step && at_end(prepared->state, prepared->input.run);
+  if (over)
+    log.warning(
+        fmt::format("nothing is left to run: the checkpoint stands at t = {:g}, step {}, where this run ends; a "
+                    "later run.end (or more run.steps) would go on from there",
+                    prepared->state.time, *restart_step));
 
   catch_signals();
   // the step of the checkpoint is evaluated again: its own records come anew
@@ -242,7 +262,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   Loop loop(*prepared, results, log);
   const Outcome outcome = loop.go();
   if (!outcome.message.empty()) log.line("stopped: " + outcome.message);
-  if (const double past = overshoot(prepared->state, prepared->input.run); past > 0.01)
+  if (const double past = overshoot(prepared->state, prepared->input.run); past > 0.01 && !over)
     log.warning(
         fmt::format("the run ended at t = {:g}, {:.2g} % past its end: steps are never cut, and this run has few",
                     prepared->state.time, 100 * past));

@@ -202,6 +202,24 @@ class Start(Program):
         os.close(slave)
         self.assertIn(b"s left", os.read(master, 1 << 16))
 
+    def test_a_restart_past_its_end(self):
+        self.write("rod.yaml", scenes.ROD)
+        self.run_scene(2, "rod.yaml", "--out", "out")
+        left = self.summary("out")
+        for option, value, phrases in (("run.steps", "9", ["9 are done already", "at step 10"]),
+                                       ("run", "{end: 1.0e-5}", ["1e-05 is past already", "stands at t = "])):
+            done = subprocess.run([RUN, "-np", "2", "rod.yaml", "--out", "out", "--restart", "out", "--set", f"{option}={value}"],
+                                  cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE, check=False)
+            self.assertEqual(done.returncode, 2, done.stderr + done.stdout)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            for phrase in ["run.", "checkpoint_", "accepted", *phrases]:
+                self.assertIn(phrase, done.stderr)
+        self.assertEqual(self.summary("out"), left)  # refused before anything was touched
+        self.run_scene(1, "rod.yaml", "--out", "out", "--restart", "out")
+        self.assertEqual(self.text("out", "log.txt").count("nothing is left to run"), 1)
+        self.assertEqual(self.text("out", "log.txt").count("past its end"), 0)
+        self.assertEqual(self.summary("out")["state_hash"], left["state_hash"])
+
     def test_touching_is_no_overlap(self):
         self.assertEqual(self.check(1.0)[0], 0)
         self.assertEqual(self.check(1 - 1e-9)[0], 0)
