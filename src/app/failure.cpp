@@ -47,16 +47,16 @@ int guarded(const comm::Communicator& ranks, const std::function<int()>& command
   return leave_exit_code(code, ranks.is_root());
 }
 
-void share_faults(const comm::Communicator& ranks, std::vector<std::string> faults) {
+void share_faults(const comm::Communicator& ranks, std::vector<std::string> faults, Rank from) {
   std::string text;
   for (const std::string& fault : faults) text += fault + '\n';
-  ranks.broadcast(text);
+  ranks.broadcast(text, from);
   if (text.empty()) return;
   faults.clear();
-  for (std::size_t from = 0; from < text.size();) {
-    const std::size_t to = text.find('\n', from);
-    faults.push_back(text.substr(from, to - from));
-    from = to + 1;
+  for (std::size_t first = 0; first < text.size();) {
+    const std::size_t last = text.find('\n', first);
+    faults.push_back(text.substr(first, last - first));
+    first = last + 1;
   }
   throw InputError(std::move(faults));
 }

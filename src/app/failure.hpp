@@ -15,8 +15,8 @@ namespace brunt::app {
 /// that other ranks cannot know of ends them all.
 int guarded(const comm::Communicator& ranks, const std::function<int()>& command);
 
-/// Throws on every rank what was thrown on the root. Collective.
-void share_faults(const comm::Communicator& ranks, std::vector<std::string> faults);
+/// Throws on every rank what was thrown on rank `from`. Collective.
+void share_faults(const comm::Communicator& ranks, std::vector<std::string> faults, Rank from = 0);
 
 /// Calls `work` on the root; an InputError there becomes one on every rank. Collective.
 template <class Work>

@@ -15,7 +15,8 @@ class Log {
   Log(const Log&) = delete;
   Log& operator=(const Log&) = delete;
 
-  /// Starts log.txt in the folder, or goes on in it. What was said before is written to it first.
+  /// Starts log.txt in the folder, or goes on in it, and holds the folder for this run. What was said before is written
+  /// to it first. Throws InputError where another run holds the folder; for the root alone (app::on_root).
   void open(const std::string& folder, bool append);
   void line(const std::string& text);
   void warning(const std::string& text);

@@ -164,12 +164,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
     faults = error.faults();
   }
   // a fault may show on one rank only: the first rank that has one speaks for all
-  for (Rank r = 0; r < ranks.size(); ++r) {
-    std::string text;
-    for (const std::string& fault : faults) text += (text.empty() ? "" : "\n") + fault;
-    ranks.broadcast(text, r);
-    if (!text.empty()) throw InputError(text);
-  }
+  for (Rank r = 0; r < ranks.size(); ++r) share_faults(ranks, faults, r);
   prepared->links = time::link_ranks(ranks, prepared->model);
   time::initialise(prepared->model, prepared->state, prepared->scratch, prepared->links,
                    scene::initial_velocities(prepared->input, prepared->model));

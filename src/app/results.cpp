@@ -16,6 +16,7 @@
 #include "brunt/model/hash.hpp"
 #include "brunt/scene/units.hpp"
 #include "brunt/time/initialise.hpp"
+#include "failure.hpp"
 #include "fields.hpp"
 
 namespace brunt::app {
@@ -68,8 +69,9 @@ Results::Results(Prepared& run, std::string folder, std::optional<GlobalIndex> r
     : run_(run), folder_(std::move(folder)), log_(log), probes_(run, units_of(run)) {
   std::vector<io::HistoryColumn> columns = ledger_columns(units_of(run));
   columns.insert(columns.end(), probes_.columns().begin(), probes_.columns().end());
-  if (run.links.ranks.is_root())
+  on_root(run.links.ranks, [&] {  // a history that does not fit is refused on all ranks
     history_ = std::make_unique<io::HistoryFile>(folder_ + "/history.csv", columns, restart_step);
+  });
   states_ = std::make_unique<io::StateFile>(run.links.ranks, folder_,
                                             io::state_mesh(run.model.mesh, run.links.ranks.rank()), restart_step);
   extent_ = half_diagonal(run);

@@ -40,7 +40,8 @@ struct Outcome {
 
 class Loop {
  public:
-  Loop(Prepared& run, Results& results, Log& log) : run_(run), results_(results), log_(log) {}
+  Loop(Prepared& run, Results& results, Log& log, Clock::time_point program_start)
+      : run_(run), results_(results), log_(log), program_start_(program_start) {}
 
   Outcome go() {
     results_.table_header();
@@ -95,7 +96,7 @@ class Loop {
     }
     if (static_cast<GlobalIndex>(state.step) % 20 == 0) {
       const double share = progress(state, input.run);
-      log_.progress(share, share > 0 ? seconds_since(start_) * (1 - share) / share : 0);
+      log_.progress(share, seconds_left(seconds_since(start_), first_share_, share));
     }
   }
 
@@ -116,7 +117,7 @@ class Loop {
     if (static_cast<GlobalIndex>(run_.state.step) % steps_between_looks != 0) return false;
     const Requests asked = take_requests();
     const bool root = run_.links.ranks.is_root();
-    const bool late = root && run_.input.run.wall_limit && seconds_since(start_) > *run_.input.run.wall_limit;
+    const bool late = root && run_.input.run.wall_limit && seconds_since(program_start_) > *run_.input.run.wall_limit;
     const bool control = root && std::filesystem::exists(results_.folder() + "/stop");
     double flags[4] = {asked.checkpoint ? 1.0 : 0.0, asked.stop ? 1.0 : 0.0, late ? 1.0 : 0.0, control ? 1.0 : 0.0};
     run_.links.ranks.max(flags);
@@ -163,7 +164,9 @@ class Loop {
   Prepared& run_;
   Results& results_;
   Log& log_;
+  Clock::time_point program_start_;  ///< for the wall limit: a batch system counts the preparation too
   Clock::time_point start_ = Clock::now();
+  double first_share_ = progress(run_.state, run_.input.run);
   LoopCost cost_;
   double passes_ = 0;
   double longest_step_ = 0;
@@ -188,11 +191,11 @@ std::string checkpoint_of(const comm::Communicator& ranks, const std::string& re
 /// A run goes on in the folder of its checkpoint; in another one there are results of another run.
 io::ExistingResults existing_results(const RunOptions& options, const std::string& checkpoint,
                                      const std::string& folder) {
-  if (options.force) return io::ExistingResults::replace;
   std::error_code no_folder;
   const std::filesystem::path from = std::filesystem::path(checkpoint).parent_path();
   const bool its_own = !checkpoint.empty() && std::filesystem::equivalent(from.empty() ? "." : from, folder, no_folder);
-  return its_own ? io::ExistingResults::keep : io::ExistingResults::refuse;
+  if (its_own) return io::ExistingResults::keep;  // also by force: the checkpoint is one of the results
+  return options.force ? io::ExistingResults::replace : io::ExistingResults::refuse;
 }
 
 /// A checkpoint that is more than a step past the end asked for belongs to a longer run.
@@ -244,7 +247,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
     refuse_past_end(*prepared, checkpoint);
   }
   io::prepare_result_folder(ranks, folder, existing_results(options, checkpoint, folder));
-  if (ranks.is_root()) log.open(folder, restart_step.has_value());
+  on_root(ranks, [&] { log.open(folder, restart_step.has_value()); });
   announce(*prepared, log);
   for (const std::string& warning : prepared->warnings) log.warning(warning);
   for (const std::string& note : prepared->overlaps.report.notes) log.line(note);
@@ -259,7 +262,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   catch_signals();
   // the step of the checkpoint is evaluated again: its own records come anew
   Results results(*prepared, folder, restart_step ? std::optional(*restart_step - 1) : std::nullopt, log);
-  Loop loop(*prepared, results, log);
+  Loop loop(*prepared, results, log, start);
   const Outcome outcome = loop.go();
   if (!outcome.message.empty()) log.line("stopped: " + outcome.message);
   if (const double past = overshoot(prepared->state, prepared->input.run); past > 0.01 && !over)

@@ -47,4 +47,9 @@ inline double progress(const model::State& state, const scene::Run& run) {
   return std::min(share, 1.0);
 }
 
+/// Time that the rest of the run will take at the speed since it (or its restart) began at the share `first` [s].
+inline double seconds_left(double elapsed, double first, double share) {
+  return share > first ? elapsed * (1 - share) / (share - first) : 0;
+}
+
 }  // namespace brunt::app

@@ -82,6 +82,10 @@ void apply_overrides(Tree& scene, std::span<const std::string> overrides, Faults
       faults.add(place, "", "no key with a value; accepted: --set key.path=value, such as run.end=1.0e-5");
       continue;
     }
+    if (override_text.find_first_not_of(" \t", equals + 1) == std::string::npos) {
+      faults.add(place, "", "no value is given; accepted: --set key.path=value; null takes the key away");
+      continue;
+    }
     const std::optional<Tree> value = parse_value(override_text.substr(equals + 1), place, faults);
     if (value) apply(scene, path, *value, place, faults);
   }

@@ -2,9 +2,34 @@
 // Figures in messages.
 #include "app/log.hpp"
 
+#include <sys/file.h>
+
 #include <catch2/catch.hpp>
+#include <fstream>
+#include <sstream>
+
+#include "brunt/core/error.hpp"
+#include "prepared_scene.hpp"
 
 using brunt::app::told_from;
+
+TEST_CASE("log: a folder that another run has taken since it was looked at is left as it is") {
+  const brunt::support::SceneFolder folder;
+  const std::string path = folder.write("log.txt", "of the other run\n");
+  std::FILE* other = std::fopen(path.c_str(), "a");
+  REQUIRE(flock(fileno(other), LOCK_EX | LOCK_NB) == 0);
+  {
+    brunt::app::Log log(true, true);
+    CHECK_THROWS_AS(log.open(folder.path.string(), false), brunt::InputError);
+  }
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  CHECK(text.str() == "of the other run\n");
+  std::fclose(other);
+  brunt::app::Log log(true, true);
+  log.open(folder.path.string(), false);  // free again: begun anew
+  CHECK(std::filesystem::file_size(path) == 0);
+}
 
 TEST_CASE("log: a figure above a limit is never written as the limit") {
   CHECK(told_from(0.25, 1e-3) == "0.25");

@@ -64,3 +64,9 @@ TEST_CASE("schedule: end, overshoot and share of a run") {
   run.end.reset();
   CHECK(app::overshoot(at(6, 1.5, 2.5), run) == 0);
 }
+
+TEST_CASE("schedule: time left is told by the speed since this start, not by what was done before it") {
+  CHECK(app::seconds_left(10, 0, 0.25) == Approx(30));
+  CHECK(app::seconds_left(10, 0.9, 0.95) == Approx(10));  // after a restart
+  CHECK(app::seconds_left(10, 0.5, 0.5) == 0);            // nothing to tell yet
+}

@@ -270,6 +270,7 @@ TEST_CASE("wrong overrides are named as such", "[scene]") {
   check_message(faults_of(good, {"run.ned=1"}), "--set run.ned=1: run.ned", {"unknown key", "did you mean 'end'?"});
   check_message(faults_of(good, {"run.end=-1"}), "--set run.end=-1: run.end", {"out of range"});
   check_message(faults_of(good, {"run.end"}), "--set run.end", {"--set key.path=value"});
+  check_message(faults_of(good, {"run.cfl="}), "--set run.cfl=", {"no value", "null"});
   check_message(faults_of(good, {"run..end=1"}), "--set run..end=1", {"--set key.path=value"});
   check_message(faults_of(good, {"mesh.2.box.scale=1"}), "--set mesh.2.box.scale=1: mesh.2", {"no such entry"});
   check_message(faults_of(good, {"run.end.x=1"}), "--set run.end.x=1: run.end.x", {"its parent is a single value"});
