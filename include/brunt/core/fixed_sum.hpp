@@ -9,8 +9,9 @@ namespace brunt {
 
 class FixedUnit {
  public:
-  /// bound: the size of the largest terms, the same on all ranks; sums up to 2^32 times as large are held.
-  explicit FixedUnit(double bound) {
+  /// bound: the size of the largest terms, the same on all ranks; sums up to 2^32 times as large are held (in general
+  /// 2^(62 - digits) times).
+  explicit FixedUnit(double bound, int digits = 30) {
     if (!(bound > 0) || !std::isfinite(bound)) return;
     int exponent = 0;
     std::frexp(bound, &exponent);
@@ -21,7 +22,6 @@ class FixedUnit {
   [[nodiscard]] double value(std::int64_t sum) const { return static_cast<double>(sum) * unit_; }
 
  private:
-  static constexpr int digits = 30;
   double unit_ = 0, per_unit_ = 0;  // without a bound every sum is zero
 };
 

@@ -26,8 +26,7 @@ EnforcementResult enforce(const System& system, const EnforcementSettings& setti
     return enforce_averaged(system, settings, dt, exchange, impulses, velocity, scratch);
   switch (settings.method) {
     case Method::rate:
-      return enforce_rate_constraint(system, settings, StepLength::barzilai_borwein, exchange, impulses, velocity,
-                                     scratch);
+      return enforce_rate_constraint(system, settings, StepLength::longer, exchange, impulses, velocity, scratch);
     case Method::row_sum:
       return enforce_rate_constraint(system, settings, StepLength::row_sum, exchange, impulses, velocity, scratch);
     case Method::printed:

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <utility>
 
+#include "brunt/contact/enforcement/conjugate.hpp"
 #include "brunt/core/fixed_sum.hpp"
 
 namespace brunt::contact {
@@ -100,51 +99,41 @@ double quotient(const Judgement& now, int iteration) {
   return length >= 1 ? std::min(length, longest) : 1.0;  // also where nothing is left to divide
 }
 
-/// Has the residual been halved in so many iterations? Else a few sweeps of row sums, which descend, come in between.
-/// (To go on with them alone took more than 200 iterations where five of them and long steps again take 60; more of
-/// them each time took 2000 to 1e-6 where the same five take 500.)
-class Stall {
- public:
-  explicit Stall(int patience) : patience_(patience) {}
-  /// 0: none.
-  int sweeps_due(int iteration, double residual) {
-    constexpr int few = 5;
-    best_ = std::min(best_, residual);
-    if (iteration % patience_ != 0) return 0;
-    return best_ <= 0.5 * std::exchange(before_, best_) ? 0 : few;
-  }
-
- private:
-  int patience_;
-  double best_ = std::numeric_limits<double>::infinity(), before_ = best_;
-};
-
-/// v = v*; the largest violation by it, and the largest impulse to start from on a node: in one message.
-std::array<double, 2> look_at_start(const System& system, bool warm_start, Exchange& exchange,
-                                    std::span<const Vec3> impulses, std::span<Vec3> velocity) {
+/// v = v*, and what all ranks are to know, in one message.
+Setting look_at_rows(const System& system, bool warm_start, Exchange& exchange, std::span<const Vec3> impulses,
+                     std::span<Vec3> velocity) {
   take_prediction(system, velocity);
-  std::array<double, 2> largest{violation_here(system, velocity),
-                                warm_start ? largest_impulse_on_a_node(system.rows, impulses) : 0.0};
+  double share = 1, rubs = 0, holds = 0;
+  for (const Row& row : system.rows) {
+    share = std::max(share, largest_share(row));
+    if ((row.friction > 0 || row.lagging > 0) && !std::isinf(row.friction)) rubs = 1;
+    if (std::isinf(row.friction)) holds = 1;
+  }
+  std::array<double, 5> largest{violation_here(system, velocity),
+                                warm_start ? largest_impulse_on_a_node(system.rows, impulses) : 0.0, share, rubs,
+                                holds};
   exchange.max(largest);
-  return largest;
+  return {.violation = largest[0],
+          .impulse = largest[1],
+          .share = largest[2],
+          .rubs = largest[3] > 0,
+          .holds = largest[4] > 0};
 }
 
-/// The residual to end with, of the one to start from: see the header.
+}  // namespace
+
 double residual_to_reach(const EnforcementSettings& settings, double first) {
   constexpr double gained = 0.03, still = 1e-8;  // of a warm start's residual; of the tolerance
   if (!settings.warm_start) return settings.tolerance;
   return std::min(settings.tolerance, std::max(gained * first, still * settings.tolerance));
 }
 
-}  // namespace
-
 EnforcementResult iterate(const System& system, const EnforcementSettings& settings, StepLength length, bool coupled,
                           double violation, Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
                           EnforcementScratch& scratch) {
   EnforcementResult result{.violation = violation};
   Iteration iteration(system, coupled, exchange, impulses, velocity, scratch);
-  const bool quotients = length == StepLength::barzilai_borwein;
-  constexpr double rounding_share = 1e-15;
+  const bool quotients = length == StepLength::longer;
   constexpr double long_steps_share = 0.75;  // of the iterations, where they do not descend
   Stall stall(30);                           // Barzilai-Borwein steps do not descend one by one
   double enough = settings.tolerance;
@@ -178,12 +167,14 @@ EnforcementResult iterate(const System& system, const EnforcementSettings& setti
 EnforcementResult enforce_rate_constraint(const System& system, const EnforcementSettings& settings, StepLength length,
                                           Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
                                           EnforcementScratch& scratch) {
-  const auto [violation, largest] = look_at_start(system, settings.warm_start, exchange, impulses, velocity);
-  if (violation == 0 || !settings.warm_start) std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
-  if (violation == 0) return {};
+  const Setting setting = look_at_rows(system, settings.warm_start, exchange, impulses, velocity);
+  if (setting.violation == 0 || !settings.warm_start) std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
+  if (setting.violation == 0) return {};
   const bool coupled = form_row_sums(system, exchange, scratch);
-  if (largest > 0) apply_impulses(system, impulses, largest, exchange, velocity, scratch);
-  return iterate(system, settings, length, coupled, violation, exchange, impulses, velocity, scratch);
+  if (setting.impulse > 0) apply_impulses(system, impulses, setting.impulse, exchange, velocity, scratch);
+  if (length == StepLength::longer && !setting.rubs)
+    return iterate_conjugate(system, settings, setting, coupled, exchange, impulses, velocity, scratch);
+  return iterate(system, settings, length, coupled, setting.violation, exchange, impulses, velocity, scratch);
 }
 
 }  // namespace brunt::contact

@@ -104,13 +104,39 @@ void sum_rows_of_nodes(const System& system, Exchange& exchange, EnforcementScra
   exchange.share(scratch.row_sum, 1);
 }
 
+void sum_impulses_of_nodes(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,
+                           EnforcementScratch& scratch) {
+  const ImpulseGrid grid(BinGrid::for_bound(largest));
+  scratch.impulse_parts.assign(system.motion.size() * impulse_width, 0.0);
+  for (std::size_t q = 0; q < system.rows.size(); ++q) {
+    if (impulses[q].isZero(0)) continue;
+    const Row& row = system.rows[q];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
+      grid.add(impulse_on_node(row, i, impulses[q]),
+               &scratch.impulse_parts[static_cast<std::size_t>(row.nodes[i]) * impulse_width]);
+  }
+  exchange.sum_to_owner(scratch.impulse_parts, impulse_width);
+}
+
+Vec3 answer(const Mobility& mobility, const Vec3& impulse) {
+  return mobility.inverse_mass * (mobility.projector * impulse);
+}
+
+void share_velocities(Exchange& exchange, std::span<Vec3> velocity) {
+  // a rank without nodes takes part all the same
+  exchange.share(
+      velocity.empty() ? std::span<double>{} : std::span<double>(velocity.front().data(), 3 * velocity.size()), 3);
+}
+
 }  // namespace
 
 void EnforcementScratch::reserve(std::size_t rows, std::size_t nodes) {
   diagonal.reserve(rows);
   share.reserve(rows);
   previous.reserve(rows);
-  missing.reserve(rows);
+  for (std::vector<Vec3>* of_rows : {&missing, &step, &direction, &step_change, &change}) of_rows->reserve(rows);
+  inverse.reserve(rows);
+  chosen.reserve(rows);
   row_sum.reserve(nodes);
   row_sum_parts.reserve(nodes * row_sum_width);
   impulse_parts.reserve(nodes * impulse_width);
@@ -126,10 +152,6 @@ void EnforcementScratch::reserve_passes(std::size_t rows) {
 void demand_finite(double largest) {
   if (!std::isfinite(largest))
     throw GuardError("contact: an impulse is not finite; the velocities that came in are not, or grew without bound");
-}
-
-void keep_max(double& largest, double value) {
-  if (!(value <= largest)) largest = std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
 }
 
 Vec3 relative_velocity(const Row& row, std::span<const Vec3> velocity) {
@@ -200,24 +222,18 @@ void form_diagonal(const System& system, EnforcementScratch& scratch) {
 
 void apply_impulses(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,
                     std::span<Vec3> velocity, EnforcementScratch& scratch) {
-  const std::size_t nodes = system.motion.size();
-  const ImpulseGrid grid(BinGrid::for_bound(largest));
-  scratch.impulse_parts.assign(nodes * impulse_width, 0.0);
-  for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    if (impulses[q].isZero(0)) continue;
-    const Row& row = system.rows[q];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
-      grid.add(impulse_on_node(row, i, impulses[q]),
-               &scratch.impulse_parts[static_cast<std::size_t>(row.nodes[i]) * impulse_width]);
-  }
-  exchange.sum_to_owner(scratch.impulse_parts, impulse_width);
-  for (std::size_t node = 0; node < nodes; ++node) {
-    const Mobility& mobility = system.mobility[node];
-    velocity[node] =
-        system.motion[node].predicted + mobility.inverse_mass * (mobility.projector * impulse_of_node(scratch, node));
-  }
-  // a rank without nodes takes part all the same
-  exchange.share(nodes == 0 ? std::span<double>{} : std::span<double>(velocity.front().data(), 3 * nodes), 3);
+  sum_impulses_of_nodes(system, impulses, largest, exchange, scratch);
+  for (std::size_t node = 0; node < system.motion.size(); ++node)
+    velocity[node] = system.motion[node].predicted + answer(system.mobility[node], impulse_of_node(scratch, node));
+  share_velocities(exchange, velocity.first(system.motion.size()));
+}
+
+void velocities_of_impulses(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,
+                            std::span<Vec3> velocity, EnforcementScratch& scratch) {
+  sum_impulses_of_nodes(system, impulses, largest, exchange, scratch);
+  for (std::size_t node = 0; node < system.motion.size(); ++node)
+    velocity[node] = answer(system.mobility[node], impulse_of_node(scratch, node));
+  share_velocities(exchange, velocity.first(system.motion.size()));
 }
 
 }  // namespace brunt::contact

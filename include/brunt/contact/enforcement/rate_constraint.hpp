@@ -4,7 +4,8 @@
 //   p <- admitted(p + alpha missing / H),
 // with H the row sums (see system.hpp) in place of the paper's eq. (29).
 // - row sums alone: alpha = 1. Descends monotonically for any masses and meshes; stopped early it never gives energy.
-// - Barzilai-Borwein: alpha is the quotient s.Hs / s.As or s.As / As.H^-1 As of the last change s of the
+// - conjugate residuals, where no row has Coulomb friction: see conjugate.hpp.
+// - Barzilai-Borwein, where some do: alpha is the quotient s.Hs / s.As or s.As / As.H^-1 As of the last change s of the
 //   impulses, which is 1 or more (Barzilai and Borwein, IMA J. Numer. Anal. 8, 1988; projected: Dai and Fletcher,
 //   Numer. Math. 100, 2005). Where thirty iterations have not halved the residual a few sweeps of row sums come in
 //   between, in the last quarter of max_iterations nothing else (rows that nearly contradict each other have no end,
@@ -18,11 +19,43 @@
 // That takes 2.3 iterations a step in the mean and 6 at most in cases/stack, none in impacts. They count in
 // max_iterations, but a step that ends there within the tolerance has not ended at the limit (see ended_at_limit).
 #pragma once
+#include <algorithm>
+#include <limits>
+#include <utility>
+
 #include "brunt/contact/enforcement/enforce.hpp"
 
 namespace brunt::contact {
 
-enum class StepLength { row_sum, barzilai_borwein };
+enum class StepLength {
+  row_sum,
+  longer  ///< conjugate residuals or Barzilai-Borwein steps
+};
+
+/// Has the residual been halved in so many iterations? Else a few sweeps of row sums, which descend, come in between.
+/// (To go on with them alone took more than 200 iterations where five of them and long steps again take 60; more of
+/// them each time took 2000 to 1e-6 where the same five take 500.)
+class Stall {
+ public:
+  explicit Stall(int patience) : patience_(patience) {}
+  /// 0: none.
+  int sweeps_due(int iteration, double residual) {
+    constexpr int few = 5;
+    best_ = std::min(best_, residual);
+    if (iteration % patience_ != 0) return 0;
+    return best_ <= 0.5 * std::exchange(before_, best_) ? 0 : few;
+  }
+
+ private:
+  int patience_;
+  double best_ = std::numeric_limits<double>::infinity(), before_ = best_;
+};
+
+/// Of the velocities: no residual below it is worth an iteration.
+constexpr double rounding_share = 1e-15;
+
+/// The residual to end with, of the one to start from: see above.
+double residual_to_reach(const EnforcementSettings& settings, double first);
 
 /// As `enforce`; scratch.diagonal is formed here.
 EnforcementResult enforce_rate_constraint(const System& system, const EnforcementSettings& settings, StepLength length,

@@ -4,6 +4,8 @@
 // Sums over rows are binned, so no bit depends on the ranks.
 #pragma once
 #include <array>
+#include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -28,6 +30,10 @@ struct EnforcementScratch {
   std::vector<double> diagonal;              ///< H [1/mass], a row each; 0: no impulse in this row can change its rate
   std::vector<Vec3> previous;                ///< impulses of the iterate before, a row each
   std::vector<Vec3> missing;                 ///< what the rows still ask for [velocity], a row each
+  std::vector<Vec3> step, direction;         ///< of conjugate residuals [momentum], a row each
+  std::vector<Vec3> step_change, change;     ///< G W G^T of them [velocity], a row each
+  std::vector<double> inverse;               ///< of the diagonal, 0 for 0 [mass], a row each
+  std::vector<char> chosen;                  ///< rows that conjugate residuals go over
   std::vector<std::array<double, 5>> share;  ///< |G_qn P_n| of a row's nodes (of a lever: a bound of it), a row each
   std::vector<double> row_sum;               ///< s, a node each
   std::vector<double> row_sum_parts;         ///< two slices and the number of rows, a node each
@@ -52,7 +58,10 @@ inline Vec3 impulse_of_node(const EnforcementScratch& scratch, std::size_t node)
 void demand_finite(double largest);
 
 /// Maximum that does not lose NaN, which compares false with everything.
-void keep_max(double& largest, double value);
+inline void keep_max(double& largest, double value) {
+  if (!(value <= largest)) [[unlikely]]
+    largest = std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+}
 
 /// Of the row's nodes [velocity]; see Row.
 Vec3 relative_velocity(const Row& row, std::span<const Vec3> velocity);
@@ -86,5 +95,9 @@ void form_diagonal(const System& system, EnforcementScratch& scratch);
 /// ranks. Collective.
 void apply_impulses(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,
                     std::span<Vec3> velocity, EnforcementScratch& scratch);
+
+/// W G^T p alone, in the place of velocity. Collective.
+void velocities_of_impulses(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,
+                            std::span<Vec3> velocity, EnforcementScratch& scratch);
 
 }  // namespace brunt::contact

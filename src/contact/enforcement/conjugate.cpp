@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/enforcement/conjugate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "brunt/contact/enforcement/rate_constraint.hpp"
+#include "brunt/core/fixed_sum.hpp"
+#include "row_kinds.hpp"
+
+namespace brunt::contact {
+namespace {
+
+/// What one reduction tells of an iterate p, the same on every rank. z: the step of length 1 on the chosen rows; d: the
+/// last direction; A = G W G^T.
+struct Look {
+  double residual = 0;                                 ///< max H |sweep of length 1| [velocity]
+  double impulse = 0, step = 0, direction = 0;         ///< largest |p|; of z and of the sweep; |d| [momentum]
+  double along = 0, astray = 0;                        ///< z.Hz; |sweep of length 1 - z|^2 in the same metric [energy]
+  double drop = 0, change = 0, overlap = 0, size = 0;  ///< z.Az, Az.H^-1 Az, Az.H^-1 Ad, d.Hd [energy]
+};
+
+/// Sums of which a bound of all their terms together is known.
+FixedUnit unit_of_sum(double bound) {
+  constexpr int digits = 50;
+  return FixedUnit(bound, digits);
+}
+
+double squared(double x) {
+  return x * x;
+}
+
+template <class Kind>
+class Conjugate {
+ public:
+  using Amount = typename Kind::Amount;
+
+  Conjugate(const System& system, const Setting& setting, Exchange& exchange, std::span<Vec3> impulses,
+            std::span<Vec3> velocity, EnforcementScratch& scratch);
+
+  /// coupled: in, of this rank's rows, out, of any rank's; speed: largest component of a slave's velocity.
+  Look look_at_start(bool& coupled, double& speed);
+  /// One product: every row, then rows are chosen anew.
+  Look sweep(double length);
+  /// One product with z.
+  Look look_along();
+  /// To the iterate that leaves least on the chosen rows. Returns the share of z that is left: 1 if none is gained.
+  double advance(const Look& now);
+  /// A last sweep of length 1, unseen.
+  void finish() { move_all(1); }
+  [[nodiscard]] bool has_direction() const { return known_.size > 0; }
+
+ private:
+  /// The maxima and sums that any look has.
+  struct Seen {
+    FixedUnit along, astray;
+    std::array<double, 4> largest{};
+    std::array<std::int64_t, 6> sums{};
+  };
+  void see(std::size_t q, Seen& seen) const {
+    const Amount sweep = swept(q, 1) - push_[q];
+    const double step = Kind::size(sweep), h = scratch_.diagonal[q];
+    const Amount astray = sweep - step_[q];
+    keep_max(seen.largest[0], h * step);
+    keep_max(seen.largest[1], Kind::size(push_[q]));
+    keep_max(seen.largest[2], std::max(step, Kind::size(step_[q])));
+    seen.sums[0] += seen.along.of(h * Kind::product(step_[q], step_[q]));
+    seen.sums[1] += seen.astray.of(h * Kind::product(astray, astray));
+  }
+  Amount swept(std::size_t q, double length) const {
+    return Kind::admitted(system_.rows[q], push_[q] + length * scratch_.inverse[q] * missing_[q]);
+  }
+  Vec3 relative(const Row& row) const {
+    return relative_motion(row,
+                           [&](LocalIndex node) -> const Vec3& { return velocity_[static_cast<std::size_t>(node)]; });
+  }
+  void move_all(double length);
+  void choose(std::size_t q);
+
+  const System& system_;
+  const Setting& setting_;
+  Exchange& exchange_;
+  std::span<Vec3> impulses_, velocity_;
+  EnforcementScratch& scratch_;
+  std::span<Amount> push_;                ///< p, a row each like all of these
+  std::span<Amount> missing_, step_;      ///< what p leaves to be asked for, z
+  std::span<Amount> step_change_;         ///< A z
+  std::span<Amount> direction_, change_;  ///< d, A d
+  Look known_;                            ///< bounds of what the next look will see, from what all ranks know
+  double direction_change_ = 0;           ///< Ad.H^-1 Ad [energy]
+};
+
+template <class Kind>
+Conjugate<Kind>::Conjugate(const System& system, const Setting& setting, Exchange& exchange, std::span<Vec3> impulses,
+                           std::span<Vec3> velocity, EnforcementScratch& scratch)
+    : system_(system),
+      setting_(setting),
+      exchange_(exchange),
+      impulses_(impulses),
+      velocity_(velocity),
+      scratch_(scratch) {
+  const std::size_t rows = impulses.size();
+  for (std::vector<Vec3>* of_rows :
+       {&scratch.previous, &scratch.missing, &scratch.step, &scratch.step_change, &scratch.direction, &scratch.change})
+    of_rows->resize(rows);
+  push_ = Kind::view(scratch.previous);
+  missing_ = Kind::view(scratch.missing);
+  step_ = Kind::view(scratch.step);
+  step_change_ = Kind::view(scratch.step_change);
+  direction_ = Kind::view(scratch.direction);
+  change_ = Kind::view(scratch.change);
+  scratch.chosen.resize(rows);
+  scratch.inverse.resize(rows);
+  for (std::size_t q = 0; q < rows; ++q) {
+    const double h = scratch.diagonal[q];
+    scratch.inverse[q] = h > 0 ? 1 / h : 0.0;
+    push_[q] = h > 0 ? Amount(Kind::taken(system.rows[q], impulses[q])) : Kind::zero();
+  }
+}
+
+template <class Kind>
+Look Conjugate<Kind>::look_at_start(bool& coupled, double& speed) {
+  std::array<double, 6> largest{0, 0, 0, 0, coupled ? 1.0 : 0.0, 0};
+  std::array<std::int64_t, 1> rows{static_cast<std::int64_t>(system_.rows.size())};
+  for (std::size_t q = 0; q < system_.rows.size(); ++q) {
+    const Row& row = system_.rows[q];
+    missing_[q] = Kind::missing(row, relative(row));
+    const double h = scratch_.diagonal[q];
+    if (!(h > 0)) continue;
+    const double step = Kind::size(swept(q, 1) - push_[q]);
+    keep_max(largest[0], h * step);
+    keep_max(largest[1], Kind::size(push_[q]));
+    keep_max(largest[2], step);
+    keep_max(largest[3], h * step * step);
+    keep_max(largest[5], velocity_[static_cast<std::size_t>(row.nodes[0])].cwiseAbs().maxCoeff());
+  }
+  exchange_.reduce(largest, rows);
+  demand_finite(largest[0] + largest[1]);
+  coupled = largest[4] > 0;
+  speed = largest[5];
+  known_ = {.residual = largest[0], .impulse = largest[1], .step = largest[2]};
+  known_.astray = largest[3] * static_cast<double>(rows[0]);
+  return known_;
+}
+
+template <class Kind>
+void Conjugate<Kind>::move_all(double length) {
+  for (std::size_t q = 0; q < system_.rows.size(); ++q) {
+    push_[q] = swept(q, length);
+    impulses_[q] = Kind::given(system_.rows[q], push_[q]);
+  }
+  // a row moves by 1.5 (|sweep of length 1| + |z|) at most
+  known_.impulse += 3 * known_.step;
+  apply_impulses(system_, impulses_, setting_.share * known_.impulse, exchange_, velocity_, scratch_);
+}
+
+template <class Kind>
+void Conjugate<Kind>::choose(std::size_t q) {
+  const Row& row = system_.rows[q];
+  missing_[q] = Kind::missing(row, relative(row));
+  const bool chosen = scratch_.diagonal[q] > 0 && (row.cone == Cone::free || Kind::pushes(row, push_[q]));
+  scratch_.chosen[q] = chosen ? 1 : 0;
+  step_[q] = chosen ? Amount(scratch_.inverse[q] * missing_[q]) : Kind::zero();
+  direction_[q] = change_[q] = Kind::zero();
+}
+
+template <class Kind>
+Look Conjugate<Kind>::sweep(double length) {
+  move_all(length);
+  // H bounds A, so that no step is changed by more than the largest move, in the norm of the maximum and in that of H
+  const double bound = 64 * (known_.along + known_.astray);
+  Seen seen{unit_of_sum(bound), unit_of_sum(bound)};
+  for (std::size_t q = 0; q < system_.rows.size(); ++q) {
+    choose(q);
+    see(q, seen);
+  }
+  exchange_.reduce(std::span(seen.largest).first(3), std::span(seen.sums).first(2));
+  demand_finite(seen.largest[0] + seen.largest[1]);
+  known_ = {.residual = seen.largest[0],
+            .impulse = seen.largest[1],
+            .step = seen.largest[2],
+            .along = seen.along.value(seen.sums[0]),
+            .astray = seen.astray.value(seen.sums[1])};
+  return known_;
+}
+
+template <class Kind>
+Look Conjugate<Kind>::look_along() {
+  for (std::size_t q = 0; q < system_.rows.size(); ++q) impulses_[q] = Kind::given(system_.rows[q], step_[q]);
+  velocities_of_impulses(system_, impulses_, setting_.share * known_.step, exchange_, velocity_, scratch_);
+  const FixedUnit size = unit_of_sum(known_.size), overlap = unit_of_sum(std::sqrt(known_.along * known_.size));
+  Seen seen{unit_of_sum(known_.along), unit_of_sum(known_.astray)};
+  for (std::size_t q = 0; q < system_.rows.size(); ++q) {
+    see(q, seen);
+    const Amount change = Kind::held(system_.rows[q], relative(system_.rows[q]));
+    step_change_[q] = change;
+    if (scratch_.chosen[q] == 0) continue;
+    const double inverse = scratch_.inverse[q];
+    seen.sums[2] += seen.along.of(Kind::product(step_[q], change));
+    seen.sums[3] += seen.along.of(inverse * Kind::product(change, change));
+    seen.sums[4] += overlap.of(inverse * Kind::product(change, change_[q]));
+    seen.sums[5] += size.of(scratch_.diagonal[q] * Kind::product(direction_[q], direction_[q]));
+    keep_max(seen.largest[3], Kind::size(direction_[q]));
+  }
+  exchange_.reduce(seen.largest, seen.sums);
+  demand_finite(seen.largest[0] + seen.largest[1]);
+  return {.residual = seen.largest[0],
+          .impulse = seen.largest[1],
+          .step = seen.largest[2],
+          .direction = seen.largest[3],
+          .along = seen.along.value(seen.sums[0]),
+          .astray = seen.astray.value(seen.sums[1]),
+          .drop = seen.along.value(seen.sums[2]),
+          .change = seen.along.value(seen.sums[3]),
+          .overlap = overlap.value(seen.sums[4]),
+          .size = size.value(seen.sums[5])};
+}
+
+template <class Kind>
+double Conjugate<Kind>::advance(const Look& now) {
+  const double back = has_direction() ? now.overlap / direction_change_ : 0.0;
+  const double change = now.change - back * now.overlap, length = now.drop / change;
+  if (!(now.drop > 0) || !(change > 0) || !std::isfinite(length)) return 1;
+  direction_change_ = change;
+  for (std::size_t q = 0; q < system_.rows.size(); ++q) {
+    direction_[q] = step_[q] - back * direction_[q];
+    change_[q] = step_change_[q] - back * change_[q];
+    push_[q] += length * direction_[q];
+    missing_[q] -= length * change_[q];
+    if (scratch_.chosen[q] != 0) step_[q] = scratch_.inverse[q] * missing_[q];
+  }
+  const double direction = now.step + std::abs(back) * now.direction,
+               size = squared(std::sqrt(now.along) + std::abs(back) * std::sqrt(now.size));
+  known_ = {.impulse = now.impulse + length * direction,
+            .step = now.step + 2 * length * direction,
+            .direction = direction,
+            .along = now.along,  // it shrinks
+            .astray = squared(std::sqrt(now.astray) + 2 * length * std::sqrt(size)),
+            .size = size};
+  return std::sqrt(std::max(0.0, 1 - length * now.drop / now.along));
+}
+
+template <class Kind>
+EnforcementResult run(const System& system, const EnforcementSettings& settings, const Setting& setting, bool coupled,
+                      Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
+                      EnforcementScratch& scratch) {
+  constexpr double over = 1.5;           // 1 to 1.8 take as many iterations
+  constexpr double disagreement = 0.25;  // 0.04 to 1 take as many
+  constexpr double nearly = 0.7;         // of what is to be reached: the next sweep is likely to be the last
+  Stall stall(60);                       // the largest residual does not descend in each step
+  Conjugate<Kind> iteration(system, setting, exchange, impulses, velocity, scratch);
+  double speed = 0;
+  Look now = iteration.look_at_start(coupled, speed);
+  EnforcementResult result{.violation = setting.violation, .residual = now.residual / setting.violation};
+  if (!coupled && settings.max_iterations > 0) {
+    iteration.finish();
+    return {setting.violation, 0.0, 1, true};
+  }
+  const bool rounding = now.residual <= rounding_share * speed;
+  const double enough =
+      std::max(residual_to_reach(settings, result.residual), rounding_share * speed / setting.violation);
+  int sweeps = 1;        // that come next
+  bool last = true;      // the next of them may be the last, which is one of length 1
+  bool settled = false;  // what is now ends with such a sweep
+  while (result.residual > enough && result.iterations < settings.max_iterations) {
+    ++result.iterations;
+    if (sweeps > 0) {
+      now = iteration.sweep(last ? 1.0 : over);
+      settled = last;
+      last = false;
+      sweeps = std::max(sweeps - 1, now.astray > disagreement * now.along ? 1 : 0);
+      result.residual = now.residual / setting.violation;
+    } else {
+      const bool seen = !iteration.has_direction();  // after the sweep
+      now = iteration.look_along();
+      settled = false;
+      result.residual = now.residual / setting.violation;
+      if (result.residual <= enough) break;
+      const double left = iteration.advance(now);
+      last = result.residual * left <= nearly * enough;
+      if (last || left >= 1 || (!seen && now.astray > disagreement * now.along)) sweeps = 1;
+    }
+    if (const int due = stall.sweeps_due(result.iterations, result.residual); due > 0) sweeps = due;
+  }
+  const bool finish = result.iterations == 0 ? !rounding : !settled;
+  if (finish) iteration.finish();
+  result.acted = finish || now.impulse > 0;
+  return result;
+}
+
+}  // namespace
+
+EnforcementResult iterate_conjugate(const System& system, const EnforcementSettings& settings, const Setting& setting,
+                                    bool coupled, Exchange& exchange, std::span<Vec3> impulses,
+                                    std::span<Vec3> velocity, EnforcementScratch& scratch) {
+  const auto solve = setting.holds ? run<Whole> : run<Normal>;
+  return solve(system, settings, setting, coupled, exchange, impulses, velocity, scratch);
+}
+
+}  // namespace brunt::contact
