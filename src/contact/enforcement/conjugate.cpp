@@ -75,6 +75,7 @@ class Conjugate {
     return relative_motion(row,
                            [&](LocalIndex node) -> const Vec3& { return velocity_[static_cast<std::size_t>(node)]; });
   }
+  bool can_move(std::size_t q) const { return scratch_.inverse[q] > 0; }
   void move_all(double length);
   void choose(std::size_t q);
 
@@ -158,8 +159,8 @@ void Conjugate<Kind>::move_all(double length) {
 template <class Kind>
 void Conjugate<Kind>::choose(std::size_t q) {
   const Row& row = system_.rows[q];
-  missing_[q] = Kind::missing(row, relative(row));
-  const bool chosen = scratch_.diagonal[q] > 0 && (row.cone == Cone::free || Kind::pushes(row, push_[q]));
+  if (can_move(q)) missing_[q] = Kind::missing(row, relative(row));
+  const bool chosen = can_move(q) && (row.cone == Cone::free || Kind::pushes(row, push_[q]));
   scratch_.chosen[q] = chosen ? 1 : 0;
   step_[q] = chosen ? Amount(scratch_.inverse[q] * missing_[q]) : Kind::zero();
   direction_[q] = change_[q] = Kind::zero();
@@ -173,7 +174,7 @@ Look Conjugate<Kind>::sweep(double length) {
   Seen seen{unit_of_sum(bound), unit_of_sum(bound)};
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
     choose(q);
-    see(q, seen);
+    if (can_move(q)) see(q, seen);
   }
   exchange_.reduce(std::span(seen.largest).first(3), std::span(seen.sums).first(2));
   demand_finite(seen.largest[0] + seen.largest[1]);
@@ -192,6 +193,7 @@ Look Conjugate<Kind>::look_along() {
   const FixedUnit size = unit_of_sum(known_.size), overlap = unit_of_sum(std::sqrt(known_.along * known_.size));
   Seen seen{unit_of_sum(known_.along), unit_of_sum(known_.astray)};
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
+    if (!can_move(q)) continue;
     see(q, seen);
     const Amount change = Kind::held(system_.rows[q], relative(system_.rows[q]));
     step_change_[q] = change;
@@ -224,6 +226,7 @@ double Conjugate<Kind>::advance(const Look& now) {
   if (!(now.drop > 0) || !(change > 0) || !std::isfinite(length)) return 1;
   direction_change_ = change;
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
+    if (!can_move(q)) continue;
     direction_[q] = step_[q] - back * direction_[q];
     change_[q] = step_change_[q] - back * change_[q];
     push_[q] += length * direction_[q];
