@@ -101,8 +101,16 @@ void Contact::gather(VectorView position, VectorView old_velocity, MutableVector
     const auto [contact_node, node] = nodes_here_[k];
     motion_of_[static_cast<std::size_t>(contact_node)] = {position[node], old_velocity[node], predicted[node]};
   }
-  lists_.exchange.share(as_doubles(motion_of_), node_motion_width);
-  if (!lists_.any_facets) return;
+  lists_.exchange.begin_share(as_doubles(motion_of_), node_motion_width);
+  if (lists_.any_facets) {
+    measure_facets(position);
+    lists_.facets.begin(as_doubles(own_area_), as_doubles(facet_area_), 3);
+  }
+  lists_.exchange.end_share(as_doubles(motion_of_), node_motion_width);
+  if (lists_.any_facets) lists_.facets.end(as_doubles(own_area_), as_doubles(facet_area_), 3);
+}
+
+void Contact::measure_facets(VectorView position) {
   for (const FacetHere& facet : facets_here_) {
     const auto count = static_cast<std::size_t>(facet.corner_count);
     std::array<Vec3, 4> corners;
@@ -110,7 +118,6 @@ void Contact::gather(VectorView position, VectorView old_velocity, MutableVector
     own_area_[static_cast<std::size_t>(facet.face)] =
         geometry::area_vector({corners.data(), count}) / static_cast<double>(count);
   }
-  lists_.facets.forward(as_doubles(own_area_), as_doubles(facet_area_), 3);
 }
 
 /// The ends of a slave edge may have their rows on other ranks.

@@ -14,10 +14,15 @@ HaloExchange::HaloExchange(const comm::Communicator& ranks, LocalIndex node_coun
   received_.resize(std::max(links_.copies.size(), links_.copied.size()) * static_cast<std::size_t>(widest));
 }
 
-void HaloExchange::share(std::span<double> values, int width) {
+void HaloExchange::begin_share(std::span<const double> values, int width) {
+  if (!linked_) return;
+  to_copies_.begin(values, std::span(received_).first(links_.copies.size() * static_cast<std::size_t>(width)), width);
+}
+
+void HaloExchange::end_share(std::span<double> values, int width) {
   if (!linked_) return;
   const auto w = static_cast<std::size_t>(width);
-  to_copies_.forward(values, std::span(received_).first(links_.copies.size() * w), width);
+  to_copies_.end(values, std::span(received_).first(links_.copies.size() * w), width);
   for (std::size_t i = 0; i < links_.copies.size(); ++i)
     std::copy_n(&received_[i * w], w, &values[static_cast<std::size_t>(links_.copies[i]) * w]);
 }

@@ -176,6 +176,7 @@ class Contact {
   void drop_tied_rows();
   void keep_overlaps(const std::vector<Vec3>& reference, std::span<const Wall> walls);
   void gather(VectorView position, VectorView old_velocity, MutableVectorView velocity);
+  void measure_facets(VectorView position);
   void detect(std::span<const Wall> walls, double dt);
   void detect_crossing_edges(double dt);
   [[nodiscard]] bool has_sheets() const {

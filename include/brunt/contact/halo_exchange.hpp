@@ -25,7 +25,13 @@ class HaloExchange final : public Exchange {
   /// Collective. Room for sums and shares of up to `widest` doubles a node is made here, none later.
   HaloExchange(const comm::Communicator& ranks, LocalIndex node_count, NodeLinks links, int widest);
 
-  void share(std::span<double> values, int width) override;
+  void share(std::span<double> values, int width) override {
+    begin_share(values, width);
+    end_share(values, width);
+  }
+  /// Between the two, other work and other halos' messages; `values` stay as they are.
+  void begin_share(std::span<const double> values, int width);
+  void end_share(std::span<double> values, int width);
   void sum_to_owner(std::span<double> values, int width) override;
   void max(std::span<double> values) override;
   void reduce(std::span<double> largest, std::span<std::int64_t> sums) override;
