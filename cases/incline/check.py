@@ -65,16 +65,21 @@ def check_sliding(case, name, degrees, friction):
 
 
 def check_straight_sliding(case, name, degrees, friction):
-    """No node moves sideways: all friction points up the incline, and is the whole of what Coulomb gives."""
+    """No node moves sideways: all friction points up the incline, and is the whole of what Coulomb gives.
+
+    The block shivers all the same, and where the shiver takes a node up the incline its friction is less for a moment.
+    With 0.80, 0.82 ... 0.90 of the stable step, on the wall and on the plate, the acceleration is -1.9e-3 to 2.6e-3 off
+    and the impulse -3e-4 to 0: a gate below that would hold by luck.
+    """
     scene = case.scene(name)
     held = {"fixed": scene.get("fixed", []) + [{"part": part, "dofs": ["y"]} for part in scene["parts"]]}
     result, scene, label = run(case, name, degrees, friction, held, " held sideways")
     ours = numpy.polyfit(*late(result, "block.x", scene), 1)[0]
-    case.assert_close(f"{label}: acceleration [m/s2]", acceleration(degrees, friction), ours, 1e-3, SOURCE)
+    case.assert_close(f"{label}: acceleration [m/s2]", acceleration(degrees, friction), ours, 5e-3, SOURCE)
     since = 3 * scene["damping"]["to"]
     probe = next(p["name"] for p in scene["probes"] if "wall" in p or "contact" in p)
     along, across = (result.last(f"impulse_{probe}.{c}") - result.at(f"impulse_{probe}.{c}", since) for c in "xz")
-    case.assert_close(f"{label}: impulse of friction over the normal one", friction, abs(along / across), 1e-4, SOURCE)
+    case.assert_close(f"{label}: impulse of friction over the normal one", friction, abs(along / across), 1e-3, SOURCE)
 
 
 def check_lagging(case, name, degrees, friction):
