@@ -14,26 +14,69 @@ HaloExchange::HaloExchange(const comm::Communicator& ranks, LocalIndex node_coun
   received_.resize(std::max(links_.copies.size(), links_.copied.size()) * static_cast<std::size_t>(widest));
 }
 
+/// What is received of `nodes`, behind what comes before it.
+std::span<double> HaloExchange::room_for(std::size_t nodes, int width, std::size_t before) {
+  return std::span(received_).subspan(before, nodes * static_cast<std::size_t>(width));
+}
+
+void HaloExchange::take_copies(std::span<const double> received, const NodeValues& into) const {
+  const auto w = static_cast<std::size_t>(into.width);
+  for (std::size_t i = 0; i < links_.copies.size(); ++i)
+    std::copy_n(&received[i * w], w, &into.values[static_cast<std::size_t>(links_.copies[i]) * w]);
+}
+
+void HaloExchange::add_from_copies(std::span<const double> received, const NodeValues& into) const {
+  const auto w = static_cast<std::size_t>(into.width);
+  for (std::size_t i = 0; i < links_.copied.size(); ++i)
+    for (std::size_t c = 0; c < w; ++c)
+      into.values[static_cast<std::size_t>(links_.copied[i]) * w + c] += received[i * w + c];
+}
+
 void HaloExchange::begin_share(std::span<const double> values, int width) {
-  if (!linked_) return;
-  to_copies_.begin(values, std::span(received_).first(links_.copies.size() * static_cast<std::size_t>(width)), width);
+  if (linked_) to_copies_.begin(values, room_for(links_.copies.size(), width), width);
 }
 
 void HaloExchange::end_share(std::span<double> values, int width) {
   if (!linked_) return;
-  const auto w = static_cast<std::size_t>(width);
-  to_copies_.end(values, std::span(received_).first(links_.copies.size() * w), width);
-  for (std::size_t i = 0; i < links_.copies.size(); ++i)
-    std::copy_n(&received_[i * w], w, &values[static_cast<std::size_t>(links_.copies[i]) * w]);
+  const std::span<double> received = room_for(links_.copies.size(), width);
+  to_copies_.end(values, received, width);
+  take_copies(received, {values, width});
+}
+
+void HaloExchange::share(std::span<double> values, int width) {
+  begin_share(values, width);
+  end_share(values, width);
+}
+
+void HaloExchange::share_both(const NodeValues& one, const NodeValues& other) {
+  if (!linked_) return;
+  const std::span<double> first = room_for(links_.copies.size(), one.width),
+                          second = room_for(links_.copies.size(), other.width, first.size());
+  to_copies_.begin(one.values, first, one.width);
+  to_copies_.begin(other.values, second, other.width);
+  to_copies_.end(one.values, first, one.width);
+  to_copies_.end(other.values, second, other.width);
+  take_copies(first, one);
+  take_copies(second, other);
 }
 
 void HaloExchange::sum_to_owner(std::span<double> values, int width) {
   if (!linked_) return;
-  const auto w = static_cast<std::size_t>(width);
-  to_owners_.forward(values, std::span(received_).first(links_.copied.size() * w), width);
-  for (std::size_t i = 0; i < links_.copied.size(); ++i)
-    for (std::size_t c = 0; c < w; ++c)
-      values[static_cast<std::size_t>(links_.copied[i]) * w + c] += received_[i * w + c];
+  const std::span<double> received = room_for(links_.copied.size(), width);
+  to_owners_.forward(values, received, width);
+  add_from_copies(received, {values, width});
+}
+
+void HaloExchange::sum_both_to_owner(const NodeValues& one, const NodeValues& other) {
+  if (!linked_) return;
+  const std::span<double> first = room_for(links_.copied.size(), one.width),
+                          second = room_for(links_.copied.size(), other.width, first.size());
+  to_owners_.begin(one.values, first, one.width);
+  to_owners_.begin(other.values, second, other.width);
+  to_owners_.end(one.values, first, one.width);
+  to_owners_.end(other.values, second, other.width);
+  add_from_copies(first, one);
+  add_from_copies(second, other);
 }
 
 void HaloExchange::max(std::span<double> values) {

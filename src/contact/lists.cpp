@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/contact/enforcement/system.hpp"
 #include "brunt/core/error.hpp"
 #include "candidate_pairs.hpp"
 
@@ -287,8 +288,9 @@ ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface
   lists.most_rows += lists.wall_candidates.size();
   lists.any_rows = ranks.any(lists.most_rows > 0);
   lists.any_edges = ranks.any(!edges.pairs.empty());
-  lists.exchange = HaloExchange(ranks, static_cast<LocalIndex>(lists.nodes.gid.size()),
-                                link_nodes(build, lists.nodes, requested), node_motion_width + 1);
+  lists.exchange =
+      HaloExchange(ranks, static_cast<LocalIndex>(lists.nodes.gid.size()), link_nodes(build, lists.nodes, requested),
+                   std::max(node_motion_width + 1, row_sum_width + impulse_width));
   link_facets(build, faces, edge_facets, lists);
   return lists;
 }

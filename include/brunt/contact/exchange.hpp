@@ -7,6 +7,12 @@
 
 namespace brunt::contact {
 
+/// Of contact nodes, `width` doubles each.
+struct NodeValues {
+  std::span<double> values;
+  int width = 0;
+};
+
 class Exchange {
  public:
   virtual ~Exchange() = default;
@@ -15,6 +21,15 @@ class Exchange {
   /// The owner's values become the sum over all copies; copies are left as they are. Only for values whose sums are
   /// exact (slices of binned sums, counts), so that the order does not matter.
   virtual void sum_to_owner(std::span<double> values, int width) = 0;
+  /// Two arrays with one wait.
+  virtual void share_both(const NodeValues& one, const NodeValues& other) {
+    share(one.values, one.width);
+    share(other.values, other.width);
+  }
+  virtual void sum_both_to_owner(const NodeValues& one, const NodeValues& other) {
+    sum_to_owner(one.values, one.width);
+    sum_to_owner(other.values, other.width);
+  }
   /// Maximum over all ranks, element by element, in place.
   virtual void max(std::span<double> values) = 0;
   /// The same for `largest` and the sums of `sums` over all ranks in one message; at most six of each.

@@ -22,21 +22,25 @@ struct NodeLinks {
 class HaloExchange final : public Exchange {
  public:
   HaloExchange() = default;
-  /// Collective. Room for sums and shares of up to `widest` doubles a node is made here, none later.
+  /// Collective. Room for sums and shares of up to `widest` doubles a node, of both arrays where
+  /// there are two, is made here, none later.
   HaloExchange(const comm::Communicator& ranks, LocalIndex node_count, NodeLinks links, int widest);
 
-  void share(std::span<double> values, int width) override {
-    begin_share(values, width);
-    end_share(values, width);
-  }
+  void share(std::span<double> values, int width) override;
+  void sum_to_owner(std::span<double> values, int width) override;
+  void share_both(const NodeValues& one, const NodeValues& other) override;
+  void sum_both_to_owner(const NodeValues& one, const NodeValues& other) override;
   /// Between the two, other work and other halos' messages; `values` stay as they are.
   void begin_share(std::span<const double> values, int width);
   void end_share(std::span<double> values, int width);
-  void sum_to_owner(std::span<double> values, int width) override;
   void max(std::span<double> values) override;
   void reduce(std::span<double> largest, std::span<std::int64_t> sums) override;
 
  private:
+  [[nodiscard]] std::span<double> room_for(std::size_t nodes, int width, std::size_t before = 0);
+  void take_copies(std::span<const double> received, const NodeValues& into) const;
+  void add_from_copies(std::span<const double> received, const NodeValues& into) const;
+
   std::vector<comm::Communicator> ranks_;  ///< one, or none before the first list
   NodeLinks links_;
   comm::Halo to_copies_, to_owners_;

@@ -170,8 +170,9 @@ EnforcementResult enforce_rate_constraint(const System& system, const Enforcemen
   const Setting setting = look_at_rows(system, settings.warm_start, exchange, impulses, velocity);
   if (setting.violation == 0 || !settings.warm_start) std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
   if (setting.violation == 0) return {};
-  const bool coupled = form_row_sums(system, exchange, scratch);
-  if (setting.impulse > 0) apply_impulses(system, impulses, setting.impulse, exchange, velocity, scratch);
+  const bool coupled = setting.impulse > 0
+                           ? start_from_impulses(system, impulses, setting.impulse, exchange, velocity, scratch)
+                           : form_row_sums(system, exchange, scratch);
   if (length == StepLength::longer && !setting.rubs)
     return iterate_conjugate(system, settings, setting, coupled, exchange, impulses, velocity, scratch);
   return iterate(system, settings, length, coupled, setting.violation, exchange, impulses, velocity, scratch);

@@ -12,8 +12,6 @@
 namespace brunt::contact {
 namespace {
 
-constexpr int row_sum_width = bin_slices + 1;
-
 /// Share of an impulse along the row's directions that the node is free to follow; what is left of a projector's
 /// rounding along a direction that is held counts as nothing. length: of the row's normal.
 double free_share(const Row& row, double length, const Mobility& mobility) {
@@ -77,12 +75,11 @@ double shortfall(const Row& row, const Vec3& relative) {
   return row.cone == Cone::free ? std::abs(missing) : std::max(missing, 0.0);
 }
 
-void sum_rows_of_nodes(const System& system, Exchange& exchange, EnforcementScratch& scratch,
-                       bool (*counts)(const Row&)) {
-  const std::size_t nodes = system.motion.size();
+/// Weights of this rank's rows, laid on their nodes; scratch.share keeps them.
+void lay_weights(const System& system, EnforcementScratch& scratch, bool (*counts)(const Row&)) {
   constexpr double largest_weight = 4;  // of levers; others' are 1 at most
   const BinGrid grid = BinGrid::for_bound(largest_weight);
-  scratch.row_sum_parts.assign(nodes * row_sum_width, 0.0);
+  scratch.row_sum_parts.assign(system.motion.size() * row_sum_width, 0.0);
   scratch.share.resize(system.rows.size());
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     if (counts != nullptr && !counts(system.rows[q])) continue;
@@ -94,18 +91,40 @@ void sum_rows_of_nodes(const System& system, Exchange& exchange, EnforcementScra
       parts[bin_slices] += 1;
     });
   }
-  exchange.sum_to_owner(scratch.row_sum_parts, row_sum_width);
-  scratch.row_sum.resize(nodes);
-  for (std::size_t node = 0; node < nodes; ++node) {
+}
+
+/// From the parts, on owners.
+void take_row_sums(EnforcementScratch& scratch) {
+  scratch.row_sum.resize(scratch.row_sum_parts.size() / row_sum_width);
+  for (std::size_t node = 0; node < scratch.row_sum.size(); ++node) {
     const double* parts = &scratch.row_sum_parts[node * row_sum_width];
     demand(parts[bin_slices] <= binned_terms, "more rows on one contact node than its sums can hold");
     scratch.row_sum[node] = binned_value(parts);
   }
-  exchange.share(scratch.row_sum, 1);
 }
 
-void sum_impulses_of_nodes(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,
-                           EnforcementScratch& scratch) {
+/// From the row sums of all nodes; see form_row_sums.
+bool lay_diagonal(const System& system, EnforcementScratch& scratch, bool (*counts)(const Row&)) {
+  scratch.diagonal.assign(system.rows.size(), 0.0);
+  bool coupled = false;
+  for (std::size_t q = 0; q < system.rows.size(); ++q) {
+    const Row& row = system.rows[q];
+    if (counts != nullptr && !counts(row)) continue;
+    coupled = coupled || row.lever != nullptr;  // its H is a bound
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
+      const auto node = static_cast<std::size_t>(row.nodes[i]);
+      const Mobility& mobility = system.mobility[node];
+      const double weight = scratch.share[q][i], sum = scratch.row_sum[node];
+      if (mobility.inverse_mass > 0 && weight > 0)
+        coupled = coupled || sum != weight || (row.friction > 0 && !mobility.projector.isIdentity(0));
+      scratch.diagonal[q] += weight * sum * mobility.inverse_mass;
+    }
+  }
+  return coupled;
+}
+
+/// Impulses of this rank's rows, laid on their nodes.
+void lay_impulses(const System& system, std::span<const Vec3> impulses, double largest, EnforcementScratch& scratch) {
   const ImpulseGrid grid(BinGrid::for_bound(largest));
   scratch.impulse_parts.assign(system.motion.size() * impulse_width, 0.0);
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
@@ -115,17 +134,26 @@ void sum_impulses_of_nodes(const System& system, std::span<const Vec3> impulses,
       grid.add(impulse_on_node(row, i, impulses[q]),
                &scratch.impulse_parts[static_cast<std::size_t>(row.nodes[i]) * impulse_width]);
   }
-  exchange.sum_to_owner(scratch.impulse_parts, impulse_width);
 }
 
 Vec3 answer(const Mobility& mobility, const Vec3& impulse) {
   return mobility.inverse_mass * (mobility.projector * impulse);
 }
 
-void share_velocities(Exchange& exchange, std::span<Vec3> velocity) {
+/// v = v* + W G^T p, on owners.
+void take_velocities(const System& system, const EnforcementScratch& scratch, std::span<Vec3> velocity) {
+  for (std::size_t node = 0; node < system.motion.size(); ++node)
+    velocity[node] = system.motion[node].predicted + answer(system.mobility[node], impulse_of_node(scratch, node));
+}
+
+NodeValues as_values(std::span<Vec3> velocity) {
   // a rank without nodes takes part all the same
-  exchange.share(
-      velocity.empty() ? std::span<double>{} : std::span<double>(velocity.front().data(), 3 * velocity.size()), 3);
+  return {velocity.empty() ? std::span<double>{} : std::span<double>(velocity.front().data(), 3 * velocity.size()), 3};
+}
+
+void share_velocities(Exchange& exchange, std::span<Vec3> velocity) {
+  const NodeValues values = as_values(velocity);
+  exchange.share(values.values, values.width);
 }
 
 }  // namespace
@@ -192,23 +220,22 @@ double start_from_prediction(const System& system, Exchange& exchange, std::span
 }
 
 bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch& scratch, bool (*counts)(const Row&)) {
-  sum_rows_of_nodes(system, exchange, scratch, counts);
-  scratch.diagonal.assign(system.rows.size(), 0.0);
-  bool coupled = false;
-  for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    const Row& row = system.rows[q];
-    if (counts != nullptr && !counts(row)) continue;
-    coupled = coupled || row.lever != nullptr;  // its H is a bound
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-      const auto node = static_cast<std::size_t>(row.nodes[i]);
-      const Mobility& mobility = system.mobility[node];
-      const double weight = scratch.share[q][i], sum = scratch.row_sum[node];
-      if (mobility.inverse_mass > 0 && weight > 0)
-        coupled = coupled || sum != weight || (row.friction > 0 && !mobility.projector.isIdentity(0));
-      scratch.diagonal[q] += weight * sum * mobility.inverse_mass;
-    }
-  }
-  return coupled;
+  lay_weights(system, scratch, counts);
+  exchange.sum_to_owner(scratch.row_sum_parts, row_sum_width);
+  take_row_sums(scratch);
+  exchange.share(scratch.row_sum, 1);
+  return lay_diagonal(system, scratch, counts);
+}
+
+bool start_from_impulses(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,
+                         std::span<Vec3> velocity, EnforcementScratch& scratch) {
+  lay_weights(system, scratch, nullptr);
+  lay_impulses(system, impulses, largest, scratch);
+  exchange.sum_both_to_owner({scratch.row_sum_parts, row_sum_width}, {scratch.impulse_parts, impulse_width});
+  take_row_sums(scratch);
+  take_velocities(system, scratch, velocity);
+  exchange.share_both({scratch.row_sum, 1}, as_values(velocity.first(system.motion.size())));
+  return lay_diagonal(system, scratch, nullptr);
 }
 
 void form_diagonal(const System& system, EnforcementScratch& scratch) {
@@ -222,15 +249,16 @@ void form_diagonal(const System& system, EnforcementScratch& scratch) {
 
 void apply_impulses(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,
                     std::span<Vec3> velocity, EnforcementScratch& scratch) {
-  sum_impulses_of_nodes(system, impulses, largest, exchange, scratch);
-  for (std::size_t node = 0; node < system.motion.size(); ++node)
-    velocity[node] = system.motion[node].predicted + answer(system.mobility[node], impulse_of_node(scratch, node));
+  lay_impulses(system, impulses, largest, scratch);
+  exchange.sum_to_owner(scratch.impulse_parts, impulse_width);
+  take_velocities(system, scratch, velocity);
   share_velocities(exchange, velocity.first(system.motion.size()));
 }
 
 void velocities_of_impulses(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,
                             std::span<Vec3> velocity, EnforcementScratch& scratch) {
-  sum_impulses_of_nodes(system, impulses, largest, exchange, scratch);
+  lay_impulses(system, impulses, largest, scratch);
+  exchange.sum_to_owner(scratch.impulse_parts, impulse_width);
   for (std::size_t node = 0; node < system.motion.size(); ++node)
     velocity[node] = answer(system.mobility[node], impulse_of_node(scratch, node));
   share_velocities(exchange, velocity.first(system.motion.size()));

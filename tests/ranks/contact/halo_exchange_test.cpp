@@ -54,6 +54,26 @@ TEST_CASE("owners add what their copies hold, and copies keep it") {
   CHECK(values == expected);
 }
 
+TEST_CASE("two arrays at once: the same as one after the other") {
+  Ring ring;
+  std::vector<double> narrow, wide;
+  for (int node = 0; node < 3; ++node) {
+    narrow.push_back(tag(ring.here, node, 9));
+    for (int c = 0; c < 4; ++c) wide.push_back(tag(ring.here, node, c));
+  }
+  std::vector<double> narrow_alone = narrow, wide_alone = wide;
+  ring.exchange.sum_to_owner(narrow_alone, 1);
+  ring.exchange.sum_to_owner(wide_alone, 4);
+  ring.exchange.sum_both_to_owner({narrow, 1}, {wide, 4});
+  CHECK(narrow == narrow_alone);
+  CHECK(wide == wide_alone);
+  ring.exchange.share(narrow_alone, 1);
+  ring.exchange.share(wide_alone, 4);
+  ring.exchange.share_both({narrow, 1}, {wide, 4});
+  CHECK(narrow == narrow_alone);
+  CHECK(wide == wide_alone);
+}
+
 TEST_CASE("the largest over all ranks, element by element, and sums in the same message") {
   Ring ring;
   const auto last = static_cast<double>(ring.ranks.size() - 1);

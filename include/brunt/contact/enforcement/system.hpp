@@ -24,6 +24,8 @@ struct System {
 
 /// Of the binned sum of a node's impulses: two slices of four, the components and one to spare.
 constexpr int impulse_width = 4 * bin_slices;
+/// Of the sum of a node's rows: two slices and the number of rows.
+constexpr int row_sum_width = bin_slices + 1;
 
 /// Arrays of the solvers, sized where lists are rebuilt so that a step allocates nothing.
 struct EnforcementScratch {
@@ -36,7 +38,7 @@ struct EnforcementScratch {
   std::vector<char> chosen;                  ///< rows that conjugate residuals go over
   std::vector<std::array<double, 5>> share;  ///< |G_qn P_n| of a row's nodes (of a lever: a bound of it), a row each
   std::vector<double> row_sum;               ///< s, a node each
-  std::vector<double> row_sum_parts;         ///< two slices and the number of rows, a node each
+  std::vector<double> row_sum_parts;         ///< row_sum_width a node
   std::vector<double> impulse_parts;         ///< impulse_width a node, see impulse_of_node
 
   std::vector<Row> pass_rows;              ///< of two passes, the one being solved
@@ -87,6 +89,10 @@ double start_from_prediction(const System& system, Exchange& exchange, std::span
 /// is G W G^T itself. Only rows that count, if a function is given; others have zero. Collective.
 bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch& scratch,
                    bool (*counts)(const Row&) = nullptr);
+
+/// form_row_sums, and apply_impulses of the impulses to start from, with half of their messages.
+bool start_from_impulses(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,
+                         std::span<Vec3> velocity, EnforcementScratch& scratch);
 
 /// Fills scratch.diagonal with the diagonal of G W G^T.
 void form_diagonal(const System& system, EnforcementScratch& scratch);
