@@ -41,6 +41,7 @@ struct Communicator::Native {
   MPI_Comm comm = MPI_COMM_NULL;
   MPI_Datatype mixed = MPI_DATATYPE_NULL;
   MPI_Op combine = MPI_OP_NULL;
+  MPI_Request pending = MPI_REQUEST_NULL;  // of begin_max
   int rank = 0;
   int size = 1;
 
@@ -84,6 +85,21 @@ std::int64_t ordered(double value) {
 }
 double from_ordered(std::int64_t key) {
   return std::bit_cast<double>(key >= 0 ? key : key ^ std::numeric_limits<std::int64_t>::max());
+}
+
+void to_keys(std::span<double> values) {
+  static_assert(sizeof(double) == sizeof(std::int64_t));
+  for (double& value : values) {
+    const std::int64_t key = ordered(value);
+    std::memcpy(&value, &key, sizeof key);  // no double: some keys are NaNs that may be changed on the way
+  }
+}
+void from_keys(std::span<double> values) {
+  for (double& value : values) {
+    std::int64_t key = 0;
+    std::memcpy(&key, &value, sizeof key);
+    value = from_ordered(key);
+  }
 }
 
 // MPI counts are 32-bit: longer byte strings go in pieces.
@@ -139,17 +155,21 @@ double Communicator::min(double value) const {
 }
 
 void Communicator::max(std::span<double> values) const {
-  static_assert(sizeof(double) == sizeof(std::int64_t));
-  for (double& value : values) {
-    const std::int64_t key = ordered(value);
-    std::memcpy(&value, &key, sizeof key);
-  }
+  to_keys(values);
   MPI_Allreduce(MPI_IN_PLACE, values.data(), count_of(values.size()), MPI_INT64_T, MPI_MAX, native_->comm);
-  for (double& value : values) {
-    std::int64_t key = 0;
-    std::memcpy(&key, &value, sizeof key);
-    value = from_ordered(key);
-  }
+  from_keys(values);
+}
+
+void Communicator::begin_max(std::span<double> values) const {
+  demand(native_->pending == MPI_REQUEST_NULL, "one reduction travels at a time");
+  to_keys(values);
+  MPI_Iallreduce(MPI_IN_PLACE, values.data(), count_of(values.size()), MPI_INT64_T, MPI_MAX, native_->comm,
+                 &native_->pending);
+}
+
+void Communicator::end_max(std::span<double> values) const {
+  MPI_Wait(&native_->pending, MPI_STATUS_IGNORE);
+  from_keys(values);
 }
 
 GlobalIndex Communicator::sum(GlobalIndex value) const {

@@ -104,9 +104,10 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
     report.elements = force::internal_forces(model, state, scratch);
   }
   const auto timed = links.timers.measure(Phase::halo);
-  sum_forces(model, state, scratch, links);
   double reduced[2] = {report.elements.rate, report.elements.inverted_block >= 0 ? 1.0 : 0.0};
-  links.ranks.max(reduced);
+  links.ranks.begin_max(reduced);
+  sum_forces(model, state, scratch, links);
+  links.ranks.end_max(reduced);
   report.stop = reduced[1] > 0;
   report.rate = reduced[0];
   report.dt = next_dt(state, control, report.rate);

@@ -28,6 +28,9 @@ class Communicator {
   [[nodiscard]] double max(double value) const;  ///< a NaN on any rank is NaN on all, here and in `min`
   [[nodiscard]] double min(double value) const;
   void max(std::span<double> values) const;  ///< element by element, in place
+  /// The same while other messages travel: `values` hold nothing of use between the two. One at a time.
+  void begin_max(std::span<double> values) const;
+  void end_max(std::span<double> values) const;
   [[nodiscard]] GlobalIndex sum(GlobalIndex value) const;
   void sum(std::span<GlobalIndex> values) const;  ///< wraps modulo 2^64, so it is exact in any order
   /// Both in one message, in place; at most six of each. Sums wrap modulo 2^64.

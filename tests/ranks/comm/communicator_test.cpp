@@ -2,6 +2,7 @@
 // Reductions and transfers of the communicator on any number of ranks.
 #include "brunt/comm/communicator.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -41,6 +42,20 @@ TEST_CASE("the sum of integers wraps modulo 2^64") {
   const auto expected = static_cast<std::uint64_t>(std::numeric_limits<GlobalIndex>::max()) +
                         static_cast<std::uint64_t>(ranks.size() - 1);
   CHECK(static_cast<std::uint64_t>(values[0]) == expected);
+}
+
+TEST_CASE("a maximum that travels while others do") {
+  const Communicator ranks = Communicator::world();
+  const double last = ranks.size() - 1;
+  for (int again = 0; again < 2; ++again) {
+    std::array<double, 3> values{static_cast<double>(ranks.rank()), -static_cast<double>(ranks.rank()), std::nan("")};
+    ranks.begin_max(values);
+    CHECK(ranks.sum(GlobalIndex{1}) == ranks.size());
+    ranks.end_max(values);
+    CHECK(values[0] == last);
+    CHECK(values[1] == 0);
+    CHECK(std::isnan(values[2]));
+  }
 }
 
 TEST_CASE("a NaN of one rank reaches all, infinities keep their order") {
