@@ -56,7 +56,6 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
   settings_.enforcement.warm_start =
       settings_.enforcement.warm_start && settings_.bodies && (method == Method::rate || method == Method::row_sum);
   settings_.enforcement.averaged = settings_.pairs.averages();
-  settings_.detection.drifts = settings_.enforcement.averaged || !solves_rows(method);
   settings_.detection.twin = twin_share * surface_.mean_depth;
   std::vector<comm::RemoteSlot> source;
   for (std::size_t i = 0; i < surface_.gid.size(); ++i) {
@@ -139,7 +138,7 @@ void Contact::detect(std::span<const Wall> walls, double dt) {
   if (!settings_.tied.empty()) drop_tied_rows();
   detect_walls(lists_.wall_candidates, walls, lists_.nodes.gid, motion_of_, dt, settings_.detection, rows_);
   for (const Row& row : rows_) sums_.penetration = std::max(sums_.penetration, -row.gap);
-  tie_rows(ties_, tie_scene(dt), levers_, rows_);
+  lay_ties(dt);
   sort_rows(rows_, row_sort_);
 }
 

@@ -49,6 +49,20 @@ TiedNodes Contact::tied_nodes() const {
   return count;
 }
 
+/// Where both sides are held along the normal a tie still holds across it.
+void Contact::lay_ties(double dt) {
+  constexpr double held = 1e-6;  // what rounding leaves of a direction that is held
+  const std::size_t first = rows_.size();
+  tie_rows(ties_, tie_scene(dt), levers_, rows_);
+  for (Row& row : std::span(rows_).subspan(first)) {
+    const auto moves = [&](LocalIndex node) {
+      const Mobility& mobility = mobility_[static_cast<std::size_t>(node)];
+      return mobility.inverse_mass > 0 && (mobility.projector * row.normal).norm() > held;
+    };
+    if (std::none_of(row.nodes.begin(), row.nodes.begin() + row.node_count, moves)) row.cone = Cone::across;
+  }
+}
+
 TieScene Contact::tie_scene(double dt) const {
   return {
       lists_.candidates, lists_.faces, faces_by_key_, lists_.nodes.gid, motion_of_, settings_.detection.recovery, dt};

@@ -28,7 +28,8 @@ static_assert(sizeof(NodeMotion) == node_motion_width * sizeof(double));
 /// Which impulses a row admits.
 enum class Cone : std::int8_t {
   compression,  ///< it pushes or does nothing
-  free          ///< it holds both ways
+  free,         ///< it holds both ways
+  across        ///< it holds across its normal, along which none of its nodes can move: of ties
 };
 
 /// Of two passes, the one that a row belongs to.
@@ -119,6 +120,8 @@ inline double friction_limit(const Row& row, double along) {
 /// Coulomb's law, not the projection on the cone, which would push the bodies apart where they slide.
 inline Vec3 admitted(const Row& row, const Vec3& impulse) {
   const double along = row.normal.dot(impulse);
+  if (row.cone == Cone::across) [[unlikely]]
+    return impulse - along * row.normal;
   const double push = row.cone == Cone::compression && along < 0 ? 0.0 : along;
   const bool holds_pull = row.cone == Cone::free;
   if (row.friction == 0 || (push == 0 && !holds_pull)) return push * row.normal;

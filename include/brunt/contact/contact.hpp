@@ -173,6 +173,7 @@ class Contact {
   [[nodiscard]] std::int32_t tied_block(LocalIndex slave, std::int32_t master_block) const;
   [[nodiscard]] TieScene tie_scene(double dt) const;
   void demand_ties_hold() const;
+  void lay_ties(double dt);
   void drop_tied_rows();
   void keep_overlaps(const std::vector<Vec3>& reference, std::span<const Wall> walls);
   void gather(VectorView position, VectorView old_velocity, MutableVectorView velocity);

@@ -49,11 +49,6 @@ enum class Tied : std::int8_t {
   alone  ///< those do, and nothing else acts between the two
 };
 
-/// Are the rows solved as one system? The others sweep over them.
-constexpr bool solves_rows(Method method) {
-  return method == Method::rate || method == Method::row_sum || method == Method::reference;
-}
-
 struct EnforcementSettings {
   Method method = Method::rate;
   double tolerance = 1e-3;  ///< of the residual, relative to the largest violation by the predicted velocities

@@ -248,8 +248,7 @@ double required_rate(const Row& row, double size, double dt, std::span<const Nod
   const double time = recovery_time(row, size, dt, settings.sound);
   const double recovery = std::min(-settings.recovery * row.gap, settings.recovery_limit * size) / time;
   const bool fitted = are_fitted(settings.fitted, row);
-  const bool gives = settings.recovery_gives || (settings.drifts && !row.is_edge());
-  if (gives && !fitted) return recovery;
+  if (!fitted && (settings.recovery_gives || !row.is_edge())) return recovery;
   if (-row.gap <= (fitted ? settings.touch : settings.drift) * size) return recovery;
   const Vec3 relative = relative_motion(
       row, [&](LocalIndex node) -> const Vec3& { return motion[static_cast<std::size_t>(node)].old_velocity; });

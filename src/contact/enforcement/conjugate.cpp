@@ -160,7 +160,7 @@ template <class Kind>
 void Conjugate<Kind>::choose(std::size_t q) {
   const Row& row = system_.rows[q];
   if (can_move(q)) missing_[q] = Kind::missing(row, relative(row));
-  const bool chosen = can_move(q) && (row.cone == Cone::free || Kind::pushes(row, push_[q]));
+  const bool chosen = can_move(q) && (row.cone != Cone::compression || Kind::pushes(row, push_[q]));
   scratch_.chosen[q] = chosen ? 1 : 0;
   step_[q] = chosen ? Amount(scratch_.inverse[q] * missing_[q]) : Kind::zero();
   direction_[q] = change_[q] = Kind::zero();

@@ -69,7 +69,7 @@ Judgement Iteration::judge(double term_size) {
     const double step = (next - impulses_[q]).norm();
     const double slope =
         std::isinf(row.friction) ? largest_share(row) : (row.friction == 0 ? 1.0 : std::hypot(1.0, row.friction));
-    const double rise = row.cone == Cone::free ? missing.norm() : std::max(0.0, row.normal.dot(missing));
+    const double rise = row.cone == Cone::compression ? std::max(0.0, row.normal.dot(missing)) : missing.norm();
     keep_max(largest[5], velocity_[static_cast<std::size_t>(row.nodes[0])].cwiseAbs().maxCoeff());
     keep_max(largest[0], h * step);
     keep_max(largest[1], h * step * step);
@@ -164,6 +164,35 @@ EnforcementResult iterate(const System& system, const EnforcementSettings& setti
   }
 }
 
+namespace {
+
+/// Conjugate residuals need not descend: where rows change sides over and over they may wander for ever, far above
+/// where they began. After half of the iterations Barzilai-Borwein steps, which end with sweeps that do descend, go on
+/// from there, or from nothing where that is nearer.
+EnforcementResult conjugate_or_quotients(const System& system, const EnforcementSettings& settings,
+                                         const Setting& setting, bool coupled, Exchange& exchange,
+                                         std::span<Vec3> impulses, std::span<Vec3> velocity,
+                                         EnforcementScratch& scratch) {
+  EnforcementSettings half = settings;
+  half.max_iterations = (settings.max_iterations + 1) / 2;
+  const EnforcementResult first =
+      iterate_conjugate(system, half, setting, coupled, exchange, impulses, velocity, scratch);
+  if (first.iterations < half.max_iterations || first.residual <= settings.tolerance) return first;
+  if (!(first.residual < 1)) {
+    std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
+    take_prediction(system, velocity);
+  }
+  EnforcementSettings rest = settings;
+  rest.warm_start = false;
+  rest.max_iterations -= first.iterations;
+  EnforcementResult result =
+      iterate(system, rest, StepLength::longer, true, setting.violation, exchange, impulses, velocity, scratch);
+  result.iterations += first.iterations;
+  return result;
+}
+
+}  // namespace
+
 EnforcementResult enforce_rate_constraint(const System& system, const EnforcementSettings& settings, StepLength length,
                                           Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
                                           EnforcementScratch& scratch) {
@@ -174,7 +203,7 @@ EnforcementResult enforce_rate_constraint(const System& system, const Enforcemen
                            ? start_from_impulses(system, impulses, setting.impulse, exchange, velocity, scratch)
                            : form_row_sums(system, exchange, scratch);
   if (length == StepLength::longer && !setting.rubs)
-    return iterate_conjugate(system, settings, setting, coupled, exchange, impulses, velocity, scratch);
+    return conjugate_or_quotients(system, settings, setting, coupled, exchange, impulses, velocity, scratch);
   return iterate(system, settings, length, coupled, setting.violation, exchange, impulses, velocity, scratch);
 }
 

@@ -12,14 +12,24 @@
 namespace brunt::contact {
 namespace {
 
-/// Share of an impulse along the row's directions that the node is free to follow; what is left of a projector's
-/// rounding along a direction that is held counts as nothing. length: of the row's normal.
+/// What is left of a projector's rounding along a direction that is held counts as nothing.
+constexpr double held = 1e-6;
+
+bool is_free(const Mobility& mobility) {
+  return mobility.projector.trace() == 3;  // the trace of a projector is its rank
+}
+
+bool is_free_along(const Vec3& normal, const Mobility& mobility) {
+  return is_free(mobility) || (mobility.projector * normal).norm() > held;
+}
+
+/// Share of an impulse along the row's directions that the node is free to follow: with friction any direction counts.
+/// length: of the row's normal.
 double free_share(const Row& row, double length, const Mobility& mobility) {
-  constexpr double held = 1e-6;
-  const bool is_free = mobility.projector.trace() == 3;  // the trace of a projector is its rank
-  const double along = is_free ? length : (mobility.projector * row.normal).norm();
-  if (along <= held) return 0.0;
-  return row.friction > 0 ? 1.0 : along;
+  if (is_free(mobility)) return row.friction > 0 ? 1.0 : length;
+  if (row.friction > 0) return mobility.projector.norm() > held ? 1.0 : 0.0;
+  const double along = (mobility.projector * row.normal).norm();
+  return along > held ? along : 0.0;
 }
 
 /// |G_qn P_n| of node i of a row (of a lever: a bound of it).
@@ -38,12 +48,15 @@ void for_each_weight(const System& system, const Row& row, Visit&& visit) {
   }
 }
 
-/// Can an impulse in this row change its rate? Else the row is left out: prescribed motion has the authority.
+/// Can an impulse in this row change its rate? Else the row is left out: prescribed motion has the authority. (Coulomb
+/// friction needs a pressure: it is nothing where both sides are held along the normal.)
 bool can_act(const System& system, const Row& row) {
   const double length = row.normal.norm();
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
     const Mobility& mobility = system.mobility[static_cast<std::size_t>(row.nodes[i])];
-    if (mobility.inverse_mass > 0 && weight_of(row, length, i, mobility) > 0) return true;
+    if (mobility.inverse_mass > 0 && weight_of(row, length, i, mobility) > 0 &&
+        (std::isinf(row.friction) || is_free_along(row.normal, mobility)))
+      return true;
   }
   return false;
 }
@@ -72,7 +85,7 @@ class ImpulseGrid {
 double shortfall(const Row& row, const Vec3& relative) {
   if (std::isinf(row.friction)) return missing_rate(row, relative).norm();
   const double missing = row.required - row.normal.dot(relative);
-  return row.cone == Cone::free ? std::abs(missing) : std::max(missing, 0.0);
+  return row.cone == Cone::compression ? std::max(missing, 0.0) : std::abs(missing);
 }
 
 /// Weights of this rank's rows, laid on their nodes; scratch.share keeps them.
@@ -82,7 +95,8 @@ void lay_weights(const System& system, EnforcementScratch& scratch, bool (*count
   scratch.row_sum_parts.assign(system.motion.size() * row_sum_width, 0.0);
   scratch.share.resize(system.rows.size());
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    if (counts != nullptr && !counts(system.rows[q])) continue;
+    scratch.share[q] = {};
+    if ((counts != nullptr && !counts(system.rows[q])) || !can_act(system, system.rows[q])) continue;
     auto share = scratch.share[q].begin();
     for_each_weight(system, system.rows[q], [&](std::size_t node, double weight) {
       *share++ = weight;
@@ -194,7 +208,7 @@ double largest_impulse_on_a_node(std::span<const Row> rows, std::span<const Vec3
 
 Vec3 missing_rate(const Row& row, const Vec3& relative) {
   const double along = row.normal.dot(relative);
-  Vec3 missing = (row.required - along) * row.normal;
+  Vec3 missing = row.cone == Cone::across ? Vec3(Vec3::Zero()) : Vec3((row.required - along) * row.normal);
   if (row.friction > 0) missing += row.drift - (relative - along * row.normal);
   return missing;
 }
