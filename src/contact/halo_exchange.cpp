@@ -48,14 +48,20 @@ void HaloExchange::share(std::span<double> values, int width) {
   end_share(values, width);
 }
 
+/// What `nodes` receive of both.
+std::array<std::span<double>, 2> HaloExchange::carry_both(const comm::Halo& halo, std::size_t nodes,
+                                                          const NodeValues& one, const NodeValues& other) {
+  const std::span<double> first = room_for(nodes, one.width), second = room_for(nodes, other.width, first.size());
+  halo.begin(one.values, first, one.width);
+  halo.begin(other.values, second, other.width);
+  halo.end(one.values, first, one.width);
+  halo.end(other.values, second, other.width);
+  return {first, second};
+}
+
 void HaloExchange::share_both(const NodeValues& one, const NodeValues& other) {
   if (!linked_) return;
-  const std::span<double> first = room_for(links_.copies.size(), one.width),
-                          second = room_for(links_.copies.size(), other.width, first.size());
-  to_copies_.begin(one.values, first, one.width);
-  to_copies_.begin(other.values, second, other.width);
-  to_copies_.end(one.values, first, one.width);
-  to_copies_.end(other.values, second, other.width);
+  const auto [first, second] = carry_both(to_copies_, links_.copies.size(), one, other);
   take_copies(first, one);
   take_copies(second, other);
 }
@@ -69,12 +75,7 @@ void HaloExchange::sum_to_owner(std::span<double> values, int width) {
 
 void HaloExchange::sum_both_to_owner(const NodeValues& one, const NodeValues& other) {
   if (!linked_) return;
-  const std::span<double> first = room_for(links_.copied.size(), one.width),
-                          second = room_for(links_.copied.size(), other.width, first.size());
-  to_owners_.begin(one.values, first, one.width);
-  to_owners_.begin(other.values, second, other.width);
-  to_owners_.end(one.values, first, one.width);
-  to_owners_.end(other.values, second, other.width);
+  const auto [first, second] = carry_both(to_owners_, links_.copied.size(), one, other);
   add_from_copies(first, one);
   add_from_copies(second, other);
 }

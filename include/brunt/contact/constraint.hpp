@@ -14,6 +14,13 @@ namespace brunt::contact {
 struct Mobility {
   double inverse_mass = 0;            ///< [1/mass]; 0 for a node that nothing moves
   Mat3 projector = Mat3::Identity();  ///< nothing along constrained directions
+
+  [[nodiscard]] bool is_free() const { return projector.trace() == 3; }  ///< the trace of a projector is its rank
+  /// Can an impulse along this unit vector move it? What rounding leaves of a direction that is held counts as nothing.
+  [[nodiscard]] bool is_free_along(const Vec3& normal) const {
+    return is_free() || (projector * normal).norm() > rounding;
+  }
+  static constexpr double rounding = 1e-6;
 };
 
 /// What the step knows of a node before contact.

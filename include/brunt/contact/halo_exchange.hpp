@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The exchange of contact nodes between ranks.
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,8 @@ class HaloExchange final : public Exchange {
 
  private:
   [[nodiscard]] std::span<double> room_for(std::size_t nodes, int width, std::size_t before = 0);
+  [[nodiscard]] std::array<std::span<double>, 2> carry_both(const comm::Halo& halo, std::size_t nodes,
+                                                            const NodeValues& one, const NodeValues& other);
   void take_copies(std::span<const double> received, const NodeValues& into) const;
   void add_from_copies(std::span<const double> received, const NodeValues& into) const;
 

@@ -120,6 +120,30 @@ Setting look_at_rows(const System& system, bool warm_start, Exchange& exchange, 
           .holds = largest[4] > 0};
 }
 
+/// Without Coulomb friction: see the header. Barzilai-Borwein steps go on from where conjugate residuals have come to,
+/// or from nothing where that is nearer.
+EnforcementResult conjugate_or_quotients(const System& system, const EnforcementSettings& settings,
+                                         const Setting& setting, bool coupled, Exchange& exchange,
+                                         std::span<Vec3> impulses, std::span<Vec3> velocity,
+                                         EnforcementScratch& scratch) {
+  EnforcementSettings half = settings;
+  half.max_iterations = (settings.max_iterations + 1) / 2;
+  const EnforcementResult first =
+      iterate_conjugate(system, half, setting, coupled, exchange, impulses, velocity, scratch);
+  if (first.iterations < half.max_iterations || first.residual <= settings.tolerance) return first;
+  if (!(first.residual < 1)) {
+    std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
+    take_prediction(system, velocity);
+  }
+  EnforcementSettings rest = settings;
+  rest.warm_start = false;
+  rest.max_iterations -= first.iterations;
+  EnforcementResult result =
+      iterate(system, rest, StepLength::longer, true, setting.violation, exchange, impulses, velocity, scratch);
+  result.iterations += first.iterations;
+  return result;
+}
+
 }  // namespace
 
 double residual_to_reach(const EnforcementSettings& settings, double first) {
@@ -163,35 +187,6 @@ EnforcementResult iterate(const System& system, const EnforcementSettings& setti
     ++result.iterations;
   }
 }
-
-namespace {
-
-/// Conjugate residuals need not descend: where rows change sides over and over they may wander for ever, far above
-/// where they began. After half of the iterations Barzilai-Borwein steps, which end with sweeps that do descend, go on
-/// from there, or from nothing where that is nearer.
-EnforcementResult conjugate_or_quotients(const System& system, const EnforcementSettings& settings,
-                                         const Setting& setting, bool coupled, Exchange& exchange,
-                                         std::span<Vec3> impulses, std::span<Vec3> velocity,
-                                         EnforcementScratch& scratch) {
-  EnforcementSettings half = settings;
-  half.max_iterations = (settings.max_iterations + 1) / 2;
-  const EnforcementResult first =
-      iterate_conjugate(system, half, setting, coupled, exchange, impulses, velocity, scratch);
-  if (first.iterations < half.max_iterations || first.residual <= settings.tolerance) return first;
-  if (!(first.residual < 1)) {
-    std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
-    take_prediction(system, velocity);
-  }
-  EnforcementSettings rest = settings;
-  rest.warm_start = false;
-  rest.max_iterations -= first.iterations;
-  EnforcementResult result =
-      iterate(system, rest, StepLength::longer, true, setting.violation, exchange, impulses, velocity, scratch);
-  result.iterations += first.iterations;
-  return result;
-}
-
-}  // namespace
 
 EnforcementResult enforce_rate_constraint(const System& system, const EnforcementSettings& settings, StepLength length,
                                           Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,

@@ -12,24 +12,13 @@
 namespace brunt::contact {
 namespace {
 
-/// What is left of a projector's rounding along a direction that is held counts as nothing.
-constexpr double held = 1e-6;
-
-bool is_free(const Mobility& mobility) {
-  return mobility.projector.trace() == 3;  // the trace of a projector is its rank
-}
-
-bool is_free_along(const Vec3& normal, const Mobility& mobility) {
-  return is_free(mobility) || (mobility.projector * normal).norm() > held;
-}
-
 /// Share of an impulse along the row's directions that the node is free to follow: with friction any direction counts.
 /// length: of the row's normal.
 double free_share(const Row& row, double length, const Mobility& mobility) {
-  if (is_free(mobility)) return row.friction > 0 ? 1.0 : length;
-  if (row.friction > 0) return mobility.projector.norm() > held ? 1.0 : 0.0;
+  if (mobility.is_free()) return row.friction > 0 ? 1.0 : length;
+  if (row.friction > 0) return mobility.projector.norm() > Mobility::rounding ? 1.0 : 0.0;
   const double along = (mobility.projector * row.normal).norm();
-  return along > held ? along : 0.0;
+  return along > Mobility::rounding ? along : 0.0;
 }
 
 /// |G_qn P_n| of node i of a row (of a lever: a bound of it).
@@ -55,7 +44,7 @@ bool can_act(const System& system, const Row& row) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
     const Mobility& mobility = system.mobility[static_cast<std::size_t>(row.nodes[i])];
     if (mobility.inverse_mass > 0 && weight_of(row, length, i, mobility) > 0 &&
-        (std::isinf(row.friction) || is_free_along(row.normal, mobility)))
+        (std::isinf(row.friction) || mobility.is_free_along(row.normal)))
       return true;
   }
   return false;
