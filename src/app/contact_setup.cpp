@@ -81,6 +81,7 @@ contact::PairTable pair_table(const model::ContactRule& rule, std::size_t n) {
                 : forced < 0 ? contact::PairRule::master
                              : contact::PairRule::automatic);
     }
+  table.hold_rims(contact::holds_rates(rule.enforcement.method) && !table.averages());
   return table;
 }
 

@@ -55,7 +55,8 @@ std::vector<LocalIndex> own_slave_nodes(const ListBuild& build) {
   std::vector<LocalIndex> slaves;
   for (LocalIndex node = 0; node < static_cast<LocalIndex>(build.surface.gid.size()); ++node) {
     if (!build.surface.owns(node, build.ranks.rank()) || build.surface.blocks.row(node).empty()) continue;
-    if (build.roles.slave[static_cast<std::size_t>(build.surface.body[static_cast<std::size_t>(node)])] != 0)
+    const auto i = static_cast<std::size_t>(node), body = static_cast<std::size_t>(build.surface.body[i]);
+    if (build.roles.slave[body] != 0 || (build.roles.slave_rims[body] != 0 && build.surface.on_rim[i] != 0))
       slaves.push_back(node);
   }
   return slaves;
@@ -71,9 +72,9 @@ bool is_neighbour(const Surface& surface, LocalIndex node, const TravellingFace&
 }
 
 bool is_permitted(const ListBuild& build, LocalIndex node, const TravellingFace& face) {
-  const std::int32_t body = build.surface.body[static_cast<std::size_t>(node)];
-  return may_meet(build.pairs, build.surface.bodies, build.surface.blocks.row(node), body, face.block, face.body) &&
-         (body != face.body || !is_neighbour(build.surface, node, face));
+  const SurfaceNode slave = build.surface.node(node);
+  return may_meet(build.pairs, build.surface.bodies, slave, face.block, face.body) &&
+         (slave.body != face.body || !is_neighbour(build.surface, node, face));
 }
 
 std::vector<TravellingEdge> own_edges(const ListBuild& build) {
@@ -101,7 +102,7 @@ Box edge_box(const ListBuild& build, const SurfaceEdge& edge) {
 /// touch, the lower as slave.
 bool is_permitted(const ListBuild& build, const SurfaceEdge& slave, const TravellingEdge& master) {
   const std::array block{slave.block};
-  if (!leads(build.pairs, build.surface.bodies, block, slave.body, master.block, master.body)) return false;
+  if (!leads(build.pairs, build.surface.bodies, {block, slave.body}, master.block, master.body)) return false;
   if (slave.body != master.body) return true;
   const std::array gid{build.surface.gid[static_cast<std::size_t>(slave.nodes[0])],
                        build.surface.gid[static_cast<std::size_t>(slave.nodes[1])]};

@@ -24,7 +24,7 @@ std::vector<double> Contact::pressures(double dt) const {
     const std::size_t node = model_node_of(row);
     const double area = area_of_slave(row);
     double push = row.normal.dot(impulses_[q]);
-    if (row.pass != Pass::both) {  // the rows that it is a master's corner of push a node as well, or alone
+    if (two_passes_) {  // the rows that it is a master's corner of push a node as well, or alone
       const double share = pushes[node] > 0 ? push / pushes[node] : 1 / count[node];
       push = share * std::max(0.0, row.normal.dot(given[node]));
     }

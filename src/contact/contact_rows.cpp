@@ -35,7 +35,7 @@ void Contact::lay_passes() {
   if (!two_passes_) return;
   for (Row& row : rows_) {
     if (row.is_wall() || row.is_edge() || row.cone != Cone::compression) continue;  // ties hold in both
-    row.pass = pass_of(row, surface_.blocks.row(lists_.nodes.surface_node[static_cast<std::size_t>(row.nodes[0])]),
+    row.pass = pass_of(row, surface_.node(lists_.nodes.surface_node[static_cast<std::size_t>(row.nodes[0])]),
                        settings_.pairs, surface_.bodies);
     if (row.pass == Pass::first && row.slave_body != row.master_body && has_twin(row)) row.pass = Pass::both;
   }

@@ -182,4 +182,16 @@ std::vector<SurfaceEdge> sharp_edges(const comm::Communicator& ranks, const mesh
   return edges;
 }
 
+std::vector<char> nodes_on_edges(const comm::Communicator& ranks, const Surface& surface) {
+  std::vector<std::vector<LocalIndex>> to_owner(static_cast<std::size_t>(ranks.size()));
+  for (const SurfaceEdge& edge : surface.edges)
+    for (const LocalIndex node : edge.nodes) {
+      const Place& home = surface.home[static_cast<std::size_t>(node)];
+      to_owner[static_cast<std::size_t>(home.rank)].push_back(home.index);
+    }
+  std::vector<char> on_edge(surface.gid.size(), 0);
+  for (const LocalIndex node : comm::exchange(ranks, to_owner).values) on_edge[static_cast<std::size_t>(node)] = 1;
+  return on_edge;
+}
+
 }  // namespace brunt::contact

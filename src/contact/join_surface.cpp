@@ -235,6 +235,7 @@ Surface join_surface(const comm::Communicator& ranks, const mesh::LocalMesh& mes
   measure_bodies(ranks, mesh, inverse_mass, surface);
   surface.neighbours = element_neighbours(ranks, mesh, surface);
   surface.edges = sharp_edges(ranks, mesh, surface, sharp_angle);
+  surface.on_rim = nodes_on_edges(ranks, surface);
   return surface;
 }
 

@@ -205,10 +205,11 @@ std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const me
   for (const auto& [own, slave] : patches)
     for (const auto& [others, master] : patches) {
       if (own.first == others.first) continue;  // folds are not foretold
-      if (!may_meet(pairs, bodies, {&own.second, 1}, own.first, others.second, others.first)) continue;
+      const SurfaceNode node{{&own.second, 1}, own.first};
+      if (!may_meet(pairs, bodies, node, others.second, others.first)) continue;
       any_pair = true;
       const double farthest = span_of(slave.box, master.box);
-      const bool second = !leads(pairs, bodies, {&own.second, 1}, own.first, others.second, others.first);
+      const bool second = !leads(pairs, bodies, node, others.second, others.first);
       std::optional<FlightShadow> twins;
       for (const std::size_t f : slave.faces) {
         if (likely[f] != 0 || !may_reach(faces[f], master, outlook.duration, farthest)) continue;

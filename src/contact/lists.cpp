@@ -152,11 +152,11 @@ void fill_faces(const ListBuild& build, const FacePairs& found, ContactLists& li
 void fill_second(const ListBuild& build, const FacePairs& found, Candidates& candidates) {
   if (!build.settings.two_passes) return;
   for (const CandidatePair& pair : found.pairs) {
-    const std::int32_t body = build.surface.body[static_cast<std::size_t>(pair.slave)];
+    const SurfaceNode node = build.surface.node(pair.slave);
     const TravellingFace& face = found.masters[static_cast<std::size_t>(pair.master)];
-    const bool second = body != face.body && !is_slave(build.surface.bodies, body, face.body) &&
-                        meet_in_two_passes(build.pairs, build.surface.bodies, build.surface.blocks.row(pair.slave),
-                                           body, face.block, face.body);
+    const bool second = node.body != face.body &&
+                        !leads(build.pairs, build.surface.bodies, node, face.block, face.body) &&
+                        meet_in_two_passes(build.pairs, build.surface.bodies, node, face.block, face.body);
     candidates.second.push_back(second ? 1 : 0);
   }
 }

@@ -3,12 +3,10 @@
 
 namespace brunt::contact {
 
-Pass pass_of(const Row& row, std::span<const std::int32_t> node_blocks, const PairTable& pairs,
-             std::span<const BodyFigures> bodies) {
-  if (!meet_in_two_passes(pairs, bodies, node_blocks, row.slave_body, row.master_block, row.master_body))
-    return Pass::both;
+Pass pass_of(const Row& row, const SurfaceNode& node, const PairTable& pairs, std::span<const BodyFigures> bodies) {
+  if (!meet_in_two_passes(pairs, bodies, node, row.master_block, row.master_body)) return Pass::both;
   if (row.slave_body != row.master_body)
-    return is_slave(bodies, row.slave_body, row.master_body) ? Pass::first : Pass::second;
+    return leads(pairs, bodies, node, row.master_block, row.master_body) ? Pass::first : Pass::second;
   const Vec3 askew(0.81, 0.47, 0.35);  // no face of a body that was meshed along the axes looks across it
   return row.normal.dot(askew) > 0 ? Pass::first : Pass::second;
 }

@@ -38,7 +38,7 @@ history: {{every: {every}}}
 """
 BY_DENSITY = MASS_RATIO.format(heavy_box=box("heavy", (1, 1, 1), (3, 3, 3), (0, 0, -1)), heavy_density=1e6, light_density=1,
                                light_box=box("light", (1, 1, 1), (3, 3, 3), (0.13, -0.21, 1e-4)), young=1e10, speed=1,
-                               end=3e-4, every=1e-5)
+                               end=3e-4, every=5e-6)
 BY_SIZE = MASS_RATIO.format(heavy_box=box("heavy", (1, 1, 1), (4, 4, 4), (0, 0, -1)), heavy_density=7800, light_density=7800,
                             light_box=box("light", (0.01, 0.01, 0.01), (2, 2, 2), (0.3, 0.245, 1e-5)), young=2e11,
                             speed=math.sqrt(2 * 9.81 * 0.1), end=3e-5, every=1e-6)

@@ -21,4 +21,8 @@ Ragged<GlobalIndex> element_neighbours(const comm::Communicator& ranks, const me
 std::vector<SurfaceEdge> sharp_edges(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
                                      const Surface& surface, double least_angle);
 
+/// A flag for each surface node that this rank owns (0 for others): does it stand on one of the sharp edges, whichever
+/// rank has it? Collective.
+std::vector<char> nodes_on_edges(const comm::Communicator& ranks, const Surface& surface);
+
 }  // namespace brunt::contact

@@ -20,9 +20,15 @@ enum class Method : std::int8_t {
   reference     ///< the exact solution of (22) by PETSc: for comparisons, not bitwise the same on all ranks
 };
 
+/// By the exact law of complementarity: rows of both passes at once contradict each other in nothing.
+constexpr bool holds_rates(Method method) {
+  return method == Method::rate || method == Method::row_sum || method == Method::reference;
+}
+
 /// In how many passes two sides meet: nodes of the one on faces of the other, or both ways (see passes.hpp).
 enum class Passes : std::int8_t {
-  automatic,  ///< two within a body and between bodies of equal meshes, where no side is named the slave; else one
+  automatic,  ///< two within a body and between bodies of equal meshes, where no side is named the slave; else one, in
+              ///< which nodes on the master's rims are held as well
   one,
   two,      ///< held by one system of rows
   averaged  ///< two, each solved by itself, and the mean of their impulses acts; then so do all of a scene's

@@ -18,10 +18,8 @@ namespace brunt::contact {
 /// as good as two.
 constexpr double twin_share = 0.01;
 
-/// The pass of a row between a node of these blocks and a face (no edge, no wall). Between bodies those that lead (see
-/// is_slave) are the first. Within a body it is the side that the normal looks to: opposite folds have opposite
-/// normals.
-Pass pass_of(const Row& row, std::span<const std::int32_t> node_blocks, const PairTable& pairs,
-             std::span<const BodyFigures> bodies);
+/// The pass of a row between a node and a face (no edge, no wall). Between bodies those that lead are the first. Within
+/// a body it is the side that the normal looks to: opposite folds have opposite normals.
+Pass pass_of(const Row& row, const SurfaceNode& node, const PairTable& pairs, std::span<const BodyFigures> bodies);
 
 }  // namespace brunt::contact

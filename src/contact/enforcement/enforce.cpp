@@ -11,14 +11,6 @@
 #include "brunt/contact/enforcement/reference.hpp"
 
 namespace brunt::contact {
-namespace {
-
-/// By the exact law of complementarity: rows of both passes at once contradict each other in nothing.
-bool holds_rates(Method method) {
-  return method == Method::rate || method == Method::row_sum || method == Method::reference;
-}
-
-}  // namespace
 
 EnforcementResult enforce(const System& system, const EnforcementSettings& settings, double dt, Exchange& exchange,
                           std::span<Vec3> impulses, std::span<Vec3> velocity, EnforcementScratch& scratch) {

@@ -73,23 +73,27 @@ bool alike(const BodyFigures& one, const BodyFigures& other) {
 
 namespace {
 
-bool in_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies, std::int32_t block, std::int32_t body,
-                   std::int32_t other_block, std::int32_t other_body) {
+bool in_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies, std::int32_t block,
+                   const SurfaceNode& node, std::int32_t other_block, std::int32_t other_body) {
   const PairRule rule = pairs.at(block, other_block);
   if (rule == PairRule::apart) return false;
   const Passes passes = pairs.passes(block, other_block);
   if (passes != Passes::automatic) return passes != Passes::one;
-  return rule == PairRule::automatic && (body == other_body || alike(bodies[static_cast<std::size_t>(body)],
-                                                                     bodies[static_cast<std::size_t>(other_body)]));
+  if (node.on_rim && node.body != other_body && pairs.holds_rims()) return true;
+  return rule == PairRule::automatic &&
+         (node.body == other_body ||
+          alike(bodies[static_cast<std::size_t>(node.body)], bodies[static_cast<std::size_t>(other_body)]));
 }
 
-bool bodies_in_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t b) {
+bool bodies_in_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t b,
+                          bool on_rim) {
   const auto blocks_of = [&](std::int32_t body) -> const std::vector<std::int32_t>& {
     return bodies[static_cast<std::size_t>(body)].blocks;
   };
   return std::ranges::any_of(blocks_of(a), [&](std::int32_t own) {
-    return std::ranges::any_of(blocks_of(b),
-                               [&](std::int32_t other) { return in_two_passes(pairs, bodies, own, a, other, b); });
+    return std::ranges::any_of(blocks_of(b), [&](std::int32_t other) {
+      return in_two_passes(pairs, bodies, own, {.body = a, .on_rim = on_rim}, other, b);
+    });
   });
 }
 
@@ -103,7 +107,8 @@ bool may_meet_itself(const BodyFigures& body, const PairTable& pairs) {
 
 Roles roles_of(std::span<const BodyFigures> bodies, const PairTable& pairs) {
   const char unknown = pairs.forces_a_side() ? 1 : 0;
-  Roles roles{std::vector<char>(bodies.size(), unknown), std::vector<char>(bodies.size(), unknown)};
+  Roles roles{std::vector<char>(bodies.size(), unknown), std::vector<char>(bodies.size(), unknown),
+              std::vector<char>(bodies.size(), 0)};
   const auto count = static_cast<std::int32_t>(bodies.size());
   for (std::int32_t a = 0; a < count; ++a) {
     for (std::int32_t b = 0; b < count; ++b) {
@@ -111,17 +116,17 @@ Roles roles_of(std::span<const BodyFigures> bodies, const PairTable& pairs) {
       if (roles.slave[i] != 0 && roles.master[i] != 0) break;
       if (a == b && may_meet_itself(bodies[i], pairs)) roles.slave[i] = roles.master[i] = 1;
       if (a != b) (is_slave(bodies, a, b) ? roles.slave : roles.master)[i] = 1;
-      if (a != b && bodies_in_two_passes(pairs, bodies, a, b)) roles.slave[i] = roles.master[i] = 1;
+      if (a != b && bodies_in_two_passes(pairs, bodies, a, b, false)) roles.slave[i] = roles.master[i] = 1;
+      if (a != b && bodies_in_two_passes(pairs, bodies, a, b, true)) roles.slave_rims[i] = roles.master[i] = 1;
     }
   }
   return roles;
 }
 
-bool meet_in_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies,
-                        std::span<const std::int32_t> node_blocks, std::int32_t node_body, std::int32_t face_block,
-                        std::int32_t face_body) {
-  return std::ranges::any_of(node_blocks, [&](std::int32_t block) {
-    return in_two_passes(pairs, bodies, block, node_body, face_block, face_body);
+bool meet_in_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies, const SurfaceNode& node,
+                        std::int32_t face_block, std::int32_t face_body) {
+  return std::ranges::any_of(node.blocks, [&](std::int32_t block) {
+    return in_two_passes(pairs, bodies, block, node, face_block, face_body);
   });
 }
 
@@ -129,23 +134,23 @@ bool any_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies)
   const auto count = static_cast<std::int32_t>(bodies.size());
   for (std::int32_t a = 0; a < count; ++a)
     for (std::int32_t b = a; b < count; ++b)
-      if (bodies_in_two_passes(pairs, bodies, a, b)) return true;
+      if (bodies_in_two_passes(pairs, bodies, a, b, true)) return true;
   return false;
 }
 
-bool leads(const PairTable& pairs, std::span<const BodyFigures> bodies, std::span<const std::int32_t> node_blocks,
-           std::int32_t node_body, std::int32_t face_block, std::int32_t face_body) {
-  return std::any_of(node_blocks.begin(), node_blocks.end(), [&](std::int32_t block) {
+bool leads(const PairTable& pairs, std::span<const BodyFigures> bodies, const SurfaceNode& node,
+           std::int32_t face_block, std::int32_t face_body) {
+  return std::ranges::any_of(node.blocks, [&](std::int32_t block) {
     const PairRule rule = pairs.at(block, face_block);
-    if (rule == PairRule::automatic) return node_body == face_body || is_slave(bodies, node_body, face_body);
+    if (rule == PairRule::automatic) return node.body == face_body || is_slave(bodies, node.body, face_body);
     return rule == PairRule::slave;
   });
 }
 
-bool may_meet(const PairTable& pairs, std::span<const BodyFigures> bodies, std::span<const std::int32_t> node_blocks,
-              std::int32_t node_body, std::int32_t face_block, std::int32_t face_body) {
-  return leads(pairs, bodies, node_blocks, node_body, face_block, face_body) ||
-         meet_in_two_passes(pairs, bodies, node_blocks, node_body, face_block, face_body);
+bool may_meet(const PairTable& pairs, std::span<const BodyFigures> bodies, const SurfaceNode& node,
+              std::int32_t face_block, std::int32_t face_body) {
+  return leads(pairs, bodies, node, face_block, face_body) ||
+         meet_in_two_passes(pairs, bodies, node, face_block, face_body);
 }
 
 }  // namespace brunt::contact

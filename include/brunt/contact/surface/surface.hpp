@@ -44,6 +44,13 @@ struct BodyFigures {
   std::vector<std::int32_t> blocks{};  ///< of its contact faces, ascending
 };
 
+/// A node as far as it decides what it may meet, and how.
+struct SurfaceNode {
+  std::span<const std::int32_t> blocks{};  ///< of its contact faces
+  std::int32_t body = 0;
+  bool on_rim = false;  ///< stands on a sharp edge
+};
+
 /// One rank's part of the surface of all bodies. Nodes: those of this rank's mesh that lie on any exterior face of the
 /// whole model, in ascending gid.
 struct Surface {
@@ -52,6 +59,7 @@ struct Surface {
   std::vector<Place> home;             ///< surface node on the owner
   std::vector<std::int32_t> body;      ///< known for nodes owned here, else no_index
   Ragged<std::int32_t> blocks;         ///< for nodes owned here: blocks of their contact faces, ascending
+  std::vector<char> on_rim;            ///< for nodes owned here: do they stand on a sharp edge?
   Ragged<Place> facets;                ///< for nodes owned here: their contact faces by key
   Ragged<GlobalIndex> neighbours;      ///< for nodes owned here: nodes of the elements that contain them, ascending
   std::vector<SurfaceFace> faces;      ///< contact faces of this rank's elements, by key
@@ -60,6 +68,9 @@ struct Surface {
   double mean_edge = 0;                ///< mean over all contact faces of their longest edge [length]
   double mean_depth = 0;  ///< mean over the same of the depth, or the longest edge if that is less [length]
 
+  [[nodiscard]] SurfaceNode node(LocalIndex owned) const {
+    return {blocks.row(owned), body[static_cast<std::size_t>(owned)], on_rim[static_cast<std::size_t>(owned)] != 0};
+  }
   [[nodiscard]] bool owns(LocalIndex node, Rank rank) const {
     return home[static_cast<std::size_t>(node)].rank == rank;
   }
@@ -81,11 +92,15 @@ class PairTable {
   [[nodiscard]] Passes passes(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] bool forces_a_side() const;  ///< some rule names the slave
   [[nodiscard]] bool averages() const;       ///< some pair asks for the mean of its passes
+  /// In one pass that was chosen automatically, are nodes of the master on rims held as well? Not unless told.
+  void hold_rims(bool held) { holds_rims_ = held; }
+  [[nodiscard]] bool holds_rims() const { return holds_rims_; }
 
  private:
   std::int32_t block_count_ = 0;
   std::vector<PairRule> rule_;
   std::vector<Passes> passes_;
+  bool holds_rims_ = false;
 };
 
 /// Is body a the slave where it meets body b? The finer (smaller mean face area) is; where these agree within 1 %, the
@@ -96,10 +111,11 @@ bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t 
 /// Are their meshes equal where they meet, neither side much finer or lighter? See Passes::automatic.
 bool alike(const BodyFigures& one, const BodyFigures& other);
 
-/// Do a node of these blocks and body and a face of this block and body meet in two passes?
-bool meet_in_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies,
-                        std::span<const std::int32_t> node_blocks, std::int32_t node_body, std::int32_t face_block,
-                        std::int32_t face_body);
+/// Do a node and a face of this block and body meet in two passes? In one automatic pass nodes on rims do as well: a
+/// rim sags beyond the last node of the slave that holds it, and those that come under it later would be deep in the
+/// master when they are first seen.
+bool meet_in_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies, const SurfaceNode& node,
+                        std::int32_t face_block, std::int32_t face_body);
 
 /// Does any pair of bodies?
 bool any_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies);
@@ -107,17 +123,17 @@ bool any_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies)
 /// Which bodies can be slave, or master, of another or of themselves: the rest need not be searched as such.
 struct Roles {
   std::vector<char> slave, master;
+  std::vector<char> slave_rims;  ///< bodies of which the nodes on rims alone can be slaves
 };
 Roles roles_of(std::span<const BodyFigures> bodies, const PairTable& pairs);
 
-/// Is a node of these blocks and body the slave of a face of this block and body, were there one pass? Within one body
-/// every node is: which of two folds would be the finer side is not known before they meet.
-bool leads(const PairTable& pairs, std::span<const BodyFigures> bodies, std::span<const std::int32_t> node_blocks,
-           std::int32_t node_body, std::int32_t face_block, std::int32_t face_body);
+/// Is a node the slave of a face of this block and body, were there one pass? Within one body every node is: which of
+/// two folds would be the finer side is not known before they meet.
+bool leads(const PairTable& pairs, std::span<const BodyFigures> bodies, const SurfaceNode& node,
+           std::int32_t face_block, std::int32_t face_body);
 
-/// May a node of these blocks and body be held off by a face of this block and body? Those that lead, and in two passes
-/// the other side's too.
-bool may_meet(const PairTable& pairs, std::span<const BodyFigures> bodies, std::span<const std::int32_t> node_blocks,
-              std::int32_t node_body, std::int32_t face_block, std::int32_t face_body);
+/// May a node be held off by a face of this block and body? Those that lead, and in two passes the other side's too.
+bool may_meet(const PairTable& pairs, std::span<const BodyFigures> bodies, const SurfaceNode& node,
+              std::int32_t face_block, std::int32_t face_body);
 
 }  // namespace brunt::contact

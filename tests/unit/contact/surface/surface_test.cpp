@@ -25,21 +25,21 @@ TEST_CASE("rules of pairs of blocks") {
   const std::vector<BodyFigures> bodies{{1.0, 5.0}, {0.5, 9.0}};
   PairTable pairs(3, PairRule::automatic);
   const std::vector<std::int32_t> block0{0}, block1{1};
-  CHECK(may_meet(pairs, bodies, block1, 1, 0, 0));
-  CHECK_FALSE(may_meet(pairs, bodies, block0, 0, 1, 1));
-  CHECK(may_meet(pairs, bodies, block1, 1, 0, 1));  // one body with itself
+  CHECK(may_meet(pairs, bodies, {block1, 1}, 0, 0));
+  CHECK_FALSE(may_meet(pairs, bodies, {block0, 0}, 1, 1));
+  CHECK(may_meet(pairs, bodies, {block1, 1}, 0, 1));  // one body with itself
   CHECK_FALSE(pairs.forces_a_side());
 
   pairs.set(0, 1, PairRule::slave);
   CHECK(pairs.at(1, 0) == PairRule::master);
-  CHECK(may_meet(pairs, bodies, block0, 0, 1, 1));
-  CHECK_FALSE(may_meet(pairs, bodies, block1, 1, 0, 0));
+  CHECK(may_meet(pairs, bodies, {block0, 0}, 1, 1));
+  CHECK_FALSE(may_meet(pairs, bodies, {block1, 1}, 0, 0));
   CHECK(pairs.forces_a_side());
 
   pairs.set(1, 0, PairRule::apart);
-  CHECK_FALSE(may_meet(pairs, bodies, block0, 0, 1, 1));
-  CHECK_FALSE(may_meet(pairs, bodies, block1, 1, 0, 0));
-  CHECK(may_meet(pairs, bodies, std::vector<std::int32_t>{1, 2}, 1, 0, 0));  // through its other block
+  CHECK_FALSE(may_meet(pairs, bodies, {block0, 0}, 1, 1));
+  CHECK_FALSE(may_meet(pairs, bodies, {block1, 1}, 0, 0));
+  CHECK(may_meet(pairs, bodies, {std::vector<std::int32_t>{1, 2}, 1}, 0, 0));  // through its other block
 }
 
 TEST_CASE("bodies that are never master, or never slave, are known") {
@@ -63,16 +63,16 @@ TEST_CASE("two passes: by order, or where neither side is much finer or lighter 
     for (std::int32_t b = a; b < 5; ++b) pairs.set_passes(a, b, Passes::automatic);
   const auto ways = [&](std::int32_t a, std::int32_t b) {  // a node on b's face, b's on a's, as edges do
     const std::vector<std::int32_t> own{a}, other{b};
-    return std::array{may_meet(pairs, bodies, own, a, b, b), may_meet(pairs, bodies, other, b, a, a),
-                      leads(pairs, bodies, own, a, b, b), leads(pairs, bodies, other, b, a, a)};
+    return std::array{may_meet(pairs, bodies, {own, a}, b, b), may_meet(pairs, bodies, {other, b}, a, a),
+                      leads(pairs, bodies, {own, a}, b, b), leads(pairs, bodies, {other, b}, a, a)};
   };
   using Ways = std::array<bool, 4>;
   CHECK(any_two_passes(pairs, bodies));
   CHECK(ways(0, 1) == Ways{true, true, false, true});
-  CHECK(ways(0, 2) == Ways{false, true, false, true});                              // too fine for its partner
-  CHECK(ways(0, 3) == Ways{false, true, false, true});                              // too light
-  CHECK(ways(0, 4) == Ways{true, false, true, false});                              // what cannot move is master
-  CHECK(meet_in_two_passes(pairs, bodies, std::vector<std::int32_t>{0}, 0, 0, 0));  // folds
+  CHECK(ways(0, 2) == Ways{false, true, false, true});                                // too fine for its partner
+  CHECK(ways(0, 3) == Ways{false, true, false, true});                                // too light
+  CHECK(ways(0, 4) == Ways{true, false, true, false});                                // what cannot move is master
+  CHECK(meet_in_two_passes(pairs, bodies, {std::vector<std::int32_t>{0}, 0}, 0, 0));  // folds
 
   pairs.set_passes(2, 0, Passes::two);
   CHECK(ways(0, 2) == Ways{true, true, false, true});
@@ -93,4 +93,25 @@ TEST_CASE("bodies in two passes are slaves and masters") {
   pairs.set_passes(0, 1, Passes::automatic);
   CHECK(roles_of(bodies, pairs).slave == std::vector<char>{1, 1});
   CHECK(roles_of(bodies, pairs).master == std::vector<char>{1, 1});
+}
+
+TEST_CASE("nodes of the master on rims are held in one pass that was chosen by itself") {
+  const std::vector<BodyFigures> bodies{{1.0, 5.0, {0}}, {0.1, 5.0, {1}}};  // the second is the slave
+  PairTable pairs(2, PairRule::automatic);
+  pairs.set(0, 0, PairRule::apart);
+  pairs.set(1, 1, PairRule::apart);
+  pairs.set_passes(0, 1, Passes::automatic);
+  const std::vector<std::int32_t> own{0};
+  const auto may = [&](bool on_rim) { return may_meet(pairs, bodies, {own, 0, on_rim}, 1, 1); };
+  CHECK_FALSE(may(true));  // not unless the table says so
+  pairs.hold_rims(true);
+  CHECK(may(true));
+  CHECK_FALSE(may(false));
+  CHECK(any_two_passes(pairs, bodies));
+  const Roles roles = roles_of(bodies, pairs);
+  CHECK(roles.slave == std::vector<char>{0, 1});
+  CHECK(roles.slave_rims[0] == 1);
+  CHECK(roles.master == std::vector<char>{1, 1});
+  pairs.set_passes(0, 1, Passes::one);
+  CHECK_FALSE(may(true));
 }
