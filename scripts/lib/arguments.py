@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the scripts in Python share: options told wrong, and pictures that cannot be written, are one line and exit code 2."""
 import argparse
+import math
 import os
 import sys
 
@@ -26,6 +27,17 @@ def rank_count(text):
     if not text.isdigit() or int(text) < 1:
         raise argparse.ArgumentTypeError(f"'{text}' is no number of ranks; accepted: a whole number from 1 up")
     return int(text)
+
+
+def finite_number(text):
+    """float takes nan and inf too, of which no picture can be made."""
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number):
+        raise argparse.ArgumentTypeError(f"'{text}' is no finite number; accepted: a number, such as 0.5 or 1.0e-3")
+    return number
 
 
 def refuse_place(path, fail):

@@ -57,6 +57,12 @@ class Study:
             self.stop(f"{key}: {found} is out of range; accepted: a whole number from 1 up")
         return found
 
+    def demand_folder_name(self, key, name):
+        """Results go to a folder of this name: it must be one within that of the study."""
+        name = str(name)
+        if name in ("", ".", "..") or any(c == "/" or not c.isprintable() for c in name):
+            self.stop(f"{key}: {name!r} is no name of a folder; accepted: a name without '/', such as coarse")
+
     def override_maps(self, key, default=None):
         """A map of names to overrides {key path: value}, which may be empty."""
         maps = self.value(key, dict, "a map of name: overrides", default)

@@ -24,17 +24,21 @@ using Command = std::function<int(const comm::Communicator&)>;
 
 /// One value each, so that a scene may stand behind them.
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
-  command.add_option("--set", overrides, "Change a value of the scene: key.path=value; may be given again")
-      ->allow_extra_args(false);
+  command.add_option("--set", overrides, "Change a value of the scene, such as run.end=1.0e-5; repeatable")
+      ->type_name("KEY.PATH=VALUE")
+      ->allow_extra_args(false)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void add_run(CLI::App& program, app::RunOptions& options, Command& chosen) {
   CLI::App* run = program.add_subcommand("run", "Run a scene");
   run->add_option("scene", options.scene, "Scene file (YAML)")->required();
   run->footer("Results, key by key with units: src/io/README.md. Keys of a scene: src/scene/README.md");
-  run->add_option("--out", options.out, "Result folder; default: SCENE.out");
+  run->add_option("--out", options.out, "Result folder; default: SCENE.out")->type_name("FOLDER");
   add_overrides(*run, options.overrides);
-  run->add_option("--restart", options.restart, "Go on from a checkpoint file or the latest of a result folder");
+  run->add_option("--restart", options.restart, "Go on from a checkpoint, or from the latest of a result folder")
+      ->type_name("PATH");
   run->add_flag("--force", options.force, "Replace the results of an earlier run");
   run->add_flag("--quiet", options.quiet, "Nothing on the terminal but faults (log.txt is written all the same)");
   run->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::run(ranks, options); }; });

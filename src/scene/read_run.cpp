@@ -6,6 +6,7 @@
 
 #include "brunt/scene/duration.hpp"
 #include "brunt/scene/sections.hpp"
+#include "commas.hpp"
 
 namespace brunt::scene {
 namespace {
@@ -15,7 +16,8 @@ void read_wall_limit(const Key& key, Run& run) {
   std::string text;
   if (!read(key, text, accepted)) return;
   run.wall_limit = parse_duration(text);
-  if (!run.wall_limit) wrong(key, accepted);
+  const IsValue is_duration = [](std::string_view some) { return parse_duration(some).has_value(); };
+  if (!run.wall_limit && !comma_in_value(key, accepted, is_duration)) wrong(key, accepted);
 }
 
 void read_fields(const Key& key, Output& output) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "brunt/scene/nearest.hpp"
+#include "commas.hpp"
 
 namespace brunt::scene {
 namespace {
@@ -40,38 +41,6 @@ std::optional<double> number_in(const Key& key) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (end != text.data() + text.size()) return {};
   return error == std::errc{} ? number : infinity;
-}
-
-bool is_number(std::string_view text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return !text.empty() && end == text.data() + text.size();
-}
-
-constexpr std::string_view without_comma = "a number has a point and no comma";
-
-/// "7,800" or "0,3": its writer means something, but not the same in every country.
-bool comma_in_number(const Key& key, std::string_view accepted) {
-  if (key.tree == nullptr || key.tree->kind != Tree::Kind::value) return false;
-  const std::string& text = key.tree->text;
-  std::string joined, pointed;
-  for (const char c : text) {
-    if (c != ',') joined += c;
-    pointed += c == ',' ? '.' : c;
-  }
-  if (joined.size() == text.size() || !is_number(joined)) return false;
-  const std::string write = is_number(pointed) ? fmt::format("{} or {}", joined, pointed) : joined;
-  fault(key, fmt::format("'{}': {}: write {}; accepted: {}", text, without_comma, write, accepted));
-  return true;
-}
-
-/// A list of numbers that is longer than it should be: decimal commas part its entries.
-std::string comma_in_list(const Tree& list, std::size_t size) {
-  if (size == 0 || list.children.size() <= size) return {};
-  const bool digits = std::all_of(list.children.begin(), list.children.end(), [](const Tree& entry) {
-    return entry.kind == Tree::Kind::value && is_number(entry.text) && entry.text.find('.') == std::string::npos;
-  });
-  return digits ? fmt::format(" (a comma parts entries: {})", without_comma) : "";
 }
 
 Key child(const Key& parent, const Tree& tree, std::string_view name) {
@@ -117,7 +86,7 @@ bool Range::holds(double x) const {
 
 bool read(const Key& key, double& target, const Range& range) {
   const std::optional<double> number = number_in(key);
-  if (!number) return !comma_in_number(key, range.words) && wrong(key, range.words);
+  if (!number) return !comma_in_value(key, range.words) && wrong(key, range.words);
   if (!std::isfinite(*number)) {
     fault(key, fmt::format("{} is not a finite number; accepted: {}", key.tree->text, range.words));
     return false;
@@ -140,7 +109,7 @@ bool read(const Key& key, std::optional<double>& target, const Range& range) {
 bool read(const Key& key, GlobalIndex& target, Count count) {
   const std::string accepted = fmt::format("an integer from {} to {}", count.low, count.high);
   const std::optional<double> number = number_in(key);
-  if (!number) return !comma_in_number(key, accepted) && wrong(key, accepted);
+  if (!number) return !comma_in_value(key, accepted) && wrong(key, accepted);
   constexpr double exact = 9007199254740992.0;  // 2^53: integers up to here are doubles
   const bool integer = std::abs(*number) < exact && std::trunc(*number) == *number;
   const GlobalIndex value = integer ? static_cast<GlobalIndex>(*number) : 0;
@@ -273,15 +242,6 @@ void Section::refuse(std::size_t position) const {
   const std::string& name = key_.tree->keys[position];
   const Tree& value = key_.tree->children[position];
   const Key key = child(key_, value, name);
-  if (position > 0 && value.kind == Tree::Kind::null && is_number(name)) {
-    const Tree& before = key_.tree->children[position - 1];
-    if (before.kind == Tree::Kind::value && is_number(before.text)) {
-      const std::string text = before.text + "," + name;
-      return fault(child(key_, before, key_.tree->keys[position - 1]),
-                   fmt::format("'{}': {}, which parts it in two here: write {} or {}; accepted: a number", text,
-                               without_comma, before.text + name, before.text + "." + name));
-    }
-  }
   std::string meant = nearest(name, known_);
   const auto close = [&](const std::string& known) {
     return 2 * edit_distance(name, known) <= static_cast<int>(std::max<std::size_t>(known.size(), 2));

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "commas.hpp"
+
 namespace brunt::scene {
 namespace {
 
@@ -50,6 +52,11 @@ struct Converter {
       return;
     }
     const std::string& name = key.Scalar();
+    if (!map.children.empty() && value.IsNull() && map.children.back().place.line == at.line &&
+        is_rest_of_number(map.children.back(), name)) {
+      map.children.back().text += "," + name;  // whoever reads the number says what is wrong with it
+      return;
+    }
     if (const Tree* first = map.find(name)) {
       const std::string before = first->place.line > 0 ? fmt::format(" (first in line {})", first->place.line) : "";
       faults.add(at, join(path, name), fmt::format("duplicate key{}; accepted: each key once", before));

@@ -96,6 +96,10 @@ SCENES = [
     changed("number with a unit", "7800", "7800 kg", "density", "7800 kg"),
     changed("decimal comma", "7800", "'7,8'", "density", "7,8", "no comma", lines=1),
     changed("comma of thousands in a map", "7800", "7,800", "scene.yaml:5", "density", "7,800", "no comma", "7800", lines=1),
+    changed("commas of thousands in a map", "2.0e11", "200,000,000", "scene.yaml:5", "young", "200,000,000", "no comma", "write 200000000", lines=1),
+    changed("decimal comma in a map", "{end: 1.0e-5}", "{end: 1.0e-5, cfl: 0,9}", "run.cfl", "0,9", "no comma", "write 0.9;", lines=1),
+    changed("decimal comma in a duration", "{end: 1.0e-5}", "{end: 1.0e-5, wall_limit: 1,5h}", "wall_limit", "1,5h", "write 1.5h", lines=1),
+    changed("decimal comma in a count", "{end: 1.0e-5}", "{steps: 1,000,000}", "steps", "no comma", "write 1000000", lines=1),
     changed("decimal comma in a list", "[0, 0, -1]", "[0, 0, -1,5]", "scene.yaml:11", "velocity", "no comma", lines=1),
     changed("number too large", "2.0e11", "2.0e999", "young"),
     changed("Poisson's ratio one half", "poisson: 0.3", "poisson: 0.5", "poisson", "0.5"),
@@ -185,6 +189,8 @@ SCRIPTS = [  # scripts/COMMAND
         ("of another kind of file", "old", [f"old/{inside}"], {f"old/{inside}": bytes(range(256)) * 8}))
 ]
 
+STUDY_RUNS, STUDY_SCENES = "scene: scene.yaml\nruns: {{{}: {{}}}}", "scenes: {{{}: scene.yaml}}\nruns: {{a: {{}}}}"
+
 SCRIPTS += [  # before anything is built, run or drawn
     Wrong(f"{script} with a misspelt option", [script, option], command=script, target="", arguments=[option], lines=1)
     for script, option in (("test", "--halp"), ("demo", "--halp"), ("setup", "--halp"), ("tidy", "--halp"), ("run", "--halp"),
@@ -192,6 +198,10 @@ SCRIPTS += [  # before anything is built, run or drawn
 ] + [
     Wrong("test with a word too many", ["test", "'law'", "accepted"], command="test", target="", arguments=["law"], lines=1),
     Wrong("test with an option cut short", ["test", "-R"], command="test", target="", arguments=["-R"], lines=1),
+    Wrong("test on no number of cores", ["test", "-j", "accepted"], command="test", target="", arguments=["-j"], lines=1),
+    Wrong("tidy on no number of cores", ["tidy", "-j", "accepted"], command="tidy", target="", arguments=["-j"], lines=1),
+    Wrong("run with an option cut short", ["run", "--set", "accepted"], command="run", arguments=["--set"], lines=1),
+    Wrong("study with an option cut short", ["study", "-np"], command="study", arguments=["-np"], lines=1),
     Wrong("setup with a word too many", ["setup", "'x'"], command="setup", target="", arguments=["--list", "x"], lines=1),
     Wrong("demo with two scenes", ["demo", "'x'"], command="demo", arguments=["x"], lines=1),
     Wrong("run with a misspelt option of brunt", ["run", "--forse", "--force"], command="run", arguments=["--forse"], lines=1),
@@ -200,6 +210,12 @@ SCRIPTS += [  # before anything is built, run or drawn
     Wrong("pareto that is not there", ["pareto", "nope.yaml"], command="pareto", target="nope.yaml", lines=1),
     Wrong("pareto on half a rank", ["pareto", "'0.5'", "whole number"], command="pareto", arguments=["-np", "0.5"], lines=1),
     Wrong("render in no colours", ["render", "--colours", "accepted"], command="render", arguments=["--colours", "trubo"], lines=1),
+    *(Wrong(f"render with {option} {value}", ["render", option, value, "accepted"], command="render", arguments=[option, value], lines=1)
+      for option, value in (("--azimuth", "nan"), ("--elevation", "inf"), ("--deform", "nan"), ("--zoom", "inf"), ("--time", "nan"))),
+    Wrong("render in a range of nan", ["render", "--range", "nan", "accepted"], command="render", arguments=["--range", "nan", "1"], lines=1),
+    *(Wrong(f"study with {key} named {name}", ["study", f"{key}.{name}", "no name of a folder", "accepted"], command="study", target="s.yaml",
+            files={"s.yaml": f"{text.format(name)}\ncolumns: [elements]\n".encode()}, lines=1)
+      for key, name, text in (("runs", "../x", STUDY_RUNS), ("runs", "/tmp/x", STUDY_RUNS), ("runs", "..", STUDY_RUNS), ("scenes", "../x", STUDY_SCENES))),
     Wrong("render of no size", ["render", "--size", "accepted"], command="render", arguments=["--size", "0", "0"], lines=1),
 ]
 
