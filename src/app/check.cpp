@@ -85,12 +85,24 @@ void print_parts(const Prepared& run, const std::vector<PartFigures>& figures, c
   fmt::print("nodes            {}\n", run.model.mesh.global_nodes);
 }
 
-void print_gaps(const Prepared& run, const scene::UnitSystem& units) {
-  if (const InitialGaps& gaps = run.overlaps.gaps; gaps.smallest >= 0)
-    fmt::print("smallest gap     {:.6g} {} between {} and {}\n", gaps.smallest, units.length,
+/// Bodies that overlap have no smallest gap: other places of theirs may be apart, which says nothing.
+void print_gaps(const Prepared& run) {
+  const InitialGaps& gaps = run.overlaps.gaps;
+  if (!gaps.overlaps.empty())
+    fmt::print("deepest overlap  {} of {} node{}, listed above\n",
+               scene::with_length(gaps.overlaps.front().depth, run.input.units, 6), gaps.overlaps.size(),
+               gaps.overlaps.size() == 1 ? "" : "s");
+  else if (std::ranges::any_of(gaps.piercings, [](const Piercing& p) { return p.rule == OverlapRule::warn; }))
+    fmt::print("smallest gap     none: parts pierce each other, listed above\n");
+  else if (gaps.smallest >= 0)
+    fmt::print("smallest gap     {} between {} and {}\n", scene::with_length(gaps.smallest, run.input.units, 6),
                run.input.parts[gaps.part].name, run.input.parts[gaps.other].name);
   else if (!run.input.contact.empty())
     fmt::print("smallest gap     no two parts are nearer than an element's edge\n");
+}
+
+void print_overlaps(const OverlapReport& report, bool all) {
+  for (const std::string& line : all ? report.list : report.deepest) fmt::print("overlap          {}\n", line);
 }
 
 std::string friction_text(const contact::FrictionLaw& law) {
@@ -136,9 +148,8 @@ void print_cost(const Prepared& run, const time::StepReport& step, const StepCos
 
 int check(const comm::Communicator& ranks, const CheckOptions& options) {
   const std::unique_ptr<Prepared> run = prepare(ranks, options.scene, options.overrides);
-  if (ranks.is_root())
-    for (const std::string& line : options.all ? run->overlaps.report.list : run->overlaps.report.deepest)
-      fmt::print("overlap          {}\n", line);
+  const OverlapReport& report = run->overlaps.report;  // on the root
+  if (ranks.is_root() && !report.faults.empty()) print_overlaps(report, options.all);
   refuse_overlaps(*run);
   const std::vector<PartFigures> figures = part_figures(*run);
   const std::vector<std::string> listing = list_scene(*run);
@@ -150,11 +161,12 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   const scene::UnitSystem& units = *scene::find_unit_system(run->input.units);
   fmt::print("{} ({} units)\n", run->input.title.empty() ? options.scene : run->input.title, run->input.units);
   for (const std::string& warning : run->warnings) fmt::print("warning: {}\n", warning);
-  for (const std::string& note : run->overlaps.report.notes) fmt::print("{}\n", note);
+  for (const std::string& note : report.notes) fmt::print("{}\n", note);
+  print_overlaps(report, options.all);
   print_parts(*run, figures, units);
   for (const std::string& line : listing) fmt::print("{}\n", line);
   print_contact(*run);
-  print_gaps(*run, units);
+  print_gaps(*run);
   print_cost(*run, step, cost, units);
   return 0;
 }

@@ -9,6 +9,7 @@
 
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/select.hpp"
+#include "brunt/scene/units.hpp"
 
 namespace brunt::app {
 namespace {
@@ -21,6 +22,8 @@ struct Reporter {
   [[nodiscard]] const std::string& part(std::size_t block) const { return input.parts[part_of[block]].name; }
   [[nodiscard]] GlobalIndex node(LocalIndex index) const { return mesh.node_id[static_cast<std::size_t>(index)]; }
 
+  [[nodiscard]] std::string length(double value) const { return scene::with_length(value, input.units); }
+
   /// The two parts of an overlap, whichever is inside the other.
   [[nodiscard]] std::pair<std::size_t, std::size_t> parts(const InitialOverlap& overlap) const {
     return std::minmax({part_of[overlap.block], part_of[overlap.other_block]});
@@ -31,9 +34,9 @@ struct Reporter {
   }
 
   [[nodiscard]] std::string describe(const InitialOverlap& deepest, std::size_t nodes, std::size_t too_deep) const {
-    std::string line = fmt::format("{}: node {} of part '{}' lies {:.4g} inside part '{}' at the start",
+    std::string line = fmt::format("{}: node {} of part '{}' lies {} inside part '{}' at the start",
                                    where(deepest.block, deepest.other_block), node(deepest.node), part(deepest.block),
-                                   deepest.depth, part(deepest.other_block));
+                                   length(deepest.depth), part(deepest.other_block));
     if (deepest.is_within_itself()) line += " (one body, which overlaps itself)";
     if (nodes > 1)
       line += fmt::format(
@@ -78,8 +81,8 @@ std::vector<Pair> pairs_of(const Reporter& reporter, const InitialGaps& gaps) {
 
 std::string listed(const Reporter& reporter, const InitialOverlap& overlap) {
   return fmt::format(
-      "node {:>8} of {:<16} {:.4g} inside {}{}{}", reporter.node(overlap.node), reporter.part(overlap.block),
-      overlap.depth, reporter.part(overlap.other_block),
+      "node {:>8} of {:<16} {} inside {}{}{}", reporter.node(overlap.node), reporter.part(overlap.block),
+      reporter.length(overlap.depth), reporter.part(overlap.other_block),
       overlap.face[0] == no_index ? "" : fmt::format(", behind its face {}", name_of_face(reporter.mesh, overlap.face)),
       overlap.too_deep ? ", deeper than contact looks" : "");
 }

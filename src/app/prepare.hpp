@@ -33,15 +33,18 @@ struct Prepared {
 
   std::vector<double> force_memory;  ///< of force probes: impulse (3) and time of the last row
 
+  std::string scene_values{};  ///< what the fingerprint is made of, so that a restart can say what differs
+
   /// All arrays of the state, the sums and the history of contact among them. Collective.
   model::Registry registry();
   /// Makes the state what a checkpoint has filled the registry with.
   void after_restart();
 };
 
-/// The typed scene, the same on every rank. Collective; throws InputError on all ranks.
+/// The typed scene, the same on every rank; `marked` gets fingerprint and values. Collective; throws InputError on all
+/// ranks.
 scene::Input read_input(const comm::Communicator& ranks, const std::string& scene_file,
-                        const std::vector<std::string>& overrides, std::string* fingerprint = nullptr);
+                        const std::vector<std::string>& overrides, Prepared* marked = nullptr);
 
 /// The whole mesh of a scene, checked and in canonical order, with the scene's selections as sets. Root only.
 mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::string>& warnings);

@@ -77,6 +77,16 @@ Results::Results(Prepared& run, std::string folder, std::optional<GlobalIndex> r
   extent_ = half_diagonal(run);
 }
 
+void Results::warn_of_missing_rows(const io::CheckpointHeader& checkpoint) {
+  if (!history_ || checkpoint.history_rows < 0) return;
+  const std::string path = folder_ + "/history.csv";
+  if (const auto gap = io::history_gap(path, checkpoint.history_rows, checkpoint.time))
+    log_.warning(
+        fmt::format("{}: {} of the {} rows up to this checkpoint are missing (widest gap: from t = {:g} to t = {:g}); "
+                    "the run goes on without them",
+                    path, gap->missing, checkpoint.history_rows, gap->from, gap->to));
+}
+
 void Results::read_fields() {
   const auto timed = run_.links.timers.measure(Phase::output);
   fields_ = state_fields(run_);
@@ -168,7 +178,11 @@ std::string Results::save_last_good() {
 std::string Results::write_checkpoint() {
   const auto timed = run_.links.timers.measure(Phase::output);
   checkpoint_step_ = run_.state.step;
-  const io::CheckpointHeader header{static_cast<GlobalIndex>(run_.state.step), run_.state.time, run_.fingerprint};
+  io::CheckpointHeader header{static_cast<GlobalIndex>(run_.state.step), run_.state.time, run_.fingerprint,
+                              run_.scene_values};
+  // after a guard the file has rows of later steps
+  const bool rows_known = history_ && static_cast<double>(history_->last_step()) < run_.state.step;
+  header.history_rows = run_.links.ranks.max(rows_known ? history_->rows() : GlobalIndex{-1});
   return io::write_checkpoint(run_.links.ranks, folder_, header, run_.registry());
 }
 

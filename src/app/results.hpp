@@ -7,6 +7,7 @@
 #include <string>
 
 #include "brunt/core/timers.hpp"
+#include "brunt/io/checkpoint.hpp"
 #include "brunt/io/history.hpp"
 #include "brunt/io/state_file.hpp"
 #include "brunt/time/ledger.hpp"
@@ -38,6 +39,9 @@ class Results {
  public:
   /// Opens the files of the folder; `restart_step`: goes on in them. Collective.
   Results(Prepared& run, std::string folder, std::optional<GlobalIndex> restart_step, Log& log);
+
+  /// Tells of rows that history.csv had when the checkpoint was written and has no more.
+  void warn_of_missing_rows(const io::CheckpointHeader& checkpoint);
 
   /// Between evaluate and advance: fields and probes of t_n.
   void read_fields();

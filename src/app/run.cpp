@@ -15,6 +15,7 @@
 #include "contact_setup.hpp"
 #include "failure.hpp"
 #include "prepare.hpp"
+#include "restart.hpp"
 #include "results.hpp"
 #include "schedule.hpp"
 #include "signals.hpp"
@@ -174,20 +175,6 @@ class Loop {
   bool told_limit_ = false;
 };
 
-/// The checkpoint that `--restart` means.
-std::string checkpoint_of(const comm::Communicator& ranks, const std::string& restart) {
-  std::string path = restart;
-  on_root(ranks, [&] {
-    if (!std::filesystem::exists(restart)) throw InputError(restart + ": no such file or folder to restart from");
-    if (!std::filesystem::is_directory(restart)) return;
-    const std::optional<std::string> latest = io::latest_checkpoint(restart);
-    if (!latest) throw InputError(restart + ": has no checkpoint_*.h5 to restart from");
-    path = *latest;
-  });
-  ranks.broadcast(path);
-  return path;
-}
-
 /// A run goes on in the folder of its checkpoint; in another one there are results of another run.
 io::ExistingResults existing_results(const RunOptions& options, const std::string& checkpoint,
                                      const std::string& folder) {
@@ -196,19 +183,6 @@ io::ExistingResults existing_results(const RunOptions& options, const std::strin
   const bool its_own = !checkpoint.empty() && std::filesystem::equivalent(from.empty() ? "." : from, folder, no_folder);
   if (its_own) return io::ExistingResults::keep;  // also by force: the checkpoint is one of the results
   return options.force ? io::ExistingResults::replace : io::ExistingResults::refuse;
-}
-
-/// A checkpoint that is more than a step past the end asked for belongs to a longer run.
-void refuse_past_end(const Prepared& run, const std::string& checkpoint) {
-  const scene::Run& limits = run.input.run;
-  const model::State& state = run.state;
-  if (limits.end && state.time_before >= *limits.end)
-    throw InputError(fmt::format("{}: {:g} is past already: {} stands at t = {:g}; accepted: a later time",
-                                 run.input.at("run.end"), *limits.end, checkpoint, state.time));
-  if (limits.steps && state.step > static_cast<double>(*limits.steps))
-    throw InputError(fmt::format("{}: {} are done already: {} stands at step {}; accepted: more steps",
-                                 run.input.at("run.steps"), *limits.steps, checkpoint,
-                                 static_cast<GlobalIndex>(state.step)));
 }
 
 void announce(const Prepared& run, Log& log) {
@@ -240,28 +214,25 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   const std::string folder =
       options.out.empty() ? std::filesystem::path(options.scene).replace_extension(".out").string() : options.out;
 
-  std::optional<GlobalIndex> restart_step;
-  if (!checkpoint.empty()) {
-    restart_step = io::read_checkpoint(ranks, checkpoint, prepared->fingerprint, prepared->registry()).step;
-    prepared->after_restart();
-    refuse_past_end(*prepared, checkpoint);
-  }
+  std::optional<io::CheckpointHeader> restart;
+  if (!checkpoint.empty()) restart = restart_from(*prepared, checkpoint);
   io::prepare_result_folder(ranks, folder, existing_results(options, checkpoint, folder));
-  on_root(ranks, [&] { log.open(folder, restart_step.has_value()); });
+  on_root(ranks, [&] { log.open(folder, restart.has_value()); });
   announce(*prepared, log);
   for (const std::string& warning : prepared->warnings) log.warning(warning);
   for (const std::string& note : prepared->overlaps.report.notes) log.line(note);
-  if (restart_step) log.line(fmt::format("restart from {} at step {}", checkpoint, *restart_step));
-  const bool over = restart_step && at_end(prepared->state, prepared->input.run);
+  if (restart) log.line(fmt::format("restart from {} at step {}", checkpoint, restart->step));
+  const bool over = restart && at_end(prepared->state, prepared->input.run);
   if (over)
     log.warning(
         fmt::format("nothing is left to run: the checkpoint stands at t = {:g}, step {}, where this run ends; a "
                     "later run.end (or more run.steps) would go on from there",
-                    prepared->state.time, *restart_step));
+                    prepared->state.time, restart->step));
 
   catch_signals();
   // the step of the checkpoint is evaluated again: its own records come anew
-  Results results(*prepared, folder, restart_step ? std::optional(*restart_step - 1) : std::nullopt, log);
+  Results results(*prepared, folder, restart ? std::optional(restart->step - 1) : std::nullopt, log);
+  if (restart) results.warn_of_missing_rows(*restart);
   Loop loop(*prepared, results, log, start);
   const Outcome outcome = loop.go();
   if (!outcome.message.empty()) log.line("stopped: " + outcome.message);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "brunt/scene/units.hpp"
 #include "move_overlaps.hpp"
 
 namespace brunt::app {
@@ -53,15 +54,17 @@ TreatedOverlaps treat_overlaps(const scene::Input& input, mesh::CanonicalMesh& w
     treated.report.faults = moved.faults;
     if (!moved.faults.empty()) return treated;
     treated.gaps = initial_gaps(input, whole.mesh);
-    treated.report.notes.push_back(fmt::format("initial overlaps: {} node{} moved, by {:.4g} at most", moved.nodes,
-                                               moved.nodes == 1 ? "" : "s", moved.largest));
+    treated.report.notes.push_back(fmt::format("initial overlaps: {} node{} moved, by {} at most", moved.nodes,
+                                               moved.nodes == 1 ? "" : "s",
+                                               scene::with_length(moved.largest, input.units)));
   }
   if (asked(OverlapRule::offset)) {
     const std::vector<contact::AcceptedOverlap> accepted = accepted_overlaps(treated.gaps.overlaps);
     double largest = 0;
     for (const contact::AcceptedOverlap& overlap : accepted) largest = std::max(largest, overlap.depth);
-    treated.report.notes.push_back(fmt::format("initial overlaps: {} node{} keep theirs as zero gap, {:.4g} at most",
-                                               accepted.size(), accepted.size() == 1 ? "" : "s", largest));
+    treated.report.notes.push_back(fmt::format("initial overlaps: {} node{} keep theirs as zero gap, {} at most",
+                                               accepted.size(), accepted.size() == 1 ? "" : "s",
+                                               scene::with_length(largest, input.units)));
   }
   kept.insert(kept.end(), treated.gaps.overlaps.begin(), treated.gaps.overlaps.end());
   treated.accepted = accepted_overlaps(kept);

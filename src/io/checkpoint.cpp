@@ -23,6 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr GlobalIndex format_version = 3;
+constexpr std::size_t longest_attribute = 60000;  // HDF5 takes 64 kB
 
 GlobalIndex header_hash(const CheckpointHeader& header, GlobalIndex nodes) {
   const auto time = std::bit_cast<std::uint64_t>(header.time);
@@ -43,6 +44,8 @@ void write_tables(Hdf5File& file, const CheckpointHeader& header, const model::R
   file.set_attribute("/", "step", header.step);
   file.set_attribute("/", "time", header.time);
   file.set_attribute("/", "nodes", registry.global_nodes);
+  if (!header.scene.empty() && header.scene.size() < longest_attribute) file.set_attribute("/", "scene", header.scene);
+  if (header.history_rows >= 0) file.set_attribute("/", "history_rows", header.history_rows);
   file.set_attribute("/", "hash", header_hash(header, registry.global_nodes));
   const TableLayout layout(file.ranks(), registry, TableLayout::Nodes::owned);
   for (const SavedTable& table : saved_tables(registry)) {
@@ -101,6 +104,8 @@ CheckpointHeader sound_header(const Hdf5File& file) {
   header.fingerprint = file.text_attribute("/", "fingerprint");
   if (file.integer_attribute("/", "hash") != header_hash(header, file.integer_attribute("/", "nodes")))
     throw InputError(file.path() + ": the header is damaged (its hash differs from the stored one)");
+  if (file.has_attribute("/", "scene")) header.scene = file.text_attribute("/", "scene");
+  if (file.has_attribute("/", "history_rows")) header.history_rows = file.integer_attribute("/", "history_rows");
   return header;
 }
 
@@ -140,10 +145,8 @@ std::vector<double> sound_rows(const Hdf5File& file, const SavedTable& table, co
   std::vector<double> rows(static_cast<std::size_t>(range.count) * static_cast<std::size_t>(table.array->components));
   file.read(table.path, range.first, std::span<double>(rows));
   if (table_hash(file.ranks(), table, range.first, rows) != file.integer_attribute(table.path, "hash"))
-    throw InputError(
-        fmt::format("{}: {} is damaged (the hash of its values differs from the stored one); restart from "
-                    "the checkpoint before",
-                    file.path(), table.path.substr(1)));
+    throw InputError(fmt::format("{}: {} is damaged (the hash of its values differs from the stored one)", file.path(),
+                                 table.path.substr(1)));
   return rows;
 }
 
@@ -192,6 +195,18 @@ CheckpointHeader read_checkpoint(const comm::Communicator& ranks, const std::str
   for (std::size_t i = 0; i < tables.size(); ++i) layout.from_blocks(tables[i], rows[i]);
   for (std::size_t i = 0; i < records.size(); ++i) *registry.tables[i] = std::move(records[i]);
   return header;
+}
+
+std::vector<std::string> checkpoints_before(const std::string& path) {
+  const std::string folder = fs::path(path).parent_path().string();
+  const auto found = checkpoints_in(folder.empty() ? "." : folder);
+  const auto same_name = [&](const auto& entry) {
+    return fs::path(entry.second).filename() == fs::path(path).filename();
+  };
+  std::vector<std::string> before;
+  for (auto at = std::ranges::find_if(found, same_name); at != found.end() && at != found.begin();)
+    before.push_back((--at)->second);
+  return before;
 }
 
 std::optional<std::string> latest_checkpoint(const std::string& folder) {

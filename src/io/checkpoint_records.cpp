@@ -61,10 +61,8 @@ RecordTable read_records(const Hdf5File& file, const RecordTable& table) {
   file.read(keys_path(table), first, std::span<GlobalIndex>(read.keys));
   file.read(values_path(table), first, std::span<double>(read.values));
   if (hash_of_all(ranks, read) != file.integer_attribute(values_path(table), "hash"))
-    throw InputError(
-        fmt::format("{}: records/{} is damaged (the hash of its values differs from the stored one); "
-                    "restart from the checkpoint before",
-                    file.path(), table.name));
+    throw InputError(fmt::format("{}: records/{} is damaged (the hash of its values differs from the stored one)",
+                                 file.path(), table.name));
   return read;
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
@@ -75,7 +76,9 @@ HistoryFile::HistoryFile(std::string path, const std::vector<HistoryColumn>& col
     : path_(std::move(path)), columns_(columns.size()) {
   const std::string header = header_of(columns);
   const bool continued = restart_step && std::filesystem::exists(path_);
-  replace_text(path_, continued ? kept_at_restart(path_, header, *restart_step) : header + "\n");
+  const std::string kept = continued ? kept_at_restart(path_, header, *restart_step) : header + "\n";
+  rows_ = static_cast<GlobalIndex>(std::ranges::count(kept, '\n')) - 1;
+  replace_text(path_, kept);
   file_ = std::fopen(path_.c_str(), "ab");
   if (file_ == nullptr) throw MachineError(path_ + ": cannot open the file: " + std::strerror(errno));
 }
@@ -90,8 +93,27 @@ void HistoryFile::write(GlobalIndex step, std::span<const double> values) {
   fmt::format_to(std::back_inserter(row), "{}", step);
   for (const double value : values) fmt::format_to(std::back_inserter(row), ",{}", value);
   row.push_back('\n');
+  ++rows_;
+  last_step_ = step;
   if (std::fwrite(row.data(), 1, row.size(), file_) != row.size() || std::fflush(file_) != 0)
     throw MachineError(path_ + ": cannot write a row: " + std::strerror(errno));
+}
+
+std::optional<HistoryGap> history_gap(const std::string& path, GlobalIndex expected, double until) {
+  const std::vector<std::string> lines = whole_lines(read_text(path));
+  const auto rows = static_cast<GlobalIndex>(lines.size()) - 1;
+  if (rows >= expected) return std::nullopt;
+  HistoryGap gap{expected - std::max(rows, GlobalIndex{0})};
+  double before = 0;
+  const auto widen = [&](double time) {
+    if (time - before > gap.to - gap.from) gap.from = before, gap.to = time;
+    before = time;
+  };
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    if (const std::vector<std::string> row = cells(lines[i]); row.size() > 1)
+      widen(std::strtod(row[1].c_str(), nullptr));  // the first column is the step
+  widen(until);
+  return gap;
 }
 
 History read_history(const std::string& path) {

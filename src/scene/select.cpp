@@ -43,6 +43,9 @@ class Selector {
       const std::string key = fmt::format("sets.{}", set.name);
       const auto& nodes = whole_.mesh.node_sets;
       const auto& sides = whole_.mesh.side_sets;
+      if (shadows(set))
+        tell(key, "the mesh has a {} set of that name already, which is another one; accepted: a name of its own",
+             nodes.contains(set.name) ? "node" : "side");
       if (set.node_set && !nodes.contains(*set.node_set))
         undefined(set.name, key + ".node_set", "node set", *set.node_set, names(nodes), sides.contains(*set.node_set));
       if (set.side_set && !sides.contains(*set.side_set))
@@ -125,6 +128,15 @@ class Selector {
   }
 
  private:
+  /// Is there another set of its name in the mesh? {foot: {node_set: foot}} is the same one.
+  [[nodiscard]] bool shadows(const SetEntry& set) const {
+    const bool nodes = whole_.mesh.node_sets.contains(set.name), sides = whole_.mesh.side_sets.contains(set.name);
+    const bool bare = !set.part && !set.box;
+    const bool same_nodes = bare && set.node_set == set.name && !sides && !set.side_set;
+    const bool same_sides = bare && set.side_set == set.name && !set.node_set;
+    return (nodes || sides) && !same_nodes && !same_sides;
+  }
+
   template <class... Values>
   void tell(const std::string& key, fmt::format_string<Values...> what, Values&&... values) {
     faults_.push_back(fmt::format("{}: {}", input_.at(key), fmt::format(what, std::forward<Values>(values)...)));

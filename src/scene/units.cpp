@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/scene/units.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace brunt::scene {
@@ -37,6 +39,12 @@ const UnitSystem* find_unit_system(std::string_view name) {
     if (system.name == name) return &system;
   }
   return nullptr;
+}
+
+std::string with_length(double length, std::string_view system, int digits) {
+  const UnitSystem* units = find_unit_system(system);
+  const bool has_unit = units != nullptr && units->metre > 0;
+  return fmt::format("{:.{}g}{}{}", length, digits, has_unit ? " " : "", has_unit ? units->length : "");
 }
 
 }  // namespace brunt::scene

@@ -36,6 +36,39 @@ class Folder(Program):
             self.assertEqual(len(lines), 1, lines)
             self.assertIn("history.csv:1: the columns differ", lines[0])
 
+    def test_missing_rows_of_the_history_are_told(self):
+        every = ("--set", "history.every=1e-9")  # a row each step
+        self.run_scene(1, "rod.yaml", "--out", "out", "--set", "run.steps=8", *every)
+        lines = self.text("out", "history.csv").splitlines(keepends=True)
+        self.assertEqual(len(lines), 10)
+        self.write("out/history.csv", "".join(lines[:4] + lines[7:]))
+        for ranks, steps, told in ((1, 10, True), (2, 12, False)):  # told once, where it is new
+            self.run_scene(ranks, "rod.yaml", "--out", "out", "--restart", "out", "--set", f"run.steps={steps}", *every)
+            last = self.text("out", "log.txt").rpartition("restart from")[2]
+            times = [float(lines[k].split(",")[1]) for k in (3, 7)]
+            wanted = f"history.csv: 3 of the 8 rows up to this checkpoint are missing (widest gap: from t = {times[0]:g} to t = {times[1]:g})"
+            self.assertEqual(wanted in last, told, last)
+            self.assertEqual("rows" in last, told, last)
+
+    def test_a_damaged_checkpoint_points_to_the_one_before(self):
+        for steps in (4, 6):
+            self.run_scene(1, "rod.yaml", "--out", "out", "--set", f"run.steps={steps}", *(("--restart", "out") if steps > 4 else ()))
+        path = os.path.join(self.folder, "out", "checkpoint_000000006.h5")
+        os.truncate(path, os.path.getsize(path) // 2)
+        for ranks in (1, 2):
+            lines = self.faults(ranks, "--restart", "out")
+            self.assertEqual(len(lines), 1, lines)
+            self.assertIn("the one before is whole and of this scene: --restart out/checkpoint_000000004.h5", lines[0])
+        self.run_scene(1, "rod.yaml", "--out", "out", "--restart", "out/checkpoint_000000004.h5", "--set", "run.steps=8")
+
+    def test_a_restart_with_another_scene_says_which_keys_differ(self):
+        self.run_scene(1, "rod.yaml", "--out", "out", "--set", "run.steps=4", "--set", "run.cfl=0.8")
+        for ranks in (1, 2):
+            lines = self.faults(ranks, "--restart", "out", "--set", "materials.steel.density=7801", "--set", "run.cfl=0.5", "--set", "run.steps=9")
+            self.assertEqual(len(lines), 1, lines)
+            self.assertRegex(lines[0], r"checkpoint_000000004.h5: written by another scene: materials.steel.density is \S+ there and 7801 here; "
+                             r"run.cfl is 0.8 there and 0.5 here; accepted")
+
     def test_the_wall_limit_counts_from_the_start_of_the_program(self):
         """A batch system counts reading and splitting of the mesh as well, which takes more than this; five steps are never looked at."""
         self.run_scene(1, "rod.yaml", "--out", "out", "--set", "run.steps=5", "--set", "run.wall_limit=0.001s", code=5)

@@ -35,8 +35,15 @@ class Start(Program):
         for at in (0.99, 0.4, 0.05):  # 0.05: by almost a whole cube
             code, output = self.check(at)
             self.assertEqual(code, 2, output)
-            self.assertRegex(output, r"node \d+ of part '(left|right)' lies [\d.]+ inside part '(left|right)'")
-        self.assertIn("lies 0.01 inside", self.check(0.99)[1])
+            self.assertRegex(output, r"node \d+ of part '(left|right)' lies [\d.]+ m inside part '(left|right)'")
+        self.assertIn("lies 0.01 m inside", self.check(0.99)[1])
+
+    def test_overlaps_are_listed_with_unit_whatever_becomes_of_them(self):
+        for rule, end in (("error", ""), ("warn", "deepest overlap  0.01 m of"), ("offset", "deepest overlap  0.01 m of"), ("move", "smallest gap     0 m")):
+            output = self.check(0.99, rule)[1]
+            self.assertRegex(output, r"overlap          node +\d+ of \w+ +0\.01 m inside \w+", rule)
+            self.assertIn(end, output)
+            self.assertEqual("smallest gap" in output, rule == "move", output)
 
     def test_overlap_that_is_accepted_is_a_warning(self):
         code, output = self.check(0.99, "warn")
@@ -58,7 +65,7 @@ class Start(Program):
             self.assertLess(abs(still["energy"]["kinetic"]), 1e-12 * parted["energy"]["kinetic"])
             self.assertLess(still["max_penetration"], 1e-12)
         self.assertRegex(self.text("move1", "log.txt"), r"initial overlaps: \d+ nodes moved, by 0\.01")
-        self.assertRegex(self.text("offset1", "log.txt"), r"initial overlaps: \d+ nodes keep theirs as zero gap, 0.01")
+        self.assertRegex(self.text("offset1", "log.txt"), r"initial overlaps: \d+ nodes keep theirs as zero gap, 0.01 m")
 
     def test_kept_overlaps_of_edges(self):
         """Corners inside each other: nodes behind faces, and edges across edges."""
@@ -131,7 +138,7 @@ class Start(Program):
             # inside the other: 9 x 9 nodes of left less those beside right, 7 x 7 of right
             told = re.findall(r"the deepest of (\d+) nodes of the two parts", output)
             self.assertEqual(len(told), 1, output)
-            listed = re.findall(r"^overlap +node +\d+ of (?:left|right) +0.01 inside (?:left|right), "
+            listed = re.findall(r"^overlap +node +\d+ of (?:left|right) +0.01 m inside (?:left|right), "
                                 r"behind its face \d+-\d+-\d+-\d+$", output, re.M)
             self.assertEqual(len(listed), int(told[0]))
             self.assertGreater(len(listed), 7 * 7)

@@ -3,12 +3,13 @@
 // number wrote, to the same bits. A file is written under another name, has reached the disk when it gets its own,
 // and the last two are kept. Every table carries a hash of its values (model/hash.hpp): a flipped bit is found.
 //
-// Layout: attributes of /: format, fingerprint, step, time, nodes, blocks, and `hash` of the header itself;
+// Layout: attributes of /: format, fingerprint, scene, history_rows, step, time, nodes, and `hash` of the header itself;
 //         /nodes/NAME, /elements/NAME, /globals/NAME: tables [entities][components] with the attribute `hash`;
 //         /records/NAME/keys, /records/NAME/values (with `hash`): records that come and go.
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "brunt/comm/communicator.hpp"
 #include "brunt/model/registry.hpp"
@@ -20,6 +21,9 @@ struct CheckpointHeader {
   double time = 0;
   /// Identifies program version and scene: a short text (< 60 kB), the same in every run that may go on from here.
   std::string fingerprint;
+  /// What the fingerprint stands for, so that a restart can say what differs; a text of 60 kB and more is left out.
+  std::string scene{};
+  GlobalIndex history_rows = -1;  ///< of history.csv up to this step; negative: not known
 };
 
 /// Writes folder/checkpoint_<step, 9 digits>.h5 and returns its path; older ones but the last before are removed.
@@ -36,6 +40,9 @@ std::string write_checkpoint(const comm::Communicator& ranks, const std::string&
 /// changed unless the whole file is sound.
 CheckpointHeader read_checkpoint(const comm::Communicator& ranks, const std::string& path,
                                  const std::string& fingerprint, const model::Registry& registry);
+
+/// The checkpoints of the same folder with lower steps, the last one first. Not collective.
+[[nodiscard]] std::vector<std::string> checkpoints_before(const std::string& path);
 
 /// The checkpoint of the highest step in the folder. Not collective.
 [[nodiscard]] std::optional<std::string> latest_checkpoint(const std::string& folder);

@@ -30,9 +30,13 @@ class HistoryFile {
   /// One value a column, in the shortest form that reads back to the same bits.
   void write(GlobalIndex step, std::span<const double> values);
 
+  [[nodiscard]] GlobalIndex rows() const { return rows_; }            ///< those kept at a restart among them
+  [[nodiscard]] GlobalIndex last_step() const { return last_step_; }  ///< of the last row written here; -1: none
+
  private:
   std::string path_;
   std::size_t columns_ = 0;
+  GlobalIndex rows_ = 0, last_step_ = -1;
   std::FILE* file_ = nullptr;
 };
 
@@ -43,6 +47,15 @@ struct History {
 };
 
 /// Throws InputError with file and line.
+/// Where rows are missing that a run has written.
+struct HistoryGap {
+  GlobalIndex missing = 0;
+  double from = 0, to = 0;  ///< times of the widest gap between rows [time]
+};
+
+/// Of a file that should have `expected` rows up to the time `until`; nothing where it has them.
+[[nodiscard]] std::optional<HistoryGap> history_gap(const std::string& path, GlobalIndex expected, double until);
+
 [[nodiscard]] History read_history(const std::string& path);
 
 }  // namespace brunt::io

@@ -17,5 +17,7 @@ struct UnitSystem {
 std::span<const UnitSystem> unit_systems();
 /// Null if there is none of that name.
 const UnitSystem* find_unit_system(std::string_view name);
+/// "0.04 mm"; without a unit in the system `none` and where there is no such system.
+std::string with_length(double length, std::string_view system, int digits = 4);
 
 }  // namespace brunt::scene

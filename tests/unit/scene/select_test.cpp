@@ -80,6 +80,13 @@ TEST_CASE("select: a set that names none of the mesh is told once, where it is d
               {"no node set '8'"});
 }
 
+TEST_CASE("select: a set named as one of the mesh is a fault, unless it is the same one", "[scene]") {
+  check_fault("sets:\n  low_zmin: {part: low, box: [[0, 0, 0], [1, 1, 1]]}\n", "two.yaml:7: sets.low_zmin",
+              {"set of that name already"});
+  check_fault("sets: {low_zmin: {side_set: top_zmin}}\n", "two.yaml:6: sets.low_zmin", {"set of that name already"});
+  CHECK(faults_of(scene_with("sets: {low_zmin: {side_set: low_zmin}}\n")).empty());
+}
+
 TEST_CASE("select: node sets and side sets of one number are two things", "[scene]") {
   mesh::CanonicalMesh whole = two_boxes();
   select(scene_with("sets: {n: {node_set: 7}, s: {side_set: 7}}\n"

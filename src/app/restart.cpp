@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "restart.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "brunt/core/error.hpp"
+#include "brunt/scene/fingerprint.hpp"
+#include "failure.hpp"
+
+namespace brunt::app {
+namespace {
+
+/// A checkpoint that is more than a step past the end asked for belongs to a longer run.
+void refuse_past_end(const Prepared& run, const std::string& checkpoint) {
+  const scene::Run& limits = run.input.run;
+  const model::State& state = run.state;
+  if (limits.end && state.time_before >= *limits.end)
+    throw InputError(fmt::format("{}: {:g} is past already: {} stands at t = {:g}; accepted: a later time",
+                                 run.input.at("run.end"), *limits.end, checkpoint, state.time));
+  if (limits.steps && state.step > static_cast<double>(*limits.steps))
+    throw InputError(fmt::format("{}: {} are done already: {} stands at step {}; accepted: more steps",
+                                 run.input.at("run.steps"), *limits.steps, checkpoint,
+                                 static_cast<GlobalIndex>(state.step)));
+}
+
+/// The scene may not have changed, but for what concerns output and end.
+void refuse_other_scene(const Prepared& run, const io::CheckpointHeader& header, const std::string& checkpoint) {
+  if (header.fingerprint == run.fingerprint || header.scene.empty()) return;
+  const std::vector<std::string> different = scene::differences(header.scene, run.scene_values);
+  if (different.empty()) return;
+  constexpr std::size_t most = 3;
+  std::string told;
+  for (std::size_t k = 0; k < std::min(most, different.size()); ++k) told += (k > 0 ? "; " : "") + different[k];
+  if (different.size() > most) told += fmt::format("; {} more keys differ", different.size() - most);
+  throw InputError(
+      fmt::format("{}: written by another scene: {}; accepted: changes of title, output, history, checkpoint, "
+                  "run.end, run.steps and run.wall_limit",
+                  checkpoint, told));
+}
+
+/// The last one before a checkpoint that can be read and is of this scene; empty where there is none. Collective.
+std::string whole_before(Prepared& run, const std::string& checkpoint) {
+  const comm::Communicator& ranks = run.links.ranks;
+  std::string joined;  // as the root sees the folder
+  if (ranks.is_root())
+    for (const std::string& path : io::checkpoints_before(checkpoint)) joined += path + '\n';
+  ranks.broadcast(joined);
+  for (std::size_t first = 0, end = joined.find('\n'); end != std::string::npos;
+       first = end + 1, end = joined.find('\n', first)) {
+    const std::string path = joined.substr(first, end - first);
+    try {
+      (void)io::read_checkpoint(ranks, path, run.fingerprint, run.registry());
+      return path;
+    } catch (const InputError&) {  // damaged as well
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string checkpoint_of(const comm::Communicator& ranks, const std::string& restart) {
+  std::string path = restart;
+  on_root(ranks, [&] {
+    if (!std::filesystem::exists(restart)) throw InputError(restart + ": no such file or folder to restart from");
+    if (!std::filesystem::is_directory(restart)) return;
+    const std::optional<std::string> latest = io::latest_checkpoint(restart);
+    if (!latest) throw InputError(restart + ": has no checkpoint_*.h5 to restart from");
+    path = *latest;
+  });
+  ranks.broadcast(path);
+  return path;
+}
+
+io::CheckpointHeader restart_from(Prepared& run, const std::string& checkpoint) {
+  const comm::Communicator& ranks = run.links.ranks;
+  io::CheckpointHeader header;
+  std::vector<std::string> faults;
+  try {
+    header = io::read_checkpoint_header(ranks, checkpoint);
+    refuse_other_scene(run, header, checkpoint);
+    header = io::read_checkpoint(ranks, checkpoint, run.fingerprint, run.registry());
+  } catch (const InputError& error) {
+    faults = error.faults();
+  }
+  if (!faults.empty()) {
+    if (const std::string before = whole_before(run, checkpoint); !before.empty())
+      faults.back() += fmt::format("; the one before is whole and of this scene: --restart {}", before);
+    throw InputError(std::move(faults));
+  }
+  run.after_restart();
+  refuse_past_end(run, checkpoint);
+  return header;
+}
+
+}  // namespace brunt::app
