@@ -88,7 +88,7 @@ void share_accepted(const comm::Communicator& ranks, std::vector<contact::Accept
 }  // namespace
 
 scene::Input read_input(const comm::Communicator& ranks, const std::string& scene_file,
-                        const std::vector<std::string>& overrides, Prepared* marked) {
+                        const std::vector<std::string>& overrides, std::string* fingerprint, std::string* values) {
   std::string text;
   on_root(ranks, [&] {
     if (std::filesystem::is_directory(scene_file))
@@ -96,10 +96,8 @@ scene::Input read_input(const comm::Communicator& ranks, const std::string& scen
     text = io::read_text(scene_file);
   });
   ranks.broadcast(text);
-  if (marked) {
-    marked->fingerprint = scene::fingerprint(text, scene_file, overrides);
-    marked->scene_values = scene::decisive_values(text, scene_file, overrides);
-  }
+  if (fingerprint) *fingerprint = scene::fingerprint(text, scene_file, overrides);
+  if (values) *values = scene::decisive_values(text, scene_file, overrides);
   return scene::read_scene(text, scene_file, overrides);
 }
 
@@ -144,7 +142,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
                                   const std::vector<std::string>& overrides) {
   auto prepared = std::make_unique<Prepared>(
       Prepared{{}, {}, {}, {}, {}, {}, {}, time::Links{ranks, {}, {}, {}, {}, {}, {}, {}}, nullptr, {}, {}, {}, {}});
-  prepared->input = read_input(ranks, scene_file, overrides, prepared.get());
+  prepared->input = read_input(ranks, scene_file, overrides, &prepared->fingerprint, &prepared->scene_values);
   mesh::CanonicalMesh whole;
   std::vector<Rank> part;
   on_root(ranks, [&] {

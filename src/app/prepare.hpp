@@ -41,10 +41,11 @@ struct Prepared {
   void after_restart();
 };
 
-/// The typed scene, the same on every rank; `marked` gets fingerprint and values. Collective; throws InputError on all
-/// ranks.
+/// The typed scene, the same on every rank; `values`: what its fingerprint is made of. Collective; throws InputError on
+/// all ranks.
 scene::Input read_input(const comm::Communicator& ranks, const std::string& scene_file,
-                        const std::vector<std::string>& overrides, Prepared* marked = nullptr);
+                        const std::vector<std::string>& overrides, std::string* fingerprint = nullptr,
+                        std::string* values = nullptr);
 
 /// The whole mesh of a scene, checked and in canonical order, with the scene's selections as sets. Root only.
 mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::string>& warnings);

@@ -74,6 +74,13 @@ Results::Results(Prepared& run, std::string folder, std::optional<GlobalIndex> r
   });
   states_ = std::make_unique<io::StateFile>(run.links.ranks, folder_,
                                             io::state_mesh(run.model.mesh, run.links.ranks.rank()), restart_step);
+  const scene::UnitSystem& units = units_of(run);
+  if (units.metre > 0)
+    for (const auto& [quantity, unit] : {std::pair{"time", units.time},
+                                         {"length", units.length},
+                                         {"velocity", units.velocity},
+                                         {"stress", units.stress}})
+      states_->name_unit(quantity, unit);
   extent_ = half_diagonal(run);
 }
 

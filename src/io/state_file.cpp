@@ -100,6 +100,11 @@ void StateFile::start(const StateMesh& mesh) {
   write_xdmf();
 }
 
+void StateFile::name_unit(const std::string& quantity, const std::string& unit) {
+  const std::string name = "unit_" + quantity;
+  if (!file_->has_attribute("/", name)) file_->set_attribute("/", name, unit);  // a restart finds them
+}
+
 void StateFile::resume(const StateMesh& mesh, GlobalIndex restart_step) {
   file_ = std::make_unique<Hdf5File>(ranks_, folder_ + "/state.h5", Hdf5File::Mode::append);
   check_same_mesh(*file_, mesh);

@@ -2,6 +2,7 @@
 // Are a material's figures plausible in the scene's units? Mixed-up units are the commonest mistake that runs.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "brunt/scene/sections.hpp"
@@ -23,11 +24,29 @@ double stress_in_si(double stress, const UnitSystem& units) {
   return stress * units.kilogram / (units.metre * units.second * units.second);
 }
 
-/// The first system in which the number would be the density of a solid; null if there is none.
-const UnitSystem* better_for(double density) {
+/// in-s-lbf and ft-s-lbf.
+bool is_american(const UnitSystem& units) {
+  return units.force == "lbf";
+}
+
+/// The first system, American or not, in which the number would be the density of a solid: what to say of it.
+std::string better_system(double density, bool american) {
   for (const UnitSystem& other : unit_systems())
-    if (other.metre > 0 && of_solids.holds(density_in_si(density, other))) return &other;
-  return nullptr;
+    if (other.metre > 0 && is_american(other) == american && of_solids.holds(density_in_si(density, other)))
+      return fmt::format("; in {}, of units {}, it would be {:.4g} kg/m^3", other.density, other.name,
+                         density_in_si(density, other));
+  return {};
+}
+
+/// American tables have weights: 0.283 lbf/in^3 of steel is 7.33e-4 lbf.s^2/in^4. Empty where the number is none.
+std::string as_weight(double density, const UnitSystem& units) {
+  constexpr double standard_gravity = 9.80665;  // m/s^2
+  if (!is_american(units)) return {};
+  const double gravity = standard_gravity * units.second * units.second / units.metre;
+  const double mass = density / gravity, in_si = density_in_si(mass, units);
+  if (!of_solids.holds(in_si)) return {};
+  return fmt::format("; a weight of {:g} lbf/{}^3 is a density of {:.4g} {} (divide by {:.2f} {}/{}^2), {:.4g} kg/m^3",
+                     density, units.length, mass, units.density, gravity, units.length, units.time, in_si);
 }
 
 bool warn_of_density(Section& material, double density, const UnitSystem& units, Input& input) {
@@ -36,11 +55,52 @@ bool warn_of_density(Section& material, double density, const UnitSystem& units,
   std::string what = fmt::format("{}: {:g} {}", place_of(material.at("density")), density, units.density);
   if (units.name != "SI") what += fmt::format(" ({:.3g} kg/m^3)", in_si);
   what += fmt::format(" is no density of matter ({:g} to {:g} kg/m^3)", of_matter.low, of_matter.high);
-  if (const UnitSystem* other = better_for(density))
-    what += fmt::format("; in {}, of units {}, it would be {:.4g} kg/m^3", other->density, other->name,
-                        density_in_si(density, *other));
+  const std::string weight = as_weight(density, units);
+  const std::string other = better_system(density, false);
+  const std::string american = is_american(units) || other.empty() ? better_system(density, true) : "";
+  what += weight.empty() ? american + other : weight;
   input.warnings.push_back(what);
   return true;
+}
+
+struct StressUnit {
+  const char* name;
+  double pascal;
+};
+constexpr double psi = 6894.757;
+constexpr std::array<StressUnit, 8> stress_units{{{"Pa", 1},
+                                                  {"MPa", 1e6},
+                                                  {"GPa", 1e9},
+                                                  {"kPa", 1e3},
+                                                  {"psi", psi},
+                                                  {"ksi", 1e3 * psi},
+                                                  {"Msi", 1e6 * psi},
+                                                  {"psf", psi / 144}}};
+
+/// The first unit in which waves would run as they commonly do; of American ones psi, ksi and Msi all may, so there it
+/// is the one that comes nearest to metals. Empty where there is none.
+std::string better_unit(double stiffness, double density, const UnitSystem& units, const char* modulus) {
+  constexpr double of_metals = 4000;  // m/s
+  const StressUnit* best = nullptr;
+  double best_speed = 0;
+  for (const StressUnit& unit : stress_units) {
+    const double speed = std::sqrt(stiffness * unit.pascal / density);
+    if (unit.name == units.stress || !of_common_waves.holds(speed)) continue;
+    const bool nearer = std::abs(std::log(speed / of_metals)) < std::abs(std::log(best_speed / of_metals));
+    if (best != nullptr && !(is_american(units) && nearer)) continue;
+    best = &unit;
+    best_speed = speed;
+  }
+  if (best == nullptr) return {};
+  return fmt::format("; stresses are in {} here: if {} is in {}, they run at {:.3g} m/s", units.stress, modulus,
+                     best->name, best_speed);
+}
+
+/// Slow waves are for soft matter, which is light: 29000 ksi of steel read as psi give 180 m/s. In American units only,
+/// where ksi and psi are mixed up.
+bool is_heavy_and_soft(double speed, double density, const UnitSystem& units) {
+  constexpr double heavy = 2500, slow = 300;  // kg/m^3, m/s
+  return is_american(units) && density > heavy && speed < slow;
 }
 
 /// Speed of pressure waves in the unstrained solid, sqrt((lambda + 2 mu) / rho).
@@ -48,23 +108,13 @@ void warn_of_speed(Section& material, const material::Law& law, const UnitSystem
   const material::ElasticModuli moduli = material::initial_moduli(law);
   const double stiffness = moduli.lambda + 2 * moduli.mu, density = density_in_si(moduli.density, units);
   const double speed = std::sqrt(stress_in_si(stiffness, units) / density);
-  if (of_waves.holds(speed)) return;
+  if (of_waves.holds(speed) && !is_heavy_and_soft(speed, density, units)) return;
   const char* modulus = material.has("young") ? "young" : "bulk";
   std::string what = fmt::format(
       "{}: with this stiffness and density waves run at {:.3g} m/s, as in no known matter (metals 1000 to 6000, rubber "
       "50 to 2000)",
       place_of(material.at(modulus)), speed);
-  struct Unit {
-    const char* name;
-    double pascal;
-  };
-  for (const Unit unit : {Unit{"Pa", 1}, Unit{"MPa", 1e6}, Unit{"GPa", 1e9}, Unit{"kPa", 1e3}, Unit{"psi", 6894.757}}) {
-    const double other = std::sqrt(stiffness * unit.pascal / density);
-    if (unit.name == units.stress || !of_common_waves.holds(other)) continue;
-    what += fmt::format("; stresses are in {} here: if {} is in {}, they run at {:.3g} m/s", units.stress, modulus,
-                        unit.name, other);
-    break;
-  }
+  what += better_unit(stiffness, density, units, modulus);
   input.warnings.push_back(what);
 }
 

@@ -3,7 +3,7 @@
 // (reader Xdmf3ReaderS) as a time series. After each record a killed run leaves both readable.
 //
 // Layout of state.h5 (indices are positions in the input, 0-based; doubles and 64-bit integers, little endian):
-//   /                         attributes format, nodes, elements, blocks
+//   /                         attributes format, nodes, elements, blocks, and unit_QUANTITY where units have names
 //   /mesh/coordinates         [nodes][3] undeformed [length]
 //   /mesh/node_id             [nodes] the input's own numbers
 //   /mesh/connectivity        [elements][nodes of an element] where all blocks have one shape, else one stream of
@@ -82,6 +82,8 @@ class StateFile {
   StateFile(const comm::Communicator& ranks, std::string folder, const StateMesh& mesh,
             std::optional<GlobalIndex> restart_step = std::nullopt);
 
+  /// Says in which unit a quantity (time, length, ...) is: an attribute unit_QUANTITY of the file.
+  void name_unit(const std::string& quantity, const std::string& unit);
   void write(GlobalIndex step, double time, std::span<const StateField> fields);
 
  private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/scene/read.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 #include "unit/scene/good_scene.hpp"
@@ -260,6 +262,10 @@ TEST_CASE("a density that no matter has draws a warning", "[scene]") {
                  Catch::Contains("in kg/m^3, of units SI, it would be 7800 kg/m^3"));
   CHECK_THAT(told("SI", "7.8e-9"), Catch::Contains("density: 7.8e-09 kg/m^3 is no density of matter (1 to") &&
                                        Catch::Contains("in t/mm^3, of units mm-s-tonne, it would be 7800 kg/m^3"));
+  CHECK_THAT(told("in-s-lbf", "0.283"), Catch::Contains("a weight of 0.283 lbf/in^3") &&
+                                            Catch::Contains("0.000733 lbf.s^2/in^4 (divide by 386.09 in/s^2)"));
+  CHECK_THAT(told("ft-s-lbf", "490"), Catch::Contains("a weight of 490 lbf/ft^3 is a density of 15.23 slug/ft^3"));
+  CHECK_THAT(told("in-s-lbf", "7.85"), Catch::Contains("in g/cm^3, of units cm-us-g, it would be 7850 kg/m^3"));
   CHECK_THAT(told("SI", "1e40"), !Catch::Contains("would"));
 }
 
@@ -281,6 +287,13 @@ TEST_CASE("a speed of waves that no matter has draws a warning with the speed an
   const std::vector<std::string> giga = warnings("SI", "7800", "2.0e2");
   REQUIRE(giga.size() == 1);
   CHECK_THAT(giga[0], Catch::Contains("0.186 m/s") && Catch::Contains("in GPa"));
+  CHECK(warnings("in-s-lbf", "7.33e-4", "3.0e7").empty());
+  CHECK(warnings("in-s-lbf", "1.0e-4", "200").empty());  // soft rubber
+  for (const auto& [young, unit] : {std::pair{"29000", "ksi"}, {"29", "Msi"}, {"2.0e11", "Pa"}, {"200", "GPa"}}) {
+    const std::vector<std::string> american = warnings("in-s-lbf", "7.33e-4", young);
+    REQUIRE(american.size() == 1);
+    CHECK_THAT(american[0], Catch::Contains(fmt::format("stresses are in psi here: if young is in {},", unit)));
+  }
   const std::vector<std::string> pascal = warnings("mm-s-tonne", "7.8e-9", "2.0e11");
   REQUIRE(pascal.size() == 1);
   CHECK_THAT(pascal[0],

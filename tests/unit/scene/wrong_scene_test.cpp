@@ -57,7 +57,7 @@ TEST_CASE("wrong numbers", "[scene]") {
       {"7800", "\"7800\"", "bar.yaml:16: materials.steel.density", {"quoted text '7800'", "a number > 0"}},
       {"7800", "7800 kg", "bar.yaml:16: materials.steel.density", {"'7800 kg'", "a number > 0"}},
       {"7800", "7,800", "bar.yaml:16: materials.steel.density", {"'7,800'", "no comma", "write 7800 or 7.800"}},
-      {"7800", "'7,8'", "bar.yaml:16: materials.steel.density", {"'7,8'", "no comma", "write 78 or 7.8"}},
+      {"7800", "'7,8'", "bar.yaml:16: materials.steel.density", {"'7,8'", "no comma", "write 7.8;"}},
       {"7800", "1,234,567", "bar.yaml:16: materials.steel.density", {"no comma", "write 1234567; accepted"}},
       {"poisson: 0.3", "poisson: 0,3", "bar.yaml:18: materials.steel.poisson", {"no comma", "0.3"}},
       {"cfl: 0.9", "steps: 4,000", "bar.yaml:43: run.steps", {"no comma", "4000", "an integer"}},
