@@ -3,8 +3,7 @@
 // number wrote, to the same bits. A file is written under another name, has reached the disk when it gets its own,
 // and the last two are kept. Every table carries a hash of its values (model/hash.hpp): a flipped bit is found.
 //
-// Layout: attributes of /: format, fingerprint, scene, history_rows, step, time, nodes, and `hash` of the header
-// itself;
+// Layout: attributes of /: format, fingerprint, scene, history_rows, step, time, nodes, and `hash` of the header;
 //         /nodes/NAME, /elements/NAME, /globals/NAME: tables [entities][components] with the attribute `hash`;
 //         /records/NAME/keys, /records/NAME/values (with `hash`): records that come and go.
 #pragma once
