@@ -64,11 +64,11 @@ std::vector<LocalIndex> own_slave_nodes(const ListBuild& build) {
 
 /// A face of the node's own body whose element touches one of the node's elements.
 bool is_neighbour(const Surface& surface, LocalIndex node, const TravellingFace& face) {
-  static_assert(sizeof(face.element) == sizeof(PackMask));
-  PackMask corners, found{};  // all eight at once: a search of the row by halves guesses wrong at every turn
+  static_assert(sizeof(face.element) == sizeof(OctetMask));
+  OctetMask corners, found{};  // all eight at once: a search of the row by halves guesses wrong at every turn
   std::memcpy(&corners, face.element.data(), sizeof corners);
   for (const GlobalIndex gid : surface.neighbours.row(node)) found |= corners == gid;
-  return any(found);
+  return any_of_eight(found);
 }
 
 bool is_permitted(const ListBuild& build, LocalIndex node, const TravellingFace& face) {

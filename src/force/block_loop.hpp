@@ -11,7 +11,7 @@
 
 namespace brunt::force {
 
-/// Corner values of eight elements: one cache line a node in, components out.
+/// Corner values of a batch: one cache line a node in, components out.
 template <int nodes>
 BRUNT_INLINE void gather_motion(const LocalIndex* node, const model::NodeLine* lines,
                                 element::BatchMotion<nodes>& motion) {

@@ -1,28 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight doubles that are computed together. A batch of eight elements is one Pack a quantity; what one lane
-// computes never depends on what the other lanes hold, so results do not depend on how elements are batched.
+// The doubles that are computed together, as many as a register holds: wider ones g++ keeps in memory, between all
+// operations (with AVX2 a step of packs of eight took 2.2 times as long as with packs of four). A batch of elements is
+// one Pack a quantity; what one lane computes never depends on what the other lanes hold, so results do not depend on
+// how elements are batched.
 #pragma once
 #include <cmath>
 #include <cstdint>
 
 namespace brunt {
 
+#ifdef __AVX512F__
 constexpr int pack_width = 8;
+#else
+constexpr int pack_width = 4;
+#endif
 
-using Pack = double __attribute__((vector_size(64)));
-using PackMask =
-    std::int64_t __attribute__((vector_size(64)));     ///< -1 where true, 0 where false (a comparison's result)
 using Quad = double __attribute__((vector_size(32)));  ///< four doubles: x, y, z and one to spare
 using QuadMask = std::int64_t __attribute__((vector_size(32)));
+using Octet = double __attribute__((vector_size(64)));  ///< eight doubles on any machine
+using OctetMask = std::int64_t __attribute__((vector_size(64)));
+using Pack = double __attribute__((vector_size(8 * pack_width)));
+using PackMask =
+    std::int64_t __attribute__((vector_size(8 * pack_width)));  ///< -1 where true, 0 where false (of comparisons)
 
-/// Kernels are long straight code on 64-byte values: a call that is not inlined spills all of them. (The sanitizers'
+/// Kernels are long straight code on packs: a call that is not inlined spills all of them. (The sanitizers'
 /// build sets it to `inline`.)
 #ifndef BRUNT_INLINE
 #define BRUNT_INLINE [[gnu::always_inline]] inline
 #endif
 
 BRUNT_INLINE Pack broadcast(double a) {
-  return Pack{a, a, a, a, a, a, a, a};
+  Pack all;
+  for (int lane = 0; lane < pack_width; ++lane) all[lane] = a;
+  return all;
 }
 BRUNT_INLINE Pack select(PackMask mask, Pack yes, Pack no) {
   return mask ? yes : no;
@@ -49,11 +59,18 @@ BRUNT_INLINE bool any(PackMask mask) {
   return seen != 0;
 }
 
+BRUNT_INLINE bool any_of_eight(OctetMask mask) {
+  std::int64_t seen = 0;
+  for (int lane = 0; lane < 8; ++lane) seen |= mask[lane];
+  return seen != 0;
+}
+
 BRUNT_INLINE bool all(QuadMask mask) {
   return (mask[0] & mask[1] & mask[2] & mask[3]) != 0;
 }
 
-/// First three components of eight quads, component by component: x[lane] = quad(lane)[0] ...
+#ifdef __AVX512F__
+/// First three components of a quad a lane, component by component: x[lane] = quad(lane)[0] ...
 /// `quad(lane)` is called once a lane. Half of the moves are loads straight into the upper half of a register.
 template <class QuadOfLane>
 BRUNT_INLINE void components_of(const QuadOfLane& quad, Pack& x, Pack& y, Pack& z) {
@@ -80,5 +97,30 @@ BRUNT_INLINE void quads_of(Pack x, Pack y, Pack z, Pack (&pair)[4]) {
   pair[2] = __builtin_shufflevector(xy_even, z_even, 2, 3, 10, 11, 6, 7, 14, 15);
   pair[3] = __builtin_shufflevector(xy_odd, z_odd, 2, 3, 10, 11, 6, 7, 14, 15);
 }
+#else
+template <class QuadOfLane>
+BRUNT_INLINE void components_of(const QuadOfLane& quad, Pack& x, Pack& y, Pack& z) {
+  const Quad lane[4] = {quad(0), quad(1), quad(2), quad(3)};
+  const Pack even01 = __builtin_shufflevector(lane[0], lane[1], 0, 4, 2, 6);
+  const Pack odd01 = __builtin_shufflevector(lane[0], lane[1], 1, 5, 3, 7);
+  const Pack even23 = __builtin_shufflevector(lane[2], lane[3], 0, 4, 2, 6);
+  const Pack odd23 = __builtin_shufflevector(lane[2], lane[3], 1, 5, 3, 7);
+  x = __builtin_shufflevector(even01, even23, 0, 1, 4, 5);
+  y = __builtin_shufflevector(odd01, odd23, 0, 1, 4, 5);
+  z = __builtin_shufflevector(even01, even23, 2, 3, 6, 7);
+}
+
+/// The way back: of[k] is the quad (x, y, z, 0) of lane k.
+BRUNT_INLINE void quads_of(Pack x, Pack y, Pack z, Pack (&of)[4]) {
+  const Pack zero = broadcast(0.0);
+  const Pack xy_even = __builtin_shufflevector(x, y, 0, 4, 2, 6), xy_odd = __builtin_shufflevector(x, y, 1, 5, 3, 7);
+  const Pack z_even = __builtin_shufflevector(z, zero, 0, 4, 2, 6),
+             z_odd = __builtin_shufflevector(z, zero, 1, 5, 3, 7);
+  of[0] = __builtin_shufflevector(xy_even, z_even, 0, 1, 4, 5);
+  of[1] = __builtin_shufflevector(xy_odd, z_odd, 0, 1, 4, 5);
+  of[2] = __builtin_shufflevector(xy_even, z_even, 2, 3, 6, 7);
+  of[3] = __builtin_shufflevector(xy_odd, z_odd, 2, 3, 6, 7);
+}
+#endif
 
 }  // namespace brunt

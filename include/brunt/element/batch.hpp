@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an element kernel is handed and what it hands back: eight elements at once.
+// What an element kernel is handed and what it hands back: a batch of elements at once.
 //
 // A kernel is a small struct with its constants, templated over a material response, and
 //   static constexpr int nodes;                          corners an element

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one-point hexahedron: mean gradient, midpoint strain increment, hourglass control, bulk viscosity and the stable
-// step of the free element, for eight elements at once.
+// step of the free element, for a batch of elements at once.
 //
 // D. P. Flanagan, T. Belytschko, Int. J. Numer. Meth. Eng. 17 (1981) 679-706 (mean gradient B, hourglass control) and
 // J. Appl. Mech. 51 (1984) 35-40 (eigenvalues of the uniform strain element). With S_ij = B_iI B_jI, corner mass m/8:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `encounter`, eight pairs at a time: where bodies touch over a whole face, it is what contact spends its time on.
+// `encounter`, a pack of pairs at a time: where bodies touch over a whole face, it is what contact spends its time on.
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -16,7 +16,7 @@ using geometry::Region;
 
 constexpr std::size_t lanes = pack_width;
 
-/// Eight pairs of this scene; the last ones may be one and the same, to fill.
+/// Pairs of this scene; the last ones may be one and the same, to fill.
 struct Batch {
   const NodeMotion* slave[lanes];
   const NodeMotion* corner[4][lanes];

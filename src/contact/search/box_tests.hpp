@@ -7,7 +7,7 @@ namespace brunt::contact {
 
 /// The bounds of a box, low x y z, high x y z, and two to spare.
 struct Bounds {
-  Pack lanes;
+  Octet lanes;
 };
 
 using FloatPack = float __attribute__((vector_size(32)));

@@ -26,8 +26,8 @@ struct Group {
   Group(std::span<const Box> boxes, std::span<const LocalIndex> chosen) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t lane = 0; lane < box_group; ++lane) {
-      Pack& of_box = bounds[lane].lanes;
-      of_box = broadcast(none);
+      Octet& of_box = bounds[lane].lanes;
+      of_box = Octet{none, none, none, none, none, none, none, none};
       if (lane < chosen.size()) {
         const Box& box = boxes[static_cast<std::size_t>(chosen[lane])];
         for (int a = 0; a < 3; ++a) {
@@ -40,10 +40,11 @@ struct Group {
         half[lane / double_lanes].high[a][lane % double_lanes] = of_box[a + 3];
       }
     }
-    Pack least = bounds[0].lanes, most = least;
+    Octet least = bounds[0].lanes, most = least;
     for (std::size_t lane = 1; lane < chosen.size(); ++lane) {
-      least = pack_min(least, bounds[lane].lanes);
-      most = pack_max(most, bounds[lane].lanes);
+      const Octet& box = bounds[lane].lanes;
+      least = least < box ? least : box;
+      most = most > box ? most : box;
     }
     for (int a = 0; a < 3; ++a) {
       low[a] = least[a];

@@ -224,11 +224,11 @@ TEMPLATE_TEST_CASE("what an element answers does not depend on its lane or on th
     memory[e][0] = 1;
   }
   /// Bits of element e's answer with element order[lane] in each lane.
-  const auto answer = [&](const int(&order)[8], int lane) {
+  const auto answer = [&](const int(&order)[pack_width], int lane) {
     element::BatchMotion<8> in;
     in.dt = 1;
     std::vector<Pack> history(Kernel::history_size);
-    for (int l = 0; l < 8; ++l) {
+    for (int l = 0; l < pack_width; ++l) {
       const int e = order[l];
       for (int c = 0; c < 24; ++c) {
         in.x[c / 8][c % 8][l] = x[e][c];
@@ -244,17 +244,19 @@ TEMPLATE_TEST_CASE("what an element answers does not depend on its lane or on th
     for (const Pack& value : history) bits.push_back(value[lane]);
     return bits;
   };
-  const int in_order[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-  for (int e = 0; e < 8; ++e) {
+  int in_order[pack_width];
+  for (int l = 0; l < pack_width; ++l) in_order[l] = l;
+  for (int e = 0; e < pack_width; ++e) {
     const std::vector<double> expected = answer(in_order, e);
-    for (int shift = 1; shift < 8; ++shift) {
-      int order[8];
-      for (int l = 0; l < 8; ++l) order[l] = (l * 5 + shift) % 8;
-      order[(e + shift) % 8] = e;
-      const std::vector<double> found = answer(order, (e + shift) % 8);
+    for (int shift = 1; shift < pack_width; ++shift) {
+      int order[pack_width];
+      for (int l = 0; l < pack_width; ++l) order[l] = (l * 5 + shift) % 8;
+      order[(e + shift) % pack_width] = e;
+      const std::vector<double> found = answer(order, (e + shift) % pack_width);
       CHECK(std::memcmp(expected.data(), found.data(), expected.size() * sizeof(double)) == 0);
     }
-    const int alone[8] = {e, e, e, e, e, e, e, e};
+    int alone[pack_width];
+    for (int& of_lane : alone) of_lane = e;
     const std::vector<double> padded = answer(alone, 3);
     CHECK(std::memcmp(expected.data(), padded.data(), expected.size() * sizeof(double)) == 0);
   }

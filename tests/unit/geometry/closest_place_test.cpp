@@ -78,33 +78,40 @@ TEST_CASE("eight at a time: the places of closest_point, and hardly any that are
   CHECK(on_face < 0.8 * total);  // both ways were taken
 }
 
-TEST_CASE("eight at a time: what a lane gives has the same bits whatever the others hold") {
+TEST_CASE("a pack at a time: what a lane gives has the same bits whatever the others hold") {
   std::mt19937 random(8);
+  constexpr int last = pack_width - 1;
   for (int k = 0; k < 500; ++k) {
     std::array<Shot, pack_width> shots;
     for (Shot& shot : shots) shot = random_shot(random, 0.1);
     std::array<Shot, pack_width> others;
     for (Shot& shot : others) shot = random_shot(random, k % 2 == 0 ? 0.0 : 0.5);  // settle sooner, or later
-    others[5] = shots[2];
+    others[last] = shots[2];
     const geometry::PackPlace one = places(shots), other = places(others);
-    REQUIRE(one.known[2] == other.known[5]);
+    REQUIRE(one.known[2] == other.known[last]);
     if (one.known[2] == 0) continue;
     const double a[4]{one.xi[2], one.eta[2], one.edge[2], one.along[2]};
-    const double b[4]{other.xi[5], other.eta[5], other.edge[5], other.along[5]};
-    REQUIRE(one.on_face[2] == other.on_face[5]);
+    const double b[4]{other.xi[last], other.eta[last], other.edge[last], other.along[last]};
+    REQUIRE(one.on_face[2] == other.on_face[last]);
     REQUIRE(std::memcmp(a, b, one.on_face[2] != 0 ? 2 * sizeof(double) : sizeof a) == 0);
   }
 }
 
-TEST_CASE("eight at a time: faces without area and points that are not finite are left to closest_point") {
+TEST_CASE("a pack at a time: faces without area and points that are not finite are left to closest_point") {
   std::mt19937 random(9);
-  std::array<Shot, pack_width> shots;
-  for (Shot& shot : shots) shot = random_shot(random, 0);
-  shots[1].x[0] = std::numeric_limits<double>::quiet_NaN();
-  shots[2].x[1] = std::numeric_limits<double>::infinity();
-  shots[3].corners[2][2] = std::numeric_limits<double>::quiet_NaN();
-  shots[4].corners = {shots[4].x, shots[4].x, shots[4].x, shots[4].x};
-  const geometry::PackPlace place = places(shots);
-  for (const int lane : {1, 2, 3, 4}) CHECK(place.known[lane] == 0);
-  for (const int lane : {0, 5, 6, 7}) CHECK(place.known[lane] != 0);
+  const auto spoil = [](Shot& shot, int how) {
+    if (how == 0) shot.x[0] = std::numeric_limits<double>::quiet_NaN();
+    if (how == 1) shot.x[1] = std::numeric_limits<double>::infinity();
+    if (how == 2) shot.corners[2][2] = std::numeric_limits<double>::quiet_NaN();
+    if (how == 3) shot.corners = {shot.x, shot.x, shot.x, shot.x};
+  };
+  for (int how = 0; how < 4; ++how) {
+    std::array<Shot, pack_width> shots;
+    for (Shot& shot : shots) shot = random_shot(random, 0);
+    const int spoilt = how % pack_width;
+    spoil(shots[static_cast<std::size_t>(spoilt)], how);
+    const geometry::PackPlace place = places(shots);
+    CAPTURE(how);
+    for (int lane = 0; lane < pack_width; ++lane) CHECK((place.known[lane] == 0) == (lane == spoilt));
+  }
 }

@@ -166,8 +166,8 @@ TEST_CASE("a lane does not see its neighbours, to the bit") {
     Pack alone[6], own_history[7]{}, own[6]{};
     for (int c = 0; c < 6; ++c) alone[c] = broadcast(together[c][lane]);
     law.update(alone, own, own_history, own_history + 6);
-    for (int c = 0; c < 6; ++c) CHECK(own[c][5] == stress[c][lane]);
-    for (int c = 0; c < 7; ++c) CHECK(own_history[c][5] == history[c][lane]);
+    for (int c = 0; c < 6; ++c) CHECK(own[c][pack_width - 1] == stress[c][lane]);
+    for (int c = 0; c < 7; ++c) CHECK(own_history[c][pack_width - 1] == history[c][lane]);
   }
 }
 

@@ -13,19 +13,19 @@ TEST_CASE("logarithm of a pack agrees with the library's to two units in the las
   for (int sample = 0; sample < 100000; ++sample) {
     const double a = sample % 3 == 0 ? std::pow(10.0, power(engine)) : 1 + (sample % 3 == 1 ? near_one : tiny)(engine);
     Pack pack = broadcast(1.0);
-    pack[sample % 8] = a;
+    pack[sample % pack_width] = a;
     const Pack result = material::pack_log(pack);
     const double reference = std::log(a);
-    if (reference != 0) worst = std::max(worst, std::abs(result[sample % 8] / reference - 1));
-    REQUIRE(result[(sample + 1) % 8] == 0);
+    if (reference != 0) worst = std::max(worst, std::abs(result[sample % pack_width] / reference - 1));
+    REQUIRE(result[(sample + 1) % pack_width] == 0);
   }
   CHECK(worst < 4.5e-16);
 }
 
 TEST_CASE("logarithm of what is not positive is not a number") {
-  const Pack result = material::pack_log(Pack{1, 0, -1, 2, -1e300, 1, 1, 1});
+  const Pack result = material::pack_log(Pack{1, 0, -1, -1e300});
   CHECK(result[0] == 0);
   CHECK(std::isnan(result[1]));
   CHECK(std::isnan(result[2]));
-  CHECK(std::isnan(result[4]));
+  CHECK(std::isnan(result[3]));
 }

@@ -102,7 +102,7 @@ struct FacesInMotion {
 Encounter encounter(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
                     LocalIndex face, const Approach& approach = {});
 
-/// The same for many pairs, eight at a time, of slave[k] with met[k], whose face and approach are set. What comes of a
+/// The same for many pairs, a pack at a time, of slave[k] with met[k], whose face and approach are set. What comes of a
 /// pair does not depend on the others.
 void encounter_all(const FacesInMotion& scene, const EncounterSettings& settings,
                    std::span<const NodeMotion* const> slave, std::span<Encounter> met);

@@ -34,7 +34,7 @@ struct alignas(64) Run {
 
 /// Origin of a block, x y z x y z 0 0: what is taken off both bounds of a box.
 struct BlockOrigin {
-  Pack twice;
+  Octet twice;
 };
 
 /// Coordinates inside a block are rounded to float after subtracting the block's origin. Both steps are monotone, and
