@@ -82,6 +82,7 @@ std::vector<TravellingEdge> own_edges(const ListBuild& build) {
   for (const SurfaceEdge& edge : build.surface.edges) {
     TravellingEdge master{.facets = edge.facets, .elements = edge.elements, .body = edge.body, .block = edge.block};
     master.depth = edge.depth;
+    master.sharp = edge.sharp ? 1 : 0;
     std::array<Vec3, 2> ends;
     for (std::size_t i = 0; i < 2; ++i) {
       ends[i] = position(build, edge.nodes[i]);
@@ -98,9 +99,10 @@ Box edge_box(const ListBuild& build, const SurfaceEdge& edge) {
   return geometry::bounding_box(std::array{position(build, edge.nodes[0]), position(build, edge.nodes[1])});
 }
 
-/// Once for a pair, however many passes its nodes and faces make. Edges of one body meet where their elements do not
-/// touch, the lower as slave.
+/// Sharp ones with all. Once for a pair, however many passes its nodes and faces make. Edges of one body meet where
+/// their elements do not touch, the lower as slave.
 bool is_permitted(const ListBuild& build, const SurfaceEdge& slave, const TravellingEdge& master) {
+  if (!slave.sharp && master.sharp == 0) return false;
   const std::array block{slave.block};
   if (!leads(build.pairs, build.surface.bodies, {block, slave.body}, master.block, master.body)) return false;
   if (slave.body != master.body) return true;

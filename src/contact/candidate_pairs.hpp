@@ -38,7 +38,7 @@ struct CandidatePairs {
 
 /// Nodes near faces. Collective.
 CandidatePairs<TravellingFace> find_face_pairs(const ListBuild& build);
-/// Sharp edges near sharp edges. Collective.
+/// Convex edges near convex edges of which one is sharp. Collective.
 CandidatePairs<TravellingEdge> find_edge_pairs(const ListBuild& build);
 
 }  // namespace brunt::contact

@@ -77,6 +77,7 @@ struct EdgeFound {
   std::array<std::array<GlobalIndex, 8>, 2> elements{};
   std::int32_t body = 0, block = 0;
   double depth = 0;
+  std::int32_t sharp = 0;  ///< 1: it is
 };
 
 Vec3 vector_of(const std::array<double, 3>& components) {
@@ -122,11 +123,12 @@ std::vector<EdgeUse> uses_at_home(const comm::Communicator& ranks, const mesh::L
   return uses;
 }
 
-bool is_sharp(const EdgeUse& one, const EdgeUse& other, double least_angle) {
+/// Between the normals [radians]; > 0: convex.
+double angle_between(const EdgeUse& one, const EdgeUse& other) {
   const Vec3 normal = vector_of(one.area).normalized(), other_normal = vector_of(other.area).normalized();
   const Vec3 turn = normal.cross(other_normal);
-  const double sine = turn.dot(vector_of(one.direction).normalized());  // > 0: convex
-  return sine > 0 && std::atan2(sine, normal.dot(other_normal)) > least_angle;
+  const double sine = turn.dot(vector_of(one.direction).normalized());
+  return std::atan2(sine, normal.dot(other_normal));
 }
 
 }  // namespace
@@ -150,48 +152,53 @@ Ragged<GlobalIndex> element_neighbours(const comm::Communicator& ranks, const me
   return neighbours;
 }
 
-std::vector<SurfaceEdge> sharp_edges(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
-                                     const Surface& surface, double least_angle) {
+std::vector<SurfaceEdge> convex_edges(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
+                                      const Surface& surface, const EdgeAngles& angles) {
   const std::vector<EdgeUse> uses = uses_at_home(ranks, mesh, surface);
   std::vector<std::vector<EdgeFound>> to_face(static_cast<std::size_t>(ranks.size()));
   for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
     while (last < uses.size() && uses[last].gid == uses[first].gid) ++last;
     if (last - first != 2) continue;  // a rim, or an edge where surfaces meet that are no neighbours
     const EdgeUse &one = uses[first], &other = uses[first + 1];
-    if (!is_sharp(one, other, least_angle)) continue;
+    const double angle = angle_between(one, other);
+    if (!(angle > angles.least)) continue;
     to_face[static_cast<std::size_t>(one.face.rank)].push_back({one.gid,
                                                                 {one.face, other.face},
                                                                 {one.element, other.element},
                                                                 one.body,
                                                                 one.block,
-                                                                std::min(one.depth, other.depth)});
+                                                                std::min(one.depth, other.depth),
+                                                                angle > angles.sharp ? 1 : 0});
   }
   std::vector<EdgeFound> found = comm::exchange(ranks, to_face).values;
   std::sort(found.begin(), found.end(), [](const EdgeFound& a, const EdgeFound& b) { return a.gid < b.gid; });
   std::vector<SurfaceEdge> edges;
   for (const EdgeFound& edge : found) {
-    SurfaceEdge sharp{.facets = edge.faces, .body = edge.body, .block = edge.block, .depth = edge.depth};
+    SurfaceEdge convex{.facets = edge.faces, .body = edge.body, .block = edge.block, .depth = edge.depth};
+    convex.sharp = edge.sharp != 0;
     for (std::size_t i = 0; i < 2; ++i) {
-      std::copy(edge.elements[i].begin(), edge.elements[i].end(), sharp.elements.begin() + static_cast<long>(8 * i));
+      std::copy(edge.elements[i].begin(), edge.elements[i].end(), convex.elements.begin() + static_cast<long>(8 * i));
       const auto at = std::lower_bound(surface.gid.begin(), surface.gid.end(), edge.gid[i]);
       demand(at != surface.gid.end() && *at == edge.gid[i], "the nodes of a face's edge are on its rank");
-      sharp.nodes[i] = static_cast<LocalIndex>(at - surface.gid.begin());
+      convex.nodes[i] = static_cast<LocalIndex>(at - surface.gid.begin());
     }
-    edges.push_back(sharp);
+    edges.push_back(convex);
   }
   return edges;
 }
 
-std::vector<char> nodes_on_edges(const comm::Communicator& ranks, const Surface& surface) {
+std::vector<char> nodes_on_rims(const comm::Communicator& ranks, const Surface& surface) {
   std::vector<std::vector<LocalIndex>> to_owner(static_cast<std::size_t>(ranks.size()));
-  for (const SurfaceEdge& edge : surface.edges)
+  for (const SurfaceEdge& edge : surface.edges) {
+    if (!edge.sharp) continue;
     for (const LocalIndex node : edge.nodes) {
       const Place& home = surface.home[static_cast<std::size_t>(node)];
       to_owner[static_cast<std::size_t>(home.rank)].push_back(home.index);
     }
-  std::vector<char> on_edge(surface.gid.size(), 0);
-  for (const LocalIndex node : comm::exchange(ranks, to_owner).values) on_edge[static_cast<std::size_t>(node)] = 1;
-  return on_edge;
+  }
+  std::vector<char> on_rim(surface.gid.size(), 0);
+  for (const LocalIndex node : comm::exchange(ranks, to_owner).values) on_rim[static_cast<std::size_t>(node)] = 1;
+  return on_rim;
 }
 
 }  // namespace brunt::contact

@@ -39,14 +39,15 @@ struct TravellingFace {
   friend bool operator<(const TravellingFace& a, const TravellingFace& b) { return a.key < b.key; }
 };
 
-/// The same for a sharp edge.
+/// The same for a convex edge.
 struct TravellingEdge {
   std::array<GlobalIndex, 2> gid{};  ///< ascending
   std::array<Place, 2> home{}, facets{};
   std::array<GlobalIndex, 16> elements{};
   double depth = 0;  ///< of its elements
   std::int32_t body = 0, block = 0;
-  PlainBox capture{};  ///< capture box
+  std::int32_t sharp = 0;  ///< 1: it is
+  PlainBox capture{};      ///< capture box
 
   friend bool operator<(const TravellingEdge& a, const TravellingEdge& b) { return a.gid < b.gid; }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lies around a surface node and around the sharp edges of the surface, taken once from the reference mesh.
+// What lies around a surface node and around the convex edges of the surface, taken once from the reference mesh.
 #pragma once
 #include <span>
 #include <vector>
@@ -16,13 +16,19 @@ namespace brunt::contact {
 Ragged<GlobalIndex> element_neighbours(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
                                        const Surface& surface);
 
-/// Convex edges between exactly two contact faces whose reference normals differ by more than `least_angle` [radians],
-/// on the rank of the face with the lower key, in ascending (gid, gid). Collective.
-std::vector<SurfaceEdge> sharp_edges(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
-                                     const Surface& surface, double least_angle);
+/// By how much the normals of two faces differ where they meet in an edge [radians].
+struct EdgeAngles {
+  double least = 0;  ///< at less there is none
+  double sharp = 0;  ///< from here on it is a sharp one
+};
 
-/// A flag for each surface node that this rank owns (0 for others): does it stand on one of the sharp edges, whichever
-/// rank has it? Collective.
-std::vector<char> nodes_on_edges(const comm::Communicator& ranks, const Surface& surface);
+/// Convex edges between exactly two contact faces, by their reference normals, on the rank of the face with the lower
+/// key, in ascending (gid, gid). Collective.
+std::vector<SurfaceEdge> convex_edges(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
+                                      const Surface& surface, const EdgeAngles& angles);
+
+/// A flag for each surface node that this rank owns (0 for others): does it stand on a sharp one of the edges,
+/// whichever rank has it? Collective.
+std::vector<char> nodes_on_rims(const comm::Communicator& ranks, const Surface& surface);
 
 }  // namespace brunt::contact

@@ -28,13 +28,15 @@ struct SurfaceFace {
   std::array<GlobalIndex, 8> element{};  ///< nodes of that element, no_index to fill; the corners without an element
 };
 
-/// A convex edge of the reference surface that is sharp enough to meet others as an edge.
+/// A convex edge of the reference surface that may meet others as an edge: sharp ones any, blunt ones those that are
+/// sharp (a facet's edge on a round body slips between the nodes of a rim).
 struct SurfaceEdge {
   std::array<LocalIndex, 2> nodes{};       ///< surface nodes, lower gid first
   std::array<Place, 2> facets{};           ///< the two faces that meet in it, lower key first
   std::array<GlobalIndex, 16> elements{};  ///< nodes of the elements behind them, no_index to fill
   std::int32_t body = 0, block = 0;        ///< of the first
   double depth = 0;                        ///< the smaller one of the two faces [length]
+  bool sharp = false;
 };
 
 /// What decides who is slave; the same on every rank.
@@ -63,7 +65,7 @@ struct Surface {
   Ragged<Place> facets;                ///< for nodes owned here: their contact faces by key
   Ragged<GlobalIndex> neighbours;      ///< for nodes owned here: nodes of the elements that contain them, ascending
   std::vector<SurfaceFace> faces;      ///< contact faces of this rank's elements, by key
-  std::vector<SurfaceEdge> edges;      ///< sharp ones between faces of which this rank has the one with the lower key
+  std::vector<SurfaceEdge> edges;      ///< convex ones between faces of which this rank has the one with the lower key
   std::vector<BodyFigures> bodies;     ///< of the whole model
   double mean_edge = 0;                ///< mean over all contact faces of their longest edge [length]
   double mean_depth = 0;  ///< mean over the same of the depth, or the longest edge if that is less [length]
