@@ -63,6 +63,12 @@ double half_diagonal(const Prepared& run) {
   return 0.5 * std::hypot(far[0] + far[3], far[1] + far[4], far[2] + far[5]);
 }
 
+/// Springs that stay are another thing than those of `stiffness` where there is plastic flow alone.
+const char* remedy_of_folds(const material::Law& law) {
+  return std::holds_alternative<material::J2>(law) ? "hourglass: {kind: elastic} or element: hex8_full"
+                                                   : "element: hex8_full or hex8_bbar";
+}
+
 }  // namespace
 
 Results::Results(Prepared& run, std::string folder, std::optional<GlobalIndex> restart_step, Log& log)
@@ -165,8 +171,9 @@ void Results::watch(const time::Ledger& ledger, double time) {
   if (!std::isfinite(ledger.total()) || ledger.kinetic > 1.5 * given + 1e-3 * scale + ledger.mass * stirred * stirred)
     throw GuardError(
         fmt::format("energy grows at t = {:g}: kinetic {:g} of {:g} given; the step may be too large for the "
-                    "materials or the elements too distorted",
-                    time, ledger.kinetic, given));
+                    "materials or the elements too distorted{}",
+                    time, ledger.kinetic, given,
+                    seen.folded > 0 ? fmt::format(" ({} hex8 elements are folded)", seen.folded) : ""));
 }
 
 void Results::remember_good() {
@@ -213,11 +220,10 @@ void Results::watch_folds() {
     const auto block = static_cast<std::size_t>(ranks.max(GlobalIndex{here.element == element ? here.block : -1}));
     log_.warning(fmt::format(
         "{} hex8 element{} folded at t = {:g}, step {}, with a corner inside out; worst is element {} (position in the "
-        "input) of part '{}'. Contact loses nodes behind folded faces and may give energy. Take hourglass: {{kind: "
-        "elastic}} or "
-        "element: hex8_full (told once; folded_elements in summary.json is the largest number seen)",
+        "input) of part '{}'. Contact loses nodes behind folded faces and may give energy. Take {} (told once; "
+        "folded_elements in summary.json is the largest number seen)",
         count, count == 1 ? " is" : "s are", run_.state.time, static_cast<GlobalIndex>(run_.state.step), element + 1,
-        run_.model.blocks[block].part));
+        run_.model.blocks[block].part, remedy_of_folds(run_.model.blocks[block].law)));
   }
   extremes_.folded = std::max(extremes_.folded, count);
 }
