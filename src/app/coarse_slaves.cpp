@@ -20,7 +20,8 @@ namespace brunt::app {
 namespace {
 
 /// Blocks of rubber that slide on finer ones at 5 m/s, with edges 1.5, 1.9, 2.2, 3.3, 6.7 times as long: nodes of the
-/// master sink by 3, 10, 24, 42, 105 % of an edge of theirs. Up to twice that is what one pass leaves anyway.
+/// master that are not held (all with `one`) sink by 3, 10, 24, 42, 105 % of an edge of theirs. Up to twice that is
+/// what one pass leaves anyway.
 constexpr double much_coarser = 2;
 
 class Pairs {

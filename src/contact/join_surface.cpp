@@ -16,8 +16,9 @@
 namespace brunt::contact {
 namespace {
 
-/// Facets of round bodies differ by 22.5 degrees with 16 around, by 5.6 with 64; below that the edges lie so flat that
-/// what slips over a rim between its nodes is no deeper than what faces leave.
+/// Facets of round bodies differ by 22.5 degrees with 16 around, by 5.6 with 64. Edges flatter than 4 slip over a rim
+/// between its nodes without harm: a steel peg with 96 around (3.75 degrees) that drifts in its hole is given 3e-8 of
+/// its energy as it goes in, as with 80 (4.5 degrees).
 constexpr EdgeAngles edge_angles{.least = 4 * std::numbers::pi / 180, .sharp = 20 * std::numbers::pi / 180};
 
 /// A face tells the owner of each of its nodes that it is there.
