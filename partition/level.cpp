@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "partition/level.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+namespace brunt::partition {
+
+namespace {
+
+/// What a move does for the border: faces that it joins less faces that it cuts.
+struct Move {
+  int gain = 0;
+  LocalIndex element = 0;
+  Rank to = 0;
+  friend bool operator<(const Move& a, const Move& b) {  // the best is on top
+    return std::tie(a.gain, b.element, b.to) < std::tie(b.gain, a.element, a.to);
+  }
+};
+
+class Levelling {
+ public:
+  Levelling(const Ragged<LocalIndex>& graph, const Weights& weights, int parts, std::span<Rank> part)
+      : graph_(graph), weights_(weights), part_(part), members_(static_cast<std::size_t>(parts)) {
+    cost_.assign(members_.size(), 0.0);
+    faces_.assign(members_.size(), 0);
+    for (std::size_t e = 0; e < part.size(); ++e) {
+      const auto p = static_cast<std::size_t>(part[e]);
+      members_[p].push_back(static_cast<LocalIndex>(e));
+      cost_[p] += weights.cost[e];
+      faces_[p] += weights.contact_faces[e];
+    }
+    mean_cost_ = std::accumulate(cost_.begin(), cost_.end(), 0.0) / parts;
+    constexpr double uneven_faces = 1.02;  // of the mean: their work is a small part of a step
+    const double mean_faces = std::accumulate(faces_.begin(), faces_.end(), 0.0) / parts;
+    most_faces_ = std::max(*std::ranges::max_element(faces_), static_cast<GlobalIndex>(uneven_faces * mean_faces));
+  }
+
+  /// Parts that cost more than `load` times the mean, the fullest first.
+  [[nodiscard]] std::vector<Rank> above(double load) const;
+  /// Elements of `from` go to its neighbours until it is at the mean. Has any gone?
+  bool relieve(Rank from);
+
+ private:
+  /// To the part where it joins most faces, of those that stay lighter than its own is then.
+  [[nodiscard]] std::optional<Move> best_move(LocalIndex element) const;
+  [[nodiscard]] bool admits(Rank to, LocalIndex element) const;
+  void carry_out(const Move& move);
+
+  const Ragged<LocalIndex>& graph_;
+  const Weights& weights_;
+  std::span<Rank> part_;
+  std::vector<std::vector<LocalIndex>> members_;  ///< of each part; those that have left it since are still named
+  std::vector<double> cost_;
+  std::vector<GlobalIndex> faces_;
+  double mean_cost_ = 0;
+  GlobalIndex most_faces_ = 0;
+};
+
+std::vector<Rank> Levelling::above(double load) const {
+  std::vector<Rank> found;
+  const auto cost = [&](Rank p) { return cost_[static_cast<std::size_t>(p)]; };
+  for (Rank p = 0; p < static_cast<Rank>(cost_.size()); ++p)
+    if (cost(p) > load * mean_cost_) found.push_back(p);
+  std::ranges::stable_sort(found, std::greater{}, cost);
+  return found;
+}
+
+bool Levelling::admits(Rank to, LocalIndex element) const {
+  const auto e = static_cast<std::size_t>(element), there = static_cast<std::size_t>(to);
+  return cost_[there] + weights_.cost[e] < cost_[static_cast<std::size_t>(part_[e])] &&
+         faces_[there] + weights_.contact_faces[e] <= most_faces_;
+}
+
+std::optional<Move> Levelling::best_move(LocalIndex element) const {
+  const Rank own = part_[static_cast<std::size_t>(element)];
+  const std::span<const LocalIndex> neighbours = graph_.row(element);
+  const auto joined = [&](Rank p) {
+    return static_cast<int>(
+        std::ranges::count_if(neighbours, [&](LocalIndex n) { return part_[static_cast<std::size_t>(n)] == p; }));
+  };
+  std::optional<Move> best;
+  for (const LocalIndex n : neighbours) {
+    const Rank to = part_[static_cast<std::size_t>(n)];
+    if (to == own || !admits(to, element)) continue;
+    const Move move{joined(to) - joined(own), element, to};
+    if (!best || *best < move) best = move;
+  }
+  return best;
+}
+
+void Levelling::carry_out(const Move& move) {
+  const auto e = static_cast<std::size_t>(move.element);
+  const auto from = static_cast<std::size_t>(part_[e]), to = static_cast<std::size_t>(move.to);
+  cost_[from] -= weights_.cost[e];
+  cost_[to] += weights_.cost[e];
+  faces_[from] -= weights_.contact_faces[e];
+  faces_[to] += weights_.contact_faces[e];
+  part_[e] = move.to;
+  members_[to].push_back(move.element);
+}
+
+bool Levelling::relieve(Rank from) {
+  std::vector<LocalIndex>& own = members_[static_cast<std::size_t>(from)];
+  std::erase_if(own, [&](LocalIndex e) { return part_[static_cast<std::size_t>(e)] != from; });
+  std::priority_queue<Move> moves;
+  const auto propose = [&](LocalIndex e) {
+    if (const auto move = best_move(e)) moves.push(*move);
+  };
+  std::ranges::for_each(own, propose);
+  bool any = false;
+  while (!moves.empty() && cost_[static_cast<std::size_t>(from)] > mean_cost_) {
+    const Move move = moves.top();
+    moves.pop();
+    if (part_[static_cast<std::size_t>(move.element)] != from) continue;
+    const auto now = best_move(move.element);
+    if (!now) continue;
+    if (*now < move) {  // its neighbours have moved, or that part is full
+      moves.push(*now);
+      continue;
+    }
+    carry_out(*now);
+    any = true;
+    for (const LocalIndex n : graph_.row(move.element))
+      if (part_[static_cast<std::size_t>(n)] == from) propose(n);
+  }
+  return any;
+}
+
+}  // namespace
+
+void level(const Ragged<LocalIndex>& graph, const Weights& weights, int parts, double tolerance, std::span<Rank> part) {
+  constexpr int most_rounds = 64;  // load passes on by one part a round
+  Levelling levelling(graph, weights, parts, part);
+  for (int round = 0; round < most_rounds; ++round) {
+    bool any = false;
+    for (const Rank from : levelling.above(1 + tolerance)) any = levelling.relieve(from) || any;
+    if (!any) return;
+  }
+}
+
+}  // namespace brunt::partition
