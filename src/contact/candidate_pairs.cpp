@@ -13,20 +13,6 @@ namespace {
 
 using geometry::Box;
 
-/// What lies within the detection's reach of a master with this longest edge, even after both sides have moved towards
-/// each other by the motion allowed (which may stretch an edge by twice that).
-Box capture_box(const ListBuild& build, std::span<const Vec3> corners, double edge, double depth) {
-  const double motion = build.settings.motion;
-  const double reach =
-      build.settings.encounter.reach(edge + 2 * motion, depth) + 2 * motion + build.settings.most_clearance();
-  // the criterion of detection is evaluated later and rounds otherwise
-  return geometry::grown(geometry::bounding_box(corners), reach * (1 + 1e-6));
-}
-
-const Vec3& position(const ListBuild& build, LocalIndex node) {
-  return build.positions[static_cast<std::size_t>(node)];
-}
-
 std::vector<TravellingFace> own_master_faces(const ListBuild& build) {
   std::vector<TravellingFace> masters;
   for (const SurfaceFace& face : build.surface.faces) {
@@ -40,7 +26,7 @@ std::vector<TravellingFace> own_master_faces(const ListBuild& build) {
     const auto count = static_cast<std::size_t>(face.corner_count);
     std::array<Vec3, 4> corners;
     for (std::size_t i = 0; i < count; ++i) {
-      corners[i] = position(build, face.nodes[i]);
+      corners[i] = build.position(face.nodes[i]);
       master.gid[i] = build.surface.gid[static_cast<std::size_t>(face.nodes[i])];
       master.home[i] = build.surface.home[static_cast<std::size_t>(face.nodes[i])];
     }
@@ -77,59 +63,15 @@ bool is_permitted(const ListBuild& build, LocalIndex node, const TravellingFace&
          (slave.body != face.body || !is_neighbour(build.surface, node, face));
 }
 
-std::vector<TravellingEdge> own_edges(const ListBuild& build) {
-  std::vector<TravellingEdge> edges;
-  for (const SurfaceEdge& edge : build.surface.edges) {
-    TravellingEdge master{.facets = edge.facets, .elements = edge.elements, .body = edge.body, .block = edge.block};
-    master.depth = edge.depth;
-    master.sharp = edge.sharp ? 1 : 0;
-    std::array<Vec3, 2> ends;
-    for (std::size_t i = 0; i < 2; ++i) {
-      ends[i] = position(build, edge.nodes[i]);
-      master.gid[i] = build.surface.gid[static_cast<std::size_t>(edge.nodes[i])];
-      master.home[i] = build.surface.home[static_cast<std::size_t>(edge.nodes[i])];
-    }
-    master.capture = PlainBox(capture_box(build, ends, (ends[1] - ends[0]).norm(), edge.depth));
-    edges.push_back(master);
-  }
-  return edges;
-}
-
-Box edge_box(const ListBuild& build, const SurfaceEdge& edge) {
-  return geometry::bounding_box(std::array{position(build, edge.nodes[0]), position(build, edge.nodes[1])});
-}
-
-/// Sharp ones with all. Once for a pair, however many passes its nodes and faces make. Edges of one body meet where
-/// their elements do not touch, the lower as slave.
-bool is_permitted(const ListBuild& build, const SurfaceEdge& slave, const TravellingEdge& master) {
-  if (!slave.sharp && master.sharp == 0) return false;
-  const std::array block{slave.block};
-  if (!leads(build.pairs, build.surface.bodies, {block, slave.body}, master.block, master.body)) return false;
-  if (slave.body != master.body) return true;
-  const std::array gid{build.surface.gid[static_cast<std::size_t>(slave.nodes[0])],
-                       build.surface.gid[static_cast<std::size_t>(slave.nodes[1])]};
-  if (!(gid < master.gid)) return false;
-  return std::ranges::none_of(slave.elements, [&](GlobalIndex node) {
-    return node != no_index && std::ranges::find(master.elements, node) != master.elements.end();
-  });
-}
-
-template <class Traveller>
-std::vector<Box> capture_boxes(const std::vector<Traveller>& masters) {
-  std::vector<Box> boxes;
-  boxes.reserve(masters.size());
-  for (const Traveller& master : masters) boxes.push_back(master.capture.box());
-  return boxes;
-}
-
-template <class Traveller>
-void add_ghosts(const ListBuild& build, std::span<const Box> wanted, std::vector<Traveller>& masters) {
-  const std::vector<Traveller> ghosts =
-      ghost(build.ranks, std::span<const Traveller>(masters), wanted, build.finest_cell());
-  masters.insert(masters.end(), ghosts.begin(), ghosts.end());
-}
-
 }  // namespace
+
+Box capture_box(const ListBuild& build, std::span<const Vec3> corners, double edge, double depth) {
+  const double motion = build.settings.motion;
+  const double reach =
+      build.settings.encounter.reach(edge + 2 * motion, depth) + 2 * motion + build.settings.most_clearance();
+  // the criterion of detection is evaluated later and rounds otherwise
+  return geometry::grown(geometry::bounding_box(corners), reach * (1 + 1e-6));
+}
 
 CandidatePairs<TravellingFace> find_face_pairs(const ListBuild& build) {
   CandidatePairs<TravellingFace> result{own_master_faces(build), {}};
@@ -137,7 +79,7 @@ CandidatePairs<TravellingFace> find_face_pairs(const ListBuild& build) {
   std::vector<Vec3> points;
   std::vector<Box> wanted;
   for (const LocalIndex node : slaves) {
-    points.push_back(position(build, node));
+    points.push_back(build.position(node));
     wanted.push_back({points.back(), points.back()});
   }
   add_ghosts(build, wanted, result.masters);
@@ -154,25 +96,6 @@ CandidatePairs<TravellingFace> find_face_pairs(const ListBuild& build) {
     const TravellingFace &one = result.masters[static_cast<std::size_t>(a.master)],
                          &other = result.masters[static_cast<std::size_t>(b.master)];
     return one.body != other.body ? one.body < other.body : one.key < other.key;
-  });
-  return result;
-}
-
-CandidatePairs<TravellingEdge> find_edge_pairs(const ListBuild& build) {
-  CandidatePairs<TravellingEdge> result{own_edges(build), {}};
-  std::vector<Box> slaves;
-  for (const SurfaceEdge& edge : build.surface.edges) slaves.push_back(edge_box(build, edge));
-  add_ghosts(build, slaves, result.masters);
-  for_each_overlap(slaves, capture_boxes(result.masters), build.scratch.edges,
-                   [&](LocalIndex slave, LocalIndex master) {
-                     if (is_permitted(build, build.surface.edges[static_cast<std::size_t>(slave)],
-                                      result.masters[static_cast<std::size_t>(master)]))
-                       result.pairs.push_back({slave, master});
-                   });
-  std::sort(result.pairs.begin(), result.pairs.end(), [&](const CandidatePair& a, const CandidatePair& b) {
-    if (a.slave != b.slave) return a.slave < b.slave;
-    return result.masters[static_cast<std::size_t>(a.master)].gid <
-           result.masters[static_cast<std::size_t>(b.master)].gid;
   });
   return result;
 }

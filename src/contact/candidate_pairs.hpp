@@ -22,6 +22,7 @@ struct ListBuild {
   const ListSettings& settings;
   ListScratch& scratch;
 
+  [[nodiscard]] const Vec3& position(LocalIndex node) const { return positions[static_cast<std::size_t>(node)]; }
   [[nodiscard]] double finest_cell() const { return 2 * (surface.mean_edge + 2 * settings.motion); }
 };
 
@@ -36,9 +37,29 @@ struct CandidatePairs {
   std::vector<CandidatePair> pairs;  ///< by slave, then master body and key (edges: gids)
 };
 
+/// What lies within the detection's reach of a master with this longest edge, even after both sides have moved towards
+/// each other by the motion allowed (which may stretch an edge by twice that).
+geometry::Box capture_box(const ListBuild& build, std::span<const Vec3> corners, double edge, double depth);
+
+template <class Traveller>
+std::vector<geometry::Box> capture_boxes(const std::vector<Traveller>& masters) {
+  std::vector<geometry::Box> boxes;
+  boxes.reserve(masters.size());
+  for (const Traveller& master : masters) boxes.push_back(master.capture.box());
+  return boxes;
+}
+
+/// Those of other ranks that may touch a `wanted` box. Collective.
+template <class Traveller>
+void add_ghosts(const ListBuild& build, std::span<const geometry::Box> wanted, std::vector<Traveller>& masters) {
+  const std::vector<Traveller> ghosts =
+      ghost(build.ranks, std::span<const Traveller>(masters), wanted, build.finest_cell());
+  masters.insert(masters.end(), ghosts.begin(), ghosts.end());
+}
+
 /// Nodes near faces. Collective.
 CandidatePairs<TravellingFace> find_face_pairs(const ListBuild& build);
-/// Convex edges near convex edges of which one is sharp. Collective.
+/// Edges near edges of which one is sharp. Collective.
 CandidatePairs<TravellingEdge> find_edge_pairs(const ListBuild& build);
 
 }  // namespace brunt::contact

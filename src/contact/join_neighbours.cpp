@@ -77,7 +77,7 @@ struct EdgeFound {
   std::array<std::array<GlobalIndex, 8>, 2> elements{};
   std::int32_t body = 0, block = 0;
   double depth = 0;
-  std::int32_t sharp = 0;  ///< 1: it is
+  EdgeKind kind = EdgeKind::flat;
 };
 
 Vec3 vector_of(const std::array<double, 3>& components) {
@@ -131,6 +131,10 @@ double angle_between(const EdgeUse& one, const EdgeUse& other) {
   return std::atan2(sine, normal.dot(other_normal));
 }
 
+EdgeKind kind_of(double angle, const EdgeAngles& angles) {
+  return angle > angles.sharp ? EdgeKind::sharp : angle > angles.blunt ? EdgeKind::blunt : EdgeKind::flat;
+}
+
 }  // namespace
 
 Ragged<GlobalIndex> element_neighbours(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
@@ -152,7 +156,7 @@ Ragged<GlobalIndex> element_neighbours(const comm::Communicator& ranks, const me
   return neighbours;
 }
 
-std::vector<SurfaceEdge> convex_edges(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
+std::vector<SurfaceEdge> edges_of(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
                                       const Surface& surface, const EdgeAngles& angles) {
   const std::vector<EdgeUse> uses = uses_at_home(ranks, mesh, surface);
   std::vector<std::vector<EdgeFound>> to_face(static_cast<std::size_t>(ranks.size()));
@@ -161,21 +165,21 @@ std::vector<SurfaceEdge> convex_edges(const comm::Communicator& ranks, const mes
     if (last - first != 2) continue;  // a rim, or an edge where surfaces meet that are no neighbours
     const EdgeUse &one = uses[first], &other = uses[first + 1];
     const double angle = angle_between(one, other);
-    if (!(angle > angles.least)) continue;
+    if (!(angle > angles.flat)) continue;
     to_face[static_cast<std::size_t>(one.face.rank)].push_back({one.gid,
                                                                 {one.face, other.face},
                                                                 {one.element, other.element},
                                                                 one.body,
                                                                 one.block,
                                                                 std::min(one.depth, other.depth),
-                                                                angle > angles.sharp ? 1 : 0});
+                                                                kind_of(angle, angles)});
   }
   std::vector<EdgeFound> found = comm::exchange(ranks, to_face).values;
   std::sort(found.begin(), found.end(), [](const EdgeFound& a, const EdgeFound& b) { return a.gid < b.gid; });
   std::vector<SurfaceEdge> edges;
   for (const EdgeFound& edge : found) {
     SurfaceEdge convex{.facets = edge.faces, .body = edge.body, .block = edge.block, .depth = edge.depth};
-    convex.sharp = edge.sharp != 0;
+    convex.kind = edge.kind;
     for (std::size_t i = 0; i < 2; ++i) {
       std::copy(edge.elements[i].begin(), edge.elements[i].end(), convex.elements.begin() + static_cast<long>(8 * i));
       const auto at = std::lower_bound(surface.gid.begin(), surface.gid.end(), edge.gid[i]);
@@ -190,7 +194,7 @@ std::vector<SurfaceEdge> convex_edges(const comm::Communicator& ranks, const mes
 std::vector<char> nodes_on_rims(const comm::Communicator& ranks, const Surface& surface) {
   std::vector<std::vector<LocalIndex>> to_owner(static_cast<std::size_t>(ranks.size()));
   for (const SurfaceEdge& edge : surface.edges) {
-    if (!edge.sharp) continue;
+    if (edge.kind != EdgeKind::sharp) continue;
     for (const LocalIndex node : edge.nodes) {
       const Place& home = surface.home[static_cast<std::size_t>(node)];
       to_owner[static_cast<std::size_t>(home.rank)].push_back(home.index);

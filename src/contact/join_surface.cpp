@@ -19,7 +19,8 @@ namespace {
 /// Facets of round bodies differ by 22.5 degrees with 16 around, by 5.6 with 64. Edges flatter than 4 slip over a rim
 /// between its nodes without harm: a steel peg with 96 around (3.75 degrees) that drifts in its hole is given 3e-8 of
 /// its energy as it goes in, as with 80 (4.5 degrees).
-constexpr EdgeAngles edge_angles{.least = 4 * std::numbers::pi / 180, .sharp = 20 * std::numbers::pi / 180};
+constexpr double degree = std::numbers::pi / 180;
+constexpr EdgeAngles edge_angles{.flat = -20 * degree, .blunt = 4 * degree, .sharp = 20 * degree};
 
 /// A face tells the owner of each of its nodes that it is there.
 struct NodeUse {
@@ -237,7 +238,7 @@ Surface join_surface(const comm::Communicator& ranks, const mesh::LocalMesh& mes
   collect_faces(mesh, excluded, surface);
   measure_bodies(ranks, mesh, inverse_mass, surface);
   surface.neighbours = element_neighbours(ranks, mesh, surface);
-  surface.edges = convex_edges(ranks, mesh, surface, edge_angles);
+  surface.edges = edges_of(ranks, mesh, surface, edge_angles);
   surface.on_rim = nodes_on_rims(ranks, surface);
   return surface;
 }

@@ -182,7 +182,8 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
     edges.masters.push_back({.nodes = {table_index(lists.nodes, from.gid[0]), table_index(lists.nodes, from.gid[1])},
                              .body = from.body,
                              .block = from.block,
-                             .depth = from.depth});
+                             .depth = from.depth,
+                             .flat = from.kind == EdgeKind::flat});
     facets.insert(facets.end(), from.facets.begin(), from.facets.end());
   }
   for_each_slave(found.pairs, [&](LocalIndex slave, std::span<const CandidatePair> pairs) {
@@ -193,7 +194,8 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
     edges.slaves.push_back({.nodes = {contact_node(from.nodes[0]), contact_node(from.nodes[1])},
                             .body = from.body,
                             .block = from.block,
-                            .depth = from.depth});
+                            .depth = from.depth,
+                            .flat = from.kind == EdgeKind::flat});
     facets.insert(facets.end(), from.facets.begin(), from.facets.end());
     for (const CandidatePair& pair : pairs) edges.near.values.push_back(place[static_cast<std::size_t>(pair.master)]);
     edges.near.close_row();

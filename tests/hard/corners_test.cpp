@@ -51,8 +51,10 @@ TEST_CASE("a rubber cube falls on its corner upon a face of another one") {
   const GivenBack contact = run_until(scene, 20);
   CAPTURE(degrees, contact.most / energy, contact.given / energy);
   CHECK(contact.most > 1e-3 * energy);
-  CHECK(contact.given <= 5e-4 * energy);                      // seen: 1.2e-4
-  CHECK(scene.contact->collect().penetration <= 2e-3 * 0.2);  // of an edge; seen: 1e-3
+  CHECK(contact.given <= 5e-4 * energy);  // seen: 1.2e-4
+  // of an edge; nodes sink by 1e-3. Rims that cross the face's edges are counted since they are held there; by positions
+  // the cubes lie in each other as deep as they did when it was 2e-3
+  CHECK(scene.contact->collect().penetration <= 5e-3 * 0.2);
 }
 
 // The corner comes down beside a node of the face. Nodes that lie on each other had one row, which holds the dent's
@@ -103,5 +105,6 @@ TEST_CASE("a cube falls on its corner upon another one without friction: the pit
           scene.contact->collect().penetration / 0.2);
   CHECK(contact.most > 1e-3 * energy);
   CHECK(contact.given <= 1e-3 * energy);
-  CHECK(scene.contact->collect().penetration <= 0.08 * 0.2);  // of an edge
+  // of an edge; nodes sink by 0.08 at most, rims across edges of the pit by 0.16 (at 0.3 of the speed of sound): see above
+  CHECK(scene.contact->collect().penetration <= 0.2 * 0.2);
 }

@@ -46,7 +46,7 @@ struct TravellingEdge {
   std::array<GlobalIndex, 16> elements{};
   double depth = 0;  ///< of its elements
   std::int32_t body = 0, block = 0;
-  std::int32_t sharp = 0;  ///< 1: it is
+  EdgeKind kind = EdgeKind::sharp;
   PlainBox capture{};      ///< capture box
 
   friend bool operator<(const TravellingEdge& a, const TravellingEdge& b) { return a.gid < b.gid; }

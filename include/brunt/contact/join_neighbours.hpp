@@ -18,13 +18,14 @@ Ragged<GlobalIndex> element_neighbours(const comm::Communicator& ranks, const me
 
 /// By how much the normals of two faces differ where they meet in an edge [radians].
 struct EdgeAngles {
-  double least = 0;  ///< at less there is none
-  double sharp = 0;  ///< from here on it is a sharp one
+  double flat = 0;   ///< at less there is none; < 0: a dent
+  double blunt = 0;  ///< from here on it is a blunt one
+  double sharp = 0;  ///< and from here on a sharp one
 };
 
-/// Convex edges between exactly two contact faces, by their reference normals, on the rank of the face with the lower
+/// Edges between exactly two contact faces, by their reference normals, on the rank of the face with the lower
 /// key, in ascending (gid, gid). Collective.
-std::vector<SurfaceEdge> convex_edges(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
+std::vector<SurfaceEdge> edges_of(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
                                       const Surface& surface, const EdgeAngles& angles);
 
 /// A flag for each surface node that this rank owns (0 for others): does it stand on a sharp one of the edges,

@@ -59,7 +59,7 @@ struct ListSettings {
 /// What the searches of a run leave for the next; results do not depend on it.
 struct ListScratch {
   SearchScratch faces;
-  OverlapScratch edges;
+  OverlapScratch bodies, rims, edges;
 };
 
 /// positions: of this rank's surface nodes. held(wall, surface node) as flags, wall by wall; empty without walls.

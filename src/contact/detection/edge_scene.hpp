@@ -51,4 +51,17 @@ struct EdgeScene {
   }
 };
 
+constexpr double facet_curvature = 0.02;  // sine of an angle
+constexpr double warp = 0.1;              // sine: by so much a warped face's normal turns along its rim
+
+/// Does `direction` lie between the normals of the two faces of a convex edge, or beyond them by no more than rounding
+/// and the curvature of a facet? beyond: sine of the angle.
+bool between_normals(const EdgeScene& scene, const EdgeSide& edge, const Vec3& direction, double beyond);
+
+/// How far the points (s, t) move apart within the step.
+Vec3 relative_motion(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double s, double t);
+
+/// Edges that move little against each other are seen in time at the start of a step.
+bool is_slow(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size);
+
 }  // namespace brunt::contact

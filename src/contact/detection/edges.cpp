@@ -8,47 +8,18 @@
 #include <optional>
 
 #include "edge_ledges.hpp"
+#include "flat_edges.hpp"
 
 namespace brunt::contact {
 namespace {
 
-constexpr double facet_curvature = 0.02;  // sine of an angle
-constexpr double warp = 0.1;              // sine: by so much a warped face's normal turns along its rim
-constexpr double along_a_face = 5;        // [degrees] from a face's normal: the edge lies in the face
-constexpr double kink = 0.5;              // [radians] between edges of a chain that a node presses in
-constexpr double crosswise = 0.35;        // cosine between directions that lie across each other, at most
-
-/// Does `direction` lie between the normals of the two faces of a convex edge, or beyond them by no more than rounding
-/// and the curvature of a facet? beyond: sine of the angle.
-bool between_normals(const EdgeScene& scene, const EdgeSide& edge, const Vec3& direction, double beyond) {
-  const Vec3 one = scene.normal(edge, 0), other = scene.normal(edge, 1);
-  Vec3 turn = one.cross(other);
-  const double sine = turn.norm();
-  if (sine < facet_curvature) return false;  // flattened: no edge any more
-  turn /= sine;
-  return one.cross(direction).dot(turn) > -beyond && direction.cross(other).dot(turn) > -beyond &&
-         direction.dot(one + other) > 0;
-}
+constexpr double along_a_face = 5;  // [degrees] from a face's normal: the edge lies in the face
+constexpr double kink = 0.5;        // [radians] between edges of a chain that a node presses in
+constexpr double crosswise = 0.35;  // cosine between directions that lie across each other, at most
 
 bool touches_as_edges(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, const Vec3& normal,
                       double beyond = facet_curvature) {
   return between_normals(scene, master, normal, beyond) && between_normals(scene, slave, -normal, beyond);
-}
-
-/// How far the points (s, t) move apart within the step.
-Vec3 relative_motion(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double s, double t) {
-  const auto predicted = [&](const EdgeSide& edge, std::size_t i) { return scene.at(edge.nodes[i]).predicted; };
-  return scene.dt * ((1 - s) * predicted(slave, 0) + s * predicted(slave, 1) - (1 - t) * predicted(master, 0) -
-                     t * predicted(master, 1));
-}
-
-/// Edges that move little against each other are seen in time at the start of a step.
-bool is_slow(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size) {
-  double fastest = 0;
-  for (const LocalIndex own : slave.nodes)
-    for (const LocalIndex other : master.nodes)
-      fastest = std::max(fastest, (scene.at(own).predicted - scene.at(other).predicted).squaredNorm());
-  return scene.dt * std::sqrt(fastest) <= scene.settings.encounter.slow * size;
 }
 
 /// What of a direction is across an edge.
@@ -192,11 +163,16 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
       if (!geometry::overlaps(scene.reach(master), slave_box)) continue;
       const double size = std::min(scene.length(slave), scene.length(master));
       EdgeMeeting met;
-      if (!meet_now(scene, slave, master, size, met) &&
-          (is_slow(scene, slave, master, size) || !meet_in_step(scene, slave, master, met)))
-        continue;
-      if (meet_on_ledge(scene, candidates, near, node_normal, slave, master, met)) continue;
-      if (held_at_ends(settings.encounter, node_normal, slave, size, met)) continue;
+      if (slave.flat || master.flat) {
+        if (!rim_crosses_flat(scene, node_normal, slave, master, size, met)) continue;
+        if (meet_on_ledge(scene, candidates, near, node_normal, slave, master, met)) continue;
+      } else {
+        if (!meet_now(scene, slave, master, size, met) &&
+            (is_slow(scene, slave, master, size) || !meet_in_step(scene, slave, master, met)))
+          continue;
+        if (meet_on_ledge(scene, candidates, near, node_normal, slave, master, met)) continue;
+        if (held_at_ends(settings.encounter, node_normal, slave, size, met)) continue;
+      }
       met.gap += accepted_overlap(scene, slave, master, met);
       Row& row = rows.emplace_back(row_of(slave, master, met, gid));
       row.required = required_rate(row, size, dt, motion, settings);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sharp edges of the surface and neighbours of its nodes, on any number of ranks, against a count by hand.
+// Edges of the surface and neighbours of its nodes, on any number of ranks, against a count by hand.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
@@ -55,9 +55,11 @@ mesh::Mesh grooved() {
 
 using Edge = std::array<GlobalIndex, 2>;
 
-/// (lower gid, higher gid) of all ranks' edges, in the order of ranks; none may be there twice.
-GlobalIndex count_edges(const comm::Communicator& ranks, const contact::Surface& surface, std::set<Edge>& own) {
+/// (lower gid, higher gid) of all ranks' edges of this kind, in the order of ranks; none may be there twice.
+GlobalIndex count_edges(const comm::Communicator& ranks, const contact::Surface& surface, std::set<Edge>& own,
+                        contact::EdgeKind kind = contact::EdgeKind::sharp) {
   for (const contact::SurfaceEdge& edge : surface.edges) {
+    if (edge.kind != kind) continue;
     const Edge ends{surface.gid[static_cast<std::size_t>(edge.nodes[0])],
                     surface.gid[static_cast<std::size_t>(edge.nodes[1])]};
     CHECK(ends[0] < ends[1]);
@@ -84,6 +86,10 @@ TEST_CASE("a cube of n^3 elements has 12 n sharp edges on any number of ranks, e
       }
       CHECK(extreme == 2);
     }
+    std::set<Edge> flat;  // n (n - 1) either way on each side
+    CHECK(count_edges(world, surface_of(mesh, world), flat, contact::EdgeKind::flat) == 12 * n * (n - 1));
+    std::set<Edge> blunt;
+    CHECK(count_edges(world, surface_of(mesh, world), blunt, contact::EdgeKind::blunt) == 0);
   }
 }
 
@@ -106,9 +112,11 @@ TEST_CASE("edges and neighbours are those of one rank") {
   const comm::Communicator world = comm::Communicator::world();
   const mesh::Mesh mesh = grooved();
   const contact::Surface whole = surface_of(mesh, comm::Communicator::self()), part = surface_of(mesh, world);
-  std::set<Edge> expected, own;
-  CHECK(count_edges(comm::Communicator::self(), whole, expected) == count_edges(world, part, own));
-  CHECK(std::ranges::includes(expected, own));
+  for (const auto kind : {contact::EdgeKind::sharp, contact::EdgeKind::flat}) {
+    std::set<Edge> expected, own;
+    CHECK(count_edges(comm::Communicator::self(), whole, expected, kind) == count_edges(world, part, own, kind));
+    CHECK(std::ranges::includes(expected, own));
+  }
 
   std::map<GlobalIndex, std::set<GlobalIndex>> around;  // by hand
   for (LocalIndex e = 0; e < mesh.blocks[0].count(); ++e) {

@@ -12,12 +12,13 @@
 
 namespace brunt::contact {
 
-/// A sharp edge among the contact nodes.
+/// An edge among the contact nodes.
 struct EdgeSide {
   std::array<LocalIndex, 2> nodes{};   ///< contact nodes, lower gid first
   std::array<LocalIndex, 2> facets{};  ///< the two faces that meet in it: rows of the facet area vectors
   std::int32_t body = 0, block = 0;
   double depth = std::numeric_limits<double>::infinity();  ///< the smaller one of its two faces [length]
+  bool flat = false;                                       ///< lies within a face of its body: see EdgeKind
 };
 
 /// Candidate pairs, slave edge by slave edge in ascending (gid, gid).

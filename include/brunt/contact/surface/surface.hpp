@@ -28,15 +28,19 @@ struct SurfaceFace {
   std::array<GlobalIndex, 8> element{};  ///< nodes of that element, no_index to fill; the corners without an element
 };
 
-/// A convex edge of the reference surface that may meet others as an edge: sharp ones any, blunt ones those that are
-/// sharp (a facet's edge on a round body slips between the nodes of a rim).
+/// By the angle between the faces of an edge at the start. Convex edges that are sharp meet any of other bodies, blunt
+/// ones those that are sharp (a facet's edge on a round body slips between the nodes of a rim), and so do flat ones,
+/// which lie within a face of the body: a rim that crosses it has no node near it where its mesh is coarse.
+enum class EdgeKind : std::int8_t { flat, blunt, sharp };
+
+/// An edge of the reference surface that may meet others as an edge.
 struct SurfaceEdge {
   std::array<LocalIndex, 2> nodes{};       ///< surface nodes, lower gid first
   std::array<Place, 2> facets{};           ///< the two faces that meet in it, lower key first
   std::array<GlobalIndex, 16> elements{};  ///< nodes of the elements behind them, no_index to fill
   std::int32_t body = 0, block = 0;        ///< of the first
   double depth = 0;                        ///< the smaller one of the two faces [length]
-  bool sharp = false;
+  EdgeKind kind = EdgeKind::sharp;
 };
 
 /// What decides who is slave; the same on every rank.
