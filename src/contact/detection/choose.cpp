@@ -108,8 +108,9 @@ void turn(const Choice& choice, const Vec3& normal, Encounter& e) {
 double share_at_convex_edge(const Choice& choice, const Encounter& e, const Encounter& best) {
   if (e.meeting != Meeting::inside) return 1;
   constexpr double level = 0.1;  // of same_place: so near each other they are equally deep
-  const double deeper =
-      (std::abs(e.gap) - std::abs(best.gap)) / (choice.settings.same_place * std::min(e.size, best.size));
+  const double place = choice.settings.same_place * std::min(e.size, best.size);
+  const double zone = std::min(place, level * place + 4 * std::abs(best.gap));
+  const double deeper = (std::abs(e.gap) - std::abs(best.gap)) / zone;
   return std::clamp((1 - std::abs(deeper)) / (1 - level), 0.0, 1.0);
 }
 

@@ -45,7 +45,8 @@ bool rim_crosses_flat(const EdgeScene& scene, std::span<const Vec3> node_normal,
     return false;
   const double at_flat = slave.flat ? met.s : met.t, at_rim = slave.flat ? met.t : met.s;
   const double reach = scene.settings.encounter.rim;
-  if (std::min(at_flat, 1 - at_flat) <= reach) return false;
+  const bool at_node = std::min(at_flat, 1 - at_flat) <= reach;
+  if (at_node && !between_normals(scene, rim, -out, -warp)) return false;
 
   const auto normal_of = [&](const EdgeSide& edge, std::size_t end) -> const Vec3& {
     return node_normal[static_cast<std::size_t>(edge.nodes[end])];
