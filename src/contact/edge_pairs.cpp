@@ -89,6 +89,7 @@ std::vector<TravellingEdge> own_edges(const ListBuild& build, std::span<const Lo
     master.depth = edge.depth;
     master.kind = edge.kind;
     for (std::size_t i = 0; i < 2; ++i) {
+      master.end_on_rim[i] = build.surface.on_rim[static_cast<std::size_t>(edge.nodes[i])];
       master.gid[i] = build.surface.gid[static_cast<std::size_t>(edge.nodes[i])];
       master.home[i] = build.surface.home[static_cast<std::size_t>(edge.nodes[i])];
     }

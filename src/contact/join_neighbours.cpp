@@ -156,8 +156,8 @@ Ragged<GlobalIndex> element_neighbours(const comm::Communicator& ranks, const me
   return neighbours;
 }
 
-std::vector<SurfaceEdge> edges_of(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
-                                      const Surface& surface, const EdgeAngles& angles) {
+std::vector<SurfaceEdge> edges_of(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Surface& surface,
+                                  const EdgeAngles& angles) {
   const std::vector<EdgeUse> uses = uses_at_home(ranks, mesh, surface);
   std::vector<std::vector<EdgeFound>> to_face(static_cast<std::size_t>(ranks.size()));
   for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
@@ -202,6 +202,22 @@ std::vector<char> nodes_on_rims(const comm::Communicator& ranks, const Surface& 
   }
   std::vector<char> on_rim(surface.gid.size(), 0);
   for (const LocalIndex node : comm::exchange(ranks, to_owner).values) on_rim[static_cast<std::size_t>(node)] = 1;
+
+  std::vector<std::vector<LocalIndex>> copies(to_owner.size()), asked(to_owner.size()), told(to_owner.size());
+  for (std::size_t i = 0; i < surface.gid.size(); ++i) {
+    const auto& [owner, index] = surface.home[i];
+    if (owner == ranks.rank()) continue;
+    copies[static_cast<std::size_t>(owner)].push_back(static_cast<LocalIndex>(i));
+    asked[static_cast<std::size_t>(owner)].push_back(index);
+  }
+  const Ragged<LocalIndex> wanted = comm::exchange(ranks, asked);
+  for (std::size_t r = 0; r < told.size(); ++r)
+    for (const LocalIndex node : wanted.row(static_cast<LocalIndex>(r)))
+      told[r].push_back(on_rim[static_cast<std::size_t>(node)]);
+  const Ragged<LocalIndex> heard = comm::exchange(ranks, told);
+  for (std::size_t r = 0; r < copies.size(); ++r)
+    for (std::size_t k = 0; k < copies[r].size(); ++k)
+      on_rim[static_cast<std::size_t>(copies[r][k])] = static_cast<char>(heard.row(static_cast<LocalIndex>(r))[k]);
   return on_rim;
 }
 

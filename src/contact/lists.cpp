@@ -183,7 +183,8 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
                              .body = from.body,
                              .block = from.block,
                              .depth = from.depth,
-                             .flat = from.kind == EdgeKind::flat});
+                             .flat = from.kind == EdgeKind::flat,
+                             .end_on_rim = from.end_on_rim});
     facets.insert(facets.end(), from.facets.begin(), from.facets.end());
   }
   for_each_slave(found.pairs, [&](LocalIndex slave, std::span<const CandidatePair> pairs) {
@@ -191,11 +192,13 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
     const auto contact_node = [&](LocalIndex node) {
       return table_index(lists.nodes, build.surface.gid[static_cast<std::size_t>(node)]);
     };
+    const auto on_rim = [&](LocalIndex node) { return build.surface.on_rim[static_cast<std::size_t>(node)]; };
     edges.slaves.push_back({.nodes = {contact_node(from.nodes[0]), contact_node(from.nodes[1])},
                             .body = from.body,
                             .block = from.block,
                             .depth = from.depth,
-                            .flat = from.kind == EdgeKind::flat});
+                            .flat = from.kind == EdgeKind::flat,
+                            .end_on_rim = {on_rim(from.nodes[0]), on_rim(from.nodes[1])}});
     facets.insert(facets.end(), from.facets.begin(), from.facets.end());
     for (const CandidatePair& pair : pairs) edges.near.values.push_back(place[static_cast<std::size_t>(pair.master)]);
     edges.near.close_row();

@@ -52,8 +52,8 @@ TEST_CASE("a rubber cube falls on its corner upon a face of another one") {
   CAPTURE(degrees, contact.most / energy, contact.given / energy);
   CHECK(contact.most > 1e-3 * energy);
   CHECK(contact.given <= 5e-4 * energy);  // seen: 1.2e-4
-  // of an edge; nodes sink by 1e-3. Rims that cross the face's edges are counted since they are held there; by positions
-  // the cubes lie in each other as deep as they did when it was 2e-3
+  // of an edge; nodes sink by 1e-3. Rims that cross the face's edges are counted since they are held there; by
+  // positions the cubes lie in each other as deep as they did when it was 2e-3
   CHECK(scene.contact->collect().penetration <= 5e-3 * 0.2);
 }
 
@@ -105,6 +105,7 @@ TEST_CASE("a cube falls on its corner upon another one without friction: the pit
           scene.contact->collect().penetration / 0.2);
   CHECK(contact.most > 1e-3 * energy);
   CHECK(contact.given <= 1e-3 * energy);
-  // of an edge; nodes sink by 0.08 at most, rims across edges of the pit by 0.16 (at 0.3 of the speed of sound): see above
+  // of an edge; nodes sink by 0.08 at most, rims across edges of the pit by 0.16 (at 0.3 of the speed of sound): see
+  // above
   CHECK(scene.contact->collect().penetration <= 0.2 * 0.2);
 }

@@ -58,7 +58,8 @@ TEST_CASE("flat on flat: gaps at rounding give one total force, and every node h
           momentum.push_back(momentum_of(scene, 0, low_nodes).z());
           if (step > 0) continue;
           std::map<GlobalIndex, int> rows_of;
-          for (const contact::Row& row : scene.contact->rows()) ++rows_of[row.slave_gid];
+          for (const contact::Row& row : scene.contact->rows())
+            if (!row.is_edge()) ++rows_of[row.slave_gid];               // rims hang over faces, open
           CHECK(rows_of.size() == 16 + (passes == "one" ? 0 : below));  // its foot: the upper block is the lighter
           for (const auto& [gid, count] : rows_of) CHECK(count == 1);
         }

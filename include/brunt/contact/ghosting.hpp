@@ -47,7 +47,8 @@ struct TravellingEdge {
   double depth = 0;  ///< of its elements
   std::int32_t body = 0, block = 0;
   EdgeKind kind = EdgeKind::sharp;
-  PlainBox capture{};      ///< capture box
+  std::array<char, 2> end_on_rim{};  ///< 1: that end stands on a sharp edge
+  PlainBox capture{};                ///< capture box
 
   friend bool operator<(const TravellingEdge& a, const TravellingEdge& b) { return a.gid < b.gid; }
 };

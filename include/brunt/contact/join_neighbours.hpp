@@ -25,11 +25,10 @@ struct EdgeAngles {
 
 /// Edges between exactly two contact faces, by their reference normals, on the rank of the face with the lower
 /// key, in ascending (gid, gid). Collective.
-std::vector<SurfaceEdge> edges_of(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
-                                      const Surface& surface, const EdgeAngles& angles);
+std::vector<SurfaceEdge> edges_of(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Surface& surface,
+                                  const EdgeAngles& angles);
 
-/// A flag for each surface node that this rank owns (0 for others): does it stand on a sharp one of the edges,
-/// whichever rank has it? Collective.
+/// A flag for each surface node: does it stand on a sharp one of the edges, whichever rank has it? Collective.
 std::vector<char> nodes_on_rims(const comm::Communicator& ranks, const Surface& surface);
 
 }  // namespace brunt::contact

@@ -164,7 +164,7 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
       const double size = std::min(scene.length(slave), scene.length(master));
       EdgeMeeting met;
       if (slave.flat || master.flat) {
-        if (!rim_crosses_flat(scene, node_normal, slave, master, size, met)) continue;
+        if (!rim_crosses_flat(scene, slave, master, size, met)) continue;
         if (meet_on_ledge(scene, candidates, near, node_normal, slave, master, met)) continue;
       } else {
         if (!meet_now(scene, slave, master, size, met) &&
@@ -175,7 +175,10 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
       }
       met.gap += accepted_overlap(scene, slave, master, met);
       Row& row = rows.emplace_back(row_of(slave, master, met, gid));
+      const double sag = slave.flat || master.flat ? sag_of_rims * size : 0;
+      row.gap += sag;
       row.required = required_rate(row, size, dt, motion, settings);
+      row.gap -= sag;
     }
   }
 }

@@ -7,10 +7,7 @@
 namespace brunt::contact {
 namespace {
 
-constexpr double sag = 1e-3;        // of the shorter edge
-constexpr double along_a_face = 5;  // [degrees] from a face's normal: the node lies on it
-constexpr double crosswise = 0.35;  // cosine between directions that lie across each other, at most
-constexpr double same_side = 0.5;   // cosine between the normal of a path's crossing and the face's, at least
+constexpr double same_side = 0.5;  // cosine between the normal of a path's crossing and the face's, at least
 
 bool crosses_now(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, const Vec3& normal, double size,
                  EdgeMeeting& met) {
@@ -34,8 +31,8 @@ bool crosses_in_step(const EdgeScene& scene, const EdgeSide& slave, const EdgeSi
 
 }  // namespace
 
-bool rim_crosses_flat(const EdgeScene& scene, std::span<const Vec3> node_normal, const EdgeSide& slave,
-                      const EdgeSide& master, double size, EdgeMeeting& met) {
+bool rim_crosses_flat(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size,
+                      EdgeMeeting& met) {
   const EdgeSide &flat = slave.flat ? slave : master, &rim = slave.flat ? master : slave;
   if (scene.start(slave).along().cross(scene.start(master).along()).norm() < scene.full) return false;
   const Vec3 out = scene.outward(flat).normalized(), normal = slave.flat ? Vec3(-out) : out;
@@ -43,20 +40,8 @@ bool rim_crosses_flat(const EdgeScene& scene, std::span<const Vec3> node_normal,
   if (!crosses_now(scene, slave, master, normal, size, met) &&
       !crosses_in_step(scene, slave, master, normal, size, met))
     return false;
-  const double at_flat = slave.flat ? met.s : met.t, at_rim = slave.flat ? met.t : met.s;
-  const double reach = scene.settings.encounter.rim;
-  const bool at_node = std::min(at_flat, 1 - at_flat) <= reach;
-  if (at_node && !between_normals(scene, rim, -out, -warp)) return false;
-
-  const auto normal_of = [&](const EdgeSide& edge, std::size_t end) -> const Vec3& {
-    return node_normal[static_cast<std::size_t>(edge.nodes[end])];
-  };
-  const auto lies_on_face = [&](std::size_t end) { return same_direction(normal_of(rim, end), out, along_a_face); };
-  const auto is_under_rim = [&](std::size_t end) { return -normal_of(flat, end).dot(out) > crosswise; };
-  const bool held = lies_on_face(0) || lies_on_face(1) || is_under_rim(0) || is_under_rim(1);
-  if (held && met.gap > -sag * size) return false;
-  const std::size_t end = at_rim < 0.5 ? 0 : 1;
-  return !(std::min(at_rim, 1 - at_rim) <= reach && normal_of(rim, end).dot(out) > crosswise);
+  const double at = slave.flat ? met.s : met.t, reach = scene.settings.encounter.rim;
+  return !(flat.end_on_rim[0] != 0 && at <= reach) && !(flat.end_on_rim[1] != 0 && 1 - at <= reach);
 }
 
 }  // namespace brunt::contact

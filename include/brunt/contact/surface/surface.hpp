@@ -65,7 +65,7 @@ struct Surface {
   std::vector<Place> home;             ///< surface node on the owner
   std::vector<std::int32_t> body;      ///< known for nodes owned here, else no_index
   Ragged<std::int32_t> blocks;         ///< for nodes owned here: blocks of their contact faces, ascending
-  std::vector<char> on_rim;            ///< for nodes owned here: do they stand on a sharp edge?
+  std::vector<char> on_rim;            ///< do they stand on a sharp edge?
   Ragged<Place> facets;                ///< for nodes owned here: their contact faces by key
   Ragged<GlobalIndex> neighbours;      ///< for nodes owned here: nodes of the elements that contain them, ascending
   std::vector<SurfaceFace> faces;      ///< contact faces of this rank's elements, by key

@@ -72,20 +72,19 @@ TEST_CASE("a rim that jumps through a flat edge within the step is met where it 
   CHECK((rows[0].normal - Vec3::UnitZ()).norm() < 1e-14);
 }
 
-TEST_CASE("nodes hold flat edges at their ends, near parallel ones, and where the rim has hardly sunk in") {
-  CHECK(RimOnPlate(15, -1e-2).rows().empty());           // that rim crosses others
-  CHECK(RimOnPlate(90, -1e-2, 0, 0.49).rows().empty());  // at the end: a node lies there
-  CHECK(RimOnPlate(90, -0.4).rows().empty());            // from the other side of the plate
-  for (const std::size_t held : {0, 1, 2, 3}) {
-    const Vec3 normal = held < 2 ? Vec3(-Vec3::UnitZ()) : Vec3(Vec3::UnitZ());
-    for (const double gap : {1e-3, -9e-4}) {
-      RimOnPlate scene(90, gap);
-      scene.node_normal[held] = normal;
-      CHECK(scene.rows().empty());
-    }
-    RimOnPlate sunk(90, -2e-3);
-    sunk.node_normal[held] = normal;
-    CHECK(sunk.rows().size() == 1);
+TEST_CASE("rims hang over flat edges by a thousandth, and leave them to rims at the end that stands on one") {
+  const double sag = 1e-3;  // of the flat edge, which is the shorter one
+  CHECK(RimOnPlate(90, 0).rows()[0].required == Approx(-sag / 1e-3));
+  CHECK(RimOnPlate(90, -sag).rows()[0].required == Approx(0).margin(1e-12));
+  CHECK(RimOnPlate(15, -1e-2).rows().empty());  // that rim crosses others
+  CHECK(RimOnPlate(90, -0.4).rows().empty());   // from the other side of the plate
+  for (const double at : {-0.49, 0.49}) {
+    RimOnPlate scene(90, -1e-2, 0, at);
+    CHECK(scene.rows().size() == 1);
+    scene.candidates.masters[0].end_on_rim = {0, 1};
+    CHECK(scene.rows().size() == (at < 0 ? 1 : 0));
+    scene.candidates.masters[0].end_on_rim = {1, 0};
+    CHECK(scene.rows().size() == (at < 0 ? 0 : 1));
   }
 }
 
