@@ -103,7 +103,7 @@ void turn(const Choice& choice, const Vec3& normal, Encounter& e) {
 }
 
 /// What a face that is met in one place with the best adds to its normal, behind a convex edge or corner: as much as
-/// the best where they are equally deep, nothing where it is three times as deep or same_place deeper, so that the
+/// the best where they are equally deep, nothing where it is five times as deep or same_place deeper, so that the
 /// normal turns without a jump where a node slides along the inside. (A node that the best holds at its surface is as
 /// good as outside of it: the other face has no say. Else where a fine mesh slid out under a coarse one, whose
 /// same_place is wide, its nodes were let in at 0.1 of an element from the rim.) What comes into contact there arrives
@@ -113,7 +113,7 @@ double share_at_convex_edge(const Choice& choice, const Encounter& e, const Enco
   constexpr double level = 0.1;      // of the zone: so near each other they are equally deep
   constexpr double rounding = 1e-3;  // of same_place: what a step leaves at the surface
   const double place = choice.settings.same_place * std::min(e.size, best.size);
-  const double zone = std::min(place, rounding * place + 2 * std::abs(best.gap));
+  const double zone = std::min(place, rounding * place + 4 * std::abs(best.gap));
   const double deeper = (std::abs(e.gap) - std::abs(best.gap)) / zone;
   return std::clamp((1 - std::abs(deeper)) / (1 - level), 0.0, 1.0);
 }
