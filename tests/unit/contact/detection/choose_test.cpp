@@ -103,7 +103,7 @@ TEST_CASE("inside a convex edge the normal turns from one face's to the other's 
   const Vec3 right = Vec3(1, 0, 1).normalized(), left = Vec3(-1, 0, 1).normalized();
   Vec3 last = scene.rows(Vec3(0, 0.5, 0) - 0.012 * right)[0].normal;
   CHECK(last.x() < -0.3);
-  for (double share = 0; share <= 1; share += 1.0 / 64) {  // just behind the left one at first, the right one at last
+  for (double share = 0; share <= 1; share += 1.0 / 128) {  // just behind the left one at first, the right one at last
     const auto rows = scene.rows(Vec3(0, 0.5, 0) - 0.012 * ((1 - share) * right + share * left));
     CAPTURE(share);
     REQUIRE(rows.size() == 1);
