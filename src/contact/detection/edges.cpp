@@ -175,10 +175,9 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
       }
       met.gap += accepted_overlap(scene, slave, master, met);
       Row& row = rows.emplace_back(row_of(slave, master, met, gid));
-      const double sag = slave.flat || master.flat ? sag_of_rims * size : 0;
-      row.gap += sag;
+      row.gap += slave.flat || master.flat ? sag_of_rims * size : 0;
       row.required = required_rate(row, size, dt, motion, settings);
-      row.gap -= sag;
+      row.gap = met.gap;  // what is told is how deep they are
     }
   }
 }
