@@ -38,7 +38,9 @@ def check(case, label, scene, result, steps):
     drift = numpy.hypot(history["top.x"][-1] - history["top.x"][since], history["top.y"][-1] - history["top.y"][since])
     print(f"{label}: {history['step'][-1] - history['step'][since]:.0f} steps; sideways {drift / side:.1e} of a side; largest "
           f"kinetic energy {early:.1e}, then {late:.1e} of m g h")
-    case.assert_below(f"{label}: deepest penetration / side", result.summary["max_penetration"] / side, 1e-5)
+    # nodes sink by 1e-5 (seen: 1e-7), rims hang over faces by up to a thousandth of an element, of which a cube has two
+    # or three
+    case.assert_below(f"{label}: deepest penetration / side", result.summary["max_penetration"] / side, 5e-4)
     # of the largest sum of m |v|, which is but that of the settling; weight and floor give 5e3 N s each in 1e6 steps
     case.assert_energy(result, energy_gate=1e-10, momentum_gate=1e-6 if steps > 1e5 else 1e-8)
 

@@ -59,9 +59,10 @@ BodyBoxes boxes_of_bodies(const ListBuild& build) {
   return boxes;
 }
 
-/// This rank's edges but for flat ones that no rim of another body can be near: most are far from all. Collective.
+/// This rank's edges but for flat ones that no rim of another body can be near: most are far from all. Where rims are
+/// not held (see PairTable::hold_rims) nothing meets flat ones. Collective.
 std::vector<LocalIndex> edges_to_search(const ListBuild& build) {
-  const BodyBoxes boxes = boxes_of_bodies(build);
+  const BodyBoxes boxes = build.pairs.holds_rims() ? boxes_of_bodies(build) : BodyBoxes{};
   std::vector<std::vector<LocalIndex>> near(build.surface.bodies.size());
   for_each_overlap(boxes.edges, boxes.rims, build.scratch.bodies, [&](LocalIndex one, LocalIndex other) {
     const LocalIndex body = boxes.with_edges[static_cast<std::size_t>(one)];
