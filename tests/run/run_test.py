@@ -95,6 +95,17 @@ class Ranks(Program):
                 self.run_scene(1, "rubber.yaml", "--out", f"{method}_one", "--set", "contact.0.passes=one")
                 self.assertNotEqual(self.summary(f"{method}_one")["state_hash"], wanted[0])
 
+    def test_the_reference_method_ends_on_all_ranks_at_once(self):
+        """Each rank took its own accuracy from its own rows: one went on and waited for the others for ever."""
+        self.write("unlike.yaml", scenes.UNLIKE_BARS)
+        taken = []
+        for ranks in (1, 2, 3):
+            self.run_scene(ranks, "unlike.yaml", "--out", f"unlike{ranks}")
+            taken.append(self.summary(f"unlike{ranks}")["energy"]["contact"])
+        self.assertGreater(taken[0], 0)
+        for other in taken[1:]:  # sums of PETSc depend on the ranks in their last bits
+            self.assertAlmostEqual(other / taken[0], 1, delta=1e-9)
+
     def test_ties_across_gaps_on_any_ranks_and_over_a_restart(self):
         self.write("rings.yaml", scenes.TIED_RINGS)
         hashes = []

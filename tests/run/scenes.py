@@ -319,3 +319,20 @@ damping: {alpha: 100, to: 1.0e-3}
 contact: [{between: all}]
 run: {steps: 10}
 """
+
+# by the reference method; masses and stiffnesses differ, and so do the rows of ranks
+UNLIKE_BARS = """title: a heavy block on a light one
+units: SI
+mesh:
+  - {box: {part: low, size: [4, 3, 1], elements: [4, 3, 1]}}
+  - {box: {part: top, size: [2.6, 1.9, 1], elements: [5, 4, 2], at: [0.3, 0.2, 1.01]}}
+materials:
+  light: {model: elastic, density: 1, young: 1, poisson: 0.2}
+  heavy: {model: elastic, density: 9, young: 20, poisson: 0.2}
+parts:
+  low: {material: light}
+  top: {material: heavy}
+initial: [{part: top, velocity: [0.05, 0, -0.2]}]
+contact: [{between: all, method: reference}]
+run: {end: 1.5}
+"""

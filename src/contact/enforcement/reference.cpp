@@ -202,8 +202,10 @@ EnforcementResult enforce_reference(const System& system, const EnforcementSetti
   Vec solution = vector_of(problem);
   check(VecSet(solution, 0));
   if (may_open > 0) {
-    const double scale = violation / std::sqrt(std::max(1e-300, *std::ranges::max_element(scratch.diagonal)));
-    solve_with_bounds(problem, solution, 1e-9 * scale);
+    double largest = 1e-300;  // of all ranks: each decides by it when TAO ends
+    for (const double h : scratch.diagonal) keep_max(largest, h);
+    exchange.max({&largest, 1});
+    solve_with_bounds(problem, solution, 1e-9 * violation / std::sqrt(largest));
     apply_solution(problem, solution);
     finish(problem, solution);
   } else {
