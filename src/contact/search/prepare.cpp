@@ -83,7 +83,9 @@ Box box_of_group(std::span<const Box> boxes, const Box& region, std::span<const 
   Box around;
   const std::size_t end = std::min(order.size(), (group + 1) * box_group);
   for (std::size_t k = group * box_group; k < end; ++k) {
-    __builtin_prefetch(&boxes[static_cast<std::size_t>(order[std::min(k + 2 * box_group, order.size() - 1)])]);
+    const Box& ahead = boxes[static_cast<std::size_t>(order[std::min(k + 2 * box_group, order.size() - 1)])];
+    __builtin_prefetch(&ahead.low);
+    __builtin_prefetch(&ahead.high[2]);
     const Box& box = boxes[static_cast<std::size_t>(order[k])];
     around.low = around.low.cwiseMin(box.low);
     around.high = around.high.cwiseMax(box.high);
@@ -158,7 +160,7 @@ void prepare_search(std::span<const Box> boxes, std::span<const Vec3> points, Se
 std::size_t SearchScratch::memory_bytes() const {
   const auto bytes = [](const auto&... vectors) { return (0 + ... + (vectors.capacity() * sizeof(vectors[0]))); };
   std::size_t total =
-      bytes(sort.items, sort.other, sort.digits, boxes, meetings, blocks_met, runs_met, found, found_of, cursor,
+      bytes(sort.items, sort.other, sort.digits, boxes, meetings, blocks_met, runs_met, found, found_of, met_at,
             blocks.point, blocks.runs, blocks.run_boxes, blocks.origin, history.points.reach, history.points.chosen,
             history.boxes.reach, history.boxes.chosen, history.block_extents, history.group_extents);
   for (const auto& level : blocks.levels) total += bytes(level);

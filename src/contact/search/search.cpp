@@ -141,32 +141,34 @@ class Pass {
 
   std::size_t run() {
     scratch_.found_of.assign(boxes_.size(), {});
-    scratch_.cursor.assign(scratch_.blocks.point.size(), 0);
+    scratch_.met_at.assign(scratch_.blocks.point.size(), 0);
     const std::span<const LocalIndex> order = scratch_.boxes;
     for (std::size_t first = 0; first < order.size(); first += box_group) {
       const std::size_t next = std::min(first + box_group, order.size());
-      for (std::size_t k = next; k < std::min(next + box_group, order.size()); ++k) {
-        const Box& box = boxes_[static_cast<std::size_t>(order[k])];
-        __builtin_prefetch(&box.low);
-        __builtin_prefetch(&box.high[2]);
-        __builtin_prefetch(&scratch_.found_of[static_cast<std::size_t>(order[k])], 1);
-      }
-      search_group(order.subspan(first, next - first));
+      search_group(order.subspan(first, next - first), order.subspan(next, std::min(box_group, order.size() - next)));
     }
     return total_;
   }
 
  private:
-  void search_group(std::span<const LocalIndex> chosen) {
+  /// next: boxes of the group after it, fetched one by one: all at once would fill what can be on its way from memory.
+  void search_group(std::span<const LocalIndex> chosen, std::span<const LocalIndex> next) {
     const Group group(boxes_, chosen);
     descend(group, scratch_.blocks, scratch_.meetings);
     std::array<std::size_t, box_group> met_count;
     deal_out(scratch_, met_count);
     for (std::size_t lane = 0; lane < chosen.size(); ++lane) {
+      if (lane < next.size()) fetch(static_cast<std::size_t>(next[lane]));
       const std::span met(scratch_.blocks_met.data() + lane * scratch_.meetings.size(), met_count[lane]);
       search_runs(static_cast<std::size_t>(chosen[lane]), group.bounds[lane],
                   meet_runs(group.bounds[lane], scratch_.blocks, met, scratch_.runs_met));
     }
+  }
+
+  void fetch(std::size_t b) const {
+    __builtin_prefetch(&boxes_[b].low);
+    __builtin_prefetch(&boxes_[b].high[2]);
+    __builtin_prefetch(&scratch_.found_of[b], 1);
   }
 
   void search_runs(std::size_t b, const Bounds& bounds, std::span<const LocalIndex> runs) {
@@ -180,7 +182,10 @@ class Pass {
         certain = static_cast<LaneMask>(certain | settle(ties, points_, &blocks.point[run * run_size], boxes_[b]));
       end = write_lanes(certain, static_cast<LocalIndex>(run * run_size), end);
     }
-    for (const LocalIndex* place = first; place < end; ++place) ++scratch_.cursor[static_cast<std::size_t>(*place)];
+    for (LocalIndex* place = first; place < end; ++place) {
+      ++scratch_.met_at[static_cast<std::size_t>(*place)];
+      *place = blocks.point[static_cast<std::size_t>(*place)];
+    }
     scratch_.found_of[b] = {static_cast<LocalIndex>(total_), static_cast<LocalIndex>(end - first)};
     total_ += static_cast<std::size_t>(end - first);
   }
@@ -191,21 +196,21 @@ class Pass {
   std::size_t total_ = 0;
 };
 
-/// From boxes with places of points to points with boxes: boxes come in ascending order, so rows do too.
-void turn_over(std::size_t point_count, std::size_t total, SearchScratch& scratch, Ragged<LocalIndex>& pairs) {
+/// From boxes with points to points with boxes: boxes are taken in descending order from the ends of rows, so that rows
+/// ascend and `offsets` end as the beginnings. Few passes, since points may have any order in memory.
+void turn_over(std::size_t point_count, std::size_t total, const SearchScratch& scratch, Ragged<LocalIndex>& pairs) {
   pairs.offsets.assign(point_count + 1, 0);
   const std::vector<LocalIndex>& point = scratch.blocks.point;
   for (std::size_t place = 0; place < point.size(); ++place)
-    pairs.offsets[static_cast<std::size_t>(point[place]) + 1] = scratch.cursor[place];
-  for (std::size_t p = 0; p < point_count; ++p) pairs.offsets[p + 1] += pairs.offsets[p];
-  for (std::size_t place = 0; place < point.size(); ++place)
-    scratch.cursor[place] = pairs.offsets[static_cast<std::size_t>(point[place])];
+    pairs.offsets[static_cast<std::size_t>(point[place])] = scratch.met_at[place];
+  LocalIndex sum = 0;
+  for (LocalIndex& offset : pairs.offsets) offset = sum += offset;
   pairs.values.resize(total);
-  for (std::size_t b = 0; b < scratch.found_of.size(); ++b) {
+  for (std::size_t b = scratch.found_of.size(); b-- > 0;) {
     const auto [first, count] = scratch.found_of[b];
     for (LocalIndex k = first; k < first + count; ++k) {
-      const auto place = static_cast<std::size_t>(scratch.found[static_cast<std::size_t>(k)]);
-      pairs.values[static_cast<std::size_t>(scratch.cursor[place]++)] = static_cast<LocalIndex>(b);
+      LocalIndex& end = pairs.offsets[static_cast<std::size_t>(scratch.found[static_cast<std::size_t>(k)])];
+      pairs.values[static_cast<std::size_t>(--end)] = static_cast<LocalIndex>(b);
     }
   }
 }

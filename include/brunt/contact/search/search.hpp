@@ -43,9 +43,9 @@ struct SearchScratch {
   std::vector<Meeting> meetings;
   std::vector<LocalIndex> blocks_met;  ///< by each box of a group
   std::vector<LocalIndex> runs_met;    ///< by one box
-  std::vector<LocalIndex> found;       ///< places of points, box after box
+  std::vector<LocalIndex> found;       ///< points, box after box
   std::vector<Segment> found_of;       ///< box -> its part of `found`
-  std::vector<LocalIndex> cursor;      ///< of a place: first its number of boxes, then where its next box goes
+  std::vector<LocalIndex> met_at;      ///< of a place: its number of boxes
 
   [[nodiscard]] std::size_t memory_bytes() const;
 };
