@@ -31,14 +31,20 @@ void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+/// `--out "$FOLDER"` of a variable that is not set.
+std::string no_path(const std::string& text) {
+  return text.empty() ? "'' is no path; accepted: a file or folder" : std::string{};
+}
+
 void add_run(CLI::App& program, app::RunOptions& options, Command& chosen) {
   CLI::App* run = program.add_subcommand("run", "Run a scene");
   run->add_option("scene", options.scene, "Scene file (YAML)")->required();
   run->footer("Results, key by key with units: src/io/README.md. Keys of a scene: src/scene/README.md");
-  run->add_option("--out", options.out, "Result folder; default: SCENE.out")->type_name("FOLDER");
+  run->add_option("--out", options.out, "Result folder; default: SCENE.out")->type_name("FOLDER")->check(no_path);
   add_overrides(*run, options.overrides);
   run->add_option("--restart", options.restart, "Go on from a checkpoint, or from the latest of a result folder")
-      ->type_name("PATH");
+      ->type_name("PATH")
+      ->check(no_path);
   run->add_flag("--force", options.force, "Replace the results of an earlier run");
   run->add_flag("--quiet", options.quiet, "Nothing on the terminal but faults (log.txt is written all the same)");
   run->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::run(ranks, options); }; });

@@ -228,6 +228,16 @@ void Results::watch_folds() {
   extremes_.folded = std::max(extremes_.folded, count);
 }
 
+void Results::tell_hourglass() {
+  constexpr double tolerated = 0.1;  // of the internal energy: the usual bound in crash analysis
+  const time::Ledger& e = last_ledger_;
+  if (!(e.hourglass > tolerated * std::abs(e.internal)) || e.hourglass < 1e-3 * extremes_.largest_energy) return;
+  log_.warning(fmt::format(
+      "hourglass energy is {:.2g} % of the internal energy (10 % is the usual bound): the hex8 elements are "
+      "too coarse for how they bend. Take smaller ones, or element: hex8_full or hex8_bbar",
+      100 * e.hourglass / std::abs(e.internal)));
+}
+
 void Results::write_summary(const std::string& stopped_by, int exit_code, double wall_seconds, const LoopCost& cost) {
   const comm::Communicator& ranks = run_.links.ranks;
   std::array<double, phases> seconds{};

@@ -54,6 +54,8 @@ class Results {
   void watch(const time::Ledger& ledger, double time);
   /// Counts elements folded at x_n, and warns of the first that are seen. Collective.
   void watch_folds();
+  /// Warns where hourglass control has taken up more than belongs to it.
+  void tell_hourglass();
   std::string write_checkpoint();
   /// Remembers the state of t_n, which all guards have let pass. Collective.
   void remember_good();

@@ -9,6 +9,7 @@
 #include "brunt/core/error.hpp"
 #include "brunt/io/checkpoint.hpp"
 #include "brunt/io/result_folder.hpp"
+#include "brunt/io/summary.hpp"
 #include "brunt/time/initialise.hpp"
 #include "brunt/time/ledger.hpp"
 #include "brunt/time/step.hpp"
@@ -185,6 +186,11 @@ io::ExistingResults existing_results(const RunOptions& options, const std::strin
   return options.force ? io::ExistingResults::replace : io::ExistingResults::refuse;
 }
 
+/// Does the folder's summary tell of this very state?
+bool is_told(const comm::Communicator& ranks, const std::string& folder, GlobalIndex step) {
+  return ranks.any(ranks.is_root() && io::summarised_steps(folder) == step);
+}
+
 void announce(const Prepared& run, Log& log) {
   const model::Model& model = run.model;
   log.line(fmt::format("{} ({} units)", run.input.title.empty() ? run.input.file : run.input.title, run.input.units));
@@ -216,7 +222,8 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
 
   std::optional<io::CheckpointHeader> restart;
   if (!checkpoint.empty()) restart = restart_from(*prepared, checkpoint);
-  io::prepare_result_folder(ranks, folder, existing_results(options, checkpoint, folder));
+  const io::ExistingResults existing = existing_results(options, checkpoint, folder);
+  io::prepare_result_folder(ranks, folder, existing);
   on_root(ranks, [&] { log.open(folder, restart.has_value()); });
   announce(*prepared, log);
   for (const std::string& warning : prepared->warnings) log.warning(warning);
@@ -229,6 +236,10 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
                     "later run.end (or more run.steps) would go on from there",
                     prepared->state.time, restart->step));
 
+  if (over && existing == io::ExistingResults::keep && is_told(ranks, folder, restart->step)) {
+    log.line("the results in " + folder + " stay as they are");
+    return static_cast<int>(ExitCode::done);
+  }
   catch_signals();
   // the step of the checkpoint is evaluated again: its own records come anew
   Results results(*prepared, folder, restart ? std::optional(restart->step - 1) : std::nullopt, log);
@@ -251,6 +262,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   } else {
     loop.last_record();
   }
+  results.tell_hourglass();
   results.write_summary(outcome.stopped_by, code, seconds_since(start), loop.cost());
   log.line(fmt::format("{}; results in {}",
                        outcome.code == ExitCode::done    ? "done"

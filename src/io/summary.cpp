@@ -2,6 +2,7 @@
 // Writes summary.json (see the header).
 #include "brunt/io/summary.hpp"
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "brunt/io/text_file.hpp"
@@ -12,6 +13,13 @@ void write_summary(const std::string& folder, const nlohmann::ordered_json& summ
   // A path in a warning may hold bytes that are no UTF-8: shown as the replacement character, never a lost summary.
   const auto handler = nlohmann::ordered_json::error_handler_t::replace;
   replace_text(folder + "/summary.json", summary.dump(2, ' ', false, handler) + "\n");
+}
+
+std::optional<GlobalIndex> summarised_steps(const std::string& folder) {
+  std::ifstream file(folder + "/summary.json");
+  const auto summary = nlohmann::json::parse(file, nullptr, false);
+  if (!summary.is_object() || !summary.contains("steps") || !summary["steps"].is_number_integer()) return std::nullopt;
+  return summary["steps"].get<GlobalIndex>();
 }
 
 }  // namespace brunt::io

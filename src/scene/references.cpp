@@ -81,6 +81,7 @@ void check_bodies(const Input& input, Section& scene) {
     if (part.empty()) continue;
     if (std::find(bodies.begin(), bodies.end(), part) != bodies.end()) {
       fault(key, fmt::format("a second body of the part '{}'; accepted: a part of its own for each body", part));
+      continue;
     }
     bodies.push_back(part);
     const bool has_part =

@@ -225,7 +225,20 @@ class Start(Program):
         self.run_scene(1, "rod.yaml", "--out", "out", "--restart", "out")
         self.assertEqual(self.text("out", "log.txt").count("nothing is left to run"), 1)
         self.assertEqual(self.text("out", "log.txt").count("past its end"), 0)
+        self.assertEqual(self.summary("out"), left)  # with the times of the run itself
+        os.remove(os.path.join(self.folder, "out", "summary.json"))  # as where the machine went down at the end
+        self.run_scene(1, "rod.yaml", "--out", "out", "--restart", "out")
         self.assertEqual(self.summary("out")["state_hash"], left["state_hash"])
+
+    def test_an_empty_path(self):
+        self.write("rod.yaml", scenes.ROD)
+        for option in ("--out", "--restart"):
+            done = subprocess.run([RUN, "-np", "1", "rod.yaml", option, ""], cwd=self.folder, capture_output=True, text=True,
+                                  timeout=PATIENCE, check=False)
+            self.assertEqual(done.returncode, 2, done.stderr + done.stdout)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertIn(option, done.stderr)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "rod.out")))
 
     def test_touching_is_no_overlap(self):
         self.assertEqual(self.check(1.0)[0], 0)
