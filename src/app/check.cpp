@@ -94,6 +94,8 @@ void print_gaps(const Prepared& run) {
                gaps.overlaps.size() == 1 ? "" : "s");
   else if (std::ranges::any_of(gaps.piercings, [](const Piercing& p) { return p.rule == OverlapRule::warn; }))
     fmt::print("smallest gap     none: parts pierce each other, listed above\n");
+  else if (!gaps.shared.empty())
+    fmt::print("smallest gap     none: parts lie in one place, listed above\n");
   else if (gaps.smallest >= 0)
     fmt::print("smallest gap     {} between {} and {}\n", scene::with_length(gaps.smallest, run.input.units, 6),
                run.input.parts[gaps.part].name, run.input.parts[gaps.other].name);

@@ -8,6 +8,7 @@
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/select.hpp"
 #include "piercings.hpp"
+#include "shared_space.hpp"
 #include "slave_choice.hpp"
 
 namespace brunt::app {
@@ -46,12 +47,26 @@ class Survey {
   }
 
   void compare(std::size_t a, std::size_t b, OverlapRule rule) {
+    const std::size_t told = gaps.overlaps.size() + gaps.piercings.size();
     std::vector<char> inside(mesh_.coordinates.size(), 0);
     compare_nodes(a, b, rule, inside);
     if (a == b) return;
     compare_nodes(b, a, rule, inside);
     find_piercings(a, b, rule, inside);
     find_piercings(b, a, rule, inside);
+    if (gaps.overlaps.size() + gaps.piercings.size() == told) find_shared_space(a, b, rule);
+  }
+
+  /// Only where nodes and edges have told nothing.
+  void find_shared_space(std::size_t a, std::size_t b, OverlapRule rule) {
+    if (body_of(solids_[a]) == body_of(solids_[b]) || !geometry::overlaps(solids_[a].box, solids_[b].box)) return;
+    for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
+      const mesh::Block& block = mesh_.blocks[one];
+      const ElementsInside inside = elements_inside(mesh_, block, mesh_.blocks[other]);
+      if (inside.count == 0) continue;
+      gaps.shared.push_back({one, other, inside.count, block.element_id[static_cast<std::size_t>(inside.first)], rule});
+      return;
+    }
   }
 
   void compare_nodes(std::size_t a, std::size_t b, OverlapRule rule, std::vector<char>& inside) {

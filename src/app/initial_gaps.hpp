@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where bodies stand to each other before anything moves: the smallest gap, nodes that are inside another body or
-// another part of their own, and edges that pass through one. Pure geometry on the whole mesh, so it sees overlaps of
-// any depth (contact itself looks no deeper than its capture).
+// another part of their own, edges that pass through one, and bodies in one place. Pure geometry on the whole mesh, so
+// it sees overlaps of any depth (contact itself looks no deeper than its capture).
 #pragma once
 #include <array>
 #include <vector>
@@ -36,12 +36,21 @@ struct Piercing {
   OverlapRule rule = OverlapRule::error;
 };
 
+/// Elements of one block in the space of another, all of whose surface nodes touch: contact would see nothing.
+struct SharedSpace {
+  std::size_t block = 0, other_block = 0;  ///< of the elements, and where they are
+  std::size_t elements = 0;
+  GlobalIndex first = 0;  ///< the input's number of the first
+  OverlapRule rule = OverlapRule::error;
+};
+
 struct InitialGaps {
   double smallest =
       -1;  ///< distance of a node to a face of a part that it may touch [length]; -1: none within one edge
   std::size_t part = 0, other = 0;       ///< of that node and face, into Input::parts
   std::vector<InitialOverlap> overlaps;  ///< deepest first
   std::vector<Piercing> piercings;
+  std::vector<SharedSpace> shared;
 };
 
 /// Nodes deeper inside than `touching` overlap; shallower ones touch. Parts that share nodes are one body: of a body

@@ -57,6 +57,14 @@ struct Reporter {
         piercing.edges == 1 ? "" : "s", node(piercing.edge[0]), node(piercing.edge[1]),
         name_of_face(mesh, piercing.face));
   }
+
+  [[nodiscard]] std::string describe(const SharedSpace& shared) const {
+    return fmt::format(
+        "{}: part '{}' lies in the place of part '{}' ({} of its elements are inside; first: element {}), with all "
+        "surface nodes of the two on each other's faces: contact would see nothing",
+        where(shared.block, shared.other_block), part(shared.block), part(shared.other_block), shared.elements,
+        shared.first);
+  }
 };
 
 /// The overlaps of two parts.
@@ -94,6 +102,11 @@ std::string listed(const Reporter& reporter, const Piercing& piercing) {
                      name_of_face(reporter.mesh, piercing.face));
 }
 
+std::string listed(const Reporter& reporter, const SharedSpace& shared) {
+  return fmt::format("{} elements of {} inside {}, first {}", shared.elements, reporter.part(shared.block),
+                     reporter.part(shared.other_block), shared.first);
+}
+
 /// Overlaps come deepest first.
 void list_overlaps(const Reporter& reporter, const InitialGaps& gaps, OverlapReport& report) {
   constexpr std::size_t most = 10;
@@ -107,10 +120,14 @@ void list_overlaps(const Reporter& reporter, const InitialGaps& gaps, OverlapRep
       report.deepest.push_back(
           fmt::format("... and {} more nodes of {} and {}, no deeper; brunt check --all lists them", count - most,
                       reporter.input.parts[pair.first].name, reporter.input.parts[pair.second].name));
-  for (const Piercing& piercing : gaps.piercings) {
-    report.list.push_back(listed(reporter, piercing));
-    report.deepest.push_back(report.list.back());
-  }
+  const auto list_all = [&](const auto& of_one_kind) {
+    for (const auto& one : of_one_kind) {
+      report.list.push_back(listed(reporter, one));
+      report.deepest.push_back(report.list.back());
+    }
+  };
+  list_all(gaps.piercings);
+  list_all(gaps.shared);
 }
 
 }  // namespace
@@ -125,7 +142,7 @@ std::string name_of_face(const mesh::Mesh& mesh, const FaceNodes& face) {
 
 OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh, const InitialGaps& gaps) {
   OverlapReport report;
-  if (gaps.overlaps.empty() && gaps.piercings.empty()) return report;
+  if (gaps.overlaps.empty() && gaps.piercings.empty() && gaps.shared.empty()) return report;
   const Reporter reporter{input, mesh};
   list_overlaps(reporter, gaps, report);
   bool refused = false, untreatable = false;
@@ -146,6 +163,7 @@ OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh,
     }
   }
   for (const Piercing& piercing : gaps.piercings) judge(piercing.rule, false, reporter.describe(piercing));
+  for (const SharedSpace& shared : gaps.shared) judge(shared.rule, false, reporter.describe(shared));
   if (refused)
     report.faults.push_back(input.at("contact") +
                             ": accepted: parts that do not overlap, or initial_overlap: warn "

@@ -10,8 +10,9 @@ namespace brunt::app {
 
 /// Names of nodes, faces and parts are the input's.
 struct OverlapReport {
-  std::vector<std::string> list;     ///< every overlapping node on a line of its own, deepest first, and every piercing
-  std::vector<std::string> deepest;  ///< of these the ten deepest of each pair of parts, and how many more there are
+  std::vector<std::string>
+      list;  ///< every overlapping node on a line of its own, deepest first, and every piercing and shared space
+  std::vector<std::string> deepest;   ///< of these the ten deepest of each pair of parts, and how many more there are
   std::vector<std::string> warnings;  ///< what the scene accepts
   std::vector<std::string> faults;    ///< what it does not, and what cannot be treated as it asks; then advice
   std::vector<std::string> notes;     ///< what was done

@@ -71,7 +71,22 @@ bool in_tetrahedron(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c, 
          volume(a, b, c, x) >= slack;
 }
 
-/// Is x in the closed element? A hexahedron is six tetrahedra around its diagonal 0-6.
+/// Cosine between the face's normal and the reversed normal of the own face that opposes it most.
+double opposition(std::span<const Vec3> outwards, const Vec3& normal) {
+  double least = 1;
+  for (const Vec3& own : outwards) least = std::min(least, own.dot(normal));
+  return -least;
+}
+
+}  // namespace
+
+geometry::Box box_of_element(const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex e) {
+  geometry::Box box;
+  for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c)
+    geometry::extend(box, mesh.coordinates[static_cast<std::size_t>(block.element(e)[c])]);
+  return box;
+}
+
 bool in_element(const Vec3& x, const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex e) {
   const LocalIndex* nodes = block.element(e);
   const auto corner = [&](int c) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(nodes[c])]; };
@@ -81,15 +96,6 @@ bool in_element(const Vec3& x, const mesh::Mesh& mesh, const mesh::Block& block,
     if (in_tetrahedron(x, corner(0), corner(ring[k]), corner(ring[k + 1]), corner(6))) return true;
   return false;
 }
-
-/// Cosine between the face's normal and the reversed normal of the own face that opposes it most.
-double opposition(std::span<const Vec3> outwards, const Vec3& normal) {
-  double least = 1;
-  for (const Vec3& own : outwards) least = std::min(least, own.dot(normal));
-  return -least;
-}
-
-}  // namespace
 
 std::vector<Solid> solids_of(const mesh::Mesh& mesh) {
   std::vector<Solid> solids(mesh.blocks.size());
@@ -251,12 +257,7 @@ void Comparison::measure_near() {
 void Comparison::find_inside(const mesh::Mesh& mesh) {
   inside_.assign(node_.size(), 0);
   std::vector<geometry::Box> boxes;
-  for (LocalIndex e = 0; e < block_.count(); ++e) {
-    geometry::Box box;
-    for (int c = 0; c < mesh::nodes_per_element(block_.shape); ++c)
-      geometry::extend(box, mesh.coordinates[static_cast<std::size_t>(block_.element(e)[c])]);
-    boxes.push_back(box);
-  }
+  for (LocalIndex e = 0; e < block_.count(); ++e) boxes.push_back(box_of_element(mesh, block_, e));
   contact::SearchScratch scratch;
   Ragged<LocalIndex> pairs;
   contact::find_pairs(boxes, point_, scratch, pairs);

@@ -43,6 +43,12 @@ struct Solid {
 
 std::vector<Solid> solids_of(const mesh::Mesh& mesh);
 
+/// Around the element's nodes.
+geometry::Box box_of_element(const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex element);
+
+/// Is x in the closed element? A hexahedron is six tetrahedra around its diagonal 0-6.
+bool in_element(const Vec3& x, const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex element);
+
 /// The connected body of each node; no_index for a node without elements.
 std::vector<std::int32_t> body_of_nodes(const mesh::Mesh& mesh);
 

@@ -135,6 +135,26 @@ TEST_CASE("a plate that is pierced without a node inside") {
   CHECK(Case(bar_and_plate({4, 1.4, -0.5}), "error").treat().report.list.empty());  // beside it, flush with its rim
 }
 
+TEST_CASE("a body put where another one is, with every surface node on the other's surface") {
+  const auto boxes = [](const Vec3& size, std::array<LocalIndex, 3> elements, const Vec3& at) {
+    return two_boxes({1, 1, 1}, {3, 3, 3}, size, elements, at);
+  };
+  for (const std::string rule : {"error", "move", "offset"}) {
+    const TreatedOverlaps treated = Case(boxes({1, 1, 1}, {4, 4, 4}, {0, 0, 0}), rule).treat();
+    CHECK(treated.gaps.overlaps.empty());
+    REQUIRE(treated.gaps.shared.size() == 1);
+    REQUIRE(treated.report.faults.size() == 2);
+    CHECK_THAT(treated.report.faults[0],
+               Catch::Contains("lies in the place of part") && Catch::Contains("elements are inside"));
+  }
+  CHECK(Case(boxes({1, 1, 1}, {3, 3, 3}, {0, 0, 0}), "warn").treat().report.warnings.size() == 1);  // node on node
+  CHECK(Case(boxes({1, 1, 1}, {1, 1, 1}, {0, 0, 0}), "error").treat().report.faults.size() == 2);
+  CHECK_FALSE(Case(boxes({0.5, 1, 1}, {1, 1, 1}, {0.25, 0, 0}), "error").treat().report.faults.empty());
+  CHECK_FALSE(Case(boxes({2, 1, 1}, {1, 1, 1}, {-0.5, 0, 0}), "error").treat().report.faults.empty());
+  for (const Vec3& beside : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(1, 1, 1), Vec3(0.5, 0.5, 1)})
+    CHECK(Case(boxes({1, 1, 1}, {4, 4, 4}, beside), "error").treat().report.list.empty());
+}
+
 TEST_CASE("a node past the middle of a plate is behind the face that it came through, and too deep") {
   Case scene(two_boxes({4, 4, 0.1}, {4, 4, 1}, {0.2, 0.2, 1}, {1, 1, 1}, {1.4, 1.4, 0.02}), "error");
   const TreatedOverlaps treated = scene.treat();
