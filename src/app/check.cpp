@@ -71,7 +71,8 @@ StepCost measure_steps(Prepared& run, const time::StepReport& first) {
 std::string duration_text(double seconds) {
   if (seconds < 120) return fmt::format("{:.2g} s", seconds);
   if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
+  if (seconds < 1e7) return fmt::format("{:.1f} h", seconds / 3600);
+  return fmt::format("{:.3g} days", seconds / 86400);
 }
 
 void print_parts(const Prepared& run, const std::vector<PartFigures>& figures, const scene::UnitSystem& units) {
@@ -136,7 +137,8 @@ void print_cost(const Prepared& run, const time::StepReport& step, const StepCos
   double steps = std::numeric_limits<double>::infinity();
   if (limits.end) steps = std::ceil(*limits.end / step.dt);
   if (limits.steps) steps = std::min(steps, static_cast<double>(*limits.steps));
-  fmt::print("steps            about {:.0f} of that size\n", steps);
+  const std::string count = steps < 1e15 ? fmt::format("{:.0f}", steps) : fmt::format("{:.3g}", steps);
+  fmt::print("steps            about {} of that size\n", count);
   if (cost.steps == 0) return;
   const int ranks = run.links.ranks.size();
   const auto elements = static_cast<double>(run.model.mesh.global_elements);

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -77,12 +78,20 @@ void add_partition(CLI::App& program, app::PartitionOptions& options, Command& c
       [&] { chosen = [&](const comm::Communicator& ranks) { return app::partition(ranks, options); }; });
 }
 
+/// CLI11 prints the largest number there is with all its digits.
+std::string no_tolerance(const std::string& text) {
+  double tolerance = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), tolerance);
+  if (error == std::errc{} && end == text.data() + text.size() && std::isfinite(tolerance) && tolerance >= 0) return {};
+  return fmt::format("'{}' is no tolerance; accepted: a number >= 0, as in --tol 1e-9", text);
+}
+
 void add_compare(CLI::App& program, app::CompareOptions& options, Command& chosen) {
   CLI::App* compare = program.add_subcommand("compare", "Largest difference of two results, field by field");
   compare->add_option("a", options.a, "Result folder, state.h5, checkpoint or history.csv")->required();
   compare->add_option("b", options.b, "The same of another run")->required();
   compare->add_option("--tol", options.tolerance, "Largest relative difference allowed; default 0")
-      ->check(CLI::NonNegativeNumber);
+      ->check(no_tolerance);
   compare->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::compare(ranks, options); }; });
 }
 

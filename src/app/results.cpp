@@ -234,7 +234,7 @@ void Results::tell_hourglass() {
   if (!(e.hourglass > tolerated * std::abs(e.internal)) || e.hourglass < 1e-3 * extremes_.largest_energy) return;
   log_.warning(fmt::format(
       "hourglass energy is {:.2g} % of the internal energy (10 % is the usual bound): the hex8 elements are "
-      "too coarse for how they bend. Take smaller ones, or element: hex8_full or hex8_bbar",
+      "too coarse for how they bend. Take smaller ones, or element: hex8_bbar",
       100 * e.hourglass / std::abs(e.internal)));
 }
 

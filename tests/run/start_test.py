@@ -240,6 +240,15 @@ class Start(Program):
             self.assertIn(option, done.stderr)
         self.assertFalse(os.path.exists(os.path.join(self.folder, "rod.out")))
 
+    def test_tolerances_that_are_none(self):
+        for tolerance in ("-1", "abc", "nan", "inf", ""):
+            done = subprocess.run([BRUNT, "compare", "a", "b", "--tol", tolerance], cwd=self.folder, capture_output=True, text=True,
+                                  timeout=PATIENCE, check=False)
+            self.assertEqual(done.returncode, 2, done.stderr + done.stdout)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertIn("--tol", done.stderr)
+            self.assertLess(len(done.stderr), 200)
+
     def test_touching_is_no_overlap(self):
         self.assertEqual(self.check(1.0)[0], 0)
         self.assertEqual(self.check(1 - 1e-9)[0], 0)
