@@ -45,7 +45,8 @@ class Conjugate {
   Look sweep(double length);
   /// One product with z.
   Look look_along();
-  /// To the iterate that leaves least on the chosen rows. Returns the share of z that is left: 1 if none is gained.
+  /// To the iterate that leaves least on the chosen rows, or less far (see the header). Returns the share of z that is
+  /// left: 1 if a sweep is due.
   double advance(const Look& now);
   /// A last sweep of length 1, unseen.
   void finish() { move_all(1); }
@@ -77,6 +78,8 @@ class Conjugate {
   }
   bool can_move(std::size_t q) const { return scratch_.inverse[q] > 0; }
   void move_all(double length);
+  /// Takes back of the last step what lies beyond the first row that begins to pull.
+  void retreat();
   void choose(std::size_t q);
 
   const System& system_;
@@ -90,6 +93,7 @@ class Conjugate {
   std::span<Amount> direction_, change_;  ///< d, A d
   Look known_;                            ///< bounds of what the next look will see, from what all ranks know
   double direction_change_ = 0;           ///< Ad.H^-1 Ad [energy]
+  double length_ = 0;                     ///< of the last step, in d; 0 after a sweep
 };
 
 template <class Kind>
@@ -169,6 +173,7 @@ void Conjugate<Kind>::choose(std::size_t q) {
 template <class Kind>
 Look Conjugate<Kind>::sweep(double length) {
   move_all(length);
+  length_ = 0;
   // H bounds A, so that no step is changed by more than the largest move, in the norm of the maximum and in that of H
   const double bound = 64 * (known_.along + known_.astray);
   Seen seen{unit_of_sum(bound), unit_of_sum(bound)};
@@ -221,10 +226,16 @@ Look Conjugate<Kind>::look_along() {
 
 template <class Kind>
 double Conjugate<Kind>::advance(const Look& now) {
+  constexpr double wild = 100, far = 100;  // 10 to 1000 take as many iterations
+  if (length_ > 0 && now.astray > wild * now.along) {
+    retreat();
+    return 1;
+  }
   const double back = has_direction() ? now.overlap / direction_change_ : 0.0;
   const double change = now.change - back * now.overlap, length = now.drop / change;
   if (!(now.drop > 0) || !(change > 0) || !std::isfinite(length)) return 1;
   direction_change_ = change;
+  length_ = length;
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
     if (!can_move(q)) continue;
     direction_[q] = step_[q] - back * direction_[q];
@@ -241,7 +252,28 @@ double Conjugate<Kind>::advance(const Look& now) {
             .along = now.along,  // it shrinks
             .astray = squared(std::sqrt(now.astray) + 2 * length * std::sqrt(size)),
             .size = size};
+  if (length > far) {
+    retreat();
+    return 1;
+  }
   return std::sqrt(std::max(0.0, 1 - length * now.drop / now.along));
+}
+
+template <class Kind>
+void Conjugate<Kind>::retreat() {
+  double beyond = 0;
+  for (std::size_t q = 0; q < system_.rows.size(); ++q) {
+    if (scratch_.chosen[q] == 0 || system_.rows[q].cone != Cone::compression) continue;
+    const double now = Kind::along(system_.rows[q], push_[q]),
+                 before = Kind::along(system_.rows[q], push_[q] - length_ * direction_[q]);
+    if (now < 0 && now < before) beyond = std::max(beyond, before > 0 ? now / (now - before) : 1.0);
+  }
+  exchange_.max({&beyond, 1});
+  for (std::size_t q = 0; q < system_.rows.size(); ++q) {
+    if (!can_move(q)) continue;
+    push_[q] -= beyond * length_ * direction_[q];
+    missing_[q] += beyond * length_ * change_[q];
+  }
 }
 
 template <class Kind>

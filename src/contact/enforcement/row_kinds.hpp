@@ -24,6 +24,7 @@ struct Normal {
   static double held(const Row& row, const Vec3& relative) { return row.normal.dot(relative); }
   static double missing(const Row& row, const Vec3& relative) { return row.required - row.normal.dot(relative); }
   static bool pushes(const Row& /*row*/, double impulse) { return impulse > 0; }
+  static double along(const Row& /*row*/, double impulse) { return impulse; }
   static double admitted(const Row& row, double impulse) {
     return row.cone == Cone::compression && impulse < 0 ? 0.0 : impulse;
   }
@@ -43,7 +44,8 @@ struct Whole {
     return row.friction > 0 ? relative : Vec3(row.normal.dot(relative) * row.normal);
   }
   static Vec3 missing(const Row& row, const Vec3& relative) { return missing_rate(row, relative); }
-  static bool pushes(const Row& row, const Vec3& impulse) { return row.normal.dot(impulse) > 0; }
+  static bool pushes(const Row& row, const Vec3& impulse) { return along(row, impulse) > 0; }
+  static double along(const Row& row, const Vec3& impulse) { return row.normal.dot(impulse); }
   static Vec3 admitted(const Row& row, const Vec3& impulse) { return contact::admitted(row, impulse); }
 };
 

@@ -19,6 +19,11 @@
 // rows: where rows pull or ask to push and their share is half of the rest, a sweep is due (as in the proportioning of
 // Dostal, Optimal Quadratic Programming Algorithms, 2009, but for the iterates, which may leave the admitted set: each
 // step then costs one product, and rows near the border of contact do not restart it one by one).
+// Where rows ask for more than their nodes can give together (edges of a rim over each other's neighbours do), what the
+// chosen rows leave stands still, and the next step goes a hundred lengths and more along what hardly changes any
+// velocity, until most of them pull. Such a step ends where the first row begins to pull, which is let go by the sweep
+// after it; so does one after which the share that is not of the chosen rows is a hundred times the rest. (Elastic bars
+// that meet edge on edge: 28 iterations at most for 121, and 35 for 197; the impacts above are the same.)
 // A sweep of length 1 ends it. Rows with Coulomb friction have no linear set (what slides is not symmetric): see
 // rate_constraint.hpp.
 #pragma once
