@@ -91,11 +91,14 @@ void Iteration::advance(const Judgement& now, double length) {
   apply_impulses(system_, impulses_, now.impulse + length * now.rise, exchange_, velocity_, scratch_);
 }
 
-/// 1 or more: H bounds G W G^T. The two quotients in turn keep the iteration from a cycle.
+/// 1 or more: H bounds G W G^T. Which of the two quotients comes next has no period (steps of the golden section around
+/// a circle): in turn they may run into a cycle of four steps, for ever.
 double quotient(const Judgement& now, int iteration) {
   constexpr double longest = 1e6;
+  constexpr double golden_section = 0.6180339887498949;
+  const bool long_one = std::fmod(golden_section * iteration, 1) < 0.5;
   const double length =
-      iteration % 2 == 1 ? now.change_h_change / now.change_a_change : now.change_a_change / now.a_change_a_change;
+      long_one ? now.change_h_change / now.change_a_change : now.change_a_change / now.a_change_a_change;
   return length >= 1 ? std::min(length, longest) : 1.0;  // also where nothing is left to divide
 }
 

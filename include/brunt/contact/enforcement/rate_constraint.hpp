@@ -7,10 +7,12 @@
 // - conjugate residuals, where no row has Coulomb friction: see conjugate.hpp.
 // - Barzilai-Borwein, where some do: alpha is the quotient s.Hs / s.As or s.As / As.H^-1 As of the last change s of the
 //   impulses, which is 1 or more (Barzilai and Borwein, IMA J. Numer. Anal. 8, 1988; projected: Dai and Fletcher,
-//   Numer. Math. 100, 2005). Where thirty iterations have not halved the residual a few sweeps of row sums come in
-//   between, in the last quarter of max_iterations nothing else (rows that nearly contradict each other have no end,
-//   and what is left then depends on where long steps are stopped); it ends with one, since a long step stopped
-//   half-way is a rebound that nothing in the bodies has asked for.
+//   Numer. Math. 100, 2005). The two alternate without a period: a metal strip bent over round supports with friction,
+//   7600 steps, ended 8 of them at the limit, with strict turns 36, and a clamped block 0 for 3. Where thirty
+//   iterations have not halved the residual a few sweeps of row sums come in between, in the last quarter of
+//   max_iterations nothing else (rows that nearly contradict each other have no end, and what is left then depends on
+//   where long steps are stopped); it ends with one, since a long step stopped half-way is a rebound that nothing in
+//   the bodies has asked for.
 // Conjugate residuals have half of the iterations: where rows change sides over and over they may wander for ever, far
 // above where they began (residuals of 28 where steps need 20 and 70 at most); the rest is left to Barzilai-Borwein.
 // A warm start may be within the tolerance before anything is done. To leave it at that would let bodies at rest float
