@@ -80,6 +80,8 @@ class Conjugate {
   void move_all(double length);
   /// Takes back of the last step what lies beyond the first row that begins to pull.
   void retreat();
+  /// known_, once a step of this length has been taken from from_ along d.
+  void bound_after(double length);
   void choose(std::size_t q);
 
   const System& system_;
@@ -92,6 +94,8 @@ class Conjugate {
   std::span<Amount> step_change_;         ///< A z
   std::span<Amount> direction_, change_;  ///< d, A d
   Look known_;                            ///< bounds of what the next look will see, from what all ranks know
+  Look from_;                             ///< before the last step, but for d, which is of the step
+  double rows_ = 0;                       ///< of all ranks
   double direction_change_ = 0;           ///< Ad.H^-1 Ad [energy]
   double length_ = 0;                     ///< of the last step, in d; 0 after a sweep
 };
@@ -145,7 +149,8 @@ Look Conjugate<Kind>::look_at_start(bool& coupled, double& speed) {
   coupled = largest[4] > 0;
   speed = largest[5];
   known_ = {.residual = largest[0], .impulse = largest[1], .step = largest[2]};
-  known_.astray = largest[3] * static_cast<double>(rows[0]);
+  rows_ = static_cast<double>(rows[0]);
+  known_.astray = largest[3] * rows_;
   return known_;
 }
 
@@ -175,7 +180,8 @@ Look Conjugate<Kind>::sweep(double length) {
   move_all(length);
   length_ = 0;
   // H bounds A, so that no step is changed by more than the largest move, in the norm of the maximum and in that of H
-  const double bound = 64 * (known_.along + known_.astray);
+  double bound = 64 * (known_.along + known_.astray);
+  if (bound == 0) bound = 64 * rows_ * known_.residual * known_.step;  // rounded to nothing under too wide a bound
   Seen seen{unit_of_sum(bound), unit_of_sum(bound)};
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
     choose(q);
@@ -244,19 +250,25 @@ double Conjugate<Kind>::advance(const Look& now) {
     missing_[q] -= length * change_[q];
     if (scratch_.chosen[q] != 0) step_[q] = scratch_.inverse[q] * missing_[q];
   }
-  const double direction = now.step + std::abs(back) * now.direction,
-               size = squared(std::sqrt(now.along) + std::abs(back) * std::sqrt(now.size));
-  known_ = {.impulse = now.impulse + length * direction,
-            .step = now.step + 2 * length * direction,
-            .direction = direction,
-            .along = now.along,  // it shrinks
-            .astray = squared(std::sqrt(now.astray) + 2 * length * std::sqrt(size)),
-            .size = size};
+  from_ = now;
+  from_.direction = now.step + std::abs(back) * now.direction;
+  from_.size = squared(std::sqrt(now.along) + std::abs(back) * std::sqrt(now.size));
+  bound_after(length);
   if (length > far) {
     retreat();
     return 1;
   }
   return std::sqrt(std::max(0.0, 1 - length * now.drop / now.along));
+}
+
+template <class Kind>
+void Conjugate<Kind>::bound_after(double length) {
+  known_ = {.impulse = from_.impulse + length * from_.direction,
+            .step = from_.step + 2 * length * from_.direction,
+            .direction = from_.direction,
+            .along = from_.along,  // it shrinks
+            .astray = squared(std::sqrt(from_.astray) + 2 * length * std::sqrt(from_.size)),
+            .size = from_.size};
 }
 
 template <class Kind>
@@ -274,6 +286,7 @@ void Conjugate<Kind>::retreat() {
     push_[q] -= beyond * length_ * direction_[q];
     missing_[q] += beyond * length_ * change_[q];
   }
+  bound_after((1 - beyond) * length_);
 }
 
 template <class Kind>
