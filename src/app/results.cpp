@@ -152,6 +152,7 @@ void Results::watch(const time::Ledger& ledger, double time) {
     watched_ = true;
   }
   seen.largest_energy = std::max({seen.largest_energy, ledger.kinetic + ledger.internal, std::abs(ledger.external)});
+  seen.largest_internal = std::max(seen.largest_internal, ledger.internal);
   seen.momentum_scale = std::max(seen.momentum_scale, ledger.momentum_scale);
   if (seen.largest_energy > 0)
     seen.error_ratio = std::max(seen.error_ratio, std::abs(ledger.total() - seen.start_total) / seen.largest_energy);
@@ -229,13 +230,14 @@ void Results::watch_folds() {
 }
 
 void Results::tell_hourglass() {
-  constexpr double tolerated = 0.1;  // of the internal energy: the usual bound in crash analysis
-  const time::Ledger& e = last_ledger_;
-  if (!(e.hourglass > tolerated * std::abs(e.internal)) || e.hourglass < 1e-3 * extremes_.largest_energy) return;
+  // The usual bound in crash analysis; of the largest, since bodies that fly on after an impact have little left.
+  constexpr double tolerated = 0.1;
+  const double hourglass = last_ledger_.hourglass, internal = extremes_.largest_internal;
+  if (!(hourglass > tolerated * internal) || hourglass < 1e-3 * extremes_.largest_energy) return;
   log_.warning(fmt::format(
-      "hourglass energy is {:.2g} % of the internal energy (10 % is the usual bound): the hex8 elements are "
+      "hourglass energy is {:.2g} % of the largest internal energy (10 % is the usual bound): the hex8 elements are "
       "too coarse for how they bend. Take smaller ones, or element: hex8_bbar",
-      100 * e.hourglass / std::abs(e.internal)));
+      100 * hourglass / internal));
 }
 
 void Results::write_summary(const std::string& stopped_by, int exit_code, double wall_seconds, const LoopCost& cost) {

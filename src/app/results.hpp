@@ -22,7 +22,8 @@ namespace brunt::app {
 struct Extremes {
   double start_total = 0;     ///< energy at t = 0
   double largest_energy = 0;  ///< largest kinetic + internal, the scale of errors
-  double error_ratio = 0;     ///< largest |total - start| over that scale
+  double largest_internal = 0;
+  double error_ratio = 0;  ///< largest |total - start| over that scale
   Vec3 start_momentum = Vec3::Zero();
   double momentum_error = 0;  ///< largest |p - p0 - impulses given| over the largest sum of m |v|
   double momentum_scale = 0;

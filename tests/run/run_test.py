@@ -315,7 +315,7 @@ class Stops(Program):
             self.assertEqual(self.summary(str(number))["folded_elements"], 0, remedy)
             self.assertNotIn("folded", self.text(str(number), "log.txt"), remedy)
             # springs that stay take a tenth of the internal energy and more here; full integration has none
-            energy = self.summary(str(number))["energy"]
+            energy = self.summary(str(number))["energy"]  # internal energy only grows in this impact
             much = energy["hourglass"] > 0.1 * energy["internal"]
             self.assertEqual(much, remedy == "hourglass.kind=elastic", remedy)
             self.assertEqual(self.text(str(number), "log.txt").count("hourglass energy is"), int(much), remedy)
