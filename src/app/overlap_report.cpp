@@ -23,6 +23,10 @@ struct Reporter {
   [[nodiscard]] GlobalIndex node(LocalIndex index) const { return mesh.node_id[static_cast<std::size_t>(index)]; }
 
   [[nodiscard]] std::string length(double value) const { return scene::with_length(value, input.units); }
+  [[nodiscard]] std::string place(LocalIndex index) const {
+    const Vec3& x = mesh.coordinates[static_cast<std::size_t>(index)];
+    return fmt::format("at [{:.6g}, {:.6g}, {:.6g}]", x.x(), x.y(), x.z());
+  }
 
   /// The two parts of an overlap, whichever is inside the other.
   [[nodiscard]] std::pair<std::size_t, std::size_t> parts(const InitialOverlap& overlap) const {
@@ -46,7 +50,7 @@ struct Reporter {
     if (too_deep > 0)
       line += fmt::format("; {} of them so deep that contact does not see them, or sees them from the wrong side",
                           too_deep);
-    return line;
+    return line + fmt::format("; node {} is {}", node(deepest.node), place(deepest.node));
   }
 
   [[nodiscard]] std::string describe(const Piercing& piercing) const {
@@ -89,10 +93,10 @@ std::vector<Pair> pairs_of(const Reporter& reporter, const InitialGaps& gaps) {
 
 std::string listed(const Reporter& reporter, const InitialOverlap& overlap) {
   return fmt::format(
-      "node {:>8} of {:<16} {} inside {}{}{}", reporter.node(overlap.node), reporter.part(overlap.block),
+      "node {:>8} of {:<16} {} inside {}{}{}, {}", reporter.node(overlap.node), reporter.part(overlap.block),
       reporter.length(overlap.depth), reporter.part(overlap.other_block),
       overlap.face[0] == no_index ? "" : fmt::format(", behind its face {}", name_of_face(reporter.mesh, overlap.face)),
-      overlap.too_deep ? ", deeper than contact looks" : "");
+      overlap.too_deep ? ", deeper than contact looks" : "", reporter.place(overlap.node));
 }
 
 std::string listed(const Reporter& reporter, const Piercing& piercing) {

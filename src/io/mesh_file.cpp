@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "brunt/core/error.hpp"
@@ -28,6 +29,8 @@ std::array<int, 8> hex_corners(int count) {
 }
 
 mesh::Mesh read_mesh(const std::string& path) {
+  if (std::filesystem::is_directory(path))
+    throw InputError(fmt::format("{}: is a folder; a mesh file is wanted", path));
   std::ifstream file(path, std::ios::binary);
   std::string start(16, '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
