@@ -127,10 +127,11 @@ void merge_corner(const Choice& choice, std::span<Encounter> encounters) {
   Vec3 sum = best.normal;
   for (const Encounter& e : encounters.subspan(1)) {
     if (!choice.same_body(e, best)) continue;
-    const double apart = (e.point - best.point).norm() / (choice.settings.same_place * std::min(e.size, best.size));
-    if (apart > 1) continue;
+    const double place = choice.settings.same_place * std::min(e.size, best.size);
+    const double apart2 = (e.point - best.point).squaredNorm();
+    if (apart2 > place * place) continue;
     if (choice.same_direction(e, best))
-      sum += (1 - apart) * e.normal;
+      sum += (1 - std::sqrt(apart2) / place) * e.normal;
     else if (e.meeting == best.meeting && !choice.concave(e, best))
       sum += share_at_convex_edge(choice, e, best) * e.normal;
   }
@@ -155,7 +156,8 @@ std::size_t choose(std::span<const MasterFace> faces, std::span<const NodeMotion
   for (Encounter& e : encounters)
     if (lies_on_neighbour(choice, encounters, e)) e.meeting = Meeting::above;
   const Ranking before(choice, encounters);
-  std::swap(encounters.front(), *std::ranges::min_element(encounters, before));
+  if (const auto best = std::ranges::min_element(encounters, before); best != encounters.begin())
+    std::swap(encounters.front(), *best);
   merge_corner(choice, encounters);
   const std::span<Encounter> others = encounters.subspan(1);
   const auto asks = [&](const Encounter& e) { return asks_for_a_row(choice, encounters.first(1), e); };

@@ -119,6 +119,12 @@ void seen_from(const Approach& approach, std::span<Vec3> corners) {
 
 }  // namespace
 
+bool one_direction(std::span<const Encounter> encounters, double degrees) {
+  const double half = 0.5 * degrees * std::numbers::pi / 180, least = 1 - 0.5 * half * half * (1 - half * half / 12);
+  return std::ranges::all_of(
+      encounters, [&](const Encounter& e) { return e.normal.dot(encounters.front().normal) > least + 1e-14; });
+}
+
 std::ptrdiff_t shared_nodes(const MasterFace& one, const MasterFace& other) {
   return std::count_if(one.nodes.begin(), one.nodes.begin() + one.corner_count,
                        [&](LocalIndex node) { return has_node(other, node); });
@@ -196,12 +202,13 @@ bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> moti
 
 void settle_rims(const FacesInMotion& scene, const EncounterSettings& settings, double same_direction,
                  std::span<Encounter> encounters) {
+  const bool smooth = one_direction(encounters, same_direction);
   for (std::size_t i = 0; i < encounters.size(); ++i) {
     Encounter& e = encounters[i];
     if (e.meeting != Meeting::inside && e.meeting != Meeting::above) continue;
-    const bool holds =
-        (e.region == Region::face || holds_at_rim(scene, settings, same_direction, encounters, i)) &&
-        (e.meeting == Meeting::above || !is_outside_of_a_sharp_edge(scene.faces, same_direction, encounters, i));
+    const bool holds = (e.region == Region::face || holds_at_rim(scene, settings, same_direction, encounters, i)) &&
+                       (smooth || e.meeting == Meeting::above ||
+                        !is_outside_of_a_sharp_edge(scene.faces, same_direction, encounters, i));
     if (!holds) e.meeting = Meeting::none;
   }
 }

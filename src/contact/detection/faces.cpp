@@ -88,13 +88,17 @@ struct Slave {
   std::span<const HistoryRecord> remembered;
 };
 
-double opposition(const Slave& slave, const Vec3& normal, std::span<const Vec3> facet_normal) {
-  double least = 1;
+/// How much the facets around the slave oppose each face that it meets.
+void measure_opposition(const Slave& slave, std::span<const Vec3> facet_normal, std::span<Encounter> met) {
+  const bool sheet = slave.half_thickness > 0;
+  for (Encounter& e : met) e.opposition = -1;
   for (const LocalIndex facet : slave.facets) {
-    const double cosine = facet_normal[static_cast<std::size_t>(facet)].dot(normal);
-    least = std::min(least, slave.half_thickness > 0 ? -std::abs(cosine) : cosine);
+    const Vec3 out = facet_normal[static_cast<std::size_t>(facet)];
+    for (Encounter& e : met) {
+      const double cosine = out.dot(e.normal);
+      e.opposition = std::max(e.opposition, sheet ? std::abs(cosine) : -cosine);
+    }
   }
-  return -least;
 }
 
 /// A face that opposes a flat surface by no more than this cosine stands on it: it is a side of the body whose foot
@@ -166,11 +170,11 @@ void list_faces(const FacesInMotion& scene, const DetectionSettings& settings, c
 std::span<Encounter> meet_faces(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
                                 std::span<const Vec3> facet_normal, std::span<Encounter> met) {
   const auto body_of = [&](const Encounter& e) { return scene.faces[static_cast<std::size_t>(e.face)].body; };
-  const bool flat = lies_in_flat_surface(slave, facet_normal);
-  for (Encounter& e : met) {
-    e.opposition = opposition(slave, e.normal, facet_normal);
-    if (flat && e.opposition < side_on_flat) e.opposition = std::min(e.opposition, 0.0);
-  }
+  measure_opposition(slave, facet_normal, met);
+  const auto stands = [](const Encounter& e) { return e.opposition > 0 && e.opposition < side_on_flat; };
+  if (std::ranges::any_of(met, stands) && lies_in_flat_surface(slave, facet_normal))
+    for (Encounter& e : met)
+      if (stands(e)) e.opposition = 0;
   for (std::size_t first = 0, last = 0; first < met.size(); first = last) {
     while (last < met.size() && body_of(met[last]) == body_of(met[first])) ++last;
     const std::span<Encounter> here = met.subspan(first, last - first);

@@ -34,6 +34,7 @@ bool is_ledge(const FacesInMotion& scene, double same_direction, const Encounter
 
 void pass_ledges(const FacesInMotion& scene, double same_direction, const NodeMotion& slave,
                  std::span<Encounter> encounters) {
+  if (one_direction(encounters, same_direction)) return;  // nearly always
   for (Encounter& side : encounters) {
     if (side.meeting == Meeting::none) continue;
     const auto passes = [&](const Encounter& top) {

@@ -122,6 +122,10 @@ inline bool same_direction(const Vec3& one, const Vec3& other, double degrees) {
   return cosine >= std::cos(angle);
 }
 
+/// Are all normals surely within so many degrees of each other, as those of one smooth surface are? False may still
+/// turn out to be true: it saves looking at pairs, nothing more. A face without a normal makes it false.
+bool one_direction(std::span<const Encounter> encounters, double degrees);
+
 /// Is each of two faces of one body in front of the other, as on the slopes of a valley or a pit?
 bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const Encounter& a,
              const Encounter& b);
