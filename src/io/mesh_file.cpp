@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "abaqus_deck.hpp"
 #include "brunt/core/error.hpp"
+#include "brunt/io/abaqus.hpp"
 #include "brunt/io/exodus.hpp"
 #include "brunt/io/gmsh.hpp"
 #include "brunt/mesh/check.hpp"
@@ -38,7 +40,12 @@ mesh::Mesh read_mesh(const std::string& path) {
     throw InputError(fmt::format("{}: cannot be read, or is empty; a mesh file is wanted", path));
   if (start.starts_with("CDF") || start.starts_with("\x89HDF")) return read_exodus(path);
   if (start.starts_with("$MeshFormat") || start.starts_with("$Comments")) return read_gmsh(path);
-  throw InputError(fmt::format("{}: not a mesh file of a known kind; accepted: Exodus II, Gmsh MSH 2.2 and 4.1", path));
+  const auto text = start.find_first_not_of(" \t\r\n");
+  const bool deck =
+      text != std::string::npos && start[text] == '*' && !in_capitals(start.substr(text)).starts_with("*KEYWORD");
+  if (deck) return read_abaqus(path);
+  throw InputError(
+      fmt::format("{}: not a mesh file of a known kind; accepted: Exodus II, Gmsh MSH 2.2 and 4.1, Abaqus .inp", path));
 }
 
 }  // namespace brunt::io

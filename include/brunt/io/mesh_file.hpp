@@ -7,8 +7,9 @@
 
 namespace brunt::io {
 
-/// Tells the kind by the first bytes (Exodus: netCDF or HDF5 signature; Gmsh: $MeshFormat or $Comments), whatever the
-/// file's name. Throws InputError if the file cannot be read, is of no known kind, or is faulty.
+/// Tells the kind by the first bytes (Exodus: netCDF or HDF5 signature; Gmsh: $MeshFormat or $Comments; Abaqus:
+/// a star, but not *KEYWORD), whatever the file's name. Throws InputError if the file cannot be read, is of no known
+/// kind, or is faulty.
 mesh::Mesh read_mesh(const std::string& path);
 
 }  // namespace brunt::io

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+// From an Abaqus file's parts and instances to blocks and sets.
+#include "brunt/io/abaqus.hpp"
+
+#include <fmt/core.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <set>
+#include <span>
+
+#include "abaqus_parts.hpp"
+#include "brunt/core/error.hpp"
+#include "brunt/mesh/topology.hpp"
+#include "sound_mesh.hpp"
+
+namespace brunt::io {
+namespace {
+
+using mesh::Block;
+using mesh::Mesh;
+using mesh::Shape;
+using mesh::Side;
+
+/// Corners of a face as the manual numbers them, from 1 (Abaqus Elements Guide, three-dimensional solid elements).
+using FaceCorners = std::array<int, 4>;
+constexpr std::array<FaceCorners, 6> hex_sides{
+    {{1, 2, 3, 4}, {5, 8, 7, 6}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 8, 4}, {4, 8, 5, 1}}};
+constexpr std::array<FaceCorners, 5> wedge_sides{{{1, 2, 3}, {4, 6, 5}, {1, 4, 5, 2}, {2, 5, 6, 3}, {3, 6, 4, 1}}};
+constexpr std::array<FaceCorners, 5> pyramid_sides{{{1, 2, 3, 4}, {1, 5, 2}, {2, 5, 3}, {3, 5, 4}, {4, 5, 1}}};
+constexpr std::array<FaceCorners, 4> tet_sides{{{1, 2, 3}, {1, 4, 2}, {2, 4, 3}, {3, 4, 1}}};
+
+std::span<const FaceCorners> sides_of(int corners) {
+  if (corners == 4) return tet_sides;
+  if (corners == 5) return pyramid_sides;
+  if (corners == 6) return wedge_sides;
+  return hex_sides;
+}
+
+Shape shape_of(const AbaqusElement& element) {
+  return element.corners == 4 ? Shape::tet4 : Shape::hex8;
+}
+
+/// An instance in the making: where its nodes and elements went.
+struct Placed {
+  const AbaqusInstance* instance;
+  const AbaqusPart* part;
+  LocalIndex first_node = 0;
+  std::vector<std::pair<LocalIndex, LocalIndex>> element;  ///< block and position, of each of the part
+  [[nodiscard]] std::string named(const std::string& name) const {
+    return instance->name.empty() ? name : instance->name + '.' + name;
+  }
+};
+
+class MeshMaker {
+ public:
+  MeshMaker(const AbaqusDeck& deck, const AbaqusModel& model) : deck_(deck), model_(model) {}
+
+  Mesh make() {
+    for (const AbaqusInstance& instance : model_.instances) place(instance);
+    for (const Placed& placed : placed_) add_scope(*placed.part, &placed);
+    add_scope(model_.assembly, nullptr);
+    return std::move(mesh_);
+  }
+
+ private:
+  void place(const AbaqusInstance& instance) {
+    const AbaqusPart& part = model_.parts[instance.part];
+    Placed placed{&instance, &part, static_cast<LocalIndex>(mesh_.coordinates.size()), {}};
+    const bool alone = model_.instances.size() == 1;
+    for (std::size_t n = 0; n < part.coordinates.size(); ++n) {
+      mesh_.coordinates.push_back(moved(instance, part.coordinates[n]));
+      mesh_.node_id.push_back(alone ? part.node_number[n] : static_cast<GlobalIndex>(mesh_.node_id.size()) + 1);
+    }
+    add_blocks(placed, alone);
+    placed_.push_back(std::move(placed));
+  }
+
+  static Vec3 moved(const AbaqusInstance& instance, const Vec3& place) {
+    Vec3 shifted = place + instance.shift;
+    if (!instance.axis) return shifted;
+    const auto& [from, to] = *instance.axis;
+    return from +
+           Eigen::AngleAxisd(instance.degrees * std::numbers::pi / 180, (to - from).normalized()) * (shifted - from);
+  }
+
+  /// The element set that each element's block is of: of a solid section, or of its card.
+  std::vector<std::string> block_names(const AbaqusPart& part) const {
+    if (part.sections.empty()) return part.dealt;
+    std::vector<std::string> names(part.elements.size());
+    std::vector<bool> taken(part.elements.size(), false);
+    for (const auto& [set, line] : part.sections) {
+      const auto found = part.element_sets.find(set);
+      if (found == part.element_sets.end()) deck_.fail(line, fmt::format("*SOLID SECTION: no element set '{}'", set));
+      for (const AbaqusMember& member : found->second.members) {
+        const LocalIndex e = element_of(part, member.number, line);
+        if (taken[static_cast<std::size_t>(e)] && names[static_cast<std::size_t>(e)] != set)
+          deck_.fail(line, fmt::format("element {} is in another *SOLID SECTION as well", member.number));
+        taken[static_cast<std::size_t>(e)] = true;
+        names[static_cast<std::size_t>(e)] = set;
+      }
+    }
+    const auto free = std::ranges::find(taken, false);
+    if (free != taken.end()) {
+      const AbaqusElement& element = part.elements[static_cast<std::size_t>(free - taken.begin())];
+      deck_.fail(element.line, fmt::format("element {} is in no *SOLID SECTION, as others are", element.number));
+    }
+    return names;
+  }
+
+  void add_blocks(Placed& placed, bool alone) {
+    const AbaqusPart& part = *placed.part;
+    const std::vector<std::string> names = block_names(part);
+    std::map<std::pair<std::string, Shape>, LocalIndex> at;
+    for (std::size_t e = 0; e < part.elements.size(); ++e) {
+      const AbaqusElement& element = part.elements[e];
+      const auto [found, is_new] =
+          at.try_emplace({names[e], shape_of(element)}, static_cast<LocalIndex>(mesh_.blocks.size()));
+      if (is_new) add_block(placed, names[e], shape_of(element));
+      Block& block = mesh_.blocks[static_cast<std::size_t>(found->second)];
+      placed.element.emplace_back(found->second, block.count());
+      const auto corners = hex_corners(element.corners);
+      for (int k = 0; k < nodes_per_element(block.shape); ++k)
+        block.nodes.push_back(placed.first_node +
+                              element.nodes[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])]);
+      block.element_id.push_back(alone ? element.number : ++elements_);
+    }
+    for (const auto& [key, b] : at) {  // both shapes: the tetrahedra are told apart
+      Block& block = mesh_.blocks[static_cast<std::size_t>(b)];
+      if (key.second == Shape::tet4 && at.contains({key.first, Shape::hex8})) block.name += "_tet4";
+    }
+  }
+
+  void add_block(const Placed& placed, const std::string& set, Shape shape) {
+    Block block;
+    const auto named = placed.part->element_sets.find(set);
+    if (named != placed.part->element_sets.end())
+      block.name = placed.named(named->second.name);
+    else
+      block.name = placed.instance->name;
+    block.id = static_cast<GlobalIndex>(mesh_.blocks.size()) + 1;
+    block.shape = shape;
+    mesh_.blocks.push_back(std::move(block));
+  }
+
+  LocalIndex element_of(const AbaqusPart& part, std::int64_t number, int line) const {
+    const auto found = part.element_at.find(number);
+    if (found == part.element_at.end()) deck_.fail(line, fmt::format("no solid element {}", number));
+    return found->second;
+  }
+
+  /// own: of a part's scope; of the assembly each member says its own.
+  const Placed* placed_of(const AbaqusMember& member, const Placed* own) const {
+    if (own != nullptr) return own;
+    const auto found = std::ranges::find_if(
+        placed_, [&](const Placed& p) { return in_capitals(p.instance->name) == member.instance; });
+    return found == placed_.end() ? nullptr : &*found;
+  }
+
+  /// Nodes that are no part of an instance are points of rigid bodies and loads: they are left out.
+  void add_nodes(const AbaqusMember& member, const Placed* own, std::set<LocalIndex>& nodes) const {
+    const Placed* placed = placed_of(member, own);
+    if (placed == nullptr) return;
+    const auto found = placed->part->node_at.find(member.number);
+    if (found != placed->part->node_at.end()) nodes.insert(placed->first_node + found->second);
+  }
+
+  void add_scope(const AbaqusScope& scope, const Placed* own) {
+    const auto named = [&](const std::string& name) { return own == nullptr ? name : own->named(name); };
+    for (const auto& [key, set] : scope.node_sets) {
+      std::set<LocalIndex> nodes;
+      for (const AbaqusMember& member : set.members) add_nodes(member, own, nodes);
+      if (!nodes.empty()) mesh_.node_sets[named(set.name)].assign(nodes.begin(), nodes.end());
+    }
+    for (const AbaqusSurface& surface : scope.surfaces) add_surface(surface, named(surface.name), own);
+  }
+
+  void add_surface(const AbaqusSurface& surface, const std::string& name, const Placed* own) {
+    std::set<LocalIndex> nodes;
+    std::set<Side> sides;
+    for (const AbaqusSurface::Piece& piece : surface.pieces)
+      for (const AbaqusMember& member : piece.members) {
+        if (surface.of_nodes) {
+          add_nodes(member, own, nodes);
+        } else if (const Placed* placed = placed_of(member, own)) {
+          add_sides(*placed, element_of(*placed->part, member.number, piece.line), piece, sides);
+        }
+      }
+    for (const Side& side : sides) {
+      const Block& block = mesh_.blocks[static_cast<std::size_t>(side.block)];
+      for (const LocalIndex node : face_nodes(block.shape, block.element(side.element), side.face))
+        if (node != no_index) nodes.insert(node);
+    }
+    if (!sides.empty()) mesh_.side_sets[name].assign(sides.begin(), sides.end());
+    if (!nodes.empty()) mesh_.node_sets[name].assign(nodes.begin(), nodes.end());
+  }
+
+  /// Found when it is asked for the first time: most surfaces name their faces.
+  bool is_exterior(const Side& side) {
+    if (exterior_.empty()) exterior_ = mesh::exterior_sides(mesh_);
+    return std::ranges::binary_search(exterior_, side);
+  }
+
+  void add_sides(const Placed& placed, LocalIndex e, const AbaqusSurface::Piece& piece, std::set<Side>& sides) {
+    const AbaqusElement& element = placed.part->elements[static_cast<std::size_t>(e)];
+    const auto [b, position] = placed.element[static_cast<std::size_t>(e)];
+    const Block& block = mesh_.blocks[static_cast<std::size_t>(b)];
+    const auto all = sides_of(element.corners);
+    if (piece.face > static_cast<int>(all.size()))
+      deck_.fail(piece.line, fmt::format("element {} has no face S{}", element.number, piece.face));
+    std::array<LocalIndex, 4> wanted{no_index, no_index, no_index, no_index};
+    if (piece.face > 0) {
+      const FaceCorners& corners = all[static_cast<std::size_t>(piece.face - 1)];
+      for (std::size_t k = 0; k < 4 && corners[k] > 0; ++k)
+        wanted[k] = placed.first_node + element.nodes[static_cast<std::size_t>(corners[k] - 1)];
+      std::ranges::sort(wanted);
+    }
+    for (int f = 0; f < faces_per_element(block.shape); ++f) {
+      const Side side{b, position, f};
+      auto nodes = face_nodes(block.shape, block.element(position), f);
+      std::ranges::sort(nodes);
+      if (piece.face > 0 ? nodes == wanted : is_exterior(side)) sides.insert(side);
+    }
+  }
+
+  const AbaqusDeck& deck_;
+  const AbaqusModel& model_;
+  Mesh mesh_;
+  std::vector<Placed> placed_;
+  std::vector<Side> exterior_;  ///< ordered
+  GlobalIndex elements_ = 0;
+};
+
+}  // namespace
+
+Mesh read_abaqus(const std::string& path) {
+  const AbaqusDeck deck(path);
+  const AbaqusModel model = read_abaqus_model(deck);
+  const auto has_elements = [&](const AbaqusInstance& i) { return !model.parts[i.part].elements.empty(); };
+  if (std::ranges::none_of(model.instances, has_elements))
+    throw InputError(path + (model.parts.size() > 1 && model.instances.empty()
+                                 ? ": parts, but no *INSTANCE of them"
+                                 : ": no solid elements; accepted: C3D4, C3D5, C3D6, C3D8 and their variants"));
+  return sound_mesh(path, MeshMaker(deck, model).make());
+}
+
+}  // namespace brunt::io

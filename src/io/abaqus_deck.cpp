@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "abaqus_deck.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "brunt/core/error.hpp"
+#include "brunt/io/text_file.hpp"
+
+namespace brunt::io {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const auto first = text.find_first_not_of(blanks);
+  return first == std::string_view::npos ? std::string_view()
+                                         : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string unquoted(std::string_view text) {
+  const bool quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+  return std::string(quoted ? text.substr(1, text.size() - 2) : text);
+}
+
+}  // namespace
+
+std::string in_capitals(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(),
+                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return result;
+}
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (std::size_t from = 0; from <= line.size();) {
+    const std::size_t comma = std::min(line.find(',', from), line.size());
+    fields.push_back(trimmed(line.substr(from, comma - from)));
+    from = comma + 1;
+  }
+  if (fields.back().empty()) fields.pop_back();
+  return fields;
+}
+
+std::string DeckCard::value(const std::string& name) const {
+  const auto found = parameter.find(name);
+  return found == parameter.end() ? "" : found->second;
+}
+
+AbaqusDeck::AbaqusDeck(const std::string& path)
+    : path_(path), text_(std::make_unique<const std::string>(read_text(path))) {
+  const std::string_view text(*text_);
+  bool goes_on = false;  // a keyword line that ends in a comma
+  int number = 0;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    const std::string_view line = trimmed(text.substr(from, end - from));
+    from = end + 1;
+    ++number;
+    if (line.empty() || line.starts_with("**")) continue;
+    if (line.front() == '*' || goes_on) {
+      if (!goes_on) cards_.push_back({.keyword = {}, .parameter = {}, .line = number, .data = {}});
+      add_card(goes_on ? line : line.substr(1), number);
+      goes_on = line.back() == ',';
+    } else {
+      if (cards_.empty()) fail(number, "data before the first keyword; a line that begins with * is wanted");
+      cards_.back().data.push_back({line, number});
+    }
+  }
+}
+
+void AbaqusDeck::add_card(std::string_view text, int line) {
+  DeckCard& card = cards_.back();
+  for (const std::string_view field : fields_of(text)) {
+    if (card.keyword.empty()) {
+      card.keyword = in_capitals(field);
+      continue;
+    }
+    const auto equals = field.find('=');
+    const std::string name = in_capitals(trimmed(field.substr(0, equals)));
+    if (name.empty()) fail(line, fmt::format("*{}: a parameter without a name", card.keyword));
+    card.parameter[name] = equals == std::string_view::npos ? "" : unquoted(trimmed(field.substr(equals + 1)));
+  }
+  if (card.keyword.empty()) fail(line, "a star without a keyword");
+}
+
+std::int64_t AbaqusDeck::integer(const DeckLine& line, std::string_view field, std::string_view what) const {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc{} || end != field.data() + field.size())
+    fail(line.number, fmt::format("'{}' where {} should stand", field.substr(0, 40), what));
+  return value;
+}
+
+double AbaqusDeck::real(const DeckLine& line, std::string_view field, std::string_view what) const {
+  if (field.empty()) return 0;  // as Abaqus has it
+  std::string written(field.starts_with('+') ? field.substr(1) : field);
+  std::ranges::replace_if(
+      written, [](char c) { return c == 'd' || c == 'D'; }, 'e');  // Fortran's exponents
+  double value = 0;
+  const auto [end, error] = std::from_chars(written.data(), written.data() + written.size(), value);
+  if (error != std::errc{} || end != written.data() + written.size() || !std::isfinite(value))
+    fail(line.number, fmt::format("'{}' where {} should stand", field.substr(0, 40), what));
+  return value;
+}
+
+void AbaqusDeck::fail(int line, const std::string& what) const {
+  throw InputError(fmt::format("{}:{}: {}", path_, line, what));
+}
+
+}  // namespace brunt::io

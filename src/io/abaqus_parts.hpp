@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of an Abaqus input file makes a mesh: parts, where they stand, sets and surfaces.
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "abaqus_deck.hpp"
+#include "brunt/core/types.hpp"
+
+namespace brunt::io {
+
+struct AbaqusElement {
+  std::int64_t number = 0;
+  int corners = 0, line = 0;
+  std::array<LocalIndex, 8> nodes{};  ///< positions in the part
+};
+
+/// A node or element of an instance of the assembly; within a part, the part's own.
+struct AbaqusMember {
+  std::string instance;     ///< in capitals; empty within a part
+  std::int64_t number = 0;  ///< in the part
+};
+
+struct AbaqusSet {
+  std::string name;  ///< as written first
+  std::vector<AbaqusMember> members;
+};
+using AbaqusSets = std::map<std::string, AbaqusSet>;  ///< by the name in capitals
+
+struct AbaqusSurface {
+  std::string name;
+  bool of_nodes = false;
+  struct Piece {
+    std::vector<AbaqusMember> members;
+    int face = 0;  ///< from 1, as in S1; 0: all faces that no other element shares
+    int line = 0;
+  };
+  std::vector<Piece> pieces;
+};
+
+/// Sets and surfaces of a part or of the assembly.
+struct AbaqusScope {
+  AbaqusSets node_sets, element_sets;
+  std::vector<AbaqusSurface> surfaces;
+};
+
+struct AbaqusPart : AbaqusScope {
+  std::string name;  ///< empty: what stands outside of parts
+  std::vector<std::int64_t> node_number;
+  std::vector<Vec3> coordinates;
+  std::unordered_map<std::int64_t, LocalIndex> node_at, element_at;  ///< by number
+  std::vector<AbaqusElement> elements;
+  std::vector<std::pair<std::string, int>> sections;  ///< element sets of solid sections, in capitals; their lines
+  std::vector<std::string> dealt;                     ///< element sets of *ELEMENT cards in turn, in capitals
+};
+
+struct AbaqusInstance {
+  std::string name;  ///< empty: of what stands outside of parts
+  std::size_t part = 0;
+  Vec3 shift = Vec3::Zero();
+  std::optional<std::array<Vec3, 2>> axis;  ///< two points, after the shift
+  double degrees = 0;
+};
+
+struct AbaqusModel {
+  std::vector<AbaqusPart> parts;  ///< the first is what stands outside of parts
+  std::vector<AbaqusInstance> instances;
+  AbaqusScope assembly;
+};
+
+/// Throws InputError with the line for what is not as the Abaqus keywords reference has it, and for what would change
+/// the mesh and is not read: generated nodes and elements, included files, other elements than solid ones of first
+/// order.
+AbaqusModel read_abaqus_model(const AbaqusDeck& deck);
+
+}  // namespace brunt::io
