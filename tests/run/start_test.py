@@ -139,7 +139,7 @@ class Start(Program):
             told = re.findall(r"the deepest of (\d+) nodes of the two parts", output)
             self.assertEqual(len(told), 1, output)
             listed = re.findall(r"^overlap +node +\d+ of (?:left|right) +0.01 m inside (?:left|right), "
-                                r"behind its face \d+-\d+-\d+-\d+$", output, re.M)
+                                r"behind its face \d+-\d+-\d+-\d+, at \[[-\d., e]+\]$", output, re.M)
             self.assertEqual(len(listed), int(told[0]))
             self.assertGreater(len(listed), 7 * 7)
             short = re.findall(r"^overlap +(.*)", self.check(0.99, rule)[1], re.M)
