@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/contact/detection/clearance.hpp"
 #include "brunt/contact/join_surface.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/closest_point.hpp"
@@ -142,6 +143,19 @@ void Contact::detect(std::span<const Wall> walls, double dt) {
   sort_rows(rows_, row_sort_);
 }
 
+/// The same on every rank, as the bounds of motion are.
+bool Contact::nothing_can_meet() const {
+  return !lists_.any_rows || (!lists_are_new_ && 3 * list_motion_.bound() < clearance_);
+}
+
+void Contact::measure_clearance(std::span<const Wall> walls, double dt) {
+  double least = ties_.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+  least = std::min(least, clearance_of_faces(lists_.candidates, detection_.reach, motion_of_, dt));
+  least = std::min(least, clearance_of_edges(lists_.edges, motion_of_, dt, settings_.detection));
+  least = std::min(least, clearance_of_walls(lists_.wall_candidates, walls, motion_of_, dt, settings_.detection));
+  clearance_ = ranks_.min(least);
+}
+
 void Contact::remember(std::span<const Wall> walls, double dt) {
   if (settings_.enforcement.warm_start || has_sheets()) {
     write_pairs(rows_, impulses_, dt, detection_.sides, next_pairs_);
@@ -172,12 +186,14 @@ void Contact::correct(VectorView position, VectorView old_velocity, MutableVecto
   statistics_.last = {};
   rows_.clear();
   impulses_.clear();
-  if (!lists_.any_rows) {
+  if (nothing_can_meet()) {
+    ++statistics_.idle_steps;
     history_.clear();
     return;
   }
   gather(position, old_velocity, velocity);
   detect(walls, dt);
+  if (lists_are_new_) measure_clearance(walls, dt);
   lay_passes();
   lay_friction(walls, dt);
   if (settings_.enforcement.method == Method::printed) lay_slabs();

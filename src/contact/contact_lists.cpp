@@ -143,8 +143,8 @@ void Contact::plan_gather() {
 void Contact::search(VectorView position, VectorView predicted, std::span<const Wall> walls, double dt,
                      const VelocitySpan& velocities) {
   demand(walls.size() == sums_.wall_impulse.size(), "contact was made for another number of walls");
-  if (must_rebuild() || motion_is_used_up(position, predicted, walls, dt, velocities))
-    rebuild(position, predicted, walls, dt);
+  lists_are_new_ = must_rebuild() || motion_is_used_up(position, predicted, walls, dt, velocities);
+  if (lists_are_new_) rebuild(position, predicted, walls, dt);
   last_dt_ = dt;
 }
 

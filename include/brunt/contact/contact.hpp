@@ -97,6 +97,7 @@ struct ContactTotals {
 
 struct ContactStatistics {  ///< the same on every rank
   GlobalIndex steps = 0, searches = 0, solved_steps = 0, iterations = 0;
+  GlobalIndex idle_steps = 0;  ///< in which no candidate was looked at: too far from each other
   int most_iterations = 0;
   double largest_residual = 0;
   GlobalIndex steps_at_limit = 0;  ///< that ended at max_iterations, with a residual above the tolerance
@@ -178,6 +179,8 @@ class Contact {
   void keep_overlaps(const std::vector<Vec3>& reference, std::span<const Wall> walls);
   void gather(VectorView position, VectorView old_velocity, MutableVectorView velocity);
   void measure_facets(VectorView position);
+  [[nodiscard]] bool nothing_can_meet() const;
+  void measure_clearance(std::span<const Wall> walls, double dt);
   void detect(std::span<const Wall> walls, double dt);
   void detect_crossing_edges(double dt);
   [[nodiscard]] bool has_sheets() const {
@@ -214,9 +217,11 @@ class Contact {
   ContactLists lists_;
   ListScratch list_scratch_;
   bool have_lists_ = false;
-  double motion_ = 0;       // allowed
-  ListMotion list_motion_;  // of surface nodes, then of walls
-  double last_dt_ = 0;      // of the step before
+  bool lists_are_new_ = false;  // of this step
+  double motion_ = 0;           // allowed
+  double clearance_ = 0;        // between candidates of any rank when the lists were made: see detection/clearance.hpp
+  ListMotion list_motion_;      // of surface nodes, then of walls
+  double last_dt_ = 0;          // of the step before
 
   struct NodeHere {
     LocalIndex contact_node, model_node;

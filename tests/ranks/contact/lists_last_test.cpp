@@ -43,7 +43,41 @@ Flight fly(const comm::Communicator& ranks, const Rebuild& rebuild) {
   return flight;
 }
 
+struct Approach {
+  std::vector<double> velocity;  ///< of all nodes at the end, by gid
+  contact::ContactStatistics statistics;
+};
+
+/// A small block comes down upon a larger one from within reach of the lists, and both drift aside.
+Approach approach(const comm::Communicator& ranks, const Rebuild& rebuild) {
+  mesh::Mesh mesh;
+  support::append_box(mesh, {0, 0, 0}, {4, 4, 1}, {4, 4, 1});
+  support::append_box(mesh, {0.7, 0.6, 1.6}, {2, 2, 1}, {2, 2, 1});
+  MassPoints points(
+      ranks, mesh, [&](GlobalIndex gid) { return static_cast<Rank>(gid * 5 % 7 % ranks.size()); },
+      [](const Vec3&) { return 1.0; }, [](const Vec3& x) { return Vec3(0.1, 0, x.z() > 1.5 ? -2.0 : 0.0); });
+  contact::ContactSettings settings;
+  settings.rebuild = rebuild;
+  contact::Contact contact = points.make_contact(settings);
+  for (int step = 0; step < 80; ++step) points.step(contact, 0.005);
+  return {points.all_velocities(), contact.statistics()};
+}
+
 }  // namespace
+
+TEST_CASE("candidates that are known to be apart are not looked at, and nothing is missed by that") {
+  const comm::Communicator world = comm::Communicator::world();
+  const Approach always = approach(comm::Communicator::self(), {.when = Rebuild::When::every, .steps = 1});
+  CHECK(always.statistics.idle_steps == 0);
+  CHECK(always.statistics.solved_steps > 0);
+  for (const Rebuild& rebuild :
+       {Rebuild{}, Rebuild{.when = Rebuild::When::every, .steps = 7}, Rebuild{.when = Rebuild::When::random}}) {
+    const Approach lasting = approach(world, rebuild);
+    CHECK(lasting.velocity == always.velocity);
+    CHECK(lasting.statistics.solved_steps == always.statistics.solved_steps);
+    CHECK(lasting.statistics.idle_steps >= 5);
+  }
+}
 
 TEST_CASE("a suddenly fast body is met as if lists were rebuilt in every step, with far fewer searches") {
   const comm::Communicator world = comm::Communicator::world();

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/detection/clearance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "edge_scene.hpp"
+
+namespace brunt::contact {
+namespace {
+
+using geometry::Box;
+
+constexpr double nowhere = std::numeric_limits<double>::infinity();
+
+/// Along the axis in which they are farthest from each other; negative where they overlap. It shrinks by what either
+/// moves, and by what reach grows with the length of edges: half of what their nodes move.
+double apart(const Box& one, const Box& other) {
+  return std::max((one.low - other.high).maxCoeff(), (other.low - one.high).maxCoeff());
+}
+
+}  // namespace
+
+double clearance_of_faces(const Candidates& candidates, std::span<const FaceReach> reach,
+                          std::span<const NodeMotion> motion, double dt) {
+  double least = nowhere;
+  for (std::size_t s = 0; s < candidates.slave.size(); ++s) {
+    const NodeMotion& node = motion[static_cast<std::size_t>(candidates.slave[s])];
+    const Box sweep = geometry::bounding_box(std::array{node.position, Vec3(node.position + dt * node.predicted)});
+    const double clearance = candidates.half_thickness.empty() ? 0.0 : candidates.half_thickness[s];
+    for (const LocalIndex face : candidates.faces.row(static_cast<LocalIndex>(s)))
+      least = std::min(least, apart(reach[static_cast<std::size_t>(face)].box, sweep) - clearance);
+  }
+  return least;
+}
+
+double clearance_of_edges(const EdgeCandidates& candidates, std::span<const NodeMotion> motion, double dt,
+                          const DetectionSettings& settings) {
+  const EdgeScene scene{{}, motion, {}, {}, dt, settings, 0};
+  double least = nowhere;
+  for (std::size_t e = 0; e < candidates.slaves.size(); ++e) {
+    const Box sweep = scene.sweep(candidates.slaves[e]);
+    for (const LocalIndex master : candidates.near.row(static_cast<LocalIndex>(e)))
+      least = std::min(least, apart(scene.reach(candidates.masters[static_cast<std::size_t>(master)]), sweep));
+  }
+  return least;
+}
+
+double clearance_of_walls(std::span<const WallCandidate> candidates, std::span<const Wall> walls,
+                          std::span<const NodeMotion> motion, double dt, const DetectionSettings& settings) {
+  double least = nowhere;
+  for (const WallCandidate& candidate : candidates) {
+    const Wall& wall = walls[static_cast<std::size_t>(candidate.wall)];
+    if (wall.bilateral && candidate.held) return 0;
+    const NodeMotion& node = motion[static_cast<std::size_t>(candidate.node)];
+    const double gap = (node.position - wall.point).dot(wall.normal);
+    const double next = gap + dt * (node.predicted - wall.velocity).dot(wall.normal);
+    least = std::min(least, std::min(gap, next) - settings.encounter.capture * settings.wall_size);
+  }
+  return least;
+}
+
+}  // namespace brunt::contact
