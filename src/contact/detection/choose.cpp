@@ -16,11 +16,12 @@ struct Choice {
   const NodeMotion& slave;
   double dt;
   const ChoiceSettings& settings;
+  bool smooth = false;  ///< all normals are surely alike
 
   [[nodiscard]] const MasterFace& face(const Encounter& e) const { return faces[static_cast<std::size_t>(e.face)]; }
   [[nodiscard]] bool same_body(const Encounter& a, const Encounter& b) const { return face(a).body == face(b).body; }
   [[nodiscard]] bool same_direction(const Encounter& a, const Encounter& b) const {
-    return contact::same_direction(a.normal, b.normal, settings.same_direction);
+    return smooth || contact::same_direction(a.normal, b.normal, settings.same_direction);
   }
   [[nodiscard]] bool concave(const Encounter& a, const Encounter& b) const {
     return contact::concave(faces, motion, a, b);
@@ -150,18 +151,20 @@ bool asks_for_a_row(const Choice& choice, std::span<const Encounter> kept, const
 
 std::size_t choose(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const NodeMotion& slave,
                    double dt, const ChoiceSettings& settings, std::span<Encounter> encounters) {
-  const Choice choice{faces, motion, slave, dt, settings};
+  Choice choice{faces, motion, slave, dt, settings};
   encounters = encounters.first(drop_sideways(choice, encounters));
   if (encounters.size() < 2) return encounters.size();
+  choice.smooth = one_direction(encounters, settings.same_direction);
   for (Encounter& e : encounters)
     if (lies_on_neighbour(choice, encounters, e)) e.meeting = Meeting::above;
   const Ranking before(choice, encounters);
   if (const auto best = std::ranges::min_element(encounters, before); best != encounters.begin())
     std::swap(encounters.front(), *best);
   merge_corner(choice, encounters);
+  if (choice.smooth) return 1;  // nearly always: one surface
   const std::span<Encounter> others = encounters.subspan(1);
   const auto asks = [&](const Encounter& e) { return asks_for_a_row(choice, encounters.first(1), e); };
-  if (std::ranges::none_of(others, asks)) return 1;  // nearly always: one surface
+  if (std::ranges::none_of(others, asks)) return 1;
   std::sort(others.begin(), others.end(), before);
   std::size_t kept = 1;
   for (std::size_t i = 1; i < encounters.size() && kept < most_rows_of_a_node; ++i)
