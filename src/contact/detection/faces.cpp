@@ -93,7 +93,7 @@ void measure_opposition(const Slave& slave, std::span<const Vec3> facet_normal, 
   const bool sheet = slave.half_thickness > 0;
   for (Encounter& e : met) e.opposition = -1;
   for (const LocalIndex facet : slave.facets) {
-    const Vec3 out = facet_normal[static_cast<std::size_t>(facet)];
+    const Vec3& out = facet_normal[static_cast<std::size_t>(facet)];
     for (Encounter& e : met) {
       const double cosine = out.dot(e.normal);
       e.opposition = std::max(e.opposition, sheet ? std::abs(cosine) : -cosine);
