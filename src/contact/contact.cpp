@@ -194,7 +194,7 @@ void Contact::correct(VectorView position, VectorView old_velocity, MutableVecto
   gather(position, old_velocity, velocity);
   detect(walls, dt);
   if (lists_are_new_) measure_clearance(walls, dt);
-  lay_passes();
+  lay_passes(dt);
   lay_friction(walls, dt);
   if (settings_.enforcement.method == Method::printed) lay_slabs();
   impulses_.assign(rows_.size(), Vec3::Zero());

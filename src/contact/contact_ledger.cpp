@@ -75,10 +75,20 @@ void Contact::add_impulses(std::span<Vec3> impulse) const {
   }
 }
 
+/// C p^2 / 2 of each, as springs (see enforcement/softness.hpp).
+comm::ExactAccumulator Contact::stored_in_soft_rows() const {
+  comm::ExactAccumulator stored;
+  if (!statistics_.last.acted) return stored;
+  for (std::size_t q = 0; q < rows_.size(); ++q)
+    if (rows_[q].softness > 0) stored.add(0.5 * scratch_.compliance[q] * impulses_[q].squaredNorm());
+  return stored;
+}
+
 ContactTotals Contact::collect() const {
   std::vector<comm::ExactAccumulator> sums{sums_.work.contact, sums_.work.friction, sums_.work.walls};
   sums.insert(sums.end(), sums_.spin.begin(), sums_.spin.end());
   sums.push_back(sums_.push);
+  sums.push_back(stored_in_soft_rows());
   for (const auto* vectors : {&sums_.wall_impulse, &sums_.tracked_impulse})
     for (const auto& vector : *vectors) sums.insert(sums.end(), vector.begin(), vector.end());
   std::vector<double> totals(sums.size());
@@ -90,7 +100,8 @@ ContactTotals Contact::collect() const {
   result.wall_work = totals[2];
   result.spin = Vec3(&totals[3]);
   result.push = totals[6];
-  std::size_t next = 7;
+  result.stored = totals[7];
+  std::size_t next = 8;
   for (auto [count, vectors] : {std::pair{sums_.wall_impulse.size(), &result.wall_impulse},
                                 std::pair{sums_.tracked_impulse.size(), &result.tracked_impulse}})
     for (std::size_t i = 0; i < count; ++i, next += 3) vectors->push_back(Vec3(&totals[next]));

@@ -31,13 +31,18 @@ bool Contact::has_twin(const Row& row) const {
 }
 
 /// The row of a node that has a twin holds in both passes, since the twin has none in the second (see detect_faces).
-void Contact::lay_passes() {
+void Contact::lay_passes(double dt) {
   if (!two_passes_) return;
+  const bool remembers_impulses = settings_.enforcement.warm_start && !settings_.enforcement.averaged;
+  const double softness = remembers_impulses ? settings_.enforcement.softness : 0.0;
   for (Row& row : rows_) {
     if (row.is_wall() || row.is_edge() || row.cone != Cone::compression) continue;  // ties hold in both
     row.pass = pass_of(row, surface_.node(lists_.nodes.surface_node[static_cast<std::size_t>(row.nodes[0])]),
                        settings_.pairs, surface_.bodies);
     if (row.pass == Pass::first && row.slave_body != row.master_body && has_twin(row)) row.pass = Pass::both;
+    if (row.pass == Pass::both || softness == 0) continue;
+    row.softness = softness;
+    if (row.gap < 0) row.gap_share = row.required * dt / -row.gap;
   }
 }
 

@@ -71,7 +71,9 @@ void aim_at_anchors(std::span<Row> rows, const AnchorScene& scene, std::span<con
     if (!crept) continue;
     const Vec3 across = *crept - row.normal.dot(*crept) * row.normal;
     const double size = across.norm();
-    if (size > 0) row.drift = -std::min(settings.recovery, settings.limit / size) / dt * across;
+    if (size == 0) continue;
+    row.drift_share = std::min(settings.recovery, settings.limit / size);
+    row.drift = -row.drift_share / dt * across;
   }
 }
 

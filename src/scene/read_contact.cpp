@@ -73,6 +73,7 @@ void read_enforcement(Section& entry, contact::EnforcementSettings& enforcement)
   entry.optional("method", enforcement.method, methods);
   entry.optional("tolerance", enforcement.tolerance, Range{0, 1, false, false, "a number > 0 and < 1"});
   entry.optional("max_iterations", enforcement.max_iterations, Count{1});
+  entry.optional("softness", enforcement.softness, Range{0, 1, true, true, "a number from 0 to 1"});
   entry.optional("partition", enforcement.partition, Range{0, 1, false, true, "a number > 0 and <= 1"});
   entry.optional("stiffness", enforcement.stiffness, Range{0, 2, false, true, "a number > 0 and <= 2"});
   entry.optional("damping", enforcement.damping, Range{0, 1, true, true, "a number from 0 to 1"});
@@ -100,6 +101,7 @@ void judge_enforcement(const Key& whole, Section& entry, const ContactEntry& con
   unused("stiffness", penalty, "gap_penalty or penalty");
   unused("damping", method == Method::penalty, "penalty");
   unused("partition", method == Method::kinematic, "kinematic");
+  unused("softness", method == Method::rate || method == Method::row_sum, "rate or row_sum");
   const bool two = contact.passes == contact::Passes::two || contact.passes == contact::Passes::averaged;
   if (two && contact.slave != Slave::automatic && entry.has("slave"))
     warn(entry.at("slave"), "does nothing in two passes", input);

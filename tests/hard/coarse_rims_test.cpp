@@ -90,7 +90,7 @@ TEST_CASE("a coarse punch, tilted a little, is pressed into a finer block: its r
   GivenBack contact;
   while (scene.state.time < 0.012) {
     scene.step();
-    contact.look(scene.ledger().contact);
+    contact.look(lost_in_contact(scene));
     if (std::fmod(scene.state.step, 50) == 0) least = std::min(least, least_height(scene, rims, top));
   }
   const double element = size / across, work = scene.ledger().external;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Does contact give back what it took? Its term of the ledger is energy taken from the bodies, and ought not to fall.
+// Does contact give back what it took? Its term of the ledger is energy taken from the bodies, and ought not to fall
+// but by what soft rows have stored.
 #pragma once
 #include <algorithm>
 
@@ -22,12 +23,17 @@ struct GivenBack {
   }
 };
 
+/// Taken for good.
+inline double lost_in_contact(Simulation& scene) {
+  return scene.ledger().contact - scene.contact->collect().stored;
+}
+
 /// Steps on until `end` [time], and looks after each step.
 inline GivenBack run_until(Simulation& scene, double end) {
   GivenBack contact;
   while (scene.state.time < end) {
     scene.step();
-    contact.look(scene.ledger().contact);
+    contact.look(lost_in_contact(scene));
   }
   return contact;
 }

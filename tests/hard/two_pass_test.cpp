@@ -88,7 +88,7 @@ Sunk cubes(int lower, int upper, double speed, const std::string& rule, const st
     scene.step();
     const time::Ledger now = scene.ledger();
     sunk.depth = std::max({sunk.depth, deepest(scene, below, above), deepest(scene, above, below)});
-    contact.look(now.contact);
+    contact.look(lost_in_contact(scene));
     sunk.error = std::max(sunk.error, std::abs(now.total() - start) / start);
   }
   const double edge = 0.01 / std::max(lower, upper);
@@ -102,7 +102,7 @@ Sunk cubes(int lower, int upper, double speed, const std::string& rule, const st
 }  // namespace
 
 // Seen at 3 and at 10 m/s: depth of an edge of the finer mesh (one pass against two), and what contact gives back of
-// the energy (two passes, held together; as the mean of two solutions they gave 4e-3 to 1e-2):
+// the energy (two passes, held together; as the mean of two solutions they gave 4e-3 to 1e-2), with softness: 0:
 // - hex8_full  3^3 on 4^3   2.1 %  0.005 %  7e-7    9.1 %  0.035 %  2e-5
 // -            3^3 on 3^3   3.8 %  0.006 %  1e-5   15.6 %  0.041 %  5e-5
 // - hex8       3^3 on 4^3   7.0 %  0.013 %  8e-6   26.6 %  0.125 %  5e-5
@@ -123,7 +123,10 @@ TEST_CASE("rubber cubes aside of each other: corners of neither sink into the ot
     CHECK(two.depth <= 0.03 * one.depth);
     CHECK(two.rows >= 0.3 * two.depth);  // and the run says so, but for a corner that swings out of reach
     CHECK(two.least >= 0);               // contact took energy, at no time gave any on the whole
-    CHECK(two.given <= 2e-4);            // at any time, from what it had taken: recovery, and the tolerance
+    // at any time, from what it had taken: soft rows return in the two steps after the first what they took in it (at 3
+    // m/s; work is booked with the velocities of both its steps); with softness: 0 it is as above, recovery and
+    // tolerance
+    CHECK(two.given <= 6e-4);
     CHECK(two.error < 1e-12);
   }
 }
@@ -154,9 +157,71 @@ TEST_CASE("a rubber cube pressed on another one in two passes: contact gives non
   CHECK(scene.contact->collect().penetration <= 0.06 * lower / 3);
 }
 
-// Two passes of blocks askew hold more rows than their faces have freedom. Seen, mean and most of three impacts:
-// conjugate residuals 8.3 and 13, 20.8 and 37, 15.1 and 30; Barzilai-Borwein steps took 11.5 and 22, 30.7 and 53,
-// 24.2 and 49.
+// Two passes of blocks askew hold more rows than their faces have freedom; soft rows are held in as many iterations on
+// fine meshes as on coarse ones. Seen, mean and most of impacts of 10:8, 20:16 and 40:32 elements: 16.9 and 40, 19.3
+// and 40, 20.0 and 37; with softness: 0 16.7 and 76, 33.7 and 95, 40.4 and 107.
+TEST_CASE("steel blocks turned against each other: iterations do not grow with the patch") {
+  struct Seen {
+    double mean = 0;
+    int most = 0;
+  };
+  const auto impact = [](int lower, int upper) {
+    mesh::Mesh mesh = mesh::box("lower", {0.02, 0.02, 0.008}, {lower, lower, 2 * lower / 5}),
+               top = mesh::box("upper", {0.016, 0.016, 0.008}, {upper, upper, upper / 2});
+    mesh::place(top, 1, {0, 0, 1}, 7, {0.002, 0.001, 0.00801});
+    mesh::append(mesh, std::move(top));
+    Simulation scene(std::move(mesh),
+                     "materials: {m: {model: elastic, density: 2700, young: 6.9e10, poisson: 0.3}}\n"
+                     "parts: {lower: {material: m}, upper: {material: m}}\n"
+                     "initial: [{part: upper, velocity: [10, 0, -40]}]\n"
+                     "contact: [{between: [lower, upper], passes: two}]\n");
+    while (scene.state.time < 6e-6) scene.step();
+    const contact::ContactStatistics& seen = scene.contact->statistics();
+    CHECK(seen.steps_at_limit == 0);
+    return Seen{static_cast<double>(seen.iterations) / static_cast<double>(seen.solved_steps), seen.most_iterations};
+  };
+  const Seen coarse = impact(10, 8), fine = impact(20, 16), finer = impact(30, 24);
+  CAPTURE(coarse.mean, coarse.most, fine.mean, fine.most, finer.mean, finer.most);
+  CHECK(coarse.mean <= 19);
+  CHECK(coarse.most <= 45);
+  for (const Seen& seen : {fine, finer}) {
+    CHECK(seen.mean <= 1.3 * coarse.mean);
+    CHECK(seen.most <= 1.2 * coarse.most);
+  }
+}
+
+// A load that comes and goes: rows give back what they stored, and nothing else. Without their part of what recovery
+// takes back (see enforcement/softness.hpp) contact gave 2e-2 of what the blocks store.
+TEST_CASE("two blocks pressed six times in two passes: contact gives nothing on the whole") {
+  mesh::Mesh mesh = mesh::box("lower", {0.02, 0.02, 0.008}, {5, 5, 2}),
+             top = mesh::box("upper", {0.016, 0.016, 0.008}, {4, 4, 2});
+  mesh::place(top, 1, {0, 0, 1}, 7, {0.002, 0.001, 0.008});
+  mesh::append(mesh, std::move(top));
+  Simulation scene(std::move(mesh),
+                   "materials: {m: {model: elastic, density: 2700, young: 6.9e10, poisson: 0.3}}\n"
+                   "parts: {lower: {material: m}, upper: {material: m}}\n"
+                   "fixed: [{set: lower_zmin, dofs: [x, y, z]}]\n"
+                   "curves: {c: [[0, 0], [5.0e-5, 1], [1.0e-4, 0.02], [1.5e-4, 1], [2.0e-4, 0.02], [2.5e-4, 1],\n"
+                   "             [3.0e-4, 0.02], [3.5e-4, 1], [4.0e-4, 0.02], [4.5e-4, 1], [5.0e-4, 0.02]]}\n"
+                   "pressure: [{set: upper_zmax, value: 2.0e8, curve: c}]\n"
+                   "contact: [{between: [lower, upper], passes: two}]\n");
+  GivenBack whole, lost;
+  double stored = 0, soft = 0;
+  while (scene.state.time < 5e-4) {
+    scene.step();
+    stored = std::max(stored, scene.ledger().internal);
+    soft = std::max(soft, scene.contact->collect().stored);
+    whole.look(scene.ledger().contact);
+    lost.look(lost_in_contact(scene));
+  }
+  CAPTURE(whole.least / stored, whole.given / stored, lost.given / stored, soft / stored);
+  CHECK(soft > 1e-3 * stored);  // the springs are seen
+  CHECK(whole.least >= -1e-9 * stored);
+  CHECK(lost.given <= 1e-3 * stored);
+}
+
+// Mean and most of three impacts, with softness: 0: conjugate residuals 8.3 and 13, 20.8 and 37, 15.1 and 30;
+// Barzilai-Borwein steps took 11.5 and 22, 30.7 and 53, 24.2 and 49.
 TEST_CASE("steel blocks turned against each other: iterations of two passes") {
   struct Gate {
     int lower, upper;
@@ -175,7 +240,7 @@ TEST_CASE("steel blocks turned against each other: iterations of two passes") {
                    "materials: {m: {model: elastic, density: 7800, young: 2.0e11, poisson: 0.3}}\n"
                    "parts: {lower: {material: m}, upper: {material: m}}\n"
                    "initial: [{part: upper, velocity: [0, 0, -20]}]\n"
-                   "contact: [{between: all, passes: two}]\n");
+                   "contact: [{between: all, passes: two, softness: 0}]\n");
   while (scene.state.time < 3e-5) scene.step();  // they part after 2e-5 s
   const contact::ContactStatistics& seen = scene.contact->statistics();
   const double mean = static_cast<double>(seen.iterations) / static_cast<double>(seen.solved_steps);
@@ -201,7 +266,7 @@ TEST_CASE("a rubber shaft turns in a steel tube in two passes: every step is sol
                    "fixed: [{set: tube_side, dofs: [x, y, z]}, {set: shaft_bottom, dofs: [z]}]\n"
                    "curves: {ramp: [[0, 0], [0.003, 1]]}\ngravity: {vector: [0, -2000, 0], curve: ramp}\n"
                    "initial: [{part: shaft, rotation: {axis: [0, 0, 1], rate: 200}}]\n"
-                   "contact: [{between: [tube, shaft], passes: two, max_iterations: 30}]\n");
+                   "contact: [{between: [tube, shaft], passes: two, max_iterations: 30, softness: 0}]\n");
   const GivenBack contact = run_until(scene, 5e-3);
   const contact::ContactStatistics& seen = scene.contact->statistics();
   CAPTURE(seen.most_iterations, seen.largest_residual, contact.given / scene.ledger().kinetic);

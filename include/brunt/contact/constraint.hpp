@@ -75,6 +75,9 @@ struct Row {
   double required = 0;                  ///< least rate [velocity]: -gap/dt when open, a limited recovery when closed
   Cone cone = Cone::compression;
   Pass pass = Pass::both;
+  double softness = 0;        ///< s of enforcement/softness.hpp; 0: rigid
+  double gap_share = 0;       ///< share of the penetration that `required` takes back
+  double drift_share = 0;     ///< share of the slip that `drift` takes back
   double slab = 0;            ///< Z1 Z2 / (Z1 + Z2) A of eq. (29) in Heinstein et al. 2000 [mass/time]; 0: not known
   double friction = 0;        ///< Coulomb coefficient for this step; 0: none; infinity: the node is tied to the master
   bool lags = false;          ///< friction follows the pressure late: see FrictionLaw::lag

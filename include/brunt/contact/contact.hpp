@@ -91,6 +91,7 @@ struct ContactTotals {
   std::vector<Vec3> wall_impulse, tracked_impulse;
   Vec3 spin = Vec3::Zero();           ///< given by contact between bodies [angular momentum]
   double push = 0;                    ///< sum of the sizes of the impulses between bodies [momentum]
+  double stored = 0;                  ///< of contact_work, what soft rows hold after the last step and return [energy]
   GlobalIndex pairs = 0, active = 0;  ///< candidate pairs now; rows with an impulse in the last step
   double penetration = 0;             ///< largest of the run [length]
 };
@@ -188,7 +189,7 @@ class Contact {
   }
   [[nodiscard]] double area_of_slave(const Row& row) const;
   [[nodiscard]] bool has_twin(const Row& row) const;
-  void lay_passes();
+  void lay_passes(double dt);
   void lay_slabs();
   void lay_friction(std::span<const Wall> walls, double dt);
   [[nodiscard]] AnchorScene anchor_scene(std::span<const Wall> walls) const;
@@ -196,6 +197,7 @@ class Contact {
   void remember(std::span<const Wall> walls, double dt);
   void scatter(MutableVectorView velocity);
   void book();
+  [[nodiscard]] comm::ExactAccumulator stored_in_soft_rows() const;
   static void book_work(const Row& row, const Vec3& impulse, const Vec3& relative, WorkSums& sums);
   [[nodiscard]] bool is_slave_in(const Row& row, std::int32_t block) const;
   [[nodiscard]] std::size_t surface_node_count() const;           ///< local nodes up to the last one on the surface

@@ -30,7 +30,8 @@ struct AnchorSettings {
   double limit = 0;        ///< the same at most [length]
 };
 
-/// Row::drift of rows with friction whose slave stuck in the last step. anchors: in order of their keys.
+/// Row::drift and its share of the slip, of rows with friction whose slave stuck in the last step. anchors: in order of
+/// their keys.
 void aim_at_anchors(std::span<Row> rows, const AnchorScene& scene, std::span<const AnchorRecord> anchors,
                     const AnchorSettings& settings, double dt);
 

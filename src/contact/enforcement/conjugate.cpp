@@ -76,6 +76,13 @@ class Conjugate {
     return relative_motion(row,
                            [&](LocalIndex node) -> const Vec3& { return velocity_[static_cast<std::size_t>(node)]; });
   }
+  /// What p leaves to be asked for in this row.
+  Amount left(std::size_t q) const {
+    const Row& row = system_.rows[q];
+    const Amount rigid = Kind::missing(row, relative(row));
+    if (row.softness == 0) return rigid;
+    return rigid + Kind::held(row, scratch_.borne[q]) - scratch_.compliance[q] * push_[q];
+  }
   bool can_move(std::size_t q) const { return scratch_.inverse[q] > 0; }
   void move_all(double length);
   /// Takes back of the last step what lies beyond the first row that begins to pull.
@@ -134,7 +141,7 @@ Look Conjugate<Kind>::look_at_start(bool& coupled, double& speed) {
   std::array<std::int64_t, 1> rows{static_cast<std::int64_t>(system_.rows.size())};
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
     const Row& row = system_.rows[q];
-    missing_[q] = Kind::missing(row, relative(row));
+    missing_[q] = left(q);
     const double h = scratch_.diagonal[q];
     if (!(h > 0)) continue;
     const double step = Kind::size(swept(q, 1) - push_[q]);
@@ -168,7 +175,7 @@ void Conjugate<Kind>::move_all(double length) {
 template <class Kind>
 void Conjugate<Kind>::choose(std::size_t q) {
   const Row& row = system_.rows[q];
-  if (can_move(q)) missing_[q] = Kind::missing(row, relative(row));
+  if (can_move(q)) missing_[q] = left(q);
   const bool chosen = can_move(q) && (row.cone != Cone::compression || Kind::pushes(row, push_[q]));
   scratch_.chosen[q] = chosen ? 1 : 0;
   step_[q] = chosen ? Amount(scratch_.inverse[q] * missing_[q]) : Kind::zero();
@@ -206,7 +213,9 @@ Look Conjugate<Kind>::look_along() {
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
     if (!can_move(q)) continue;
     see(q, seen);
-    const Amount change = Kind::held(system_.rows[q], relative(system_.rows[q]));
+    const Row& row = system_.rows[q];
+    Amount change = Kind::held(row, relative(row));
+    if (row.softness > 0) change += scratch_.compliance[q] * step_[q];
     step_change_[q] = change;
     if (scratch_.chosen[q] == 0) continue;
     const double inverse = scratch_.inverse[q];

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "brunt/contact/enforcement/conjugate.hpp"
+#include "brunt/contact/enforcement/softness.hpp"
 #include "brunt/core/fixed_sum.hpp"
 
 namespace brunt::contact {
@@ -57,7 +58,8 @@ Judgement Iteration::judge(double term_size) {
     const double h = scratch_.diagonal[q];
     if (!(h > 0)) continue;  // nothing in this row can move
     const Row& row = system_.rows[q];
-    const Vec3 missing = missing_rate(row, relative_velocity(row, velocity_));
+    Vec3 missing = missing_rate(row, relative_velocity(row, velocity_));
+    if (row.softness > 0) missing += scratch_.borne[q] - scratch_.compliance[q] * impulses_[q];
     if (term_size > 0) {
       const Vec3 change = impulses_[q] - scratch_.previous[q], a_change = scratch_.missing[q] - missing;
       sums[0] += unit.of(h * change.squaredNorm());
@@ -200,6 +202,7 @@ EnforcementResult enforce_rate_constraint(const System& system, const Enforcemen
   const bool coupled = setting.impulse > 0
                            ? start_from_impulses(system, impulses, setting.impulse, exchange, velocity, scratch)
                            : form_row_sums(system, exchange, scratch);
+  soften(system, impulses, scratch);
   if (length == StepLength::longer && !setting.rubs)
     return conjugate_or_quotients(system, settings, setting, coupled, exchange, impulses, velocity, scratch);
   return iterate(system, settings, length, coupled, setting.violation, exchange, impulses, velocity, scratch);

@@ -163,9 +163,11 @@ void share_velocities(Exchange& exchange, std::span<Vec3> velocity) {
 
 void EnforcementScratch::reserve(std::size_t rows, std::size_t nodes) {
   diagonal.reserve(rows);
+  compliance.reserve(rows);
   share.reserve(rows);
   previous.reserve(rows);
-  for (std::vector<Vec3>* of_rows : {&missing, &step, &direction, &step_change, &change}) of_rows->reserve(rows);
+  for (std::vector<Vec3>* of_rows : {&borne, &missing, &step, &direction, &step_change, &change})
+    of_rows->reserve(rows);
   inverse.reserve(rows);
   chosen.reserve(rows);
   row_sum.reserve(nodes);

@@ -29,6 +29,8 @@ TEST_CASE("no allocation in a step of contact") {
   int quiet_steps = 0, solved = 0;
   for (int step = 0; step < 20; ++step) {
     const std::vector<Vec3> old = points.v;
+    for (std::size_t n = 0; n < points.x.size(); ++n)
+      if (points.mesh.node_gid[n] >= 50) points.v[n].z() -= 0.02;  // soft rows let free points go again
     const contact::VectorView position{reinterpret_cast<const double*>(points.x.data())},
         before{reinterpret_cast<const double*>(old.data())};
     const contact::MutableVectorView after{reinterpret_cast<double*>(points.v.data())};

@@ -33,6 +33,7 @@ ContactSettings between(contact::Passes passes) {
   settings.pairs.set_passes(0, 1, passes);
   settings.enforcement.tolerance = 1e-12;
   settings.enforcement.max_iterations = 1000;
+  settings.enforcement.softness = 0;  // so that one step stops the nodes
   return settings;
 }
 

@@ -60,7 +60,7 @@ rigid_walls:
   - {name: press, point: [0, 0, 9], normal: [0, 0, -1], bilateral: true, motion: ramp}
 contact:
   - {between: all, exclude: [[rod, ball]], friction: {static: 0, kinetic: 0, decay: 0}, method: rate, passes: auto,
-     slave: auto, tolerance: 1.0e-4, max_iterations: 20, initial_overlap: warn, thickness: auto}
+     slave: auto, tolerance: 1.0e-4, max_iterations: 20, softness: 0.1, initial_overlap: warn, thickness: auto}
   - {between: [rod, target], slave: target}
   - {between: [ball, target], slave: first, passes: two}
   - {between: [rod, ball]}
@@ -101,6 +101,7 @@ TEST_CASE("a small scene is read with its defaults", "[scene]") {
   CHECK_FALSE(input.rigid_walls[0].bilateral);
   CHECK(input.contact[0].enforcement.tolerance == 1e-3);
   CHECK(input.contact[0].enforcement.max_iterations == 200);
+  CHECK(input.contact[0].enforcement.softness == 0.05);
   CHECK(input.contact[0].initial_overlap == ContactEntry::InitialOverlap::error);
   CHECK(input.run.end == 1e-3);
   CHECK_FALSE(input.run.steps);
@@ -203,6 +204,7 @@ TEST_CASE("contact, probes and the run are read", "[scene]") {
   CHECK(input.contact[0].exclude[0] == std::array<std::string, 2>{"rod", "ball"});
   CHECK(input.contact[0].enforcement.tolerance == 1e-4);
   CHECK(input.contact[0].enforcement.max_iterations == 20);
+  CHECK(input.contact[0].enforcement.softness == 0.1);
   CHECK(input.contact[0].initial_overlap == ContactEntry::InitialOverlap::warn);
   CHECK(input.contact[1].slave == Slave::second);
   CHECK(input.contact[2].slave == Slave::first);

@@ -11,7 +11,9 @@
 // direction, have fallen below zero. Conjugate gradients, alone or smoothed, find them no sooner; nor do steps of
 // Nesterov's, of NNCG, or Barzilai-Borwein steps chosen by their ratio. Other diagonals, coarse spaces of polynomials
 // and pairs of rows scale no better; inverses of small overlapping patches of rows do (5 to 9 with the set known), but
-// take a second exchange in each iteration, and by count of operations cost more to set up than they save. Each
+// take a second exchange in each iteration, and by count of operations cost more to set up than they save. Soft rows
+// (softness.hpp; the default) lift the weak end: as many iterations on fine patches as on coarse ones. Figures here are
+// of rigid rows. Each
 // iteration is one product with G W G^T and one reduction, of two kinds:
 // - a sweep p <- admitted(p + alpha missing / H), which chooses the rows anew: those that push after it;
 // - a step of conjugate residuals over these rows, scaled by H: impulses may become pulls on the way.

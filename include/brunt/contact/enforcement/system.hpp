@@ -31,6 +31,8 @@ constexpr int row_sum_width = bin_slices + 1;
 struct EnforcementScratch {
   std::vector<double> diagonal;              ///< H [1/mass], a row each; 0: no impulse in this row can change its rate
   std::vector<Vec3> previous;                ///< impulses of the iterate before, a row each
+  std::vector<double> compliance;            ///< C of soft rows [1/mass], 0 of others; see softness.hpp
+  std::vector<Vec3> borne;                   ///< C times what they keep of the impulse of before [velocity]
   std::vector<Vec3> missing;                 ///< what the rows still ask for [velocity], a row each
   std::vector<Vec3> step, direction;         ///< of conjugate residuals [momentum], a row each
   std::vector<Vec3> step_change, change;     ///< G W G^T of them [velocity], a row each
