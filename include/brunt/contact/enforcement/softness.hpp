@@ -6,7 +6,7 @@
 // goes from step to step, so that G W G^T + C is solved with, whose eigenvalues are C and more. As a law of contact it
 // is a spring without mass, and without a bound on the step: under a force f the slave lies C f dt^2 deep. The last
 // term makes it one. Recovery takes back the share kappa of a penetration in each step; were the spring's part of it
-// taken back too, under load, contact would do work at every turn of the load: 7e-3 to 2e-2 of what two blocks store
+// taken back too, under load, contact would do work at every turn of the load: 3e-3 to 2e-2 of what two blocks store
 // when pressed six times (s = 0.1). With the term it does none, however the load comes and goes: it returns what it
 // stored.
 #pragma once
