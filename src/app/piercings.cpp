@@ -2,6 +2,7 @@
 #include "piercings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -20,26 +21,68 @@ struct Crossing {
   std::size_t face;
 };
 
-/// Deeper inside than `touching`, in the middle of the stretch that begins or ends at the crossing? Behind the nearest
-/// face, that is: a crossing that rounding has made where the segment only touches has a stretch outside.
+/// Corners of the face's edge or vertex that the region names; both the same at a vertex, none inside the face.
+std::array<std::size_t, 2> corners_of(geometry::Region region, std::size_t corner_count) {
+  using geometry::Region;
+  if (region >= Region::vertex0) {
+    const auto vertex = static_cast<std::size_t>(region) - static_cast<std::size_t>(Region::vertex0);
+    return {vertex, vertex};
+  }
+  const auto edge = static_cast<std::size_t>(region) - static_cast<std::size_t>(Region::edge0);
+  return {edge, (edge + 1) % corner_count};
+}
+
+/// Angle between the two edges of the face at a corner [rad].
+double angle_at(const SolidFace& face, std::size_t corner) {
+  const Vec3 one = face.corners[(corner + 1) % face.corner_count] - face.corners[corner];
+  const Vec3 other = face.corners[(corner + face.corner_count - 1) % face.corner_count] - face.corners[corner];
+  return std::atan2(one.cross(other).norm(), one.dot(other));
+}
+
+struct NearestPlace {
+  LocalIndex face = no_index;
+  geometry::FacePoint point;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// Direction whose sign tells inside from outside at the nearest place: the normal, at an edge the sum of the normals
+/// of its faces, at a vertex that sum weighted by the faces' angles (Baerentzen and Aanaes 2005). One face alone does
+/// not tell: above the sharp rim of a half sphere a point is behind the round face and in front of the flat one.
+Vec3 outward_at(const Solid& solid, const std::vector<LocalIndex>& near, const NearestPlace& nearest) {
+  const SolidFace& of_nearest = solid.faces[static_cast<std::size_t>(nearest.face)];
+  if (nearest.point.region == geometry::Region::face)
+    return geometry::face_normal(of_nearest.points(), nearest.point.xi, nearest.point.eta);
+  const auto [first, second] = corners_of(nearest.point.region, of_nearest.corner_count);
+  Vec3 sum = Vec3::Zero();
+  for (const LocalIndex f : near) {
+    const SolidFace& face = solid.faces[static_cast<std::size_t>(f)];
+    const auto end = face.nodes.begin() + static_cast<std::ptrdiff_t>(face.corner_count);
+    const auto here = std::find(face.nodes.begin(), end, of_nearest.nodes[first]);
+    if (here == end || std::find(face.nodes.begin(), end, of_nearest.nodes[second]) == end) continue;
+    const auto place = geometry::closest_point(nearest.point.point, face.points());
+    if (!place) continue;
+    const auto corner = static_cast<std::size_t>(here - face.nodes.begin());
+    sum +=
+        (first == second ? angle_at(face, corner) : 1.0) * geometry::face_normal(face.points(), place->xi, place->eta);
+  }
+  return sum.normalized();
+}
+
+/// Is the middle of the stretch that begins or ends at the crossing deeper inside than `touching`? A crossing that
+/// rounding has made where the segment only touches has a stretch outside.
 bool is_deep(const Solid& solid, const std::vector<LocalIndex>& near, const Vec3& middle) {
-  constexpr double as_near = 1e-9, along_face = 1e-6;  // faces that meet where it is nearest; sine of an angle
-  double nearest = std::numeric_limits<double>::infinity();
-  bool behind = true;  // where no face can tell
+  constexpr double along_face = 1e-6;  // sine of an angle to the face: what rounding may turn it, and more
+  NearestPlace nearest;
   for (const LocalIndex f : near) {
     const SolidFace& face = solid.faces[static_cast<std::size_t>(f)];
     const auto closest = geometry::closest_point(middle, face.points());
     if (!closest) continue;
-    const Vec3 offset = middle - closest->point;
-    const double distance = offset.norm();
+    const double distance = (middle - closest->point).norm();
     if (distance <= touching * face.size) return false;
-    if (distance > (1 + as_near) * nearest) continue;
-    const bool behind_this =
-        offset.dot(geometry::face_normal(face.points(), closest->xi, closest->eta)) < -along_face * distance;
-    behind = behind_this || (behind && distance >= (1 - as_near) * nearest);
-    nearest = std::min(nearest, distance);
+    if (distance < nearest.distance) nearest = {f, *closest, distance};
   }
-  return behind;
+  if (nearest.face == no_index) return true;  // where no face can tell
+  return (middle - nearest.point.point).dot(outward_at(solid, near, nearest)) < -along_face * nearest.distance;
 }
 
 /// The face through which the segment comes to a stretch deep inside.
@@ -81,7 +124,8 @@ std::vector<PiercingEdge> piercing_edges(const mesh::Mesh& mesh, const Solid& on
     const Box box = geometry::bounding_box(std::array{at(edge[0]), at(edge[1])});
     if (!geometry::overlaps(box, other.box)) continue;
     edges.push_back(edge);
-    edge_boxes.push_back(box);
+    // The middle of a stretch is at most half the edge from the crossing: the face nearest to it is in this box.
+    edge_boxes.push_back(geometry::grown(box, 0.5 * (at(edge[1]) - at(edge[0])).norm()));
   }
   for (const SolidFace& face : other.faces)
     face_boxes.push_back(geometry::grown(geometry::bounding_box(face.points()), touching * face.size));
