@@ -9,6 +9,8 @@ import sys
 
 import yaml
 
+import bounded_yaml
+
 SCRIPTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 WRONG_INPUT = 2
 
@@ -21,7 +23,7 @@ class Study:
         self.results = os.path.splitext(os.path.abspath(path))[0] + ".out"
         try:
             with open(path, encoding="utf-8") as stream:
-                self.tree = yaml.safe_load(stream)
+                self.tree = bounded_yaml.load(stream.read())
         except OSError as error:
             self.stop(f"cannot be read ({error.strerror}); accepted: a study file")
         except UnicodeDecodeError as error:

@@ -2,19 +2,36 @@
 #include "brunt/scene/tree.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <sstream>
 
 #include "commas.hpp"
+#include "yaml_document.hpp"
 
 namespace brunt::scene {
 namespace {
 
 std::string join(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + "." + key;
+}
+
+using Entry = std::pair<std::string, std::string>;
+
+/// "density:7800" as a key and its value: a word, a colon and no blank. (No time of day, and no address.)
+std::optional<Entry> joined_entry(std::string_view text) {
+  const auto is_word = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  std::size_t colon = 0;
+  while (colon < text.size() && is_word(text[colon])) ++colon;
+  if (colon == 0 || colon + 1 >= text.size() || text[colon] != ':') return {};
+  const std::string_view value = text.substr(colon + 1, text.find(' ', colon) - colon - 1);
+  if (value.empty() || value.front() == '/' || value.front() == ':') return {};
+  return Entry{text.substr(0, colon), value};
+}
+
+std::string no_blank(const Entry& entry) {
+  return fmt::format("no blank behind the colon of '{0}:{1}'; accepted: {0}: {1}", entry.first, entry.second);
 }
 
 /// Turns YAML's nodes into ours. Without a line number of its own (an override), every piece stands at `base`.
@@ -33,6 +50,7 @@ struct Converter {
       tree.kind = Tree::Kind::value;
       tree.text = node.Scalar();
       tree.quoted = node.Tag() == "!";
+      if (!tree.quoted && path != "title") tell_joined(tree, path);
     } else if (node.IsSequence()) {
       tree.kind = Tree::Kind::list;
       for (const YAML::Node& child : node) {
@@ -45,6 +63,15 @@ struct Converter {
     return tree;
   }
 
+  /// "elastic density:7800": a line without a blank behind its colon goes on the text of the line above.
+  void tell_joined(const Tree& value, const std::string& path) {
+    for (std::size_t blank = value.text.find(' '); blank != std::string::npos; blank = value.text.find(' ', blank + 1))
+      if (const auto joined = joined_entry(std::string_view(value.text).substr(blank + 1))) {
+        faults.add(value.place, path, no_blank(*joined));
+        return;
+      }
+  }
+
   void add(Tree& map, const YAML::Node& key, const YAML::Node& value, const std::string& path) {
     const Place at = place(key.Mark());
     if (!key.IsScalar()) {
@@ -52,6 +79,13 @@ struct Converter {
       return;
     }
     const std::string& name = key.Scalar();
+    if (const auto joined = joined_entry(name); joined && value.IsNull()) {
+      faults.add(at, join(path, joined->first), no_blank(*joined));
+      if (map.find(joined->first) != nullptr) return;
+      map.keys.push_back(joined->first);  // read on as meant, so that the key is not missing as well
+      map.children.push_back(Tree{.kind = Tree::Kind::value, .text = joined->second, .place = at});
+      return;
+    }
     if (!map.children.empty() && value.IsNull() && map.children.back().place.line == at.line &&
         is_rest_of_number(map.children.back(), name)) {
       map.children.back().text += "," + name;  // whoever reads the number says what is wrong with it
@@ -81,50 +115,6 @@ bool indented_by_tabs(const std::string& text, const std::string& file, Faults& 
   return false;
 }
 
-/// Notes where a document starts and lets everything else pass.
-struct DocumentStart : YAML::EventHandler {
-  YAML::Mark mark = YAML::Mark::null_mark();
-  void OnDocumentStart(const YAML::Mark& at) override { mark = at; }
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
-  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
-  void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
-  void OnMapEnd() override {}
-};
-
-/// Where a second document starts, if there is one. (YAML::LoadAll is no way to ask: it never returns on a text that
-/// starts with a comma.)
-std::optional<YAML::Mark> second_document(const std::string& text) {
-  std::istringstream stream(text);
-  YAML::Parser parser(stream);
-  DocumentStart start;
-  if (!parser.HandleNextDocument(start) || !parser.HandleNextDocument(start)) return {};
-  return start.mark;
-}
-
-/// The one document of a text; a syntax error or a second document is a fault at its line (or at an override's place).
-std::optional<YAML::Node> load(const std::string& text, const Place& base, Faults& faults) {
-  const auto at = [&](const YAML::Mark& mark) {
-    return base.line > 0 && !mark.is_null() ? Place{base.source, mark.line + 1} : base;
-  };
-  try {
-    YAML::Node document = YAML::Load(text);
-    if (const std::optional<YAML::Mark> second = second_document(text)) {
-      faults.add(at(*second), "", "a second YAML document starts here; accepted: one, all top keys in one column");
-      return std::nullopt;
-    }
-    return document;
-  } catch (const YAML::Exception& error) {
-    const bool known = base.line > 0 && !error.mark.is_null();
-    const std::string column = known ? fmt::format(", column {}", error.mark.column + 1) : "";
-    faults.add(at(error.mark), "", fmt::format("YAML syntax error{}: {}; accepted: YAML 1.2", column, error.msg));
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 const Tree* Tree::find(std::string_view key) const {
@@ -143,17 +133,18 @@ Tree parse_yaml(const std::string& text, const std::string& file, Faults& faults
     return {};
   }
   if (indented_by_tabs(text, file, faults)) return {};
-  const std::optional<YAML::Node> document = load(text, start, faults);
+  const std::optional<YAML::Node> document = load_yaml(text, start, faults);
   if (!document) return {};
   if (document->IsNull()) {
-    faults.add(start, "", "the file is empty; accepted: a scene with units, mesh, materials, parts and run");
+    faults.add(start, "",
+               "the file is empty or no map of keys; accepted: a scene with units, mesh, materials, parts and run");
     return {};
   }
   return Converter{start, faults}.convert(*document, start, "");
 }
 
 std::optional<Tree> parse_value(const std::string& text, const Place& place, Faults& faults) {
-  const std::optional<YAML::Node> document = load(text, place, faults);
+  const std::optional<YAML::Node> document = load_yaml(text, place, faults);
   if (!document) return {};
   return Converter{place, faults}.convert(*document, place, "");
 }
