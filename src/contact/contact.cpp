@@ -181,7 +181,7 @@ void Contact::scatter(MutableVectorView velocity) {
 }
 
 void Contact::correct(VectorView position, VectorView old_velocity, MutableVectorView velocity,
-                      std::span<const Wall> walls, double dt) {
+                      std::span<const Wall> walls, double dt, double mobility) {
   ++statistics_.steps;
   statistics_.last = {};
   rows_.clear();
@@ -199,8 +199,8 @@ void Contact::correct(VectorView position, VectorView old_velocity, MutableVecto
   if (settings_.enforcement.method == Method::printed) lay_slabs();
   impulses_.assign(rows_.size(), Vec3::Zero());
   if (settings_.enforcement.warm_start) start_impulses(rows_, history_.pairs, dt, impulses_);
-  const EnforcementResult result = enforce({rows_, motion_of_, mobility_, two_passes_}, settings_.enforcement, dt,
-                                           lists_.exchange, impulses_, velocity_, scratch_);
+  const EnforcementResult result = enforce({rows_, motion_of_, mobility_, two_passes_, mobility}, settings_.enforcement,
+                                           dt, lists_.exchange, impulses_, velocity_, scratch_);
   statistics_.last = result;
   remember(walls, dt);
   if (!result.acted) return;  // v* is what it was

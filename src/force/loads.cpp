@@ -14,17 +14,15 @@ Vec3 position(const model::State& state, LocalIndex node) {
 
 }  // namespace
 
+double damping_rate(const model::Model& model, double time) {
+  return time >= model.damping_from && time < model.damping_to ? model.damping : 0.0;
+}
+
 void body_loads(const model::Model& model, const model::State& state, model::Scratch& scratch) {
   const Vec3 gravity = model.gravity * (model.has_gravity() ? model::value_at(model.gravity_curve, state.time) : 0.0);
-  const bool damped = model.damping > 0 && state.time >= model.damping_from && state.time < model.damping_to;
-  const double alpha = damped ? model.damping : 0.0;
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-    const model::NodeLine& node = state.nodes[i];
-    const double m = node.mass;
-    const Quad weight{m * gravity[0], m * gravity[1], m * gravity[2]};
-    const Quad drag{-alpha * m * node.v[0], -alpha * m * node.v[1], -alpha * m * node.v[2]};
-    scratch.load[i] = weight + drag;
-    scratch.damping[i] = drag;
+    const double m = state.nodes[i].mass;
+    scratch.load[i] = Quad{m * gravity[0], m * gravity[1], m * gravity[2]};
   }
 }
 

@@ -25,18 +25,17 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
   state.displacement.assign(n, Quad{});
   state.nodes.assign(n, model::NodeLine{});
   scratch.force.resize(n);
-  scratch.before.assign(model.late.empty() ? 0 : n, Vec3::Zero());
+  scratch.before.assign(model.late.empty() && !model.damped() ? 0 : n, Vec3::Zero());
   scratch.reaction.resize(model.constrained.size());
   std::size_t slots = 0;
   for (const model::ElementBlock& block : model.blocks) slots += block.border.values.size();
   scratch.slots.assign(4 * slots, 0.0);
   if (model.loaded()) {
     state.load_work.assign(n, 0.0);
-    state.damping_work.assign(n, 0.0);
     state.load_impulse.assign(3 * n, 0.0);
     scratch.load.resize(n);
-    scratch.damping.resize(n);
   }
+  if (model.damped()) state.damping_work.assign(n, 0.0);
   if (model.any_constrained) {
     state.reaction_work.assign(n, 0.0);
     state.reaction_impulse.assign(3 * n, 0.0);
@@ -118,9 +117,9 @@ model::Registry state_registry(const model::Model& model, model::State& state) {
   strided("velocity", reinterpret_cast<double*>(state.nodes.data()) + 4, 3, line);
   if (model.loaded()) {
     arrays.push_back(nodal("load_work", state.load_work, 1, n));
-    arrays.push_back(nodal("damping_work", state.damping_work, 1, n));
     arrays.push_back(nodal("load_impulse", state.load_impulse, 3, n));
   }
+  if (model.damped()) arrays.push_back(nodal("damping_work", state.damping_work, 1, n));
   if (model.any_constrained) {
     arrays.push_back(nodal("reaction_work", state.reaction_work, 1, n));
     arrays.push_back(nodal("reaction_impulse", state.reaction_impulse, 3, n));

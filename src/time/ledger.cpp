@@ -34,18 +34,20 @@ Vec3 of(const Quad& q) {
 }
 
 /// Adds one node: accounts hold the work of whole steps, so half of the last impulse's work is taken off again.
-void add_node(const model::Model& model, const model::State& state, const model::Scratch& scratch, double dt_mean,
-              const Vec3* before, const Vec3* reaction, std::size_t i, Sums& sums) {
+void add_node(const model::Model& model, const model::State& state, const model::Scratch& scratch,
+              const StepReport& step, const Vec3* before, const Vec3* reaction, std::size_t i, Sums& sums) {
+  const double dt_mean = step.dt_mean;
   const model::NodeLine& node = state.nodes[i];
   const Vec3 v = Eigen::Map<const Vec3>(node.v);
   const Vec3 element_impulse = dt_mean * of(scratch.force[i]);
   Vec3 impulse = element_impulse;
   sums[element_work].add(state.displacement[i][3] - 0.5 * v.dot(element_impulse));
   if (model.loaded()) {
-    const Vec3 drag = dt_mean * of(scratch.damping[i]), load = dt_mean * of(scratch.load[i]) - drag;
-    impulse += load + drag;
+    const Vec3 load = dt_mean * of(scratch.load[i]);
+    impulse += load;
     sums[load_work].add(state.load_work[i] - 0.5 * v.dot(load));
-    sums[damping_work].add(state.damping_work[i] - 0.5 * v.dot(drag));
+    if (model.damped())
+      sums[damping_work].add(state.damping_work[i] + 0.5 * step.drag() * node.mass * v.dot(*before + v));
     for (std::size_t c = 0; c < 3; ++c) sums[impulse_x + c].add(state.load_impulse[3 * i + c]);
   }
   if (model.any_constrained) {
@@ -59,18 +61,18 @@ void add_node(const model::Model& model, const model::State& state, const model:
   sums[momentum_scale].add(node.mass * v.norm());
 }
 
-void add_nodes(const model::Model& model, const model::State& state, const model::Scratch& scratch, double dt_mean,
-               Sums& sums) {
+void add_nodes(const model::Model& model, const model::State& state, const model::Scratch& scratch,
+               const StepReport& step, Sums& sums) {
   std::size_t next_constrained = 0;
   for (const LocalIndex node : model.owned) {
     const Vec3 *before = nullptr, *reaction = nullptr;
-    if (state.nodes[static_cast<std::size_t>(node)].late != 0.0)
+    if (model.damped() || state.nodes[static_cast<std::size_t>(node)].late != 0.0)
       before = &scratch.before[static_cast<std::size_t>(node)];
     while (next_constrained < model.constrained.size() && model.constrained[next_constrained].node < node)
       ++next_constrained;
     if (next_constrained < model.constrained.size() && model.constrained[next_constrained].node == node)
       reaction = &scratch.reaction[next_constrained];
-    add_node(model, state, scratch, dt_mean, before, reaction, static_cast<std::size_t>(node), sums);
+    add_node(model, state, scratch, step, before, reaction, static_cast<std::size_t>(node), sums);
   }
 }
 
@@ -110,7 +112,7 @@ void add_contact(const Links& links, const contact::Contact& contact, Ledger& re
 Ledger ledger(const model::Model& model, const model::State& state, const model::Scratch& scratch, const Links& links,
               const contact::Contact* contact, const StepReport& step) {
   Sums sums;
-  add_nodes(model, state, scratch, step.dt_mean, sums);
+  add_nodes(model, state, scratch, step, sums);
   add_elements(model, state, sums);
   std::array<double, terms> value{};
   comm::exact_sum(links.ranks, sums, value);

@@ -18,10 +18,14 @@ inline double dot(const Quad& a, const Quad& b) {
 
 inline void book_loads(model::State& state, const model::Scratch& scratch, std::size_t i, double dt_mean,
                        const Quad& twice_mean_v) {
-  const double damping = dot(twice_mean_v, scratch.damping[i]);
-  state.load_work[i] += 0.5 * dt_mean * (dot(twice_mean_v, scratch.load[i]) - damping);
-  state.damping_work[i] += 0.5 * dt_mean * damping;
+  state.load_work[i] += 0.5 * dt_mean * dot(twice_mean_v, scratch.load[i]);
   for (std::size_t c = 0; c < 3; ++c) state.load_impulse[3 * i + c] += dt_mean * scratch.load[i][c];
+}
+
+inline void book_drag(model::State& state, double drag, std::size_t i, const Quad& twice_mean_v) {
+  const Quad impulse = -drag * state.nodes[i].mass * twice_mean_v;
+  state.damping_work[i] += 0.5 * dot(twice_mean_v, impulse);
+  for (std::size_t c = 0; c < 3; ++c) state.load_impulse[3 * i + c] += impulse[c];
 }
 
 /// Books the work of the element forces and moves the node.
@@ -55,36 +59,46 @@ struct NodeSpread {
 };
 struct NoSpread {};
 
-template <bool loaded, class Velocities>
-void predict_all(const model::Model& model, model::State& state, model::Scratch& scratch, double dt, double dt_mean,
+/// v_after of a node without contact; the fourth component stays as it is.
+template <bool damped>
+inline Quad velocity_after(const Quad& before, const Quad& force, double mass, const Interval& step) {
+  if constexpr (!damped) return before + (step.dt_mean / mass) * force;  // the fourth component of forces is zero
+  const double share = 1 / (1 + step.drag);
+  const Quad after = share * (1 - step.drag) * before + (share * step.dt_mean / mass) * force;
+  return __builtin_shufflevector(after, before, 0, 1, 2, 7);
+}
+
+template <bool loaded, bool damped, class Velocities>
+void predict_all(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step,
                  Velocities& velocities) {
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     NodeLine& node = state.nodes[i];
-    Quad force = scratch.force[i];  // its fourth component is zero: `late` stays as it is
+    Quad force = scratch.force[i];
     if constexpr (loaded) force += scratch.load[i];
     const Quad before = node.v_late();
-    const Quad after = before + (dt_mean / node.mass) * force;
+    const Quad after = velocity_after<damped>(before, force, node.mass, step);
     node.v_late() = after;
     if constexpr (!std::is_same_v<Velocities, NoSpread>) {
       velocities.before.add(before);
       velocities.after.add(after);
     }
-    if (node.late != 0.0) {
-      scratch.before[i] = Vec3(before[0], before[1], before[2]);
-      continue;
-    }
-    if constexpr (loaded) book_loads(state, scratch, i, dt_mean, before + after);
-    move(model.reference[i], scratch.force[i], node, state.displacement[i], dt, dt_mean, before + after);
+    if (damped || node.late != 0.0) scratch.before[i] = Vec3(before[0], before[1], before[2]);
+    if (node.late != 0.0) continue;
+    if constexpr (loaded) book_loads(state, scratch, i, step.dt_mean, before + after);
+    if constexpr (damped) book_drag(state, step.drag, i, before + after);
+    move(model.reference[i], scratch.force[i], node, state.displacement[i], step.dt, step.dt_mean, before + after);
   }
 }
 
 template <class Velocities>
-void predict_nodes(const model::Model& model, model::State& state, model::Scratch& scratch, double dt, double dt_mean,
+void predict_nodes(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step,
                    Velocities& velocities) {
-  if (model.loaded())
-    predict_all<true>(model, state, scratch, dt, dt_mean, velocities);
+  if (model.damped())
+    predict_all<true, true>(model, state, scratch, step, velocities);
+  else if (model.loaded())
+    predict_all<true, false>(model, state, scratch, step, velocities);
   else
-    predict_all<false>(model, state, scratch, dt, dt_mean, velocities);
+    predict_all<false, false>(model, state, scratch, step, velocities);
 }
 
 /// The given velocity of a constrained node at the half step to come.
@@ -102,22 +116,22 @@ Vec3 driven_velocity(const model::Model& model, const model::ConstrainedNode& co
 
 }  // namespace
 
-contact::VelocitySpan predict(const model::Model& model, model::State& state, model::Scratch& scratch, double dt,
-                              double dt_mean) {
+contact::VelocitySpan predict(const model::Model& model, model::State& state, model::Scratch& scratch,
+                              const Interval& step) {
   if (model.late.empty()) {
     NoSpread nothing;
-    predict_nodes(model, state, scratch, dt, dt_mean, nothing);
+    predict_nodes(model, state, scratch, step, nothing);
     return {};
   }
   NodeSpread velocities;
-  predict_nodes(model, state, scratch, dt, dt_mean, velocities);
+  predict_nodes(model, state, scratch, step, velocities);
   for (std::size_t k = 0; k < model.constrained.size(); ++k) {
     const model::ConstrainedNode& constrained = model.constrained[k];
     NodeLine& node = state.nodes[static_cast<std::size_t>(constrained.node)];
     Eigen::Map<Vec3> v(node.v);
-    const Vec3 given = driven_velocity(model, constrained, state.time + 0.5 * dt);
+    const Vec3 given = driven_velocity(model, constrained, state.time + 0.5 * step.dt);
     const Vec3 allowed = constrained.free * v + given;
-    scratch.reaction[k] = node.mass * (allowed - v);
+    scratch.reaction[k] = (1 + step.drag) * node.mass * (allowed - v);
     v = allowed;
     velocities.after.add(node.v_late());
   }
@@ -140,7 +154,7 @@ inline void fetch(const model::Model& model, const model::State& state, const mo
 
 }  // namespace
 
-void finish_late(const model::Model& model, model::State& state, model::Scratch& scratch, double dt, double dt_mean) {
+void finish_late(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step) {
   constexpr std::size_t ahead = 8;
   std::size_t next_constrained = 0;
   for (std::size_t k = 0; k < model.late.size(); ++k) {
@@ -149,14 +163,15 @@ void finish_late(const model::Model& model, model::State& state, model::Scratch&
     NodeLine& node = state.nodes[i];
     const Vec3& before = scratch.before[i];
     const Quad twice_mean_v = node.v_late() + Quad{before[0], before[1], before[2]};
-    if (model.loaded()) book_loads(state, scratch, i, dt_mean, twice_mean_v);
+    if (model.loaded()) book_loads(state, scratch, i, step.dt_mean, twice_mean_v);
+    if (model.damped()) book_drag(state, step.drag, i, twice_mean_v);
     if (next_constrained < model.constrained.size() && model.constrained[next_constrained].node == model.late[k]) {
       const Vec3& reaction = scratch.reaction[next_constrained];
       state.reaction_work[i] += 0.5 * dot(twice_mean_v, Quad{reaction[0], reaction[1], reaction[2]});
       for (int c = 0; c < 3; ++c) state.reaction_impulse[3 * i + static_cast<std::size_t>(c)] += reaction[c];
       ++next_constrained;
     }
-    move(model.reference[i], scratch.force[i], node, state.displacement[i], dt, dt_mean, twice_mean_v);
+    move(model.reference[i], scratch.force[i], node, state.displacement[i], step.dt, step.dt_mean, twice_mean_v);
   }
 }
 

@@ -40,6 +40,13 @@ double next_dt(const model::State& state, const StepControl& control, double rat
   return stable < grown ? state.dt : grown;
 }
 
+/// Where damping acts at t_n or will at t_{n+1}, both steps next to that time are bounded: a = alpha dt_mean / 2 <=
+/// cfl, so that damping alone changes no velocity's sign.
+double bounded_by_damping(const model::Model& model, const model::State& state, const StepControl& control, double dt) {
+  const bool acts = model.damped() && state.time + dt >= model.damping_from && state.time < model.damping_to;
+  return acts ? std::min(dt, 2 * control.cfl / model.damping) : dt;
+}
+
 void remember_rate(model::State& state, double rate) {
   state.rate_now = std::max(state.rate_now, rate);
   if (std::fmod(state.step, rate_span) != 0) return;
@@ -63,7 +70,8 @@ void place_walls(const model::Model& model, const model::State& state, double ti
 
 /// v = v* + W G^T impulses on the nodes that touch something.
 void correct_contact(const model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
-                     contact::Contact& contact, double dt, contact::VelocitySpan velocities) {
+                     contact::Contact& contact, const StepReport& step, contact::VelocitySpan velocities) {
+  const double dt = step.dt;
   place_walls(model, state, state.time + 0.5 * dt, links.walls);
   constexpr int line = sizeof(model::NodeLine) / sizeof(double);
   auto* nodes = reinterpret_cast<double*>(state.nodes.data());
@@ -75,7 +83,7 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
     contact.search(position, predicted, links.walls, dt, velocities);
   }
   const auto timed = links.timers.measure(Phase::enforcement);
-  contact.correct(position, before, {nodes + 4, line}, links.walls, dt);
+  contact.correct(position, before, {nodes + 4, line}, links.walls, dt, 1 / (1 + step.drag()));
   if (scratch.contact_impulse.empty()) return;
   // what contact pushes into held directions goes to whatever holds them
   for (const model::ConstrainedNode& constrained : model.constrained)
@@ -110,21 +118,24 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
   links.ranks.end_max(reduced);
   report.stop = reduced[1] > 0;
   report.rate = reduced[0];
-  report.dt = next_dt(state, control, report.rate);
+  report.stable_dt = next_dt(state, control, report.rate);
+  report.dt = bounded_by_damping(model, state, control, report.stable_dt);
   report.dt_mean = 0.5 * (state.dt + report.dt);
+  report.alpha = force::damping_rate(model, state.time);
   return report;
 }
 
 void advance(const model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
              contact::Contact* contact, const StepReport& step) {
+  const Interval interval{step.dt, step.dt_mean, step.drag()};
   contact::VelocitySpan velocities;
   {
     const auto timed = links.timers.measure(Phase::other);
-    velocities = predict(model, state, scratch, step.dt, step.dt_mean);
+    velocities = predict(model, state, scratch, interval);
   }
-  if (contact) correct_contact(model, state, scratch, links, *contact, step.dt, velocities);
+  if (contact) correct_contact(model, state, scratch, links, *contact, step, velocities);
   const auto timed = links.timers.measure(Phase::other);
-  finish_late(model, state, scratch, step.dt, step.dt_mean);
+  finish_late(model, state, scratch, interval);
   for (std::size_t w = 0; w < model.walls.size(); ++w)
     state.wall_position[w] += step.dt * wall_speed(model.walls[w], state.time + 0.5 * step.dt);
   state.time_before = state.time;

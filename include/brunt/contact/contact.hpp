@@ -126,9 +126,9 @@ class Contact {
               const VelocitySpan& velocities);
 
   /// Replaces v* by v = v* + W G^T impulses on every local node, the same bits on every copy. walls: at t_n.
-  /// Collective.
+  /// mobility: what W has of the inverse masses, 1 / (1 + alpha dt / 2) under mass damping. Collective.
   void correct(VectorView position, VectorView old_velocity, MutableVectorView velocity, std::span<const Wall> walls,
-               double dt);
+               double dt, double mobility = 1);
 
   /// Impulse [momentum] of the last step on each node owned here is added to `impulse` (a row a local node of the
   /// mesh), held components included: what the step books as reaction of fixed and prescribed nodes.

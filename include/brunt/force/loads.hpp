@@ -8,7 +8,10 @@
 
 namespace brunt::force {
 
-/// Gravity and damping at t_n on every local node, into scratch.load (and the damping's share into scratch.damping).
+/// The coefficient alpha of mass damping at this time [1/time]; 0 while it does not act.
+double damping_rate(const model::Model& model, double time);
+
+/// Gravity at t_n on every local node, into scratch.load.
 void body_loads(const model::Model& model, const model::State& state, model::Scratch& scratch);
 
 /// Forces of pressure on current faces, one Quad for each node of each face of each load, in order; `slots` as long as

@@ -77,7 +77,8 @@ struct Model {
   std::vector<Drive> drives;
   Vec3 gravity = Vec3::Zero();  ///< [length/time^2]
   Curve gravity_curve;
-  double damping = 0, damping_from = 0, damping_to = 0;
+  double damping = 0;                       ///< alpha of the drag -alpha m v on every node [1/time]
+  double damping_from = 0, damping_to = 0;  ///< it acts on forces of t_n with from <= t_n < to
   std::vector<PressureLoad> pressure;
   std::vector<RigidWall> walls;
   std::vector<char> in_symmetry_plane;  ///< a flag for each of mesh.faces: no contact face
@@ -86,7 +87,8 @@ struct Model {
   std::vector<LocalIndex> late;  ///< nodes finished after contact and constraints, ascending
   [[nodiscard]] LocalIndex nodes() const { return static_cast<LocalIndex>(mesh.node_gid.size()); }
   [[nodiscard]] bool has_gravity() const { return gravity.squaredNorm() > 0; }
-  [[nodiscard]] bool loaded() const { return has_gravity() || damping > 0 || !pressure.empty(); }
+  [[nodiscard]] bool damped() const { return damping > 0; }
+  [[nodiscard]] bool loaded() const { return has_gravity() || damped() || !pressure.empty(); }
 };
 
 struct State {
@@ -102,19 +104,18 @@ struct State {
   AlignedVector<NodeLine> nodes;               ///< x_n = X + u_n and v_{n-1/2}
   std::vector<AlignedVector<double>> history;  ///< per block: [batch][component][lane]
   std::vector<double> load_work;               ///< gravity, pressure; empty where the scene has none
-  std::vector<double> damping_work;
-  std::vector<double> reaction_work;     ///< of fixed and prescribed nodes; empty where the scene has none
-  std::vector<double> load_impulse;      ///< three a node: gravity, pressure, damping
-  std::vector<double> reaction_impulse;  ///< three a node: fixed and prescribed
-  std::vector<double> wall_position;     ///< travel of each wall along its normal
+  std::vector<double> damping_work;            ///< of the drag on the mean velocity, never > 0; empty without damping
+  std::vector<double> reaction_work;           ///< of fixed and prescribed nodes; empty where the scene has none
+  std::vector<double> load_impulse;            ///< three a node: gravity, pressure, damping
+  std::vector<double> reaction_impulse;        ///< three a node: fixed and prescribed
+  std::vector<double> wall_position;           ///< travel of each wall along its normal
 };
 
 struct Scratch {
   AlignedVector<Quad> force;          ///< minus the internal force; the fourth is unused
-  AlignedVector<Quad> load;           ///< gravity, pressure, damping; empty where the scene has none
-  AlignedVector<Quad> damping;        ///< the damping's share of `load`
+  AlignedVector<Quad> load;           ///< gravity, pressure; empty where the scene has neither these nor damping
   AlignedVector<double> slots;        ///< unsummed corner forces of border nodes, four each
-  std::vector<Vec3> before;           ///< v_{n-1/2} of the late nodes, by node; empty where there are none
+  std::vector<Vec3> before;           ///< v_{n-1/2} of the late nodes (with damping: of all), by node; or empty
   std::vector<Vec3> reaction;         ///< impulse of each constrained node in this step
   std::vector<Vec3> contact_impulse;  ///< by node; empty unless contact or walls meet constrained nodes
 };

@@ -2,7 +2,8 @@
 // One time step of the central difference method, THE page: `evaluate` finds the forces at t_n, `advance` moves on.
 //
 //   f  = - internal(u_n, history) + loads(t_n)             summed over elements in canonical order
-//   v* = v_{n-1/2} + (dt_{n-1/2} + dt_{n+1/2})/2 W f       W the mobility: inverse mass times the free directions
+//   v* = v_{n-1/2} + (dt_{n-1/2} + dt_{n+1/2})/2 W f       W the mobility: inverse mass times the free directions, and
+//                                                          mass damping with it: see motion.hpp
 //   v_{n+1/2} = v* + W G^T impulses                        contact and walls
 //   u_{n+1} = u_n + dt_{n+1/2} v_{n+1/2}
 //
@@ -34,8 +35,11 @@ struct StepReport {
   double dt = 0;                  ///< t_{n+1} - t_n
   double rate = 0;                ///< largest 1 / (stable step) of the elements of all ranks at t_n
   double dt_mean = 0;             ///< (dt_{n-1/2} + dt_{n+1/2}) / 2: the time over which forces at t_n act
+  double stable_dt = 0;           ///< dt as elements and growth have it, before damping bounds it
+  double alpha = 0;               ///< of the mass damping that acts at t_n [1/time]
   force::ElementReport elements;  ///< of this rank
   bool stop = false;              ///< some rank asks to stop (a guard here or there)
+  [[nodiscard]] double drag() const { return 0.5 * alpha * dt_mean; }
 };
 
 /// Forces, stresses and history at t_n, and the size of the step to come. Collective.

@@ -13,7 +13,7 @@ bool has_spring(const Row& row) {
   return row.cone == Cone::free || row.gap < 0;
 }
 
-/// The impulse of one row's spring and damper; zero where it is open.
+/// The impulse of one row's spring and damper; zero where it is open. stiffness: of springs in units of 1 / (h dt^2)
 Vec3 spring_impulse(const Row& row, const Vec3& missing, double stiffness, double damping, double dt, double h) {
   if (row.cone == Cone::free) return admitted(row, missing / h);
   if (!has_spring(row)) return Vec3::Zero();
@@ -30,12 +30,14 @@ EnforcementResult enforce_penalty(const System& system, const EnforcementSetting
                                   EnforcementScratch& scratch) {
   const double violation = start_from_prediction(system, exchange, velocity);
   form_row_sums(system, exchange, scratch, has_spring);
+  // the springs are those of the inverse masses: mass damping makes nothing stiffer
+  const double stiffness = system.mobility_scale * settings.stiffness;
   double largest = 0;
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     const Row& row = system.rows[q];
     const double h = scratch.diagonal[q];
     const Vec3 missing = missing_rate(row, relative_velocity(row, velocity));
-    impulses[q] = h > 0 ? spring_impulse(row, missing, settings.stiffness, damping, dt, h) : Vec3::Zero();
+    impulses[q] = h > 0 ? spring_impulse(row, missing, stiffness, damping, dt, h) : Vec3::Zero();
     keep_max(largest, impulses[q].norm());
   }
   exchange.max({&largest, 1});

@@ -14,7 +14,7 @@ EnforcementResult enforce_printed(const System& system, const EnforcementSetting
   form_row_sums(system, exchange, scratch);
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     const double slab = system.rows[q].slab;
-    if (slab > 0 && scratch.diagonal[q] > 0) scratch.diagonal[q] = 1 / (slab * dt);
+    if (slab > 0 && scratch.diagonal[q] > 0) scratch.diagonal[q] = system.mobility_scale / (slab * dt);
   }
   constexpr bool coupled = true;  // the printed H is exact nowhere
   return iterate(system, settings, StepLength::row_sum, coupled, violation, exchange, impulses, velocity, scratch);

@@ -120,7 +120,7 @@ bool lay_diagonal(const System& system, EnforcementScratch& scratch, bool (*coun
       const double weight = scratch.share[q][i], sum = scratch.row_sum[node];
       if (mobility.inverse_mass > 0 && weight > 0)
         coupled = coupled || sum != weight || (row.friction > 0 && !mobility.projector.isIdentity(0));
-      scratch.diagonal[q] += weight * sum * mobility.inverse_mass;
+      scratch.diagonal[q] += weight * sum * (system.mobility_scale * mobility.inverse_mass);
     }
   }
   return coupled;
@@ -139,14 +139,15 @@ void lay_impulses(const System& system, std::span<const Vec3> impulses, double l
   }
 }
 
-Vec3 answer(const Mobility& mobility, const Vec3& impulse) {
-  return mobility.inverse_mass * (mobility.projector * impulse);
+Vec3 answer(const System& system, std::size_t node, const Vec3& impulse) {
+  const Mobility& mobility = system.mobility[node];
+  return system.mobility_scale * mobility.inverse_mass * (mobility.projector * impulse);
 }
 
 /// v = v* + W G^T p, on owners.
 void take_velocities(const System& system, const EnforcementScratch& scratch, std::span<Vec3> velocity) {
   for (std::size_t node = 0; node < system.motion.size(); ++node)
-    velocity[node] = system.motion[node].predicted + answer(system.mobility[node], impulse_of_node(scratch, node));
+    velocity[node] = system.motion[node].predicted + answer(system, node, impulse_of_node(scratch, node));
 }
 
 NodeValues as_values(std::span<Vec3> velocity) {
@@ -247,7 +248,7 @@ void form_diagonal(const System& system, EnforcementScratch& scratch) {
   scratch.diagonal.assign(system.rows.size(), 0.0);
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     for_each_weight(system, system.rows[q], [&](std::size_t node, double weight) {
-      scratch.diagonal[q] += weight * weight * system.mobility[node].inverse_mass;
+      scratch.diagonal[q] += weight * weight * (system.mobility_scale * system.mobility[node].inverse_mass);
     });
   }
 }
@@ -265,7 +266,7 @@ void velocities_of_impulses(const System& system, std::span<const Vec3> impulses
   lay_impulses(system, impulses, largest, scratch);
   exchange.sum_to_owner(scratch.impulse_parts, impulse_width);
   for (std::size_t node = 0; node < system.motion.size(); ++node)
-    velocity[node] = answer(system.mobility[node], impulse_of_node(scratch, node));
+    velocity[node] = answer(system, node, impulse_of_node(scratch, node));
   share_velocities(exchange, velocity.first(system.motion.size()));
 }
 

@@ -20,6 +20,7 @@ struct System {
   std::span<const NodeMotion> motion;  ///< of all contact nodes of this rank
   std::span<const Mobility> mobility;  ///< the same
   bool two_passes = false;             ///< rows may belong to one pass only, on some rank: see contact/passes.hpp
+  double mobility_scale = 1;  ///< of all inverse masses: 1 / (1 + alpha dt / 2) under mass damping, which W is part of
 };
 
 /// Of the binned sum of a node's impulses: two slices of four, the components and one to spare.
