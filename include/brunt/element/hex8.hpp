@@ -14,12 +14,25 @@
 //     viscous force of t_n acts on v_{n+1/2} too, and the product c q^2 dt is more than it takes
 //   frequency          omega^2 <= 8/(m V) [lambda tr S + 2 mu s_max] + 8/m k_hg (|gamma|^2 summed - 24):
 // the bracket is the exact maximum over all strain modes when S is a multiple of the unit tensor (a cube).
+//
+// Hyperelastic laws: the force is the derivative of a potential of the positions, so that a closed path of deformation
+// returns all of its work. With the mean gradient B0, the volume V0 and the hourglass coordinates H_ja = X_jI Gamma_aI
+// of the reference shape (total Lagrangian form: G. R. Joldes, A. Wittek, K. Miller, Commun. Numer. Meth. Eng. 24
+// (2008) 1315-1323):
+//   strain             F_ij = x_iI B0_jI / V0, energy V0 psi(F); its force is -s_ij B_jI with B = cof(F) B0, V = det F
+//   V0 hourglass          q_ia = x_iI gamma0_aI = h_ia - F_ij H_ja, energy k0/2 sum q^2, k0 and gamma0 of the reference
+//                      shape: zero for every homogeneous deformation, and unchanged by rotation, since |q_a| is
+//   hourglass force    -k0 q_ia gamma0_aI = -k0 q_ia (Gamma_aI - (F H)_ja B_jI / V)
+//   frequency          as above with these B, V, k0 and gamma0; a prestress has no part in the hourglass modes, as F
+//   has
+//                      none
 #pragma once
 #include <vector>
 
 #include "brunt/element/batch.hpp"
 #include "brunt/element/bulk_viscosity.hpp"
 #include "brunt/element/hex8_modes.hpp"
+#include "brunt/element/hex8_point.hpp"
 #include "brunt/element/memory.hpp"
 #include "brunt/element/objective.hpp"
 #include "brunt/element/options.hpp"
@@ -37,13 +50,14 @@ struct Hex8 {
   using Memory = SolidMemory<Response, 1>;
   static constexpr int at_hourglass_energy = Memory::size;
   static constexpr int at_hourglass_force = at_hourglass_energy + (hourglass == HourglassKind::none ? 0 : 1);
-  static constexpr int history_size = at_hourglass_force + (hourglass == HourglassKind::none ? 0 : 12);
+  static constexpr bool from_potential = Response::hyperelastic && hourglass == HourglassKind::stiffness;
+  static constexpr bool remembers_force = hourglass != HourglassKind::none && !from_potential;
+  static constexpr int history_size = at_hourglass_force + (remembers_force ? 12 : 0);
 
   static std::vector<HistoryField> history() {
     std::vector<HistoryField> fields = Memory::fields();
-    if (hourglass == HourglassKind::none) return fields;
-    fields.push_back({"hourglass_energy", 1});
-    fields.push_back({"hourglass_force", 12});
+    if (hourglass != HourglassKind::none) fields.push_back({"hourglass_energy", 1});
+    if (remembers_force) fields.push_back({"hourglass_force", 12});
     return fields;
   }
 
@@ -55,7 +69,10 @@ struct Hex8 {
     Pack x[hex_modes][3], v[hex_modes][3], h_mid[4][3];  // h_mid: hourglass modes of the midpoint configuration
     Pack g[6][3], L[9], S[6];
     Pack volume, over_volume;
-    StrainStep strain;
+    StrainStep strain;  // of rate laws
+    // of hyperelastic laws: deformation gradient; hourglass coordinates of the reference shape, moved by it; stiffness
+    // of the hourglass springs; hourglass_norm of the reference shape
+    Pack F[9], moved[4][3], stiffness, gamma2;
   };
   /// Of the stress update: what the stable step needs, and the share of the trial deviator left after plastic flow.
   struct Tangent {
@@ -70,10 +87,14 @@ struct Hex8 {
   };
 
   BRUNT_INLINE void move(const BatchMotion<8>& in, Kinematics& k) const;
-  BRUNT_INLINE Tangent update(const BatchMotion<8>& in, const Kinematics& k, Pack* history) const;
+  BRUNT_INLINE void move_from_reference(const BatchMotion<8>& in, Kinematics& k) const;
+  BRUNT_INLINE Tangent update(const Kinematics& k, Pack* history) const;
   BRUNT_INLINE void resist(const Kinematics& k, const Tangent& tangent, double dt, Pack* history, Resistance& r) const;
   BRUNT_INLINE void resist_hourglass(const Kinematics& k, [[maybe_unused]] Pack left, double dt, Pack over_mass,
                                      Pack mass, Pack trace, Pack largest, Pack* history, Resistance& r) const;
+  BRUNT_INLINE void resist_from_potential(const Kinematics& k, Pack over_mass, Pack* history, Resistance& r) const;
+  BRUNT_INLINE void add_hourglass_stress(const Pack (&Q)[4][3], const Pack (*h)[3], Pack over_volume,
+                                         Pack (&stress)[9]) const;
 };
 
 /// Modes of a nodal vector field: mode[m][component].
@@ -106,6 +127,21 @@ BRUNT_INLINE Pack dot(const Pack (&a)[3], const Pack (&b)[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/// Sum over a of |gamma_a|^2, less 24: 8 for a parallelepiped. x: modes of the coordinates.
+BRUNT_INLINE Pack hourglass_norm(const Pack (&x)[hex_modes][3], const Pack (&g)[6][3], const Pack (&S)[6],
+                                 Pack over_volume) {
+  Pack gamma2 = broadcast(8.0);
+  for (int a = 0; a < 4; ++a) {
+    const auto& h = x[3 + a];
+    Pack Sh[3];
+    times(S, h, Sh);
+    Pack correction = over_volume * dot(h, Sh);
+    if (a < 3) correction -= 16.0 * dot(h, g[3 + a]);
+    gamma2 += over_volume * correction;
+  }
+  return pack_max(gamma2, broadcast(8.0));
+}
+
 template <class Response, HourglassKind hourglass>
 void Hex8<Response, hourglass>::move(const BatchMotion<8>& in, Kinematics& k) const {
   vector_modes(in.x, k.x);
@@ -124,19 +160,46 @@ void Hex8<Response, hourglass>::move(const BatchMotion<8>& in, Kinematics& k) co
 }
 
 template <class Response, HourglassKind hourglass>
-typename Hex8<Response, hourglass>::Tangent Hex8<Response, hourglass>::update(const BatchMotion<8>& in,
-                                                                              const Kinematics& k,
+void Hex8<Response, hourglass>::move_from_reference(const BatchMotion<8>& in, Kinematics& k) const {
+  Pack X[hex_modes][3], G[6][3], rate[9], F_mid[9], cofactor[9];
+  vector_modes(in.X, X);
+  vector_modes(in.x, k.x);
+  vector_modes(in.v, k.v);
+  const Pack reference_volume = gradient_modes(X, G);
+  const Pack over_reference = 1.0 / reference_volume;
+  mean_gradient(k.x, G, over_reference, k.F);
+  mean_gradient(k.v, G, over_reference, rate);
+  for (int c = 0; c < 9; ++c) F_mid[c] = k.F[c] - (0.5 * in.dt) * rate[c];
+  space_gradient(rate, F_mid, k.L);
+  k.volume = reference_volume * cofactors(k.F, cofactor);
+  k.over_volume = 1.0 / k.volume;
+  for (int m = 0; m < 6; ++m)
+    for (int i = 0; i < 3; ++i)
+      k.g[m][i] = cofactor[3 * i] * G[m][0] + cofactor[3 * i + 1] * G[m][1] + cofactor[3 * i + 2] * G[m][2];
+  gradient_gram(k.g, k.S);
+  if constexpr (from_potential) {
+    Pack S[6];
+    gradient_gram(G, S);
+    k.stiffness = (control.coefficient / 8.0 * law.mu) * (S[0] + S[1] + S[2]) * over_reference;
+    k.gamma2 = hourglass_norm(X, G, S, over_reference);
+    for (int a = 0; a < 4; ++a)
+      for (int i = 0; i < 3; ++i)
+        k.moved[a][i] = k.F[3 * i] * X[3 + a][0] + k.F[3 * i + 1] * X[3 + a][1] + k.F[3 * i + 2] * X[3 + a][2];
+  } else {
+    for (int a = 0; a < 4; ++a)
+      for (int i = 0; i < 3; ++i) k.h_mid[a][i] = k.x[3 + a][i] - (0.5 * in.dt) * k.v[3 + a][i];
+  }
+}
+
+template <class Response, HourglassKind hourglass>
+typename Hex8<Response, hourglass>::Tangent Hex8<Response, hourglass>::update(const Kinematics& k,
                                                                               Pack* history) const {
   Tangent tangent;
   Pack* stress = history + Memory::at_stress;
   Pack s[6];
   if constexpr (Response::hyperelastic) {
-    Pack X[hex_modes][3], G[6][3], F[9];
-    vector_modes(in.X, X);
-    const Pack reference_volume = gradient_modes(X, G);
-    mean_gradient(k.x, G, 1.0 / reference_volume, F);
-    law.stress(F, s);
-    law.tangent(F, tangent.lambda, tangent.mu);
+    law.stress(k.F, s);
+    law.tangent(k.F, tangent.lambda, tangent.mu);
     for (int c = 0; c < 6; ++c) stress[c] = s[c];
   } else {
     tangent.left = update_stress(law, k.strain, stress, history + Memory::at_tensors, history + Memory::at_scalars);
@@ -169,7 +232,9 @@ void Hex8<Response, hourglass>::resist(const Kinematics& k, const Tangent& tange
   constexpr int place[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};
   for (int c = 0; c < 9; ++c) r.stress[c] = s[place[c]];
   for (int c = 0; c < 9; c += 4) r.stress[c] += viscous;
-  if constexpr (hourglass != HourglassKind::none)
+  if constexpr (from_potential)
+    resist_from_potential(k, over_mass, history, r);
+  else if constexpr (hourglass != HourglassKind::none)
     resist_hourglass(k, control.kind == HourglassKind::elastic ? broadcast(1.0) : tangent.left, dt, over_mass, mass,
                      trace, largest, history, r);
 }
@@ -178,17 +243,7 @@ template <class Response, HourglassKind hourglass>
 void Hex8<Response, hourglass>::resist_hourglass(const Kinematics& k, [[maybe_unused]] Pack left, double dt,
                                                  Pack over_mass, Pack mass, Pack trace, Pack largest, Pack* history,
                                                  Resistance& r) const {
-  Pack gamma2 = broadcast(8.0);  // sum over a of |gamma_a|^2, less 24: 8 for a parallelepiped
-  for (int a = 0; a < 4; ++a) {
-    const auto& h = k.x[3 + a];
-    Pack Sh[3];
-    times(k.S, h, Sh);
-    Pack correction = k.over_volume * dot(h, Sh);
-    if (a < 3) correction -= 16.0 * dot(h, k.g[3 + a]);
-    gamma2 += k.over_volume * correction;
-  }
-  gamma2 = pack_max(gamma2, broadcast(8.0));
-
+  const Pack gamma2 = hourglass_norm(k.x, k.g, k.S, k.over_volume);
   [[maybe_unused]] Pack stiffness, viscous;
   if constexpr (hourglass == HourglassKind::stiffness) {
     stiffness = (control.coefficient / 8.0 * law.mu) * trace * k.over_volume;
@@ -230,11 +285,33 @@ void Hex8<Response, hourglass>::resist_hourglass(const Kinematics& k, [[maybe_un
   }
   history[at_hourglass_energy] += dt * work;
 
-  for (int i = 0; i < 3; ++i)  // gamma has a part along B: it acts like a stress
+  add_hourglass_stress(r.Q, k.x + 3, k.over_volume, r.stress);
+}
+
+template <class Response, HourglassKind hourglass>
+void Hex8<Response, hourglass>::resist_from_potential(const Kinematics& k, Pack over_mass, Pack* history,
+                                                      Resistance& r) const {
+  r.omega2 += 8.0 * k.stiffness * k.gamma2 * over_mass;
+  Pack squares = broadcast(0.0);
+  for (int a = 0; a < 4; ++a)
+    for (int i = 0; i < 3; ++i) {
+      const Pack q = k.x[3 + a][i] - k.moved[a][i];
+      squares += q * q;
+      r.Q[a][i] = k.stiffness * q;
+    }
+  history[at_hourglass_energy] = 0.5 * k.stiffness * squares;
+  add_hourglass_stress(r.Q, k.moved, k.over_volume, r.stress);
+}
+
+/// gamma has a part along B, which acts like a stress. h: hourglass coordinates that gamma does not see.
+template <class Response, HourglassKind hourglass>
+void Hex8<Response, hourglass>::add_hourglass_stress(const Pack (&Q)[4][3], const Pack (*h)[3], Pack over_volume,
+                                                     Pack (&stress)[9]) const {
+  for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
-      Pack sum = r.Q[0][i] * k.x[3][j];
-      for (int a = 1; a < 4; ++a) sum += r.Q[a][i] * k.x[3 + a][j];
-      r.stress[3 * i + j] -= k.over_volume * sum;
+      Pack sum = Q[0][i] * h[0][j];
+      for (int a = 1; a < 4; ++a) sum += Q[a][i] * h[a][j];
+      stress[3 * i + j] -= over_volume * sum;
     }
 }
 
@@ -242,8 +319,11 @@ template <class Response, HourglassKind hourglass>
 void Hex8<Response, hourglass>::operator()(const BatchMotion<8>& in, Pack* history, BatchForce<8>& out) const {
   Kinematics k;
   Resistance r;
-  move(in, k);
-  const Tangent tangent = update(in, k, history);
+  if constexpr (Response::hyperelastic)
+    move_from_reference(in, k);
+  else
+    move(in, k);
+  const Tangent tangent = update(k, history);
   resist(k, tangent, in.dt, history, r);
   for (int i = 0; i < 3; ++i) {
     Pack force[hex_modes];
