@@ -18,6 +18,7 @@
 #include "brunt/scene/fingerprint.hpp"
 #include "brunt/scene/read.hpp"
 #include "brunt/scene/select.hpp"
+#include "brunt/scene/write.hpp"
 #include "brunt/time/initialise.hpp"
 #include "coarse_slaves.hpp"
 #include "contact_setup.hpp"
@@ -88,7 +89,8 @@ void share_accepted(const comm::Communicator& ranks, std::vector<contact::Accept
 }  // namespace
 
 scene::Input read_input(const comm::Communicator& ranks, const std::string& scene_file,
-                        const std::vector<std::string>& overrides, std::string* fingerprint, std::string* values) {
+                        const std::vector<std::string>& overrides, std::string* fingerprint, std::string* values,
+                        std::string* yaml) {
   std::string text;
   on_root(ranks, [&] {
     if (std::filesystem::is_directory(scene_file))
@@ -98,6 +100,7 @@ scene::Input read_input(const comm::Communicator& ranks, const std::string& scen
   ranks.broadcast(text);
   if (fingerprint) *fingerprint = scene::fingerprint(text, scene_file, overrides);
   if (values) *values = scene::decisive_values(text, scene_file, overrides);
+  if (yaml) *yaml = scene::as_yaml(text, scene_file, overrides);
   return scene::read_scene(text, scene_file, overrides);
 }
 
@@ -142,7 +145,8 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
                                   const std::vector<std::string>& overrides) {
   auto prepared = std::make_unique<Prepared>(
       Prepared{{}, {}, {}, {}, {}, {}, {}, time::Links{ranks, {}, {}, {}, {}, {}, {}, {}}, nullptr, {}, {}, {}, {}});
-  prepared->input = read_input(ranks, scene_file, overrides, &prepared->fingerprint, &prepared->scene_values);
+  prepared->input =
+      read_input(ranks, scene_file, overrides, &prepared->fingerprint, &prepared->scene_values, &prepared->scene_yaml);
   mesh::CanonicalMesh whole;
   std::vector<Rank> part;
   on_root(ranks, [&] {

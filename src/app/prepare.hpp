@@ -34,6 +34,7 @@ struct Prepared {
   std::vector<double> force_memory;  ///< of force probes: impulse (3) and time of the last row
 
   std::string scene_values{};  ///< what the fingerprint is made of, so that a restart can say what differs
+  std::string scene_yaml{};    ///< the whole scene after its overrides
 
   /// All arrays of the state, the sums and the history of contact among them. Collective.
   model::Registry registry();
@@ -41,11 +42,11 @@ struct Prepared {
   void after_restart();
 };
 
-/// The typed scene, the same on every rank; `values`: what its fingerprint is made of. Collective; throws InputError on
-/// all ranks.
+/// The typed scene, the same on every rank; `values`: what its fingerprint is made of; `yaml`: the whole scene after
+/// its overrides. Collective; throws InputError on all ranks.
 scene::Input read_input(const comm::Communicator& ranks, const std::string& scene_file,
                         const std::vector<std::string>& overrides, std::string* fingerprint = nullptr,
-                        std::string* values = nullptr);
+                        std::string* values = nullptr, std::string* yaml = nullptr);
 
 /// The whole mesh of a scene, checked and in canonical order, with the scene's selections as sets. Root only.
 mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::string>& warnings);

@@ -16,6 +16,7 @@
 #include "brunt/model/hash.hpp"
 #include "brunt/scene/units.hpp"
 #include "brunt/time/initialise.hpp"
+#include "commands.hpp"
 #include "failure.hpp"
 #include "fields.hpp"
 
@@ -78,8 +79,9 @@ Results::Results(Prepared& run, std::string folder, std::optional<GlobalIndex> r
   on_root(run.links.ranks, [&] {  // a history that does not fit is refused on all ranks
     history_ = std::make_unique<io::HistoryFile>(folder_ + "/history.csv", columns, restart_step);
   });
-  states_ = std::make_unique<io::StateFile>(run.links.ranks, folder_,
-                                            io::state_mesh(run.model.mesh, run.links.ranks.rank()), restart_step);
+  io::StateMesh mesh = io::state_mesh(run.model.mesh, run.links.ranks.rank());
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) mesh.blocks[b].part = run.model.blocks[b].part;
+  states_ = std::make_unique<io::StateFile>(run.links.ranks, folder_, mesh, restart_step);
   const scene::UnitSystem& units = units_of(run);
   if (units.metre > 0)
     for (const auto& [quantity, unit] : {std::pair{"time", units.time},
@@ -255,6 +257,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   const auto elements = static_cast<double>(run_.model.mesh.global_elements);
   const time::Ledger& e = last_ledger_;
   nlohmann::ordered_json summary;
+  summary["version"] = version();
   summary["title"] = run_.input.title;
   summary["units"] = run_.input.units;
   summary["steps"] = static_cast<GlobalIndex>(steps_);

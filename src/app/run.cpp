@@ -10,9 +10,11 @@
 #include "brunt/io/checkpoint.hpp"
 #include "brunt/io/result_folder.hpp"
 #include "brunt/io/summary.hpp"
+#include "brunt/io/text_file.hpp"
 #include "brunt/time/initialise.hpp"
 #include "brunt/time/ledger.hpp"
 #include "brunt/time/step.hpp"
+#include "commands.hpp"
 #include "contact_setup.hpp"
 #include "failure.hpp"
 #include "prepare.hpp"
@@ -191,6 +193,14 @@ bool is_told(const comm::Communicator& ranks, const std::string& folder, GlobalI
   return ranks.any(ranks.is_root() && io::summarised_steps(folder) == step);
 }
 
+/// What this start has read, for whoever looks at the results later.
+void record_scene(const Prepared& run, const RunOptions& options, const std::string& folder) {
+  io::replace_text(
+      folder + "/scene_as_run.yaml",
+      fmt::format("# {} as {} has read it, with its overrides; paths of files are relative to that scene\n{}",
+                  std::filesystem::path(options.scene).filename().string(), version(), run.scene_yaml));
+}
+
 void announce(const Prepared& run, Log& log) {
   const model::Model& model = run.model;
   log.line(fmt::format("{} ({} units)", run.input.title.empty() ? run.input.file : run.input.title, run.input.units));
@@ -240,6 +250,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
     log.line("the results in " + folder + " stay as they are");
     return static_cast<int>(ExitCode::done);
   }
+  on_root(ranks, [&] { record_scene(*prepared, options, folder); });
   catch_signals();
   // the step of the checkpoint is evaluated again: its own records come anew
   Results results(*prepared, folder, restart ? std::optional(restart->step - 1) : std::nullopt, log);

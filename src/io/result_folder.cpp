@@ -73,7 +73,8 @@ void prepare_on_root(const fs::path& folder, ExistingResults existing) {
 }  // namespace
 
 bool is_result_file(const std::string& name) {
-  constexpr std::array<std::string_view, 5> fixed{"summary.json", "history.csv", "state.h5", "state.xdmf", "log.txt"};
+  constexpr std::array<std::string_view, 6> fixed{"summary.json", "history.csv", "state.h5",
+                                                  "state.xdmf",   "log.txt",     "scene_as_run.yaml"};
   const bool checkpoint = name.rfind("checkpoint_", 0) == 0 && fs::path(name).extension() == ".h5";
   return checkpoint || std::find(fixed.begin(), fixed.end(), name) != fixed.end();
 }

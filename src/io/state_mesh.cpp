@@ -16,7 +16,7 @@ constexpr double xdmf_tetrahedron = 6, xdmf_hexahedron = 9;
 
 StateBlock state_block(const mesh::LocalMesh& mesh, std::size_t b) {
   const mesh::LocalBlock& local = mesh.blocks[b];
-  StateBlock block{mesh.block_name[b], mesh.block_id[b], local.shape, local.input, {}};
+  StateBlock block{mesh.block_name[b], mesh.block_id[b], local.shape, local.input, {}, {}};
   for (const LocalIndex node : local.nodes) block.nodes.push_back(mesh.input_node[static_cast<std::size_t>(node)]);
   return block;
 }
@@ -106,6 +106,7 @@ void StateFile::write_connectivity(const StateMesh& mesh) {
     const std::string group = fmt::format("/mesh/block_{}", b);
     file_->create_group(group);
     file_->set_attribute(group, "name", block.name);
+    if (!block.part.empty()) file_->set_attribute(group, "part", block.part);
     file_->set_attribute(group, "id", block.id);
     file_->set_attribute(group, "nodes_per_element", GlobalIndex{nodes_per_element(block.shape)});
     file_->set_attribute(group, "first", first);

@@ -28,6 +28,19 @@ class Folder(Program):
         self.assertIn("checkpoint_000000006.h5", os.listdir(os.path.join(self.folder, "out")))
         self.assertEqual(self.text("out", "history.csv"), self.text("whole", "history.csv"))
 
+    def test_the_scene_as_it_was_run_is_the_same_run(self):
+        changes = ("--set", "run.steps=7", "--set", "parts.rod.element=hex8_full", "--set", 'title="a: rod, [steel] # \\"quoted\\""')
+        self.run_scene(1, "rod.yaml", "--out", "out", *changes)
+        text = self.text("out", "scene_as_run.yaml")
+        self.assertIn("element: hex8_full", text)
+        self.assertTrue(text.startswith(f"# rod.yaml as {self.summary('out')['version']} has read it"), text)
+        self.write("again.yaml", text)
+        self.run_scene(2, "again.yaml", "--out", "again")
+        for key in ("title", "steps", "state_hash"):
+            self.assertEqual(self.summary("again")[key], self.summary("out")[key])
+        self.run_scene(1, "again.yaml", "--out", "out", "--restart", "out", "--set", "run.steps=9")
+        self.assertIn("steps: 9", self.text("out", "scene_as_run.yaml"))
+
     def test_a_history_of_other_columns_is_refused_on_all_ranks(self):
         self.run_scene(1, "rod.yaml", "--out", "out", "--set", "run.steps=6")
         self.write("out/history.csv", self.text("out", "history.csv").replace("kinetic", "kinetisch"))

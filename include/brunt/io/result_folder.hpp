@@ -18,7 +18,8 @@ enum class ExistingResults {
 /// is full or fails.
 void prepare_result_folder(const comm::Communicator& ranks, const std::string& folder, ExistingResults existing);
 
-/// True for the names a run writes: summary.json, history.csv, state.h5, state.xdmf, checkpoint_*.h5, log.txt.
+/// True for the names a run writes: summary.json, history.csv, state.h5, state.xdmf, checkpoint_*.h5, log.txt,
+/// scene_as_run.yaml.
 [[nodiscard]] bool is_result_file(const std::string& name);
 
 }  // namespace brunt::io

@@ -9,7 +9,7 @@
 //   /mesh/connectivity        [elements][nodes of an element] where all blocks have one shape, else one stream of
 //                             XDMF Mixed cells: type (6 tetrahedron, 9 hexahedron), nodes, type, nodes, ...
 //   /mesh/element_block       [elements] index of the block
-//   /mesh/block_B             attributes name, id, nodes_per_element, first, count (of its elements)
+//   /mesh/block_B             attributes name, part, id, nodes_per_element, first, count (of its elements)
 //   /record_R/node/FIELD      [nodes] or [nodes][components]
 //   /record_R/element/FIELD   [elements] or [elements][components]
 //   /record_R                 attributes step, time [time]: written last, a record without them is incomplete
@@ -32,6 +32,7 @@ struct StateBlock {
   mesh::Shape shape = mesh::Shape::hex8;
   std::vector<GlobalIndex> element;  ///< of this rank: position in the input; a block's elements are contiguous there
   std::vector<GlobalIndex> nodes;    ///< nodes_per_element a row: positions of nodes in the input
+  std::string part{};                ///< of the scene; empty: not known
 };
 
 /// What one rank has of the mesh. Every node and element is given by one rank only; every rank lists all blocks.
