@@ -13,6 +13,7 @@
 #include "brunt/time/step.hpp"
 #include "commands.hpp"
 #include "contact_setup.hpp"
+#include "part_extents.hpp"
 #include "prepare.hpp"
 #include "scene_listing.hpp"
 
@@ -86,6 +87,19 @@ void print_parts(const Prepared& run, const std::vector<PartFigures>& figures, c
   fmt::print("nodes            {}\n", run.model.mesh.global_nodes);
 }
 
+/// Least and greatest coordinate of each part, and of all where there are several [length].
+void print_extents(const Prepared& run, const std::vector<Extent>& extents, const scene::UnitSystem& units) {
+  const auto line = [&](const std::string& what, const Extent& extent) {
+    std::string text;
+    for (std::size_t c = 0; c < 3; ++c)
+      text += fmt::format("{}{} {:.6g} .. {:.6g}", c > 0 ? ", " : "", "xyz"[c], extent.low[c], extent.high[c]);
+    fmt::print("extent           {}: {}{}{}\n", what, text, units.metre > 0 ? " " : "",
+               units.metre > 0 ? units.length : "");
+  };
+  for (std::size_t b = 0; b < extents.size(); ++b) line(run.model.blocks[b].part, extents[b]);
+  if (extents.size() > 1) line("all", together(extents));
+}
+
 /// Bodies that overlap have no smallest gap: other places of theirs may be apart, which says nothing.
 void print_gaps(const Prepared& run) {
   const InitialGaps& gaps = run.overlaps.gaps;
@@ -157,6 +171,7 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   refuse_overlaps(*run);
   const std::vector<PartFigures> figures = part_figures(*run);
   const std::vector<std::string> listing = list_scene(*run);
+  const std::vector<Extent> extents = part_extents(*run);
   const time::StepReport step = time::evaluate(run->model, run->state, run->scratch, run->links, step_control(*run));
   if (ranks.any(step.stop)) throw InputError(options.scene + ": an element has no volume in its initial position");
   const StepCost cost = measure_steps(*run, step);
@@ -168,6 +183,7 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   for (const std::string& note : report.notes) fmt::print("{}\n", note);
   print_overlaps(report, options.all);
   print_parts(*run, figures, units);
+  print_extents(*run, extents, units);
   for (const std::string& line : listing) fmt::print("{}\n", line);
   print_contact(*run);
   print_gaps(*run);

@@ -31,6 +31,27 @@ class Start(Program):
         self.assertIn("smallest gap     0 m", self.check(1.0)[1])
         self.assertIn("no two parts are nearer", self.check(3)[1])
 
+    def test_extents_are_listed_with_unit_on_any_number_of_ranks(self):
+        bodies = """units: UNITS
+mesh:
+  - {box: {part: bar, size: [1, 2, 3], elements: [4, 5, 6], at: [-1, 0.5, 10], rotate: {axis: [0, 0, 1], degrees: 90}}}
+  - {sphere: {part: ball, radius: 2, elements: 3, scale: 0.5, at: [0, 0, -7]}}
+materials: {m: {model: elastic, density: 1000, young: 1.0e9, poisson: 0.3}}
+parts: {ball: {material: m}, bar: {material: m}}
+run: {steps: 1}
+"""
+        wanted = {"bar": "x -3 .. -1, y 0.5 .. 1.5, z 10 .. 13", "ball": "x -1 .. 1, y -1 .. 1, z -8 .. -6",
+                  "all": "x -3 .. 1, y -1 .. 1.5, z -8 .. 13"}
+        for units, unit in (("SI", " m"), ("none", "")):
+            self.write("bodies.yaml", bodies.replace("UNITS", units))
+            for ranks in (1, 2, 3):
+                done = subprocess.run(["mpirun", "-np", str(ranks), BRUNT, "check", "bodies.yaml"], cwd=self.folder, capture_output=True,
+                                      text=True, timeout=PATIENCE, check=False)
+                told = dict(re.findall(r"^extent           (\w+): (.*)$", done.stdout, re.M))
+                self.assertEqual(told, {part: text + unit for part, text in wanted.items()}, done.stderr)
+        self.write("one.yaml", scenes.LONG.replace("100000000", "1"))
+        self.assertEqual(self.brunt("check", "one.yaml").stdout.count("extent  "), 1)  # all are the one part
+
     def test_shallow_and_deep_overlap_is_an_error(self):
         for at in (0.99, 0.4, 0.05):  # 0.05: by almost a whole cube
             code, output = self.check(at)
