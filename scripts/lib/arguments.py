@@ -8,6 +8,18 @@ import sys
 WRONG_INPUT = 2  # as of brunt itself
 
 
+class Fault(Exception):
+    """Wrong input: one line that says what is wrong and what is accepted."""
+
+
+def fail_as(program):
+    """A function that ends the script with one line."""
+    def fail(message):
+        print(f"{program}: {message}", file=sys.stderr)
+        sys.exit(WRONG_INPUT)
+    return fail
+
+
 class Parser(argparse.ArgumentParser):
     def parse_args(self, args=None, namespace=None):
         known = [option for action in self._actions for option in action.option_strings]
@@ -38,6 +50,14 @@ def finite_number(text):
     if not math.isfinite(number):
         raise argparse.ArgumentTypeError(f"'{text}' is no finite number; accepted: a number, such as 0.5 or 1.0e-3")
     return number
+
+
+def names(text):
+    """A list with commas."""
+    found = [name.strip() for name in text.split(",")]
+    if not all(found):
+        raise argparse.ArgumentTypeError(f"'{text}' has an empty name; accepted: names with commas between them, such as bar,plate")
+    return found
 
 
 def refuse_place(path, fail):

@@ -6,6 +6,9 @@ import os
 import subprocess
 import unittest
 
+import numpy as np
+from PIL import Image
+
 import scenes
 from run_test import PATIENCE, RUN, Program
 
@@ -45,6 +48,68 @@ class Pictures(Program):
         self.assert_refused(["no field velocty", "velocity"], "render", "out", "--field", "velocty")
         self.assert_refused(["no component w"], "render", "out", "--field", "velocity.w")
         self.assert_refused(["without a component"], "render", "out", "--field", "gap.x")
+
+    def test_options_that_make_no_sense(self):
+        for phrases, arguments in ((["'x' is no plane", "x=0.01"], ("--clip", "x")), (["is no plane"], ("--clip", "w=3")),
+                                   (["is no plane"], ("--clip", "x=nan")), (["not zero"], ("--clip", "0,0,0/0,0,0")),
+                                   (["is no plane"], ("--clip", "0,0/1,0,0")), (["no part lid", "rod, table"], ("--hide", "lid")),
+                                   (["no part lid"], ("--only", "rod,lid")), (["all parts are hidden"], ("--hide", "rod,table")),
+                                   (["exclude each other"], ("--hide", "rod", "--only", "rod")), (["empty name"], ("--hide", "rod,")),
+                                   (["'sky' is no view", "iso"], ("--view", "iso,sky")), (["one view"], ("--view", "iso,top", "--azimuth", "3")),
+                                   (["--film or --time"], ("--film", "--time", "0")), (["no name of a film", ".gif"], ("--film", "-o", "x.mp4")),
+                                   (["--fps 0"], ("--film", "--fps", "0")), (["--size"], ("--view", "iso,top", "--size", "9000", "100"))):
+            self.assert_refused(phrases, "render", "out", *arguments)
+        for phrases, arguments in ((["--columns", "from 1 to 6"], ("--columns", "0")), (["from 1 to 6"], ("--columns", "many")),
+                                   (["'x' is no group", "probes"], ("--panels", "x")), (["nothing beside it"], ("--panels", "probes"))):
+            self.assert_refused(phrases, "plot", "out", *arguments)
+
+    def picture(self, *options, script="render", name="x.png"):
+        done = self.script(script, "out", "-o", name, *options)
+        self.assertEqual((done.returncode, done.stdout), (0, f"{name}\n"), done.stderr)
+        picture = Image.open(os.path.join(self.folder, name))
+        self.addCleanup(picture.close)
+        return picture
+
+    def colours(self, *options):
+        """Pixels of the blue of the first part and of the orange of the second."""
+        pixels = np.asarray(self.picture("--field", "part", "--size", "300", "240", *options).convert("RGB")).astype(int)
+        pixels = pixels[40:, 90:300]  # without title, axes and names
+        red, green, blue = (pixels[..., k] for k in range(3))
+        return int(((blue > red + 60) & (blue > 80)).sum()), int(((red > blue + 90) & (green > blue + 40)).sum())
+
+    def test_parts_are_hidden_and_cut(self):
+        rod, table = self.colours()
+        self.assertGreater(min(rod, table), 500)
+        self.assertEqual(self.colours("--hide", "table")[1], 0)
+        self.assertEqual(self.colours("--only", "table")[0], 0)
+        self.assertEqual(self.colours("--clip", "0,0,0.25/0,0,1")[0], 0)    # the table's lower half alone
+        self.assertEqual(self.colours("--clip", "0,0,0.25/0,0,-1")[1], 0)   # the rod alone
+        self.assertGreater(min(self.colours("--clip", "y=0", "--clip", "x=0")), 500)
+
+    def test_several_views_and_films(self):
+        self.assertEqual(self.picture("--size", "200", "160").size, (350, 200))
+        self.assertEqual(self.picture("--view", "iso,front,top", "--size", "200", "160").size, (550, 360))
+        records = 11 + 1  # every 1e-5 from 0 to 1e-4 or so, and the last
+        for name in ("x.gif", "x.png", "x.webp"):
+            film = self.picture("--film", "--size", "120", "100", name=name)
+            self.assertLessEqual(abs(film.n_frames - records), 2, name)
+            shown = []
+            for frame in range(film.n_frames):
+                film.seek(frame)
+                shown.append(np.asarray(film.convert("RGB")))
+            self.assertFalse((shown[0] == shown[-1]).all(), name)
+
+    def test_panels_on_a_grid(self):
+        header, *rows = self.text("out", "history.csv").splitlines()
+        for count, across in ((0, 2), (1, 3), (9, 2), (40, 3)):
+            names = [f",s{k}.{c} [m]" for k in range(count) for c in "xyz"]
+            lines = [row + "".join(f",{(k + 1) * i % 7}" for k in range(3 * count)) for i, row in enumerate(rows)]
+            self.write("out/history.csv", "\n".join([header + "".join(names), *lines, "1,2"]))
+            picture = self.picture("--columns", str(across), script="plot")
+            self.assertEqual(picture.size[0], across * 780)
+        self.assertLess(picture.size[1], 10 * 442)  # forty probes share panels
+        self.write("out/history.csv", "\n".join([header, ",".join(["nan"] * len(header.split(",")))]))
+        self.assertEqual(self.script("plot", "out", "-o", "x.svg").returncode, 0)
 
     def test_pictures_are_drawn(self):
         end = self.summary("out")["end_time"]
