@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 "use strict";
 for (const film of document.querySelectorAll(".film")) {
   const { frames, times } = JSON.parse(film.querySelector("script").textContent);
