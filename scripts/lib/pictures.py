@@ -95,14 +95,23 @@ def limits_of(shots, look):
     return min(v.min() for v in found), max(v.max() for v in found)
 
 
+FARTHEST = 3  # a frame that holds all states may be so many times as large as the largest of them; then it goes with them
+
+
 def boxes_of(shots, look):
-    """What each view has to hold, over all pictures."""
-    boxes = []
+    """For each picture what each of its views has to hold: the same place for all, or the same size around bodies that go
+    far; and whether it goes with them."""
+    by_view = []
     for _, azimuth, elevation in look.views:
         axes = view_axes(azimuth, elevation)
-        ends = np.array([bounds(shot.triangles.corners, axes) for shot in shots if len(shot.triangles.corners)] or [bounds([], axes)])
-        boxes.append(np.array([ends[:, 0].min(axis=0), ends[:, 1].max(axis=0)]))
-    return boxes
+        by_view.append(np.array([bounds(shot.triangles.corners, axes) for shot in shots]))
+    together = [np.array([ends[:, 0].min(axis=0), ends[:, 1].max(axis=0)]) for ends in by_view]
+    largest = [(ends[:, 1] - ends[:, 0]).max(axis=0) for ends in by_view]
+    follows = any((box[1] - box[0]).max() > FARTHEST * size.max() for box, size in zip(together, largest))
+    if not follows:
+        return [together] * len(shots), False
+    return [[ends[k].mean(axis=0) + np.outer([-0.5, 0.5], size) for ends, size in zip(by_view, largest)]
+            for k in range(len(shots))], True
 
 
 def colour_function(look, limits, parts):
@@ -207,9 +216,9 @@ def image_of(figure):
 def frames(state, records, look):
     """A picture of each record; views and colours stay the same."""
     shots = [take(state, record, look) for record in records]
-    limits, boxes = limits_of(shots, look), boxes_of(shots, look)
-    for shot in shots:
-        yield image_of(page(state, shot, look, limits, boxes))
+    limits, (boxes, _) = limits_of(shots, look), boxes_of(shots, look)
+    for shot, box in zip(shots, boxes):
+        yield image_of(page(state, shot, look, limits, box))
 
 
 def write_film(path, images, frames_per_second, fail):

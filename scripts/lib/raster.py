@@ -149,7 +149,9 @@ def draw(triangles, axes, box, size, colour_of, zoom=1.0, edges=True):
     colour = colour * light_on(corners)[triangle][:, None]
     if edges:
         share = 0.75 * edge_strength(corners, triangles.edges, triangle, w)[:, None]
-        dark = (colour @ LUMINANCE < 0.2)[:, None]  # a black line would be lost there
+        middle = triangles.values.mean(axis=1)
+        dark = colour_of(np.where(np.isfinite(middle), middle, 0.0)) @ LUMINANCE < 0.2  # a black line would be lost there
+        dark = dark[triangle][:, None]
         colour = np.where(dark, (1 - 0.6 * share) * colour + 0.6 * share, (1 - share) * colour)
     picture[hit] = colour
     return picture.reshape(height // 2, 2, width // 2, 2, 3).mean(axis=(1, 3))

@@ -72,7 +72,7 @@ def parts_pictures(state, records, view):
             continue
         look = Look(field="part", views=[view], size=SIZE, deform=deform)
         shot = take(state, record, look)
-        pieces.append(figure(picture_uri(image_of(page(state, shot, look, (0, 1), boxes_of([shot], look)))), words))
+        pieces.append(figure(picture_uri(image_of(page(state, shot, look, (0, 1), boxes_of([shot], look)[0][0]))), words))
     return el("div", *pieces, class_="pair")
 
 
@@ -81,11 +81,13 @@ def field_pictures(state, records, look, states):
     chosen = evenly(records, states) if states and len(records) >= STATES_OF_A_FILM else []
     stills = evenly(chosen or records, TIMES)
     shots = {record.name: take(state, record, look) for record in {r.name: r for r in [*chosen, *stills]}.values()}
-    limits, boxes = limits_of(shots.values(), look), boxes_of(shots.values(), look)
-    uris = {name: picture_uri(image_of(page(state, shot, look, limits, boxes))) for name, shot in shots.items()}
+    limits, (boxes, follows) = limits_of(shots.values(), look), boxes_of(shots.values(), look)
+    uris = {name: picture_uri(image_of(page(state, shot, look, limits, box))) for (name, shot), box in zip(shots.items(), boxes)}
     times = {name: f"t = {shot.time}" for name, shot in shots.items()}
     title = next(iter(shots.values())).title
     pair = el("div", *(figure(uris[r.name], f"{title}, {times[r.name]}") for r in stills), class_="pair")
+    if follows:
+        pair = joined([el("p", "The bodies go far, so that the pictures go with them."), pair])
     moving = film([(uris[r.name], times[r.name]) for r in chosen], f"{title} over time") if chosen else None
     return title, pair, moving
 
@@ -103,17 +105,21 @@ def picture_sections(result, look, states):
         notes.append("The field displacement was not written, so that all pictures show the undeformed bodies.")
     if len(records) == 1:
         notes.append("There is one state only: the scene's output.every is longer than the run, or the run ended early.")
-    look = dataclasses.replace(look, field=look.field or main_field(records), size=SIZE)
+    asked_for = look.field
+    look = dataclasses.replace(look, field=asked_for or main_field(records), size=SIZE)
     sections = []
     try:
         pieces = [parts_pictures(state, records, look.views[0])]
         if look.field != "part":
+            if result.get("stopped_by") == "guard" and len(records) > 1:
+                records = records[:-1]
+                pieces.append(el("p", "What follows leaves out the last state, which the guard refused."))
             title, pair, moving = field_pictures(state, records, look, states)
             pieces += [el("h3", title[0].upper() + title[1:].replace("_", " ")), pair]
             if moving:
                 sections.append(section("film", "Film", moving))
     except Fault as fault:
-        if look.field != main_field(records) and look.field != "part":
+        if asked_for:
             raise
         pieces = [el("p", f"A picture could not be drawn: {fault}.")]
     notes = joined(el("p", note) for note in notes)

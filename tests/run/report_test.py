@@ -11,6 +11,8 @@ import subprocess
 import unittest
 import urllib.parse
 
+import h5py
+import numpy as np
 from PIL import Image
 
 import scenes
@@ -190,6 +192,24 @@ class Report(Program):
         page = self.page()
         self.assertIn("displacement was not written", page.text())
         self.assertNotIn("film", [e[1]["id"] for e in page.all("section")])
+        with h5py.File(os.path.join(self.folder, "out", "state.h5"), "a") as state:
+            del state["record_000001"]
+        self.assertIn("one state only", self.page().text())
+        with h5py.File(os.path.join(self.folder, "out", "state.h5"), "a") as state:
+            state["record_000000/node/displacement"] = np.full(state["mesh/coordinates"].shape, np.nan)
+        self.assertIn("are left out: step 0", self.page().text())
+        with h5py.File(os.path.join(self.folder, "out", "state.h5"), "a") as state:
+            del state["record_000000"]
+        self.assertIn("no complete state", self.page().text())
+
+    def test_bodies_that_go_far_stay_in_the_picture(self):
+        self.write("rod.yaml", scenes.LONG.replace("100000000", "3000"))
+        self.run_scene(1, "rod.yaml", "--out", "out", "--set", "output.every=1e-2", "--set", "initial.0.velocity=[0,0,-100]")
+        page = self.page()
+        self.assertIn("the pictures go with them", page.text())
+        for image in page.all("img")[:6]:
+            colours = picture_of(image[1]["src"]).convert("RGB").crop((0, 40, 520, 430)).getdata()
+            self.assertGreater(sum(min(colour) < 200 for colour in colours), 0.1 * 520 * 390)
 
     def test_guard_and_restart_are_told(self):
         self.run_rod("--set", "run.steps=10")
