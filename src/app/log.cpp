@@ -77,7 +77,8 @@ void Log::progress(double share, double seconds_left) {
   bar_drawn_ = now;
   constexpr int width = 40;
   const int full = static_cast<int>(std::clamp(share, 0.0, 1.0) * width);
-  fmt::print("\r[{:#<{}}{:.<{}}] {:3.0f} %  {:.0f} s left   ", "", full, "", width - full, 100 * share, seconds_left);
+  fmt::print("\r[{:#<{}}{:.<{}}] {:3.0f} %  {} left   ", "", full, "", width - full, 100 * share,
+             clock_text(seconds_left));
   std::fflush(stdout);
   bar_shown_ = true;
 }
@@ -86,6 +87,13 @@ void Log::clear_bar() {
   if (!bar_shown_) return;
   fmt::print("\r{:80}\r", "");
   bar_shown_ = false;
+}
+
+std::string clock_text(double seconds) {
+  constexpr double longest = 1e9;  // [s], some thirty years
+  if (!(seconds >= 0)) return "-";
+  const auto whole = static_cast<long long>(std::min(seconds, longest) + 0.5);
+  return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
 std::string told_from(double value, double limit) {

@@ -34,6 +34,9 @@ class Log {
   std::FILE* file_ = nullptr;
 };
 
+/// A duration as h:mm:ss; a dash below 0.
+std::string clock_text(double seconds);
+
 /// `value` with as many digits as tell it from `limit` written as {:g}, two at least: a message that says "above" shows
 /// it.
 std::string told_from(double value, double limit);

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <span>
@@ -20,6 +21,7 @@
 #include "brunt/scene/select.hpp"
 #include "brunt/scene/write.hpp"
 #include "brunt/time/initialise.hpp"
+#include "brunt/time/relaxation.hpp"
 #include "coarse_slaves.hpp"
 #include "contact_setup.hpp"
 #include "failure.hpp"
@@ -133,6 +135,14 @@ void Prepared::after_restart() {
   if (contact && contact->remembers()) contact->restore_history(contact_history);
 }
 
+void begin_run(Prepared& run) {
+  time::begin_run(run.model, run.state, scene::initial_velocities(run.input, run.model));
+  if (!run.contact) return;
+  run.contact_sums = save_sums(run.links.ranks, *run.contact);
+  std::ranges::fill(run.contact_sums, 0.0);
+  restore_sums(run.links.ranks, run.contact_sums, *run.contact);
+}
+
 void refuse_overlaps(Prepared& run) {
   const OverlapReport& report = run.overlaps.report;
   on_root(run.links.ranks, [&] {
@@ -153,6 +163,8 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
     prepared->warnings = prepared->input.warnings;
     whole = whole_mesh(prepared->input, prepared->warnings);
     prepared->overlaps = treat_overlaps(prepared->input, whole);
+    for (std::string& line : scene::nearest_nodes(prepared->input, whole))
+      prepared->overlaps.report.notes.push_back(std::move(line));
     for (std::string& line : warn_of_coarse_slaves(prepared->input, whole))
       prepared->warnings.push_back(std::move(line));
     part = partition::split(partition::dual_graph(whole.mesh), weigh(prepared->input, whole), ranks.size());

@@ -55,6 +55,9 @@ mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::strin
 std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
                                   const std::vector<std::string>& overrides);
 
+/// Ends the phase of relaxation: initial velocities, t = 0, ledgers and sums from zero. Collective.
+void begin_run(Prepared& run);
+
 /// Refuses the overlaps at the start that the scene does not allow; the others become warnings. Collective; throws
 /// InputError on all ranks.
 void refuse_overlaps(Prepared& run);

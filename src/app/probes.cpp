@@ -15,6 +15,17 @@ bool is_force(const Probe& probe) {
   return probe.kind == Probe::Kind::wall || probe.kind == Probe::Kind::contact || probe.field == "reaction";
 }
 
+/// Sums over the elements of a part.
+bool is_sum(const Probe& probe) {
+  return probe.field == "mass" || probe.field == "center" || probe.field == "momentum" ||
+         probe.field == "angular_momentum" || probe.field == "energy";
+}
+
+/// Of two units; none where the system has no names.
+std::string product(const std::string& one, const std::string& other) {
+  return one.empty() ? "" : one + '.' + other;
+}
+
 /// Calls visit(node) for the nodes of the probe that this rank owns.
 template <class Visit>
 void for_owned(const Prepared& run, std::size_t probe, Visit&& visit) {
@@ -56,40 +67,97 @@ Vec3 reaction_impulse(const Prepared& run, std::size_t index) {
 
 }  // namespace
 
-Probes::Probes(const Prepared& run, const scene::UnitSystem& units) : motion_(run.input.probes.size(), Vec3::Zero()) {
-  for (const Probe& probe : run.input.probes)
+Probes::Probes(const Prepared& run, const scene::UnitSystem& units)
+    : motion_(run.input.probes.size(), Vec3::Zero()),
+      moment_(motion_.size(), Vec3::Zero()),
+      part_(motion_.size()),
+      section_(motion_.size()) {
+  for (std::size_t k = 0; k < motion_.size(); ++k) {
+    const Probe& probe = run.input.probes[k];
+    if (is_sum(probe)) part_[k] = nodes_of_part(run, probe.where);
+    if (probe.kind == Probe::Kind::section) section_[k] = find_section(run, k);
+    keeps_velocity_ = keeps_velocity_ || probe.field == "energy";
+    add_columns(probe, units);
+  }
+}
+
+void Probes::add_columns(const Probe& probe, const scene::UnitSystem& units) {
+  const auto vector = [&](const std::string& prefix, const std::string& unit) {
+    for (const char* component : {"x", "y", "z"}) columns_.push_back({prefix + probe.name + '.' + component, unit});
+  };
+  if (probe.field == "mass") {
+    columns_.push_back({probe.name + ".mass", units.mass});
+  } else if (probe.field == "energy") {
+    for (const char* term : {".kinetic", ".internal", ".hourglass", ".bulk"})
+      columns_.push_back({probe.name + term, units.energy});
+  } else if (probe.kind == Probe::Kind::section) {
+    vector("", units.force);
+    vector("moment_", product(units.force, units.length));
+  } else if (is_force(probe)) {
     for (const char* component : {"x", "y", "z"}) {
-      if (!is_force(probe)) {
-        columns_.push_back({probe.name + '.' + component, probe.field == "velocity" ? units.velocity : units.length});
-      } else {
-        columns_.push_back({probe.name + '.' + component, units.force});
-        columns_.push_back({"impulse_" + probe.name + '.' + component, units.momentum});
-      }
+      columns_.push_back({probe.name + '.' + component, units.force});
+      columns_.push_back({"impulse_" + probe.name + '.' + component, units.momentum});
     }
+  } else {
+    vector("", probe.field == "velocity"           ? units.velocity
+               : probe.field == "momentum"         ? units.momentum
+               : probe.field == "angular_momentum" ? product(units.momentum, units.length)
+                                                   : units.length);
+  }
 }
 
 void Probes::read_motion(const Prepared& run) {
-  for (std::size_t k = 0; k < motion_.size(); ++k)
-    if (!is_force(run.input.probes[k])) motion_[k] = mean_motion(run, k);
+  for (std::size_t k = 0; k < motion_.size(); ++k) {
+    const Probe& probe = run.input.probes[k];
+    if (probe.kind == Probe::Kind::section) {
+      const auto [force, moment] = section_force(run, section_[k]);
+      motion_[k] = force;
+      moment_[k] = moment;
+    } else if (probe.field == "center") {
+      motion_[k] = part_center(run, part_[k]);
+    } else if (!is_force(probe) && !is_sum(probe)) {
+      motion_[k] = mean_motion(run, k);
+    }
+  }
+  if (!keeps_velocity_) return;
+  before_.resize(run.state.nodes.size());
+  for (std::size_t i = 0; i < before_.size(); ++i) before_[i] = Eigen::Map<const Vec3>(run.state.nodes[i].v);
 }
 
-std::vector<double> Probes::values(Prepared& run, const contact::ContactTotals& totals) {
+std::vector<double> Probes::values(Prepared& run, const contact::ContactTotals& totals, double dt_mean) {
   std::vector<double> row;
+  const auto add = [&](const Vec3& value) { row.insert(row.end(), value.begin(), value.end()); };
   for (std::size_t k = 0; k < motion_.size(); ++k) {
-    if (!is_force(run.input.probes[k])) {
-      row.insert(row.end(), motion_[k].begin(), motion_[k].end());
-      continue;
+    const Probe& probe = run.input.probes[k];
+    if (is_force(probe)) {
+      add_force(run, totals, k, row);
+    } else if (probe.field == "mass") {
+      row.push_back(part_mass(run, part_[k]));
+    } else if (probe.field == "energy") {
+      const PartEnergy energy = part_energy(run, part_[k], before_, dt_mean);
+      row.insert(row.end(), {energy.kinetic, energy.internal, energy.hourglass, energy.bulk});
+    } else if (probe.field == "momentum") {
+      add(part_momentum(run, part_[k]));
+    } else if (probe.field == "angular_momentum") {
+      add(part_angular_momentum(run, part_[k], probe.about.value_or(Vec3::Zero())));
+    } else {
+      add(motion_[k]);
+      if (probe.kind == Probe::Kind::section) add(moment_[k]);
     }
-    const Vec3 total = impulse(run, totals, k);
-    double* memory = &run.force_memory[4 * k];
-    Eigen::Map<Vec3> last(memory);
-    const double passed = run.state.time - memory[3];
-    const Vec3 mean = passed > 0 ? Vec3((total - last) / passed) : Vec3::Zero();
-    for (int c = 0; c < 3; ++c) row.insert(row.end(), {mean[c], total[c]});
-    last = total;
-    memory[3] = run.state.time;
   }
   return row;
+}
+
+void Probes::add_force(Prepared& run, const contact::ContactTotals& totals, std::size_t probe,
+                       std::vector<double>& row) const {
+  const Vec3 total = impulse(run, totals, probe);
+  double* memory = &run.force_memory[4 * probe];
+  Eigen::Map<Vec3> last(memory);
+  const double passed = run.state.time - memory[3];
+  const Vec3 mean = passed > 0 ? Vec3((total - last) / passed) : Vec3::Zero();
+  for (int c = 0; c < 3; ++c) row.insert(row.end(), {mean[c], total[c]});
+  last = total;
+  memory[3] = run.state.time;
 }
 
 Vec3 Probes::impulse(const Prepared& run, const contact::ContactTotals& totals, std::size_t probe) const {
@@ -98,7 +166,7 @@ Vec3 Probes::impulse(const Prepared& run, const contact::ContactTotals& totals, 
     const auto wall = std::ranges::find(run.model.walls, watched.where, &model::RigidWall::name);
     return totals.wall_impulse[static_cast<std::size_t>(wall - run.model.walls.begin())];
   }
-  if (watched.kind == Probe::Kind::set) return reaction_impulse(run, probe);
+  if (watched.field == "reaction") return reaction_impulse(run, probe);
   const auto pair = std::ranges::find(run.tracked, std::array{watched.where, watched.other});
   return totals.tracked_impulse[static_cast<std::size_t>(pair - run.tracked.begin())];
 }

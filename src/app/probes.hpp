@@ -8,7 +8,9 @@
 #include "brunt/contact/contact.hpp"
 #include "brunt/io/history.hpp"
 #include "brunt/scene/units.hpp"
+#include "part_sums.hpp"
 #include "prepare.hpp"
+#include "sections.hpp"
 
 namespace brunt::app {
 
@@ -22,13 +24,23 @@ class Probes {
   void read_motion(const Prepared& run);
   /// Reads impulses up to t_{n+1/2}, after the step, and returns all values in the order of the columns: forces are
   /// means since the last row, with the impulse beside them. Collective.
-  std::vector<double> values(Prepared& run, const contact::ContactTotals& totals);
+  /// dt_mean: of that step, which energies of parts need.
+  std::vector<double> values(Prepared& run, const contact::ContactTotals& totals, double dt_mean = 0);
 
  private:
+  void add_columns(const scene::Probe& probe, const scene::UnitSystem& units);
+  /// Mean force since the last row, and the impulse beside it.
+  void add_force(Prepared& run, const contact::ContactTotals& totals, std::size_t probe,
+                 std::vector<double>& row) const;
   Vec3 impulse(const Prepared& run, const contact::ContactTotals& totals, std::size_t probe) const;
 
   std::vector<io::HistoryColumn> columns_;
-  std::vector<Vec3> motion_;
+  // of each probe, where it has them:
+  std::vector<Vec3> motion_, moment_;
+  std::vector<PartNodes> part_;
+  std::vector<Section> section_;
+  bool keeps_velocity_ = false;
+  std::vector<Vec3> before_;  ///< v_{n-1/2} of all nodes, where a probe asks for energies
 };
 
 }  // namespace brunt::app

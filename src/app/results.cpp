@@ -119,7 +119,7 @@ void Results::write_fields(const time::StepReport* step) {
 
 void Results::write_history(const time::Ledger& ledger, const time::StepReport& step) {
   const auto timed = run_.links.timers.measure(Phase::output);
-  const std::vector<double> probes = probes_.values(run_, ledger.contact_totals);
+  const std::vector<double> probes = probes_.values(run_, ledger.contact_totals, step.dt_mean);
   if (!history_) return;
   std::vector<double> row{run_.state.time_before,
                           step.dt,
@@ -279,6 +279,8 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   summary["share"]["other"] = 1.0 - booked;
   summary["warnings"] = log_.warnings();
   summary["folded_elements"] = extremes_.folded;
+  summary["relaxation"] = {{"steps", static_cast<GlobalIndex>(run_.state.relaxation.steps)},
+                           {"residual", run_.model.relaxes ? run_.state.relaxation.residual : 0.0}};
   summary["energy"] = {{"kinetic", e.kinetic},   {"internal", e.internal}, {"hourglass", e.hourglass},
                        {"bulk", e.bulk},         {"damping", e.damping},   {"contact", e.contact},
                        {"friction", e.friction}, {"walls", e.walls},       {"external", e.external},
@@ -306,19 +308,19 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
 
 void Results::table_header() {
   const scene::UnitSystem& units = units_of(run_);
-  log_.line(fmt::format("{:>8} {:>11} {:>10} {:>9} {:>11} {:>11} {:>11} {:>9} {:>7} {:>10}", "step", "time", "dt",
-                        "by elem", "kinetic", "internal", "total", "error", "active", "penetr."));
-  log_.line(fmt::format("{:>8} {:>11} {:>10} {:>9} {:>11} {:>11} {:>11} {:>9} {:>7} {:>10}", "", units.time, units.time,
-                        "", units.energy, units.energy, units.energy, "", "", units.length));
+  log_.line(fmt::format("{:>8} {:>11} {:>10} {:>9} {:>11} {:>11} {:>11} {:>9} {:>7} {:>10} {:>8}", "step", "time", "dt",
+                        "by elem", "kinetic", "internal", "total", "error", "active", "penetr.", "left"));
+  log_.line(fmt::format("{:>8} {:>11} {:>10} {:>9} {:>11} {:>11} {:>11} {:>9} {:>7} {:>10} {:>8}", "", units.time,
+                        units.time, "", units.energy, units.energy, units.energy, "", "", units.length, "h:mm:ss"));
 }
 
-void Results::table_line(const time::Ledger& ledger, const time::StepReport& step) {
+void Results::table_line(const time::Ledger& ledger, const time::StepReport& step, double seconds_left) {
   const std::string element = controlling_element(run_, step);
-  log_.line(fmt::format("{:>8} {:>11.4e} {:>10.3e} {:>9} {:>11.4e} {:>11.4e} {:>11.4e} {:>9.1e} {:>7} {:>10.2e}",
+  log_.line(fmt::format("{:>8} {:>11.4e} {:>10.3e} {:>9} {:>11.4e} {:>11.4e} {:>11.4e} {:>9.1e} {:>7} {:>10.2e} {:>8}",
                         static_cast<GlobalIndex>(run_.state.step) - 1, run_.state.time_before, step.dt, element,
                         ledger.kinetic, ledger.internal, ledger.total(),
                         (ledger.total() - extremes_.start_total) / std::max(extremes_.largest_energy, 1e-300),
-                        ledger.contact_totals.active, ledger.contact_totals.penetration));
+                        ledger.contact_totals.active, ledger.contact_totals.penetration, clock_text(seconds_left)));
 }
 
 }  // namespace brunt::app

@@ -67,7 +67,8 @@ class Results {
   void seal();
   void write_summary(const std::string& stopped_by, int exit_code, double wall_seconds, const LoopCost& cost);
   void table_header();
-  void table_line(const time::Ledger& ledger, const time::StepReport& step);
+  /// `seconds_left`: of the wall clock until the end, as far as can be told; below 0: not yet.
+  void table_line(const time::Ledger& ledger, const time::StepReport& step, double seconds_left);
   [[nodiscard]] const std::string& folder() const { return folder_; }
   [[nodiscard]] const Extremes& extremes() const { return extremes_; }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 
 #include "brunt/core/error.hpp"
@@ -13,6 +14,7 @@
 #include "brunt/io/text_file.hpp"
 #include "brunt/time/initialise.hpp"
 #include "brunt/time/ledger.hpp"
+#include "brunt/time/relaxation.hpp"
 #include "brunt/time/step.hpp"
 #include "commands.hpp"
 #include "contact_setup.hpp"
@@ -42,32 +44,84 @@ struct Outcome {
   std::string message;
 };
 
+std::string not_at_rest(const model::Relaxation& phase, const scene::Relaxation& asked) {
+  return fmt::format(
+      "relaxation: not at rest after {} steps (max_steps): {:.0f} % of the loads, unbalanced forces {:.2g} of them, "
+      "tolerance {:g}; bodies that nothing supports never come to rest",
+      asked.max_steps, 100 * phase.stage / time::relaxation_stages, phase.residual, asked.tolerance);
+}
+
 class Loop {
  public:
   Loop(Prepared& run, Results& results, Log& log, Clock::time_point program_start)
       : run_(run), results_(results), log_(log), program_start_(program_start) {}
 
   Outcome go() {
-    results_.table_header();
     Outcome outcome;
     try {
-      while (!finished(outcome)) {
-        pass(false);
-        if (due_after_step()) results_.write_checkpoint();
-      }
+      if (!relaxing() || come_to_rest(outcome)) go_on(outcome);
     } catch (const GuardError& error) {
       outcome = {"guard", ExitCode::guard, error.what()};
     }
-    cost_ = {seconds_since(start_), passes_, run_.links.timers};
+    cost_ = {seconds_since(loop_start_), passes_, run_.links.timers};
     return outcome;
   }
 
   /// Evaluates t_N once more for its fields and its ledger; the step that this takes is not part of the run.
-  void last_record() { pass(true); }
+  void last_record() {
+    if (!relaxing()) pass(true);  // before t = 0 there is nothing to tell
+  }
 
   [[nodiscard]] const LoopCost& cost() const { return cost_; }
 
  private:
+  [[nodiscard]] bool relaxing() const { return run_.state.relaxation.under_way != 0; }
+
+  /// The phase before t = 0; false where it was asked to stop.
+  bool come_to_rest(Outcome& outcome) {
+    const scene::Relaxation& asked = *run_.input.relaxation;
+    const model::Relaxation& phase = run_.state.relaxation;
+    while (!finished(outcome)) {
+      if (phase.steps >= static_cast<double>(asked.max_steps)) throw GuardError(not_at_rest(phase, asked));
+      const time::RelaxationStep now = time::relax(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(),
+                                                   step_control(run_), {asked.tolerance});
+      if (now.step.stop) stop_for_element(now.step);
+      if (!std::isfinite(phase.kinetic)) throw GuardError("relaxation: the motion is not a number");
+      ++passes_;
+      if (now.stopped) tell_stage(phase);
+      if (!now.at_rest) continue;
+      log_.line(fmt::format("relaxation: at rest after {:.0f} steps; unbalanced forces are {:.2g} of the loads",
+                            phase.steps, phase.residual));
+      begin_run(run_);
+      start_ = Clock::now();
+      return true;
+    }
+    return false;
+  }
+
+  void tell_stage(const model::Relaxation& phase) {
+    if (phase.stage <= told_stage_) return;
+    told_stage_ = phase.stage;
+    log_.line(fmt::format("relaxation: step {:.0f}, {:.0f} % of the loads, unbalanced forces {:.2g}", phase.steps,
+                          100 * phase.stage / time::relaxation_stages, phase.residual));
+  }
+
+  void go_on(Outcome& outcome) {
+    results_.table_header();
+    while (!finished(outcome)) {
+      pass(false);
+      if (due_after_step()) results_.write_checkpoint();
+    }
+  }
+
+  /// Of the wall clock, until the end [s]; < 0 as long as too few steps have been taken to tell.
+  [[nodiscard]] double time_left() const {
+    constexpr double few = 10;
+    const double share = progress(run_.state, run_.input.run);
+    if (share >= 1) return 0;
+    return run_.state.step - first_step_ < few ? -1 : seconds_left(seconds_since(start_), first_share_, share);
+  }
+
   /// One step, with what is to be written about t_n.
   void pass(bool last) {
     const scene::Input& input = run_.input;
@@ -94,14 +148,11 @@ class Loop {
       results_.watch(ledger, state.time_before);
       if (watch && !last) results_.remember_good();
       if (line) {
-        results_.table_line(ledger, step);
+        results_.table_line(ledger, step, time_left());
         lines_ = static_cast<int>(progress(state, input.run) * table_lines) + 1;
       }
     }
-    if (static_cast<GlobalIndex>(state.step) % 20 == 0) {
-      const double share = progress(state, input.run);
-      log_.progress(share, seconds_left(seconds_since(start_), first_share_, share));
-    }
+    if (static_cast<GlobalIndex>(state.step) % 20 == 0) log_.progress(progress(state, input.run), time_left());
   }
 
   time::Ledger energies(const time::StepReport& step) {
@@ -118,7 +169,8 @@ class Loop {
       return true;
     }
     constexpr int steps_between_looks = 10;
-    if (static_cast<GlobalIndex>(run_.state.step) % steps_between_looks != 0) return false;
+    if (static_cast<GlobalIndex>(run_.state.step + run_.state.relaxation.steps) % steps_between_looks != 0)
+      return false;
     const Requests asked = take_requests();
     const bool root = run_.links.ranks.is_root();
     const bool late = root && run_.input.run.wall_limit && seconds_since(program_start_) > *run_.input.run.wall_limit;
@@ -169,12 +221,14 @@ class Loop {
   Results& results_;
   Log& log_;
   Clock::time_point program_start_;  ///< for the wall limit: a batch system counts the preparation too
-  Clock::time_point start_ = Clock::now();
+  Clock::time_point loop_start_ = Clock::now(), start_ = loop_start_;  ///< start_: of t = 0, or of the restart
   double first_share_ = progress(run_.state, run_.input.run);
   LoopCost cost_;
   double passes_ = 0;
   double longest_step_ = 0;
   int lines_ = 0;
+  double first_step_ = run_.state.step;
+  double told_stage_ = 1;
   bool told_limit_ = false;
 };
 

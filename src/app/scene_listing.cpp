@@ -62,6 +62,8 @@ class Listing {
     each(input.symmetry, &Listing::add_symmetry);
     each(input.prescribed, &Listing::add_prescribed);
     each(input.pressure, &Listing::add_pressure);
+    each(input.forces, &Listing::add_force);
+    each(input.traction, &Listing::add_traction);
     add_fields();
   }
 
@@ -131,10 +133,16 @@ class Listing {
   }
 
   void add_prescribed(const scene::Prescribed& motion, std::size_t k) {
-    const std::string velocity = motion.curve.empty() ? fmt::format("{:g} {}", motion.scale, units_.velocity)
-                                                      : fmt::format("curve {} times {:g}", motion.curve, motion.scale);
+    using Gives = scene::Prescribed::Gives;
+    const bool acceleration = motion.gives == Gives::acceleration;
+    const std::string unit = acceleration ? fmt::format("{}/{}^2", units_.length, units_.time) : units_.velocity;
+    const std::string value = motion.curve.empty() ? fmt::format("{:g} {}", motion.scale, unit)
+                                                   : fmt::format("curve {} times {:g}", motion.curve, motion.scale);
+    const char* what = acceleration                          ? "acceleration"
+                       : motion.gives == Gives::displacement ? "displacement"
+                                                             : "velocity";
     add("prescribed",
-        fmt::format("{}: velocity {} {}, {}", motion.where, "xyz"[motion.dof], velocity, nodes_of("prescribed", k)));
+        fmt::format("{}: {} {} {}, {}", motion.where, what, "xyz"[motion.dof], value, nodes_of("prescribed", k)));
   }
 
   void add_pressure(const scene::Pressure& pressure, std::size_t k) {
@@ -142,7 +150,23 @@ class Listing {
                                 curve_text(pressure.curve), faces_of(scene::selection_name("pressure", k))));
   }
 
+  void add_force(const scene::DeadLoad& load, std::size_t k) {
+    const bool total = load.kind == scene::DeadLoad::Kind::total;
+    const std::string reserved = scene::selection_name("forces", k);
+    add("force",
+        fmt::format("{}: {} {}{}{}, {}", load.where, vector_text(load.value), units_.force, total ? " in all" : " each",
+                    curve_text(load.curve), total ? faces_of(reserved) : nodes_of(reserved)));
+  }
+
+  void add_traction(const scene::DeadLoad& load, std::size_t k) {
+    add("traction", fmt::format("{}: {} {}{}, {}", load.where, vector_text(load.value), units_.stress,
+                                curve_text(load.curve), faces_of(scene::selection_name("traction", k))));
+  }
+
   void add_fields() {
+    if (const auto& relaxation = run_.input.relaxation)
+      add("relaxation",
+          fmt::format("before t = 0, to {:g}, {} steps at most", relaxation->tolerance, relaxation->max_steps));
     if (const auto& gravity = run_.input.gravity)
       add("gravity", fmt::format("{} {}/{}^2{}", vector_text(gravity->vector), units_.length, units_.time,
                                  curve_text(gravity->curve)));

@@ -15,4 +15,19 @@ double value_at(const Curve& curve, double time) {
   return a[1] + (b[1] - a[1]) * ((time - a[0]) / (b[0] - a[0]));
 }
 
+double integral(const Curve& curve, double from, double to) {
+  // a trapezoid between each two of the ends and the points of the curve between them
+  double sum = 0, left = from, at_left = value_at(curve, from);
+  const auto add_until = [&](double right) {
+    const double at_right = value_at(curve, right);
+    sum += 0.5 * (right - left) * (at_left + at_right);
+    left = right;
+    at_left = at_right;
+  };
+  for (const auto& [time, value] : curve)
+    if (time > from && time < to) add_until(time);
+  add_until(to);
+  return sum;
+}
+
 }  // namespace brunt::model

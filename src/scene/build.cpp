@@ -58,6 +58,38 @@ model::ElementBlock build_block(const Part& part, const Input& input, const mesh
   return block;
 }
 
+void build_dead_loads(const Input& input, model::Model& model) {
+  const auto add = [&](const DeadLoad& entry, const std::string& set) {
+    model::DeadLoad load;
+    load.value = entry.value;
+    load.kind = static_cast<model::DeadLoad::Kind>(entry.kind);
+    load.curve = curve_of(input, entry.curve);
+    if (entry.kind == DeadLoad::Kind::each_node)
+      load.nodes = model.mesh.node_sets.at(set);
+    else
+      load.faces = model.mesh.side_sets.at(set);
+    model.dead_loads.push_back(std::move(load));
+  };
+  for (std::size_t k = 0; k < input.forces.size(); ++k) add(input.forces[k], selection_name("forces", k));
+  for (std::size_t k = 0; k < input.traction.size(); ++k) add(input.traction[k], selection_name("traction", k));
+}
+
+/// Nodes whose corner forces probes want unsummed: of sections, and between parts where their energies are asked for.
+void watch_nodes(const Input& input, model::Model& model) {
+  std::vector<LocalIndex>& watched = model.watched;
+  for (std::size_t k = 0; k < input.probes.size(); ++k)
+    if (input.probes[k].kind == Probe::Kind::section) {
+      const std::vector<LocalIndex>& nodes = selected(model.mesh, "probe", k);
+      watched.insert(watched.end(), nodes.begin(), nodes.end());
+    }
+  if (const auto set = model.mesh.node_sets.find(interface_set); set != model.mesh.node_sets.end()) {
+    model.between_parts = set->second;
+    watched.insert(watched.end(), set->second.begin(), set->second.end());
+  }
+  std::ranges::sort(watched);
+  watched.erase(std::unique(watched.begin(), watched.end()), watched.end());
+}
+
 void build_loads(const Input& input, model::Model& model) {
   if (input.gravity) {
     model.gravity = input.gravity->vector;
@@ -71,6 +103,8 @@ void build_loads(const Input& input, model::Model& model) {
   for (std::size_t k = 0; k < input.pressure.size(); ++k)
     model.pressure.push_back({model.mesh.side_sets.at(selection_name("pressure", k)), input.pressure[k].value,
                               curve_of(input, input.pressure[k].curve)});
+  build_dead_loads(input, model);
+  model.relaxes = input.relaxation.has_value();
   for (const RigidWall& wall : input.rigid_walls)
     model.walls.push_back({wall.name, wall.point - model.mesh.origin, wall.normal.normalized(), wall.bilateral,
                            curve_of(input, wall.motion), !wall.motion.empty(), wall.friction});
@@ -112,6 +146,7 @@ std::vector<LocalIndex> late_nodes(const model::Model& model) {
     const std::vector<LocalIndex>& surface = model.mesh.node_sets.at(surface_set);
     late.insert(late.end(), surface.begin(), surface.end());
   }
+  late.insert(late.end(), model.between_parts.begin(), model.between_parts.end());
   std::ranges::sort(late);
   late.erase(std::unique(late.begin(), late.end()), late.end());
   return late;
@@ -131,6 +166,7 @@ model::Model build_model(const Input& input, mesh::LocalMesh&& mesh) {
   std::vector<std::string> part_of_block;
   for (const model::ElementBlock& block : model.blocks) part_of_block.push_back(block.part);
   model.contact = contact_rule(input, part_of_block);
+  watch_nodes(input, model);
   model.late = late_nodes(model);
   return model;
 }

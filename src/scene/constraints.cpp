@@ -67,7 +67,8 @@ void build_constraints(const Input& input, model::Model& model) {
          {input.symmetry[k].normal.normalized(), -1, fmt::format("symmetry.{}", k)}, faults);
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
     const Prescribed& entry = input.prescribed[k];
-    model.drives.push_back({entry.curve.empty() ? model::Curve{} : input.curves.at(entry.curve), entry.scale});
+    model.drives.push_back({entry.curve.empty() ? model::Curve{} : input.curves.at(entry.curve), entry.scale,
+                            static_cast<model::Drive::Gives>(entry.gives)});
     hold(input, model, held, nodes("prescribed", k),
          {Vec3::Unit(entry.dof), static_cast<std::int32_t>(k), fmt::format("prescribed.{}", k)}, faults);
   }

@@ -2,6 +2,8 @@
 // What moves, holds and loads the bodies.
 #include <fmt/format.h>
 
+#include <array>
+
 #include "brunt/scene/sections.hpp"
 
 namespace brunt::scene {
@@ -41,22 +43,33 @@ Fixed read_fixed(Section& entry) {
   return fixed;
 }
 
+bool is_numeric(const Key& key) {
+  const bool plain = !key.tree->quoted && !key.tree->text.empty();
+  return plain && std::string_view("+-.0123456789").find(key.tree->text.front()) != std::string_view::npos;
+}
+
 Prescribed read_prescribed(Section& entry) {
   Prescribed motion;
   read_selection(entry, motion.where);
   entry.required("dof", motion.dof, directions);
   entry.optional("scale", motion.scale, any_number);
-  const Key velocity = entry.at("velocity");
-  const bool plain = velocity.tree != nullptr && !velocity.tree->quoted && !velocity.tree->text.empty();
-  const bool numeric =
-      plain && std::string_view("+-.0123456789").find(velocity.tree->text.front()) != std::string_view::npos;
-  if (numeric) {
+  using Gives = Prescribed::Gives;
+  const bool displacement = entry.has("displacement"), acceleration = entry.has("acceleration");
+  if (static_cast<int>(entry.has("velocity")) + static_cast<int>(displacement) + static_cast<int>(acceleration) > 1)
+    fault(entry.key(), "more than one motion is given; accepted: one of velocity, displacement, acceleration");
+  motion.gives = displacement ? Gives::displacement : acceleration ? Gives::acceleration : Gives::velocity;
+  constexpr std::array names{"velocity", "displacement", "acceleration"};
+  const char* name = names[static_cast<std::size_t>(motion.gives)];
+  const Key given = entry.at(name);
+  if (given.tree == nullptr) {
+    wrong(given, "the name of a curve, or a number for a constant velocity");
+  } else if (is_numeric(given) && displacement) {
+    wrong(given, "the name of a curve that is 0 at t = 0");
+  } else if (is_numeric(given)) {
     double constant = 0;
-    if (read(velocity, constant, any_number)) motion.scale *= constant;
-  } else if (velocity.tree == nullptr) {
-    wrong(velocity, "the name of a curve, or a number for a constant velocity");
+    if (read(given, constant, any_number)) motion.scale *= constant;
   } else {
-    read(velocity, motion.curve, Named::curve);
+    read(given, motion.curve, Named::curve);
   }
   return motion;
 }

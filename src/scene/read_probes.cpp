@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "brunt/scene/sections.hpp"
 
@@ -25,9 +26,49 @@ void read_name(Section& entry, Probe& probe) {
 
 void read_field(Section& entry, Probe& probe) {
   std::vector<std::string> fields{"displacement", "velocity", "position"};
-  if (probe.kind == Kind::set) fields.emplace_back("reaction");
+  if (probe.kind == Kind::set || probe.kind == Kind::part) fields.emplace_back("reaction");
+  if (probe.kind == Kind::part)
+    for (const char* sum : {"mass", "center", "momentum", "angular_momentum", "energy"}) fields.emplace_back(sum);
   const std::size_t chosen = read_choice(entry.at("field"), fields, {});
   if (chosen < fields.size()) probe.field = fields[chosen];
+  if (probe.field == "angular_momentum" && entry.has("about")) {
+    Vec3 about = Vec3::Zero();
+    if (entry.required("about", about, Vector::any)) probe.about = about;
+  }
+}
+
+/// Of the parts whose elements count: `part` or `parts`.
+void read_section_parts(Section& section, Probe& probe) {
+  const bool one = section.has("part"), many = section.has("parts");
+  if (one == many) {
+    const std::string what = one ? "part and parts are both given; accepted: one of them"
+                                 : "no part is given; accepted: part: name, or parts: [a, b]";
+    return one ? fault(section.key(), what) : lacking(section.key(), {"part", "parts"}, what);
+  }
+  std::string name;
+  if (one && section.required("part", name, Named::part)) probe.parts.push_back(name);
+  if (many)
+    for (const Key& key : items(section.at("parts"), "a list of parts [a, b]"))
+      if (read(key, name, Named::part)) probe.parts.push_back(name);
+}
+
+void read_section(const Key& key, Probe& probe) {
+  Section section(key, "a map {part: name, point: [x, y, z], normal: [x, y, z]}, or {part: name, set: name}");
+  if (!section.is_map()) return;
+  read_section_parts(section, probe);
+  const bool set = section.has("set"), plane = section.has("point") || section.has("normal");
+  if (set && plane) {
+    fault(section.key(), "set and a plane are both given; accepted: set: name, or point and normal");
+  } else if (set) {
+    section.required("set", probe.where, "the name of a set");
+  } else {
+    section.required("point", probe.point, Vector::any);
+    section.required("normal", probe.normal, Vector::direction);
+  }
+  if (section.has("about")) {
+    Vec3 about = Vec3::Zero();
+    if (section.required("about", about, Vector::any)) probe.about = about;
+  }
 }
 
 void read_parts(const Key& key, Probe& probe) {
@@ -37,35 +78,49 @@ void read_parts(const Key& key, Probe& probe) {
   if (good && probe.where == probe.other) fault(key, "the parts are the same; accepted: two different parts [a, b]");
 }
 
+void read_node(Section& entry, Probe& probe) {
+  GlobalIndex node = 0;
+  if (entry.required("node", node, Count{0, 1'000'000'000'000})) probe.where = std::to_string(node);
+}
+
+/// The node nearest to a point, of all nodes or of a part or set.
+void read_near(Section& entry, Probe& probe) {
+  probe.kind = Kind::near;
+  entry.required("near", probe.point, Vector::any);
+  if (entry.has("part") || entry.has("set")) read_selection(entry, probe.where);
+}
+
 void read_place(Section& entry, Probe& probe) {
-  int places = 0;
-  if (entry.has("node")) {
-    ++places;
-    GlobalIndex node = 0;
-    if (entry.required("node", node, Count{0, 1'000'000'000'000})) probe.where = std::to_string(node);
-  }
-  if (entry.has("set") || entry.has("part")) {
-    ++places;
-    probe.kind = Kind::set;
+  const bool near = entry.has("near"), part = entry.has("part"), set = entry.has("set");
+  const std::array given{entry.has("node"),   near, !near && (part || set), entry.has("wall"), entry.has("contact"),
+                         entry.has("section")};
+  const auto places = std::ranges::count(given, true);
+  if (given[0]) read_node(entry, probe);
+  if (given[1]) read_near(entry, probe);
+  if (given[2]) {
+    probe.kind = part ? Kind::part : Kind::set;
     read_selection(entry, probe.where);
   }
-  if (entry.has("wall")) {
-    ++places;
+  if (given[3]) {
     probe.kind = Kind::wall;
     entry.required("wall", probe.where, Named::wall);
   }
-  if (entry.has("contact")) {
-    ++places;
+  if (given[4]) {
     probe.kind = Kind::contact;
     read_parts(entry.at("contact"), probe);
   }
+  if (given[5]) {
+    probe.kind = Kind::section;
+    read_section(entry.at("section"), probe);
+  }
   if (places != 1) {
     entry.has("field");  // known, whatever the place
-    const std::string what = fmt::format("{} places to probe; accepted: one of node, set, part, wall, contact", places);
+    const std::string what =
+        fmt::format("{} places to probe; accepted: one of node, near, set, part, wall, contact, section", places);
     return places > 0 ? fault(entry.key(), what)
-                      : lacking(entry.key(), {"node", "set", "part", "wall", "contact"}, what);
+                      : lacking(entry.key(), {"node", "near", "set", "part", "wall", "contact", "section"}, what);
   }
-  if (probe.kind == Kind::node || probe.kind == Kind::set) read_field(entry, probe);
+  if (!given[3] && !given[4] && !given[5]) read_field(entry, probe);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "brunt/scene/curve.hpp"
 #include "brunt/scene/nearest.hpp"
 #include "brunt/scene/sections.hpp"
 
@@ -102,6 +103,20 @@ void check_bodies(const Input& input, Section& scene) {
   }
 }
 
+/// A displacement is measured from where the nodes begin: a curve that begins elsewhere would let them jump.
+void check_displacements(const Input& input, Section& scene) {
+  for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
+    const Prescribed& motion = input.prescribed[k];
+    const auto curve = input.curves.find(motion.curve);
+    if (motion.gives != Prescribed::Gives::displacement || curve == input.curves.end()) continue;
+    const double start = value_at(curve->second, 0.0);
+    if (start == 0) continue;
+    const Key key = items(scene.at("prescribed"), "")[k];
+    fault(key, fmt::format("curve '{}' is {:g} at t = 0, so the nodes would jump; accepted: a displacement of 0 there",
+                           motion.curve, start));
+  }
+}
+
 /// A name that would be two things where one is looked up.
 void check_twice(const Key& section, const std::vector<std::string>& names, std::string_view what) {
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -120,6 +135,7 @@ void check_twice(const Key& section, const std::vector<std::string>& names, std:
 void check_references(const Input& input, Section& scene) {
   check_uses(input, scene);
   check_bodies(input, scene);
+  check_displacements(input, scene);
   std::vector<std::string> probes;
   for (const Probe& probe : input.probes) probes.push_back(probe.name);
   check_twice(scene.at("probes"), probes, "probe");

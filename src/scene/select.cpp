@@ -12,6 +12,7 @@
 #include "brunt/core/error.hpp"
 #include "brunt/mesh/topology.hpp"
 #include "brunt/scene/nearest.hpp"
+#include "select_watched.hpp"
 
 namespace brunt::scene {
 namespace {
@@ -81,6 +82,40 @@ class Selector {
       tell(key, "side set '{}' has no side; accepted: a side set with at least one face", where);
     whole_.mesh.side_sets[reserved] = found->second;
   }
+
+  /// Faces over which a total force is spread: those of a side set, else the exterior ones with all nodes in the set.
+  void add_faces(const std::string& reserved, const std::string& where, const std::string& key) {
+    for (const SetEntry& set : input_.sets)
+      if (set.name == where && set.side_set) return add_sides(reserved, where, key);
+    if (whole_.mesh.side_sets.contains(where)) return add_sides(reserved, where, key);
+    const std::optional<Nodes> found = nodes_of(where);
+    if (!found) return unknown(where, key);
+    std::vector<mesh::Side>& sides = whole_.mesh.side_sets[reserved];
+    for (const mesh::Side& side : mesh::exterior_sides(whole_.mesh))
+      if (std::ranges::all_of(nodes_of_sides({side}),
+                              [&](LocalIndex n) { return std::ranges::binary_search(*found, n); }))
+        sides.push_back(side);
+    if (sides.empty())
+      tell(key, "'{}' has no face on the outside; accepted: a set with faces, or force: for each node", where);
+  }
+
+  void add_probe(const Probe& probe, std::size_t k) {
+    const std::string reserved = selection_name("probe", k), key = fmt::format("probes.{}", k);
+    const bool named = !probe.where.empty();
+    if (probe.kind == Probe::Kind::node) add_node(reserved, probe.where, key + ".node");
+    if (probe.kind == Probe::Kind::set || probe.kind == Probe::Kind::part || (probe.kind == Probe::Kind::near && named))
+      add_nodes(reserved, probe.where, input_.places.has(key + ".part") ? key + ".part" : key + ".set");
+    if (probe.kind == Probe::Kind::near) keep_nearest(probe, reserved, whole_);
+    if (probe.kind != Probe::Kind::section) return;
+    if (named) add_nodes(reserved, probe.where, key + ".section.set");
+    if (make_section(probe, k, part_of_block_, on_plane_, whole_) > 0) return;
+    if (named && whole_.mesh.node_sets.contains(reserved))
+      tell(key + ".section.set", "'{}' has no node of the parts; accepted: a set with nodes of theirs", probe.where);
+    if (!named)
+      tell(key + ".section", "the plane cuts no element of the parts; accepted: a plane through them, {}", extent());
+  }
+
+  void add_interface() { make_interface(whole_); }
 
   void add_plane(const std::string& reserved, const Vec3& point, const Vec3& normal, const std::string& key,
                  bool must_hold) {
@@ -308,11 +343,17 @@ void select(const Input& input, mesh::CanonicalMesh& whole) {
                        entry.bilateral);
     selector.require_one_side(entry, fmt::format("rigid_walls.{}", k));
   });
-  each(input.probes, [&](const Probe& entry, std::size_t k) {
-    const std::string reserved = selection_name("probe", k);
-    if (entry.kind == Probe::Kind::node) selector.add_node(reserved, entry.where, fmt::format("probes.{}.node", k));
-    if (entry.kind == Probe::Kind::set) selector.add_nodes(reserved, entry.where, selecting_key(input, "probes", k));
+  each(input.traction, [&](const DeadLoad& entry, std::size_t k) {
+    selector.add_sides(selection_name("traction", k), entry.where, fmt::format("traction.{}.set", k));
   });
+  each(input.forces, [&](const DeadLoad& entry, std::size_t k) {
+    const std::string reserved = selection_name("forces", k), key = selecting_key(input, "forces", k);
+    if (entry.kind == DeadLoad::Kind::total) return selector.add_faces(reserved, entry.where, key);
+    selector.add_nodes(reserved, entry.where, key);
+  });
+  each(input.probes, [&](const Probe& entry, std::size_t k) { selector.add_probe(entry, k); });
+  if (std::ranges::any_of(input.probes, [](const Probe& probe) { return probe.field == "energy"; }))
+    selector.add_interface();
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 

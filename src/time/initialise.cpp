@@ -41,7 +41,11 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
     state.reaction_impulse.assign(3 * n, 0.0);
     if (model.contact.any || !model.walls.empty()) scratch.contact_impulse.assign(n, Vec3::Zero());
   }
+  if (model.relaxes) state.held_force.assign(3 * n, 0.0);
   state.wall_position.assign(model.walls.size(), 0.0);
+  if (model.books_interface)
+    for (const model::ElementBlock& block : model.blocks)
+      state.interface_work.emplace_back(static_cast<std::size_t>(block.count), 0.0);
 }
 
 model::StateArray nodal(const std::string& name, std::vector<double>& values, int components, LocalIndex nodes) {
@@ -58,6 +62,7 @@ void initialise(model::Model& model, model::State& state, model::Scratch& scratc
                 std::span<const Vec3> velocity) {
   // asked of all ranks: a registry must list the same arrays everywhere
   model.any_constrained = links.ranks.any(!model.constrained.empty());
+  model.books_interface = links.ranks.any(!model.between_parts.empty());
   model.block_size.clear();
   for (const model::ElementBlock& block : model.blocks)
     model.block_size.push_back(links.ranks.sum(GlobalIndex{block.count}));
@@ -71,16 +76,28 @@ void initialise(model::Model& model, model::State& state, model::Scratch& scratc
   links.corner_forces.begin(scratch.slots, 4);
   links.corner_forces.end(scratch.slots, 4, {reinterpret_cast<double*>(scratch.force.data()), 4 * scratch.force.size()},
                           4);
-  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-    state.nodes[i].mass = scratch.force[i][0];
-    for (int c = 0; c < 3; ++c) state.nodes[i].v[c] = velocity[i][c];
-  }
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i].mass = scratch.force[i][0];
   for (const LocalIndex node : model.late) state.nodes[static_cast<std::size_t>(node)].late = 1.0;
+  if (model.relaxes)
+    state.relaxation.under_way = 1;
+  else
+    start_velocities(model, state, velocity);
+  update_positions(model, state);
+}
+
+void start_velocities(const model::Model& model, model::State& state, std::span<const Vec3> velocity) {
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+    for (int c = 0; c < 3; ++c) state.nodes[i].v[c] = velocity[i][c];
   for (const model::ConstrainedNode& constrained : model.constrained) {
     Eigen::Map<Vec3> v(state.nodes[static_cast<std::size_t>(constrained.node)].v);
+    const Vec3 given = v;
     v = constrained.free * v;  // a held direction is at rest from the start; driven ones follow in the first step
+    for (int c = 0; c < 3; ++c) {
+      const std::int32_t drive = constrained.drive[static_cast<std::size_t>(c)];
+      if (drive >= 0 && model.drives[static_cast<std::size_t>(drive)].gives == model::Drive::Gives::acceleration)
+        v[c] = given[c];  // which an acceleration changes
+    }
   }
-  update_positions(model, state);
 }
 
 void update_positions(const model::Model& model, model::State& state) {
@@ -124,6 +141,11 @@ model::Registry state_registry(const model::Model& model, model::State& state) {
     arrays.push_back(nodal("reaction_work", state.reaction_work, 1, n));
     arrays.push_back(nodal("reaction_impulse", state.reaction_impulse, 3, n));
   }
+  if (model.relaxes) {
+    static_assert(sizeof(model::Relaxation) == model::relaxation_values * sizeof(double));
+    arrays.push_back(global("relaxation", &state.relaxation.under_way, model::relaxation_values));
+    arrays.push_back(nodal("held_force", state.held_force, 3, n));
+  }
   GlobalIndex first = 0;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const model::ElementBlock& block = model.blocks[b];
@@ -131,6 +153,10 @@ model::Registry state_registry(const model::Model& model, model::State& state) {
     registry.block_first.push_back(first);
     registry.block_count.push_back(model.block_size[b]);
     first += model.block_size[b];
+    if (model.books_interface)
+      arrays.push_back({"block/" + block.part + "/interface_work", model::StateArray::Entity::element,
+                        static_cast<std::int32_t>(b), block.count, 1, state.interface_work[b].data(), 1, 1, 1, 0, true,
+                        true});
     for (const model::HistoryRange& range : block.history)
       arrays.push_back({"block/" + block.part + "/" + range.name, model::StateArray::Entity::element,
                         static_cast<std::int32_t>(b), block.count, range.components,

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/time/links.hpp"
 
+#include "brunt/comm/exact_sum.hpp"
+#include "brunt/force/dead_loads.hpp"
+#include "brunt/force/watched.hpp"
+
 namespace brunt::time {
 namespace {
 
-/// Gives each corner on a shared node a slot, in canonical element order.
+/// Gives each corner on a node that other ranks share, or that probes watch, a slot, in canonical element order.
 std::vector<comm::Contribution> number_slots(model::Model& model) {
   std::vector<char> shared(model.mesh.node_gid.size(), 0);
   for (const LocalIndex node : model.mesh.shared) shared[static_cast<std::size_t>(node)] = 1;
+  for (const LocalIndex node : model.watched) shared[static_cast<std::size_t>(node)] = 1;
   std::vector<comm::Contribution> contributions;
   for (model::ElementBlock& block : model.blocks) {
     block.border.clear();
@@ -27,6 +32,49 @@ std::vector<comm::Contribution> number_slots(model::Model& model) {
   return contributions;
 }
 
+/// The corners on nodes between parts, of which the work is booked element by element.
+void find_interface(model::Model& model) {
+  model.interface_corners.clear();
+  for (const model::ElementBlock& block : model.blocks)
+    model.interface_corners.push_back(force::watched_corners(block, model.between_parts));
+}
+
+/// How a total or a traction is spread: every face gives equal shares of its reference area to its corners. Sums at a
+/// node in the order of faces, the area of all faces exactly: the same bits on any number of ranks. Collective.
+void weigh_dead_load(const comm::Communicator& ranks, model::DeadLoad& load, const model::Model& model,
+                     std::span<const GlobalIndex> shared_gid) {
+  const mesh::LocalMesh& mesh = model.mesh;
+  std::vector<comm::Contribution> corners;
+  std::vector<double> shares, areas, at_node(mesh.node_gid.size(), 0.0);
+  for (const mesh::ExteriorFace& face : load.faces) {
+    areas.push_back(force::reference_area(model, face));
+    const int count = face.nodes[3] == no_index ? 3 : 4;
+    for (int k = 0; k < count; ++k) {
+      const LocalIndex node = face.nodes[static_cast<std::size_t>(k)];
+      corners.push_back({face.key * 4 + k, mesh.node_gid[static_cast<std::size_t>(node)], node});
+      shares.push_back(areas.back() / count);
+      at_node[static_cast<std::size_t>(node)] += shares.back();
+    }
+  }
+  comm::OrderedSum sum(ranks, corners, mesh.shared, shared_gid, mesh.sharers);
+  sum.begin(shares, 1);
+  sum.end(shares, 1, at_node, 1);
+  const double whole = load.kind == model::DeadLoad::Kind::total ? comm::exact_sum(ranks, areas) : 1.0;
+  for (std::size_t i = 0; i < at_node.size(); ++i) {
+    if (at_node[i] == 0) continue;
+    load.nodes.push_back(static_cast<LocalIndex>(i));
+    load.weight.push_back(at_node[i] / whole);
+  }
+}
+
+void weigh_dead_loads(const comm::Communicator& ranks, model::Model& model, std::span<const GlobalIndex> shared_gid) {
+  for (model::DeadLoad& load : model.dead_loads)
+    if (load.kind == model::DeadLoad::Kind::each_node)
+      load.weight.assign(load.nodes.size(), 1.0);
+    else
+      weigh_dead_load(ranks, load, model, shared_gid);
+}
+
 }  // namespace
 
 Links link_ranks(const comm::Communicator& ranks, model::Model& model) {
@@ -37,6 +85,8 @@ Links link_ranks(const comm::Communicator& ranks, model::Model& model) {
   const std::vector<comm::Contribution> corners = number_slots(model);
   Links links{ranks, comm::OrderedSum(ranks, corners, mesh.shared, shared_gid, mesh.sharers), {}, {}, {}, {}, {}, {}};
 
+  find_interface(model);
+  weigh_dead_loads(ranks, model, shared_gid);
   links.pressure_corners = force::pressure_corners(model);
   if (!model.pressure.empty()) {
     std::vector<comm::Contribution> faces;

@@ -101,15 +101,30 @@ void predict_nodes(const model::Model& model, model::State& state, model::Scratc
     predict_all<false, false>(model, state, scratch, step, velocities);
 }
 
-/// The given velocity of a constrained node at the half step to come.
-Vec3 driven_velocity(const model::Model& model, const model::ConstrainedNode& constrained, double time) {
+/// What a drive gives for the half step from t_n to t_n + dt: its curve in the middle; the mean velocity that ends in
+/// the displacement given; the velocity before and the integral of the acceleration since then, over dt_mean.
+double driven_component(const model::Drive& given, double before, double time, double dt, double dt_mean) {
+  using Gives = model::Drive::Gives;
+  switch (given.gives) {
+    case Gives::displacement:
+      return given.scale * (model::value_at(given.curve, time + dt) - model::value_at(given.curve, time)) / dt;
+    case Gives::acceleration:
+      return before + given.scale * model::integral(given.curve, time + 0.5 * dt - dt_mean, time + 0.5 * dt);
+    case Gives::velocity:
+      break;
+  }
+  return given.scale * model::value_at(given.curve, time + 0.5 * dt);
+}
+
+/// The given velocity of a constrained node at the half step to come; none before the run has begun.
+Vec3 driven_velocity(const model::Model& model, const model::State& state, const model::ConstrainedNode& constrained,
+                     const Vec3& before, double dt, double dt_mean) {
   Vec3 velocity = Vec3::Zero();
+  if (state.relaxation.under_way != 0) return velocity;
   for (int c = 0; c < 3; ++c) {
     const std::int32_t drive = constrained.drive[static_cast<std::size_t>(c)];
-    if (drive >= 0) {
-      const model::Drive& given = model.drives[static_cast<std::size_t>(drive)];
-      velocity[c] = given.scale * model::value_at(given.curve, time);
-    }
+    if (drive >= 0)
+      velocity[c] = driven_component(model.drives[static_cast<std::size_t>(drive)], before[c], state.time, dt, dt_mean);
   }
   return velocity;
 }
@@ -129,7 +144,8 @@ contact::VelocitySpan predict(const model::Model& model, model::State& state, mo
     const model::ConstrainedNode& constrained = model.constrained[k];
     NodeLine& node = state.nodes[static_cast<std::size_t>(constrained.node)];
     Eigen::Map<Vec3> v(node.v);
-    const Vec3 given = driven_velocity(model, constrained, state.time + 0.5 * step.dt);
+    const Vec3 given = driven_velocity(
+        model, state, constrained, scratch.before[static_cast<std::size_t>(constrained.node)], step.dt, step.dt_mean);
     const Vec3 allowed = constrained.free * v + given;
     scratch.reaction[k] = (1 + step.drag) * node.mass * (allowed - v);
     v = allowed;

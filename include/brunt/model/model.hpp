@@ -35,12 +35,22 @@ struct ConstrainedNode {
 struct Drive {
   Curve curve;
   double scale = 1;
+  enum class Gives { velocity, displacement, acceleration } gives = Gives::velocity;
 };
 
 struct PressureLoad {
   std::vector<mesh::ExteriorFace> faces;
   double value = 0;  ///< [stress] pushing inwards where positive
   Curve curve;
+};
+/// Forces that keep their direction and do not follow the motion.
+struct DeadLoad {
+  Vec3 value = Vec3::Zero();  ///< of each node [force], of all together [force], or for each area [stress]
+  enum class Kind { each_node, total, traction } kind = Kind::each_node;
+  Curve curve;
+  std::vector<mesh::ExteriorFace> faces;  ///< over which a total or a traction is spread
+  std::vector<LocalIndex> nodes;          ///< ascending; of faces they are found by time::link_ranks, with the weights
+  std::vector<double> weight;             ///< factor of `value` at each of `nodes`: 1, share of the area, or area
 };
 struct RigidWall {
   std::string name;
@@ -65,6 +75,11 @@ struct ContactRule {
   bool any = false;
 };
 
+/// A corner of an element of which the force is found unsummed in Scratch::slots.
+struct WatchedCorner {
+  LocalIndex element = 0, node = 0, slot = 0;  ///< element: of its block
+};
+
 struct Model {
   mesh::LocalMesh mesh;
   std::vector<ElementBlock> blocks;
@@ -72,6 +87,7 @@ struct Model {
   std::vector<LocalIndex> owned;        ///< nodes this rank owns
   std::vector<GlobalIndex> block_size;  ///< elements of each block on all ranks
   bool any_constrained = false;         ///< on any rank
+  bool books_interface = false;         ///< parts share nodes, on any rank, and their energies are asked for
 
   std::vector<ConstrainedNode> constrained;  ///< ascending by node
   std::vector<Drive> drives;
@@ -80,16 +96,36 @@ struct Model {
   double damping = 0;                       ///< alpha of the drag -alpha m v on every node [1/time]
   double damping_from = 0, damping_to = 0;  ///< it acts on forces of t_n with from <= t_n < to
   std::vector<PressureLoad> pressure;
+  std::vector<DeadLoad> dead_loads;
+  bool relaxes = false;  ///< a phase before t = 0 finds the static state
   std::vector<RigidWall> walls;
   std::vector<char> in_symmetry_plane;  ///< a flag for each of mesh.faces: no contact face
   ContactRule contact;
 
-  std::vector<LocalIndex> late;  ///< nodes finished after contact and constraints, ascending
+  std::vector<LocalIndex> late;     ///< nodes finished after contact and constraints, ascending
+  std::vector<LocalIndex> watched;  ///< nodes of which every corner force stays in Scratch::slots, ascending
+  std::vector<LocalIndex>
+      between_parts;  ///< nodes of several parts, where the energies of parts are asked for; ascending
+  std::vector<std::vector<WatchedCorner>> interface_corners;  ///< on those nodes: by block, ascending by element
   [[nodiscard]] LocalIndex nodes() const { return static_cast<LocalIndex>(mesh.node_gid.size()); }
   [[nodiscard]] bool has_gravity() const { return gravity.squaredNorm() > 0; }
   [[nodiscard]] bool damped() const { return damping > 0; }
-  [[nodiscard]] bool loaded() const { return has_gravity() || damped() || !pressure.empty(); }
+  [[nodiscard]] bool loaded() const { return has_gravity() || damped() || !pressure.empty() || !dead_loads.empty(); }
 };
+
+/// Where the search for the static state before t = 0 stands (time/relaxation): whole numbers and energies.
+struct Relaxation {
+  double under_way = 0;      ///< not 0: the run has not begun; what the next step does (time/relaxation)
+  double steps = 0;          ///< of the phase
+  double stage = 1;          ///< loads stand at stage / relaxation_stages
+  double kinetic = 0;        ///< after the last step [energy]
+  double peak = 0;           ///< largest since the nodes were last stopped [energy]
+  double swing_start = 0;    ///< step of the phase at which they were
+  double longest_swing = 0;  ///< between two stops [steps]
+  double quiet_since = 0;    ///< step of the phase since when no swing was too large
+  double residual = 1;       ///< unbalanced forces over loads at the last stop
+};
+constexpr int relaxation_values = 9;
 
 struct State {
   double time = 0;          ///< t_n
@@ -109,6 +145,11 @@ struct State {
   std::vector<double> load_impulse;            ///< three a node: gravity, pressure, damping
   std::vector<double> reaction_impulse;        ///< three a node: fixed and prescribed
   std::vector<double> wall_position;           ///< travel of each wall along its normal
+  /// By block and element: work of its forces on nodes of several parts; empty unless energies of parts are asked for.
+  std::vector<std::vector<double>> interface_work;
+  Relaxation relaxation;
+  /// Three a node, of the phase alone: force of contact, walls and supports in the step before the nodes are stopped.
+  std::vector<double> held_force;
 };
 
 struct Scratch {

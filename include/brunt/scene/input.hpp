@@ -104,13 +104,24 @@ struct Symmetry {
 struct Prescribed {
   std::string where;
   int dof = 0;
-  std::string curve;  ///< velocity over time, times `scale`; empty: constant 1
+  enum class Gives { velocity, displacement, acceleration } gives = Gives::velocity;
+  std::string curve;  ///< of what is given over time, times `scale`; empty: constant 1
   double scale = 1;
 };
 struct Pressure {
   std::string where;  ///< side set
   double value = 0;
   std::string curve;
+};
+struct DeadLoad {
+  std::string where;          ///< set or part; of a traction a side set
+  Vec3 value = Vec3::Zero();  ///< [force], of a traction [stress]
+  enum class Kind { each_node, total, traction } kind = Kind::each_node;
+  std::string curve;
+};
+struct Relaxation {
+  double tolerance = 1e-4;
+  GlobalIndex max_steps = 100000;
 };
 struct Gravity {
   Vec3 vector = Vec3::Zero();
@@ -143,9 +154,13 @@ struct ContactEntry {
 
 struct Probe {
   std::string name;
-  enum class Kind { node, set, wall, contact } kind = Kind::node;
-  std::string where, other;  ///< node id as text; set or part; wall; the two parts of a contact
-  std::string field;         ///< node, set: displacement, velocity, position, (set) reaction
+  enum class Kind { node, near, set, part, wall, contact, section } kind = Kind::node;
+  std::string where, other;        ///< node id as text; set or part; wall; the two parts of a contact
+  std::string field;               ///< node, set: displacement, velocity, position, (set) reaction; of a part see below
+  Vec3 point = Vec3::Zero();       ///< near: the place whose nearest node is taken; section: of its plane
+  Vec3 normal = Vec3::Zero();      ///< section: unit normal of its plane; zero: the section is the set `where`
+  std::vector<std::string> parts;  ///< section: whose elements count
+  std::optional<Vec3> about;       ///< of moments and angular momenta
 };
 
 struct Run {
@@ -172,6 +187,8 @@ struct Input {
   std::vector<Symmetry> symmetry;
   std::vector<Prescribed> prescribed;
   std::vector<Pressure> pressure;
+  std::vector<DeadLoad> forces, traction;
+  std::optional<Relaxation> relaxation;
   std::optional<Gravity> gravity;
   std::optional<Damping> damping;
   std::vector<RigidWall> rigid_walls;

@@ -13,6 +13,9 @@ namespace brunt::time {
 void initialise(model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
                 std::span<const Vec3> velocity);
 
+/// Initial velocities of all nodes, less what is held. `initialise` gives them unless the scene relaxes first.
+void start_velocities(const model::Model& model, model::State& state, std::span<const Vec3> velocity);
+
 /// Positions from displacements: after a restart has filled the state.
 void update_positions(const model::Model& model, model::State& state);
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/force/watched.hpp"
+
+#include <algorithm>
+
+namespace brunt::force {
+
+std::vector<model::WatchedCorner> watched_corners(const model::ElementBlock& block, std::span<const LocalIndex> nodes) {
+  std::vector<model::WatchedCorner> corners;
+  if (nodes.empty()) return corners;
+  for (LocalIndex batch = 0; batch < block.batches(); ++batch)
+    for (const model::BorderCorner& kept : block.border.row(batch)) {
+      const LocalIndex element = batch * pack_width + kept.lane, node = block.corner_node(element, kept.corner);
+      if (std::ranges::binary_search(nodes, node)) corners.push_back({element, node, kept.slot});
+    }
+  return corners;
+}
+
+void book_interface(const model::Model& model, model::State& state, const model::Scratch& scratch, double dt_mean) {
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    for (const model::WatchedCorner& corner : model.interface_corners[b]) {
+      const auto i = static_cast<std::size_t>(corner.node);
+      const Vec3 twice_mean_v = scratch.before[i] + Eigen::Map<const Vec3>(state.nodes[i].v);
+      state.interface_work[b][static_cast<std::size_t>(corner.element)] +=
+          0.5 * dt_mean * twice_mean_v.dot(corner_force(scratch, corner));
+    }
+}
+
+void add_interface_work(const model::Model& model, model::State& state, const model::Scratch& scratch, double time) {
+  for (std::size_t b = 0; b < state.interface_work.size(); ++b)
+    for (const model::WatchedCorner& corner : model.interface_corners[b]) {
+      const Vec3 v = Eigen::Map<const Vec3>(state.nodes[static_cast<std::size_t>(corner.node)].v);
+      state.interface_work[b][static_cast<std::size_t>(corner.element)] += time * v.dot(corner_force(scratch, corner));
+    }
+}
+
+}  // namespace brunt::force

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forces that keep their direction, and the phase that finds a static state before t = 0.
+#include <fmt/format.h>
+
+#include "brunt/scene/sections.hpp"
+
+namespace brunt::scene {
+namespace {
+
+DeadLoad read_force(Section& entry) {
+  DeadLoad load;
+  read_selection(entry, load.where);
+  const bool each = entry.has("force"), total = entry.has("total");
+  if (each && total)
+    fault(entry.key(), "force and total are both given; accepted: force: of each node, or total: of all together");
+  else if (!each && !total)
+    lacking(entry.key(), {"force", "total"},
+            "no force is given; accepted: force: of each node, or total: of all together");
+  load.kind = total ? DeadLoad::Kind::total : DeadLoad::Kind::each_node;
+  if (each) entry.required("force", load.value, Vector::any);
+  if (total) entry.required("total", load.value, Vector::any);
+  entry.optional("curve", load.curve, Named::curve);
+  return load;
+}
+
+DeadLoad read_traction(Section& entry) {
+  DeadLoad load{.where = {}, .kind = DeadLoad::Kind::traction, .curve = {}};
+  entry.required("set", load.where, "the name of a side set");
+  entry.required("value", load.value, Vector::any);
+  entry.optional("curve", load.curve, Named::curve);
+  return load;
+}
+
+template <class Reader>
+void read_list(Section& scene, std::string_view name, std::string_view accepted, std::vector<DeadLoad>& loads,
+               Reader reader) {
+  if (!scene.has(name)) return;
+  for (const Key& key : items(scene.at(name), fmt::format("a list of {}", accepted))) {
+    Section entry(key, accepted);
+    if (entry.is_map()) loads.push_back(reader(entry));
+  }
+}
+
+/// A static state needs a load that calls for it.
+void read_relaxation(const Key& key, Input& input) {
+  Section section(key, "a map {tolerance: number, max_steps: count}");
+  Relaxation relaxation;
+  constexpr Range open_share{0, 1, false, false, "a number > 0 and < 1"};
+  section.optional("tolerance", relaxation.tolerance, open_share);
+  section.optional("max_steps", relaxation.max_steps, Count{1, 1'000'000'000'000});
+  input.relaxation = relaxation;
+  if (!input.gravity && input.pressure.empty() && input.forces.empty() && input.traction.empty())
+    fault(key, "the scene has no load to come to rest under; accepted: with gravity, pressure, forces or traction");
+}
+
+}  // namespace
+
+void read_forces(Section& scene, Input& input) {
+  read_list(scene, "forces", "{set: name, force: [x, y, z]}", input.forces, read_force);
+  read_list(scene, "traction", "{set: name, value: [x, y, z]}", input.traction, read_traction);
+  if (scene.has("relaxation")) read_relaxation(scene.at("relaxation"), input);
+}
+
+}  // namespace brunt::scene

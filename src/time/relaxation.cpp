@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/time/relaxation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "brunt/comm/exact_sum.hpp"
+#include "brunt/force/watched.hpp"
+#include "brunt/time/initialise.hpp"
+
+namespace brunt::time {
+namespace {
+
+double kinetic_energy(const model::Model& model, const model::State& state, const Links& links) {
+  std::array<comm::ExactAccumulator, 1> sum;
+  for (const LocalIndex node : model.owned) {
+    const model::NodeLine& line = state.nodes[static_cast<std::size_t>(node)];
+    sum[0].add(0.5 * line.mass * Eigen::Map<const Vec3>(line.v).squaredNorm());
+  }
+  std::array<double, 1> energy{};
+  comm::exact_sum(links.ranks, sum, energy);
+  return energy[0];
+}
+
+/// Norm of the forces that are left over the norm of the loads, and the energy that the bodies have stored.
+struct Balance {
+  double residual = 0, stored = 0;
+};
+
+/// After a step of `dt_mean`: late nodes have met contact and supports, all that acts on the others is force and load.
+Balance balance(const model::Model& model, const model::State& state, const model::Scratch& scratch, const Links& links,
+                double dt_mean) {
+  enum { left, given, work, terms };
+  std::array<comm::ExactAccumulator, terms> sums;
+  for (const LocalIndex node : model.owned) {
+    const auto i = static_cast<std::size_t>(node);
+    const model::NodeLine& line = state.nodes[i];
+    const Quad &f = scratch.force[i], &p = scratch.load[i];
+    Vec3 net(f[0] + p[0], f[1] + p[1], f[2] + p[2]);
+    if (line.late != 0) net = line.mass / dt_mean * (Eigen::Map<const Vec3>(line.v) - scratch.before[i]);
+    sums[left].add(net.squaredNorm());
+    sums[given].add(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    sums[work].add(-state.displacement[i][3]);
+  }
+  std::array<double, terms> value{};
+  comm::exact_sum(links.ranks, sums, value);
+  return {value[given] > 0 ? std::sqrt(value[left] / value[given]) : 0.0, value[work]};
+}
+
+/// Model::Relaxation::under_way: what the next step does once it has its forces.
+constexpr double move = 1, stop = 2, stop_at_rest = 3;
+
+Vec3 of(const Quad& q) {
+  return {q[0], q[1], q[2]};
+}
+
+/// Lets the nodes be at rest at x_n: their velocity half a step before is minus what the forces give until then, so
+/// that half a step later it is plus that. (Zero at n - 1/2 would feed the fastest modes, and a first step of half the
+/// length would halve the impulses of contact.)
+void stop_nodes(const model::Model& model, model::State& state, const model::Scratch& scratch, double dt_mean) {
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    model::NodeLine& node = state.nodes[i];
+    Eigen::Map<Vec3>(node.v) =
+        -0.5 * dt_mean / node.mass * (of(scratch.force[i]) + of(scratch.load[i]) + Vec3(&state.held_force[3 * i]));
+  }
+  for (const model::ConstrainedNode& constrained : model.constrained) {
+    Eigen::Map<Vec3> v(state.nodes[static_cast<std::size_t>(constrained.node)].v);
+    v = constrained.free * v;
+  }
+}
+
+/// What held the late nodes in the step just taken: all that changed their velocities but forces and loads.
+void keep_held_forces(const model::Model& model, model::State& state, const model::Scratch& scratch, double dt_mean) {
+  std::ranges::fill(state.held_force, 0.0);
+  for (const LocalIndex late : model.late) {
+    const auto i = static_cast<std::size_t>(late);
+    const model::NodeLine& node = state.nodes[i];
+    const Vec3 change = Eigen::Map<const Vec3>(node.v) - scratch.before[i];
+    Eigen::Map<Vec3>(&state.held_force[3 * i]) =
+        node.mass / dt_mean * change - of(scratch.force[i]) - of(scratch.load[i]);
+  }
+}
+
+/// The work of element forces along the way of the nodes, by the trapezoidal rule: half a step on each side of t_n. The
+/// accounts of `advance` (impulse times mean velocity) are about velocities that a stop takes away.
+class WorkAlongTheWay {
+ public:
+  WorkAlongTheWay(const model::Model& model, model::State& state, const model::Scratch& scratch)
+      : model_(model), state_(state), scratch_(scratch) {}
+
+  void add(double half_step) {
+    for (std::size_t i = 0; i < state_.nodes.size(); ++i)
+      state_.displacement[i][3] += half_step * Eigen::Map<const Vec3>(state_.nodes[i].v).dot(of(scratch_.force[i]));
+    force::add_interface_work(model_, state_, scratch_, half_step);
+  }
+  void keep() {
+    nodes_.resize(state_.nodes.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) nodes_[i] = state_.displacement[i][3];
+    interface_ = state_.interface_work;
+  }
+  void give_back() {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) state_.displacement[i][3] = nodes_[i];
+    for (std::size_t b = 0; b < interface_.size(); ++b)
+      std::ranges::copy(interface_[b], state_.interface_work[b].begin());
+  }
+
+ private:
+  const model::Model& model_;
+  model::State& state_;
+  const model::Scratch& scratch_;
+  std::vector<double> nodes_;
+  std::vector<std::vector<double>> interface_;
+};
+
+/// A swing has ended: what it says of the static state, and the next stage of the loads. True at rest.
+bool judge_swing(const Balance& now, double tolerance, model::Relaxation& phase) {
+  const double length = phase.steps - phase.swing_start;
+  const bool small = phase.peak <= tolerance * tolerance * now.stored || phase.peak == 0;
+  const bool loaded = phase.stage >= relaxation_stages;
+  if (!small || !loaded) {
+    phase.longest_swing = std::max(phase.longest_swing, length);
+    phase.quiet_since = phase.steps;
+  }
+  phase.residual = now.residual;
+  const bool quiet = phase.steps - phase.quiet_since >= phase.longest_swing || phase.peak == 0;
+  if (!loaded) ++phase.stage;
+  phase.swing_start = phase.steps;
+  phase.peak = phase.kinetic = 0;
+  return loaded && small && quiet && now.residual <= tolerance;
+}
+
+}  // namespace
+
+RelaxationStep relax(const model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
+                     contact::Contact* contact, const StepControl& control, const RelaxationSettings& settings) {
+  model::Relaxation& phase = state.relaxation;
+  RelaxationStep result;
+  result.step = evaluate(model, state, scratch, links, control);
+  if (result.step.stop) return result;
+  result.step.alpha = 0;  // the drag of `damping` belongs to the run
+  const double share = phase.stage / relaxation_stages;
+  if (share < 1)
+    for (Quad& load : scratch.load) load *= share;
+  WorkAlongTheWay work(model, state, scratch);
+  work.add(0.5 * state.dt);
+  // only now: stresses follow the velocities, so that those of the step before had to stay until they were used
+  result.at_rest = phase.under_way == stop_at_rest;
+  if (result.at_rest) return result;
+  if (phase.under_way == stop) stop_nodes(model, state, scratch, result.step.dt_mean);
+  phase.under_way = move;
+  work.keep();
+  advance(model, state, scratch, links, contact, result.step);
+  work.give_back();
+  work.add(0.5 * result.step.dt);
+  state.time = state.step = 0;
+  state.time_before = -1;
+  ++phase.steps;
+
+  const double kinetic = kinetic_energy(model, state, links);
+  result.stopped = kinetic <= phase.kinetic;
+  phase.peak = std::max(phase.peak, kinetic);
+  phase.kinetic = kinetic;
+  if (!result.stopped) return result;
+  keep_held_forces(model, state, scratch, result.step.dt_mean);
+  const Balance now = balance(model, state, scratch, links, result.step.dt_mean);
+  phase.under_way = judge_swing(now, settings.tolerance, phase) ? stop_at_rest : stop;
+  return result;
+}
+
+void begin_run(const model::Model& model, model::State& state, std::span<const Vec3> velocity) {
+  state.relaxation.under_way = 0;
+  start_velocities(model, state, velocity);
+  state.time = state.dt = state.step = 0;
+  state.time_before = -1;
+  state.rate_now = state.rate_before = 0;
+  for (std::size_t i = 0; i < state.load_work.size(); ++i) state.load_work[i] = -state.displacement[i][3];
+  for (auto* account : {&state.load_impulse, &state.damping_work, &state.reaction_work, &state.reaction_impulse})
+    std::ranges::fill(*account, 0.0);
+}
+
+}  // namespace brunt::time
