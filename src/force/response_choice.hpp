@@ -11,6 +11,14 @@
 
 namespace brunt::force {
 
+/// Calls `use(response)` with a rate law of the objective rate chosen.
+template <class Response, class Constants, class Use>
+auto with_rate(const Constants& constants, const Use& use) {
+  if (constants.stress_rate == material::StressRate::logarithmic)
+    return use(material::Logarithmic<Response>(constants));
+  return use(Response(constants));
+}
+
 /// Calls `use(response)` with the response of the law: options are decided here, once a block, never in the loop.
 template <class Use>
 auto with_response(const material::Law& law, Use&& use) {
@@ -18,13 +26,13 @@ auto with_response(const material::Law& law, Use&& use) {
       [&](const auto& constants) {
         using Constants = std::decay_t<decltype(constants)>;
         if constexpr (std::is_same_v<Constants, material::Elastic>) {
-          return use(material::ElasticResponse(constants));
+          return with_rate<material::ElasticResponse>(constants, use);
         } else if constexpr (std::is_same_v<Constants, material::J2>) {
           const bool table = !constants.table.empty(), kinematic = constants.kinematic > 0;
-          if (table && kinematic) return use(material::J2Response<true, true>(constants));
-          if (table) return use(material::J2Response<true, false>(constants));
-          if (kinematic) return use(material::J2Response<false, true>(constants));
-          return use(material::J2Response<false, false>(constants));
+          if (table && kinematic) return with_rate<material::J2Response<true, true>>(constants, use);
+          if (table) return with_rate<material::J2Response<true, false>>(constants, use);
+          if (kinematic) return with_rate<material::J2Response<false, true>>(constants, use);
+          return with_rate<material::J2Response<false, false>>(constants, use);
         } else {
           return use(material::NeoHookeanResponse(constants));
         }

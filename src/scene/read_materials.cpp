@@ -14,6 +14,9 @@ material::Elastic read_elastic(Section& material) {
   material.required("density", law.density, positive);
   material.required("young", law.young, positive);
   material.required("poisson", law.poisson, poisson_ratio);
+  static const Choices<material::StressRate> rates{
+      {{"jaumann", material::StressRate::jaumann}, {"logarithmic", material::StressRate::logarithmic}}, {}};
+  material.optional("stress_rate", law.stress_rate, rates);
   return law;
 }
 
@@ -39,7 +42,11 @@ void read_hardening_table(const Key& key, material::J2& law) {
 
 material::J2 read_j2(Section& material) {
   const material::Elastic elastic = read_elastic(material);
-  material::J2 law{.density = elastic.density, .young = elastic.young, .poisson = elastic.poisson, .table = {}};
+  material::J2 law{.density = elastic.density,
+                   .young = elastic.young,
+                   .poisson = elastic.poisson,
+                   .table = {},
+                   .stress_rate = elastic.stress_rate};
   const bool has_table = material.has("hardening_table");
   for (const char* name : {"yield", "hardening"}) {
     if (has_table && material.has(name)) {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "brunt/core/simd.hpp"
-#include "brunt/element/objective.hpp"
+#include "brunt/element/logarithmic_rate.hpp"
 
 namespace brunt::test {
 
@@ -44,7 +44,7 @@ inline double equivalent(const Matrix& s) {
 template <class Response>
 struct RatePoint {
   Response law;
-  Pack stress[6]{}, tensors[6]{}, scalars[1]{};
+  Pack stress[6]{}, tensors[6]{}, scalars[1]{}, log_strain[6]{};
 
   void strain(const Matrix& increment) {
     Pack de[6];
@@ -56,7 +56,7 @@ struct RatePoint {
     const Matrix gradient = (after - before) * (0.5 * (before + after)).inverse();
     Pack L[9];
     set_full(gradient, L);
-    element::update_stress(law, element::strain_step(L, 1.0), stress, tensors, scalars);
+    element::update_stress(law, element::strain_step_of<Response>(L, 1.0, log_strain), stress, tensors, scalars);
   }
   [[nodiscard]] Matrix cauchy(int lane = 0) const { return symmetric_matrix(stress, lane); }
   [[nodiscard]] double plastic_strain(int lane = 0) const { return scalars[0][lane]; }

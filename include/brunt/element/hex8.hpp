@@ -33,6 +33,7 @@
 #include "brunt/element/bulk_viscosity.hpp"
 #include "brunt/element/hex8_modes.hpp"
 #include "brunt/element/hex8_point.hpp"
+#include "brunt/element/logarithmic_rate.hpp"
 #include "brunt/element/memory.hpp"
 #include "brunt/element/objective.hpp"
 #include "brunt/element/options.hpp"
@@ -153,7 +154,6 @@ void Hex8<Response, hourglass>::move(const BatchMotion<8>& in, Kinematics& k) co
   mean_gradient(k.v, g_mid, 1.0 / volume_mid, k.L);
   for (int a = 0; a < 4; ++a)
     for (int i = 0; i < 3; ++i) k.h_mid[a][i] = x_mid[3 + a][i];
-  k.strain = strain_step(k.L, in.dt);
   k.volume = gradient_modes(k.x, k.g);
   k.over_volume = 1.0 / k.volume;
   gradient_gram(k.g, k.S);
@@ -321,8 +321,10 @@ void Hex8<Response, hourglass>::operator()(const BatchMotion<8>& in, Pack* histo
   Resistance r;
   if constexpr (Response::hyperelastic)
     move_from_reference(in, k);
-  else
+  else {
     move(in, k);
+    k.strain = strain_step_of<Response>(k.L, in.dt, history + Memory::at_log_strain);
+  }
   const Tangent tangent = update(k, history);
   resist(k, tangent, in.dt, history, r);
   for (int i = 0; i < 3; ++i) {

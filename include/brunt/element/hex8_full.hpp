@@ -16,6 +16,7 @@
 #include "brunt/element/hex8_frequency.hpp"
 #include "brunt/element/hex8_modes.hpp"
 #include "brunt/element/hex8_point.hpp"
+#include "brunt/element/logarithmic_rate.hpp"
 #include "brunt/element/memory.hpp"
 #include "brunt/element/objective.hpp"
 #include "brunt/element/options.hpp"
@@ -155,7 +156,8 @@ void Hex8Full<Response, bbar>::operator()(const BatchMotion<8>& in, Pack* histor
         const Pack correction = (volume_rate - (L[0] + L[4] + L[8])) * (1.0 / 3.0);
         for (int i = 0; i < 3; ++i) L[4 * i] += correction;
       }
-      update_stress(law, strain_step(L, in.dt), stress, history + Memory::at_tensors + 6 * Response::tensors * p,
+      const StrainStep strain = strain_step_of<Response>(L, in.dt, history + Memory::at_log_strain + 6 * p);
+      update_stress(law, strain, stress, history + Memory::at_tensors + 6 * Response::tensors * p,
                     history + Memory::at_scalars + Response::scalars * p);
       for (int c = 0; c < 6; ++c) s[c] = stress[c];
       law.tangent(s, lambda, mu);

@@ -8,7 +8,8 @@
 namespace brunt::element {
 
 /// Doubles of one element with `points` integration points, in this order: mass (set once by the model), all stresses
-/// (xx,yy,zz,xy,yz,zx a point), all tensors of the law, all its scalars, then energy and last force of bulk viscosity.
+/// (xx,yy,zz,xy,yz,zx a point), all tensors of the law, all its scalars, then energy and last force of bulk viscosity,
+/// and ln V of all points where the law follows the logarithmic rate.
 template <class Response, int points>
 struct SolidMemory {
   static constexpr int at_mass = 0;
@@ -16,7 +17,8 @@ struct SolidMemory {
   static constexpr int at_tensors = at_stress + 6 * points;
   static constexpr int at_scalars = at_tensors + 6 * Response::tensors * points;
   static constexpr int at_bulk_energy = at_scalars + Response::scalars * points;
-  static constexpr int size = at_bulk_energy + 2;
+  static constexpr int at_log_strain = at_bulk_energy + 2;
+  static constexpr int size = at_log_strain + (Response::logarithmic ? 6 * points : 0);
 
   static std::vector<HistoryField> fields() {
     std::vector<HistoryField> fields{{"mass", 1}, {"stress", 6 * points}};
@@ -24,6 +26,7 @@ struct SolidMemory {
     if (Response::scalars > 0) fields.push_back({"plastic_strain", Response::scalars * points});
     fields.push_back({"bulk_energy", 1});
     fields.push_back({"bulk_force", 1});
+    if (Response::logarithmic) fields.push_back({"log_strain", 6 * points});
     return fields;
   }
 };

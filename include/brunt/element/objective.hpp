@@ -12,18 +12,15 @@ struct StrainStep {
   Pack rotation[9];  ///< row major
 };
 
-/// From the velocity gradient L (row major) in the midpoint configuration. The midpoint strain increment d is seen from
+/// From strain increment and spin increment in the midpoint configuration. The midpoint strain increment d is seen from
 /// the end of the step as R^(1/2) d R^(-1/2) = d + (w d - d w)/2 + O(w^2 d), w the spin increment: without the
 /// second term the update s <- R s R^T + C d is of first order only (T. J. R. Hughes, J. Winget, Int. J. Numer. Meth.
 /// Eng. 15 (1980) 1862 leave it out). Rigid motions give no strain and their exact rotation.
-BRUNT_INLINE StrainStep strain_step(const Pack (&L)[9], double dt) {
-  const double half = 0.5 * dt;
-  const Pack xx = dt * L[0], yy = dt * L[4], zz = dt * L[8];
-  const Pack xy = half * (L[1] + L[3]), yz = half * (L[5] + L[7]), zx = half * (L[2] + L[6]);
-  const Pack spin[3] = {half * (L[7] - L[5]), half * (L[2] - L[6]), half * (L[3] - L[1])};
+BRUNT_INLINE StrainStep seen_from_end(const Pack (&d)[6], const Pack (&spin)[3]) {
   StrainStep step;
   geometry::rotation_of_spin(spin, step.rotation);
   const auto& [wx, wy, wz] = spin;
+  const auto& [xx, yy, zz, xy, yz, zx] = d;
   step.strain[0] = xx - wz * xy + wy * zx;
   step.strain[1] = yy + wz * xy - wx * yz;
   step.strain[2] = zz - wy * zx + wx * yz;
@@ -31,6 +28,26 @@ BRUNT_INLINE StrainStep strain_step(const Pack (&L)[9], double dt) {
   step.strain[4] = yz + 0.5 * (wx * (yy - zz) + wz * zx - wy * xy);
   step.strain[5] = zx + 0.5 * (wy * (zz - xx) + wx * xy - wz * yz);
   return step;
+}
+
+/// Of the velocity gradient L (row major) times dt: symmetric part (xx, yy, zz, xy, yz, zx) and axial vector of the
+/// skew part.
+BRUNT_INLINE void stretch_and_spin(const Pack (&L)[9], double dt, Pack (&d)[6], Pack (&spin)[3]) {
+  const double half = 0.5 * dt;
+  for (int i = 0; i < 3; ++i) d[i] = dt * L[4 * i];
+  d[3] = half * (L[1] + L[3]);
+  d[4] = half * (L[5] + L[7]);
+  d[5] = half * (L[2] + L[6]);
+  spin[0] = half * (L[7] - L[5]);
+  spin[1] = half * (L[2] - L[6]);
+  spin[2] = half * (L[3] - L[1]);
+}
+
+/// Of the Jaumann rate: everything turns with the spin of the material.
+BRUNT_INLINE StrainStep strain_step(const Pack (&L)[9], double dt) {
+  Pack d[6], spin[3];
+  stretch_and_spin(L, dt, d, spin);
+  return seen_from_end(d, spin);
 }
 
 /// Stress (6 packs), history tensors and scalars of a rate law from t_n - dt to t_n. Returns what the law's update

@@ -9,6 +9,7 @@
 
 #include "brunt/element/batch.hpp"
 #include "brunt/element/bulk_viscosity.hpp"
+#include "brunt/element/logarithmic_rate.hpp"
 #include "brunt/element/memory.hpp"
 #include "brunt/element/objective.hpp"
 #include "brunt/element/options.hpp"
@@ -82,7 +83,8 @@ void Tet4<Response>::operator()(const BatchMotion<4>& in, Pack* history, BatchFo
     law.tangent(F, lambda, mu);
     for (int c = 0; c < 6; ++c) stress[c] = s[c];
   } else {
-    update_stress(law, strain_step(L, in.dt), stress, history + Memory::at_tensors, history + Memory::at_scalars);
+    const StrainStep strain = strain_step_of<Response>(L, in.dt, history + Memory::at_log_strain);
+    update_stress(law, strain, stress, history + Memory::at_tensors, history + Memory::at_scalars);
     for (int c = 0; c < 6; ++c) s[c] = stress[c];
     law.tangent(s, lambda, mu);
   }

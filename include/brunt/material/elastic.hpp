@@ -9,6 +9,7 @@ namespace brunt::material {
 // Every response gives the element kernels the same words:
 //   hyperelastic     false: rate law, update(), which returns the share of the trial deviator that plastic flow leaves;
 //                    true: stress from the deformation gradient, stress()
+//   logarithmic      (rate laws) true: the element turns stresses with the spin of the logarithmic rate
 //   tensors          symmetric tensors in the history that the element rotates with the material, after the stress
 //   scalars          further history
 //   density, lambda, mu   constants of the virgin material, for hourglass control and bulk viscosity
@@ -21,14 +22,20 @@ namespace brunt::material {
 /// the bracket terms are at most (|m| + |dev|) L : L and tr(D) s : D at most m tr^2 + |dev| (3/2 tr^2 + 1/2 L : L);
 /// the spectral norm |dev| is sqrt(2/3) of the Frobenius norm at most (dev has no trace), exact in uniaxial stress, and
 /// the same however the scene is turned. Compression lowers lambda and raises mu.
+///
+/// The logarithmic rate turns the stress by N beyond W, which adds [(s D - D s) N]. With |N| <= |D| (see
+/// element/logarithmic_rate.hpp) this is at most the largest difference of principal stresses times L : L, and that
+/// difference is at most sqrt(2) of the Frobenius norm, sqrt(3) |dev|. `spin` is half of it: 0 for the Jaumann rate,
+/// logarithmic_share for the logarithmic one.
+constexpr double logarithmic_share = 0.86602540378443864676;  ///< sqrt(3)/2
 BRUNT_INLINE void rate_law_tangent(double elastic_lambda, double elastic_mu, const Pack (&stress)[6], Pack& lambda,
-                                   Pack& mu) {
+                                   Pack& mu, double spin = 0) {
   const Pack mean = (stress[0] + stress[1] + stress[2]) * (1.0 / 3.0);
   Pack norm2 = 2.0 * (stress[3] * stress[3] + stress[4] * stress[4] + stress[5] * stress[5]);
   for (int i = 0; i < 3; ++i) norm2 += (stress[i] - mean) * (stress[i] - mean);
   const Pack dev_norm = pack_sqrt((2.0 / 3.0) * norm2);
   lambda = elastic_lambda + mean + 1.5 * dev_norm;
-  mu = elastic_mu + 0.5 * pack_abs(mean) + 0.75 * dev_norm;
+  mu = elastic_mu + 0.5 * pack_abs(mean) + (0.75 + spin) * dev_norm;
 }
 
 /// Hooke's law for the increment: d stress = lambda tr(de) 1 + 2 mu de.
@@ -43,6 +50,7 @@ BRUNT_INLINE void add_elastic_increment(double lambda, double mu, const Pack (&d
 
 struct ElasticResponse {
   static constexpr bool hyperelastic = false;
+  static constexpr bool logarithmic = false;
   static constexpr int tensors = 0;
   static constexpr int scalars = 0;
 
@@ -65,6 +73,18 @@ struct ElasticResponse {
   }
 
   double density, lambda, mu;
+};
+
+/// A rate law whose stresses follow the logarithmic rate in place of Jaumann's.
+template <class Law>
+struct Logarithmic : Law {
+  static constexpr bool logarithmic = true;
+  using Law::Law;
+
+  /// See rate_law_tangent.
+  void tangent(const Pack (&stress)[6], Pack& lambda_bound, Pack& mu_bound) const {
+    rate_law_tangent(this->lambda, this->mu, stress, lambda_bound, mu_bound, logarithmic_share);
+  }
 };
 
 }  // namespace brunt::material

@@ -75,6 +75,7 @@ class TableHardening {
 template <bool tabulated, bool kinematic>
 struct J2Response {
   static constexpr bool hyperelastic = false;
+  static constexpr bool logarithmic = false;
   static constexpr int tensors = kinematic ? 1 : 0;
   static constexpr int scalars = 1;
 

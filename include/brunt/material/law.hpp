@@ -7,11 +7,18 @@
 
 namespace brunt::material {
 
-/// Isotropic linear elasticity in rate form (hypoelastic, Jaumann-type rotation).
+/// Objective rate of the Cauchy stress in laws in rate form.
+enum class StressRate {
+  jaumann,     ///< stress turns with the material's spin; wrong from a few tenths of elastic shear on
+  logarithmic  ///< stress turns so that the stretching is the rate of the logarithmic strain ln V
+};
+
+/// Isotropic linear elasticity in rate form (hypoelastic).
 struct Elastic {
   double density = 0;  ///< [mass/length^3] > 0
   double young = 0;    ///< [stress] > 0
   double poisson = 0;  ///< -1 < nu < 0.5
+  StressRate stress_rate = StressRate::jaumann;
 };
 
 /// J2 plasticity with associated flow; hardening linear or by table, isotropic to kinematic.
@@ -22,6 +29,7 @@ struct J2 {
   std::vector<std::array<double, 2>>
       table;             ///< (equivalent plastic strain, yield stress), first at 0; flat beyond the last
   double kinematic = 0;  ///< 0 isotropic .. 1 kinematic share of the hardening
+  StressRate stress_rate = StressRate::jaumann;  ///< of stress and back stress
 };
 
 /// Compressible neo-Hookean solid: psi = mu/2 (I1 - 3) - mu ln J + lambda/2 (ln J)^2.

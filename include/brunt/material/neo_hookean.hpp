@@ -11,6 +11,7 @@ namespace brunt::material {
 /// (J. Bonet, R. D. Wood, Nonlinear Continuum Mechanics for Finite Element Analysis, section 6.4.3).
 struct NeoHookeanResponse {
   static constexpr bool hyperelastic = true;
+  static constexpr bool logarithmic = false;
   static constexpr int tensors = 0;
   static constexpr int scalars = 0;
 

@@ -32,7 +32,7 @@ sets:
 curves: {ramp: [[0, 0], [1.0e-3, 1]], hold: [[0, 5]]}
 materials:
   aluminium: {model: elastic, density: 2.7e-6, young: 70, poisson: 0.33}
-  steel: {model: j2, density: 7.8e-6, young: 200, poisson: 0.3, yield: 0.4, hardening: 1, kinematic: 0.5}
+  steel: {model: j2, density: 7.8e-6, young: 200, poisson: 0.3, yield: 0.4, hardening: 1, kinematic: 0.5, stress_rate: logarithmic}
   table: {model: j2, density: 7.8e-6, young: 200, poisson: 0.3, hardening_table: [[0, 0.4], [1, 0.5], [2, 0.5]]}
   rubber: {model: neo_hookean, density: 1.1e-6, bulk: 2, shear: 0.3}
   gum: {model: neo_hookean, density: 1.1e-6, young: 2.6, poisson: 0.3}
@@ -148,6 +148,8 @@ TEST_CASE("materials and parts are read", "[scene]") {
   const auto& steel = std::get<material::J2>(input.materials.at("steel"));
   CHECK(steel.hardening == 1);
   CHECK(steel.kinematic == 0.5);
+  CHECK(steel.stress_rate == material::StressRate::logarithmic);
+  CHECK(std::get<material::Elastic>(input.materials.at("aluminium")).stress_rate == material::StressRate::jaumann);
   const auto& table = std::get<material::J2>(input.materials.at("table"));
   CHECK(table.yield == 0.4);
   CHECK(table.table.size() == 3);
