@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/core/error.hpp"
@@ -100,6 +101,23 @@ void print_extents(const Prepared& run, const std::vector<Extent>& extents, cons
   if (extents.size() > 1) line("all", together(extents));
 }
 
+/// The one-point hexahedron sees its mean deformation gradient. Flattened to about a third of its height it folds
+/// rather than to store more energy: the hourglass springs that hinder this are measured for bending
+/// (src/scene/README.md, parts).
+void print_advice(const Prepared& run) {
+  const scene::Input& input = run.input;
+  const bool pressed =
+      !input.contact.empty() || !input.rigid_walls.empty() || !input.prescribed.empty() || !input.pressure.empty();
+  if (!pressed) return;
+  for (const model::ElementBlock& block : run.model.blocks)
+    if (block.kind == element::ElementKind::hex8 && std::holds_alternative<material::NeoHookean>(block.law))
+      fmt::print(
+          "advice           part {}: take element hex8_full if it is crushed to less than half of its height; hex8 "
+          "folds from "
+          "about a third on, and is too soft then\n",
+          block.part);
+}
+
 /// Bodies that overlap have no smallest gap: other places of theirs may be apart, which says nothing.
 void print_gaps(const Prepared& run) {
   const InitialGaps& gaps = run.overlaps.gaps;
@@ -184,6 +202,7 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   print_overlaps(report, options.all);
   print_parts(*run, figures, units);
   print_extents(*run, extents, units);
+  print_advice(*run);
   for (const std::string& line : listing) fmt::print("{}\n", line);
   print_contact(*run);
   print_gaps(*run);

@@ -66,8 +66,9 @@ double half_diagonal(const Prepared& run) {
 
 /// Springs that stay are another thing than those of `stiffness` where there is plastic flow alone.
 const char* remedy_of_folds(const material::Law& law) {
-  return std::holds_alternative<material::J2>(law) ? "hourglass: {kind: elastic} or element: hex8_full"
-                                                   : "element: hex8_full or hex8_bbar";
+  if (std::holds_alternative<material::J2>(law)) return "hourglass: {kind: elastic} or element: hex8_full";
+  if (std::holds_alternative<material::NeoHookean>(law)) return "element: hex8_full";
+  return "element: hex8_full or hex8_bbar";
 }
 
 }  // namespace
