@@ -8,6 +8,7 @@
 #include <limits>
 #include <variant>
 
+#include "bodies.hpp"
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/scene/units.hpp"
@@ -197,12 +198,16 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
 
   const scene::UnitSystem& units = *scene::find_unit_system(run->input.units);
   fmt::print("{} ({} units)\n", run->input.title.empty() ? options.scene : run->input.title, run->input.units);
+  const RoundBodies round = round_bodies(run->input);
   for (const std::string& warning : run->warnings) fmt::print("warning: {}\n", warning);
+  for (const std::string& warning : round.warnings) fmt::print("warning: {}\n", warning);
+  for (const std::string& line : run->left_out) fmt::print("{}\n", line);
   for (const std::string& note : report.notes) fmt::print("{}\n", note);
   print_overlaps(report, options.all);
   print_parts(*run, figures, units);
   print_extents(*run, extents, units);
   print_advice(*run);
+  for (const std::string& line : round.lines) fmt::print("{:<16} {}\n", "round body", line);
   for (const std::string& line : listing) fmt::print("{}\n", line);
   print_contact(*run);
   print_gaps(*run);

@@ -8,13 +8,9 @@
 #include <filesystem>
 #include <span>
 #include <type_traits>
-#include <variant>
 
-#include "brunt/io/mesh_file.hpp"
+#include "bodies.hpp"
 #include "brunt/io/text_file.hpp"
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/check.hpp"
-#include "brunt/mesh/primitives.hpp"
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/fingerprint.hpp"
 #include "brunt/scene/read.hpp"
@@ -32,51 +28,6 @@
 
 namespace brunt::app {
 namespace {
-
-mesh::Mesh generate(const scene::MeshEntry& entry) {
-  return std::visit(
-      [](const auto& body) {
-        using Body = std::decay_t<decltype(body)>;
-        if constexpr (std::is_same_v<Body, scene::MeshFile>)
-          return io::read_mesh(body.file);
-        else if constexpr (std::is_same_v<Body, scene::BoxMesh>)
-          return mesh::box(body.part, body.size, body.elements);
-        else if constexpr (std::is_same_v<Body, scene::CylinderMesh>)
-          return mesh::cylinder(body.part, body.radius, body.length, body.elements);
-        else if constexpr (std::is_same_v<Body, scene::SphereMesh>)
-          return mesh::sphere(body.part, body.radius, body.elements, {body.finer, body.half});
-        else if constexpr (std::is_same_v<Body, scene::TubeMesh>)
-          return mesh::tube(body.part, body.inner_radius, body.outer_radius, body.length, body.elements);
-        else
-          return mesh::plate(body.part, body.size, body.thickness, body.elements);
-      },
-      entry.body);
-}
-
-mesh::Mesh assemble(const scene::Input& input, std::vector<std::string>& warnings) {
-  mesh::Mesh whole;
-  std::vector<std::string> faults;
-  for (const scene::MeshEntry& entry : input.mesh) {
-    const auto* file = std::get_if<scene::MeshFile>(&entry.body);
-    const std::string where = file ? input.at(entry.key + ".file") + ": " + file->file : input.at(entry.key);
-    try {
-      mesh::Mesh piece = generate(entry);
-      const mesh::CheckReport report = mesh::check(piece);
-      for (const std::string& fault : report.faults) faults.push_back(where + ": " + fault);
-      for (const std::string& warning : report.warnings) warnings.push_back(where + ": " + warning);
-      if (!report.faults.empty()) continue;
-      const scene::Placement& placement = entry.placement;
-      mesh::place(piece, placement.scale, placement.rotate.axis, placement.rotate.degrees, placement.at);
-      mesh::append(whole, std::move(piece), file ? file->prefix : "");
-    } catch (const InputError& error) {
-      for (const std::string& fault : error.faults())
-        faults.push_back(file && fault.starts_with(file->file) ? input.at(entry.key + ".file") + ": " + fault
-                                                               : where + ": " + fault);
-    }
-  }
-  if (!faults.empty()) throw InputError(std::move(faults));
-  return whole;
-}
 
 /// What the root has found goes to all ranks.
 void share_accepted(const comm::Communicator& ranks, std::vector<contact::AcceptedOverlap>& accepted) {
@@ -162,6 +113,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   on_root(ranks, [&] {
     prepared->warnings = prepared->input.warnings;
     whole = whole_mesh(prepared->input, prepared->warnings);
+    prepared->left_out = left_out_lines(whole.mesh);
     prepared->overlaps = treat_overlaps(prepared->input, whole);
     for (std::string& line : scene::nearest_nodes(prepared->input, whole))
       prepared->overlaps.report.notes.push_back(std::move(line));

@@ -33,6 +33,9 @@ struct Prepared {
 
   std::vector<double> force_memory;  ///< of force probes: impulse (3) and time of the last row
 
+  std::vector<std::string>
+      left_out{};  ///< on the root: blocks of mesh files that are ignored, and what sets lost by it
+
   std::string scene_values{};  ///< what the fingerprint is made of, so that a restart can say what differs
   std::string scene_yaml{};    ///< the whole scene after its overrides
 

@@ -290,6 +290,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   io::prepare_result_folder(ranks, folder, existing);
   on_root(ranks, [&] { log.open(folder, restart.has_value()); });
   announce(*prepared, log);
+  for (const std::string& line : prepared->left_out) log.line(line);
   for (const std::string& warning : prepared->warnings) log.warning(warning);
   for (const std::string& note : prepared->overlaps.report.notes) log.line(note);
   if (restart) log.line(fmt::format("restart from {} at step {}", checkpoint, restart->step));

@@ -14,6 +14,7 @@
 #include "abaqus_parts.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/mesh/topology.hpp"
+#include "left_out.hpp"
 #include "sound_mesh.hpp"
 
 namespace brunt::io {
@@ -58,11 +59,11 @@ class MeshMaker {
  public:
   MeshMaker(const AbaqusDeck& deck, const AbaqusModel& model) : deck_(deck), model_(model) {}
 
-  Mesh make() {
+  FileContent make() {
     for (const AbaqusInstance& instance : model_.instances) place(instance);
     for (const Placed& placed : placed_) add_scope(*placed.part, &placed);
     add_scope(model_.assembly, nullptr);
-    return std::move(mesh_);
+    return {std::move(mesh_), std::move(foreign_), std::move(foreign_sides_)};
   }
 
  private:
@@ -75,6 +76,7 @@ class MeshMaker {
       mesh_.node_id.push_back(alone ? part.node_number[n] : static_cast<GlobalIndex>(mesh_.node_id.size()) + 1);
     }
     add_blocks(placed, alone);
+    add_foreign(placed);
     placed_.push_back(std::move(placed));
   }
 
@@ -95,6 +97,7 @@ class MeshMaker {
       const auto found = part.element_sets.find(set);
       if (found == part.element_sets.end()) deck_.fail(line, fmt::format("*SOLID SECTION: no element set '{}'", set));
       for (const AbaqusMember& member : found->second.members) {
+        if (part.other_at.contains(member.number)) continue;
         const LocalIndex e = element_of(part, member.number, line);
         if (taken[static_cast<std::size_t>(e)] && names[static_cast<std::size_t>(e)] != set)
           deck_.fail(line, fmt::format("element {} is in another *SOLID SECTION as well", member.number));
@@ -130,6 +133,35 @@ class MeshMaker {
     for (const auto& [key, b] : at) {  // both shapes: the tetrahedra are told apart
       Block& block = mesh_.blocks[static_cast<std::size_t>(b)];
       if (key.second == Shape::tet4 && at.contains({key.first, Shape::hex8})) block.name += "_tet4";
+    }
+  }
+
+  /// Elements that are not read, as a block for each set that a section names, else of each card's set, else type.
+  void add_foreign(const Placed& placed) {
+    const AbaqusPart& part = *placed.part;
+    std::vector<std::string> names;
+    for (const AbaqusOther& other : part.others) names.push_back(other.dealt);
+    for (const auto* sections : {&part.sections, &part.other_sections})
+      for (const auto& [set, line] : *sections) {
+        const auto found = part.element_sets.find(set);
+        if (found == part.element_sets.end()) continue;
+        for (const AbaqusMember& member : found->second.members)
+          if (const auto other = part.other_at.find(member.number); other != part.other_at.end())
+            names[other->second] = set;
+      }
+    std::map<std::pair<std::string, std::string>, std::size_t> at;
+    for (std::size_t e = 0; e < part.others.size(); ++e) {
+      const AbaqusOther& other = part.others[e];
+      const auto [found, is_new] = at.try_emplace({names[e], other.type}, foreign_.size());
+      if (is_new) {
+        const auto set = part.element_sets.find(names[e]);
+        ForeignBlock block{.name = placed.named(set == part.element_sets.end() ? other.type : set->second.name),
+                           .type = other.type,
+                           .passed = other.fault.empty()};
+        if (!block.passed) block.fault = fmt::format("{}: {}", deck_.place(other.line), other.fault);
+        foreign_.push_back(std::move(block));
+      }
+      ++foreign_[found->second].count;
     }
   }
 
@@ -184,7 +216,11 @@ class MeshMaker {
       for (const AbaqusMember& member : piece.members) {
         if (surface.of_nodes) {
           add_nodes(member, own, nodes);
-        } else if (const Placed* placed = placed_of(member, own)) {
+        } else if (const Placed* placed = placed_of(member, own); placed == nullptr) {
+          continue;
+        } else if (placed->part->other_at.contains(member.number)) {
+          ++foreign_sides_[name];
+        } else {
           add_sides(*placed, element_of(*placed->part, member.number, piece.line), piece, sides);
         }
       }
@@ -193,7 +229,7 @@ class MeshMaker {
       for (const LocalIndex node : face_nodes(block.shape, block.element(side.element), side.face))
         if (node != no_index) nodes.insert(node);
     }
-    if (!sides.empty()) mesh_.side_sets[name].assign(sides.begin(), sides.end());
+    if (!sides.empty() || foreign_sides_.contains(name)) mesh_.side_sets[name].assign(sides.begin(), sides.end());
     if (!nodes.empty()) mesh_.node_sets[name].assign(nodes.begin(), nodes.end());
   }
 
@@ -208,6 +244,8 @@ class MeshMaker {
     const auto [b, position] = placed.element[static_cast<std::size_t>(e)];
     const Block& block = mesh_.blocks[static_cast<std::size_t>(b)];
     const auto all = sides_of(element.corners);
+    if (piece.face < 0)
+      deck_.fail(piece.line, fmt::format("element {} is a solid and has no side of a shell", element.number));
     if (piece.face > static_cast<int>(all.size()))
       deck_.fail(piece.line, fmt::format("element {} has no face S{}", element.number, piece.face));
     std::array<LocalIndex, 4> wanted{no_index, no_index, no_index, no_index};
@@ -228,6 +266,8 @@ class MeshMaker {
   const AbaqusDeck& deck_;
   const AbaqusModel& model_;
   Mesh mesh_;
+  std::vector<ForeignBlock> foreign_;
+  std::map<std::string, GlobalIndex> foreign_sides_;
   std::vector<Placed> placed_;
   std::vector<Side> exterior_;  ///< ordered
   GlobalIndex elements_ = 0;
@@ -235,15 +275,19 @@ class MeshMaker {
 
 }  // namespace
 
-Mesh read_abaqus(const std::string& path) {
+Mesh read_abaqus(const std::string& path, const std::vector<std::string>& ignore) {
   const AbaqusDeck deck(path);
   const AbaqusModel model = read_abaqus_model(deck);
   const auto has_elements = [&](const AbaqusInstance& i) { return !model.parts[i.part].elements.empty(); };
-  if (std::ranges::none_of(model.instances, has_elements))
+  const auto is_refused = [](const AbaqusOther& other) { return !other.fault.empty(); };
+  const auto has_refused = [&](const AbaqusInstance& i) {
+    return std::ranges::any_of(model.parts[i.part].others, is_refused);
+  };
+  if (std::ranges::none_of(model.instances, has_elements) && std::ranges::none_of(model.instances, has_refused))
     throw InputError(path + (model.parts.size() > 1 && model.instances.empty()
                                  ? ": parts, but no *INSTANCE of them"
                                  : ": no solid elements; accepted: C3D4, C3D5, C3D6, C3D8 and their variants"));
-  return sound_mesh(path, MeshMaker(deck, model).make());
+  return leave_out(path, MeshMaker(deck, model).make(), ignore);
 }
 
 }  // namespace brunt::io

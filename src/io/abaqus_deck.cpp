@@ -4,8 +4,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <limits>
 
 #include "brunt/core/error.hpp"
 #include "brunt/io/text_file.hpp"
@@ -50,25 +54,70 @@ std::string DeckCard::value(const std::string& name) const {
   return found == parameter.end() ? "" : found->second;
 }
 
-AbaqusDeck::AbaqusDeck(const std::string& path)
-    : path_(path), text_(std::make_unique<const std::string>(read_text(path))) {
-  const std::string_view text(*text_);
+AbaqusDeck::AbaqusDeck(const std::string& path) {
+  read_file(path, 0);
+}
+
+void AbaqusDeck::read_file(const std::string& path, int depth) {
+  const std::string_view text = *texts_.emplace_back(std::make_unique<const std::string>(read_text(path)));
+  open_.push_back(std::filesystem::weakly_canonical(path).string());
+  runs_.push_back({path, count_ + 1, 1});
   bool goes_on = false;  // a keyword line that ends in a comma
-  int number = 0;
+  int line_of_file = 0;
   for (std::size_t from = 0; from < text.size();) {
     const std::size_t end = std::min(text.find('\n', from), text.size());
     const std::string_view line = trimmed(text.substr(from, end - from));
     from = end + 1;
-    ++number;
+    ++line_of_file;
+    if (count_ == std::numeric_limits<int>::max()) fail(count_, "more lines than can be counted (2^31)");
+    const int number = ++count_;
     if (line.empty() || line.starts_with("**")) continue;
     if (line.front() == '*' || goes_on) {
       if (!goes_on) cards_.push_back({.keyword = {}, .parameter = {}, .line = number, .data = {}});
       add_card(goes_on ? line : line.substr(1), number);
       goes_on = line.back() == ',';
+      if (goes_on) continue;
+      const std::size_t runs = runs_.size();
+      take_inclusion(path, depth);
+      if (runs_.size() > runs) runs_.push_back({path, count_ + 1, line_of_file + 1});
     } else {
       if (cards_.empty()) fail(number, "data before the first keyword; a line that begins with * is wanted");
       cards_.back().data.push_back({line, number});
     }
+  }
+  open_.pop_back();
+}
+
+void AbaqusDeck::take_inclusion(const std::string& path, int depth) {
+  static constexpr std::array with_data{"NODE", "ELEMENT", "NSET", "ELSET"};
+  const DeckCard& card = cards_.back();
+  const bool whole = card.keyword == "INCLUDE";
+  if (!whole && (std::ranges::find(with_data, card.keyword) == with_data.end() || !card.has("INPUT"))) return;
+  const std::string name = card.value("INPUT");
+  const int line = card.line;
+  if (name.empty()) fail(line, fmt::format("*{} has no file; accepted: INPUT=FILE", card.keyword));
+  if (whole) cards_.pop_back();  // what the file holds may go on the card before
+  include(path, name, line, depth);
+}
+
+void AbaqusDeck::include(const std::string& from, const std::string& name, int line, int depth) {
+  namespace fs = std::filesystem;
+  constexpr int deepest = 32;         // each level is a file within another; Abaqus itself allows 5
+  constexpr int most_files = 10'000;  // read one after the other, such as a file for each part of a large assembly
+  const std::string path = (fs::path(from).parent_path() / name).lexically_normal().string();
+  std::error_code unreadable;
+  const std::string named = path == name ? fmt::format("'{}'", name) : fmt::format("'{}' ({})", name, path);
+  if (!fs::exists(path, unreadable)) fail(line, fmt::format("included file {} is not there", named));
+  if (!fs::is_regular_file(path, unreadable)) fail(line, fmt::format("included file {} is no regular file", named));
+  if (std::ranges::find(open_, fs::weakly_canonical(path).string()) != open_.end())
+    fail(line, fmt::format("included file {} includes itself", named));
+  if (depth + 1 > deepest) fail(line, fmt::format("more than {} files include each other", deepest));
+  if (++included_ > most_files) fail(line, fmt::format("more than {} files are included", most_files));
+  try {
+    read_file(path, depth + 1);
+  } catch (const InputError& error) {
+    if (runs_.back().path == path || !std::string_view(error.what()).starts_with(path + ": cannot")) throw;
+    fail(line, fmt::format("included file {} cannot be read", named));
   }
 }
 
@@ -107,8 +156,14 @@ double AbaqusDeck::real(const DeckLine& line, std::string_view field, std::strin
   return value;
 }
 
+std::string AbaqusDeck::place(int line) const {
+  const auto after = std::ranges::upper_bound(runs_, line, {}, &Run::first_number);
+  const Run& run = after == runs_.begin() ? *after : *std::prev(after);
+  return fmt::format("{}:{}", run.path, run.first_line + line - run.first_number);
+}
+
 void AbaqusDeck::fail(int line, const std::string& what) const {
-  throw InputError(fmt::format("{}:{}: {}", path_, line, what));
+  throw InputError(fmt::format("{}: {}", place(line), what));
 }
 
 }  // namespace brunt::io

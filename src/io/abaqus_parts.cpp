@@ -12,18 +12,27 @@ namespace {
 
 constexpr std::string_view element_types = "C3D4, C3D5, C3D6, C3D8 and their variants (C3D8R, ...)";
 
-/// Nodes of a solid element of first order; 0 for lines and surfaces that mesh generators write beside solids.
-int corners_of(const AbaqusDeck& deck, const DeckCard& card) {
-  const std::string type = in_capitals(card.value("TYPE"));
+/// Of an element card: nodes of a solid element of first order, or 0.
+struct ElementType {
+  std::string name;
+  int corners = 0;
+  std::string fault{};  ///< of an element that is not read; empty for lines and surfaces that mesh generators write
+};
+
+ElementType type_of(const DeckCard& card) {
+  ElementType type{.name = in_capitals(card.value("TYPE"))};
   for (const std::string_view passed : {"T2D", "T3D", "CPS", "CPE", "CAX", "SFM3D"})
-    if (type.starts_with(passed)) return 0;
-  const std::string_view digits = std::string_view(type).substr(std::min<std::size_t>(3, type.size()));
+    if (type.name.starts_with(passed)) return type;
+  const std::string_view digits = std::string_view(type.name).substr(std::min<std::size_t>(3, type.name.size()));
   const std::string_view count = digits.substr(0, digits.find_first_not_of("0123456789"));
-  if (type.starts_with("C3D") && (count == "4" || count == "5" || count == "6" || count == "8")) return count[0] - '0';
-  if (type.starts_with("C3D") && !count.empty())
-    deck.fail(card.line, fmt::format("element type {} is of second order; accepted: {}", type, element_types));
-  deck.fail(card.line,
-            fmt::format("element type '{}' is not a solid; accepted: {}", card.value("TYPE"), element_types));
+  const bool solid = type.name.starts_with("C3D");
+  if (solid && (count == "4" || count == "5" || count == "6" || count == "8"))
+    type.corners = count[0] - '0';
+  else if (solid && !count.empty())
+    type.fault = fmt::format("element type {} is of second order; accepted: {}", type.name, element_types);
+  else
+    type.fault = fmt::format("element type '{}' is not a solid; accepted: {}", card.value("TYPE"), element_types);
+  return type;
 }
 
 class ModelReader {
@@ -34,7 +43,8 @@ class ModelReader {
     for (const DeckCard& card : deck_.cards()) read_card(card);
     if (inside_ != Inside::nothing)
       deck_.fail(opened_at_, "this part, assembly or instance has no end: the file is cut off");
-    if (!model_.parts[0].elements.empty()) model_.instances.insert(model_.instances.begin(), AbaqusInstance{});
+    if (!model_.parts[0].elements.empty() || !model_.parts[0].others.empty())
+      model_.instances.insert(model_.instances.begin(), AbaqusInstance{});
     return std::move(model_);
   }
 
@@ -42,12 +52,11 @@ class ModelReader {
   enum class Inside { nothing, part, assembly, instance };
 
   void read_card(const DeckCard& card) {
-    static const std::set<std::string> makers{"INCLUDE", "NGEN",   "NFILL",  "NCOPY",    "NMAP",
-                                              "ELGEN",   "ELCOPY", "SYSTEM", "PARAMETER"};
+    static const std::set<std::string> makers{"NGEN",  "NFILL",  "NCOPY",  "NMAP",
+                                              "ELGEN", "ELCOPY", "SYSTEM", "PARAMETER"};
     const std::string& word = card.keyword;
     if (makers.contains(word))
-      deck_.fail(card.line,
-                 fmt::format("*{} is not read; accepted: nodes and elements written out in this file", word));
+      deck_.fail(card.line, fmt::format("*{} is not read; accepted: nodes and elements written out", word));
     if (word == "PART") return begin(card, Inside::nothing, Inside::part);
     if (word == "ASSEMBLY") return begin(card, Inside::nothing, Inside::assembly);
     if (word == "INSTANCE") return begin(card, Inside::assembly, Inside::instance);
@@ -61,6 +70,8 @@ class ModelReader {
     if (in_assembly) return;  // its own nodes are points that rigid bodies and loads refer to
     if (word == "NODE") return add_nodes(card);
     if (word == "ELEMENT") return add_elements(card);
+    if (word.ends_with(" SECTION") && word != "SOLID SECTION" && card.has("ELSET"))
+      part().other_sections.emplace_back(in_capitals(card.value("ELSET")), card.line);
     if (word == "SOLID SECTION") part().sections.emplace_back(in_capitals(card.value("ELSET")), card.line);
   }
 
@@ -146,10 +157,11 @@ class ModelReader {
 
   void add_elements(const DeckCard& card) {
     AbaqusPart& to = part();
-    const int corners = corners_of(deck_, card);
-    if (corners == 0) return;
+    const ElementType type = type_of(card);
+    const int corners = type.corners;
     const std::string dealt = in_capitals(card.value("ELSET"));
     AbaqusSet* const set = dealt.empty() ? nullptr : &sets_of(card, to.element_sets, "ELSET");
+    if (corners == 0) return add_others(card, type, dealt, set);
     for (std::size_t i = 0; i < card.data.size(); ++i) {
       std::vector<std::pair<const DeckLine*, std::string_view>> fields;
       const int first_line = card.data[i].number;
@@ -169,12 +181,30 @@ class ModelReader {
       for (std::size_t k = 0; k < static_cast<std::size_t>(corners); ++k)
         element.nodes[k] =
             node_at(deck_.integer(*fields[k + 1].first, fields[k + 1].second, "a node's number"), first_line);
-      if (!to.element_at.emplace(element.number, static_cast<LocalIndex>(to.elements.size())).second)
+      if (to.other_at.contains(element.number) ||
+          !to.element_at.emplace(element.number, static_cast<LocalIndex>(to.elements.size())).second)
         deck_.fail(first_line, fmt::format("element {} is there twice", element.number));
       to.elements.push_back(element);
       to.dealt.push_back(dealt);
       if (set != nullptr) set->members.push_back({"", element.number});
     }
+  }
+
+  /// How many nodes such an element has is not known: it goes on in the next line where a line ends in a comma.
+  void add_others(const DeckCard& card, const ElementType& type, const std::string& dealt, AbaqusSet* set) {
+    AbaqusPart& to = part();
+    bool goes_on = false;
+    for (const DeckLine& line : card.data) {
+      if (!goes_on) {
+        const std::int64_t number = deck_.integer(line, fields_of(line.text)[0], "an element's number");
+        if (to.element_at.contains(number) || !to.other_at.emplace(number, to.others.size()).second)
+          deck_.fail(line.number, fmt::format("element {} is there twice", number));
+        to.others.push_back({number, type.name, dealt, type.fault, card.line});
+        if (set != nullptr) set->members.push_back({"", number});
+      }
+      goes_on = line.text.back() == ',';
+    }
+    if (card.data.empty() && !type.fault.empty()) deck_.fail(card.line, type.fault);
   }
 
   LocalIndex node_at(std::int64_t number, int line) {
@@ -257,15 +287,19 @@ class ModelReader {
     const std::string type = in_capitals(card.value("TYPE"));
     if (!type.empty() && type != "ELEMENT" && type != "NODE") return;  // of analytical rigid bodies, cuts, users
     AbaqusSurface surface{.name = name_of(card, "NAME"), .of_nodes = type == "NODE", .pieces = {}};
+    static const std::set<std::string> shell_sides{"SPOS", "SNEG", "E1", "E2", "E3", "E4", "END1", "END2"};
     const AbaqusSets& known = surface.of_nodes ? scope().node_sets : scope().element_sets;
     for (const DeckLine& line : card.data) {
       const auto fields = fields_of(line.text);
       AbaqusSurface::Piece piece{.members = members_of(line, fields[0], "", known), .face = 0, .line = line.number};
       if (!surface.of_nodes && fields.size() > 1) {
         const std::string face = in_capitals(fields[1]);
-        if (face.size() != 2 || face[0] != 'S' || face[1] < '1' || face[1] > '6')
+        if (shell_sides.contains(face))
+          piece.face = -1;
+        else if (face.size() != 2 || face[0] != 'S' || face[1] < '1' || face[1] > '6')
           deck_.fail(line.number, fmt::format("face '{}'; accepted: S1 to S6, or none", fields[1]));
-        piece.face = face[1] - '0';
+        else
+          piece.face = face[1] - '0';
       }
       surface.pieces.push_back(std::move(piece));
     }

@@ -19,6 +19,15 @@ struct AbaqusElement {
   std::array<LocalIndex, 8> nodes{};  ///< positions in the part
 };
 
+/// An element that is not read: of its block's listing alone.
+struct AbaqusOther {
+  std::int64_t number = 0;
+  std::string type;   ///< in capitals
+  std::string dealt;  ///< element set of its card, in capitals
+  std::string fault;  ///< why it is not read; empty: lines and surfaces beside solids, which are passed over
+  int line = 0;       ///< of its card
+};
+
 /// A node or element of an instance of the assembly; within a part, the part's own.
 struct AbaqusMember {
   std::string instance;     ///< in capitals; empty within a part
@@ -36,7 +45,7 @@ struct AbaqusSurface {
   bool of_nodes = false;
   struct Piece {
     std::vector<AbaqusMember> members;
-    int face = 0;  ///< from 1, as in S1; 0: all faces that no other element shares
+    int face = 0;  ///< from 1, as in S1; 0: all faces that no other element shares; -1: a side of a shell
     int line = 0;
   };
   std::vector<Piece> pieces;
@@ -54,6 +63,9 @@ struct AbaqusPart : AbaqusScope {
   std::vector<Vec3> coordinates;
   std::unordered_map<std::int64_t, LocalIndex> node_at, element_at;  ///< by number
   std::vector<AbaqusElement> elements;
+  std::vector<AbaqusOther> others;
+  std::unordered_map<std::int64_t, std::size_t> other_at;
+  std::vector<std::pair<std::string, int>> other_sections;  ///< as sections, of all kinds but solid ones
   std::vector<std::pair<std::string, int>> sections;  ///< element sets of solid sections, in capitals; their lines
   std::vector<std::string> dealt;                     ///< element sets of *ELEMENT cards in turn, in capitals
 };
@@ -73,8 +85,7 @@ struct AbaqusModel {
 };
 
 /// Throws InputError with the line for what is not as the Abaqus keywords reference has it, and for what would change
-/// the mesh and is not read: generated nodes and elements, included files, other elements than solid ones of first
-/// order.
+/// the mesh and is not read: generated nodes and elements. Elements other than solid ones of first order are `others`.
 AbaqusModel read_abaqus_model(const AbaqusDeck& deck);
 
 }  // namespace brunt::io

@@ -9,8 +9,10 @@
 #include <cctype>
 #include <filesystem>
 #include <limits>
+#include <optional>
 
 #include "brunt/core/error.hpp"
+#include "left_out.hpp"
 #include "netcdf_layout.hpp"
 #include "sound_mesh.hpp"
 
@@ -89,9 +91,18 @@ bool known_kind(std::string type, std::int64_t nodes, Kind& kind) {
   return false;
 }
 
-/// One block and, for side sets, how many nodes its elements have in the file.
+/// One block and, for side sets, how many nodes its elements have in the file; `foreign` holds a block of elements that
+/// are not read.
 struct BlockRead {
   Block block;
+  int nodes = 0;
+  std::optional<ForeignBlock> foreign{};
+};
+
+/// Where the file's elements are: a block of the mesh (no_index: a foreign one), how many, of how many nodes.
+struct FileBlock {
+  LocalIndex block = no_index;
+  std::int64_t count = 0;
   int nodes = 0;
 };
 
@@ -100,7 +111,7 @@ LocalIndex zero_based(std::int64_t number) {
   return number < 1 || number > most ? no_index : static_cast<LocalIndex>(number - 1);
 }
 
-BlockRead read_block(const ExodusFile& file, std::int64_t id, std::vector<std::string>& faults) {
+BlockRead read_block(const ExodusFile& file, std::int64_t id) {
   ex_block header{};
   header.id = id;
   header.type = EX_ELEM_BLOCK;
@@ -113,8 +124,13 @@ BlockRead read_block(const ExodusFile& file, std::int64_t id, std::vector<std::s
   Kind kind{};
   if (!known_kind(header.topology, header.num_nodes_per_entry, kind)) {
     const std::string shown = read.block.name.empty() ? "" : " (" + read.block.name + ")";
-    faults.push_back(fmt::format("{}: block {}{} has elements {} with {} nodes; accepted: HEX8, TET4, WEDGE6, PYRAMID5",
-                                 file.path(), id, shown, header.topology, header.num_nodes_per_entry));
+    read.foreign = {
+        .name = read.block.name,
+        .id = id,
+        .type = header.topology,
+        .count = static_cast<GlobalIndex>(count),
+        .fault = fmt::format("{}: block {}{} has elements {} with {} nodes; accepted: HEX8, TET4, WEDGE6, PYRAMID5",
+                             file.path(), id, shown, header.topology, header.num_nodes_per_entry)};
     return read;
   }
   read.block.shape = kind.shape;
@@ -143,27 +159,31 @@ void read_nodes(const ExodusFile& file, const ex_init_params& sizes, Mesh& mesh)
   file.succeed(ex_get_id_map(file.id(), EX_NODE_MAP, mesh.node_id.data()), "node numbers");
 }
 
-std::vector<int> read_blocks(const ExodusFile& file, const ex_init_params& sizes, Mesh& mesh) {
-  std::vector<std::string> faults;
-  std::vector<int> nodes;
-  std::size_t total = 0;
+std::vector<FileBlock> read_blocks(const ExodusFile& file, const ex_init_params& sizes, FileContent& content) {
+  std::vector<FileBlock> blocks;
+  std::int64_t total = 0;
   for (const std::int64_t id : file.ids(EX_ELEM_BLOCK, sizes.num_elem_blk, "element blocks")) {
-    auto [block, count] = read_block(file, id, faults);
-    total += static_cast<std::size_t>(block.count());
-    mesh.blocks.push_back(std::move(block));
-    nodes.push_back(count);
+    BlockRead read = read_block(file, id);
+    if (read.foreign) {
+      blocks.push_back({no_index, read.foreign->count, 0});
+      content.foreign.push_back(std::move(*read.foreign));
+    } else {
+      blocks.push_back({static_cast<LocalIndex>(content.mesh.blocks.size()), read.block.count(), read.nodes});
+      content.mesh.blocks.push_back(std::move(read.block));
+    }
+    total += blocks.back().count;
   }
-  if (!faults.empty()) throw InputError(faults);
-  if (total != static_cast<std::size_t>(sizes.num_elem))
+  if (total != sizes.num_elem)
     file.fail(fmt::format("has {} elements in its blocks, its header says {}", total, sizes.num_elem));
-  Integers numbers(total);
+  Integers numbers(static_cast<std::size_t>(total));
   file.succeed(ex_get_id_map(file.id(), EX_ELEM_MAP, numbers.data()), "element numbers");
   auto next = numbers.begin();
-  for (Block& block : mesh.blocks) {
-    block.element_id.assign(next, next + block.count());
-    next += block.count();
+  for (const FileBlock& of : blocks) {
+    if (of.block != no_index)
+      content.mesh.blocks[static_cast<std::size_t>(of.block)].element_id.assign(next, next + of.count);
+    next += of.count;
   }
-  return nodes;
+  return blocks;
 }
 
 /// The set's own name, or its number where it has none or the name is taken.
@@ -196,39 +216,44 @@ int our_face(std::int64_t side, int nodes) {
   return nodes == 6 && face >= 2 ? face + 1 : face;
 }
 
-void read_side_sets(const ExodusFile& file, const ex_init_params& sizes, const std::vector<int>& nodes, Mesh& mesh) {
-  Integers first{0};  // element position where each block starts
-  for (const Block& block : mesh.blocks) first.push_back(first.back() + block.count());
+void read_side_sets(const ExodusFile& file, const ex_init_params& sizes, const std::vector<FileBlock>& blocks,
+                    FileContent& content) {
+  Integers first{0};  // element position where each block of the file starts
+  for (const FileBlock& block : blocks) first.push_back(first.back() + block.count);
   for (const std::int64_t id : file.ids(EX_SIDE_SET, sizes.num_side_sets, "side sets")) {
     const std::string what = fmt::format("side set {}", id);
     Integers elements(set_size(file, EX_SIDE_SET, id, what)), sides(elements.size());
     if (!elements.empty()) file.succeed(ex_get_set(file.id(), EX_SIDE_SET, id, elements.data(), sides.data()), what);
-    auto& set = mesh.side_sets[free_name(file, EX_SIDE_SET, id, mesh.side_sets)];
+    const std::string name = free_name(file, EX_SIDE_SET, id, content.mesh.side_sets);
+    auto& set = content.mesh.side_sets[name];
     for (std::size_t i = 0; i < elements.size(); ++i) {
       const std::int64_t element = elements[i] - 1;
       if (element < 0 || element >= first.back())
         file.fail(fmt::format("{}: element {}, the mesh has {}", what, elements[i], first.back()));
-      const auto block =
+      const auto at =
           static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), element) - first.begin() - 1);
-      set.push_back({static_cast<LocalIndex>(block), static_cast<LocalIndex>(element - first[block]),
-                     our_face(sides[i], nodes[block])});
+      if (blocks[at].block == no_index)
+        ++content.foreign_sides[name];
+      else
+        set.push_back(
+            {blocks[at].block, static_cast<LocalIndex>(element - first[at]), our_face(sides[i], blocks[at].nodes)});
     }
   }
 }
 
 }  // namespace
 
-Mesh read_exodus(const std::string& path) {
+Mesh read_exodus(const std::string& path, const std::vector<std::string>& ignore) {
   const ExodusFile file(path);
   ex_init_params sizes{};
   file.succeed(ex_get_init_ext(file.id(), &sizes), "header");
   if (sizes.num_dim != 3) file.fail(fmt::format("has {} dimensions; accepted: 3", sizes.num_dim));
-  Mesh mesh;
-  read_nodes(file, sizes, mesh);
-  const auto nodes = read_blocks(file, sizes, mesh);
-  read_node_sets(file, sizes, mesh);
-  read_side_sets(file, sizes, nodes, mesh);
-  return sound_mesh(path, std::move(mesh));
+  FileContent content;
+  read_nodes(file, sizes, content.mesh);
+  const auto blocks = read_blocks(file, sizes, content);
+  read_node_sets(file, sizes, content.mesh);
+  read_side_sets(file, sizes, blocks, content);
+  return leave_out(path, std::move(content), ignore);
 }
 
 }  // namespace brunt::io

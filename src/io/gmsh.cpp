@@ -12,6 +12,7 @@
 #include "brunt/core/error.hpp"
 #include "brunt/mesh/topology.hpp"
 #include "gmsh_sections.hpp"
+#include "left_out.hpp"
 #include "sound_mesh.hpp"
 
 namespace brunt::io {
@@ -46,7 +47,7 @@ void add_blocks(const GmshFile& file, Mesh& mesh) {
   std::map<VolumeKey, std::size_t> position;
   std::int64_t last_id = 0;
   for (const GmshElement& element : file.elements)
-    if (element.dimension == 3) {
+    if (element.dimension == 3 && element.corners > 0) {
       position[volume_of(element)] = 0;
       last_id = std::max(last_id, element.physical);
     }
@@ -67,7 +68,7 @@ void add_blocks(const GmshFile& file, Mesh& mesh) {
     mesh.blocks.push_back(std::move(block));
   }
   for (const GmshElement& element : file.elements) {
-    if (element.dimension != 3) continue;
+    if (element.dimension != 3 || element.corners == 0) continue;
     Block& block = mesh.blocks[position[volume_of(element)]];
     const auto corners = hex_corners(element.corners);
     for (int k = 0; k < nodes_per_element(block.shape); ++k)
@@ -92,12 +93,17 @@ bool same_sense(const FaceKey& a, const FaceKey& b) {
   return b[(start + 1) % count] == a[1];
 }
 
+/// Of a physical surface; others bound entities and say nothing.
+bool is_surface(const GmshElement& element) {
+  return element.dimension == 2 && element.physical != 0 && element.corners > 0;
+}
+
 /// The element side that a surface element lies on, found by its nodes; block -1 where there is none.
 class SideFinder {
  public:
   SideFinder(const GmshFile& file, const Mesh& mesh) {
     for (const GmshElement& element : file.elements)
-      if (element.dimension == 2 && element.physical != 0) sides_[sorted(surface_nodes(element))];
+      if (is_surface(element)) sides_[sorted(surface_nodes(element))];
     for (std::size_t b = 0; !sides_.empty() && b < mesh.blocks.size(); ++b) {
       const Block& block = mesh.blocks[b];
       for (LocalIndex e = 0; e < block.count(); ++e)
@@ -121,35 +127,88 @@ class SideFinder {
   std::map<FaceKey, std::vector<std::pair<FaceKey, Side>>> sides_;
 };
 
-void add_sets(const LineReader& in, const GmshFile& file, Mesh& mesh) {
-  const SideFinder finder(file, mesh);
+std::string type_name(const GmshElement& element) {
+  if (element.corners == 0) return fmt::format("type {}", element.type);
+  return element.corners == 3 ? "triangle" : "quadrilateral";
+}
+
+/// Blocks that are no blocks of the mesh, gathered element by element.
+class ForeignBlocks {
+ public:
+  ForeignBlocks(const LineReader& in, const GmshFile& file) : in_(in), file_(file) {}
+
+  /// `fault`: why the element cannot be read; empty where it can.
+  void add(const GmshElement& element, const std::string& fault) {
+    const bool grouped = element.physical != 0;
+    const std::int64_t number = grouped ? element.physical : element.entity;
+    const auto [found, is_new] =
+        at_.try_emplace({element.dimension, grouped, number, type_name(element)}, blocks_.size());
+    if (is_new) {
+      ForeignBlock& block = blocks_.emplace_back();
+      block.name = grouped ? group_name(file_, element.dimension, number) : fmt::format("volume_{}", number);
+      block.id = grouped ? number : 0;
+      block.type = type_name(element);
+      block.dimension = element.dimension;
+      if (element.dimension == 2) block.own_sets = name_or_number(block.name, block.id);
+    }
+    ForeignBlock& block = blocks_[found->second];
+    ++block.count;
+    if (block.fault.empty() && !fault.empty()) block.fault = in_.place(element.line) + ": " + fault;
+  }
+
+  /// Groups of lines and points are passed over, ignored or not.
+  std::vector<ForeignBlock> take() {
+    for (const auto& [key, name] : file_.name)
+      if (key.first < 2) blocks_.push_back({.name = name, .id = key.second, .dimension = key.first});
+    return std::move(blocks_);
+  }
+
+ private:
+  const LineReader& in_;
+  const GmshFile& file_;
+  std::vector<ForeignBlock> blocks_;
+  std::map<std::tuple<int, bool, std::int64_t, std::string>, std::size_t> at_;
+};
+
+void add_sets(const LineReader& in, const GmshFile& file, FileContent& content) {
+  const SideFinder finder(file, content.mesh);
+  ForeignBlocks foreign(in, file);
+  const std::string of_order = fmt::format(" (of second order, or not read); accepted: {}", gmsh_element_types);
   std::map<std::string, std::set<LocalIndex>> nodes;
   for (const GmshElement& element : file.elements) {
-    if (element.dimension != 2 || element.physical == 0) continue;
+    const bool read = element.corners > 0;
+    if (!read && (element.dimension == 3 || element.physical != 0))
+      foreign.add(element, fmt::format("element type {}{}", element.type, of_order));
+    if (!is_surface(element)) continue;
     const Side side = finder.side_of(element);
-    if (side.block < 0)
-      in.fail_at(element.line, fmt::format("surface element {} is no face of a volume element", element.number));
-    std::string name = group_name(file, 2, element.physical);
-    if (name.empty()) name = std::to_string(element.physical);
-    mesh.side_sets[name].push_back(side);
+    if (side.block < 0) {
+      foreign.add(element, fmt::format("surface element {} is no face of a volume element; accepted: faces of them",
+                                       element.number));
+      continue;
+    }
+    foreign.add(element, "");
+    const std::string name = name_or_number(group_name(file, 2, element.physical), element.physical);
+    content.mesh.side_sets[name].push_back(side);
     nodes[name].insert(element.nodes.begin(), element.nodes.begin() + element.corners);
   }
-  for (const auto& [name, set] : nodes) mesh.node_sets[name].assign(set.begin(), set.end());
+  for (const auto& [name, set] : nodes) content.mesh.node_sets[name].assign(set.begin(), set.end());
+  content.foreign = foreign.take();
 }
 
 }  // namespace
 
-Mesh read_gmsh(const std::string& path) {
+Mesh read_gmsh(const std::string& path, const std::vector<std::string>& ignore) {
   LineReader in(path);
   GmshFile file = read_gmsh_sections(in);
-  Mesh mesh;
-  mesh.coordinates = std::move(file.coordinates);
-  mesh.node_id.assign(file.node_number.begin(), file.node_number.end());
-  add_blocks(file, mesh);
-  if (mesh.blocks.empty())
+  FileContent content;
+  content.mesh.coordinates = std::move(file.coordinates);
+  content.mesh.node_id.assign(file.node_number.begin(), file.node_number.end());
+  add_blocks(file, content.mesh);
+  add_sets(in, file, content);
+  const bool foreign_volume = std::ranges::any_of(content.foreign, [](const auto& b) { return b.dimension == 3; });
+  if (content.mesh.blocks.empty() && !foreign_volume)
     throw InputError(path + ": no volume elements; accepted: tetrahedra, hexahedra, prisms, pyramids");
-  add_sets(in, file, mesh);
-  return sound_mesh(path, std::move(mesh));
+  return leave_out(path, std::move(content), ignore);
 }
 
 }  // namespace brunt::io

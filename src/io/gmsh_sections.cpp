@@ -163,17 +163,39 @@ class Sections {
       case 15:
         return {0, 1};
       default:
-        break;
+        return {dimension_of_other(type), 0};
     }
-    in_.fail(
-        fmt::format("element type {} (of second order, or unknown); accepted: first-order tetrahedra, hexahedra, "
-                    "prisms and pyramids, with triangles and quadrilaterals on their faces",
-                    type));
+  }
+  /// Of types of second and third order (Gmsh reference manual, MSH file format); others are unknown.
+  [[nodiscard]] int dimension_of_other(std::int64_t type) const {
+    switch (type) {
+      case 8:
+      case 26:
+        return 1;
+      case 9:
+      case 10:
+      case 16:
+      case 20:
+      case 21:
+        return 2;
+      case 11:
+      case 12:
+      case 13:
+      case 14:
+      case 17:
+      case 18:
+      case 19:
+      case 29:
+        return 3;
+      default:
+        in_.fail(fmt::format("element type {} is unknown; accepted: {}", type, gmsh_element_types));
+    }
   }
   void read_corners(GmshElement& element, const Kind& kind) {
     element.dimension = kind.dimension;
     element.corners = kind.nodes;
     element.line = in_.line();
+    if (kind.nodes == 0) return;  // its nodes are not read
     for (int k = 0; k < kind.nodes; ++k) {
       const std::int64_t number = in_.integer("a node number");
       const auto found = index_.find(number);
@@ -189,7 +211,8 @@ class Sections {
       in_.need_line("an element");
       GmshElement element;
       element.number = in_.integer("an element number");
-      const Kind kind = kind_of(in_.integer("an element type"));
+      element.type = static_cast<int>(in_.integer("an element type"));
+      const Kind kind = kind_of(element.type);
       const std::int64_t tags = in_.count("the number of tags");
       for (std::int64_t t = 0; t < tags; ++t) {
         const std::int64_t tag = in_.integer("a tag");
@@ -210,7 +233,8 @@ class Sections {
       const auto dimension = static_cast<int>(in_.integer("an entity's dimension"));
       GmshElement element;
       element.entity = in_.integer("an entity's number");
-      const Kind kind = kind_of(in_.integer("an element type"));
+      element.type = static_cast<int>(in_.integer("an element type"));
+      const Kind kind = kind_of(element.type);
       if (kind.dimension != dimension) in_.fail("the element type does not fit the entity's dimension");
       auto groups = groups_[{dimension, element.entity}];
       if (groups.empty()) groups.push_back(0);

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,9 +15,13 @@ namespace brunt::io {
 
 struct GmshElement {
   std::int64_t number = 0, physical = 0, entity = 0;  ///< physical 0: in no group
-  int dimension = 0, corners = 0, line = 0;
+  int dimension = 0, corners = 0, line = 0;           ///< corners 0: of a type that is not read
+  int type = 0;                                       ///< as the file has it
   std::array<LocalIndex, 8> nodes{};
 };
+
+constexpr std::string_view gmsh_element_types =
+    "first-order tetrahedra, hexahedra, prisms and pyramids, with triangles and quadrilaterals on their faces";
 
 struct GmshFile {
   std::vector<Vec3> coordinates;

@@ -27,6 +27,8 @@ class LineReader {
   std::string quoted(std::string_view what);
 
   [[nodiscard]] int line() const { return line_; }
+  /// "FILE:LINE".
+  [[nodiscard]] std::string place(int line) const { return path_ + ":" + std::to_string(line); }
   [[noreturn]] void fail(const std::string& what) const { fail_at(line_, what); }
   [[noreturn]] void fail_at(int line, const std::string& what) const;
 

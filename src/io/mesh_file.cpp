@@ -30,20 +30,23 @@ std::array<int, 8> hex_corners(int count) {
   return {0, 1, 2, 3, 4, 5, 6, 7};
 }
 
-mesh::Mesh read_mesh(const std::string& path) {
+mesh::Mesh read_mesh(const std::string& path, const std::vector<std::string>& ignore) {
   if (std::filesystem::is_directory(path))
     throw InputError(fmt::format("{}: is a folder; a mesh file is wanted", path));
+  std::error_code unknown;
+  if (std::filesystem::exists(path, unknown) && !std::filesystem::is_regular_file(path, unknown))
+    throw InputError(fmt::format("{}: is no regular file; a mesh file is wanted", path));
   std::ifstream file(path, std::ios::binary);
   std::string start(16, '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   if (file.bad() || (!file && file.gcount() == 0))
     throw InputError(fmt::format("{}: cannot be read, or is empty; a mesh file is wanted", path));
-  if (start.starts_with("CDF") || start.starts_with("\x89HDF")) return read_exodus(path);
-  if (start.starts_with("$MeshFormat") || start.starts_with("$Comments")) return read_gmsh(path);
+  if (start.starts_with("CDF") || start.starts_with("\x89HDF")) return read_exodus(path, ignore);
+  if (start.starts_with("$MeshFormat") || start.starts_with("$Comments")) return read_gmsh(path, ignore);
   const auto text = start.find_first_not_of(" \t\r\n");
   const bool deck =
       text != std::string::npos && start[text] == '*' && !in_capitals(start.substr(text)).starts_with("*KEYWORD");
-  if (deck) return read_abaqus(path);
+  if (deck) return read_abaqus(path, ignore);
   throw InputError(
       fmt::format("{}: not a mesh file of a known kind; accepted: Exodus II, Gmsh MSH 2.2 and 4.1, Abaqus .inp", path));
 }

@@ -41,6 +41,8 @@ std::string shown(const Block& block) {
 void name_with_prefix(Mesh& piece, const std::string& prefix) {
   if (prefix.empty()) return;
   for (Block& block : piece.blocks) block.name = prefix + shown(block);
+  for (LeftOut& block : piece.left_out)
+    block.name = prefix + (block.name.empty() ? std::to_string(block.id) : block.name);
   const auto rename = [&](auto& sets) {
     std::remove_reference_t<decltype(sets)> renamed;
     for (auto& [name, members] : sets) renamed[prefix + name] = std::move(members);
@@ -115,6 +117,8 @@ void append(Mesh& whole, Mesh&& piece, const std::string& prefix) {
     if (taken.count(block.id)) block.id = ++last_block;
     whole.blocks.push_back(std::move(block));
   }
+  whole.left_out.insert(whole.left_out.end(), piece.left_out.begin(), piece.left_out.end());
+  whole.notes.insert(whole.notes.end(), piece.notes.begin(), piece.notes.end());
   for (auto& [name, nodes] : piece.node_sets) {
     for (LocalIndex& node : nodes) node += first_node;
     whole.node_sets[name] = std::move(nodes);

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "brunt/mesh/topology.hpp"
+#include "brunt/mesh/twins.hpp"
 #include "element_shape.hpp"
 
 namespace brunt::mesh {
@@ -109,6 +110,11 @@ void check_jacobians(const Mesh& mesh, std::vector<std::string>& faults) {
   });
 }
 
+void check_twins(const Mesh& mesh, std::vector<std::string>& faults) {
+  Lines lines(faults);
+  for (const std::string& line : twin_elements(mesh)) lines.add(line);
+}
+
 void warn_unused(const Mesh& mesh, std::vector<std::string>& warnings) {
   std::vector<bool> used(mesh.coordinates.size(), false);
   for (const Block& block : mesh.blocks)
@@ -168,6 +174,7 @@ CheckReport check(const Mesh& mesh) {
   if (!report.faults.empty()) return report;  // what follows reads coordinates through the indices
   check_repeats(mesh, report.faults);
   check_jacobians(mesh, report.faults);
+  check_twins(mesh, report.faults);
   warn_unused(mesh, report.warnings);
   warn_coincident(mesh, report.warnings);
   return report;

@@ -61,6 +61,18 @@ Mesh extrude(const std::string& part, const Section& section, double length, int
   return hex_body(part, std::move(coordinates), std::move(nodes));
 }
 
+void add_cut_planes(const Mesh& mesh, const std::string& part, const Half& half, std::vector<SurfaceSet>& sets) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int kept = half[static_cast<std::size_t>(axis)];
+    if (kept == 0) continue;
+    std::vector<char> in_plane;
+    in_plane.reserve(mesh.coordinates.size());
+    for (const Vec3& x : mesh.coordinates) in_plane.push_back(x[axis] == 0);
+    sets.push_back({fmt::format("{}_{}{}", part, "xyz"[axis], kept > 0 ? "min" : "max"),
+                    [in_plane](LocalIndex n) { return in_plane[static_cast<std::size_t>(n)] != 0; }});
+  }
+}
+
 void add_surface_sets(Mesh& mesh, const std::vector<SurfaceSet>& sets) {
   const auto sides = exterior_sides(mesh);
   for (const SurfaceSet& set : sets) {

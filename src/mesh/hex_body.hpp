@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brunt/mesh/mesh.hpp"
+#include "brunt/mesh/primitives.hpp"
 
 namespace brunt::mesh {
 
@@ -43,6 +44,8 @@ struct SurfaceSet {
   std::string name;
   std::function<bool(LocalIndex node)> on_surface;
 };
+/// The sets of the planes that halves are cut at, of a mesh as generated (its coordinates in the planes are 0).
+void add_cut_planes(const Mesh& mesh, const std::string& part, const Half& half, std::vector<SurfaceSet>& sets);
 void add_surface_sets(Mesh& mesh, const std::vector<SurfaceSet>& sets);
 
 }  // namespace brunt::mesh

@@ -37,13 +37,23 @@ Vec3 draw_down(const Vec3& x, double radius, double finer) {
   return radius * ((along + p2) * a + (1 - a2) * p) / (along + a2 * p2);
 }
 
-/// The elements all of whose nodes are on the side of x >= 0 (y, z) of each half wanted; of those all nodes they use.
+/// The same within the half ball z <= 0: its plane stays, and elements are smaller by `finer` at the lowest point
+/// alone. The map above multiplies the ratio t of a point's distances from lowest and highest point by 1/finer; this
+/// one by (1 + (finer - 1) t^2) / finer, which is 1 in the plane, where t = 1. Along a line from pole to plane, lengths
+/// are stretched against those across it by d ln t' / d ln t, from 1 at the pole to below 3 in the plane.
+Vec3 draw_down_half(const Vec3& x, double radius, double finer) {
+  if (x[2] == 0) return x;
+  const double p2 = x.squaredNorm() / (radius * radius), z = x[2] / radius;
+  const double t2 = (1 + p2 + 2 * z) / (1 + p2 - 2 * z);
+  return draw_down(x, radius, finer / (1 + (finer - 1) * t2));
+}
+
+/// The elements all of whose nodes are on the sides that are kept; of those all nodes they use.
 /// `kept[node]`: its new number, or none.
-std::vector<LocalIndex> cut(std::vector<Vec3>& coordinates, std::vector<LocalIndex>& nodes,
-                            const std::array<bool, 3>& half) {
+std::vector<LocalIndex> cut(std::vector<Vec3>& coordinates, std::vector<LocalIndex>& nodes, const Half& half) {
   const auto inside = [&](LocalIndex n) {
     const Vec3& x = coordinates[static_cast<std::size_t>(n)];
-    return (!half[0] || x[0] >= 0) && (!half[1] || x[1] >= 0) && (!half[2] || x[2] >= 0);
+    return half[0] * x[0] >= 0 && half[1] * x[1] >= 0 && half[2] * x[2] >= 0;
   };
   std::vector<LocalIndex> kept(coordinates.size(), no_index), left;
   for (auto element = nodes.begin(); element != nodes.end(); element += 8)
@@ -67,7 +77,8 @@ Mesh sphere(const std::string& part, double radius, int elements, const SphereFo
   ParameterCheck check("sphere " + part);
   check.positive("radius", radius);
   check.holds(std::isfinite(form.finer) && form.finer >= 1, fmt::format("finer must be >= 1, got {}", form.finer));
-  check.holds(form.finer == 1 || !form.half[2], "half z cannot stand with finer, which bends that plane");
+  check.holds(form.finer == 1 || form.half[2] <= 0,
+              "half z keeps the pole that finer does not refine; accepted: -z, or no half along z");
   check.at_least("elements across the radius", elements, 2);
   check.fits(24.0 * elements * elements * elements);
   check.finish();
@@ -105,17 +116,11 @@ Mesh sphere(const std::string& part, double radius, int elements, const SphereFo
       static_cast<LocalIndex>(std::count_if(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first_outer),
                                             [](LocalIndex n) { return n != no_index; }));
   std::vector<SurfaceSet> sets{{part + "_surface", [=](LocalIndex n) { return n >= inner; }}};
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!form.half[static_cast<std::size_t>(axis)]) continue;
-    std::vector<char> in_plane;
-    in_plane.reserve(coordinates.size());
-    for (const Vec3& x : coordinates) in_plane.push_back(x[axis] == 0);
-    sets.push_back({fmt::format("{}_{}min", part, "xyz"[axis]),
-                    [=](LocalIndex n) { return in_plane[static_cast<std::size_t>(n)] != 0; }});
-  }
-  if (form.finer > 1)
-    for (Vec3& x : coordinates) x = draw_down(x, radius, form.finer);
   Mesh mesh = hex_body(part, std::move(coordinates), std::move(nodes));
+  add_cut_planes(mesh, part, form.half, sets);  // before the map, which keeps these planes to rounding
+  if (form.finer > 1)
+    for (Vec3& x : mesh.coordinates)
+      x = form.half[2] != 0 ? draw_down_half(x, radius, form.finer) : draw_down(x, radius, form.finer);
   add_surface_sets(mesh, sets);
   return mesh;
 }

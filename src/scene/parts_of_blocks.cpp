@@ -2,6 +2,8 @@
 // Which part each block of the mesh is.
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "brunt/core/error.hpp"
 #include "brunt/scene/nearest.hpp"
 #include "brunt/scene/select.hpp"
@@ -26,6 +28,12 @@ std::string shown_blocks(const mesh::Mesh& mesh) {
   return known.empty() ? "none, the mesh has no block" : listed(known);
 }
 
+bool is_left_out(const mesh::Mesh& mesh, const std::string& word) {
+  return std::ranges::any_of(mesh.left_out, [&](const mesh::LeftOut& block) {
+    return block.name == word || (block.id > 0 && std::to_string(block.id) == word);
+  });
+}
+
 }  // namespace
 
 std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& mesh) {
@@ -39,6 +47,11 @@ std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& m
            std::to_string(mesh.blocks[b].id) != part.block)
       ++b;
     if (b == mesh.blocks.size()) {
+      if (is_left_out(mesh, part.block)) {
+        faults.push_back(fmt::format("{}: block '{}' is left out by ignore; accepted: {}", input.at(key + ".block"),
+                                     part.block, shown_blocks(mesh)));
+        continue;
+      }
       faults.push_back(fmt::format("{}: the mesh has no block '{}'; accepted: {}", input.at(key + ".block"), part.block,
                                    shown_blocks(mesh)));
       continue;
@@ -55,8 +68,9 @@ std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& m
     if (part_of[b] == none)
       faults.push_back(
           fmt::format("{}: block {} of the mesh has no part; accepted: parts with NAME: {{block: {}, "
-                      "material: ...}}",
-                      input.at("parts"), shown(mesh.blocks[b]), mesh.blocks[b].id));
+                      "material: ...}}, or ignore: [{}] beside the mesh file",
+                      input.at("parts"), shown(mesh.blocks[b]), mesh.blocks[b].id,
+                      mesh.blocks[b].name.empty() ? std::to_string(mesh.blocks[b].id) : mesh.blocks[b].name));
   if (!faults.empty()) throw InputError(std::move(faults));
   return part_of;
 }

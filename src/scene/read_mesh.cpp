@@ -2,6 +2,8 @@
 // The mesh: files and generated bodies, one or a list of them.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include "brunt/scene/sections.hpp"
@@ -11,7 +13,9 @@ namespace {
 
 constexpr std::string_view part_name = "a name for the part";
 constexpr Count cells{1};
-const Choices<int> axes{{{"x", 0}, {"y", 1}, {"z", 2}}, {}};
+/// An axis from 1, with the sign of the side that is kept.
+const Choices<int> sides_of_section{{{"x", 1}, {"-x", -1}, {"y", 2}, {"-y", -2}}, {}};
+const Choices<int> sides{{{"x", 1}, {"-x", -1}, {"y", 2}, {"-y", -2}, {"z", 3}, {"-z", -3}}, {}};
 
 void read_placement(Section& body, Placement& placement) {
   body.optional("scale", placement.scale, positive);
@@ -20,6 +24,30 @@ void read_placement(Section& body, Placement& placement) {
   Section rotate(body.at("rotate"), "a map {axis: [x, y, z], degrees: number}");
   rotate.required("axis", placement.rotate.axis, Vector::direction);
   rotate.required("degrees", placement.rotate.degrees, any_number);
+}
+
+/// `half`, a list of sides that are kept, at most one of an axis; `quarter` is the same with two of them.
+void read_half(Section& body, std::array<int, 3>& half, const Choices<int>& choices) {
+  const bool quarter = body.has("quarter");
+  if (body.has("half") && quarter)
+    return fault(body.at("quarter"), "half is given as well; accepted: one of them, such as quarter: [x, y]");
+  if (!body.has("half") && !quarter) return;
+  std::string words;
+  for (const auto& choice : choices.now) words += (words.empty() ? "" : ", ") + choice.first;
+  const std::string accepted = fmt::format("a list of {}{}", quarter ? "two of " : "", words);
+  const Key key = body.at(quarter ? "quarter" : "half");
+  const std::vector<Key> named = items(key, accepted, quarter ? 2 : 0);
+  if (named.empty() && key.tree->kind == Tree::Kind::list && key.tree->children.empty() && !quarter)
+    wrong(key, accepted);
+  for (const Key& one : named) {
+    int side = 0;
+    if (!read(one, side, choices)) continue;
+    int& kept = half[static_cast<std::size_t>(std::abs(side) - 1)];
+    if (kept != 0)
+      fault(one,
+            fmt::format("'{}': {} stands twice; accepted: each axis once", one.tree->text, "xyz"[std::abs(side) - 1]));
+    kept = side > 0 ? 1 : -1;
+  }
 }
 
 /// A mesh is held with 32-bit indices, and its numbers of nodes and corners must fit.
@@ -37,6 +65,14 @@ MeshFile read_file(Section& entry, const std::string& scene_file, Placement& pla
     mesh.file = (folder / mesh.file).lexically_normal().string();
   }
   entry.optional("prefix", mesh.prefix, "text to put before the names of blocks and sets");
+  constexpr std::string_view blocks = "a list of names or numbers of blocks of the file";
+  if (entry.has("ignore"))
+    for (const Key& name : items(entry.at("ignore"), blocks)) {
+      std::string& block = mesh.ignore.emplace_back();
+      if (read(name, block, "the name or number of a block of the file") &&
+          std::count(mesh.ignore.begin(), mesh.ignore.end(), block) > 1)
+        fault(name, fmt::format("'{}' stands twice; accepted: each block once", block));
+    }
   read_placement(entry, placement);
   return mesh;
 }
@@ -59,6 +95,7 @@ CylinderMesh read_cylinder(Section& body) {
   body.required("radius", cylinder.radius, positive);
   body.required("length", cylinder.length, positive);
   body.required("elements", cylinder.elements, cells, "two integers >= 1 [across the radius, along the axis]");
+  read_half(body, cylinder.half, sides_of_section);
   const double across = cylinder.elements[0], along = cylinder.elements[1];
   demand_countable(body, 4 * (across + 1) * (across + 1) * (along + 1), 4 * across * across * along);
   return cylinder;
@@ -70,7 +107,10 @@ SphereMesh read_sphere(Section& body) {
   body.required("radius", sphere.radius, positive);
   body.required("elements", sphere.elements, cells);
   body.optional("finer", sphere.finer, Range{1, infinity, true, false, "a number >= 1"});
-  body.optional("half", sphere.half, axes);
+  read_half(body, sphere.half, sides);
+  if (sphere.finer > 1 && sphere.half[2] > 0)
+    fault(body.at(body.has("half") ? "half" : "quarter"),
+          "z keeps the pole that finer does not refine; accepted: -z, or no half along z");
   const double across = sphere.elements;
   demand_countable(body, 8 * (across + 1) * (across + 1) * (across + 1), 8 * across * across * across);
   return sphere;
@@ -90,6 +130,13 @@ TubeMesh read_tube(Section& body) {
   if (tube.elements[1] < 3) {
     fault(body.at("elements"), fmt::format("{} around do not close; accepted: at least 3 around", tube.elements[1]));
   }
+  read_half(body, tube.half, sides_of_section);
+  const int parts = (tube.half[0] != 0 ? 2 : 1) * (tube.half[1] != 0 ? 2 : 1);
+  if (tube.elements[1] >= 3 && tube.elements[1] % parts != 0)
+    fault(body.at("elements"),
+          fmt::format("{} elements around the whole cannot be cut into {} equal parts; accepted: a "
+                      "multiple of {} around",
+                      tube.elements[1], parts, parts));
   const double through = tube.elements[0], around = tube.elements[1], along = tube.elements[2];
   demand_countable(body, (through + 1) * around * (along + 1), through * around * along);
   return tube;

@@ -136,7 +136,7 @@ SCENES = [
     changed("sphere made coarser at its foot", "{file: bar.msh}", "{sphere: {part: bar, radius: 1, elements: 4, finer: 0.5}}", "finer", "a number >= 1"),
     changed("half of a sphere along w", "{file: bar.msh}", "{sphere: {part: bar, radius: 1, elements: 4, half: [x, w]}}", "half.1", "'w'"),
     changed("half of a sphere twice", "{file: bar.msh}", "{sphere: {part: bar, radius: 1, elements: 4, half: [x, x]}}", "half.1", "twice"),
-    changed("a plane that finer bends", "{file: bar.msh}", "{sphere: {part: bar, radius: 1, elements: 4, finer: 2, half: [z]}}", "mesh", "half z"),
+    changed("the half of a sphere without its fine pole", "{file: bar.msh}", "{sphere: {part: bar, radius: 1, elements: 4, finer: 2, half: [z]}}", "mesh.sphere.half", "accepted: -z", lines=1),
     changed("box without size", "{file: bar.msh}", "{box: {part: bar, size: [1, 0, 1], elements: [1, 1, 1]}}", "size"),
     changed("unknown body", "{file: bar.msh}", "{bx: {part: bar, size: [1, 1, 1], elements: [1, 1, 1]}}", "bx"),
     changed("probe of a node that is not there", "run:", "probes:\n  - {name: tip, node: 4711, field: velocity}\nrun:",
@@ -222,4 +222,67 @@ SCRIPTS += [  # before anything is built, run or drawn
     Wrong("render of no size", ["render", "--size", "accepted"], command="render", arguments=["--size", "0", "0"], lines=1),
 ]
 
-ALL = FILES + SCENES + OPTIONS
+def inp(*elements, more=""):
+    """An Abaqus file of the cube's nodes and of (type, element set, lines)."""
+    lines = ["*NODE"] + [f"{i}, {x}, {y}, {z}" for i, (x, y, z) in enumerate(mesh.CUBE, 1)]
+    for kind, name, rows in elements:
+        lines += [f"*ELEMENT, TYPE={kind}, ELSET={name}"] + rows
+    return ("\n".join(lines) + "\n" + more).encode()
+
+
+CUBE_8, BOMB = "1, 2, 3, 4, 5, 6, 7, 8", "".join(f"x{i}: &x{i} [{', '.join(['*x%d' % (i - 1) if i else 'x'] * 9)}]\n" for i in range(9))
+RING = "{file: bar.msh}", "{tube: {part: bar, inner_radius: 1, outer_radius: 2, length: 1, elements: [1, %d, 1], %s}}"
+
+YAML_LIMITS = [
+    Wrong("an alias within its own anchor", ["scene.yaml:1", "within its own anchor", "accepted"], scene="a: &a {b: *a}\n", lines=1),
+    changed("sets within themselves", "sets:\n  foot:", "sets: &c\n  all: *c\n  foot:", "scene.yaml:9", "within its own anchor", lines=1),
+    Wrong("aliases of aliases", ["scene.yaml:6", "repeat", "100000", "accepted"], scene=BOMB, lines=1),
+    Wrong("a hundred thousand brackets", ["scene.yaml:1", "64 levels"], scene="a: " + "[" * 100000, lines=1),
+    *(Wrong(f"an override that {what}", ["run.end", *says], arguments=["--set", f"run.end={value}"], lines=1)
+      for what, value, says in (("names itself", "&a [*a]", ["within its own anchor"]), ("is deep", "[" * 300, ["64 levels"]), ("is open", "[1", ["YAML"]))),
+    changed("a title with a colon", "title: one cube", "title: one: a cube", "scene.yaml:1", "in quotes", 'title: "one: a cube', lines=1),
+    changed("no blank behind a colon", "density: 7800", "density:7800", "scene.yaml:5", "density: 7800", lines=1),
+    changed("a quote left open", "title: one cube", "title: 'one cube", "scene.yaml:1", "quote", "not closed", lines=1),
+    changed("a bracket left open", "[x]}", "[x}", "scene.yaml:13", "'['", lines=1),
+    changed("a comma left out in a map", "material: steel, ", "material: steel ", "scene.yaml:7", "accepted", lines=1),
+]
+
+MESHES = [
+    changed("half of a tube along its axis", RING[0], RING[1] % (8, "half: [z]"), "half.0", "'z'", "x, -x, y, -y", lines=1),
+    changed("half of a tube of odd elements", RING[0], RING[1] % (7, "half: [x]"), "elements", "7", "multiple of 2", lines=1),
+    changed("quarter of a tube that has none", RING[0], RING[1] % (6, "half: [x, -y]"), "elements", "6", "multiple of 4", lines=1),
+    changed("quarter of one side", RING[0], RING[1] % (8, "quarter: [x]"), "quarter", "two of", lines=1),
+    changed("half of both sides", RING[0], RING[1] % (8, "half: [x, -x]"), "half.1", "twice", lines=1),
+    changed("half and quarter", RING[0], RING[1] % (8, "half: [x], quarter: [x, y]"), "quarter", "half is given", lines=1),
+    *(changed(f"a body at {at}", "{file: bar.msh}", f"{{box: {{part: bar, size: [1, 1, 1], elements: [4, 4, 4], at: [0, {at}, 0]}}}}", "scene.yaml:3", "rounding", "accepted", lines=1)
+      for at in ("1.0e9", "-1.0e12", "1.0e15", "1.0e17", "1.0e60")),
+    *(changed(f"a file at {at} scaled by {scale}", "{file: bar.msh}", f"{{file: bar.msh, scale: {scale}, at: [{at}, 0, 0]}}", "scene.yaml:3", "accepted", lines=1)
+      for at, scale in (("2.0e9", 1), ("1.0e300", 1), ("0", "1.0e-120"), ("0", "1.0e120"), ("1.0", "1.0e-10"))),
+    with_mesh("twins on the same nodes", mesh.gmsh(elements=[mesh.RIGHT, mesh.RIGHT]), "element 2", "nodes of element 1", "bar", "accepted"),
+    with_mesh("twins, one of them turned", mesh.gmsh(elements=[mesh.RIGHT, [2, 3, 4, 1, 6, 7, 8, 5]]), "element 2", "nodes of element 1"),
+    with_mesh("twins in Exodus", mesh.exodus(elements=[mesh.RIGHT, mesh.RIGHT]), "element 2", "nodes of element 1", file="bar.exo"),
+    with_mesh("twins of two blocks", inp(("C3D8", "bar", ["1, " + CUBE_8]), ("C3D8R", "two", ["2, " + CUBE_8])), "element 2 (block two)", "element 1 (block bar)", file="bar.inp"),
+    Wrong("twins of two files", ["scene.yaml:3: mesh", "block bar and block b_bar", "corner on corner", "accepted"], lines=1,
+          change=("{file: bar.msh}", "[{file: bar.msh}, {file: bar.msh, prefix: b_}]")),
+    with_mesh("a shell in the mesh", inp(("C3D8", "bar", ["1, " + CUBE_8]), ("S4R", "skin", ["2, 1, 2, 3, 4"])), "bar.inp:12", "S4R", "ignore: [skin]", file="bar.inp"),
+    with_mesh("a surface that is no face", msh.replace(b"$Elements\n1\n", b"$Elements\n2\n7 3 2 9 1 1 2 7 8\n"), "bar.msh:21", "no face", "ignore: [9]"),
+    Wrong("a block to ignore that is not there", ["scene.yaml:3", "no block 'skin'", "accepted: 1 (bar)"], change=("{file: bar.msh}", "{file: bar.msh, ignore: [skin]}"), lines=1),
+    Wrong("a part of an ignored block", ["parts.bar.block", "left out by ignore"], change=("{file: bar.msh}", "{file: bar.inp, ignore: [bar]}"),
+          files={"bar.inp": inp(("C3D8", "bar", ["1, " + CUBE_8]), ("C3D4", "tip", ["2, 1, 2, 4, 5"]))}),
+    Wrong("every block ignored", ["bar.msh", "every block is left out"], change=("{file: bar.msh}", "{file: bar.msh, ignore: [1]}"), lines=1),
+    Wrong("a block ignored twice", ["mesh.ignore.1", "twice"], change=("{file: bar.msh}", "{file: bar.msh, ignore: [x, x]}"), lines=1),
+    with_mesh("an included file is not there", inp(more="*INCLUDE, INPUT=no/elements.inp\n"), "bar.inp:10", "no/elements.inp", "not there", file="bar.inp"),
+    with_mesh("a file that includes itself", inp(more="*INCLUDE, INPUT=bar.inp\n"), "bar.inp:10", "includes itself", file="bar.inp"),
+    Wrong("a fault of an included file", ["scene.yaml:3", "sub/e.inp:2", "no node 99"], change=("bar.msh", "bar.inp"), lines=1,
+          files={"bar.inp": inp(more="*INCLUDE, INPUT=sub/e.inp\n"), "sub/e.inp": b"*ELEMENT, TYPE=C3D8, ELSET=bar\n1, 1, 2, 3, 4, 5, 6, 7, 99\n"}),
+]
+
+STUDIES = [
+    Wrong(f"{script} of {what}", [script, *says, "accepted"], command=script, target="s.yaml", files={"s.yaml": text.encode()}, lines=1)
+    for script in ("study", "pareto")
+    for what, text, says in (("an alias within its anchor", "runs: &a {b: *a}\n", ["line 1", "within its own anchor"]),
+                             ("aliases of aliases", BOMB, ["line 6", "repeat"]), ("many brackets", "runs: " + "[" * 5000, ["line 1", "64 levels"]))
+]
+SCRIPTS += STUDIES
+
+ALL = FILES + SCENES + OPTIONS + YAML_LIMITS + MESHES

@@ -2,6 +2,7 @@
 // Reads meshes from Abaqus input files. Not collective: for the root rank.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "brunt/mesh/mesh.hpp"
 
@@ -18,6 +19,6 @@ namespace brunt::io {
 /// Throws InputError, lines beginning with path and line number, for what would change the mesh and is not read
 /// (generated nodes, included files, other elements), numbers and names that are not there, an element in two sections
 /// or in none beside others that are in one, and all that mesh::check finds.
-mesh::Mesh read_abaqus(const std::string& path);
+mesh::Mesh read_abaqus(const std::string& path, const std::vector<std::string>& ignore = {});
 
 }  // namespace brunt::io

@@ -2,6 +2,7 @@
 // Reads Exodus II meshes. Not collective: for the root rank.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "brunt/mesh/mesh.hpp"
 
@@ -11,6 +12,6 @@ namespace brunt::io {
 /// and side sets (by name, or by number where unnamed). Time steps and distribution factors are passed over. The
 /// library takes a file that was cut off for a good one, so the file's size is held against its header first, and the
 /// mesh passes mesh::check. Throws InputError, lines beginning with the path.
-mesh::Mesh read_exodus(const std::string& path);
+mesh::Mesh read_exodus(const std::string& path, const std::vector<std::string>& ignore = {});
 
 }  // namespace brunt::io

@@ -2,6 +2,7 @@
 // Reads Gmsh meshes, MSH 2.2 and 4.1 in ASCII. Not collective: for the root rank.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "brunt/mesh/mesh.hpp"
 
@@ -15,6 +16,6 @@ namespace brunt::io {
 /// Throws InputError, lines beginning with path and line number, for binary files, other versions, second-order
 /// elements, a volume in two physical groups, a surface element that is no element's face, and all that mesh::check
 /// finds.
-mesh::Mesh read_gmsh(const std::string& path);
+mesh::Mesh read_gmsh(const std::string& path, const std::vector<std::string>& ignore = {});
 
 }  // namespace brunt::io

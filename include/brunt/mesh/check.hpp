@@ -15,12 +15,11 @@ struct CheckReport {
 
 /// Faults: a node index out of range; a coordinate that is not finite; nodes repeated in an element other than as in a
 /// legal degenerate hexahedron; a Jacobian that is not positive (hex8: at the corners, but for collapsed ones, and at
-/// the centre; tet4: the volume); a side or node of a set out of range; a block without elements; a mesh without any.
-/// Legal are wedge (two opposite edges of a face collapsed), pyramid (a face collapsed to a node) and tetrahedron (a
-/// face, and an edge of the opposite face).
-/// Warnings: nodes that no element uses; distinct nodes of one body at the same place (to 1e-9 of the mesh's size).
-/// At most ten lines of a kind, then the number of those left out. Jacobians count as positive above 1e-12 of the
-/// product of the three edge lengths.
+/// the centre; tet4: the volume); an element on the nodes of another one; a side or node of a set out of range; a block
+/// without elements; a mesh without any. Legal are wedge (two opposite edges of a face collapsed), pyramid (a face
+/// collapsed to a node) and tetrahedron (a face, and an edge of the opposite face). Warnings: nodes that no element
+/// uses; distinct nodes of one body at the same place (to 1e-9 of the mesh's size). At most ten lines of a kind, then
+/// the number of those left out. Jacobians count as positive above 1e-12 of the product of the three edge lengths.
 CheckReport check(const Mesh& mesh);
 
 }  // namespace brunt::mesh

@@ -39,12 +39,22 @@ struct Side {
   friend auto operator<=>(const Side&, const Side&) = default;
 };
 
+/// A block of a mesh file that the user asked to leave out.
+struct LeftOut {
+  std::string name;    ///< empty where the file names none
+  GlobalIndex id = 0;  ///< the file's block number; 0: none
+  std::string type;    ///< of its elements, as the file says it
+  GlobalIndex count = 0;
+};
+
 struct Mesh {
   std::vector<Vec3> coordinates;     ///< [length]
   std::vector<GlobalIndex> node_id;  ///< the input's number of each node, for messages
   std::vector<Block> blocks;
   std::map<std::string, std::vector<LocalIndex>> node_sets;  ///< by name, or by number in text where unnamed
   std::map<std::string, std::vector<Side>> side_sets;
+  std::vector<LeftOut> left_out;   ///< by `ignore`
+  std::vector<std::string> notes;  ///< what else the user should know: sets that lost members with those blocks
 };
 
 }  // namespace brunt::mesh

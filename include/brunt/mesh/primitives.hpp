@@ -24,26 +24,34 @@ Mesh plate(const std::string& part, const std::array<double, 2>& size, double th
 /// half cell of the core, which takes 0.6 of the radius.
 int elements_around(int across_radius);
 
-/// Solid, axis z, foot centre at the origin. elements: across the radius (>= 2), along the axis; around it there are
-/// `elements_around`. The section is a butterfly: a rounded square core within rings; all its outer nodes lie on the
-/// circle.
-/// Sets PART_bottom, _top, _side.
-Mesh cylinder(const std::string& part, double radius, double length, const std::array<int, 2>& elements);
+/// Of x, y, z: 1 keeps what lies at or above 0, -1 what lies at or below, 0 both. Two make a quarter. The cut planes
+/// are sets, PART_xmin where x >= 0 is kept, PART_xmax where x <= 0 is; their nodes have the coordinate 0 exactly.
+using Half = std::array<int, 3>;
 
-/// Axis z, foot centre at the origin. elements: through the wall, around (>= 3), along.
+/// Solid, axis z, foot centre at the origin. elements: across the radius (>= 2), along the axis; around the whole there
+/// are `elements_around`. The section is a butterfly: a rounded square core within rings; all its outer nodes lie on
+/// the circle. A half (of x, y) has the nodes and elements of the whole on its side.
+/// Sets PART_bottom, _top, _side.
+Mesh cylinder(const std::string& part, double radius, double length, const std::array<int, 2>& elements,
+              const Half& half = {});
+
+/// Axis z, foot centre at the origin. elements: through the wall, around the whole (>= 3), along. A half (of x, y)
+/// needs an even number around, a quarter a multiple of 4; its elements begin at a cut plane.
 /// Sets PART_bottom, _top, _side (outside), _inner.
 Mesh tube(const std::string& part, double inner_radius, double outer_radius, double length,
-          const std::array<int, 3>& elements);
+          const std::array<int, 3>& elements, const Half& half = {});
 
 /// What makes of a whole, even sphere another one.
 struct SphereForm {
-  double finer = 1;            ///< >= 1: elements at the lowest point are so many times smaller, at the highest larger
-  std::array<bool, 3> half{};  ///< of x, y, z: only what lies at or above 0
+  double finer = 1;  ///< >= 1: elements at the lowest point are so many times smaller, at the highest larger
+  Half half{};       ///< with `finer` along z only -1, the half with the fine pole
 };
 
 /// Solid, centre at the origin. elements: across the radius (>= 2). A rounded cube core within shells, each of its
 /// faces projected from the centre with equal angles; `finer` moves the nodes by the conformal map of the ball onto
-/// itself, which keeps the elements' shapes. Sets PART_surface and PART_xmin, ... for the halves' planes.
+/// itself, which keeps the elements' shapes. Of a half along z only the pole is finer by so much, and the plane z = 0
+/// stays where it is: there elements are up to 3 times as long along z as across. Sets PART_surface and PART_xmin, ...
+/// for the halves' planes.
 Mesh sphere(const std::string& part, double radius, int elements, const SphereForm& form = {});
 
 }  // namespace brunt::mesh

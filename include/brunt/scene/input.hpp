@@ -30,8 +30,9 @@ struct Placement {
 };
 
 struct MeshFile {
-  std::string file;    ///< as resolved: relative to the scene file
-  std::string prefix;  ///< put before the names of its blocks and sets
+  std::string file;                 ///< as resolved: relative to the scene file
+  std::string prefix;               ///< put before the names of its blocks and sets
+  std::vector<std::string> ignore;  ///< names or numbers of its blocks that are left out, without the prefix
 };
 struct BoxMesh {
   std::string part;
@@ -42,18 +43,20 @@ struct CylinderMesh {  ///< solid, butterfly section, axis z, foot centre at the
   std::string part;
   double radius = 0, length = 0;
   std::array<int, 2> elements;  ///< across the radius, along the axis
+  std::array<int, 3> half{};    ///< of x, y, z: 1 keeps what is >= 0, -1 what is <= 0, 0 both
 };
 struct SphereMesh {  ///< solid, centre at the origin
   std::string part;
   double radius = 0;
-  int elements = 0;            ///< across the radius
-  double finer = 1;            ///< elements at the lowest point so many times smaller
-  std::array<bool, 3> half{};  ///< only x, y, z >= 0
+  int elements = 0;           ///< across the radius
+  double finer = 1;           ///< elements at the lowest point so many times smaller
+  std::array<int, 3> half{};  ///< as of a cylinder
 };
 struct TubeMesh {  ///< axis z, foot centre at the origin
   std::string part;
   double inner_radius = 0, outer_radius = 0, length = 0;
-  std::array<int, 3> elements;  ///< through the wall, around, along
+  std::array<int, 3> elements;  ///< through the wall, around the whole, along
+  std::array<int, 3> half{};    ///< as of a cylinder
 };
 struct PlateMesh {  ///< in the x-y plane, centre of the lower face at the origin
   std::string part;

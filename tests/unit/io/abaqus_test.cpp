@@ -229,7 +229,8 @@ TEST_CASE("abaqus: what is wrong is told with its line") {
   CHECK_THAT(with("*Element, type=C3D10\n"), at(next) && Contains("second order") && Contains("C3D8"));
   CHECK_THAT(with("*Element, type=S4R\n"), at(next) && Contains("'S4R' is not a solid"));
   CHECK_THAT(with("*Element\n"), at(next) && Contains("element type ''"));
-  CHECK_THAT(with("*Include, input=other.inp\n"), at(next) && Contains("*INCLUDE is not read"));
+  CHECK_THAT(with("*Include, input=other.inp\n"),
+             at(next) && Contains("included file 'other.inp'") && Contains("is not there"));
   CHECK_THAT(with("*Nset, nset=a\nmissing\n"), at(next + 1) && Contains("'missing' is no number and no set"));
   CHECK_THAT(with("*Nset\n1\n"), at(next) && Contains("no NSET="));
   CHECK_THAT(with("*Nset, nset=a, generate\n1, 1000000000\n"), at(next + 1) && Contains("GENERATE"));

@@ -61,9 +61,10 @@ TEST_CASE("inverted and flat elements are named with the place", "[check]") {
   Mesh tet = one_hex({});
   tet.blocks[0] = {"t", 1, Shape::tet4, {0, 1, 3, 4, 0, 3, 1, 4, 0, 1, 1, 4}, {1, 2, 3}};
   const auto faults = check(tet).faults;
-  REQUIRE(faults.size() == 2);
+  REQUIRE(faults.size() == 3);
   CHECK(faults[0].find("element 3 (block t): its nodes repeat") == 0);
   CHECK(faults[1].find("element 2 (block t): the Jacobian at its centre") == 0);
+  CHECK(faults[2].find("element 2 (block t) has the nodes of element 1") == 0);
 }
 
 TEST_CASE("indices and coordinates are checked before they are used", "[check]") {

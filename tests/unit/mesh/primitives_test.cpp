@@ -146,7 +146,7 @@ TEST_CASE("a sphere's volume and surface converge with the square of the element
 
 TEST_CASE("a half sphere is half of the whole one, its planes are sets", "[primitives]") {
   const Mesh whole = sphere("s", 2, 4);
-  const Mesh quarter = sphere("s", 2, 4, {.half = {true, true, false}});
+  const Mesh quarter = sphere("s", 2, 4, {.half = {1, 1, 0}});
   require_sound(quarter);
   CHECK(4 * quarter.blocks[0].count() == whole.blocks[0].count());
   CHECK(enclosed_volume(quarter) == Approx(enclosed_volume(whole) / 4).epsilon(1e-12));
@@ -204,5 +204,5 @@ TEST_CASE("wrong parameters are named, all at once", "[primitives]") {
   CHECK_THROWS_AS(cylinder("c", 1, 1, {1, 1}), InputError);
   CHECK_THROWS_AS(sphere("s", 1, 1), InputError);
   CHECK_THROWS_AS(sphere("s", 1, 4, {.finer = 0.5}), InputError);
-  CHECK_THROWS_AS(sphere("s", 1, 4, {.finer = 2, .half = {false, false, true}}), InputError);
+  CHECK_THROWS_AS(sphere("s", 1, 4, {.finer = 2, .half = {0, 0, 1}}), InputError);
 }

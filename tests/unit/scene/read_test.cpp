@@ -132,7 +132,7 @@ TEST_CASE("every mesh entry is read", "[scene]") {
   const auto& ball = std::get<SphereMesh>(input.mesh[4].body);
   CHECK(ball.elements == 6);
   CHECK(ball.finer == 3);
-  CHECK(ball.half == std::array{true, true, false});
+  CHECK(ball.half == std::array<int, 3>{1, 1, 0});
   const auto& tube = std::get<TubeMesh>(input.mesh[5].body);
   CHECK(tube.inner_radius == 1);
   CHECK(tube.outer_radius == 1.5);

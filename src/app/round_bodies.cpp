@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes of straight-edged elements are smaller than round bodies: by how much, and what helps.
+#include "brunt/mesh/round_bodies.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bodies.hpp"
+
+namespace brunt::app {
+namespace {
+
+/// Share of volume, and of the radius by which the centre is off, above which a warning is due: the accuracy that cases
+/// are held to.
+constexpr double worth_a_warning = 0.01;
+
+struct Difference {
+  double volume = 0, centre = 0;  ///< of the exact volume, of the outer radius
+  [[nodiscard]] double largest() const { return std::max(std::abs(volume), centre); }
+};
+
+Difference difference(const mesh::Mesh& mesh, const mesh::Moments& exact, double radius) {
+  const mesh::Moments found = mesh::moments(mesh);
+  return {found.volume / exact.volume - 1, (found.centre - exact.centre).norm() / radius};
+}
+
+/// Both errors fall with the square of the element size.
+int enough_elements(int elements, const Difference& found) {
+  return static_cast<int>(std::ceil(elements * std::sqrt(found.largest() / worth_a_warning)));
+}
+
+std::string help(const scene::SphereMesh& body, const Difference& found) {
+  const int enough = enough_elements(body.elements, found);
+  if (body.finer == 1) return fmt::format("about {} elements across the radius would be enough", enough);
+  std::string text = fmt::format("about {} elements across the radius would be enough", enough);
+  for (double finer = body.finer; finer > 1.2;) {
+    finer = std::max(1.0, 0.8 * finer);
+    const mesh::Mesh mesh = mesh::sphere(body.part, body.radius, body.elements, {finer, body.half});
+    if (difference(mesh, mesh::exact_sphere(body.radius, body.half), body.radius).largest() > worth_a_warning) continue;
+    return text + fmt::format(", or finer: {:.2g}", finer);
+  }
+  return text;
+}
+
+std::string help(const scene::CylinderMesh& body, const Difference& found) {
+  return fmt::format("about {} elements across the radius would be enough", enough_elements(body.elements[0], found));
+}
+
+std::string help(const scene::TubeMesh& body, const Difference& found) {
+  const int enough = enough_elements(body.elements[1], found);
+  return fmt::format("about {} elements around would be enough", (enough + 3) / 4 * 4);
+}
+
+template <class Body>
+void compare(const scene::Input& input, const scene::MeshEntry& entry, const Body& body, double radius,
+             const mesh::Mesh& mesh, const mesh::Moments& exact, RoundBodies& result) {
+  const Difference found = difference(mesh, exact, radius);
+  const std::string text = fmt::format("{:.2f} % of the exact body's volume, centre {:.2g} of the radius off",
+                                       100 * (1 + found.volume), found.centre < 1e-12 ? 0.0 : found.centre);
+  result.lines.push_back(fmt::format("{}: {}", body.part, text));
+  if (found.largest() <= worth_a_warning) return;
+  result.warnings.push_back(
+      fmt::format("{}: the mesh of {} has {}; {}", input.at(entry.key), body.part, text, help(body, found)));
+}
+
+}  // namespace
+
+RoundBodies round_bodies(const scene::Input& input) {
+  RoundBodies result;
+  for (const scene::MeshEntry& entry : input.mesh) {
+    if (const auto* body = std::get_if<scene::SphereMesh>(&entry.body))
+      compare(input, entry, *body, body->radius,
+              mesh::sphere(body->part, body->radius, body->elements, {body->finer, body->half}),
+              mesh::exact_sphere(body->radius, body->half), result);
+    if (const auto* body = std::get_if<scene::CylinderMesh>(&entry.body))
+      compare(input, entry, *body, body->radius,
+              mesh::cylinder(body->part, body->radius, body->length, body->elements, body->half),
+              mesh::exact_tube(0, body->radius, body->length, body->half), result);
+    if (const auto* body = std::get_if<scene::TubeMesh>(&entry.body))
+      compare(input, entry, *body, body->outer_radius,
+              mesh::tube(body->part, body->inner_radius, body->outer_radius, body->length, body->elements, body->half),
+              mesh::exact_tube(body->inner_radius, body->outer_radius, body->length, body->half), result);
+  }
+  return result;
+}
+
+}  // namespace brunt::app

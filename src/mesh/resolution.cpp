@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/mesh/resolution.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace brunt::mesh {
+namespace {
+
+using Edge = std::array<int, 2>;
+constexpr std::array<Edge, 12> hex_edges{
+    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+constexpr std::array<Edge, 6> tet_edges{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+
+}  // namespace
+
+std::string resolution_fault(const Mesh& mesh, double farthest) {
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  const Block* block_of_shortest = nullptr;
+  GlobalIndex element_of_shortest = 0;
+  for (const Block& block : mesh.blocks)
+    for (LocalIndex e = 0; e < block.count(); ++e)
+      for (const auto& [a, b] :
+           block.shape == Shape::hex8 ? std::span<const Edge>(hex_edges) : std::span<const Edge>(tet_edges)) {
+        const LocalIndex i = block.element(e)[a], j = block.element(e)[b];
+        if (i == j) continue;  // a collapsed corner
+        const double length =
+            (mesh.coordinates[static_cast<std::size_t>(i)] - mesh.coordinates[static_cast<std::size_t>(j)])
+                .stableNorm();
+        longest = std::max(longest, length);
+        if (length >= shortest) continue;
+        shortest = length;
+        block_of_shortest = &block;
+        element_of_shortest = block.element_id[static_cast<std::size_t>(e)];
+      }
+  if (block_of_shortest == nullptr) return {};
+  for (const Vec3& x : mesh.coordinates) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
+  const std::string element =
+      fmt::format("element {} (block {})", element_of_shortest,
+                  block_of_shortest->name.empty() ? std::to_string(block_of_shortest->id) : block_of_shortest->name);
+  if (!(longest <= largest_edge) || !(shortest >= smallest_edge || shortest == 0) || !std::isfinite(farthest))
+    return fmt::format("edges from {:.3g} to {:.3g} long are out of range; accepted: {:.0e} to {:.0e}", shortest,
+                       longest, smallest_edge, largest_edge);
+  if (farthest > largest_to_smallest * shortest)
+    return fmt::format(
+        "{}: its shortest edge, {:.3g}, is lost in the rounding of coordinates of {:.3g}; accepted: "
+        "coordinates up to 2^30 (1.07e9) times the shortest edge",
+        element, shortest, farthest);
+  return {};
+}
+
+}  // namespace brunt::mesh
