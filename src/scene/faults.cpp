@@ -24,7 +24,8 @@ void Faults::throw_if_any() {
   if (lines_.empty()) return;
   std::stable_sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) { return a.line < b.line; });
   std::vector<std::string> texts;
-  for (const Line& line : lines_) texts.push_back(line.text);
+  for (const Line& line : lines_)  // a key that stands many times on one line is one fault
+    if (std::ranges::find(texts, line.text) == texts.end()) texts.push_back(line.text);
   throw InputError(std::move(texts));
 }
 

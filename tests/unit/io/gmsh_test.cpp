@@ -196,7 +196,9 @@ TEST_CASE("what cannot be used is refused with its line", "[gmsh]") {
   CHECK(fault_of(replaced(version_2, "24 5 0 1", "23 5 0 1")) == "24: a second node 23");
   CHECK(fault_of(replaced(version_2, "\n14\n", "\n13\n")).find("24: '24 5 0 1' where $EndNodes should stand") == 0);
   CHECK(fault_of(replaced(version_2, "\n14\n", "\n140000000000\n")).find("10: the number of nodes is") == 0);
-  CHECK(fault_of(replaced(version_2, "1 4 3 2", "1 4 3 9")) == "30: surface element 3 is no face of a volume element");
+  CHECK(fault_of(replaced(version_2, "1 4 3 2", "1 4 3 9")) ==
+        "30: surface element 3 is no face of a volume element; accepted: faces of them, or the block left out: ignore: "
+        "[foot] beside file");
   CHECK(fault_of(replaced(version_4, "1 1 40 0", "1 2 40 41 0")) ==
         "12: volume 1 is in 2 physical groups; accepted: one");
   CHECK(fault_of(replaced(version_4, "2 12 1 12", "2 13 1 13")).find("12 nodes in the blocks, 13 promised") !=

@@ -121,7 +121,7 @@ TEST_CASE("a block that is not read is a fault that names the remedy", "[left_ou
   const auto of_inp = faults_of(inp.path, {}), of_msh = faults_of(msh.path, {}), of_exo = faults_of(exo.path, {});
   CHECK(of_inp.size() == 3);
   for (const char* name : {"skin", "ball", "fine"}) CHECK(says(of_inp, fmt::format("ignore: [{}]", name)));
-  CHECK(says(of_inp, ":25: element type 'S4R' is not a solid"));
+  CHECK(says(of_inp, "mesh:24: element type 'S4R' is not a solid"));
   CHECK(of_msh.size() == 2);
   CHECK(says(of_msh, "surface element 3 is no face of a volume element"));
   CHECK(says(of_msh, "ignore: [skin]"));
