@@ -16,9 +16,11 @@ namespace brunt::io {
 /// become node sets and side sets (of a surface's nodes too) of their names. What belongs to an instance is called
 /// INSTANCE.NAME, as in Abaqus; nodes and elements keep their numbers where there is one instance, and are numbered
 /// anew in turn where there are several.
+/// Included files are read where they are named (*INCLUDE, INPUT=). Other elements are blocks that `ignore` may leave
+/// out, by the name of their section's set, their card's ELSET, or their type.
 /// Throws InputError, lines beginning with path and line number, for what would change the mesh and is not read
-/// (generated nodes, included files, other elements), numbers and names that are not there, an element in two sections
-/// or in none beside others that are in one, and all that mesh::check finds.
+/// (generated nodes, other elements that are not ignored), numbers and names that are not there, an element in two
+/// sections or in none beside others that are in one, and all that mesh::check finds.
 mesh::Mesh read_abaqus(const std::string& path, const std::vector<std::string>& ignore = {});
 
 }  // namespace brunt::io

@@ -43,7 +43,7 @@ TEST_CASE("half and quarter of round bodies", "[scene]") {
                                      {"quarter: [x, -y]", {1, -1, 0}},
                                      {"quarter: [y, x]", {1, 1, 0}}}) {
       INFO(text);
-      CHECK(half_of(with_mesh("{" + fmt::format(fmt::runtime(body), text) + "}").mesh[0]) == half);
+      CHECK(half_of(with_mesh(fmt::format("{{{}}}", fmt::format(fmt::runtime(body), text))).mesh[0]) == half);
     }
   CHECK(half_of(with_mesh("{sphere: {part: a, radius: 1, elements: 3, finer: 3, half: [-z]}}").mesh[0]) ==
         Sides{0, 0, -1});
@@ -60,11 +60,11 @@ TEST_CASE("wrong halves are refused at their key", "[scene]") {
                                      {"quarter: [x, y, -y]", ".quarter: a list of 3"},
                                      {"half: [x], quarter: [x, y]", ".quarter: half is given as well"}}) {
       INFO(body << ' ' << text);
-      CHECK_THROWS_WITH(with_mesh("{" + fmt::format(fmt::runtime(body), text) + "}"),
+      CHECK_THROWS_WITH(with_mesh(fmt::format("{{{}}}", fmt::format(fmt::runtime(body), text))),
                         Catch::StartsWith("a.yaml:2: mesh.") && Catch::Contains(what) && Catch::Contains("accepted: "));
     }
   for (const std::size_t k : {0, 2})
-    CHECK_THROWS_WITH(with_mesh("{" + fmt::format(fmt::runtime(bodies[k]), "half: [z]") + "}"),
+    CHECK_THROWS_WITH(with_mesh(fmt::format("{{{}}}", fmt::format(fmt::runtime(bodies[k]), "half: [z]"))),
                       Catch::Contains("accepted: x, -x, y, -y"));
 }
 

@@ -261,7 +261,8 @@ TEST_CASE("broken YAML", "[scene]") {
   check_message(faults_of(""), "bar.yaml:1", {"empty", "units"});
   check_message(faults_of("# nothing but a comment\n"), "bar.yaml:1", {"empty"});
   check_message(faults_of("just text"), "bar.yaml:1", {"'just text' is given", "sections"});
-  check_message(faults_of(spoilt("[0, 0, 1]", "[0, 0, 1")), "bar.yaml:32", {"YAML syntax error, column 13", "not closed"});
+  check_message(faults_of(spoilt("[0, 0, 1]", "[0, 0, 1")), "bar.yaml:32",
+                {"YAML syntax error, column 13", "not closed"});
   check_message(faults_of(spoilt("  cfl: 0.9", "\tcfl: 0.9")), "bar.yaml:43", {"tab", "spaces"});
   check_message(faults_of(spoilt("title", " title")), "bar.yaml:2", {"second YAML document", "one column"});
   check_message(faults_of(spoilt("title: small", "title: @small")), "bar.yaml:1", {"YAML syntax error, column 8"});

@@ -153,7 +153,7 @@ TEST_CASE("texts that look broken and are not", "[yaml]") {
                                  "title: see a:b",
                                  "a: &x [1, 2]\nb: *x",
                                  "a: !x b",
-                                 
+
                                  "a: \n- b\n- c",
                                  "? a\n: b"}) {
     INFO(text);
