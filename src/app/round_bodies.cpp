@@ -26,30 +26,42 @@ Difference difference(const mesh::Mesh& mesh, const mesh::Moments& exact, double
   return {found.volume / exact.volume - 1, (found.centre - exact.centre).norm() / radius};
 }
 
-/// Both errors fall with the square of the element size.
-int enough_elements(int elements, const Difference& found) {
-  return static_cast<int>(std::ceil(elements * std::sqrt(found.largest() / worth_a_warning)));
+/// Both errors fall with the square of the element size; around round bodies there are 8 elements for each whole 0.6 of
+/// those across, so the next few numbers are tried (`difference_of` them), as long as they are small.
+template <class DifferenceOf>
+int enough_elements(int elements, const Difference& found, DifferenceOf difference_of) {
+  constexpr int most_tried = 20;
+  int enough = static_cast<int>(std::ceil(elements * std::sqrt(found.largest() / worth_a_warning)));
+  while (enough <= most_tried && difference_of(enough).largest() > worth_a_warning) ++enough;
+  return enough;
 }
 
 std::string help(const scene::SphereMesh& body, const Difference& found) {
-  const int enough = enough_elements(body.elements, found);
-  if (body.finer == 1) return fmt::format("about {} elements across the radius would be enough", enough);
-  std::string text = fmt::format("about {} elements across the radius would be enough", enough);
+  const auto with = [&](int elements, double finer) {
+    return difference(mesh::sphere(body.part, body.radius, elements, {finer, body.half}),
+                      mesh::exact_sphere(body.radius, body.half), body.radius);
+  };
+  std::string text = fmt::format("about {} elements across the radius would be enough",
+                                 enough_elements(body.elements, found, [&](int n) { return with(n, body.finer); }));
   for (double finer = body.finer; finer > 1.2;) {
     finer = std::max(1.0, 0.8 * finer);
-    const mesh::Mesh mesh = mesh::sphere(body.part, body.radius, body.elements, {finer, body.half});
-    if (difference(mesh, mesh::exact_sphere(body.radius, body.half), body.radius).largest() > worth_a_warning) continue;
-    return text + fmt::format(", or finer: {:.2g}", finer);
+    if (with(body.elements, finer).largest() <= worth_a_warning) return text + fmt::format(", or finer: {:.2g}", finer);
   }
   return text;
 }
 
 std::string help(const scene::CylinderMesh& body, const Difference& found) {
-  return fmt::format("about {} elements across the radius would be enough", enough_elements(body.elements[0], found));
+  const auto with = [&](int elements) {
+    return difference(mesh::cylinder(body.part, body.radius, body.length, {elements, 1}, body.half),
+                      mesh::exact_tube(0, body.radius, body.length, body.half), body.radius);
+  };
+  return fmt::format("about {} elements across the radius would be enough",
+                     enough_elements(body.elements[0], found, with));
 }
 
 std::string help(const scene::TubeMesh& body, const Difference& found) {
-  const int enough = enough_elements(body.elements[1], found);
+  const auto is_enough = [](int) { return Difference{}; };  // the estimate is exact to one element
+  const int enough = enough_elements(body.elements[1], found, is_enough);
   return fmt::format("about {} elements around would be enough", (enough + 3) / 4 * 4);
 }
 
