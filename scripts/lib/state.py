@@ -80,7 +80,8 @@ class State:
     def positions(self, record, factor=1.0):
         """Of the nodes, with the displacement times a factor [length]."""
         points = self.file["mesh/coordinates"][...]
-        return points + factor * record["node/displacement"][...] if "node/displacement" in record else points
+        moved = factor != 0 and "node/displacement" in record
+        return points + factor * record["node/displacement"][...] if moved else points
 
     def fields(self, record):
         """(field, number of its components) in alphabetical order."""

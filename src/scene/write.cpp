@@ -51,9 +51,7 @@ std::string key_text(const std::string& key) {
   return is_plain(key) ? key : in_quotes(key);
 }
 
-bool holds_map(const Tree& tree) {
-  return tree.kind == Tree::Kind::map || std::ranges::any_of(tree.children, holds_map);
-}
+constexpr std::size_t long_line = 100;  // letters: what is longer takes a line for each of its pieces
 
 /// In one line.
 std::string flow(const Tree& tree, bool in_brackets) {
@@ -71,8 +69,9 @@ void append_block(const Tree& tree, std::size_t indent, std::string& text);
 
 /// What stands behind `key:` or `-`, with the end of the line.
 void append_child(const Tree& child, std::size_t indent, std::string& text) {
-  if (child.children.empty() || !holds_map(child)) {
-    text += ' ' + flow(child, false) + '\n';
+  const std::string line = flow(child, false);
+  if (child.children.empty() || line.size() <= long_line) {
+    text += ' ' + line + '\n';
   } else {
     text += '\n';
     append_block(child, indent + 2, text);

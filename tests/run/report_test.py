@@ -105,7 +105,7 @@ class Report(Program):
         page = Page(text)
         self.assertEqual(page.faults, [])
         for word in ("nan", "inf", "None", "NaN"):
-            self.assertNotIn(f">{word}", text)
+            self.assertFalse(f">{word}" in text, word)
         return page
 
     def test_the_page_of_a_whole_result(self):

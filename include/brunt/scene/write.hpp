@@ -8,8 +8,8 @@
 
 namespace brunt::scene {
 
-/// YAML that parses to the same tree. Maps and lists of maps stand in lines of their own, lists of values in brackets;
-/// comments of the source are lost.
+/// YAML that parses to the same tree. What fits a line stands in one, between brackets; comments of the source are
+/// lost.
 [[nodiscard]] std::string as_yaml(const Tree& tree);
 
 /// The scene of a text after its overrides, as YAML. Empty for a faulty scene.

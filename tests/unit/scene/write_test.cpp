@@ -40,6 +40,13 @@ TEST_CASE("scene as YAML: maps, lists, empty ones and values of all kinds come b
            "title: \"tab\\there, bell\\a, nul-like \\x01, \xc3\xa4\xe2\x82\xac\"\n\"odd key: x\": 1\n\"-\": 2\n",
            "numbers: [\"1\", 1, -1, +1, .5, 1e5, -.inf]\ndash: \"-\"\nquestion: \"? x\"\nstar: \"*a\"\nper: \"%x\"\n",
            "folded: one\n  line\n\n  more\n",
+           "long: {a: a text that alone fills half of a line, b: another text that fills the rest, c: {d: [1, 2, {e: "
+           "and "
+           "one more that is far too long for it}]}}\n",
+           "list:\n  - a list of texts that are too long to stand in one line of a hundred letters\n  - [and, "
+           "another]\n"
+           "  - [[one, within, another, one], a text that goes on for long enough, a text that goes on for long "
+           "enough]\n",
        }) {
     INFO(text);
     const Tree tree = parsed(text);
