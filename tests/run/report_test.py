@@ -110,7 +110,7 @@ class Report(Program):
 
     def test_the_page_of_a_whole_result(self):
         self.run_rod()
-        page = self.page()
+        page = self.page("--states", "5")
         self.assertEqual(page.text("title"), TITLE)
         self.assertEqual(page.text("h1"), TITLE)
         self.assertEqual(len(page.all("script")), 2)  # the film's pictures and its controls
@@ -214,10 +214,10 @@ class Report(Program):
     def test_guard_and_restart_are_told(self):
         self.run_rod("--set", "run.steps=10")
         self.run_rod("--restart", "out")
-        self.assertIn("Restarted from out/checkpoint_000000010.h5 at step 10.", self.page().text())
+        self.assertIn("Restarted from out/checkpoint_000000010.h5 at step 10.", self.page("--states", "0").text())
         self.write("rod.yaml", scenes.INVERTED_LATER)
         self.run_scene(1, "rod.yaml", "--out", "out", "--force", code=3)
-        page = self.page()
+        page = self.page("--states", "0")
         self.assertIn("stopped by a guard", page.text())
         self.assertIn("Stopped: ", page.text())
         self.assertTrue(page.all("span", class_="verdict bad"))
