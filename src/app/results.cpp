@@ -87,6 +87,7 @@ Results::Results(Prepared& run, std::string folder, std::optional<GlobalIndex> r
   if (units.metre > 0)
     for (const auto& [quantity, unit] : {std::pair{"time", units.time},
                                          {"length", units.length},
+                                         {"mass", units.mass},
                                          {"velocity", units.velocity},
                                          {"stress", units.stress}})
       states_->name_unit(quantity, unit);

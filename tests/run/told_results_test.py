@@ -22,9 +22,15 @@ probes:
   - {name: foot, set: foot, field: reaction}
   - {name: press, contact: [rod, table]}
   - {name: wall, wall: wall0}
-output: {every: 1.0e-5, fields: [displacement, velocity, stress, plastic_strain, contact_pressure, gap]}
+  - {name: load, part: rod, field: mass}
+  - {name: store, part: rod, field: energy}
+  - {name: push, part: rod, field: momentum}
+  - {name: spin, part: rod, field: angular_momentum}
+  - {name: cut, section: {part: rod, set: head}}
+output: {every: 1.0e-5, fields: [displacement, velocity, stress, plastic_strain, contact_pressure, gap, mass]}
 """
-UNITS = {"time": "s", "energy": "J", "mass": "kg", "momentum": "N.s", "length": "m", "velocity": "m/s", "force": "N", "1": ""}
+UNITS = {"time": "s", "energy": "J", "mass": "kg", "momentum": "N.s", "length": "m", "velocity": "m/s", "force": "N", "moment": "N.m",
+         "angular momentum": "N.s.m", "1": ""}
 
 
 def told(heading):
@@ -64,11 +70,11 @@ class Told(Program):
 
     def test_history(self):
         header = next(csv.reader(self.text("out", "history.csv").splitlines()))
-        probes = "tip|face|body|foot|press|wall"
+        probes = "tip|face|body|foot|press|wall|load|store|push|spin|cut"
         written = {}
         for cell in header:
             name, _, unit = cell.partition(" [")
-            written.setdefault(re.sub(rf"^(impulse_)?({probes})\.", r"\1PROBE.", name), set()).add(unit.rstrip("]"))
+            written.setdefault(re.sub(rf"^(impulse_|moment_)?({probes})\.", r"\1PROBE.", name), set()).add(unit.rstrip("]"))
         columns = told("history.csv")
         self.assertEqual(set(written), set(columns))
         for name, units in written.items():

@@ -2,6 +2,8 @@
 // Energies and momenta of parts, also where parts share nodes, and what they sum up to.
 #include "app/part_sums.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -79,8 +81,6 @@ TEST_CASE("parts: energies, momenta and masses sum up to those of the model") {
 }
 
 TEST_CASE("parts: also where they share nodes, whose work is booked element by element") {
-  support::SceneFolder folder;
-  folder.write("joined.msh", joined_cubes());
   const std::string scene =
       "units: SI\nmesh: {file: joined.msh}\n"
       "materials: {m: {model: elastic, density: 3, young: 100, poisson: 0.3}}\n"

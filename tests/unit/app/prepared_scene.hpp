@@ -51,6 +51,11 @@ struct PreparedScene {
 
   explicit PreparedScene(const std::string& text)
       : run(app::prepare(comm::Communicator::self(), folder.write("scene.yaml", text), {})) {}
+  /// With a file beside the scene, which it names.
+  PreparedScene(const std::string& text, const std::string& name, const std::string& content) {
+    (void)folder.write(name, content);
+    run = app::prepare(comm::Communicator::self(), folder.write("scene.yaml", text), {});
+  }
 
   void evaluate() {
     report = time::evaluate(run->model, run->state, run->scratch, run->links, time::StepControl{0.9, 1.02});

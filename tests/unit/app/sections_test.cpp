@@ -2,6 +2,8 @@
 // Forces and moments through sections of bars whose loads are known.
 #include "app/sections.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
