@@ -60,7 +60,9 @@ std::size_t make_section(const Probe& probe, std::size_t entry, std::span<const 
     for_elements(whole.mesh, part_of_block, probe.parts, [&](auto element) {
       for (const LocalIndex node : element) behind[static_cast<std::size_t>(node)] = 1;
     });
-    Nodes& nodes = whole.mesh.node_sets[name];
+    const auto found = whole.mesh.node_sets.find(name);
+    if (found == whole.mesh.node_sets.end()) return 0;
+    Nodes& nodes = found->second;
     std::erase_if(nodes, [&](LocalIndex node) { return !behind[static_cast<std::size_t>(node)]; });
     return nodes.size();
   }

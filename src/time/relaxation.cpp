@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brunt/comm/exact_sum.hpp"
+#include "brunt/core/error.hpp"
 #include "brunt/force/watched.hpp"
 #include "brunt/time/initialise.hpp"
 
@@ -114,6 +115,15 @@ class WorkAlongTheWay {
   std::vector<std::vector<double>> interface_;
 };
 
+/// So many steps after its peak a swing is over. The fastest modes have periods of 3 steps and more: their peaks, which
+/// come and go while a slow swing still grows, must not end it. They lose what they have of potential energy at the
+/// moment of the stop, which is least where these steps are half of a period: so the numbers differ from swing to
+/// swing.
+double patience(const model::Relaxation& phase) {
+  constexpr std::array<double, 4> steps{5, 7, 11, 13};
+  return steps[static_cast<std::size_t>(phase.swing_start) % steps.size()];
+}
+
 /// A swing has ended: what it says of the static state, and the next stage of the loads. True at rest.
 bool judge_swing(const Balance& now, double tolerance, model::Relaxation& phase) {
   const double length = phase.steps - phase.swing_start;
@@ -127,7 +137,8 @@ bool judge_swing(const Balance& now, double tolerance, model::Relaxation& phase)
   const bool quiet = phase.steps - phase.quiet_since >= phase.longest_swing || phase.peak == 0;
   if (!loaded) ++phase.stage;
   phase.swing_start = phase.steps;
-  phase.peak = phase.kinetic = 0;
+  phase.peak = 0;
+  phase.peak_step = phase.steps;
   return loaded && small && quiet && now.residual <= tolerance;
 }
 
@@ -159,9 +170,12 @@ RelaxationStep relax(const model::Model& model, model::State& state, model::Scra
   ++phase.steps;
 
   const double kinetic = kinetic_energy(model, state, links);
-  result.stopped = kinetic <= phase.kinetic;
-  phase.peak = std::max(phase.peak, kinetic);
-  phase.kinetic = kinetic;
+  if (!std::isfinite(kinetic)) throw GuardError("relaxation: the motion is not a number");
+  if (kinetic > phase.peak) {
+    phase.peak = kinetic;
+    phase.peak_step = phase.steps;
+  }
+  result.stopped = phase.steps - phase.peak_step >= patience(phase);
   if (!result.stopped) return result;
   keep_held_forces(model, state, scratch, result.step.dt_mean);
   const Balance now = balance(model, state, scratch, links, result.step.dt_mean);

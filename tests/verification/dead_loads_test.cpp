@@ -68,16 +68,16 @@ TEST_CASE("dead loads keep their direction while the body turns, follow their cu
                steel +
                    "curves: {ramp: [[0, 0], [1.0e-3, 1]]}\n"
                    "initial: [{part: block, rotation: {axis: [0, 0, 1], point: [0.5, 0.5, 0.5], rate: 300}}]\n"
-                   "forces: [{part: block, force: [5.0e4, 0, 1.0e4], curve: ramp}]\n");
+                   "forces: [{part: block, force: [5.0e6, 0, 1.0e6], curve: ramp}]\n");
   s.step();
   const double start = s.ledger().total();
   Vec3 impulse = Vec3::Zero();
   while (s.state.time < 2e-3) s.step();
   const time::Ledger ledger = s.ledger();
   CHECK(ledger.total() == Approx(start).epsilon(1e-11));
-  CHECK(ledger.external > 0.01 * ledger.kinetic);
+  CHECK(ledger.external > 0.005 * ledger.kinetic);
   const double t = s.state.time - 0.5 * s.report.dt;
-  impulse = 27 * (t - 0.5e-3) * Vec3(5e4, 0, 1e4);
+  impulse = 27 * (t - 0.5e-3) * Vec3(5e6, 0, 1e6);
   CHECK((ledger.impulse_given - impulse).norm() < 1e-3 * impulse.norm());
   CHECK(std::abs(ledger.impulse_given[1]) < 1e-12 * impulse.norm());
 }
@@ -129,5 +129,7 @@ TEST_CASE("an acceleration changes the initial velocity by its integral, exactly
     worst = std::max(worst, std::abs(s.velocity(s.node(0))[0] - start - gained(s.state.time - 0.5 * s.state.dt)));
   }
   CHECK(worst < 1e-12);
-  check_momentum(time::Ledger{s.ledger()});
+  const time::Ledger ledger = s.ledger();
+  CHECK((ledger.momentum - ledger.mass * Vec3(start, 0, 0) - ledger.impulse_given).norm() <
+        1e-12 * ledger.momentum_scale);
 }

@@ -118,8 +118,8 @@ struct Relaxation {
   double under_way = 0;      ///< not 0: the run has not begun; what the next step does (time/relaxation)
   double steps = 0;          ///< of the phase
   double stage = 1;          ///< loads stand at stage / relaxation_stages
-  double kinetic = 0;        ///< after the last step [energy]
-  double peak = 0;           ///< largest since the nodes were last stopped [energy]
+  double peak = 0;           ///< largest kinetic energy since the nodes were last stopped [energy]
+  double peak_step = 0;      ///< step of the phase at which it was
   double swing_start = 0;    ///< step of the phase at which they were
   double longest_swing = 0;  ///< between two stops [steps]
   double quiet_since = 0;    ///< step of the phase since when no swing was too large

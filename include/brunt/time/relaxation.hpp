@@ -4,8 +4,9 @@
 // prestressed nets and membranes", Computers & Structures 30 (1988) 685-695).
 //
 // The bodies move as in a run, but for time, which stands at 0: loads keep their values of t = 0, driven nodes and
-// walls stand still. Whenever the kinetic energy has passed a peak - a swing is through its equilibrium - all nodes are
-// stopped. What is left of the swing is the share of its energy that the peak missed, so no damping has to be chosen.
+// walls stand still. Some steps after each peak of the kinetic energy - a swing is through its equilibrium - all nodes
+// are stopped. What is left of the swing is the share of its energy that the peak missed, so no damping has to be
+// chosen.
 #pragma once
 #include <span>
 
