@@ -49,17 +49,10 @@ TiedNodes Contact::tied_nodes() const {
   return count;
 }
 
-/// Where both sides are held along the normal a tie still holds across it.
 void Contact::lay_ties(double dt) {
   const std::size_t first = rows_.size();
   tie_rows(ties_, tie_scene(dt), levers_, rows_);
-  for (Row& row : std::span(rows_).subspan(first)) {
-    const auto moves = [&](LocalIndex node) {
-      const Mobility& mobility = mobility_[static_cast<std::size_t>(node)];
-      return mobility.inverse_mass > 0 && mobility.is_free_along(row.normal);
-    };
-    if (std::none_of(row.nodes.begin(), row.nodes.begin() + row.node_count, moves)) row.cone = Cone::across;
-  }
+  for (Row& row : std::span(rows_).subspan(first)) ask_only_what_can_move(row, mobility_, motion_of_);
 }
 
 TieScene Contact::tie_scene(double dt) const {

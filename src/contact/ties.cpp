@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/contact/ties.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
@@ -147,6 +148,17 @@ Vec3 lost_in_turning(const Tie& tie, const Vec3& crept, const Row& row, const Ma
   return after - crept - scene.dt * relative_motion(row, old_velocity);
 }
 
+/// Bound of the rounding in a sum of the slave's and the corners' positions with weights of sum 1 and -1 [length]: each
+/// position is rounded when X + u is made, and so is each of at most six partial sums, by half an epsilon of the
+/// largest coordinate or less; weights a little beside a face take no more than twice that.
+double rounding_of_positions(const Row& row, std::span<const NodeMotion> motion) {
+  constexpr double roundings = 2 * (2 + 6) * 0.5;
+  double largest = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
+    largest = std::max(largest, motion[static_cast<std::size_t>(row.nodes[i])].position.cwiseAbs().maxCoeff());
+  return roundings * std::numeric_limits<double>::epsilon() * largest;
+}
+
 Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const TieScene& scene, Lever& lever) {
   FaceCorners storage;
   const std::span<const Vec3> corners = corners_of(face, scene.motion, storage);
@@ -177,12 +189,54 @@ Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const T
   row.gap = row.normal.dot(crept);
   Vec3 back = -scene.recovery / scene.dt * crept;
   if (tie.height != 0) back -= lost_in_turning(tie, crept, row, face, scene) / scene.dt;
+  row.noise = (scene.recovery + (tie.height != 0 ? 1 : 0)) / scene.dt * rounding_of_positions(row, scene.motion);
   row.required = row.normal.dot(back);
   row.drift = back - row.required * row.normal;
   return row;
 }
 
+/// G P of the i-th node of the row: how its velocity enters the rate, along the directions that are free to it.
+Mat3 free_part(const Row& row, std::size_t i, const Mobility& mobility) {
+  Mat3 part = row.weights[i] * mobility.projector;
+  if (row.lever != nullptr) part += row.lever->turn[i] * mobility.projector;
+  return part;
+}
+
+/// Projector onto the directions in which nothing can change the row's rate: the null space of sum G P (G P)^T. A share
+/// of Mobility::rounding of the largest is no motion, as elsewhere.
+Mat3 held_directions(const Row& row, std::span<const Mobility> mobility) {
+  Mat3 sum = Mat3::Zero();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
+    const Mobility& node = mobility[static_cast<std::size_t>(row.nodes[i])];
+    if (node.inverse_mass == 0) continue;
+    const Mat3 part = free_part(row, i, node);
+    sum += part * part.transpose();
+  }
+  Eigen::SelfAdjointEigenSolver<Mat3> directions;
+  directions.computeDirect(sum);
+  Mat3 held = Mat3::Zero();
+  constexpr double nothing = Mobility::rounding * Mobility::rounding;
+  const double squared_share = largest_share(row) * largest_share(row);
+  for (int k = 0; k < 3; ++k)
+    if (directions.eigenvalues()[k] <= nothing * squared_share)
+      held += directions.eigenvectors().col(k) * directions.eigenvectors().col(k).transpose();
+  return held;
+}
+
 }  // namespace
+
+void ask_only_what_can_move(Row& row, std::span<const Mobility> mobility, std::span<const NodeMotion> motion) {
+  const Mobility& slave = mobility[static_cast<std::size_t>(row.nodes[0])];
+  if (slave.is_free() && slave.inverse_mass > 0) return;  // it can follow any rate
+  const Mat3 held = held_directions(row, mobility);
+  if (held.isZero(0)) return;
+  const Vec3 asked = row.required * row.normal + row.drift;
+  const Vec3 predicted = relative_motion(
+      row, [&](LocalIndex node) -> const Vec3& { return motion[static_cast<std::size_t>(node)].predicted; });
+  const Vec3 left = asked + held * (predicted - asked);
+  row.required = row.normal.dot(left);
+  row.drift = left - row.required * row.normal;
+}
 
 std::vector<Tie> find_ties(const Candidates& candidates, std::span<const MasterFace> faces,
                            std::span<const GlobalIndex> gid, std::span<const NodeMotion> motion,

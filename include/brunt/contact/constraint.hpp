@@ -35,8 +35,7 @@ static_assert(sizeof(NodeMotion) == node_motion_width * sizeof(double));
 /// Which impulses a row admits.
 enum class Cone : std::int8_t {
   compression,  ///< it pushes or does nothing
-  free,         ///< it holds both ways
-  across        ///< it holds across its normal, along which none of its nodes can move: of ties
+  free          ///< it holds both ways
 };
 
 /// Of two passes, the one that a row belongs to.
@@ -82,6 +81,7 @@ struct Row {
   double friction = 0;        ///< Coulomb coefficient for this step; 0: none; infinity: the node is tied to the master
   bool lags = false;          ///< friction follows the pressure late: see FrictionLaw::lag
   double lagging = 0;         ///< what it admits for the pressure of before [momentum]
+  double noise = 0;           ///< of what it asks for: bound of what the rounding of positions makes of it [velocity]
   Vec3 drift = Vec3::Zero();  ///< velocity across the normal that sticking asks for [velocity]: takes back what slid
   const Lever* lever = nullptr;  ///< of a tie across a gap or an overlap; lives as long as the rows of a step
 
@@ -130,8 +130,6 @@ inline double friction_limit(const Row& row, double along) {
 /// Coulomb's law, not the projection on the cone, which would push the bodies apart where they slide.
 inline Vec3 admitted(const Row& row, const Vec3& impulse) {
   const double along = row.normal.dot(impulse);
-  if (row.cone == Cone::across) [[unlikely]]
-    return impulse - along * row.normal;
   const double push = row.cone == Cone::compression && along < 0 ? 0.0 : along;
   const bool holds_pull = row.cone == Cone::free;
   if (row.friction == 0 || (push == 0 && !holds_pull)) return push * row.normal;

@@ -15,7 +15,7 @@ namespace {
 /// What one reduction tells of an iterate p, the same on every rank. z: the step of length 1 on the chosen rows; d: the
 /// last direction; A = G W G^T.
 struct Look {
-  double residual = 0;                                 ///< max H |sweep of length 1| [velocity]
+  double residual = 0;                                 ///< max H |sweep of length 1| beyond a row's noise [velocity]
   double impulse = 0, step = 0, direction = 0;         ///< largest |p|; of z and of the sweep; |d| [momentum]
   double along = 0, astray = 0;                        ///< z.Hz; |sweep of length 1 - z|^2 in the same metric [energy]
   double drop = 0, change = 0, overlap = 0, size = 0;  ///< z.Az, Az.H^-1 Az, Az.H^-1 Ad, d.Hd [energy]
@@ -63,7 +63,7 @@ class Conjugate {
     const Amount sweep = swept(q, 1) - push_[q];
     const double step = Kind::size(sweep), h = scratch_.diagonal[q];
     const Amount astray = sweep - step_[q];
-    keep_max(seen.largest[0], h * step);
+    keep_max(seen.largest[0], h * step - system_.rows[q].noise);
     keep_max(seen.largest[1], Kind::size(push_[q]));
     keep_max(seen.largest[2], std::max(step, Kind::size(step_[q])));
     seen.sums[0] += seen.along.of(h * Kind::product(step_[q], step_[q]));
@@ -145,7 +145,7 @@ Look Conjugate<Kind>::look_at_start(bool& coupled, double& speed) {
     const double h = scratch_.diagonal[q];
     if (!(h > 0)) continue;
     const double step = Kind::size(swept(q, 1) - push_[q]);
-    keep_max(largest[0], h * step);
+    keep_max(largest[0], h * step - row.noise);
     keep_max(largest[1], Kind::size(push_[q]));
     keep_max(largest[2], step);
     keep_max(largest[3], h * step * step);

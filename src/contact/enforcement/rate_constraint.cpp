@@ -14,7 +14,7 @@ namespace {
 
 /// What one look at an iterate tells, the same on every rank.
 struct Judgement {
-  double residual = 0;   ///< max H |step of length 1| [velocity]
+  double residual = 0;   ///< max H |step of length 1| beyond a row's noise [velocity]
   double energy = 0;     ///< max H |step of length 1|^2, the size of the terms of the next quotient [energy]
   double impulse = 0;    ///< bound of what p gives to a node
   double rise = 0;       ///< bound of what a step of length 1 can add to it
@@ -73,7 +73,7 @@ Judgement Iteration::judge(double term_size) {
         std::isinf(row.friction) ? largest_share(row) : (row.friction == 0 ? 1.0 : std::hypot(1.0, row.friction));
     const double rise = row.cone == Cone::compression ? std::max(0.0, row.normal.dot(missing)) : missing.norm();
     keep_max(largest[5], velocity_[static_cast<std::size_t>(row.nodes[0])].cwiseAbs().maxCoeff());
-    keep_max(largest[0], h * step);
+    keep_max(largest[0], h * step - row.noise);
     keep_max(largest[1], h * step * step);
     keep_max(largest[2], slope * impulses_[q].norm() + row.lagging);
     keep_max(largest[3], slope * rise / h);

@@ -40,7 +40,6 @@ struct Whole {
   static double size(const Vec3& impulse) { return impulse.norm(); }
   static double product(const Vec3& a, const Vec3& b) { return a.dot(b); }
   static Vec3 held(const Row& row, const Vec3& relative) {
-    if (row.cone == Cone::across) return relative - row.normal.dot(relative) * row.normal;
     return row.friction > 0 ? relative : Vec3(row.normal.dot(relative) * row.normal);
   }
   static Vec3 missing(const Row& row, const Vec3& relative) { return missing_rate(row, relative); }

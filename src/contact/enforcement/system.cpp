@@ -200,7 +200,7 @@ double largest_impulse_on_a_node(std::span<const Row> rows, std::span<const Vec3
 
 Vec3 missing_rate(const Row& row, const Vec3& relative) {
   const double along = row.normal.dot(relative);
-  Vec3 missing = row.cone == Cone::across ? Vec3(Vec3::Zero()) : Vec3((row.required - along) * row.normal);
+  Vec3 missing = (row.required - along) * row.normal;
   if (row.friction > 0) missing += row.drift - (relative - along * row.normal);
   return missing;
 }
