@@ -155,8 +155,9 @@ void print_contact(const Prepared& run) {
     fmt::print("contact          {}: {}\n", parts, entry.tied ? "tied" : friction_text(entry.friction));
   }
   for (const scene::RigidWall& wall : run.input.rigid_walls)
-    fmt::print("rigid wall       {}: {}{}\n", wall.name, friction_text(wall.friction),
-               wall.bilateral ? ", holds both ways" : "");
+    fmt::print("rigid wall       {}: {}{}{}\n", wall.name, friction_text(wall.friction),
+               wall.bilateral ? ", holds both ways" : "",
+               wall.parts.empty() ? "" : fmt::format(", acts on {}", fmt::join(wall.parts, ", ")));
   if (!run.input.contact.empty()) {
     const contact::EnforcementSettings& settings = run.input.contact.back().enforcement;
     fmt::print("enforcement      {}, tolerance {:g}\n", name_of(settings.method), settings.tolerance);

@@ -22,9 +22,10 @@ std::vector<char> held_by_walls(const Surface& surface, const std::vector<Vec3>&
   std::vector<char> held;
   held.reserve(walls.size() * surface.gid.size());
   for (const Wall& wall : walls)
-    for (const LocalIndex node : surface.model_node) {
-      const double gap = (reference[static_cast<std::size_t>(node)] - wall.point).dot(wall.normal);
-      held.push_back(wall.bilateral && std::abs(gap) <= in_plane * surface.mean_edge ? 1 : 0);
+    for (std::size_t i = 0; i < surface.model_node.size(); ++i) {
+      const double gap = (reference[static_cast<std::size_t>(surface.model_node[i])] - wall.point).dot(wall.normal);
+      const bool acts = acts_on(wall, surface.blocks.row(static_cast<LocalIndex>(i)));
+      held.push_back(wall.bilateral && acts && std::abs(gap) <= in_plane * surface.mean_edge ? 1 : 0);
     }
   return held;
 }

@@ -21,6 +21,7 @@ std::vector<WallCandidate> walls_in_reach(const ListBuild& build, std::span<cons
   for (std::size_t w = 0; w < walls.size(); ++w) {
     for (std::size_t node = 0; node < count; ++node) {
       if (!build.surface.owns(static_cast<LocalIndex>(node), build.ranks.rank())) continue;
+      if (!acts_on(walls[w], build.surface.blocks.row(static_cast<LocalIndex>(node)))) continue;
       const bool is_held = held[w * count + node] != 0;
       if (!is_held && (build.positions[node] - walls[w].point).dot(walls[w].normal) > reach) continue;
       candidates.push_back(

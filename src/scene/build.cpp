@@ -90,6 +90,16 @@ void watch_nodes(const Input& input, model::Model& model) {
   watched.erase(std::unique(watched.begin(), watched.end()), watched.end());
 }
 
+/// The blocks of these parts, ascending.
+std::vector<std::int32_t> blocks_of_parts(const Input& input, const mesh::LocalMesh& mesh,
+                                          const std::vector<std::string>& parts) {
+  std::vector<std::int32_t> blocks;
+  for (std::size_t b = 0; b < mesh.block_name.size(); ++b)
+    if (std::ranges::find(parts, part_of_block(input, mesh, b).name) != parts.end())
+      blocks.push_back(static_cast<std::int32_t>(b));
+  return blocks;
+}
+
 void build_loads(const Input& input, model::Model& model) {
   if (input.gravity) {
     model.gravity = input.gravity->vector;
@@ -107,7 +117,8 @@ void build_loads(const Input& input, model::Model& model) {
   model.relaxes = input.relaxation.has_value();
   for (const RigidWall& wall : input.rigid_walls)
     model.walls.push_back({wall.name, wall.point - model.mesh.origin, wall.normal.normalized(), wall.bilateral,
-                           curve_of(input, wall.motion), !wall.motion.empty(), wall.friction});
+                           curve_of(input, wall.motion), !wall.motion.empty(), wall.friction,
+                           blocks_of_parts(input, model.mesh, wall.parts)});
 }
 
 /// Faces of which all nodes lie in a plane of symmetry are inside the whole body: nothing can touch them.

@@ -2,6 +2,7 @@
 // What moves, holds and loads the bodies.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "brunt/scene/sections.hpp"
@@ -82,6 +83,20 @@ Pressure read_one_pressure(Section& entry) {
   return pressure;
 }
 
+void read_wall_parts(const Key& key, RigidWall& wall) {
+  constexpr std::string_view accepted = "a list of at least one part, each once";
+  const std::vector<Key> entries = items(key, accepted);
+  if (key.tree->kind == Tree::Kind::list && entries.empty()) wrong(key, accepted);
+  for (const Key& entry : entries) {
+    std::string part;
+    if (!read(entry, part, Named::part)) continue;
+    if (std::ranges::find(wall.parts, part) != wall.parts.end())
+      wrong(entry, accepted);
+    else
+      wall.parts.push_back(part);
+  }
+}
+
 RigidWall read_wall(Section& entry, std::size_t index) {
   RigidWall wall{.name = fmt::format("wall{}", index),
                  .point = Vec3::Zero(),
@@ -94,6 +109,7 @@ RigidWall read_wall(Section& entry, std::size_t index) {
   read_friction(entry, wall.friction);
   entry.optional("bilateral", wall.bilateral);
   entry.optional("motion", wall.motion, Named::curve);
+  if (entry.has("parts")) read_wall_parts(entry.at("parts"), wall);
   return wall;
 }
 

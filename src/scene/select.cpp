@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -117,36 +118,49 @@ class Selector {
 
   void add_interface() { make_interface(whole_); }
 
+  /// parts: only their nodes; empty: all.
   void add_plane(const std::string& reserved, const Vec3& point, const Vec3& normal, const std::string& key,
-                 bool must_hold) {
+                 bool must_hold, const std::vector<std::string>& parts = {}) {
     Nodes nodes;
+    std::vector<char> counts(whole_.mesh.coordinates.size(), parts.empty() ? 1 : 0);
+    for_each_corner([&](std::size_t block, std::size_t /*element*/, LocalIndex node) {
+      if (acts_on(parts, block)) counts[static_cast<std::size_t>(node)] = 1;
+    });
     for (std::size_t i = 0; i < whole_.mesh.coordinates.size(); ++i)
-      if (std::abs((whole_.mesh.coordinates[i] - (point - whole_.origin)).dot(normal.normalized())) <= on_plane_)
+      if (counts[i] != 0 &&
+          std::abs((whole_.mesh.coordinates[i] - (point - whole_.origin)).dot(normal.normalized())) <= on_plane_)
         nodes.push_back(static_cast<LocalIndex>(i));
     if (nodes.empty() && must_hold)
       tell(key, "no node lies in this plane; accepted: a plane through nodes, {}", extent());
     whole_.mesh.node_sets[reserved] = std::move(nodes);
   }
 
-  /// No body starts on both sides of a wall: its nodes behind would be held there for the whole run. (A body that lies
-  /// behind as a whole never meets the wall.)
-  void require_one_side(const RigidWall& wall, const std::string& key) {
+  /// All that is behind a wall is solid: no body starts on both sides of it, nor all bodies behind it, wherever the
+  /// wall moves, unless it names the parts that it acts on.
+  void require_in_front(const RigidWall& wall, const std::string& key) {
     const std::vector<std::int32_t> body = mesh::bodies(whole_.mesh);
     std::map<std::int32_t, std::array<double, 2>> range;  // of the height over the wall
-    std::size_t element = 0;
-    for (const mesh::Block& block : whole_.mesh.blocks)
-      for (LocalIndex e = 0; e < block.count(); ++e, ++element)
-        for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c) {
-          const Vec3& X = whole_.mesh.coordinates[static_cast<std::size_t>(block.element(e)[c])];
-          const double height = (X + whole_.origin - wall.point).dot(wall.normal.normalized());
-          auto& [lowest, highest] = range.try_emplace(body[element], std::array{height, height}).first->second;
-          lowest = std::min(lowest, height);
-          highest = std::max(highest, height);
-        }
-    for (const auto& [number, heights] : range)
+    for_each_corner([&](std::size_t block, std::size_t element, LocalIndex node) {
+      if (!acts_on(wall.parts, block)) return;
+      const Vec3& X = whole_.mesh.coordinates[static_cast<std::size_t>(node)];
+      const double height = (X + whole_.origin - wall.point).dot(wall.normal.normalized());
+      auto& [lowest, highest] = range.try_emplace(body[element], std::array{height, height}).first->second;
+      lowest = std::min(lowest, height);
+      highest = std::max(highest, height);
+    });
+    double nearest = -std::numeric_limits<double>::infinity();  // of the highest nodes of all bodies
+    for (const auto& [number, heights] : range) {
+      nearest = std::max(nearest, heights[1]);
       if (heights[0] < -on_plane_ && heights[1] > on_plane_)
         tell(key, "goes through a body, which reaches {:g} behind the wall; accepted: bodies on one side of it",
              -heights[0]);
+    }
+    if (!wall.parts.empty() || range.empty() || nearest > on_plane_) return;
+    tell(key + ".normal",
+         "all bodies lie behind the wall (the nearest by {:g}), where it never stops them; accepted: a normal that "
+         "points "
+         "towards the bodies, or rigid_walls[].parts, the parts that the wall acts on",
+         std::max(0.0, -nearest));
   }
 
   void add_surface() { whole_.mesh.node_sets[surface_set] = nodes_of_sides(mesh::exterior_sides(whole_.mesh)); }
@@ -163,6 +177,21 @@ class Selector {
   }
 
  private:
+  /// visit(block, element, node), elements counted through all blocks as mesh::bodies counts them.
+  template <class Visit>
+  void for_each_corner(Visit&& visit) const {
+    std::size_t element = 0;
+    for (std::size_t b = 0; b < whole_.mesh.blocks.size(); ++b) {
+      const mesh::Block& block = whole_.mesh.blocks[b];
+      for (LocalIndex e = 0; e < block.count(); ++e, ++element)
+        for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c) visit(b, element, block.element(e)[c]);
+    }
+  }
+  /// Is the block's part one of these? All are where none is named.
+  [[nodiscard]] bool acts_on(const std::vector<std::string>& parts, std::size_t block) const {
+    return parts.empty() || std::ranges::find(parts, part_of_block_[block]) != parts.end();
+  }
+
   /// Is there another set of its name in the mesh? {foot: {node_set: foot}} is the same one.
   [[nodiscard]] bool shadows(const SetEntry& set) const {
     const bool nodes = whole_.mesh.node_sets.contains(set.name), sides = whole_.mesh.side_sets.contains(set.name);
@@ -340,8 +369,8 @@ void select(const Input& input, mesh::CanonicalMesh& whole) {
   });
   each(input.rigid_walls, [&](const RigidWall& entry, std::size_t k) {
     selector.add_plane(selection_name("wall", k), entry.point, entry.normal, fmt::format("rigid_walls.{}", k),
-                       entry.bilateral);
-    selector.require_one_side(entry, fmt::format("rigid_walls.{}", k));
+                       entry.bilateral, entry.parts);
+    selector.require_in_front(entry, fmt::format("rigid_walls.{}", k));
   });
   each(input.traction, [&](const DeadLoad& entry, std::size_t k) {
     selector.add_sides(selection_name("traction", k), entry.where, fmt::format("traction.{}.set", k));

@@ -68,7 +68,7 @@ void place_walls(const model::Model& model, const model::State& state, double ti
   for (std::size_t w = 0; w < model.walls.size(); ++w) {
     const model::RigidWall& wall = model.walls[w];
     walls.push_back({wall.point + state.wall_position[w] * wall.normal, wall.normal,
-                     wall_speed(wall, state, time) * wall.normal, wall.bilateral, wall.friction});
+                     wall_speed(wall, state, time) * wall.normal, wall.bilateral, wall.friction, wall.blocks});
   }
 }
 

@@ -60,6 +60,7 @@ struct RigidWall {
   Curve motion;  ///< velocity along the normal
   bool moves = false;
   contact::FrictionLaw friction;
+  std::vector<std::int32_t> blocks{};  ///< that it acts on, ascending; empty: all
 };
 
 /// Which parts may touch which; evaluated for pairs of blocks.

@@ -139,6 +139,7 @@ struct RigidWall {
   contact::FrictionLaw friction;
   bool bilateral = false;
   std::string motion;  ///< curve of the wall's velocity along its normal; empty: at rest
+  std::vector<std::string> parts{};  ///< that it acts on; empty: all
 };
 
 struct ContactEntry {

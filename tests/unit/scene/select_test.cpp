@@ -108,3 +108,27 @@ TEST_CASE("select: blocks and parts that do not fit are told with the line of th
   REQUIRE(shape.size() == 1);
   CHECK_THAT(shape[0], Catch::Contains("two.yaml:5: parts.low.element: tet4 does not fit") && Catch::Contains("hex8"));
 }
+
+// The boxes reach from x = 0 to 1 and from 3 to 4.
+TEST_CASE("select: a wall with all bodies behind it is refused, at rest or moving, whether it touches them or not",
+          "[scene]") {
+  const std::string motion = GENERATE("", ", motion: away", ", motion: towards", ", bilateral: false");
+  const std::string curves = "curves: {away: [[0, 1], [1, 1]], towards: [[0, 0], [1, -1]]}\nrigid_walls: [{";
+  const auto wall = [&](const std::string& place) { return curves + place + motion + "}]"; };
+  check_fault(wall("point: [-0.5, 0, 0], normal: [-1, 0, 0]"), "two.yaml:7: rigid_walls.0.normal", {"by 0.5"});
+  check_fault(wall("point: [0, 7, 0], normal: [-3, 0, 0]"), "two.yaml:7: rigid_walls.0.normal", {"by 0)"});
+  check_fault(wall("point: [4.25, 0, 0], normal: [1, 0, 0]"), "two.yaml:7: rigid_walls.0.normal", {"by 0.25"});
+  check_fault(wall("point: [5, 0, 0], normal: [1, 1, 0]"), "two.yaml:7: rigid_walls.0.normal", {"parts"});
+  CHECK(faults_of(scene_with(wall("point: [0, 0, 0], normal: [1, 0, 0]"))).empty());
+  CHECK(faults_of(scene_with(wall("point: [2, 0, 0], normal: [1, 0, 0]"))).empty());  // one of the two is in front
+}
+
+TEST_CASE("select: a wall looks at the parts that it names alone", "[scene]") {
+  const auto wall = [](const std::string& rest) { return "rigid_walls: [{point: " + rest + "}]"; };
+  CHECK(faults_of(scene_with(wall("[-0.5, 0, 0], normal: [-1, 0, 0], parts: [low]"))).empty());
+  CHECK(faults_of(scene_with(wall("[0.5, 0, 0], normal: [1, 0, 0], parts: [top]"))).empty());
+  check_fault(wall("[0.5, 0, 0], normal: [1, 0, 0], parts: [top, low]"), "two.yaml:6: rigid_walls.0", {"goes through"});
+  CHECK(faults_of(scene_with(wall("[3, 0, 0], normal: [1, 0, 0], parts: [top], bilateral: true"))).empty());
+  check_fault(wall("[3, 0, 0], normal: [1, 0, 0], parts: [low], bilateral: true"), "two.yaml:6: rigid_walls.0",
+              {"no node lies in this plane"});
+}

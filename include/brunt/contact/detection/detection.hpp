@@ -3,6 +3,7 @@
 // the step alone: candidates that cannot touch in this step are ignored by a criterion of their own, so a longer list
 // of candidates changes no bit.
 #pragma once
+#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
@@ -36,7 +37,15 @@ struct Wall {
   Vec3 velocity = Vec3::Zero();
   bool bilateral = false;  ///< nodes that start in the plane stay in it
   FrictionLaw friction{};
+  std::span<const std::int32_t> blocks{};  ///< that it acts on, ascending; empty: all
 };
+
+/// Does the wall act on a node of these blocks?
+inline bool acts_on(const Wall& wall, std::span<const std::int32_t> blocks) {
+  return wall.blocks.empty() || std::ranges::any_of(blocks, [&](std::int32_t block) {
+           return std::ranges::binary_search(wall.blocks, block);
+         });
+}
 
 /// An overlap of the start that counts as touching: gaps of this node with faces of this body are measured from it, for
 /// the whole run, so that nothing need be remembered. Edges of which it is an end are measured from their own overlap
