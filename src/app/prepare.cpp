@@ -77,11 +77,16 @@ model::Registry Prepared::registry() {
   if (!force_memory.empty())  // makes columns go on smoothly; says nothing of the bodies
     registry.arrays.push_back({"force_memory", model::StateArray::Entity::global, -1, 1,
                                static_cast<int>(force_memory.size()), force_memory.data(), 1, 1, 1, 0, true, false});
+  if (!driven.saved().empty())  // depends on when it was looked at, and says nothing of the bodies
+    registry.arrays.push_back({"driven_parts", model::StateArray::Entity::global, -1, 1,
+                               static_cast<int>(driven.saved().size()), driven.saved().data(), 1, 1, 1, 0, true,
+                               false});
   return registry;
 }
 
 void Prepared::after_restart() {
   time::update_positions(model, state);
+  if (contact) driven.start_clock(state.time - contact->clock());
   if (contact) restore_sums(links.ranks, contact_sums, *contact);
   if (contact && contact->remembers()) contact->restore_history(contact_history);
 }
@@ -138,6 +143,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   time::initialise(prepared->model, prepared->state, prepared->scratch, prepared->links,
                    scene::initial_velocities(prepared->input, prepared->model));
   make_contact(*prepared);
+  prepared->driven.prepare(prepared->contact.get());
   prepared->force_memory.assign(4 * prepared->input.probes.size(), 0.0);
   return prepared;
 }

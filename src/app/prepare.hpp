@@ -13,6 +13,7 @@
 #include "brunt/model/registry.hpp"
 #include "brunt/scene/input.hpp"
 #include "brunt/time/links.hpp"
+#include "driven_parts.hpp"
 #include "treat_overlaps.hpp"
 
 namespace brunt::app {
@@ -35,6 +36,7 @@ struct Prepared {
 
   std::vector<std::string>
       left_out{};  ///< on the root: blocks of mesh files that are ignored, and what sets lost by it
+  DrivenParts driven{};  ///< parts that supports move through each other
 
   std::string scene_values{};  ///< what the fingerprint is made of, so that a restart can say what differs
   std::string scene_yaml{};    ///< the whole scene after its overrides

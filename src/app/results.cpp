@@ -182,6 +182,7 @@ void Results::watch(const time::Ledger& ledger, double time) {
 }
 
 void Results::remember_good() {
+  watch_driven();
   const auto timed = run_.links.timers.measure(Phase::output);
   last_good_.take(run_.registry());
 }
@@ -195,6 +196,7 @@ std::string Results::save_last_good() {
 }
 
 std::string Results::write_checkpoint() {
+  watch_driven();
   const auto timed = run_.links.timers.measure(Phase::output);
   checkpoint_step_ = run_.state.step;
   io::CheckpointHeader header{static_cast<GlobalIndex>(run_.state.step), run_.state.time, run_.fingerprint,
@@ -231,6 +233,14 @@ void Results::watch_folds() {
         run_.model.blocks[block].part, remedy_of_folds(run_.model.blocks[block].law)));
   }
   extremes_.folded = std::max(extremes_.folded, count);
+}
+
+void Results::watch_driven() {
+  if (!run_.contact) return;
+  const auto timed = run_.links.timers.measure(Phase::output);
+  for (const std::string& warning :
+       run_.driven.look(run_.links.ranks, *run_.contact, run_.model, run_.state, units_of(run_).length))
+    log_.warning(warning);
 }
 
 void Results::tell_hourglass() {
@@ -293,6 +303,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   const double turned = std::max(extremes_.momentum_scale, e.contact_totals.push) * extent_;
   summary["angular_momentum_error"] = turned > 0 ? e.contact_totals.spin.norm() / turned : 0.0;
   summary["max_penetration"] = e.contact_totals.penetration;
+  summary["driven_penetration"] = run_.driven.largest();
   const auto solved = static_cast<double>(std::max<GlobalIndex>(contact_.solved_steps, 1));
   summary["contact"] = {{"searches", contact_.searches},
                         {"pairs", e.contact_totals.pairs},

@@ -55,6 +55,8 @@ class Results {
   void watch(const time::Ledger& ledger, double time);
   /// Counts elements folded at x_n, and warns of the first that are seen. Collective.
   void watch_folds();
+  /// Warns of parts that supports move through each other, and follows how deep. Collective.
+  void watch_driven();
   /// Warns where hourglass control has taken up more than belongs to it.
   void tell_hourglass();
   std::string write_checkpoint();

@@ -130,7 +130,10 @@ class Loop {
     const bool line = last || progress(state, input.run) * table_lines >= lines_;
     const auto watch = static_cast<GlobalIndex>(state.step) % steps_between_watches == 0;
 
-    if (fields || watch) results_.watch_folds();
+    if (fields || watch) {
+      results_.watch_folds();
+      results_.watch_driven();
+    }
     const time::StepReport step = time::evaluate(run_.model, run_.state, run_.scratch, run_.links, control);
     if (step.stop) stop_for_element(step);
     watch_step(step.dt);

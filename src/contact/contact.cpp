@@ -85,6 +85,8 @@ Contact::Contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, s
   rubs_ = std::ranges::any_of(settings_.friction, &FrictionLaw::any) ||
           std::ranges::any_of(walls, [](const Wall& wall) { return wall.friction.any(); });
   two_passes_ = settings_.bodies && any_two_passes(settings_.pairs, surface_.bodies);
+  may_be_driven_ =
+      ranks.any(std::ranges::any_of(surface_mobility_, [](const Mobility& node) { return !node.is_free(); }));
   sums_.wall_impulse.resize(walls.size());
   sums_.tracked_impulse.resize(settings_.tracked.size());
   keep_overlaps(mesh.coordinates, walls);
@@ -184,6 +186,7 @@ void Contact::scatter(MutableVectorView velocity) {
 void Contact::correct(VectorView position, VectorView old_velocity, MutableVectorView velocity,
                       std::span<const Wall> walls, double dt, double mobility) {
   ++statistics_.steps;
+  clock_ += dt;
   statistics_.last = {};
   rows_.clear();
   impulses_.clear();
@@ -194,6 +197,7 @@ void Contact::correct(VectorView position, VectorView old_velocity, MutableVecto
   }
   gather(position, old_velocity, velocity);
   detect(walls, dt);
+  if (may_be_driven_) watch_driven(dt);
   if (lists_are_new_) measure_clearance(walls, dt);
   lay_passes(dt);
   lay_friction(walls, dt);

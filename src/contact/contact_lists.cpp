@@ -91,7 +91,7 @@ void Contact::rebuild(VectorView position, VectorView predicted, std::span<const
   impulses_.reserve(most_rows);
   scratch_.reserve(most_rows, nodes);
   if (two_passes_) scratch_.reserve_passes(most_rows);
-  if (rubs_ || !settings_.tied.empty()) faces_by_key_ = order_by_key(lists_.faces);
+  if (rubs_ || may_be_driven_ || !settings_.tied.empty()) faces_by_key_ = order_by_key(lists_.faces);
   if (!settings_.tied.empty()) demand_ties_hold();
   if (!remembers()) return;
   const std::size_t sides = has_sheets() ? lists_.candidates.faces.values.size() : 0;

@@ -11,6 +11,7 @@
 #include "brunt/comm/communicator.hpp"
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/contact/detection/detection.hpp"
+#include "brunt/contact/driven.hpp"
 #include "brunt/contact/enforcement/enforce.hpp"
 #include "brunt/contact/friction.hpp"
 #include "brunt/contact/history.hpp"
@@ -154,6 +155,10 @@ class Contact {
   [[nodiscard]] TiedNodes tied_nodes() const;   ///< of all ranks; collective
   [[nodiscard]] const ContactStatistics& statistics() const { return statistics_; }
   [[nodiscard]] ContactSums& sums() { return sums_; }
+  /// May supports drive nodes through others? Where they hold any node of the surface; the same on every rank.
+  [[nodiscard]] bool may_be_driven() const { return may_be_driven_; }
+  [[nodiscard]] std::span<const DrivenMeeting> driven() const { return driven_; }  ///< found on this rank
+  [[nodiscard]] double clock() const { return clock_; }  ///< sum of the steps since this was made [time]
   [[nodiscard]] const Surface& surface() const { return surface_; }
   [[nodiscard]] std::span<const Row> rows() const { return rows_; }           ///< of the last step, on this rank
   [[nodiscard]] std::span<const Vec3> impulses() const { return impulses_; }  ///< of those rows
@@ -199,6 +204,10 @@ class Contact {
   void book();
   [[nodiscard]] comm::ExactAccumulator stored_in_soft_rows() const;
   static void book_work(const Row& row, const Vec3& impulse, const Vec3& relative, WorkSums& sums);
+  [[nodiscard]] bool is_driven(const Row& row) const;
+  [[nodiscard]] double size_of_master(const Row& row) const;
+  [[nodiscard]] DrivenMeeting meeting_of(const Row& row, std::int32_t slave_block, std::int32_t master_block) const;
+  void watch_driven(double dt);
   [[nodiscard]] bool is_slave_in(const Row& row, std::int32_t block) const;
   [[nodiscard]] std::size_t surface_node_count() const;           ///< local nodes up to the last one on the surface
   [[nodiscard]] std::size_t model_node_of(const Row& row) const;  ///< the slave
@@ -254,6 +263,9 @@ class Contact {
   bool rubs_ = false;                      // friction somewhere
   bool two_passes_ = false;                // of some pair
   std::vector<LocalIndex> faces_by_key_;   // of the lists
+  bool may_be_driven_ = false;
+  std::vector<DrivenMeeting> driven_;
+  double clock_ = 0;
 
   ContactSums sums_;
   ContactStatistics statistics_;

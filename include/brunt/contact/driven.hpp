@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nodes that supports drive through faces or walls of others: neither side can give way along the normal, so that
+// contact can do nothing but report it.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "brunt/contact/constraint.hpp"
+
+namespace brunt::contact {
+
+/// The first such node of a pair of blocks on this rank, and how deep any of the pair has been seen.
+struct DrivenMeeting {
+  /// Deeper than this share of the face's longest edge: ten times the ledge that contact passes over as flush (1e-3).
+  static constexpr double share = 0.01;
+
+  std::int32_t slave_block = 0, master_block = 0;  ///< for wall w: -1 - w
+  double since = 0;                                ///< Contact::clock when it was first so deep [time]
+  GlobalIndex slave = no_index;                    ///< gid
+  std::array<GlobalIndex, 4> corners{no_index, no_index, no_index, no_index};  ///< gids of the face; none of a wall
+  std::array<double, 4> weights{};                                             ///< of the corners, sum 1
+  double depth = 0;                                                            ///< largest so far [length]
+  [[nodiscard]] bool is_wall() const { return master_block < 0; }
+  /// Of these two, whichever is the slave?
+  [[nodiscard]] bool is_of(std::int32_t one, std::int32_t other) const {
+    return (slave_block == one && master_block == other) || (slave_block == other && master_block == one);
+  }
+};
+
+}  // namespace brunt::contact
