@@ -16,9 +16,9 @@ namespace {
 /// A fixed block of 6 x 6 x 3 elements, its top at z = 0.05, and one of 5 x 5 x 3 over it, 0.0001 away, moved by `how`.
 std::string ram(const std::string& how, bool ram_first, double size = 1) {
   const std::string low =
-      fmt::format("  - {{box: {{part: a, size: [0.1, 0.1, 0.05], elements: [6, 6, 3]}}, scale: {}}}\n", size);
+      fmt::format("  - {{box: {{part: a, size: [0.1, 0.1, 0.05], elements: [6, 6, 3], scale: {}}}}}\n", size);
   const std::string top =
-      fmt::format("  - {{box: {{part: b, size: [0.1, 0.1, 0.05], elements: [5, 5, 3]}}, scale: {}, at: [0, 0, {}]}}\n",
+      fmt::format("  - {{box: {{part: b, size: [0.1, 0.1, 0.05], elements: [5, 5, 3], scale: {}, at: [0, 0, {}]}}}}\n",
                   size, 0.0501 * size);
   return "units: SI\nmesh:\n" + (ram_first ? top + low : low + top) +
          "materials: {s: {model: neo_hookean, density: 1100, bulk: 1.0e8, shear: 1.0e7}}\n"
