@@ -8,6 +8,12 @@ import sys
 WRONG_INPUT = 2  # as of brunt itself
 
 
+def shorter(name, most):
+    """With the middle left out, where it is longer: ends tell names apart."""
+    head = most // 2 - 1
+    return name if len(name) <= most else f"{name[:head]}\u2026{name[head + 1 - most:]}"
+
+
 class Fault(Exception):
     """Wrong input: one line that says what is wrong and what is accepted."""
 

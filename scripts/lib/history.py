@@ -9,7 +9,7 @@ import matplotlib
 matplotlib.use("Agg")
 import numpy as np
 
-from arguments import Fault
+from arguments import Fault, shorter
 
 ENERGIES = ["kinetic", "internal", "hourglass", "bulk", "damping", "contact", "friction", "walls", "external",
             "eroded", "total"]
@@ -19,6 +19,8 @@ KNOWN = {"step", "time", "dt", "mass", *MOMENTA, "active_contacts", "max_penetra
 COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7f7f7f", "#000000"]
 PANELS_OF_PROBES = 9   # with more, components of many probes share a panel
 LINES_OF_A_PANEL = 8   # as many as there are colours
+LETTERS = 18           # of a name, at most
+LINE = 76              # letters of a legend's line, with six for each name's sample and the space between
 MOST_POINTS = 2000     # of a line: more than a picture has pixels
 
 
@@ -142,7 +144,8 @@ def probe_panels(history):
         size = -(-len(members) // pages)
         for k in range(pages):
             some = members[k * size:(k + 1) * size]
-            span = some[0][0] if len(some) == 1 else f"{some[0][0]} \u2026 {some[-1][0]}"
+            first, last = (shorter(some[end][0], LETTERS) for end in (0, -1))
+            span = first if len(some) == 1 else f"{first} to {last}"
             lines = {probe: history.columns[name] for probe, name in some}
             panels.append((f"{what} of {span}" if what != some[0][0] else span, unit, lines))
     return panels
@@ -171,10 +174,6 @@ def thinned(time, values):
     return time[kept], values[kept]
 
 
-def shorter(name, most=22):
-    return name if len(name) <= most else name[:most - 1] + "\u2026"
-
-
 def draw_panel(axes, one, history):
     title, unit, lines = one
     for k, (name, values) in enumerate(lines.items()):
@@ -182,9 +181,9 @@ def draw_panel(axes, one, history):
         style = {"color": COLOURS[k % len(COLOURS)], "linestyle": ("-", "--", ":")[k // len(COLOURS) % 3], **(style or {})}
         time, shown = thinned(history.columns["time"], np.where(np.isfinite(values), values, np.nan))
         marker = {"marker": "o", "markersize": 3} if len(time) < 3 else {}
-        axes.plot(time, shown, label=shorter(name), **{"linewidth": 1.3, **marker, **style})
+        axes.plot(time, shown, label=shorter(name, LETTERS), **{"linewidth": 1.3, **marker, **style})
     words = title.replace("_", " ")
-    axes.set_title(shorter(words, 48) + unit_text(unit), fontsize=9.5, loc="left")
+    axes.set_title(shorter(words, 52) + unit_text(unit), fontsize=9.5, loc="left")
     axes.set_xlabel(f"time{unit_text(history.units.get('time', ''))}", fontsize=9)
     axes.tick_params(labelsize=8.5)
     axes.ticklabel_format(axis="both", style="sci", scilimits=(-3, 4), useMathText=True)
@@ -194,7 +193,8 @@ def draw_panel(axes, one, history):
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
     if len(lines) > 1:
-        axes.legend(fontsize=8, ncol=4, loc="upper center", bbox_to_anchor=(0.5, -0.2), frameon=False,
+        longest = max(len(shorter(name, LETTERS)) for name in lines)
+        axes.legend(fontsize=8, ncol=min(4, LINE // (longest + 6)), loc="upper center", bbox_to_anchor=(0.5, -0.2), frameon=False,
                     columnspacing=1.2, handlelength=1.6)
 
 

@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib import patheffects
 
-from arguments import Fault
+from arguments import Fault, shorter
 from raster import VIEWS, bounds, draw, view_axes
 from state import field_values
 from surface import surface
@@ -178,7 +178,7 @@ def part_names(figure, total, shown, parts):
     for k, name in enumerate(names[:room]):
         y = 1 - (HEAD + 20 + line * k) / total[1]
         rest = k == room - 1 and len(names) > room
-        text = f"and {len(names) - k} more" if rest else name if len(name) <= 16 else name[:15] + "\u2026"
+        text = f"and {len(names) - k} more" if rest else shorter(name, 16)
         x = (total[0] - BAR + 8) / total[0]
         if not rest:
             figure.text(x, y, "\u25a0", color=colours[parts.index(name)], va="center", fontsize=13)

@@ -76,6 +76,13 @@ def warnings(result):
     return section("warnings", "Warnings", *pieces)
 
 
+LONG_TABLE = 20  # rows; a longer one is folded
+
+
+def folded(words, rows, listing):
+    return el("details", el("summary", f"{len(rows)} {words}"), listing) if len(rows) > LONG_TABLE else listing
+
+
 # --- the model ------------------------------------------------------------------------------------------------------
 
 def in_line(tree):
@@ -118,7 +125,8 @@ def parts_table(result):
         rows.append([name, part.get("material", "unknown"), part.get("element", "hex8") if part else "unknown",
                      number(counts.get(name)), *spans])
     unit = f" [{result.unit('length')}]" if result.unit("length") else ""
-    return table(["part", "material", "element", "elements", *(f"{axis} at the start{unit}" for axis in "xyz")], rows, class_="narrow")
+    head = ["part", "material", "element", "elements", *(f"{axis} at the start{unit}" for axis in "xyz")]
+    return folded("parts", rows, table(head, rows, class_="narrow"))
 
 
 def material_text(result, material):
@@ -141,7 +149,7 @@ def model(result):
     rows = [[key.replace("_", " ") if k == 0 else "", in_line(entry)]
             for key, tree in result.scene.items() if key not in OF_THE_MODEL for k, entry in enumerate(entries_of(tree))]
     if rows:
-        pieces += [el("h3", "Motions, supports, loads, contact, probes"), table([], rows)]
+        pieces += [el("h3", "Motions, supports, loads, contact, probes"), folded("entries", rows, table([], rows))]
     if result.scene_text:
         pieces.append(el("details", el("summary", "The whole scene"), el("pre", result.scene_text)))
     return section("model", "Model", *pieces) if pieces else Html("")

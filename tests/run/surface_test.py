@@ -10,6 +10,7 @@ import numpy as np
 
 SCRIPTS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "scripts")
 sys.path.insert(0, os.path.join(SCRIPTS, "lib"))
+import arguments  # noqa: E402
 import history  # noqa: E402
 import raster  # noqa: E402
 import surface  # noqa: E402
@@ -123,6 +124,13 @@ class Lines(unittest.TestCase):
         self.assertEqual((np.nanmax(thin), np.nanmin(thin)), (9, -9))
         self.assertEqual((thin_time[0], thin_time[-1]), (0, 1))
         self.assertTrue((np.diff(thin_time) > 0).all())
+
+    def test_long_names_keep_both_ends(self):
+        for most in (5, 16, 18):
+            for name in ("tip", "x" * most, "a_rather_long_name_of_probe_17"):
+                short = arguments.shorter(name, most)
+                self.assertEqual(len(short), min(len(name), most))
+                self.assertEqual((short[0], short[-1]), (name[0], name[-1]))
 
     def test_names_in_their_natural_order(self):
         self.assertEqual(sorted(["tip10", "tip2", "a", "tip1"], key=history.natural), ["a", "tip1", "tip2", "tip10"])
