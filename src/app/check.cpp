@@ -114,8 +114,7 @@ void print_advice(const Prepared& run) {
     if (block.kind == element::ElementKind::hex8 && std::holds_alternative<material::NeoHookean>(block.law))
       fmt::print(
           "advice           part {}: take element hex8_full if it is crushed to less than half of its height; hex8 "
-          "folds from "
-          "about a third on, and is too soft then\n",
+          "folds from about a third on, and is too soft then\n",
           block.part);
 }
 

@@ -10,7 +10,7 @@
 // No principal axes are needed. With h' the deviator of h and a the axial vector of h D - D h, whose components in the
 // principal axes are (h_i - h_j) D_ij, the axial vector of N is -l(M) a: M = 2 tr(h'^2) 1 - 3 h'^2 has the eigenvalues
 // (h_i - h_j)^2 on the same axes, and l(s^2) = L(s)/s is the continued fraction 1/(3 + s^2/(5 + s^2/(7 + ...))), broken
-// off after 11: relative error of l below 1e-6 up to s = 2, 4e-5 up to s = 3, 8e-4 up to s = 4.6 (a ratio of principal
+// off after 11: relative error of l 1e-6 at s = 2, 4e-5 up to s = 3, 8e-4 up to s = 4.6 (a ratio of principal
 // stretches of 100, simple shear of 10), never outside of 1/21 .. 1/3.
 #pragma once
 #include "brunt/element/objective.hpp"
