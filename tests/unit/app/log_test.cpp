@@ -38,3 +38,12 @@ TEST_CASE("log: a figure above a limit is never written as the limit") {
   CHECK(told_from(1.00000000000002e-4, 1e-4) != "0.0001");
   CHECK(told_from(1e-3, 1e-3) == "0.001");  // nothing to tell
 }
+
+TEST_CASE("log: a duration is hours, minutes and seconds, and a dash where it is not known") {
+  using brunt::app::clock_text;
+  CHECK(clock_text(-1) == "-");
+  CHECK(clock_text(0) == "0:00:00");
+  CHECK(clock_text(59.6) == "0:01:00");
+  CHECK(clock_text(3 * 3600 + 25 * 60 + 7.2) == "3:25:07");
+  CHECK(clock_text(1e300) == "277777:46:40");
+}
