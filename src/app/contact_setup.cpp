@@ -57,7 +57,8 @@ void tell_ties(Prepared& run) {
 /// Calls visit(accumulator) for each sum in a fixed order.
 template <class Visit>
 void for_each_sum(contact::ContactSums& sums, Visit&& visit) {
-  for (comm::ExactAccumulator* sum : {&sums.work.contact, &sums.work.friction, &sums.work.walls}) visit(*sum);
+  for (comm::ExactAccumulator* sum : {&sums.work.contact, &sums.work.friction, &sums.work.walls, &sums.work.ties})
+    visit(*sum);
   for (comm::ExactAccumulator& component : sums.spin) visit(component);
   visit(sums.push);
   for (auto* list : {&sums.wall_impulse, &sums.tracked_impulse})

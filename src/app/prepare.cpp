@@ -74,6 +74,8 @@ model::Registry Prepared::registry() {
     contact_history = contact->history_tables();
     for (RecordTable& table : contact_history) registry.tables.push_back(&table);
   }
+  registry.arrays.push_back({"extremes", model::StateArray::Entity::global, -1, 1, extremes_width,
+                             reinterpret_cast<double*>(&extremes), 1, 1, 1, 0, true, false});
   if (!force_memory.empty())  // makes columns go on smoothly; says nothing of the bodies
     registry.arrays.push_back({"force_memory", model::StateArray::Entity::global, -1, 1,
                                static_cast<int>(force_memory.size()), force_memory.data(), 1, 1, 1, 0, true, false});
@@ -109,8 +111,8 @@ void refuse_overlaps(Prepared& run) {
 
 std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
                                   const std::vector<std::string>& overrides) {
-  auto prepared = std::make_unique<Prepared>(
-      Prepared{{}, {}, {}, {}, {}, {}, {}, time::Links{ranks, {}, {}, {}, {}, {}, {}, {}}, nullptr, {}, {}, {}, {}});
+  auto prepared = std::make_unique<Prepared>(Prepared{
+      {}, {}, {}, {}, {}, {}, {}, time::Links{ranks, {}, {}, {}, {}, {}, {}, {}}, nullptr, {}, {}, {}, {}, {}});
   prepared->input =
       read_input(ranks, scene_file, overrides, &prepared->fingerprint, &prepared->scene_values, &prepared->scene_yaml);
   mesh::CanonicalMesh whole;

@@ -14,6 +14,7 @@
 #include "brunt/scene/input.hpp"
 #include "brunt/time/links.hpp"
 #include "driven_parts.hpp"
+#include "guards.hpp"
 #include "treat_overlaps.hpp"
 
 namespace brunt::app {
@@ -33,9 +34,10 @@ struct Prepared {
   contact::HistoryTables contact_history;           ///< what contact remembers, likewise
 
   std::vector<double> force_memory;  ///< of force probes: impulse (3) and time of the last row
+  Extremes extremes;                 ///< what the run has seen since t = 0
 
   std::vector<std::string>
-      left_out{};  ///< on the root: blocks of mesh files that are ignored, and what sets lost by it
+      left_out{};        ///< on the root: blocks of mesh files that are ignored, and what sets lost by it
   DrivenParts driven{};  ///< parts that supports move through each other
 
   std::string scene_values{};  ///< what the fingerprint is made of, so that a restart can say what differs

@@ -36,7 +36,7 @@ void refuse_other_scene(const Prepared& run, const io::CheckpointHeader& header,
   if (different.size() > most) told += fmt::format("; {} more keys differ", different.size() - most);
   throw InputError(
       fmt::format("{}: written by another scene: {}; accepted: changes of title, output, history, checkpoint, "
-                  "run.end, run.steps and run.wall_limit",
+                  "run.end, run.steps, run.min_step_ratio and run.wall_limit",
                   checkpoint, told));
 }
 

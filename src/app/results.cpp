@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include "brunt/core/error.hpp"
-#include "brunt/force/folded.hpp"
 #include "brunt/io/checkpoint.hpp"
 #include "brunt/io/summary.hpp"
 #include "brunt/model/hash.hpp"
@@ -62,13 +61,6 @@ double half_diagonal(const Prepared& run) {
     }
   run.links.ranks.max(far);
   return 0.5 * std::hypot(far[0] + far[3], far[1] + far[4], far[2] + far[5]);
-}
-
-/// Springs that stay are another thing than those of `stiffness` where there is plastic flow alone.
-const char* remedy_of_folds(const material::Law& law) {
-  if (std::holds_alternative<material::J2>(law)) return "hourglass: {kind: elastic} or element: hex8_full";
-  if (std::holds_alternative<material::NeoHookean>(law)) return "element: hex8_full";
-  return "element: hex8_full or hex8_bbar";
 }
 
 }  // namespace
@@ -146,41 +138,6 @@ void Results::write_history(const time::Ledger& ledger, const time::StepReport& 
   history_->write(static_cast<GlobalIndex>(run_.state.step) - 1, row);
 }
 
-void Results::watch(const time::Ledger& ledger, double time) {
-  last_ledger_ = ledger;
-  Extremes& seen = extremes_;
-  const Vec3 own_momentum = ledger.momentum - ledger.impulse_given;
-  if (!watched_) {
-    seen.start_total = ledger.total();
-    seen.start_momentum = own_momentum;
-    watched_ = true;
-  }
-  seen.largest_energy = std::max({seen.largest_energy, ledger.kinetic + ledger.internal, std::abs(ledger.external)});
-  seen.largest_internal = std::max(seen.largest_internal, ledger.internal);
-  seen.momentum_scale = std::max(seen.momentum_scale, ledger.momentum_scale);
-  if (seen.largest_energy > 0)
-    seen.error_ratio = std::max(seen.error_ratio, std::abs(ledger.total() - seen.start_total) / seen.largest_energy);
-  if (seen.momentum_scale > 0)
-    seen.momentum_error =
-        std::max(seen.momentum_error, (own_momentum - seen.start_momentum).norm() / seen.momentum_scale);
-  // the ledger closes even while a run explodes: what gives it away is kinetic energy from nowhere; a moving wall gives
-  // too, so does contact where bodies began inside each other, and at the first instant all there is may be rounding of
-  // either sign
-  const double recovered = run_.overlaps.recovered ? std::max(-ledger.contact, 0.0) : 0.0;
-  const double given =
-      std::max(seen.start_total, 0.0) + std::max(ledger.external, 0.0) + std::max(-ledger.walls, 0.0) + recovered;
-  const double scale = std::max({seen.largest_energy, std::abs(ledger.internal), std::abs(seen.start_total)});
-  // bodies at rest that touch: what rounding of positions stirs is far below a speed of 1e-12 edges a step
-  const double stirred =
-      run_.contact && run_.state.dt > 0 ? 1e-12 * run_.contact->surface().mean_edge / run_.state.dt : 0.0;
-  if (!std::isfinite(ledger.total()) || ledger.kinetic > 1.5 * given + 1e-3 * scale + ledger.mass * stirred * stirred)
-    throw GuardError(
-        fmt::format("energy grows at t = {:g}: kinetic {:g} of {:g} given; the step may be too large for the "
-                    "materials or the elements too distorted{}",
-                    time, ledger.kinetic, given,
-                    seen.folded > 0 ? fmt::format(" ({} hex8 elements are folded)", seen.folded) : ""));
-}
-
 void Results::remember_good() {
   watch_driven();
   const auto timed = run_.links.timers.measure(Phase::output);
@@ -190,9 +147,13 @@ void Results::remember_good() {
 std::string Results::save_last_good() {
   if (last_good_.empty()) return "";
   const double step_of_guard = run_.state.step;
+  const Extremes seen = run_.extremes;  // the summary is about all that was seen
   last_good_.give_back(run_.registry());
   run_.after_restart();
-  return run_.state.step > checkpoint_step_ && run_.state.step < step_of_guard ? write_checkpoint() : "";
+  const bool newer = run_.state.step > checkpoint_step_ && run_.state.step < step_of_guard;
+  const std::string saved = newer ? write_checkpoint() : "";
+  run_.extremes = seen;
+  return saved;
 }
 
 std::string Results::write_checkpoint() {
@@ -214,44 +175,6 @@ void Results::seal() {
   steps_ = run_.state.step;
   end_time_ = run_.state.time;
   if (run_.contact) contact_ = run_.contact->statistics();
-}
-
-void Results::watch_folds() {
-  const comm::Communicator& ranks = run_.links.ranks;
-  const auto timed = run_.links.timers.measure(Phase::output);
-  const force::FoldedElements here = force::folded_elements(run_.model, run_.state);
-  const GlobalIndex count = ranks.sum(here.count);
-  if (count > 0 && extremes_.folded == 0) {
-    const double worst = ranks.min(here.worst);
-    const GlobalIndex element = ranks.max(here.worst == worst ? here.element : -1);
-    const auto block = static_cast<std::size_t>(ranks.max(GlobalIndex{here.element == element ? here.block : -1}));
-    log_.warning(fmt::format(
-        "{} hex8 element{} folded at t = {:g}, step {}, with a corner inside out; worst is element {} (position in the "
-        "input) of part '{}'. Contact loses nodes behind folded faces and may give energy. Take {} (told once; "
-        "folded_elements in summary.json is the largest number seen)",
-        count, count == 1 ? " is" : "s are", run_.state.time, static_cast<GlobalIndex>(run_.state.step), element + 1,
-        run_.model.blocks[block].part, remedy_of_folds(run_.model.blocks[block].law)));
-  }
-  extremes_.folded = std::max(extremes_.folded, count);
-}
-
-void Results::watch_driven() {
-  if (!run_.contact) return;
-  const auto timed = run_.links.timers.measure(Phase::output);
-  for (const std::string& warning :
-       run_.driven.look(run_.links.ranks, *run_.contact, run_.model, run_.state, units_of(run_).length))
-    log_.warning(warning);
-}
-
-void Results::tell_hourglass() {
-  // The usual bound in crash analysis; of the largest, since bodies that fly on after an impact have little left.
-  constexpr double tolerated = 0.1;
-  const double hourglass = last_ledger_.hourglass, internal = extremes_.largest_internal;
-  if (!(hourglass > tolerated * internal) || hourglass < 1e-3 * extremes_.largest_energy) return;
-  log_.warning(fmt::format(
-      "hourglass energy is {:.2g} % of the largest internal energy (10 % is the usual bound): the hex8 elements are "
-      "too coarse for how they bend. Take smaller ones, or element: hex8_bbar",
-      100 * hourglass / internal));
 }
 
 void Results::write_summary(const std::string& stopped_by, int exit_code, double wall_seconds, const LoopCost& cost) {
@@ -290,17 +213,17 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   }
   summary["share"]["other"] = 1.0 - booked;
   summary["warnings"] = log_.warnings();
-  summary["folded_elements"] = extremes_.folded;
+  summary["folded_elements"] = folded_;
   summary["relaxation"] = {{"steps", static_cast<GlobalIndex>(run_.state.relaxation.steps)},
                            {"residual", run_.model.relaxes ? run_.state.relaxation.residual : 0.0}};
   summary["energy"] = {{"kinetic", e.kinetic},   {"internal", e.internal}, {"hourglass", e.hourglass},
                        {"bulk", e.bulk},         {"damping", e.damping},   {"contact", e.contact},
                        {"friction", e.friction}, {"walls", e.walls},       {"external", e.external},
-                       {"eroded", e.eroded},     {"total", e.total()},     {"error_ratio", extremes_.error_ratio}};
-  summary["momentum_error"] = extremes_.momentum_error;
+                       {"eroded", e.eroded},     {"total", e.total()},     {"error_ratio", run_.extremes.error_ratio}};
+  summary["momentum_error"] = run_.extremes.momentum_error;
   // of bodies at rest the momentum is nothing, while their impulses sum up with time, and with them what rounding
   // leaves
-  const double turned = std::max(extremes_.momentum_scale, e.contact_totals.push) * extent_;
+  const double turned = std::max(run_.extremes.momentum_scale, e.contact_totals.push) * extent_;
   summary["angular_momentum_error"] = turned > 0 ? e.contact_totals.spin.norm() / turned : 0.0;
   summary["max_penetration"] = e.contact_totals.penetration;
   summary["driven_penetration"] = run_.driven.largest();
@@ -332,7 +255,7 @@ void Results::table_line(const time::Ledger& ledger, const time::StepReport& ste
   log_.line(fmt::format("{:>8} {:>11.4e} {:>10.3e} {:>9} {:>11.4e} {:>11.4e} {:>11.4e} {:>9.1e} {:>7} {:>10.2e} {:>8}",
                         static_cast<GlobalIndex>(run_.state.step) - 1, run_.state.time_before, step.dt, element,
                         ledger.kinetic, ledger.internal, ledger.total(),
-                        (ledger.total() - extremes_.start_total) / std::max(extremes_.largest_energy, 1e-300),
+                        (ledger.total() - run_.extremes.start_total) / std::max(run_.extremes.largest_energy, 1e-300),
                         ledger.contact_totals.active, ledger.contact_totals.penetration, clock_text(seconds_left)));
 }
 

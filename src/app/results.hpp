@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All files of a run: history, fields, checkpoints, summary, and what of them goes to the terminal.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -11,24 +12,13 @@
 #include "brunt/io/history.hpp"
 #include "brunt/io/state_file.hpp"
 #include "brunt/time/ledger.hpp"
+#include "guards.hpp"
 #include "log.hpp"
 #include "prepare.hpp"
 #include "probes.hpp"
 #include "snapshot.hpp"
 
 namespace brunt::app {
-
-/// What the whole run has seen, for the summary and the guards.
-struct Extremes {
-  double start_total = 0;     ///< energy at t = 0
-  double largest_energy = 0;  ///< largest kinetic + internal, the scale of errors
-  double largest_internal = 0;
-  double error_ratio = 0;  ///< largest |total - start| over that scale
-  Vec3 start_momentum = Vec3::Zero();
-  double momentum_error = 0;  ///< largest |p - p0 - impulses given| over the largest sum of m |v|
-  double momentum_scale = 0;
-  GlobalIndex folded = 0;  ///< largest number of folded elements seen at one look
-};
 
 /// The loop as it ended: what is written after it is not its cost.
 struct LoopCost {
@@ -51,14 +41,15 @@ class Results {
   void write_fields(const time::StepReport* step);
   /// After advance: the row of t_n.
   void write_history(const time::Ledger& ledger, const time::StepReport& step);
-  /// Keeps account of a ledger, and throws GuardError where the energy cannot be right. Collective.
+  /// Keeps account of a ledger; warns where the energy may not be right, throws GuardError where it cannot be.
+  /// Collective.
   void watch(const time::Ledger& ledger, double time);
   /// Counts elements folded at x_n, and warns of the first that are seen. Collective.
   void watch_folds();
   /// Warns of parts that supports move through each other, and follows how deep. Collective.
   void watch_driven();
-  /// Warns where hourglass control has taken up more than belongs to it.
-  void tell_hourglass();
+  /// Warns where hourglass control has taken up more than belongs to it, or contact more than an impact loses.
+  void tell_at_end();
   std::string write_checkpoint();
   /// Remembers the state of t_n, which all guards have let pass. Collective.
   void remember_good();
@@ -72,9 +63,12 @@ class Results {
   /// `seconds_left`: of the wall clock until the end, as far as can be told; below 0: not yet.
   void table_line(const time::Ledger& ledger, const time::StepReport& step, double seconds_left);
   [[nodiscard]] const std::string& folder() const { return folder_; }
-  [[nodiscard]] const Extremes& extremes() const { return extremes_; }
+  [[nodiscard]] const Extremes& extremes() const { return run_.extremes; }
 
  private:
+  [[nodiscard]] std::string where(Fault fault) const;
+  void tell_hourglass();
+  void tell_parted();
   Prepared& run_;
   std::string folder_;
   Log& log_;
@@ -84,9 +78,9 @@ class Results {
   std::vector<io::StateField> fields_;
   double fields_step_ = 0, fields_time_ = 0;
   time::Ledger last_ledger_;
-  Extremes extremes_;
-  double extent_ = 0;  ///< half of the diagonal of the model at the start [length]
-  bool watched_ = false;
+  GlobalIndex folded_ = 0;                    ///< largest number of folded elements seen at one look
+  std::array<bool, guarded_columns> told_{};  ///< of which a warning has been given
+  double extent_ = 0;                         ///< half of the diagonal of the model at the start [length]
   Snapshot last_good_;
   double checkpoint_step_ = -1;  // of the last checkpoint written in this run
   std::uint64_t hash_ = 0;

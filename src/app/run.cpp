@@ -17,6 +17,7 @@
 #include "brunt/time/step.hpp"
 #include "commands.hpp"
 #include "contact_setup.hpp"
+#include "element_place.hpp"
 #include "failure.hpp"
 #include "prepare.hpp"
 #include "restart.hpp"
@@ -34,7 +35,16 @@ double seconds_since(Clock::time_point start) {
 
 constexpr int steps_between_watches = 200;  // the ledger costs a pass over all nodes, a look at folds one of elements
 constexpr int table_lines = 20;             // about so many over a run
-constexpr double collapsed = 1e-6;          // of the longest step of the run: it would not end
+
+/// An element keeps its step for as long as its edges and its volume keep their size.
+const char* cause_of_collapse(const ElementPlace& place) {
+  constexpr double much = 0.1;
+  if (place.shortest_edge < much || place.volume < much)
+    return "it is pressed flat, by a sharp or much smaller body or under a load that its law cannot carry; take "
+           "smaller "
+           "elements there, or a law that hardens under pressure";
+  return "it is folded or sheared so far that a wave crosses it in no time, or its law stiffens with its strain";
+}
 
 /// Why the loop ended.
 struct Outcome {
@@ -66,9 +76,14 @@ class Loop {
     return outcome;
   }
 
-  /// Evaluates t_N once more for its fields and its ledger; the step that this takes is not part of the run.
-  void last_record() {
-    if (!relaxing()) pass(true);  // before t = 0 there is nothing to tell
+  /// Evaluates t_N once more for its fields and its ledger; the step that this takes is not part of the run. A guard
+  /// may find there what it has not seen before.
+  void last_record(Outcome& outcome) {
+    try {
+      if (!relaxing()) pass(true);  // before t = 0 there is nothing to tell
+    } catch (const GuardError& error) {
+      outcome = {"guard", ExitCode::guard, error.what()};
+    }
   }
 
   [[nodiscard]] const LoopCost& cost() const { return cost_; }
@@ -136,7 +151,7 @@ class Loop {
     }
     const time::StepReport step = time::evaluate(run_.model, run_.state, run_.scratch, run_.links, control);
     if (step.stop) stop_for_element(step);
-    watch_step(step.dt);
+    watch_step(step);
     if (fields) results_.read_fields();
     if (row) results_.read_probes();
     time::advance(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);
@@ -186,13 +201,21 @@ class Loop {
     return true;
   }
 
-  /// An element that is pressed flat takes the step with it before it has no volume left.
-  void watch_step(double dt) {
-    longest_step_ = std::max(longest_step_, dt);
-    if (dt >= collapsed * longest_step_) return;
+  /// An element that is pressed flat takes the step with it before it has no volume left: the run would not end. What
+  /// damping takes from the step is not the elements' doing.
+  void watch_step(const time::StepReport& step) {
+    double& first = run_.extremes.first_dt;
+    if (first == 0) first = step.stable_dt;
+    const double ratio = run_.input.run.min_step_ratio;
+    if (step.stable_dt >= ratio * first) return;
+    const bool mine = step.elements.rate == step.rate;
+    const ElementPlace place = place_of(run_, mine ? step.elements.block : -1, step.elements.element);
     throw GuardError(fmt::format(
-        "the stable step has collapsed to {:g}, from {:g}, at t = {:g}, step {}: some element is pressed flat", dt,
-        longest_step_, run_.state.time, static_cast<GlobalIndex>(run_.state.step)));
+        "the stable step has fallen to {:g} at t = {:g}, step {}, below run.min_step_ratio {:g} of the first, {:g}: by "
+        "{}, whose shortest edge is {:.2g} and whose volume {:.2g} of what they were. Likely cause: {}; a smaller "
+        "run.min_step_ratio goes on from the checkpoint",
+        step.stable_dt, run_.state.time, static_cast<GlobalIndex>(run_.state.step), ratio, first, text_of(place),
+        place.shortest_edge, place.volume, cause_of_collapse(place)));
   }
 
   /// Tells the first step of which contact was left unfinished; the summary counts them all.
@@ -208,14 +231,9 @@ class Loop {
   }
 
   [[noreturn]] void stop_for_element(const time::StepReport& step) {
-    GlobalIndex element = -1;
-    if (step.elements.inverted_block >= 0)
-      element = run_.model.blocks[static_cast<std::size_t>(step.elements.inverted_block)]
-                    .input[static_cast<std::size_t>(step.elements.inverted_element)];
-    element = run_.links.ranks.max(element);
-    throw GuardError(
-        fmt::format("element {} (position in the input) has no volume left or is not a number at t = {:g}, step {}",
-                    element + 1, run_.state.time, static_cast<GlobalIndex>(run_.state.step)));
+    const ElementPlace place = place_of(run_, step.elements.inverted_block, step.elements.inverted_element);
+    throw GuardError(fmt::format("{} has no volume left or is not a number at t = {:g}, step {}", text_of(place),
+                                 run_.state.time, static_cast<GlobalIndex>(run_.state.step)));
   }
 
   Prepared& run_;
@@ -226,7 +244,6 @@ class Loop {
   double first_share_ = progress(run_.state, run_.input.run);
   LoopCost cost_;
   double passes_ = 0;
-  double longest_step_ = 0;
   int lines_ = 0;
   double first_step_ = run_.state.step;
   double told_stage_ = 1;
@@ -312,7 +329,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   Results results(*prepared, folder, restart ? std::optional(restart->step - 1) : std::nullopt, log);
   if (restart) results.warn_of_missing_rows(*restart);
   Loop loop(*prepared, results, log, start);
-  const Outcome outcome = loop.go();
+  Outcome outcome = loop.go();
   if (!outcome.message.empty()) log.line("stopped: " + outcome.message);
   if (const double past = overshoot(prepared->state, prepared->input.run); past > 0.01 && !over)
     log.warning(
@@ -320,16 +337,17 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
                     prepared->state.time, 100 * past));
   tell_iterations(*prepared, log);
   if (outcome.code != ExitCode::guard) results.write_checkpoint();
-  const int code = static_cast<int>(outcome.code);
   results.seal();
   if (outcome.code == ExitCode::guard) {
     results.read_fields();  // the motion at the last step that was right
     results.write_fields(nullptr);
     if (const std::string saved = results.save_last_good(); !saved.empty()) log.line("last good state: " + saved);
   } else {
-    loop.last_record();
+    loop.last_record(outcome);
+    if (outcome.code == ExitCode::guard) log.line("stopped: " + outcome.message);
   }
-  results.tell_hourglass();
+  results.tell_at_end();
+  const int code = static_cast<int>(outcome.code);
   results.write_summary(outcome.stopped_by, code, seconds_since(start), loop.cost());
   log.line(fmt::format("{}; results in {}",
                        outcome.code == ExitCode::done    ? "done"

@@ -2,6 +2,7 @@
 // What contact books: work and impulses of its last step, and their sums over the run.
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "brunt/contact/contact.hpp"
 
@@ -26,6 +27,8 @@ void Contact::book_work(const Row& row, const Vec3& impulse, const Vec3& relativ
   const double push = row.normal.dot(impulse);
   (row.is_wall() ? sums.walls : sums.contact).add(-0.5 * push * row.normal.dot(relative));
   if (row.friction > 0) sums.friction.add(-0.5 * (impulse - push * row.normal).dot(relative));
+  if (std::isinf(row.friction)) [[unlikely]]
+    sums.ties.add(-0.5 * (impulse - push * row.normal).dot(relative));
 }
 
 void Contact::book() {
@@ -75,6 +78,22 @@ void Contact::add_impulses(std::span<Vec3> impulse) const {
   }
 }
 
+RubbingRow Contact::most_given_by_friction() const {
+  RubbingRow most;
+  for (std::size_t q = 0; q < rows_.size(); ++q) {
+    const Row& row = rows_[q];
+    if (!(row.friction > 0) || std::isinf(row.friction) || impulses_[q].isZero(0)) continue;
+    const auto old_velocity = [&](LocalIndex node) -> const Vec3& {
+      return motion_of_[static_cast<std::size_t>(node)].old_velocity;
+    };
+    const Vec3 across = impulses_[q] - row.normal.dot(impulses_[q]) * row.normal;
+    const double work = -0.5 * across.dot(relative_velocity(row, velocity_) + relative_motion(row, old_velocity));
+    if (most.slave_gid == no_index || work < most.work)
+      most = {work, row.slave_gid, motion_of_[static_cast<std::size_t>(row.nodes[0])].position, row.master_block};
+  }
+  return most;
+}
+
 /// C p^2 / 2 of each, as springs (see enforcement/softness.hpp).
 comm::ExactAccumulator Contact::stored_in_soft_rows() const {
   comm::ExactAccumulator stored;
@@ -85,7 +104,7 @@ comm::ExactAccumulator Contact::stored_in_soft_rows() const {
 }
 
 ContactTotals Contact::collect() const {
-  std::vector<comm::ExactAccumulator> sums{sums_.work.contact, sums_.work.friction, sums_.work.walls};
+  std::vector<comm::ExactAccumulator> sums{sums_.work.contact, sums_.work.friction, sums_.work.walls, sums_.work.ties};
   sums.insert(sums.end(), sums_.spin.begin(), sums_.spin.end());
   sums.push_back(sums_.push);
   sums.push_back(stored_in_soft_rows());
@@ -98,16 +117,21 @@ ContactTotals Contact::collect() const {
   result.contact_work = totals[0];
   result.friction_work = totals[1];
   result.wall_work = totals[2];
-  result.spin = Vec3(&totals[3]);
-  result.push = totals[6];
-  result.stored = totals[7];
-  std::size_t next = 8;
+  result.tie_work = totals[3];
+  result.spin = Vec3(&totals[4]);
+  result.push = totals[7];
+  result.stored = totals[8];
+  std::size_t next = 9;
   for (auto [count, vectors] : {std::pair{sums_.wall_impulse.size(), &result.wall_impulse},
                                 std::pair{sums_.tracked_impulse.size(), &result.tracked_impulse}})
     for (std::size_t i = 0; i < count; ++i, next += 3) vectors->push_back(Vec3(&totals[next]));
   result.pairs = ranks_.sum(static_cast<GlobalIndex>(lists_.candidates.faces.values.size()));
   result.active = ranks_.sum(static_cast<GlobalIndex>(
       std::count_if(impulses_.begin(), impulses_.end(), [](const Vec3& impulse) { return !impulse.isZero(0); })));
+  GlobalIndex touching = 0;
+  for (std::size_t q = 0; q < rows_.size(); ++q)
+    if (!impulses_[q].isZero(0) && !rows_[q].is_wall() && !std::isinf(rows_[q].friction)) ++touching;
+  result.touching = ranks_.sum(touching);
   result.penetration = ranks_.max(sums_.penetration);
   return result;
 }

@@ -72,6 +72,7 @@ struct WorkSums {
   comm::ExactAccumulator contact;   ///< by contact between them, along the normals
   comm::ExactAccumulator friction;  ///< across the normals, on walls too
   comm::ExactAccumulator walls;     ///< by walls, along their normals
+  comm::ExactAccumulator ties;      ///< of `friction`, what ties took: they may give it back
 };
 
 /// Sums over the run, on this rank, exact: sums are reduced only when wanted (see `collect`).
@@ -88,12 +89,13 @@ struct ContactSums {
 
 /// The same after reduction over all ranks.
 struct ContactTotals {
-  double contact_work = 0, friction_work = 0, wall_work = 0;
+  double contact_work = 0, friction_work = 0, wall_work = 0, tie_work = 0;  ///< that of ties is in friction_work too
   std::vector<Vec3> wall_impulse, tracked_impulse;
   Vec3 spin = Vec3::Zero();           ///< given by contact between bodies [angular momentum]
   double push = 0;                    ///< sum of the sizes of the impulses between bodies [momentum]
   double stored = 0;                  ///< of contact_work, what soft rows hold after the last step and return [energy]
   GlobalIndex pairs = 0, active = 0;  ///< candidate pairs now; rows with an impulse in the last step
+  GlobalIndex touching = 0;           ///< of these, rows between bodies that are no ties
   double penetration = 0;             ///< largest of the run [length]
 };
 
@@ -110,6 +112,14 @@ struct ContactStatistics {  ///< the same on every rank
 /// reach but lie beside it, and are not; empty where no pair is tied.
 struct TiedNodes {
   std::vector<GlobalIndex> tied, beside;
+};
+
+/// A row with friction.
+struct RubbingRow {
+  double work = 0;                       ///< taken by friction in the last step; < 0: given [energy]
+  GlobalIndex slave_gid = no_index;      ///< no_index: there is none
+  Vec3 position = Vec3::Zero();          ///< of the slave, less the mesh's origin
+  std::int32_t master_block = no_index;  ///< no_index for a wall
 };
 
 class Contact {
@@ -151,8 +161,9 @@ class Contact {
   void restore_history(const HistoryTables& tables);
   [[nodiscard]] const History& history() const { return history_; }  ///< of the last step, on this rank
 
-  [[nodiscard]] ContactTotals collect() const;  ///< collective
-  [[nodiscard]] TiedNodes tied_nodes() const;   ///< of all ranks; collective
+  [[nodiscard]] ContactTotals collect() const;              ///< collective
+  [[nodiscard]] RubbingRow most_given_by_friction() const;  ///< in the last step, on this rank, but for ties
+  [[nodiscard]] TiedNodes tied_nodes() const;               ///< of all ranks; collective
   [[nodiscard]] const ContactStatistics& statistics() const { return statistics_; }
   [[nodiscard]] ContactSums& sums() { return sums_; }
   /// May supports drive nodes through others? Where they hold any node of the surface; the same on every rank.

@@ -171,6 +171,7 @@ struct Run {
   std::optional<double> end;
   std::optional<GlobalIndex> steps;
   double cfl = 0.9;
+  double min_step_ratio = 1e-4;  ///< of the first step: below it the run stops
   std::optional<double> wall_limit;  ///< [s] of wall-clock time
 };
 struct Output {

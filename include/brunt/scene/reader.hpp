@@ -70,6 +70,7 @@ constexpr Range not_negative{0, infinity, true, false, "a number >= 0"};
 constexpr Range poisson_ratio{-1, 0.5, false, false, "a number > -1 and < 0.5"};
 constexpr Range share{0, 1, true, true, "a number from 0 to 1"};
 constexpr Range courant{0, 1, false, true, "a number > 0 and <= 1"};
+constexpr Range below_one{0, 1, false, false, "a number > 0 and < 1"};
 
 struct Count {
   GlobalIndex low;

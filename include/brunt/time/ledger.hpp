@@ -14,6 +14,7 @@ namespace brunt::time {
 struct Ledger {
   double kinetic = 0, internal = 0, hourglass = 0, bulk = 0, damping = 0, contact = 0, friction = 0, walls = 0,
          external = 0, eroded = 0;
+  double ties = 0;  ///< of `friction`, the shear of ties, which may give back what it took
   double mass = 0;
   Vec3 momentum = Vec3::Zero();           ///< [mass length/time]
   Vec3 impulse_given = Vec3::Zero();      ///< of loads, reactions and walls since t = 0

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "guards.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace brunt::app {
+
+void observe(const time::Ledger& ledger, Extremes& seen) {
+  const Vec3 own_momentum = ledger.momentum - ledger.impulse_given;
+  if (seen.begun == 0) {
+    seen.begun = 1;
+    seen.start_total = ledger.total();
+    for (int c = 0; c < 3; ++c) seen.start_momentum[c] = own_momentum[c];
+  }
+  const double bodies = ledger.kinetic + ledger.internal;
+  seen.largest_bodies = std::max(seen.largest_bodies, bodies);
+  seen.largest_energy = std::max({seen.largest_energy, bodies, std::abs(ledger.external)});
+  seen.largest_internal = std::max(seen.largest_internal, ledger.internal);
+  seen.momentum_scale = std::max(seen.momentum_scale, ledger.momentum_scale);
+  if (seen.largest_energy > 0)
+    seen.error_ratio = std::max(seen.error_ratio, std::abs(ledger.total() - seen.start_total) / seen.largest_energy);
+  const Vec3 start(seen.start_momentum[0], seen.start_momentum[1], seen.start_momentum[2]);
+  if (seen.momentum_scale > 0)
+    seen.momentum_error = std::max(seen.momentum_error, (own_momentum - start).norm() / seen.momentum_scale);
+}
+
+double rounding_energy(double mass, double extent, double edge, double dt) {
+  constexpr double of_contact = 1e-12;
+  if (!(dt > 0)) return 0;
+  const double speed = std::max(4 * std::numeric_limits<double>::epsilon() * extent, of_contact * edge) / dt;
+  return mass * speed * speed;
+}
+
+std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding) {
+  // a moving wall gives too, so does contact where bodies began inside each other, and at the first instant all there
+  // is may be rounding of either sign
+  const double parted = recovered ? std::max(-ledger.contact, 0.0) : 0.0;
+  const double given =
+      std::max(seen.start_total, 0.0) + std::max(ledger.external, 0.0) + std::max(-ledger.walls, 0.0) + parted;
+  const double scale = std::max({seen.largest_energy, std::abs(ledger.internal), std::abs(seen.start_total)});
+  if (std::isfinite(ledger.total()) && ledger.kinetic <= 1.5 * given + 1e-3 * scale + rounding) return {};
+  return fmt::format(
+      "kinetic {:g} of {:g} given; the step may be too large for the materials or the elements too "
+      "distorted",
+      ledger.kinetic, given);
+}
+
+std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding) {
+  const double scale = std::max(seen.largest_energy, 10 * rounding);
+  const std::array<double, guarded_columns> energy{ledger.total() - seen.start_total, std::min(ledger.hourglass, 0.0),
+                                          std::min(ledger.bulk, 0.0), std::min(ledger.damping, 0.0),
+                                          std::min(ledger.friction - ledger.ties, 0.0)};
+  std::vector<Finding> findings;
+  for (std::size_t k = 0; k < energy.size(); ++k)
+    if (const double share = scale > 0 ? std::abs(energy[k]) / scale : 0.0; share > warned_share)
+      findings.push_back({static_cast<Fault>(k), energy[k], share, share > stopped_share});
+  return findings;
+}
+
+std::string text_of(const Finding& finding, double time) {
+  if (finding.fault == Fault::balance)
+    return fmt::format("the energy balance is off by {:.3g} at t = {:g}, {:.2g} % of the largest energy so far",
+                       finding.energy, time, 100 * finding.share);
+  constexpr std::array names{"", "hourglass energy", "energy of bulk viscosity", "energy of damping",
+                             "energy of sliding friction"};
+  return fmt::format("{} is {:.3g} at t = {:g}, {:.2g} % of the largest energy so far, and cannot be negative",
+                     names[static_cast<std::size_t>(finding.fault)], finding.energy, time, 100 * finding.share);
+}
+
+std::string likely_cause(Fault fault) {
+  switch (fault) {
+    case Fault::balance:
+      return "likely cause: single velocities or stresses so large that sums lose all others; the step may be too "
+             "large for the materials (see run.cfl) or the elements too distorted";
+    case Fault::hourglass:
+      return "likely cause: the element has changed its shape so much that its hourglass springs are stiffer or softer "
+             "than when they were loaded. Take element: hex8_full or hex8_bbar there, or smaller elements";
+    case Fault::bulk:
+      return "likely cause: the element is folded or nearly flat. Take smaller elements there, or element: hex8_bbar";
+    case Fault::damping:
+      return "likely cause: velocities that change their sign in every step; take a smaller run.cfl";
+    case Fault::friction:
+      return "likely cause: nodes that stick are taken back against their load where faces of the master are much "
+             "larger than their own, or turn fast. Take smaller elements there, or passes: two";
+  }
+  return {};
+}
+
+double taken_by_parted(const time::Ledger& ledger, const Extremes& seen) {
+  const contact::ContactTotals& contact = ledger.contact_totals;
+  const bool parted = contact.push > 0 && contact.touching == 0;
+  return parted && seen.largest_bodies > 0 ? ledger.contact / seen.largest_bodies : 0.0;
+}
+
+}  // namespace brunt::app

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// The guards of a run: what its ledgers have shown so far, and what of it says that the energy cannot be right. Pure
+// functions of ledgers.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "brunt/time/ledger.hpp"
+
+namespace brunt::app {
+
+/// What the whole run has seen since t = 0, the same on every rank. Doubles only: a checkpoint holds it with the state.
+struct Extremes {
+  double first_dt = 0;                   ///< the first step that the elements allowed [time]; 0 before it
+  double begun = 0;                      ///< 1 once a ledger was seen
+  double start_total = 0;                ///< energy at t = 0
+  double largest_energy = 0;             ///< largest of kinetic + internal and of |external|, the scale of errors
+  double largest_bodies = 0;             ///< largest kinetic + internal
+  double largest_internal = 0;           ///< [energy]
+  double error_ratio = 0;                ///< largest |total - start| over largest_energy as it was then
+  double start_momentum[3] = {0, 0, 0};  ///< less what was given [momentum]
+  double momentum_error = 0;             ///< largest |p - p0 - impulses given| over the largest sum of m |v|
+  double momentum_scale = 0;             ///< largest sum of m |v| [momentum]
+};
+constexpr int extremes_width = sizeof(Extremes) / sizeof(double);
+
+/// Takes a ledger into account.
+void observe(const time::Ledger& ledger, Extremes& seen);
+
+/// Energies below this are rounding [energy]. A position is rounded to about 1e-16 of its distance from the model's
+/// origin, and so moves by up to 4 eps `extent` in a step without any cause; where bodies touch, contact answers to
+/// that with up to 1e-12 of an edge (measured on bodies at rest). The result is the energy, twice the kinetic one, of
+/// all mass at the speed of one such move in one step: it follows units, size and step.
+double rounding_energy(double mass, double extent, double edge, double dt);
+
+/// Kinetic energy from nowhere, which a closed ledger does not show. recovered: contact may give, since the scene lets
+/// it part bodies that began inside each other. Empty, or what is wrong.
+std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding);
+
+/// What a ledger may show to be wrong besides.
+enum class Fault {
+  balance,    ///< the total has changed
+  hourglass,  ///< a column that cannot be negative is so
+  bulk,
+  damping,
+  friction  ///< without the shear of ties, which friction holds too
+};
+constexpr int guarded_columns = 5;
+
+struct Finding {
+  Fault fault = Fault::balance;
+  double energy = 0;  ///< the change of the total; else the column [energy]
+  double share = 0;   ///< |energy| over the largest energy so far
+  bool stop = false;
+};
+
+/// Shares of the largest energy so far: engineers accept 1 % as the error of an energy balance; at ten times that the
+/// motion itself is wrong by a third of its speed (energy goes with the square).
+constexpr double warned_share = 0.01, stopped_share = 0.1;
+
+/// What is above warned_share, in the order of Fault. rounding: see rounding_energy; shares are of at least ten times
+/// this, so that what rounding makes stays below the warning.
+std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding);
+
+/// The sentence for it, without the place: what is wrong, and the likely cause.
+std::string text_of(const Finding& finding, double time);
+/// What to do about it, or where it comes from.
+std::string likely_cause(Fault fault);
+
+/// Share of the largest energy of the bodies that contact has taken, where bodies have met and none touches another any
+/// more; else 0. Of two bodies that bounce off each other elastically it should be nothing.
+double taken_by_parted(const time::Ledger& ledger, const Extremes& seen);
+
+}  // namespace brunt::app

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// What Results looks at besides writing: guards and warnings.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "brunt/core/error.hpp"
+#include "brunt/force/folded.hpp"
+#include "element_place.hpp"
+#include "results.hpp"
+
+namespace brunt::app {
+namespace {
+
+/// The row by which friction gave most in the last step. Collective.
+std::string where_friction_gives(const Prepared& run) {
+  if (!run.contact) return "";
+  const comm::Communicator& ranks = run.links.ranks;
+  const contact::RubbingRow here = run.contact->most_given_by_friction();
+  const bool any = here.slave_gid != no_index;
+  const double least = ranks.min(any ? here.work : std::numeric_limits<double>::infinity());
+  const bool least_here = any && here.work == least;
+  const GlobalIndex slave = ranks.max(least_here ? here.slave_gid : GlobalIndex{-1});
+  if (slave < 0) return "";
+  const bool mine = least_here && here.slave_gid == slave;
+  std::array<double, 3> place;
+  place.fill(-std::numeric_limits<double>::infinity());
+  if (mine) place = {here.position[0], here.position[1], here.position[2]};
+  ranks.max(place);
+  const GlobalIndex master = ranks.max(mine ? GlobalIndex{here.master_block} : GlobalIndex{-2});
+  return fmt::format(
+      "; in the last step it gave most at {} on {}", text_of_point(run, {place[0], place[1], place[2]}),
+      master < 0 ? "a rigid wall" : "part '" + run.model.blocks[static_cast<std::size_t>(master)].part + "'");
+}
+
+/// Springs that stay are another thing than those of `stiffness` where there is plastic flow alone.
+const char* remedy_of_folds(const material::Law& law) {
+  if (std::holds_alternative<material::J2>(law)) return "hourglass: {kind: elastic} or element: hex8_full";
+  if (std::holds_alternative<material::NeoHookean>(law)) return "element: hex8_full";
+  return "element: hex8_full or hex8_bbar";
+}
+
+}  // namespace
+
+/// Which element or contact gives: a search, for messages alone. Collective.
+std::string Results::where(Fault fault) const {
+  if (fault == Fault::hourglass || fault == Fault::bulk) {
+    const ElementPlace place = place_of_least(run_, fault == Fault::hourglass ? "hourglass_energy" : "bulk_energy");
+    return place.element < 0 ? "" : "; least of all is that of " + text_of(place);
+  }
+  return fault == Fault::friction ? where_friction_gives(run_) : "";
+}
+
+void Results::watch(const time::Ledger& ledger, double time) {
+  last_ledger_ = ledger;
+  observe(ledger, run_.extremes);
+  const double rounding =
+      rounding_energy(ledger.mass, extent_, run_.contact ? run_.contact->surface().mean_edge : 0.0, run_.state.dt);
+  const std::string growth = energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding);
+  for (const Finding& finding : judge(ledger, run_.extremes, rounding)) {
+    bool& told = told_[static_cast<std::size_t>(finding.fault)];
+    const bool stop = finding.stop && growth.empty();
+    if (told && !stop) continue;
+    told = true;
+    const std::string text =
+        fmt::format("{}{}; {}", text_of(finding, time), where(finding.fault), likely_cause(finding.fault));
+    if (stop) throw GuardError(text);
+    log_.warning(text + " (told once)");
+  }
+  if (!growth.empty())
+    throw GuardError(fmt::format("energy grows at t = {:g}: {}{}", time, growth,
+                                 folded_ > 0 ? fmt::format(" ({} hex8 elements are folded)", folded_) : ""));
+}
+
+void Results::watch_folds() {
+  const comm::Communicator& ranks = run_.links.ranks;
+  const auto timed = run_.links.timers.measure(Phase::output);
+  const force::FoldedElements here = force::folded_elements(run_.model, run_.state);
+  const GlobalIndex count = ranks.sum(here.count);
+  if (count > 0 && folded_ == 0) {
+    const double worst = ranks.min(here.worst);
+    const GlobalIndex element = ranks.max(here.worst == worst ? here.element : -1);
+    const auto block = static_cast<std::size_t>(ranks.max(GlobalIndex{here.element == element ? here.block : -1}));
+    log_.warning(fmt::format(
+        "{} hex8 element{} folded at t = {:g}, step {}, with a corner inside out; worst is element {} (position in the "
+        "input) of part '{}'. Contact loses nodes behind folded faces and may give energy. Take {} (told once; "
+        "folded_elements in summary.json is the largest number seen)",
+        count, count == 1 ? " is" : "s are", run_.state.time, static_cast<GlobalIndex>(run_.state.step), element + 1,
+        run_.model.blocks[block].part, remedy_of_folds(run_.model.blocks[block].law)));
+  }
+  folded_ = std::max(folded_, count);
+}
+
+void Results::watch_driven() {
+  if (!run_.contact) return;
+  const auto timed = run_.links.timers.measure(Phase::output);
+  for (const std::string& warning :
+       run_.driven.look(run_.links.ranks, *run_.contact, run_.model, run_.state, units_of(run_).length))
+    log_.warning(warning);
+}
+
+void Results::tell_at_end() {
+  tell_hourglass();
+  tell_parted();
+}
+
+void Results::tell_parted() {
+  // of two equal bodies, one of which was at rest: a restitution of 0.97, since the loss is (1 - e^2)/2
+  constexpr double tolerated = 0.03;
+  const double share = taken_by_parted(last_ledger_, run_.extremes);
+  if (!(share > tolerated)) return;
+  log_.warning(fmt::format(
+      "contact took {:.2g} % of the largest energy of the bodies, which have parted again: an elastic impact "
+      "loses nothing. Contact takes the motion of the layer of elements that meets first, and bodies with "
+      "few elements through their thickness rebound too slowly. Take more of them along the impact",
+      100 * share));
+}
+
+void Results::tell_hourglass() {
+  // The usual bound in crash analysis; of the largest, since bodies that fly on after an impact have little left.
+  constexpr double tolerated = 0.1;
+  const double hourglass = last_ledger_.hourglass, internal = run_.extremes.largest_internal;
+  if (!(hourglass > tolerated * internal) || hourglass < 1e-3 * run_.extremes.largest_energy) return;
+  log_.warning(fmt::format(
+      "hourglass energy is {:.2g} % of the largest internal energy (10 % is the usual bound): the hex8 elements are "
+      "too coarse for how they bend. Take smaller ones, or element: hex8_bbar",
+      100 * hourglass / internal));
+}
+
+}  // namespace brunt::app

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Guards on made-up ledgers: what they warn of, what they stop, and what they leave alone.
+#include "app/guards.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace brunt;
+using namespace brunt::app;
+
+namespace {
+
+/// An impact of 100 units of energy, seen once.
+struct Impact {
+  Extremes seen;
+  time::Ledger ledger;
+  Impact() {
+    ledger.kinetic = 100;
+    ledger.mass = 2;
+    observe(ledger, seen);
+  }
+  [[nodiscard]] std::vector<Finding> now(double rounding = 0) {
+    observe(ledger, seen);
+    return judge(ledger, seen, rounding);
+  }
+};
+
+using Term = double time::Ledger::*;
+struct Column {
+  Term term;
+  Fault fault;
+};
+const std::vector<Column> columns{{&time::Ledger::hourglass, Fault::hourglass},
+                                  {&time::Ledger::bulk, Fault::bulk},
+                                  {&time::Ledger::damping, Fault::damping},
+                                  {&time::Ledger::friction, Fault::friction}};
+
+}  // namespace
+
+TEST_CASE("guards: a column that cannot be negative warns below -1 % and stops below -10 % of the largest energy") {
+  for (const Column& column : columns)
+    for (const double share : {0.5, 0.005, -0.005, -0.0099, -0.011, -0.09, -0.11, -0.9}) {
+      CAPTURE(static_cast<int>(column.fault), share);
+      Impact impact;
+      impact.ledger.*column.term = 100 * share;
+      impact.ledger.internal = -100 * share;  // the balance closes: what one column makes stands in another
+      // the largest energy grows with what was made
+      const double largest = 100 + std::max(-100 * share, 0.0), of_largest = -100 * share / largest;
+      const std::vector<Finding> found = impact.now();
+      REQUIRE(found.size() == (of_largest > 0.01 ? 1 : 0));
+      if (found.empty()) continue;
+      CHECK(found[0].fault == column.fault);
+      CHECK(found[0].energy == Approx(100 * share));
+      CHECK(found[0].share == Approx(of_largest));
+      CHECK(found[0].stop == (of_largest > 0.1));
+      CHECK(text_of(found[0], 3).find("cannot be negative") != std::string::npos);
+      CHECK_FALSE(likely_cause(found[0].fault).empty());
+    }
+}
+
+TEST_CASE("guards: friction is judged without the shear of ties, which give back what they took") {
+  Impact impact;
+  impact.ledger.friction = -30;
+  impact.ledger.ties = -30;
+  impact.ledger.internal = 30;
+  CHECK(impact.now().empty());
+  impact.ledger.ties = 30;  // the ties took, friction gave twice of it
+  const std::vector<Finding> found = impact.now();
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].energy == -60);
+  CHECK(found[0].stop);
+}
+
+TEST_CASE("guards: the balance warns above 1 % and stops above 10 %, of either sign") {
+  for (const double change : {0.5, -0.5, 2.0, -2.0, 9.9, -9.9, 12.0, -12.0}) {
+    CAPTURE(change);
+    Impact impact;
+    impact.ledger.kinetic = 50;
+    impact.ledger.internal = 50 + change;
+    const std::vector<Finding> found = impact.now();
+    const double share = std::abs(change) / std::max(100 + change, 100.0);
+    REQUIRE(found.size() == (share > 0.01 ? 1 : 0));
+    if (found.empty()) continue;
+    CHECK(found[0].fault == Fault::balance);
+    CHECK(found[0].stop == (share > 0.1));
+  }
+}
+
+TEST_CASE("guards: shares are of the largest energy so far, not of what is left") {
+  Impact impact;
+  impact.ledger.kinetic = 1;  // flown off, the rest went into a wall
+  impact.ledger.walls = 99;
+  impact.ledger.hourglass = -0.9;
+  impact.ledger.internal = 0.9;
+  CHECK(impact.now().empty());
+  impact.ledger.external = 1e4;  // a press has since worked
+  impact.ledger.walls += 1e4;
+  impact.ledger.hourglass = -90;
+  impact.ledger.internal = 90;
+  CHECK(impact.now().empty());
+}
+
+TEST_CASE("guards: what rounding makes of bodies at rest is below the floor, in any units") {
+  for (const double unit : {1e-9, 1.0, 1e6}) {  // of length
+    const double mass = 3, extent = 2 * unit, edge = 0.1 * unit, dt = 1e-5;
+    const double floor = rounding_energy(mass, extent, edge, dt);
+    CHECK(floor == Approx(mass * std::pow(1e-12 * edge / dt, 2)));
+    CHECK(rounding_energy(mass, extent, 0, dt) == Approx(mass * std::pow(4 * 2.220446049250313e-16 * extent / dt, 2)));
+    Extremes seen;
+    time::Ledger rest;
+    rest.mass = mass;
+    observe(rest, seen);
+    rest.kinetic = 0.05 * floor;
+    rest.friction = -0.09 * floor;
+    observe(rest, seen);
+    CHECK(judge(rest, seen, floor).empty());
+    CHECK(energy_growth(rest, seen, false, floor).empty());
+    rest.friction = -30 * floor;
+    CHECK(judge(rest, seen, floor).size() == 2);
+  }
+  CHECK(rounding_energy(1, 1, 1, 0) == 0);
+  CHECK(judge({}, {}, 0).empty());
+}
+
+TEST_CASE("guards: energy from nowhere, and what is none") {
+  Impact impact;
+  CHECK(energy_growth(impact.ledger, impact.seen, false, 0).empty());
+  impact.ledger.kinetic = 200;
+  impact.ledger.contact = -100;
+  CHECK_FALSE(energy_growth(impact.ledger, impact.seen, false, 0).empty());
+  CHECK(energy_growth(impact.ledger, impact.seen, true, 0).empty());
+  impact.ledger.external = 100;
+  CHECK(energy_growth(impact.ledger, impact.seen, false, 0).empty());
+  impact.ledger.internal = std::numeric_limits<double>::quiet_NaN();
+  CHECK_FALSE(energy_growth(impact.ledger, impact.seen, false, 0).empty());
+}
+
+TEST_CASE("guards: what contact has taken of bodies that parted, and nothing while any touch") {
+  Impact impact;
+  impact.ledger.kinetic = 90;
+  impact.ledger.contact = 8;
+  CHECK(taken_by_parted(impact.ledger, impact.seen) == 0);  // none has met
+  impact.ledger.contact_totals.push = 5;
+  CHECK(taken_by_parted(impact.ledger, impact.seen) == Approx(0.08));
+  impact.ledger.contact_totals.touching = 1;
+  CHECK(taken_by_parted(impact.ledger, impact.seen) == 0);
+}
