@@ -115,6 +115,8 @@ SCENES = [
     changed("end time zero", "end: 1.0e-5", "end: 0", "end", "0"),
     changed("end time negative", "end: 1.0e-5", "end: -1", "end", "-1"),
     changed("no end", "{end: 1.0e-5}", "{cfl: 0.9}", "run", "end"),
+    changed("step ratio of nothing", "{end: 1.0e-5}", "{end: 1.0e-5, min_step_ratio: 0}", "min_step_ratio", "0 is out of range", lines=1),
+    changed("step ratio of one", "{end: 1.0e-5}", "{end: 1.0e-5, min_step_ratio: 1}", "min_step_ratio", "> 0 and < 1", lines=1),
     changed("step factor above one", "{end: 1.0e-5}", "{end: 1.0e-5, cfl: 1.5}", "cfl", "1.5"),
     changed("unknown output field", "[displacement, velocity]", "[displacment]", "displacment", "displacement"),
     changed("output interval zero", "every: 5.0e-6", "every: 0", "output", "every"),

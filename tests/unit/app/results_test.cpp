@@ -7,10 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/restart.hpp"
 #include "brunt/core/error.hpp"
 #include "prepared_scene.hpp"
 
 using namespace brunt;
+using app::Extremes;
 
 namespace {
 
@@ -83,6 +85,40 @@ TEST_CASE("results: kinetic energy from nowhere stops the run, what an external 
   CHECK_NOTHROW(run.results.watch(ledger, 3));
   ledger.kinetic = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(run.results.watch(ledger, 4), GuardError);
+}
+
+TEST_CASE("results: a restart judges by what the whole run has seen") {
+  Written run;
+  time::Ledger ledger = run.step();
+  run.results.watch(ledger, 0);
+  const Extremes seen = run.scene.run->extremes;
+  CHECK(seen.start_total == Approx(7.5));
+  const std::string file = run.results.write_checkpoint();
+  Written again;
+  app::restart_from(*again.scene.run, file);
+  CHECK(again.scene.run->extremes.start_total == seen.start_total);
+  CHECK(again.scene.run->extremes.largest_energy == seen.largest_energy);
+  CHECK(again.scene.run->extremes.momentum_scale == seen.momentum_scale);
+  ledger.kinetic = 0.5 * seen.start_total;  // the other half is gone
+  ledger.internal = ledger.hourglass = ledger.bulk = ledger.contact = ledger.friction = 0;
+  CHECK_THROWS_AS(again.results.watch(ledger, 1), GuardError);
+}
+
+TEST_CASE("results: the guard names the element with the least hourglass energy") {
+  Written run;
+  time::Ledger ledger = run.step();
+  run.results.watch(ledger, 0);
+  const model::ElementBlock& block = run.scene.run->model.blocks[0];
+  LocalIndex element = 0;
+  while (block.input[static_cast<std::size_t>(element)] != 2) ++element;
+  const std::ptrdiff_t row =
+      std::ptrdiff_t{element / pack_width} * block.history_size + block.find("hourglass_energy")->first;
+  run.scene.run->state.history[0][static_cast<std::size_t>(row * pack_width + element % pack_width)] = -3;
+  ledger.hourglass = -3;
+  ledger.internal += 3;
+  CHECK_THROWS_WITH(run.results.watch(ledger, 1),
+                    Catch::Contains("element 3 (position in the input) of part 'low' at (0.5, 1.5, 0.47") &&
+                        Catch::Contains("cannot be negative") && Catch::Contains("hex8_full"));
 }
 
 TEST_CASE("results: after a guard the last good state comes back, as a checkpoint and in the run") {

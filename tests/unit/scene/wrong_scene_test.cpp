@@ -76,6 +76,8 @@ TEST_CASE("wrong numbers", "[scene]") {
       {"1.0e-3", "0", "bar.yaml:42: run.end", {"0 is out of range", "a number > 0"}},
       {"1.0e-3", "-1", "bar.yaml:42: run.end", {"out of range"}},
       {"cfl: 0.9", "cfl: 1.01", "bar.yaml:43: run.cfl", {"out of range", "> 0 and <= 1"}},
+      {"cfl: 0.9", "min_step_ratio: 1", "bar.yaml:43: run.min_step_ratio", {"1 is out of range", "> 0 and < 1"}},
+      {"cfl: 0.9", "min_step_ratio: 0", "bar.yaml:43: run.min_step_ratio", {"out of range"}},
       {"cfl: 0.9", "wall_limit: soon", "bar.yaml:43: run.wall_limit", {"'soon'", "3h55m"}},
       {"cfl: 0.9", "steps: 2.5", "bar.yaml:43: run.steps", {"no integer"}},
       {"cfl: 0.9", "steps: 0", "bar.yaml:43: run.steps", {"out of range", "from 1"}},

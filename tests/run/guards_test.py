@@ -1,0 +1,132 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Guards of a run and mass damping, end to end: what stops, what it says, and that ranks and restarts change nothing.
+
+Needs BRUNT (the program) and BRUNT_RUN (scripts/run) in the environment."""
+import csv
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+RUN = os.environ["BRUNT_RUN"]
+PATIENCE = 300  # [s] for one run
+
+# two steel blocks, one on a support; damped as DAMPING says
+DAMPED = """\
+units: SI
+mesh:
+  - {box: {part: a, size: [0.1, 0.1, 0.1], elements: [3, 3, 3]}}
+  - {box: {part: b, size: [0.1, 0.1, 0.1], elements: [4, 4, 4], at: [0, 0, 0.10001]}}
+materials: {s: {model: j2, density: 7800, young: 2.0e11, poisson: 0.3, yield: 4.0e8}}
+parts: {a: {material: s}, b: {material: s}}
+sets: {foot: {box: [[0, 0, 0], [1, 1, 0.001]], part: a}}
+initial: [{part: b, velocity: [0, 0, -10]}]
+fixed: [{set: foot, dofs: [x, y, z]}]
+contact: [{between: all, friction: 0.2}]
+damping: {DAMPING}
+run: {steps: 200}
+"""
+
+# a sharp steel cube between blocks of rubber takes the step with it
+COLLAPSE = """\
+units: SI
+materials: {s: {model: j2, density: 7800, young: 2.0e11, poisson: 0.3, yield: 4.0e8, hardening: 1.0e9}, r: {model: neo_hookean, density: 1100, bulk: 1.0e8, shear: 1.0e7}}
+mesh:
+  - {box: {part: a, size: [1, 1, 0.5], elements: [4, 4, 2]}}
+  - {box: {part: b, size: [0.001, 0.001, 0.001], elements: [3, 3, 3], at: [0.4601, 0.3711, 0.50001]}}
+  - {box: {part: c, size: [1, 1, 0.5], elements: [3, 3, 2], at: [0, 0, 0.50102]}}
+parts: {a: {material: r}, b: {material: s}, c: {material: r}}
+initial: [{part: c, velocity: [0, 0, -10]}]
+contact: [{between: all, friction: 0.3}]
+run: {end: 1.4e-4, min_step_ratio: RATIO}
+history: {every: 1.0e-5}
+"""
+
+# elastic plates of equal mass that meet flush: their velocities should be exchanged
+PLATES = """\
+units: SI
+mesh:
+  - {box: {part: a, size: [0.1, 0.1, 0.01], elements: [4, 4, N]}}
+  - {box: {part: b, size: [0.1, 0.1, 0.01], elements: [4, 4, N], at: [0, 0, 0.01001]}}
+materials: {e: {model: elastic, density: 7800, young: 2.0e11, poisson: 0.0}}
+parts: {a: {material: e}, b: {material: e}}
+initial: [{part: b, velocity: [0, 0, -10]}]
+contact: [{between: all}]
+run: {end: END}
+"""
+
+
+class Guards(unittest.TestCase):
+    def setUp(self):
+        self.keeper = tempfile.TemporaryDirectory()
+        self.addCleanup(self.keeper.cleanup)
+
+    def path(self, *names):
+        return os.path.join(self.keeper.name, *names)
+
+    def run_scene(self, ranks, text, out, *options, code=0):
+        with open(self.path("scene.yaml"), "w", encoding="utf-8") as stream:
+            stream.write(text)
+        done = subprocess.run([RUN, "-np", str(ranks), "scene.yaml", "--out", out, "--quiet", *options],
+                              cwd=self.keeper.name, capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual(done.returncode, code, done.stderr + done.stdout)
+        with open(self.path(out, "summary.json"), encoding="utf-8") as stream:
+            return json.load(stream)
+
+    def log(self, out):
+        with open(self.path(out, "log.txt"), encoding="utf-8") as stream:
+            return stream.read()
+
+    def rows(self, out):
+        with open(self.path(out, "history.csv"), encoding="utf-8") as stream:
+            return list(csv.DictReader(stream))
+
+    def test_damping_of_any_size_keeps_the_balance_on_any_ranks_and_over_a_restart(self):
+        for damping in ("alpha: 1.0e3", "alpha: 1.0e6", "alpha: 4.5e5, from: 2.0e-5, to: 6.0e-5"):
+            with self.subTest(damping=damping):
+                text = DAMPED.replace("DAMPING", damping)
+                name = damping.replace(" ", "").replace(":", "").replace(",", "")
+                found = [self.run_scene(ranks, text, f"{name}{ranks}") for ranks in (1, 2, 3)]
+                self.assertEqual(len({one["state_hash"] for one in found}), 1)
+                whole = found[0]
+                self.assertLess(whole["energy"]["error_ratio"], 1e-12)
+                self.assertLess(whole["momentum_error"], 1e-12)
+                taken = [float(next(v for k, v in row.items() if k.startswith("damping"))) for row in self.rows(f"{name}1")]
+                self.assertGreater(taken[-1], 0)
+                for before, after in zip(taken, taken[1:]):
+                    self.assertGreaterEqual(after, before * (1 - 1e-12))
+                self.run_scene(2, text, f"{name}_part", "--set", "run.steps=77")
+                last = self.run_scene(3, text, f"{name}_part", "--restart", f"{name}_part")
+                self.assertEqual(last["state_hash"], whole["state_hash"])
+                for one in (last, whole):
+                    self.assertLess(one["energy"].pop("error_ratio"), 1e-12)
+                self.assertEqual(last["energy"], whole["energy"])
+
+    def test_a_step_that_falls_stops_the_run_and_names_the_element(self):
+        text = COLLAPSE.replace("RATIO", "1.0e-2")
+        for ranks in (1, 2):
+            summary = self.run_scene(ranks, text, f"fell{ranks}", code=3)
+            self.assertEqual(summary["stopped_by"], "guard")
+            log = self.log(f"fell{ranks}")
+            for phrase in ("run.min_step_ratio 0.01 of the first", "of part 'b' at (0.46", "Likely cause", "last good state"):
+                self.assertIn(phrase, log)
+        said = [next(line for line in self.log(f"fell{r}").splitlines() if line.startswith("stopped:")) for r in (1, 2)]
+        self.assertEqual(*said)
+        # with a smaller ratio the run goes on from the last good state, and measures by the first step of all
+        self.run_scene(2, text, "fell2", "--restart", "fell2", "--set", "run.min_step_ratio=2.0e-3", code=3)
+        first = said[0].split("of the first, ")[1].split(":")[0]
+        again = [line for line in self.log("fell2").splitlines() if line.startswith("stopped:")][-1]
+        self.assertIn(f"run.min_step_ratio 0.002 of the first, {first}", again)
+
+    def test_contact_that_took_much_of_bodies_that_parted_is_told(self):
+        for elements, end, told in ((1, 3.0e-5, True), (4, 3.0e-5, True), (16, 1.5e-5, False), (2, 2.0e-6, False)):
+            with self.subTest(elements=elements, end=end):
+                summary = self.run_scene(1, PLATES.replace("N]", f"{elements}]").replace("END", str(end)), f"p{elements}_{end}")
+                self.assertGreater(summary["energy"]["contact"], 0)
+                self.assertEqual("have parted again" in self.log(f"p{elements}_{end}"), told)
+
+
+if __name__ == "__main__":
+    unittest.main()
