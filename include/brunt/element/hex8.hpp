@@ -19,13 +19,11 @@
 // returns all of its work. With the mean gradient B0, the volume V0 and the hourglass coordinates H_ja = X_jI Gamma_aI
 // of the reference shape (total Lagrangian form: G. R. Joldes, A. Wittek, K. Miller, Commun. Numer. Meth. Eng. 24
 // (2008) 1315-1323):
-//   strain             F_ij = x_iI B0_jI / V0, energy V0 psi(F); its force is -s_ij B_jI with B = cof(F) B0, V = det F
-//   V0 hourglass          q_ia = x_iI gamma0_aI = h_ia - F_ij H_ja, energy k0/2 sum q^2, k0 and gamma0 of the reference
-//                      shape: zero for every homogeneous deformation, and unchanged by rotation, since |q_a| is
-//   hourglass force    -k0 q_ia gamma0_aI = -k0 q_ia (Gamma_aI - (F H)_ja B_jI / V)
-//   frequency          as above with these B, V, k0 and gamma0; a prestress has no part in the hourglass modes, as F
-//   has
-//                      none
+//   strain     F_ij = x_iI B0_jI / V0, energy V0 psi(F); its force is -s_ij B_jI with B = cof(F) B0 and V = V0 det F
+//   hourglass  q_ia = x_iI gamma0_aI = h_ia - F_ij H_ja, energy k0/2 sum q^2, k0 and gamma0 of the reference shape:
+//              zero for every homogeneous deformation, and unchanged by rotation, since |q_a| is. Its force is
+//              -k0 q_ia gamma0_aI = -k0 q_ia (Gamma_aI - (F H)_ja B_jI / V)
+//   frequency  as above with these B, V, k0 and gamma0 (a prestress has no part in the hourglass modes, as F has none)
 #pragma once
 #include <vector>
 
