@@ -26,13 +26,15 @@ Difference difference(const mesh::Mesh& mesh, const mesh::Moments& exact, double
   return {found.volume / exact.volume - 1, (found.centre - exact.centre).norm() / radius};
 }
 
-/// Both errors fall with the square of the element size; around round bodies there are 8 elements for each whole 0.6 of
-/// those across, so the next few numbers are tried (`difference_of` them), as long as they are small.
+/// Both errors fall with the square of the element size, which gives a first estimate. The number of elements around is
+/// rounded to a multiple of 8, so the numbers beside the estimate are tried (`difference_of`) while they are small.
 template <class DifferenceOf>
 int enough_elements(int elements, const Difference& found, DifferenceOf difference_of) {
   constexpr int most_tried = 20;
   int enough = static_cast<int>(std::ceil(elements * std::sqrt(found.largest() / worth_a_warning)));
   while (enough <= most_tried && difference_of(enough).largest() > worth_a_warning) ++enough;
+  while (enough <= most_tried && enough - 1 > elements && difference_of(enough - 1).largest() <= worth_a_warning)
+    --enough;
   return enough;
 }
 
@@ -60,9 +62,13 @@ std::string help(const scene::CylinderMesh& body, const Difference& found) {
 }
 
 std::string help(const scene::TubeMesh& body, const Difference& found) {
-  const auto is_enough = [](int) { return Difference{}; };  // the estimate is exact to one element
-  const int enough = enough_elements(body.elements[1], found, is_enough);
-  return fmt::format("about {} elements around would be enough", (enough + 3) / 4 * 4);
+  const auto with = [&](int quarter) {  // a multiple of 4 around, as halves and quarters need
+    return difference(
+        mesh::tube(body.part, body.inner_radius, body.outer_radius, body.length, {1, 4 * quarter, 1}, body.half),
+        mesh::exact_tube(body.inner_radius, body.outer_radius, body.length, body.half), body.outer_radius);
+  };
+  const int enough = 4 * enough_elements((body.elements[1] + 3) / 4, found, with);
+  return fmt::format("about {} elements around would be enough", enough);
 }
 
 template <class Body>
