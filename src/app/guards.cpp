@@ -53,8 +53,8 @@ std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool
 std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding) {
   const double scale = std::max(seen.largest_energy, 10 * rounding);
   const std::array<double, guarded_columns> energy{ledger.total() - seen.start_total, std::min(ledger.hourglass, 0.0),
-                                          std::min(ledger.bulk, 0.0), std::min(ledger.damping, 0.0),
-                                          std::min(ledger.friction - ledger.ties, 0.0)};
+                                                   std::min(ledger.bulk, 0.0), std::min(ledger.damping, 0.0),
+                                                   std::min(ledger.friction - ledger.ties, 0.0)};
   std::vector<Finding> findings;
   for (std::size_t k = 0; k < energy.size(); ++k)
     if (const double share = scale > 0 ? std::abs(energy[k]) / scale : 0.0; share > warned_share)

@@ -133,7 +133,7 @@ SCENES = [
     changed("rigid wall through the body", "run:", "rigid_walls:\n  - {point: [0, 0, 0.5], normal: [0, 0, 1]}\nrun:",
             "scene.yaml:15: rigid_walls.0", "goes through a body", "accepted", lines=1),
     changed("rigid wall with the body behind it", "run:", "rigid_walls:\n  - {point: [0, 0, -1], normal: [0, 0, -1]}\nrun:",
-            "rigid_walls.0.normal", "behind the wall", "accepted", lines=1)
+            "rigid_walls.0.normal", "behind the wall", "accepted", lines=1),
     changed("rigid wall without direction", "run:", "rigid_walls:\n  - {point: [0, 0, 0], normal: [0, 0, 0]}\nrun:", "normal"),
     changed("box of no elements", "{file: bar.msh}", "{box: {part: bar, size: [1, 1, 1], elements: [0, 1, 1]}}", "elements"),
     changed("box of half an element", "{file: bar.msh}", "{box: {part: bar, size: [1, 1, 1], elements: [1.5, 1, 1]}}", "elements", "1.5"),

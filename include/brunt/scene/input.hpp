@@ -138,7 +138,7 @@ struct RigidWall {
   Vec3 point, normal;  ///< unit normal, outward, towards the bodies
   contact::FrictionLaw friction;
   bool bilateral = false;
-  std::string motion;  ///< curve of the wall's velocity along its normal; empty: at rest
+  std::string motion;                ///< curve of the wall's velocity along its normal; empty: at rest
   std::vector<std::string> parts{};  ///< that it acts on; empty: all
 };
 
@@ -171,7 +171,7 @@ struct Run {
   std::optional<double> end;
   std::optional<GlobalIndex> steps;
   double cfl = 0.9;
-  double min_step_ratio = 1e-4;  ///< of the first step: below it the run stops
+  double min_step_ratio = 1e-4;      ///< of the first step: below it the run stops
   std::optional<double> wall_limit;  ///< [s] of wall-clock time
 };
 struct Output {
