@@ -51,7 +51,7 @@ TEST_CASE("a hanging bar comes to rest at rho g L^2 / 2E and stays there") {
   const double exact = 1000.0 * 1 * 1 / (2 * 1e7);
   const LocalIndex tip = bar.node(n);
   CHECK(bar.displacement(tip)[0] == Approx(exact).epsilon(3e-4));
-  CHECK(steps < 200 * n);
+  CHECK(steps < 2000);
   // a sudden load would swing by as much as the static displacement: with c = 100 at up to 0.1 * c u/L
   bar.step();
   const time::Ledger start = bar.ledger();
