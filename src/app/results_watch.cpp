@@ -9,6 +9,7 @@
 
 #include "brunt/core/error.hpp"
 #include "brunt/force/folded.hpp"
+#include "brunt/scene/units.hpp"
 #include "element_place.hpp"
 #include "results.hpp"
 
@@ -97,8 +98,8 @@ void Results::watch_folds() {
 void Results::watch_driven() {
   if (!run_.contact) return;
   const auto timed = run_.links.timers.measure(Phase::output);
-  for (const std::string& warning :
-       run_.driven.look(run_.links.ranks, *run_.contact, run_.model, run_.state, units_of(run_).length))
+  for (const std::string& warning : run_.driven.look(run_.links.ranks, *run_.contact, run_.model, run_.state,
+                                                     scene::find_unit_system(run_.input.units)->length))
     log_.warning(warning);
 }
 
