@@ -49,7 +49,7 @@ std::string resolution_fault(const Mesh& mesh, double farthest) {
   if (farthest > largest_to_smallest * shortest)
     return fmt::format(
         "{}: its shortest edge, {:.3g}, is lost in the rounding of coordinates of {:.3g}; accepted: "
-        "coordinates up to 2^30 (1.07e9) times the shortest edge",
+        "coordinates up to 2^34 (1.7e10) times the shortest edge",
         element, shortest, farthest);
   return {};
 }

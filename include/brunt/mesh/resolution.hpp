@@ -8,9 +8,9 @@
 namespace brunt::mesh {
 
 /// A coordinate X is rounded to |X| 2^-53, so an edge of length h has a relative error of |X| 2^-52 / h. With |X| up to
-/// 2^30 h this is 2^-22 = 2.4e-7: the finest that is told apart in shares of an edge is an initial overlap, 1e-4 of it,
-/// which is 400 times as much. Beyond, elements are deformed by their place, and vanish from 2^52 on.
-constexpr double largest_to_smallest = 1073741824.0;
+/// 2^34 h this is 2^-18 = 4e-6: the finest that is told apart in shares of an edge is an initial overlap, 1e-4 of it,
+/// which is 25 times as much. Beyond, elements are deformed by their place, and vanish from 2^52 on.
+constexpr double largest_to_smallest = 0x1p34;
 
 /// Volumes are products of three edges, and determinants of Jacobians are compared with them: edges from 2^-300 to
 /// 2^300 keep both, with a factor of 2^100 to spare, within a double's range (2^-1022 to 2^1023).
