@@ -91,9 +91,10 @@ std::string warning_of(std::span<const double> record, const model::Model& model
       wall ? fmt::format("rigid wall '{}'", model.walls[static_cast<std::size_t>(-1 - record[master_block])].name)
            : fmt::format("part '{}'", part(record[master_block]));
   return fmt::format(
-      "supports move part '{}' through {}: since t = {:g} nodes that are held along the normal lie behind {} that "
-      "cannot "
-      "give way, now {:.3g}{} deep. Contact does nothing there (reported once for a pair; driven_penetration in "
+      "supports move part '{}' and {} through each other: since t = {:g} nodes that are held along the normal lie "
+      "behind "
+      "{} that cannot give way, now {:.3g}{} deep. Contact does nothing there (reported once for a pair; "
+      "driven_penetration in "
       "summary.json is the largest depth)",
       part(record[slave_block]), other, record[since], wall ? "a wall" : "faces", record[depth],
       length_unit.empty() ? "" : " " + length_unit);

@@ -50,11 +50,15 @@ std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool
       ledger.kinetic, given);
 }
 
-std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding) {
+std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding, bool recovered) {
   const double scale = std::max(seen.largest_energy, 10 * rounding);
-  const std::array<double, guarded_columns> energy{ledger.total() - seen.start_total, std::min(ledger.hourglass, 0.0),
-                                                   std::min(ledger.bulk, 0.0), std::min(ledger.damping, 0.0),
-                                                   std::min(ledger.friction - ledger.ties, 0.0)};
+  const std::array<double, guarded_columns> energy{ledger.total() - seen.start_total,
+                                                   std::min(ledger.hourglass, 0.0),
+                                                   std::min(ledger.bulk, 0.0),
+                                                   std::min(ledger.damping, 0.0),
+                                                   std::min(ledger.friction - ledger.ties, 0.0),
+                                                   std::min(ledger.internal, 0.0),
+                                                   recovered ? 0.0 : std::min(ledger.contact, 0.0)};
   std::vector<Finding> findings;
   for (std::size_t k = 0; k < energy.size(); ++k)
     if (const double share = scale > 0 ? std::abs(energy[k]) / scale : 0.0; share > warned_share)
@@ -66,8 +70,13 @@ std::string text_of(const Finding& finding, double time) {
   if (finding.fault == Fault::balance)
     return fmt::format("the energy balance is off by {:.3g} at t = {:g}, {:.2g} % of the largest energy so far",
                        finding.energy, time, 100 * finding.share);
-  constexpr std::array names{"", "hourglass energy", "energy of bulk viscosity", "energy of damping",
-                             "energy of sliding friction"};
+  constexpr std::array names{"",
+                             "hourglass energy",
+                             "energy of bulk viscosity",
+                             "energy of damping",
+                             "energy of sliding friction",
+                             "internal energy",
+                             "energy taken by contact"};
   return fmt::format("{} is {:.3g} at t = {:g}, {:.2g} % of the largest energy so far, and cannot be negative",
                      names[static_cast<std::size_t>(finding.fault)], finding.energy, time, 100 * finding.share);
 }
@@ -87,6 +96,13 @@ std::string likely_cause(Fault fault) {
     case Fault::friction:
       return "likely cause: nodes that stick are taken back against their load where faces of the master are much "
              "larger than their own, or turn fast. Take smaller elements there, or passes: two";
+    case Fault::internal:
+      return "likely cause: elements that are folded, or a hypoelastic law (elastic, j2) that is strained far and in "
+             "turns, whose stresses have no potential. Take neo_hookean, or smaller elements";
+    case Fault::contact:
+      return "likely cause: nodes are pushed out of faces that they never crossed, as in bodies pressed to a small "
+             "part of "
+             "their thickness that meet themselves (self: false in contact), or in folded elements";
   }
   return {};
 }

@@ -43,9 +43,11 @@ enum class Fault {
   hourglass,  ///< a column that cannot be negative is so
   bulk,
   damping,
-  friction  ///< without the shear of ties, which friction holds too
+  friction,  ///< without the shear of ties, which friction holds too
+  internal,  ///< of stresses: bodies cannot give more than they took
+  contact    ///< unless the scene lets it part bodies that began inside each other
 };
-constexpr int guarded_columns = 5;
+constexpr int guarded_columns = 7;
 
 struct Finding {
   Fault fault = Fault::balance;
@@ -59,8 +61,8 @@ struct Finding {
 constexpr double warned_share = 0.01, stopped_share = 0.1;
 
 /// What is above warned_share, in the order of Fault. rounding: see rounding_energy; shares are of at least ten times
-/// this, so that what rounding makes stays below the warning.
-std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding);
+/// this, so that what rounding makes stays below the warning. recovered: see energy_growth.
+std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding, bool recovered = false);
 
 /// The sentence for it, without the place: what is wrong, and the likely cause.
 std::string text_of(const Finding& finding, double time);

@@ -64,6 +64,11 @@ void Log::line(const std::string& text) {
   }
 }
 
+void Log::fault(const std::string& text) {
+  line(text);
+  if (speaks_ && quiet_) fmt::print(stderr, "brunt: {}\n", text);
+}
+
 void Log::warning(const std::string& text) {
   ++warnings_;
   line("warning: " + text);

@@ -20,6 +20,8 @@ class Log {
   void open(const std::string& folder, bool append);
   void line(const std::string& text);
   void warning(const std::string& text);
+  /// A line that is also told where the terminal is to stay quiet.
+  void fault(const std::string& text);
   /// Redraws the bar in place, now and then, if the terminal is one; `share` 0..1.
   void progress(double share, double seconds_left);
   [[nodiscard]] int warnings() const { return warnings_; }

@@ -61,7 +61,7 @@ void Results::watch(const time::Ledger& ledger, double time) {
   const double rounding =
       rounding_energy(ledger.mass, extent_, run_.contact ? run_.contact->surface().mean_edge : 0.0, run_.state.dt);
   const std::string growth = energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding);
-  for (const Finding& finding : judge(ledger, run_.extremes, rounding)) {
+  for (const Finding& finding : judge(ledger, run_.extremes, rounding, run_.overlaps.recovered)) {
     bool& told = told_[static_cast<std::size_t>(finding.fault)];
     const bool stop = finding.stop && growth.empty();
     if (told && !stop) continue;

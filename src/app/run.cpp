@@ -330,7 +330,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   if (restart) results.warn_of_missing_rows(*restart);
   Loop loop(*prepared, results, log, start);
   Outcome outcome = loop.go();
-  if (!outcome.message.empty()) log.line("stopped: " + outcome.message);
+  if (!outcome.message.empty()) log.fault("stopped: " + outcome.message);
   if (const double past = overshoot(prepared->state, prepared->input.run); past > 0.01 && !over)
     log.warning(
         fmt::format("the run ended at t = {:g}, {:.2g} % past its end: steps are never cut, and this run has few",

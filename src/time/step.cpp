@@ -35,9 +35,8 @@ void sum_forces(const model::Model& model, const model::State& state, model::Scr
   for (std::size_t i = 0; i < scratch.load.size(); ++i) scratch.load[i] += links.pressure_sum[i];
 }
 
-/// The step to come: cfl times the stable step of the stiffest element anywhere and lately.
-double next_dt(const model::State& state, const StepControl& control, double rate) {
-  const double stable = control.cfl / std::max({rate, state.rate_now, state.rate_before});
+/// The step to come. stable: cfl times the stable step of the stiffest element anywhere and lately.
+double next_dt(const model::State& state, const StepControl& control, double stable) {
   const double grown = control.growth * state.dt;
   if (state.dt == 0 || stable < state.dt) return stable;
   return stable < grown ? state.dt : grown;
@@ -46,7 +45,8 @@ double next_dt(const model::State& state, const StepControl& control, double rat
 /// Where damping acts at t_n or will at t_{n+1}, both steps next to that time are bounded: a = alpha dt_mean / 2 <=
 /// cfl, so that damping alone changes no velocity's sign.
 double bounded_by_damping(const model::Model& model, const model::State& state, const StepControl& control, double dt) {
-  const bool acts = model.damped() && state.time + dt >= model.damping_from && state.time < model.damping_to;
+  const bool acts = model.damped() && state.relaxation.under_way == 0 && state.time + dt >= model.damping_from &&
+                    state.time < model.damping_to;
   return acts ? std::min(dt, 2 * control.cfl / model.damping) : dt;
 }
 
@@ -122,8 +122,8 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
   links.ranks.end_max(reduced);
   report.stop = reduced[1] > 0;
   report.rate = reduced[0];
-  report.stable_dt = next_dt(state, control, report.rate);
-  report.dt = bounded_by_damping(model, state, control, report.stable_dt);
+  report.stable_dt = control.cfl / std::max({report.rate, state.rate_now, state.rate_before});
+  report.dt = bounded_by_damping(model, state, control, next_dt(state, control, report.stable_dt));
   report.dt_mean = 0.5 * (state.dt + report.dt);
   report.alpha = force::damping_rate(model, state.time);
   // a run that begins in equilibrium: contact carries the same impulse in all steps, and nothing changes velocities

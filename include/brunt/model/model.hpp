@@ -111,7 +111,10 @@ struct Model {
   [[nodiscard]] LocalIndex nodes() const { return static_cast<LocalIndex>(mesh.node_gid.size()); }
   [[nodiscard]] bool has_gravity() const { return gravity.squaredNorm() > 0; }
   [[nodiscard]] bool damped() const { return damping > 0; }
-  [[nodiscard]] bool loaded() const { return has_gravity() || damped() || !pressure.empty() || !dead_loads.empty(); }
+  /// Are there accounts of loads? The search for a static state asks for them also where the loads are nothing.
+  [[nodiscard]] bool loaded() const {
+    return has_gravity() || damped() || relaxes || !pressure.empty() || !dead_loads.empty();
+  }
 };
 
 /// Where the search for the static state before t = 0 stands (time/relaxation): whole numbers and energies.

@@ -35,7 +35,7 @@ struct StepReport {
   double dt = 0;                  ///< t_{n+1} - t_n
   double rate = 0;                ///< largest 1 / (stable step) of the elements of all ranks at t_n
   double dt_mean = 0;             ///< (dt_{n-1/2} + dt_{n+1/2}) / 2: the time over which forces at t_n act
-  double stable_dt = 0;           ///< dt as elements and growth have it, before damping bounds it
+  double stable_dt = 0;           ///< what elements allow, before growth and damping bound it
   double alpha = 0;               ///< of the mass damping that acts at t_n [1/time]
   force::ElementReport elements;  ///< of this rank
   bool stop = false;              ///< some rank asks to stop (a guard here or there)

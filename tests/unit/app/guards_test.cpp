@@ -33,10 +33,10 @@ struct Column {
   Term term;
   Fault fault;
 };
-const std::vector<Column> columns{{&time::Ledger::hourglass, Fault::hourglass},
-                                  {&time::Ledger::bulk, Fault::bulk},
-                                  {&time::Ledger::damping, Fault::damping},
-                                  {&time::Ledger::friction, Fault::friction}};
+const std::vector<Column> columns{
+    {&time::Ledger::hourglass, Fault::hourglass}, {&time::Ledger::bulk, Fault::bulk},
+    {&time::Ledger::damping, Fault::damping},     {&time::Ledger::friction, Fault::friction},
+    {&time::Ledger::internal, Fault::internal},   {&time::Ledger::contact, Fault::contact}};
 
 }  // namespace
 
@@ -46,9 +46,10 @@ TEST_CASE("guards: a column that cannot be negative warns below -1 % and stops b
       CAPTURE(static_cast<int>(column.fault), share);
       Impact impact;
       impact.ledger.*column.term = 100 * share;
-      impact.ledger.internal = -100 * share;  // the balance closes: what one column makes stands in another
-      // the largest energy grows with what was made
-      const double largest = 100 + std::max(-100 * share, 0.0), of_largest = -100 * share / largest;
+      impact.ledger.kinetic -= 100 * share;  // the balance closes: what one column makes stands in another
+      // the largest energy, kinetic + internal, grows with what another column made
+      const double largest = column.fault == Fault::internal ? 100.0 : 100 + std::max(-100 * share, 0.0);
+      const double of_largest = -100 * share / largest;
       const std::vector<Finding> found = impact.now();
       REQUIRE(found.size() == (of_largest > 0.01 ? 1 : 0));
       if (found.empty()) continue;
@@ -59,6 +60,15 @@ TEST_CASE("guards: a column that cannot be negative warns below -1 % and stops b
       CHECK(text_of(found[0], 3).find("cannot be negative") != std::string::npos);
       CHECK_FALSE(likely_cause(found[0].fault).empty());
     }
+}
+
+TEST_CASE("guards: contact may give where it parts bodies that began inside each other") {
+  Impact impact;
+  impact.ledger.contact = -50;
+  impact.ledger.kinetic += 50;
+  observe(impact.ledger, impact.seen);
+  CHECK(judge(impact.ledger, impact.seen, 0).size() == 1);
+  CHECK(judge(impact.ledger, impact.seen, 0, true).empty());
 }
 
 TEST_CASE("guards: friction is judged without the shear of ties, which give back what they took") {
