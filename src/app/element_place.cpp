@@ -72,7 +72,8 @@ ElementPlace place_of(const Prepared& run, std::int32_t block, LocalIndex elemen
   figures.fill(-std::numeric_limits<double>::infinity());
   if (here) figures = figures_of(run, run.model.blocks[static_cast<std::size_t>(block)], element);
   ranks.max(figures);
-  place.part = run.model.blocks[static_cast<std::size_t>(ranks.max(GlobalIndex{here ? block : -1}))].part;
+  place.block = static_cast<std::int32_t>(ranks.max(GlobalIndex{here ? block : -1}));
+  place.part = run.model.blocks[static_cast<std::size_t>(place.block)].part;
   place.center = Vec3(figures[0], figures[1], figures[2]) + run.model.mesh.origin;
   place.shortest_edge = figures[3];
   place.volume = figures[4];

@@ -10,6 +10,7 @@ namespace brunt::app {
 
 struct ElementPlace {
   GlobalIndex element = -1;  ///< position in the input; -1: there is none
+  std::int32_t block = -1;   ///< of the model; -1: there is none
   std::string part;
   Vec3 center = Vec3::Zero();  ///< mean of its nodes, at x_n
   double shortest_edge = 1;    ///< over that of the reference

@@ -90,7 +90,7 @@ std::string likely_cause(Fault fault) {
       return "likely cause: the element has changed its shape so much that its hourglass springs are stiffer or softer "
              "than when they were loaded. Take element: hex8_full or hex8_bbar there, or smaller elements";
     case Fault::bulk:
-      return "likely cause: the element is folded or nearly flat. Take smaller elements there, or element: hex8_bbar";
+      return "likely cause: the element is folded or nearly flat. Take smaller elements there, or element: hex8_full";
     case Fault::damping:
       return "likely cause: velocities that change their sign in every step; take a smaller run.cfl";
     case Fault::friction:

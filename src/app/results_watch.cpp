@@ -127,7 +127,8 @@ void Results::tell_hourglass() {
   if (!(hourglass > tolerated * internal) || hourglass < 1e-3 * run_.extremes.largest_energy) return;
   log_.warning(fmt::format(
       "hourglass energy is {:.2g} % of the largest internal energy (10 % is the usual bound): the hex8 elements are "
-      "too coarse for how they bend. Take smaller ones, or element: hex8_bbar",
+      "too coarse for how they bend. Take smaller ones, or element: hex8_bbar where metal bends and folds, hourglass: "
+      "{{kind: elastic}} where corners or edges of solid bodies strike",
       100 * hourglass / internal));
 }
 

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <variant>
 
 #include "brunt/core/error.hpp"
 #include "brunt/io/checkpoint.hpp"
@@ -44,6 +45,15 @@ const char* cause_of_collapse(const ElementPlace& place) {
            "smaller "
            "elements there, or a law that hardens under pressure";
   return "it is folded or sheared so far that a wave crosses it in no time, or its law stiffens with its strain";
+}
+
+/// B-bar averages the change of volume over the element: a corner's own volume meets the deviatoric stress alone, which
+/// plastic flow bounds, so that little work turns the corner inside out.
+const char* cause_of_lost_volume(const model::ElementBlock& block) {
+  if (block.kind != element::ElementKind::hex8_bbar || !std::holds_alternative<material::J2>(block.law)) return "";
+  return ". Likely cause: a sharp load on a corner of hex8_bbar, which holds an element's mean volume alone and yields "
+         "in all else; take element: hex8_full, or hex8 with hourglass: {kind: elastic}, for bodies that strike "
+         "others by edges and corners";
 }
 
 /// Why the loop ended.
@@ -232,8 +242,10 @@ class Loop {
 
   [[noreturn]] void stop_for_element(const time::StepReport& step) {
     const ElementPlace place = place_of(run_, step.elements.inverted_block, step.elements.inverted_element);
-    throw GuardError(fmt::format("{} has no volume left or is not a number at t = {:g}, step {}", text_of(place),
-                                 run_.state.time, static_cast<GlobalIndex>(run_.state.step)));
+    const char* cause =
+        place.block < 0 ? "" : cause_of_lost_volume(run_.model.blocks[static_cast<std::size_t>(place.block)]);
+    throw GuardError(fmt::format("{} has no volume left or is not a number at t = {:g}, step {}{}", text_of(place),
+                                 run_.state.time, static_cast<GlobalIndex>(run_.state.step), cause));
   }
 
   Prepared& run_;

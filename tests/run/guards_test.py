@@ -57,6 +57,17 @@ contact: [{between: all}]
 run: {end: END}
 """
 
+# a steel block falls on one of its corners
+CORNER = """\
+units: SI
+mesh: {box: {part: b, size: [0.01, 0.01, 0.01], elements: [4, 4, 4], rotate: {axis: [1, -0.7, 1], degrees: 80}, at: [0, 0, 0.02]}}
+materials: {s: {model: j2, density: 7800, young: 2.0e11, poisson: 0.3, yield: 2.0e8}}
+parts: {b: {material: s, ELEMENT}}
+initial: [{part: b, velocity: [0, 0, -SPEED]}]
+rigid_walls: [{point: [0, 0, 0], normal: [0, 0, 1]}]
+run: {end: 4.0e-4}
+"""
+
 
 class Guards(unittest.TestCase):
     def setUp(self):
@@ -126,6 +137,17 @@ class Guards(unittest.TestCase):
                 summary = self.run_scene(1, PLATES.replace("N]", f"{elements}]").replace("END", str(end)), f"p{elements}_{end}")
                 self.assertGreater(summary["energy"]["contact"], 0)
                 self.assertEqual("have parted again" in self.log(f"p{elements}_{end}"), told)
+
+    def test_a_corner_that_metal_of_mean_dilatation_does_not_hold_is_told_with_what_holds_it(self):
+        for speed in (150, 250):
+            for element, stops in (("hex8_bbar", True), ("hex8_full", False), ("hex8, hourglass: {kind: elastic}", False)):
+                with self.subTest(speed=speed, element=element):
+                    text = CORNER.replace("ELEMENT", f"element: {element}").replace("SPEED", str(speed))
+                    out = f"{element[:9]}{speed}".replace(", ", "")
+                    summary = self.run_scene(1, text, out, code=3 if stops else 0)
+                    self.assertEqual(summary["stopped_by"], "guard" if stops else "end")
+                    self.assertEqual("no volume left" in self.log(out), stops)
+                    self.assertEqual("take element: hex8_full, or hex8 with hourglass: {kind: elastic}" in self.log(out), stops)
 
 
 if __name__ == "__main__":
