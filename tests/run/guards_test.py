@@ -68,6 +68,26 @@ rigid_walls: [{point: [0, 0, 0], normal: [0, 0, 1]}]
 run: {end: 4.0e-4}
 """
 
+# a small sphere pressed flat between two bodies meets itself through its own thickness
+FLATTENED = """\
+units: SI
+mesh:
+  - {sphere: {part: b0, radius: 0.02, elements: 2, rotate: {axis: [0.296982, 0.941191, 0.161123], degrees: 297.711}, at: [0, 0, -0.02615]}}
+  - {box: {part: b1, size: [0.0224454, 0.0238714, 0.0229425], elements: [2, 1, 3], rotate: {axis: [0.328416, 0.337622, -0.882131], degrees: 36.3413}, at: [-0.0118974, -0.00700992, 0.01642]}}
+  - {sphere: {part: b2, radius: 0.006, elements: 2, rotate: {axis: [0.489128, -0.84239, -0.226126], degrees: 88.1725}, at: [0.00355582, -0.00225888, 0]}}
+materials: {steel: {model: j2, density: 7800, young: 2.0e11, poisson: 0.3, yield: 2e+08, hardening: 0}}
+parts:
+  b0: {material: steel, element: hex8, hourglass: {kind: elastic}}
+  b1: {material: steel, element: hex8, hourglass: {kind: elastic}}
+  b2: {material: steel, element: hex8, hourglass: {kind: elastic}}
+initial:
+  - {part: b0, velocity: [0, 0, 0]}
+  - {part: b1, velocity: [0, 0, -150]}
+  - {part: b2, velocity: [0, 0, 0]}
+contact: [{between: all, friction: 0.3}]
+run: {end: 0.0002445}
+"""
+
 
 class Guards(unittest.TestCase):
     def setUp(self):
@@ -148,6 +168,14 @@ class Guards(unittest.TestCase):
                     self.assertEqual(summary["stopped_by"], "guard" if stops else "end")
                     self.assertEqual("no volume left" in self.log(out), stops)
                     self.assertEqual("take element: hex8_full, or hex8 with hourglass: {kind: elastic}" in self.log(out), stops)
+
+    def test_contact_that_gives_energy_is_told(self):
+        for itself in ("true", "false"):
+            summary = self.run_scene(1, FLATTENED, itself, "--set", f"contact.0.self={itself}")
+            gave = summary["energy"]["contact"] < -0.03 * summary["energy"]["total"]
+            self.assertEqual("contact gave" in self.log(itself), gave)
+            if itself == "false":
+                self.assertFalse(gave)
 
 
 if __name__ == "__main__":
