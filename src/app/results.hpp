@@ -69,7 +69,6 @@ class Results {
   [[nodiscard]] std::string where(Fault fault) const;
   void tell_hourglass();
   void tell_parted();
-  void tell_given();
   Prepared& run_;
   std::string folder_;
   Log& log_;

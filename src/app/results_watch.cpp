@@ -106,7 +106,6 @@ void Results::watch_driven() {
 void Results::tell_at_end() {
   tell_hourglass();
   tell_parted();
-  tell_given();
 }
 
 void Results::tell_parted() {
@@ -119,18 +118,6 @@ void Results::tell_parted() {
       "loses nothing. Contact takes the motion of the layer of elements that meets first, and bodies with "
       "few elements through their thickness rebound too slowly. Take more of them along the impact",
       100 * share));
-}
-
-void Results::tell_given() {
-  // A self-contact that is right gives back what its springs stored, less than a hundredth.
-  constexpr double tolerated = 0.03;
-  const double given = -last_ledger_.contact, largest = run_.extremes.largest_bodies;
-  if (!(largest > 0 && given > tolerated * largest)) return;
-  log_.warning(
-      fmt::format("contact gave {:.2g} % of the largest energy of the bodies, which contact cannot have. Likely cause: "
-                  "overlaps at the start that it pushes out, or a body pressed so flat that its own two sides count as "
-                  "deep in each other (contact of parts with themselves: see self)",
-                  100 * given / largest));
 }
 
 void Results::tell_hourglass() {
