@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <variant>
 
@@ -70,6 +71,13 @@ std::string not_at_rest(const model::Relaxation& phase, const scene::Relaxation&
       asked.max_steps, 100 * phase.stage / time::relaxation_stages, phase.residual, asked.tolerance);
 }
 
+/// Of all nodes [length]. Collective.
+double largest_displacement(const Prepared& run) {
+  double largest = 0;
+  for (const Quad& u : run.state.displacement) largest = std::max(largest, u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+  return std::sqrt(run.links.ranks.max(largest));
+}
+
 class Loop {
  public:
   Loop(Prepared& run, Results& results, Log& log, Clock::time_point program_start)
@@ -113,8 +121,11 @@ class Loop {
       ++passes_;
       if (now.stopped) tell_stage(phase);
       if (!now.at_rest) continue;
-      log_.line(fmt::format("relaxation: at rest after {:.0f} steps; unbalanced forces are {:.2g} of the loads",
-                            phase.steps, phase.residual));
+      log_.line(
+          fmt::format("relaxation: at rest after {:.0f} steps; unbalanced forces are {:.2g} of the loads, nodes have "
+                      "moved by {:.3g} "
+                      "at most",
+                      phase.steps, phase.residual, largest_displacement(run_)));
       begin_run(run_);
       start_ = Clock::now();
       return true;
