@@ -105,8 +105,9 @@ TEST_CASE("a cube falls on its corner upon another one without friction: the pit
   CAPTURE(model, element, degrees, speed, contact.most / energy, contact.given / energy,
           scene.contact->collect().penetration / 0.2);
   CHECK(contact.most > 1e-3 * energy);
-  // The criterion is 1e-3. hex8 of rubber misses it since its forces come from a potential: 1.4e-3 here (2e-4 before).
-  // Eight other angles from 52 to 62 degrees give 1e-4 to 1.3e-3, 3.5e-4 on average (before 1.6e-4 to 5.7e-4, 2.8e-4).
+  // The criterion is 1e-3. hex8 of rubber misses it since its forces come from a potential: 1.4e-3 here, where it was
+  // met before. Runs of the program at eight angles from 52 to 62 degrees give 1e-4 to 1.3e-3, 3.5e-4 on average
+  // (before 1.6e-4 to 5.7e-4, 2.8e-4).
   const double gate = model == "neo_hookean" && element == "hex8" ? 2e-3 : 1e-3;
   CHECK(contact.given <= gate * energy);
   // of an edge; nodes sink by 0.08 at most, rims across edges of the pit by 0.16 (at 0.3 of the speed of sound): see
