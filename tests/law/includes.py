@@ -52,6 +52,21 @@ def find_circle(graph):
     return next((c for c in map(visit, sorted(graph)) if c), [])
 
 
+def folder_of(path):
+    """The folder of a file as it lies on disk, the same for headers and sources."""
+    return os.path.dirname(re.sub(r"^(include/brunt/|src/)", "", path))
+
+
+def folders_of(graph):
+    """Which folders include which others, of a graph {file: files}; tests stand outside."""
+    folders = {}
+    for path, included in graph.items():
+        if not path.startswith("tests"):
+            own = folders.setdefault(folder_of(path), set())
+            own |= {folder_of(i) for i in included} - {folder_of(path)}
+    return folders
+
+
 def resolve(root, includer, included):
     """The project's own file that an include names, or None."""
     for place in ("include", "", os.path.dirname(includer)):
@@ -98,6 +113,9 @@ def check(root, layers_text):
     circle = find_circle(graph)
     if circle:
         faults.append("circle of files " + " -> ".join(circle))
+    circle = find_circle(folders_of(graph))
+    if circle:
+        faults.append("circle of folders " + " -> ".join(circle))
     return faults, f"{len(graph)} files, {sum(map(len, graph.values()))} includes of our own"
 
 

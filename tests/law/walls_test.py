@@ -47,6 +47,12 @@ class Walls(unittest.TestCase):
     def test_circle_of_rooms(self):
         self.assertIn("circle of rooms", self.include_faults("core:\na: b\nb: a\n"))
 
+    def test_circle_of_folders(self):
+        self.write("include/brunt/contact/a.hpp", "")
+        self.write("include/brunt/contact/search/b.hpp", '#include "brunt/contact/a.hpp"\n')
+        self.write("src/contact/c.cpp", '#include "brunt/contact/search/b.hpp"\n')
+        self.assertIn("circle of folders contact -> contact/search -> contact", self.include_faults())
+
     def test_vendor_out_of_its_place(self):
         self.write("src/mesh/b.cpp", "#include <mpi.h>\n")
         self.assertIn("mpi.h is allowed in src/comm only", self.include_faults())
