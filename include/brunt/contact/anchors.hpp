@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "brunt/contact/data/history.hpp"
 #include "brunt/contact/detection/detection.hpp"
-#include "brunt/contact/history.hpp"
 
 namespace brunt::contact {
 

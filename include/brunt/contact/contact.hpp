@@ -10,11 +10,11 @@
 
 #include "brunt/comm/communicator.hpp"
 #include "brunt/comm/exact_sum.hpp"
+#include "brunt/contact/data/history.hpp"
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/contact/driven.hpp"
 #include "brunt/contact/enforcement/enforce.hpp"
 #include "brunt/contact/friction.hpp"
-#include "brunt/contact/history.hpp"
 #include "brunt/contact/list_motion.hpp"
 #include "brunt/contact/lists.hpp"
 #include "brunt/contact/passes.hpp"

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "brunt/contact/constraint.hpp"
+#include "brunt/contact/data/constraint.hpp"
 
 namespace brunt::contact {
 

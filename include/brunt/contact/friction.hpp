@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "brunt/contact/anchors.hpp"
-#include "brunt/contact/history.hpp"
-#include "brunt/contact/options.hpp"
+#include "brunt/contact/data/history.hpp"
+#include "brunt/contact/data/options.hpp"
 
 namespace brunt::contact {
 

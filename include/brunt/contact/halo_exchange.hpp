@@ -7,7 +7,7 @@
 
 #include "brunt/comm/communicator.hpp"
 #include "brunt/comm/halo.hpp"
-#include "brunt/contact/exchange.hpp"
+#include "brunt/contact/data/exchange.hpp"
 #include "brunt/core/types.hpp"
 
 namespace brunt::contact {

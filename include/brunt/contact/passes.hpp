@@ -12,7 +12,7 @@
 #pragma once
 #include <span>
 
-#include "brunt/contact/constraint.hpp"
+#include "brunt/contact/data/constraint.hpp"
 #include "brunt/contact/surface/surface.hpp"
 
 namespace brunt::contact {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "brunt/contact/options.hpp"
+#include "brunt/contact/data/options.hpp"
 #include "brunt/core/aligned.hpp"
 #include "brunt/mesh/local_mesh.hpp"
 #include "brunt/model/element_block.hpp"

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "brunt/contact/options.hpp"
+#include "brunt/contact/data/options.hpp"
 #include "brunt/core/types.hpp"
 #include "brunt/element/options.hpp"
 #include "brunt/material/law.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 #include <cstring>
 
-#include "brunt/contact/constraint.hpp"
+#include "brunt/contact/data/constraint.hpp"
 #include "brunt/core/simd.hpp"
 
 namespace brunt::contact {

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "brunt/contact/constraint.hpp"
+#include "brunt/contact/data/constraint.hpp"
+#include "brunt/contact/data/history.hpp"
+#include "brunt/contact/data/options.hpp"
 #include "brunt/contact/detection/choose.hpp"
 #include "brunt/contact/detection/encounter.hpp"
 #include "brunt/contact/detection/twins.hpp"
-#include "brunt/contact/history.hpp"
-#include "brunt/contact/options.hpp"
 #include "brunt/core/ragged.hpp"
 
 namespace brunt::contact {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "brunt/contact/constraint.hpp"
+#include "brunt/contact/data/constraint.hpp"
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/core/ragged.hpp"
 

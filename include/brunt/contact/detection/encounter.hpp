@@ -10,7 +10,7 @@
 #include <numbers>
 #include <span>
 
-#include "brunt/contact/constraint.hpp"
+#include "brunt/contact/data/constraint.hpp"
 #include "brunt/geometry/box.hpp"
 #include "brunt/geometry/closest_point.hpp"
 

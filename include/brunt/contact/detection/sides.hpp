@@ -4,8 +4,8 @@
 #pragma once
 #include <span>
 
+#include "brunt/contact/data/history.hpp"
 #include "brunt/contact/detection/encounter.hpp"
-#include "brunt/contact/history.hpp"
 
 namespace brunt::contact {
 

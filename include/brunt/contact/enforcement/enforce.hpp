@@ -3,8 +3,8 @@
 #pragma once
 #include <span>
 
+#include "brunt/contact/data/options.hpp"
 #include "brunt/contact/enforcement/system.hpp"
-#include "brunt/contact/options.hpp"
 
 namespace brunt::contact {
 

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "brunt/contact/constraint.hpp"
-#include "brunt/contact/exchange.hpp"
+#include "brunt/contact/data/constraint.hpp"
+#include "brunt/contact/data/exchange.hpp"
 #include "brunt/core/binned_sum.hpp"
 
 namespace brunt::contact {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "brunt/contact/options.hpp"
+#include "brunt/contact/data/options.hpp"
 #include "brunt/core/ragged.hpp"
 #include "brunt/core/types.hpp"
 #include "brunt/mesh/local_mesh.hpp"

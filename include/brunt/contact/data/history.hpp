@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "brunt/contact/constraint.hpp"
+#include "brunt/contact/data/constraint.hpp"
 #include "brunt/core/record_table.hpp"
 
 namespace brunt::contact {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/history.hpp"
+#include "brunt/contact/data/history.hpp"
 
 #include <algorithm>
 #include <limits>
