@@ -28,7 +28,7 @@ void track_pairs(Prepared& run, contact::ContactSettings& settings) {
 
 /// How many nodes each tied pair has, among the notes of the start; none at all is a fault of the scene.
 void tell_ties(Prepared& run) {
-  const auto [nodes, beside] = run.contact->tied_nodes();
+  const auto [nodes, beside] = contact::tied_nodes(*run.contact);
   const std::size_t n = run.model.blocks.size();
   if (nodes.empty()) return;
   std::vector<std::string> faults;
@@ -116,8 +116,8 @@ void make_contact(Prepared& run) {
   std::vector<contact::ConstrainedNode> constrained;
   for (const model::ConstrainedNode& node : model.constrained) constrained.push_back({node.node, node.free});
   const std::vector<contact::Wall> walls = time::walls_at(model, run.state, 0.0);
-  run.contact = std::make_unique<contact::Contact>(run.links.ranks, model.mesh, model.in_symmetry_plane, inverse_mass,
-                                                   constrained, walls, settings);
+  run.contact = std::make_unique<contact::Contact>(contact::make_contact(
+      run.links.ranks, model.mesh, model.in_symmetry_plane, inverse_mass, constrained, walls, settings));
   tell_ties(run);
 }
 
@@ -129,7 +129,7 @@ time::StepControl step_control(const Prepared& run) {
 
 std::vector<double> save_sums(const comm::Communicator& ranks, contact::Contact& contact) {
   std::vector<GlobalIndex> limbs;
-  for_each_sum(contact.sums(), [&](comm::ExactAccumulator& sum) {
+  for_each_sum(contact.ledger.sums, [&](comm::ExactAccumulator& sum) {
     const std::span<std::int64_t> raw = sum.raw();
     limbs.insert(limbs.end(), raw.begin(), raw.end());
   });
@@ -142,13 +142,13 @@ std::vector<double> save_sums(const comm::Communicator& ranks, contact::Contact&
     std::copy_n(limbs.begin() + static_cast<std::ptrdiff_t>(first), raw.size(), raw.begin());
     for (const std::int64_t limb : whole.raw()) saved.push_back(static_cast<double>(limb));
   }
-  saved.push_back(ranks.max(contact.sums().penetration));
+  saved.push_back(ranks.max(contact.ledger.sums.penetration));
   return saved;
 }
 
 void restore_sums(const comm::Communicator& ranks, const std::vector<double>& saved, contact::Contact& contact) {
   std::size_t next = 0;
-  for_each_sum(contact.sums(), [&](comm::ExactAccumulator& sum) {
+  for_each_sum(contact.ledger.sums, [&](comm::ExactAccumulator& sum) {
     sum.clear();
     for (std::int64_t& limb : sum.raw()) {
       demand(next < saved.size(), "the sums of contact in a checkpoint are complete");
@@ -157,7 +157,7 @@ void restore_sums(const comm::Communicator& ranks, const std::vector<double>& sa
     }
   });
   demand(next + 1 == saved.size(), "the sums of contact in a checkpoint are of this scene");
-  contact.sums().penetration = saved[next];
+  contact.ledger.sums.penetration = saved[next];
 }
 
 }  // namespace brunt::app

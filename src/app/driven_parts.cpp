@@ -103,7 +103,7 @@ std::string warning_of(std::span<const double> record, const model::Model& model
 }  // namespace
 
 void DrivenParts::prepare(const contact::Contact* contact) {
-  saved_.assign(contact != nullptr && contact->may_be_driven() ? most_pairs * width : 0, 0.0);
+  saved_.assign(contact != nullptr && contact->derived.may_be_driven ? most_pairs * width : 0, 0.0);
 }
 
 double DrivenParts::largest() const {
@@ -127,7 +127,7 @@ std::vector<std::string> DrivenParts::look(const comm::Communicator& ranks, cons
   const std::size_t known = used;
   for (; used < most_pairs; ++used) {  // the earliest of those that are new, of equals the one with the lowest node
     const contact::DrivenMeeting* first = nullptr;
-    for (const contact::DrivenMeeting& meeting : contact.driven())
+    for (const contact::DrivenMeeting& meeting : contact.driven)
       if (!find(meeting) &&
           (first == nullptr || std::pair(meeting.since, meeting.slave) < std::pair(first->since, first->slave)))
         first = &meeting;
@@ -142,7 +142,7 @@ std::vector<std::string> DrivenParts::look(const comm::Communicator& ranks, cons
     std::ranges::copy(chosen, record(used).begin());
   }
   std::array<double, most_pairs> deepest{};
-  for (const contact::DrivenMeeting& meeting : contact.driven())
+  for (const contact::DrivenMeeting& meeting : contact.driven)
     if (const auto k = find(meeting)) deepest[*k] = std::max(deepest[*k], meeting.depth);
   if (used > 0) ranks.max(deepest);
   for (std::size_t k = 0; k < used; ++k) {

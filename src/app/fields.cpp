@@ -77,7 +77,7 @@ std::vector<io::StateField> contact_fields(const Prepared& run, double dt_mean) 
   for (const std::string& name : run.input.output.fields)
     if (is_contact_field(name)) {
       std::vector<double> values;  // empty without contact: zero everywhere
-      if (run.contact) values = name == "gap" ? run.contact->gaps() : run.contact->pressures(dt_mean);
+      if (run.contact) values = name == "gap" ? contact::gaps(*run.contact) : contact::pressures(*run.contact, dt_mean);
       fields.push_back(nodal(run, name, 1, [&](std::size_t i, int) { return i < values.size() ? values[i] : 0.0; }));
     }
   return fields;

@@ -70,8 +70,8 @@ model::Registry Prepared::registry() {
     registry.arrays.push_back({"contact_sums", model::StateArray::Entity::global, -1, 1,
                                static_cast<int>(contact_sums.size()), contact_sums.data(), 1, 1, 1, 0, true, true});
   }
-  if (contact && contact->remembers()) {
-    contact_history = contact->history_tables();
+  if (contact && contact->derived.remembers) {
+    contact_history = contact::history_tables(*contact);
     for (RecordTable& table : contact_history) registry.tables.push_back(&table);
   }
   registry.arrays.push_back({"extremes", model::StateArray::Entity::global, -1, 1, extremes_width,
@@ -88,9 +88,9 @@ model::Registry Prepared::registry() {
 
 void Prepared::after_restart() {
   time::update_positions(model, state);
-  if (contact) driven.start_clock(state.time - contact->clock());
+  if (contact) driven.start_clock(state.time - contact->ledger.clock);
   if (contact) restore_sums(links.ranks, contact_sums, *contact);
-  if (contact && contact->remembers()) contact->restore_history(contact_history);
+  if (contact && contact->derived.remembers) contact::restore_history(contact_history, *contact);
 }
 
 void begin_run(Prepared& run) {

@@ -174,7 +174,7 @@ void Results::seal() {
       ranks.sum(static_cast<GlobalIndex>(model::hash_of_rank(run_.registry(), ranks.is_root()))));
   steps_ = run_.state.step;
   end_time_ = run_.state.time;
-  if (run_.contact) contact_ = run_.contact->statistics();
+  if (run_.contact) contact_ = run_.contact->ledger.statistics;
 }
 
 void Results::write_summary(const std::string& stopped_by, int exit_code, double wall_seconds, const LoopCost& cost) {

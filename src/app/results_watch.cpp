@@ -20,7 +20,7 @@ namespace {
 std::string where_friction_gives(const Prepared& run) {
   if (!run.contact) return "";
   const comm::Communicator& ranks = run.links.ranks;
-  const contact::RubbingRow here = run.contact->most_given_by_friction();
+  const contact::RubbingRow here = contact::most_given_by_friction(*run.contact);
   const bool any = here.slave_gid != no_index;
   const double least = ranks.min(any ? here.work : std::numeric_limits<double>::infinity());
   const bool least_here = any && here.work == least;
@@ -59,7 +59,7 @@ void Results::watch(const time::Ledger& ledger, double time) {
   last_ledger_ = ledger;
   observe(ledger, run_.extremes);
   const double rounding =
-      rounding_energy(ledger.mass, extent_, run_.contact ? run_.contact->surface().mean_edge : 0.0, run_.state.dt);
+      rounding_energy(ledger.mass, extent_, run_.contact ? run_.contact->surface.mean_edge : 0.0, run_.state.dt);
   const std::string growth = energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding);
   for (const Finding& finding : judge(ledger, run_.extremes, rounding, run_.overlaps.recovered)) {
     bool& told = told_[static_cast<std::size_t>(finding.fault)];

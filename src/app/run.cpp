@@ -241,14 +241,14 @@ class Loop {
 
   /// Tells the first step of which contact was left unfinished; the summary counts them all.
   void watch_iterations() {
-    if (!run_.contact || told_limit_ || run_.contact->statistics().steps_at_limit == 0) return;
+    if (!run_.contact || told_limit_ || run_.contact->ledger.statistics.steps_at_limit == 0) return;
     told_limit_ = true;
     const contact::EnforcementSettings& settings = run_.model.contact.enforcement;
     log_.warning(fmt::format(
         "contact: the iteration of step {} (t = {:g}) ended at max_iterations {} with a residual of {}, above the "
         "tolerance of {:g}: what is left may disturb the motion; raise max_iterations in contact (told once)",
         static_cast<GlobalIndex>(run_.state.step) - 1, run_.state.time_before, settings.max_iterations,
-        told_from(run_.contact->statistics().last.residual, settings.tolerance), settings.tolerance));
+        told_from(run_.contact->ledger.statistics.last.residual, settings.tolerance), settings.tolerance));
   }
 
   [[noreturn]] void stop_for_element(const time::StepReport& step) {
@@ -306,7 +306,7 @@ void announce(const Prepared& run, Log& log) {
 
 void tell_iterations(const Prepared& run, Log& log) {
   if (!run.contact) return;
-  const contact::ContactStatistics& contact = run.contact->statistics();
+  const contact::ContactStatistics& contact = run.contact->ledger.statistics;
   if (contact.steps_at_limit > 0)
     log.line(
         fmt::format("contact: {} of {} steps with contact ended at max_iterations {}, with residuals of {:.2g} at most",

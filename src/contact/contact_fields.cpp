@@ -4,27 +4,57 @@
 #include <cmath>
 
 #include "brunt/contact/contact.hpp"
+#include "slave.hpp"
 
 namespace brunt::contact {
+namespace {
 
-std::vector<double> Contact::pressures(double dt) const {
-  std::vector<double> pressure(surface_node_count(), 0.0), pushes(pressure.size(), 0.0), count(pressure.size(), 0.0);
+/// Local nodes of the mesh up to the last one on the surface.
+std::size_t surface_node_count(const Surface& surface) {
+  return surface.model_node.empty() ? 0 : static_cast<std::size_t>(surface.model_node.back()) + 1;
+}
+
+std::size_t model_slave(const Contact& contact, const Row& row) {
+  return static_cast<std::size_t>(contact.surface.model_node[static_cast<std::size_t>(surface_slave(contact, row))]);
+}
+
+}  // namespace
+
+double area_of_slave(const Contact& contact, const Row& row) {
+  const Candidates& candidates = contact.lists.candidates;
+  const auto slave = std::ranges::lower_bound(candidates.slave, row.nodes[0]) - candidates.slave.begin();
+  double area = 0;
+  for (const LocalIndex facet : candidates.slave_facets.row(static_cast<LocalIndex>(slave)))
+    area += std::max(0.0, -row.normal.dot(contact.step.facet_area[static_cast<std::size_t>(facet)]));
+  return area;
+}
+
+std::vector<double> pressures(const Contact& contact, double dt) {
+  const std::vector<Row>& rows = contact.step.rows;
+  const std::vector<Vec3>& impulses = contact.step.impulses;
+  const bool two_passes = contact.derived.two_passes;
+  std::vector<double> pressure(surface_node_count(contact.surface), 0.0), pushes(pressure.size(), 0.0),
+      count(pressure.size(), 0.0);
   if (!(dt > 0)) return pressure;
   std::vector<Vec3> given(pressure.size(), Vec3::Zero());  // by the other bodies
-  if (two_passes_) add_impulses(given);
-  for (std::size_t q = 0; q < rows_.size(); ++q) {
-    if (rows_[q].is_wall()) given[model_node_of(rows_[q])] -= impulses_[q];
-    if (rows_[q].is_wall() || rows_[q].is_edge()) continue;
-    pushes[model_node_of(rows_[q])] += rows_[q].normal.dot(impulses_[q]);
-    count[model_node_of(rows_[q])] += 1;
+  if (two_passes) add_impulses(contact, given);
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    if (rows[q].is_edge()) continue;
+    const std::size_t node = model_slave(contact, rows[q]);
+    if (rows[q].is_wall()) {
+      given[node] -= impulses[q];
+      continue;
+    }
+    pushes[node] += rows[q].normal.dot(impulses[q]);
+    count[node] += 1;
   }
-  for (std::size_t q = 0; q < rows_.size(); ++q) {
-    const Row& row = rows_[q];
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    const Row& row = rows[q];
     if (row.is_wall() || row.is_edge()) continue;
-    const std::size_t node = model_node_of(row);
-    const double area = area_of_slave(row);
-    double push = row.normal.dot(impulses_[q]);
-    if (two_passes_) {  // the rows that it is a master's corner of push a node as well, or alone
+    const std::size_t node = model_slave(contact, row);
+    const double area = area_of_slave(contact, row);
+    double push = row.normal.dot(impulses[q]);
+    if (two_passes) {  // the rows that it is a master's corner of push a node as well, or alone
       const double share = pushes[node] > 0 ? push / pushes[node] : 1 / count[node];
       push = share * std::max(0.0, row.normal.dot(given[node]));
     }
@@ -33,25 +63,16 @@ std::vector<double> Contact::pressures(double dt) const {
   return pressure;
 }
 
-std::vector<double> Contact::gaps() const {
-  std::vector<double> gap(surface_node_count(), 0.0);
+std::vector<double> gaps(const Contact& contact) {
+  std::vector<double> gap(surface_node_count(contact.surface), 0.0);
   std::vector<char> seen(gap.size(), 0);
-  for (const Row& row : rows_) {
+  for (const Row& row : contact.step.rows) {
     if (row.is_edge()) continue;
-    const std::size_t node = model_node_of(row);
+    const std::size_t node = model_slave(contact, row);
     gap[node] = seen[node] ? std::min(gap[node], row.gap) : row.gap;
     seen[node] = 1;
   }
   return gap;
-}
-
-std::size_t Contact::surface_node_count() const {
-  return surface_.model_node.empty() ? 0 : static_cast<std::size_t>(surface_.model_node.back()) + 1;
-}
-
-std::size_t Contact::model_node_of(const Row& row) const {
-  const LocalIndex surface_node = lists_.nodes.surface_node[static_cast<std::size_t>(row.nodes[0])];
-  return static_cast<std::size_t>(surface_.model_node[static_cast<std::size_t>(surface_node)]);
 }
 
 }  // namespace brunt::contact

@@ -49,38 +49,41 @@ std::vector<Record> fetch(const comm::Communicator& ranks, const std::vector<Rec
 
 }  // namespace
 
-HistoryTables Contact::history_tables() const {
+HistoryTables history_tables(const Contact& contact) {
   HistoryTables tables;
-  to_tables(history_, tables);
+  to_tables(contact.history, tables);
   return tables;
 }
 
-void Contact::restore_history(const HistoryTables& tables) {
+void restore_history(const HistoryTables& tables, Contact& contact) {
+  const Surface& surface = contact.surface;
+  const Rank here = contact.ranks.rank();
+  History& history = contact.history;
   const History loose = from_tables(tables);
-  const std::vector<GlobalIndex> slaves = slaves_here(surface_, ranks_.rank());
-  history_.pairs = fetch(ranks_, loose.pairs, slaves);
-  history_.anchors = fetch(ranks_, loose.anchors, slaves);
-  history_.limits = fetch(ranks_, loose.limits, slaves);
+  const std::vector<GlobalIndex> slaves = slaves_here(surface, here);
+  history.pairs = fetch(contact.ranks, loose.pairs, slaves);
+  history.anchors = fetch(contact.ranks, loose.anchors, slaves);
+  history.limits = fetch(contact.ranks, loose.limits, slaves);
   const auto owns = [&](GlobalIndex gid) {
-    const auto found = std::ranges::lower_bound(surface_.gid, gid);
-    return found != surface_.gid.end() && *found == gid &&
-           surface_.owns(static_cast<LocalIndex>(found - surface_.gid.begin()), ranks_.rank());
+    const auto found = std::ranges::lower_bound(surface.gid, gid);
+    return found != surface.gid.end() && *found == gid &&
+           surface.owns(static_cast<LocalIndex>(found - surface.gid.begin()), here);
   };
   const auto ends = [&](const SurfaceEdge& edge) {
-    return std::array{surface_.gid[static_cast<std::size_t>(edge.nodes[0])],
-                      surface_.gid[static_cast<std::size_t>(edge.nodes[1])]};
+    return std::array{surface.gid[static_cast<std::size_t>(edge.nodes[0])],
+                      surface.gid[static_cast<std::size_t>(edge.nodes[1])]};
   };
   const auto belongs_elsewhere = [&](const auto& record) {
     const GlobalIndex slave = record.key.slave_gid, second = record.key.slave_second;
     return second == no_index ? !owns(slave)
-                              : !std::ranges::binary_search(surface_.edges, std::array{slave, second}, {}, ends);
+                              : !std::ranges::binary_search(surface.edges, std::array{slave, second}, {}, ends);
   };
-  std::erase_if(history_.pairs, belongs_elsewhere);
-  std::erase_if(history_.anchors, belongs_elsewhere);
-  std::erase_if(history_.limits, belongs_elsewhere);
-  std::ranges::sort(history_.pairs, {}, &HistoryRecord::key);
-  std::ranges::sort(history_.anchors, {}, &AnchorRecord::key);
-  std::ranges::sort(history_.limits, {}, &LimitRecord::key);
+  std::erase_if(history.pairs, belongs_elsewhere);
+  std::erase_if(history.anchors, belongs_elsewhere);
+  std::erase_if(history.limits, belongs_elsewhere);
+  std::ranges::sort(history.pairs, {}, &HistoryRecord::key);
+  std::ranges::sort(history.anchors, {}, &AnchorRecord::key);
+  std::ranges::sort(history.limits, {}, &LimitRecord::key);
 }
 
 }  // namespace brunt::contact

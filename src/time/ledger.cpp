@@ -94,10 +94,10 @@ void add_elements(const model::Model& model, const model::State& state, Sums& su
 
 /// What contact and walls have taken, half of the last step's impulses not counted.
 void add_contact(const Links& links, const contact::Contact& contact, Ledger& result) {
-  result.contact_totals = contact.collect();
+  result.contact_totals = contact::collect(contact);
   const contact::ContactTotals& totals = result.contact_totals;
   contact::WorkSums late_half;
-  contact.add_second_half(late_half);
+  contact::add_second_half(contact, late_half);
   std::array<comm::ExactAccumulator, 4> sums{late_half.contact, late_half.friction, late_half.walls, late_half.ties};
   std::array<double, 4> half{};
   comm::exact_sum(links.ranks, sums, half);

@@ -79,20 +79,24 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
   place_walls(model, state, state.time + 0.5 * dt, links.walls);
   constexpr int line = sizeof(model::NodeLine) / sizeof(double);
   auto* nodes = reinterpret_cast<double*>(state.nodes.data());
-  const contact::VectorView position{nodes, line}, predicted{nodes + 4, line};
-  const contact::VectorView before{reinterpret_cast<const double*>(scratch.before.data()), 3};
+  const contact::StepInput input{.position = {nodes, line},
+                                 .old_velocity = {reinterpret_cast<const double*>(scratch.before.data()), 3},
+                                 .velocity = {nodes + 4, line},
+                                 .walls = links.walls,
+                                 .dt = dt,
+                                 .mobility_scale = 1 / (1 + step.drag())};
   {
     const auto timed = links.timers.measure(Phase::search);
     links.ranks.max(velocities);
-    contact.search(position, predicted, links.walls, dt, velocities);
+    contact::search(contact, input, velocities);
   }
   const auto timed = links.timers.measure(Phase::enforcement);
-  contact.correct(position, before, {nodes + 4, line}, links.walls, dt, 1 / (1 + step.drag()));
+  contact::correct(contact, input);
   if (scratch.contact_impulse.empty()) return;
   // what contact pushes into held directions goes to whatever holds them
   for (const model::ConstrainedNode& constrained : model.constrained)
     scratch.contact_impulse[static_cast<std::size_t>(constrained.node)].setZero();
-  contact.add_impulses(scratch.contact_impulse);
+  contact::add_impulses(contact, scratch.contact_impulse);
   for (std::size_t k = 0; k < model.constrained.size(); ++k) {
     const model::ConstrainedNode& constrained = model.constrained[k];
     const Vec3& impulse = scratch.contact_impulse[static_cast<std::size_t>(constrained.node)];

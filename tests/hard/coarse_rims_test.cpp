@@ -94,9 +94,11 @@ TEST_CASE("a coarse punch, tilted a little, is pressed into a finer block: its r
     if (std::fmod(scene.state.step, 50) == 0) least = std::min(least, least_height(scene, rims, top));
   }
   const double element = size / across, work = scene.ledger().external;
-  CAPTURE(across, friction, law, least / element, scene.contact->collect().penetration / element, contact.given / work);
+  CAPTURE(across, friction, law, least / element, contact::collect(*scene.contact).penetration / element,
+          contact.given / work);
   CHECK(least >= -deepest * element);
-  CHECK(scene.contact->collect().penetration >= -0.8 * least);  // what there is, is told (along normals, not upright)
+  CHECK(contact::collect(*scene.contact).penetration >=
+        -0.8 * least);  // what there is, is told (along normals, not upright)
   CHECK(contact.given <= given * work);
   CHECK(contact.most > 0);
 }

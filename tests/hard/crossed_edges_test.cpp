@@ -32,7 +32,7 @@ TEST_CASE("elastic bars that meet edge on edge: the iteration finds the rows tha
     contact.look(lost_in_contact(scene));
     energy = std::max(energy, scene.ledger().kinetic);
   }
-  const contact::ContactStatistics& found = scene.contact->statistics();
+  const contact::ContactStatistics& found = scene.contact->ledger.statistics;
   const double mean = static_cast<double>(found.iterations) / static_cast<double>(found.solved_steps);
   CAPTURE(fine, across, mean, found.most_iterations, contact.given / energy);
   CHECK(found.solved_steps > 20);

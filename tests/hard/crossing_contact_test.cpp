@@ -62,7 +62,7 @@ TEST_CASE("crossed bars meet in time where no node is near a face, at 90 degrees
     double least = gap, found = -1, arrival = gap / speed;
     for (int step = 0; step < 400; ++step) {
       scene.step();
-      const contact::ContactTotals totals = scene.contact->collect();
+      const contact::ContactTotals totals = contact::collect(*scene.contact);
       if (totals.active > 0 && found < 0) found = scene.state.time;
       const double low = height_at_crossing(scene, 0, nodes, 1), high = height_at_crossing(scene, nodes, 2 * nodes, -1);
       least = std::min(least, high - low);
@@ -113,7 +113,7 @@ Collision cross_short_bars(double degrees, int across, int low_along, int top_al
   Collision result;
   while (scene.state.time < 9e-4) {
     scene.step();
-    const contact::ContactTotals totals = scene.contact->collect();
+    const contact::ContactTotals totals = contact::collect(*scene.contact);
     result.active_last = totals.active;
     result.deepest = totals.penetration;
     result.least_taken = std::min(result.least_taken, totals.contact_work);

@@ -25,7 +25,7 @@ GlobalIndex pairs_of_flat_bars(const std::string& between) {
                   "contact: [{between: " +
                       between + "}]\n");
   bars.step();
-  return bars.contact->collect().pairs;
+  return contact::collect(*bars.contact).pairs;
 }
 
 struct Crush {
@@ -50,11 +50,11 @@ Crush crush_ring(const contact::Rebuild& rebuild) {
   for (int step = 0; step < 2500; ++step) {
     ring.step();
     if (step == 0) crush.kinetic_at_start = ring.ledger().kinetic;
-    crush.most_active = std::max(crush.most_active, ring.contact->collect().active);
+    crush.most_active = std::max(crush.most_active, contact::collect(*ring.contact).active);
   }
   for (LocalIndex node = 0; node < ring.nodes(); ++node) crush.positions.push_back(ring.position(node));
-  crush.searches = ring.contact->statistics().searches;
-  crush.penetration = ring.contact->collect().penetration;
+  crush.searches = ring.contact->ledger.statistics.searches;
+  crush.penetration = contact::collect(*ring.contact).penetration;
   crush.taken = ring.ledger().contact_totals.contact_work;
   return crush;
 }

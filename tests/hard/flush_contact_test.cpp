@@ -58,7 +58,7 @@ TEST_CASE("flat on flat: gaps at rounding give one total force, and every node h
           momentum.push_back(momentum_of(scene, 0, low_nodes).z());
           if (step > 0) continue;
           std::map<GlobalIndex, int> rows_of;
-          for (const contact::Row& row : scene.contact->rows())
+          for (const contact::Row& row : scene.contact->step.rows)
             if (!row.is_edge()) ++rows_of[row.slave_gid];               // rims hang over faces, open
           CHECK(rows_of.size() == 16 + (passes == "one" ? 0 : below));  // its foot: the upper block is the lighter
           for (const auto& [gid, count] : rows_of) CHECK(count == 1);
@@ -160,8 +160,8 @@ TEST_CASE("bodies that share one node, and a T of plates that share one line: no
     for (int step = 0; step < 200; ++step) {
       scene.step();
       if (step == 0) start = scene.ledger().total();
-      if (step == 0) CHECK(scene.contact->rows().empty());
-      for (const contact::Row& row : scene.contact->rows())
+      if (step == 0) CHECK(scene.contact->step.rows.empty());
+      for (const contact::Row& row : scene.contact->step.rows)
         for (LocalIndex i = 1; i < row.node_count; ++i) CHECK(row.nodes[0] != row.nodes[static_cast<std::size_t>(i)]);
     }
     CHECK(start > 0);

@@ -25,7 +25,7 @@ struct GivenBack {
 
 /// Taken for good.
 inline double lost_in_contact(Simulation& scene) {
-  return scene.ledger().contact - scene.contact->collect().stored;
+  return scene.ledger().contact - contact::collect(*scene.contact).stored;
 }
 
 /// Steps on until `end` [time], and looks after each step.

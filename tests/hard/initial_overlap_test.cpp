@@ -47,7 +47,7 @@ Parting let_apart(Simulation& run, int steps) {
       parting.fastest = std::max(parting.fastest, run.velocity(node).norm());
   }
   parting.apart = true;
-  for (const contact::Row& row : run.contact->rows()) parting.apart = parting.apart && row.gap > 0;
+  for (const contact::Row& row : run.contact->step.rows) parting.apart = parting.apart && row.gap > 0;
   return parting;
 }
 

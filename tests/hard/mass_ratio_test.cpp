@@ -71,7 +71,7 @@ Meeting meet(const Bodies& b, double time) {
     result.deepest = std::max(result.deepest, highest - lowest);
     result.last = std::abs(sum.z()) / mass;
     result.fastest = std::max(result.fastest, result.last);
-    const contact::ContactTotals totals = scene.contact->collect();
+    const contact::ContactTotals totals = contact::collect(*scene.contact);
     result.rows = totals.penetration;
     result.most = std::max(result.most, totals.active);
     result.active_last = totals.active;

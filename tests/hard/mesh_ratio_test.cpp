@@ -40,7 +40,7 @@ Landing land(int along, double size, const std::string& rule, bool plate_moves, 
   Landing landing;
   while (scene.state.time < time) {
     scene.step();
-    const contact::ContactTotals totals = scene.contact->collect();
+    const contact::ContactTotals totals = contact::collect(*scene.contact);
     landing.active = std::max(landing.active, totals.active);
     landing.rows = totals.penetration;
     landing.pairs_a_node = std::max(landing.pairs_a_node,

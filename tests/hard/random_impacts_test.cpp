@@ -106,7 +106,7 @@ Impact impact(unsigned seed, const std::string& passes) {
 
 double deepest_row(const contact::Contact& contact) {
   double deepest = 0;
-  for (const contact::Row& row : contact.rows())
+  for (const contact::Row& row : contact.step.rows)
     if (!row.is_wall()) deepest = std::max(deepest, -row.gap);
   return deepest;
 }
@@ -124,7 +124,7 @@ TEST_CASE("random impacts: no penetration is reported that is not there, hardly 
       Vec3 momentum = Vec3::Zero();
       while (scene.state.time < now.end) {
         for (Skin& skin : skins)
-          if (!scene.contact->rows().empty())
+          if (!scene.contact->step.rows.empty())
             skin.move([&](LocalIndex node) { return scene.position(scene.node(node)); });
         scene.step();
         const double depth = deepest_row(*scene.contact);

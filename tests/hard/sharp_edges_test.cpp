@@ -29,7 +29,7 @@ Deepest run(Simulation& scene, double end) {
   double start = 0;
   while (scene.state.time < end) {
     scene.step();
-    const double depth = scene.contact->collect().penetration;
+    const double depth = contact::collect(*scene.contact).penetration;
     deepest.sudden = std::max(deepest.sudden, depth - deepest.depth);
     deepest.depth = std::max(deepest.depth, depth);
     const time::Ledger now = scene.ledger();

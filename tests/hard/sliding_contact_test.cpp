@@ -89,13 +89,13 @@ TEST_CASE("a wedge of 30 degrees falls into a groove of 60 degrees and settles a
       std::set<GlobalIndex> faces;
       const LocalIndex lowest = scene.node(bottom);
       const GlobalIndex gid = scene.model.mesh.node_gid[static_cast<std::size_t>(lowest)];
-      for (std::size_t q = 0; q < scene.contact->rows().size(); ++q)
-        if (scene.contact->rows()[q].slave_gid == gid && !scene.contact->impulses()[q].isZero(0))
-          faces.insert(scene.contact->rows()[q].master_key);
+      for (std::size_t q = 0; q < scene.contact->step.rows.size(); ++q)
+        if (scene.contact->step.rows[q].slave_gid == gid && !scene.contact->step.impulses[q].isZero(0))
+          faces.insert(scene.contact->step.rows[q].master_key);
       if (scene.state.time > 2) {
         double up = 0;
-        for (std::size_t q = 0; q < scene.contact->rows().size(); ++q)
-          up += scene.contact->impulses()[q].z() / scene.report.dt_mean;
+        for (std::size_t q = 0; q < scene.contact->step.rows.size(); ++q)
+          up += scene.contact->step.impulses[q].z() / scene.report.dt_mean;
         force += up;
         square += up * up;
         ++count;
@@ -142,10 +142,10 @@ TEST_CASE("small bodies slide over a faceted valley of facets ten times their si
   for (int step = 0; step < 2500; ++step) {
     points.step(contact, dt);
     force.push_back(0);
-    for (std::size_t q = 0; q < contact.rows().size(); ++q) {
-      const contact::Row& row = contact.rows()[q];
-      if (contact.impulses()[q].isZero(0)) continue;
-      if (row.slave_gid < 88) force.back() += contact.impulses()[q].dot(row.normal) / dt;
+    for (std::size_t q = 0; q < contact.step.rows.size(); ++q) {
+      const contact::Row& row = contact.step.rows[q];
+      if (contact.step.impulses[q].isZero(0)) continue;
+      if (row.slave_gid < 88) force.back() += contact.step.impulses[q].dot(row.normal) / dt;
       auto& faces = ridden[row.slave_gid];
       if (faces.empty() || faces.back() != row.master_key) faces.push_back(row.master_key);
     }
@@ -214,7 +214,7 @@ TEST_CASE("a C whose arms are thrown at each other closes and does not pass thro
   double least = 1, active = 0;
   for (int step = 0; step < 600; ++step) {
     scene.step();
-    active = std::max(active, static_cast<double>(scene.contact->collect().active));
+    active = std::max(active, static_cast<double>(contact::collect(*scene.contact).active));
     for (const LocalIndex upper : over)
       for (LocalIndex n = 0; n < scene.nodes(); ++n) {
         const Vec3 x = scene.model.mesh.coordinates[static_cast<std::size_t>(n)];

@@ -53,7 +53,7 @@ Slid slide(const Slide& scene_of) {
                                         std::to_string(scene_of.friction) + "}]\n");
   const double energy = 0.5 * density * side * side * side * speed * speed;
   const GivenBack contact = test::run_until(scene, 0.015);
-  return {contact.given / energy, scene.contact->collect().penetration};
+  return {contact.given / energy, contact::collect(*scene.contact).penetration};
 }
 
 }  // namespace
@@ -93,5 +93,5 @@ TEST_CASE("a round steel peg that drifts is driven through a hole: contact gives
   CAPTURE(across, contact.given / energy, contact.most / energy);
   CHECK(contact.given <= 1e-2 * energy);  // seen: 5e-6, 4e-3, 9e-6; without 0.16 to 0.47
   CHECK(contact.most > 1e-5 * energy);    // they met
-  CHECK(scene.contact->collect().penetration <= 2e-5);
+  CHECK(contact::collect(*scene.contact).penetration <= 2e-5);
 }

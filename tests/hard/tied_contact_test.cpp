@@ -45,8 +45,8 @@ Seen swing(Simulation& pair) {
   while (pair.state.time < 4e-4) {
     pair.step();
     std::size_t pushes = 0;
-    for (std::size_t q = 0; q < pair.contact->rows().size(); ++q)
-      if (!std::isinf(pair.contact->rows()[q].friction) && !pair.contact->impulses()[q].isZero(0)) ++pushes;
+    for (std::size_t q = 0; q < pair.contact->step.rows.size(); ++q)
+      if (!std::isinf(pair.contact->step.rows[q].friction) && !pair.contact->step.impulses[q].isZero(0)) ++pushes;
     seen.pushes = std::max(seen.pushes, pushes);
     double top = 0;  // of the base's far edge, which gives way under the blow
     for (GlobalIndex input = 0; input < 50; ++input)
@@ -108,8 +108,8 @@ TEST_CASE("tied strips hold each other across the normal whoever is held along i
 TEST_CASE("nodes that are not tied make contact under general contact, and none where it excludes the pair") {
   Simulation held = swinging_plate("{between: all}");
   const Seen contact = swing(held);
-  CHECK(contact.pushes >= 9);                          // the far edge of the plate at least
-  CHECK(held.contact->collect().penetration <= 1e-4);  // of nodes in contact: a hundredth of an element
+  CHECK(contact.pushes >= 9);                                  // the far edge of the plate at least
+  CHECK(contact::collect(*held.contact).penetration <= 1e-4);  // of nodes in contact: a hundredth of an element
   Simulation loose = swinging_plate("{between: all, exclude: [[base, plate]]}");
   const Seen alone = swing(loose);
   CHECK(alone.pushes == 0);

@@ -60,8 +60,8 @@ TEST_CASE("tied boxes between planes of symmetry are solved in few iterations, a
   CAPTURE(upper[0], lateral, degrees, load);
   Simulation boxes = tied_boxes({upper, lateral, degrees, load});
   boxes.steps(60);
-  CHECK(boxes.contact->statistics().most_iterations <= 10);
-  CHECK(boxes.contact->statistics().steps_at_limit == 0);
+  CHECK(boxes.contact->ledger.statistics.most_iterations <= 10);
+  CHECK(boxes.contact->ledger.statistics.steps_at_limit == 0);
 }
 
 // More rows than the free side has directions: at rest they ask for the rounding of positions, which contradicts
@@ -79,6 +79,6 @@ TEST_CASE("a finer part that is held and tied to a free one asks for nothing at 
                    "fixed: [{part: b, dofs: [x, y, z]}]\n"
                    "contact: [{between: [a, b], tied: true, slave: b}]\n");
   boxes.steps(60);
-  CHECK(boxes.contact->statistics().steps_at_limit == 0);
-  CHECK(boxes.contact->statistics().most_iterations <= 10);
+  CHECK(boxes.contact->ledger.statistics.steps_at_limit == 0);
+  CHECK(boxes.contact->ledger.statistics.most_iterations <= 10);
 }

@@ -95,7 +95,7 @@ Sunk cubes(int lower, int upper, double speed, const std::string& rule, const st
   sunk.depth /= edge;
   sunk.least = contact.least / start;
   sunk.given = contact.given / start;
-  sunk.rows = scene.contact->collect().penetration / edge;
+  sunk.rows = contact::collect(*scene.contact).penetration / edge;
   return sunk;
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("a rubber cube pressed on another one in two passes: contact gives non
   CAPTURE(upper, contact.now / work, contact.given / work);
   CHECK(work > 1);
   CHECK(contact.given <= 1e-3 * work);  // seen: 5e-4 and 3e-4; the mean of two solutions gave 6e-3 and 2e-3
-  CHECK(scene.contact->collect().penetration <= 0.06 * lower / 3);
+  CHECK(contact::collect(*scene.contact).penetration <= 0.06 * lower / 3);
 }
 
 // Two passes of blocks askew hold more rows than their faces have freedom; soft rows are held in as many iterations on
@@ -176,7 +176,7 @@ TEST_CASE("steel blocks turned against each other: iterations do not grow with t
                      "initial: [{part: upper, velocity: [10, 0, -40]}]\n"
                      "contact: [{between: [lower, upper], passes: two}]\n");
     while (scene.state.time < 6e-6) scene.step();
-    const contact::ContactStatistics& seen = scene.contact->statistics();
+    const contact::ContactStatistics& seen = scene.contact->ledger.statistics;
     CHECK(seen.steps_at_limit == 0);
     return Seen{static_cast<double>(seen.iterations) / static_cast<double>(seen.solved_steps), seen.most_iterations};
   };
@@ -210,7 +210,7 @@ TEST_CASE("two blocks pressed six times in two passes: contact gives nothing on 
   while (scene.state.time < 5e-4) {
     scene.step();
     stored = std::max(stored, scene.ledger().internal);
-    soft = std::max(soft, scene.contact->collect().stored);
+    soft = std::max(soft, contact::collect(*scene.contact).stored);
     whole.look(scene.ledger().contact);
     lost.look(lost_in_contact(scene));
   }
@@ -242,7 +242,7 @@ TEST_CASE("steel blocks turned against each other: iterations of two passes") {
                    "initial: [{part: upper, velocity: [0, 0, -20]}]\n"
                    "contact: [{between: all, passes: two, softness: 0}]\n");
   while (scene.state.time < 3e-5) scene.step();  // they part after 2e-5 s
-  const contact::ContactStatistics& seen = scene.contact->statistics();
+  const contact::ContactStatistics& seen = scene.contact->ledger.statistics;
   const double mean = static_cast<double>(seen.iterations) / static_cast<double>(seen.solved_steps);
   CAPTURE(gate.lower, gate.upper, gate.degrees, mean, seen.most_iterations, seen.solved_steps);
   CHECK(seen.solved_steps >= 15);
@@ -268,7 +268,7 @@ TEST_CASE("a rubber shaft turns in a steel tube in two passes: every step is sol
                    "initial: [{part: shaft, rotation: {axis: [0, 0, 1], rate: 200}}]\n"
                    "contact: [{between: [tube, shaft], passes: two, max_iterations: 30, softness: 0}]\n");
   const GivenBack contact = run_until(scene, 5e-3);
-  const contact::ContactStatistics& seen = scene.contact->statistics();
+  const contact::ContactStatistics& seen = scene.contact->ledger.statistics;
   CAPTURE(seen.most_iterations, seen.largest_residual, contact.given / scene.ledger().kinetic);
   CHECK(seen.most_iterations > 15);  // some step is handed over
   CHECK(seen.steps_at_limit == 0);

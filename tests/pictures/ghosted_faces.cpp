@@ -20,7 +20,7 @@ namespace {
 void write_faces(const comm::Communicator& ranks, const std::string& folder, const std::string& scene,
                  const std::vector<std::string>& overrides) {
   const std::unique_ptr<app::Prepared> run = app::prepare(ranks, scene, overrides);
-  const contact::Surface& surface = run->contact->surface();
+  const contact::Surface& surface = run->contact->surface;
   const contact::PairTable pairs = app::pair_table(run->model.contact, run->model.blocks.size());
   const contact::Roles roles = contact::roles_of(surface.bodies, pairs);
   const contact::ContactSettings settings;

@@ -35,16 +35,18 @@ struct MassPoints {
     const std::vector<char> excluded(mesh.faces.size(), 0);
     if (settings.bodies && settings.pairs.block_count() == 0)
       settings.pairs = contact::PairTable(4, contact::PairRule::automatic);
-    return {ranks, mesh, excluded, inverse_mass, constrained, walls, std::move(settings)};
+    return contact::make_contact(ranks, mesh, excluded, inverse_mass, constrained, walls, std::move(settings));
   }
 
   void step(contact::Contact& contact, double dt) {
     const std::vector<Vec3> old = v;
-    const contact::VectorView position{reinterpret_cast<const double*>(x.data())},
-        before{reinterpret_cast<const double*>(old.data())};
-    const contact::MutableVectorView after{reinterpret_cast<double*>(v.data())};
-    contact.search(position, before, walls, dt, velocities(old));
-    contact.correct(position, before, after, walls, dt);
+    const contact::StepInput input{.position = {reinterpret_cast<const double*>(x.data())},
+                                   .old_velocity = {reinterpret_cast<const double*>(old.data())},
+                                   .velocity = {reinterpret_cast<double*>(v.data())},
+                                   .walls = walls,
+                                   .dt = dt};
+    contact::search(contact, input, velocities(old));
+    contact::correct(contact, input);
     x_before = x;
     dt_before = dt;
     for (std::size_t n = 0; n < x.size(); ++n) x[n] += dt * v[n];

@@ -32,8 +32,9 @@ std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation, con
   for (const model::NodeLine& node : simulation.state.nodes) inverse_mass.push_back(1.0 / node.mass);
   std::vector<contact::ConstrainedNode> constrained;
   for (const model::ConstrainedNode& node : model.constrained) constrained.push_back({node.node, node.free});
-  return std::make_unique<contact::Contact>(simulation.links.ranks, model.mesh, model.in_symmetry_plane, inverse_mass,
-                                            constrained, time::walls_at(model, simulation.state, 0.0), settings);
+  return std::make_unique<contact::Contact>(
+      contact::make_contact(simulation.links.ranks, model.mesh, model.in_symmetry_plane, inverse_mass, constrained,
+                            time::walls_at(model, simulation.state, 0.0), settings));
 }
 
 }  // namespace

@@ -47,11 +47,11 @@ TEST_CASE("a step with contact and a wall allocates nothing between rebuilds of 
                        "contact: [{between: all}]\n");
   int quiet_steps = 0, solved_steps = 0;
   for (int i = 0; i < 60; ++i) {
-    const contact::ContactStatistics before = run.contact->statistics();
+    const contact::ContactStatistics before = run.contact->ledger.statistics;
     const long start = test::allocations;
     run.step();
     const long made = test::allocations - start;
-    const contact::ContactStatistics& after = run.contact->statistics();
+    const contact::ContactStatistics& after = run.contact->ledger.statistics;
     if (i < 2 || after.searches != before.searches) continue;
     CHECK(made == 0);
     ++quiet_steps;

@@ -65,7 +65,7 @@ Carried carried(Simulation& s, double alpha, bool off) {
   for (int i = 0; i < 20; ++i) {
     s.step(dt);
     time += dt;
-    s.contact->add_impulses(given);
+    contact::add_impulses(*s.contact, given);
   }
   const time::Ledger after = s.ledger();
   for (LocalIndex i = 0; i < s.nodes(); ++i) weight += 9.81 * s.mass(i);

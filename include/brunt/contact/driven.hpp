@@ -15,7 +15,7 @@ struct DrivenMeeting {
   static constexpr double share = 0.01;
 
   std::int32_t slave_block = 0, master_block = 0;  ///< for wall w: -1 - w
-  double since = 0;                                ///< Contact::clock when it was first so deep [time]
+  double since = 0;                                ///< ContactLedger::clock when it was first so deep [time]
   GlobalIndex slave = no_index;                    ///< gid
   std::array<GlobalIndex, 4> corners{no_index, no_index, no_index, no_index};  ///< gids of the face; none of a wall
   std::array<double, 4> weights{};                                             ///< of the corners, sum 1

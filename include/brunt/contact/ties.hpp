@@ -27,6 +27,19 @@ struct Tie {
   double height = 0;                    ///< over the point that they name, along the face's area vector [length]
 };
 
+/// The ties of a run, of slaves owned here.
+struct TiedParts {
+  std::vector<Tie> ties;                  ///< in ascending order of their slaves
+  std::vector<Lever> levers;              ///< one a tie, of the last step
+  std::vector<GlobalIndex> nodes_beside;  ///< see TiedNodes, of this rank
+};
+
+/// How many nodes of block a are tied to faces of block b, [a * blocks + b], and how many look at such a face within
+/// reach but lie beside it, and are not; empty where no pair is tied.
+struct TiedNodes {
+  std::vector<GlobalIndex> tied, beside;
+};
+
 /// Finds the ties among the candidates, in ascending order of their slaves: each slave with the nearest face (of equals
 /// the lowest key) that it may be tied to, that its own surface looks at (one face of it, or their sum, by 60 degrees
 /// or less), and that has it within the settings' reach over it and at most their `rim` beside it. may_tie(slave,

@@ -14,7 +14,7 @@
 #include "brunt/time/links.hpp"
 
 namespace brunt::contact {
-class Contact;
+struct Contact;
 }
 
 namespace brunt::time {

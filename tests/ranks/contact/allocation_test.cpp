@@ -31,20 +31,23 @@ TEST_CASE("no allocation in a step of contact") {
     const std::vector<Vec3> old = points.v;
     for (std::size_t n = 0; n < points.x.size(); ++n)
       if (points.mesh.node_gid[n] >= 50) points.v[n].z() -= 0.02;  // soft rows let free points go again
-    const contact::VectorView position{reinterpret_cast<const double*>(points.x.data())},
-        before{reinterpret_cast<const double*>(old.data())};
-    const contact::MutableVectorView after{reinterpret_cast<double*>(points.v.data())};
-    const auto searches = contact.statistics().searches;
-    const auto solved_before = contact.statistics().solved_steps;
+    const contact::StepInput input{.position = {reinterpret_cast<const double*>(points.x.data())},
+                                   .old_velocity = {reinterpret_cast<const double*>(old.data())},
+                                   .velocity = {reinterpret_cast<double*>(points.v.data())},
+                                   .walls = points.walls,
+                                   .dt = 0.005};
+    const auto searches = contact.ledger.statistics.searches;
+    const auto solved_before = contact.ledger.statistics.solved_steps;
     const long start = test::allocations;
-    contact.search(position, before, points.walls, 0.005, contact::unbounded_velocities());
-    contact.correct(position, before, after, points.walls, 0.005);
+    contact::search(contact, input, contact::unbounded_velocities());
+    contact::correct(contact, input);
     const long made = test::allocations - start;
     for (std::size_t n = 0; n < points.x.size(); ++n) points.x[n] += 0.005 * points.v[n];
-    if (contact.statistics().searches != searches || step < 2) continue;  // halos make their datatypes at first use
+    if (contact.ledger.statistics.searches != searches || step < 2)
+      continue;  // halos make their datatypes at first use
     CHECK(made == 0);
     ++quiet_steps;
-    solved += contact.statistics().solved_steps > solved_before ? 1 : 0;
+    solved += contact.ledger.statistics.solved_steps > solved_before ? 1 : 0;
   }
   CHECK(quiet_steps >= 10);
   CHECK(solved >= 3);  // 4 when this was written: enough to have seen steps with impulses

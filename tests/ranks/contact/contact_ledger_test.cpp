@@ -62,7 +62,7 @@ TEST_CASE("ledger: tracked impulses are the momentum of either side, and its tur
   contact::Contact contact = points.make_contact(rough());
   const Vec3 lower = momentum_of(points, false), spin = angular_momentum(points);
   for (int step = 0; step < 40; ++step) points.step(contact, dt);
-  const contact::ContactTotals totals = contact.collect();
+  const contact::ContactTotals totals = contact::collect(contact);
   REQUIRE(totals.tracked_impulse.size() == 2);
   const Vec3 given = momentum_of(points, false) - lower;
   CHECK(given.norm() > 1);
@@ -85,10 +85,10 @@ TEST_CASE("ledger: work on bodies and walls is the energy they lose, in halves t
   for (int step = 0; step < 40; ++step) {
     const std::vector<Vec3> old = points.v;
     points.step(contact, dt);
-    const contact::ContactTotals totals = contact.collect();
+    const contact::ContactTotals totals = contact::collect(contact);
     const double work = totals.contact_work + totals.friction_work + totals.wall_work;
     contact::WorkSums late;
-    contact.add_second_half(late);
+    contact::add_second_half(contact, late);
     std::array sums{late.contact, late.friction, late.walls};
     std::array<double, 3> halves{};
     comm::exact_sum(points.ranks, sums, halves);
@@ -100,7 +100,7 @@ TEST_CASE("ledger: work on bodies and walls is the energy they lose, in halves t
     before = points.kinetic();
     booked = work;
   }
-  const contact::ContactTotals totals = contact.collect();
+  const contact::ContactTotals totals = contact::collect(contact);
   CHECK(totals.friction_work > 0);
   CHECK(totals.wall_work > 0);
   CHECK(booked == Approx(start - points.kinetic()).epsilon(1e-12));
@@ -122,7 +122,7 @@ TEST_CASE("ledger: the impulses of the last step are what its nodes were given, 
     const std::vector<Vec3> old = points.v;
     points.step(contact, dt);
     std::vector<Vec3> impulse(points.x.size(), Vec3::Zero());
-    contact.add_impulses(impulse);
+    contact::add_impulses(contact, impulse);
     for (std::size_t n = 0; n < impulse.size(); ++n) {
       if (points.mesh.owner[n] != points.ranks.rank()) {
         CHECK(impulse[n].isZero(0));

@@ -45,7 +45,7 @@ int column_of(const contact::Row& row) {
 
 /// Rows of nodes with faces of the last step.
 std::vector<contact::Row> node_rows(const contact::Contact& contact) {
-  std::vector<contact::Row> rows(contact.rows().begin(), contact.rows().end());
+  std::vector<contact::Row> rows(contact.step.rows.begin(), contact.step.rows.end());
   std::erase_if(rows, [](const contact::Row& row) { return row.is_edge() || row.is_wall(); });
   return rows;
 }

@@ -88,16 +88,16 @@ TEST_CASE("momentum to round-off, energy never grows and is booked, nothing pass
   for (int step = 0; step < step_count; ++step) {
     points.step(contact, dt);
     const double now = points.kinetic();
-    CHECK(now <= kinetic * (1 + 1e-14) + contact.statistics().last.violation * 1e-6);
+    CHECK(now <= kinetic * (1 + 1e-14) + contact.ledger.statistics.last.violation * 1e-6);
     kinetic = now;
-    residual = std::max(residual, contact.statistics().last.residual);
+    residual = std::max(residual, contact.ledger.statistics.last.residual);
   }
   CHECK((points.momentum() - momentum).norm() <= 1e-13 * (1 + momentum.norm()));
   CHECK(residual <= settings.enforcement.tolerance);
-  CHECK(contact.statistics().solved_steps > 0);
-  CHECK(contact.statistics().searches < step_count / 2);
+  CHECK(contact.ledger.statistics.solved_steps > 0);
+  CHECK(contact.ledger.statistics.searches < step_count / 2);
 
-  const contact::ContactTotals totals = contact.collect();
+  const contact::ContactTotals totals = contact::collect(contact);
   CHECK(totals.contact_work == Approx(start - kinetic).epsilon(1e-10));  // no other force acts, so this is all of it
   CHECK(start - kinetic > 0.05 * start);
   CHECK(totals.wall_work == 0);
@@ -121,7 +121,7 @@ TEST_CASE("one body on a moving wall: the impulse on the body is what its moment
   const Vec3 momentum = points.momentum();
   const double kinetic = points.kinetic();
   for (int step = 0; step < 5; ++step) points.step(contact, dt);
-  const contact::ContactTotals totals = contact.collect();
+  const contact::ContactTotals totals = contact::collect(contact);
   REQUIRE(totals.wall_impulse.size() == 1);
   CHECK((points.momentum() - momentum - totals.wall_impulse[0]).norm() <= 1e-13 * momentum.norm());
   CHECK(totals.wall_work == Approx(kinetic - points.kinetic()).epsilon(1e-10));
@@ -174,9 +174,9 @@ TEST_CASE("node on node across ranks: exact") {
   settings.enforcement.tolerance = 1e-12;
   contact::Contact contact = points.make_contact(settings);
   points.step(contact, 1e-3);
-  CHECK(contact.statistics().last.iterations == 1);
+  CHECK(contact.ledger.statistics.last.iterations == 1);
   double pressure = 0;
-  for (const double p : contact.pressures(1e-3)) pressure = std::max(pressure, p);
+  for (const double p : contact::pressures(contact, 1e-3)) pressure = std::max(pressure, p);
   CHECK(world.max(pressure) == Approx(6 / (1e-3 * 0.25)));  // a corner carries a quarter of its face, nothing of sides
   for (std::size_t n = 0; n < points.x.size(); ++n) {
     if (points.mesh.coordinates[n].z() != 1) continue;
@@ -207,7 +207,7 @@ TEST_CASE("a corner of a triangle carries a third of it") {
   settings.enforcement.tolerance = 1e-12;
   contact::Contact contact = points.make_contact(settings);
   points.step(contact, 1e-3);
-  const std::vector<double> pressure = contact.pressures(1e-3);
+  const std::vector<double> pressure = contact::pressures(contact, 1e-3);
   const double area = 0.5 * 0.6 * 0.5;
   int loaded = 0;
   for (std::size_t n = 0; n < pressure.size(); ++n) {

@@ -59,7 +59,7 @@ TEST_CASE("ties: each node of the finer side over the other is tied once, those 
   const auto deal = [&](GlobalIndex gid) { return striped(gid, world.size()); };
   const auto count = [&](double from) {
     const MassPoints points = plates(world, from, deal);
-    return points.make_contact(tied()).tied_nodes();
+    return contact::tied_nodes(points.make_contact(tied()));
   };
   const auto [all, none_beside] = count(0.5);
   CHECK(all == std::vector<GlobalIndex>{0, 0, 7 * 6, 0});
@@ -83,7 +83,7 @@ TEST_CASE("ties across a gap: momentum, angular momentum and bits do not depend 
       CHECK((points.momentum() - momentum).norm() <=
             1e-13 * points.sum_of_owned([&](std::size_t n) { return points.v[n].norm() / points.inverse_mass[n]; }));
       CHECK((angular_momentum(points) - spin).norm() <= 1e-13 * spin.norm());
-      const contact::ContactTotals totals = contact.collect();
+      const contact::ContactTotals totals = contact::collect(contact);
       CHECK(totals.contact_work + totals.friction_work == Approx(energy - points.kinetic()).epsilon(1e-10));
       CHECK(totals.contact_work + totals.friction_work > 0);
       CHECK(totals.spin.norm() <= 1e-13 * spin.norm());
@@ -123,7 +123,7 @@ TEST_CASE("ties alone: no other node of the pair has a row") {
     for (int step = 0; step < 20; ++step) {
       points.step(contact, dt);
       ties = others = 0;
-      for (const contact::Row& row : contact.rows()) ++(std::isinf(row.friction) ? ties : others);
+      for (const contact::Row& row : contact.step.rows) ++(std::isinf(row.friction) ? ties : others);
       ties = world.sum(ties);
       others = world.sum(others);
     }

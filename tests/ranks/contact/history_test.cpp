@@ -109,11 +109,11 @@ TEST_CASE("a warm start needs fewer iterations and ends at the same tolerance") 
     settings.enforcement.warm_start = warm;
     settings.enforcement.max_iterations = 1000;
     contact::Contact contact = points.make_contact(settings);
-    CHECK(contact.remembers() == warm);
+    CHECK(contact.derived.remembers == warm);
     press(points, contact, 30);
-    CHECK(contact.statistics().largest_residual <= settings.enforcement.tolerance);
-    iterations[warm ? 1 : 0] = contact.statistics().iterations;
-    if (!warm) CHECK(contact.history().pairs.empty());
+    CHECK(contact.ledger.statistics.largest_residual <= settings.enforcement.tolerance);
+    iterations[warm ? 1 : 0] = contact.ledger.statistics.iterations;
+    if (!warm) CHECK(contact.history.pairs.empty());
   }
   CAPTURE(iterations[0], iterations[1]);
   CHECK(10 * iterations[1] < 9 * iterations[0]);  // 472 of 573 when this was written
@@ -126,7 +126,7 @@ TEST_CASE("the history goes home: on all ranks, on one, and the run goes on to t
   MassPoints points = pressed_plates(world);
   contact::Contact contact = points.make_contact(settings);
   press(points, contact, 20);
-  const HistoryTables kept = contact.history_tables(), whole = gathered(world, kept);
+  const HistoryTables kept = contact::history_tables(contact), whole = gathered(world, kept);
   CHECK(whole[0].rows() == world.sum(kept[0].rows()));
   bool face = false, wall = false, edge = false;
   for (std::size_t k = 0; k < whole[0].keys.size(); k += 4) {
@@ -149,10 +149,10 @@ TEST_CASE("the history goes home: on all ranks, on one, and the run goes on to t
       table.keys.clear();
       table.values.clear();
     }
-  resumed.restore_history(given);
+  contact::restore_history(given, resumed);
   for (std::size_t t = 0; t < kept.size(); ++t) {
-    CHECK(resumed.history_tables()[t].keys == kept[t].keys);
-    CHECK(resumed.history_tables()[t].values == kept[t].values);
+    CHECK(contact::history_tables(resumed)[t].keys == kept[t].keys);
+    CHECK(contact::history_tables(resumed)[t].values == kept[t].values);
   }
   press(points, contact, 10);
   press(again, resumed, 10);
@@ -163,8 +163,10 @@ TEST_CASE("the history goes home: on all ranks, on one, and the run goes on to t
   MassPoints amnesiac = pressed_plates(self);
   contact::Contact fresh = amnesiac.make_contact(settings);
   press(amnesiac, fresh, 20);
-  fresh.restore_history(contact::HistoryTables{
-      {{.name = "", .key_width = 4}, {.name = "", .key_width = 5}, {.name = "", .key_width = 4}}});
+  contact::restore_history(
+      contact::HistoryTables{
+          {{.name = "", .key_width = 4}, {.name = "", .key_width = 5}, {.name = "", .key_width = 4}}},
+      fresh);
   press(amnesiac, fresh, 10);
   CHECK(amnesiac.all_velocities() != expected);
 }

@@ -36,7 +36,7 @@ Flight fly(const comm::Communicator& ranks, const Rebuild& rebuild) {
         if (is_bullet(points.mesh.coordinates[n])) points.v[n] = Vec3(40, 25, -700);
     points.step(contact, dt);
   }
-  Flight flight{points.all_velocities(), contact.statistics().searches, 0};
+  Flight flight{points.all_velocities(), contact.ledger.statistics.searches, 0};
   for (std::size_t n = 0; n < points.x.size(); ++n)
     if (points.mesh.coordinates[n].z() == 40) flight.deepest = std::max(flight.deepest, 0.5 - points.x[n].z());
   flight.deepest = ranks.max(flight.deepest);
@@ -60,7 +60,7 @@ Approach approach(const comm::Communicator& ranks, const Rebuild& rebuild) {
   settings.rebuild = rebuild;
   contact::Contact contact = points.make_contact(settings);
   for (int step = 0; step < 80; ++step) points.step(contact, 0.005);
-  return {points.all_velocities(), contact.statistics()};
+  return {points.all_velocities(), contact.ledger.statistics};
 }
 
 }  // namespace

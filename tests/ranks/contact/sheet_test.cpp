@@ -63,9 +63,9 @@ struct Pinch {
 Pinch pinch_of(const MassPoints& points, const contact::Contact& contact) {
   std::vector<double> above, below;
   GlobalIndex rows = 0;
-  for (std::size_t q = 0; q < contact.rows().size(); ++q) {
-    const contact::Row& row = contact.rows()[q];
-    const double impulse = contact.impulses()[q].z();
+  for (std::size_t q = 0; q < contact.step.rows.size(); ++q) {
+    const contact::Row& row = contact.step.rows[q];
+    const double impulse = contact.step.impulses[q].z();
     (row.slave_gid < 58 ? above : below).push_back(impulse);
     ++rows;
   }
@@ -88,7 +88,7 @@ TEST_CASE("E4: a sheet pinched between two bodies: equal forces, both at half it
   const comm::Communicator world = comm::Communicator::world();
   MassPoints points = pinched_sheet(world, 0.02);
   contact::Contact contact = points.make_contact(settings_with());
-  CHECK(contact.remembers());
+  CHECK(contact.derived.remembers);
   press(points, contact, 100);
   for (int step = 0; step < 20; ++step) {
     press(points, contact, 1);
@@ -98,7 +98,7 @@ TEST_CASE("E4: a sheet pinched between two bodies: equal forces, both at half it
     CHECK(pinch.below == Approx(-4 * push).epsilon(1e-6));
   }
   CHECK(largest_miss(points) < 1e-8);
-  for (const contact::HistoryRecord& record : contact.history().pairs)
+  for (const contact::HistoryRecord& record : contact.history.pairs)
     CHECK(record.side == (record.key.slave_gid < 58 ? 1 : -1));
 }
 
@@ -118,7 +118,7 @@ std::vector<double> overrun(const comm::Communicator& ranks, const Rebuild& rebu
   for (std::size_t n = 0; n < points.x.size(); ++n)
     if (is_sheet(n)) points.x[n].z() += 1.2 * thickness;
   contact::Contact after = points.make_contact(settings_with(rebuild));
-  if (restart == Restart::whole) after.restore_history(before.history_tables());
+  if (restart == Restart::whole) contact::restore_history(contact::history_tables(before), after);
   contact::Contact& contact = restart == Restart::none ? before : after;
   press(points, contact, 400);
   for (std::size_t n = 0; n < points.x.size(); ++n) points.x[n].z() -= 1.2 * thickness;

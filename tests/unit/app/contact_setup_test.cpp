@@ -28,7 +28,7 @@ TEST_CASE("contact setup: no contact is made where the scene has none, walls alo
   const support::PreparedScene walls(support::two_bodies +
                                      "rigid_walls: [{name: w, point: [0, 0, 0], normal: [0, 0, 1]}]\n");
   REQUIRE(walls.run->contact);
-  CHECK(walls.run->contact->sums().wall_impulse.size() == 1);
+  CHECK(walls.run->contact->ledger.sums.wall_impulse.size() == 1);
 }
 
 TEST_CASE("contact setup: sums come back from what a checkpoint holds, bit for bit") {
@@ -39,18 +39,18 @@ TEST_CASE("contact setup: sums come back from what a checkpoint holds, bit for b
   contact::Contact& contact = *scene.run->contact;
   const comm::Communicator self = comm::Communicator::self();
   for (const double term : {1e20, 1.0, -1e20, 1e-20, 0.1}) {
-    contact.sums().work.contact.add(term);
-    contact.sums().tracked_impulse[0][2].add(-term);
+    contact.ledger.sums.work.contact.add(term);
+    contact.ledger.sums.tracked_impulse[0][2].add(-term);
   }
-  contact.sums().penetration = 0.25;
+  contact.ledger.sums.penetration = 0.25;
   const std::vector<double> saved = app::save_sums(self, contact);
-  contact.sums().work.contact.add(17);
-  contact.sums().tracked_impulse[0][2].clear();
-  contact.sums().penetration = 3;
+  contact.ledger.sums.work.contact.add(17);
+  contact.ledger.sums.tracked_impulse[0][2].clear();
+  contact.ledger.sums.penetration = 3;
   CHECK(app::save_sums(self, contact) != saved);
   app::restore_sums(self, saved, contact);
   CHECK(app::save_sums(self, contact) == saved);
-  const contact::ContactTotals totals = contact.collect();
+  const contact::ContactTotals totals = contact::collect(contact);
   CHECK(totals.contact_work == 1.1);  // 1 + 0.1 + 1e-20, rounded once
   CHECK(totals.tracked_impulse[0] == Vec3(0, 0, -1.1));
   CHECK(totals.penetration == 0.25);

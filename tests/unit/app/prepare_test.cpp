@@ -66,12 +66,12 @@ TEST_CASE("prepare: a registry of the state takes the run back to where it was")
   scene.evaluate();
   scene.advance();
   model::Registry registry = scene.run->registry();
-  const double work = scene.run->contact->collect().contact_work, height = scene.run->state.nodes[0].x[2];
+  const double work = contact::collect(*scene.run->contact).contact_work, height = scene.run->state.nodes[0].x[2];
   CHECK(work > 0);
-  scene.run->contact->sums().work.contact.add(5);
+  scene.run->contact->ledger.sums.work.contact.add(5);
   scene.run->state.nodes[0].x[2] = 99;  // not in the registry: it follows from the displacement
   scene.run->after_restart();
-  CHECK(scene.run->contact->collect().contact_work == work);
+  CHECK(contact::collect(*scene.run->contact).contact_work == work);
   CHECK(scene.run->state.nodes[0].x[2] == height);
   CHECK(std::ranges::any_of(registry.arrays, [](const model::StateArray& a) { return a.name == "contact_sums"; }));
 }

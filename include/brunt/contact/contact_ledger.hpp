@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// What contact books: work and impulses of a run, and how much there was to solve.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "brunt/comm/exact_sum.hpp"
+#include "brunt/contact/enforcement/enforce.hpp"
+
+namespace brunt::contact {
+
+/// Energy taken from the bodies [energy].
+struct WorkSums {
+  comm::ExactAccumulator contact;   ///< by contact between them, along the normals
+  comm::ExactAccumulator friction;  ///< across the normals, on walls too
+  comm::ExactAccumulator walls;     ///< by walls, along their normals
+  comm::ExactAccumulator ties;      ///< of `friction`, what ties took: they may give it back
+};
+
+/// Sums over the run, on this rank, exact: sums are reduced only when wanted (see `collect`).
+struct ContactSums {
+  WorkSums work;
+  std::vector<std::array<comm::ExactAccumulator, 3>> wall_impulse;     ///< by each wall on the bodies [momentum]
+  std::vector<std::array<comm::ExactAccumulator, 3>> tracked_impulse;  ///< on the first block of each tracked pair
+  /// Angular momentum that contact between bodies has given: zero where nodes and face points that push on each other
+  /// coincide, or where the push is along the line between them.
+  std::array<comm::ExactAccumulator, 3> spin;
+  comm::ExactAccumulator push;  ///< sizes of the impulses between bodies [momentum]
+  double penetration = 0;       ///< largest so far [length]
+};
+
+/// The same after reduction over all ranks.
+struct ContactTotals {
+  double contact_work = 0, friction_work = 0, wall_work = 0, tie_work = 0;  ///< that of ties is in friction_work too
+  std::vector<Vec3> wall_impulse, tracked_impulse;
+  Vec3 spin = Vec3::Zero();           ///< given by contact between bodies [angular momentum]
+  double push = 0;                    ///< sum of the sizes of the impulses between bodies [momentum]
+  double stored = 0;                  ///< of contact_work, what soft rows hold after the last step and return [energy]
+  GlobalIndex pairs = 0, active = 0;  ///< candidate pairs now; rows with an impulse in the last step
+  GlobalIndex touching = 0;           ///< of these, rows between bodies that are no ties
+  double penetration = 0;             ///< largest of the run [length]
+};
+
+struct ContactStatistics {  ///< the same on every rank
+  GlobalIndex steps = 0, searches = 0, solved_steps = 0, iterations = 0;
+  GlobalIndex idle_steps = 0;  ///< in which no candidate was looked at: too far from each other
+  int most_iterations = 0;
+  double largest_residual = 0;
+  GlobalIndex steps_at_limit = 0;  ///< that ended at max_iterations, with a residual above the tolerance
+  EnforcementResult last;
+};
+
+struct ContactLedger {
+  ContactSums sums;
+  ContactStatistics statistics;
+  double clock = 0;  ///< sum of the steps since contact was made [time]
+};
+
+/// A row with friction.
+struct RubbingRow {
+  double work = 0;                       ///< taken by friction in the last step; < 0: given [energy]
+  GlobalIndex slave_gid = no_index;      ///< no_index: there is none
+  Vec3 position = Vec3::Zero();          ///< of the slave, less the mesh's origin
+  std::int32_t master_block = no_index;  ///< no_index for a wall
+};
+
+}  // namespace brunt::contact

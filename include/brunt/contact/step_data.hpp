@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The arrays of one step of contact, sized where lists are rebuilt so that a step allocates nothing.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "brunt/contact/data/constraint.hpp"
+#include "brunt/contact/data/history.hpp"
+#include "brunt/contact/detection/detection.hpp"
+#include "brunt/contact/enforcement/system.hpp"
+#include "brunt/contact/list_motion.hpp"
+#include "brunt/contact/lists.hpp"
+
+namespace brunt::contact {
+
+/// What `gather` takes from the model, so that it need not go through all of the surface.
+struct GatherPlan {
+  struct Node {
+    LocalIndex contact_node, model_node;
+  };
+  struct Facet {
+    LocalIndex face, corner_count;
+    std::array<LocalIndex, 4> model_nodes;
+  };
+  std::vector<Node> nodes;    ///< contact nodes that this rank's mesh has
+  std::vector<Facet> facets;  ///< surface faces whose area vector some rank needs
+};
+
+/// For how long the lists hold, and what is made with them.
+struct ListState {
+  ListMotion motion;          ///< of surface nodes, then of walls
+  double motion_allowed = 0;  ///< [length]
+  double clearance = 0;       ///< between candidates of any rank when the lists were made: see detection/clearance.hpp
+  double last_dt = 0;         ///< of the step before [time]
+  bool exist = false;
+  bool are_new = false;                  ///< of this step
+  GatherPlan gather;                     ///< of these lists
+  std::vector<LocalIndex> faces_by_key;  ///< of these lists; empty where nothing looks faces up
+  ListScratch scratch;
+};
+
+/// Arrays over the contact nodes of this rank.
+struct ContactNodes {
+  std::vector<NodeMotion> motion;
+  std::vector<Mobility> mobility;
+  std::vector<Vec3> velocity;   ///< after contact
+  std::vector<Vec3> reference;  ///< at the start; empty where no overlaps of the start are accepted
+};
+
+struct StepScratch {
+  DetectionScratch detection;
+  std::vector<Vec3> node_normal;  ///< of each contact node's first row with a face
+  RowSortScratch row_sort;
+  EnforcementScratch enforcement;
+  std::vector<HistoryRecord> next_pairs;
+  std::vector<AnchorRecord> next_anchors;
+};
+
+struct StepData {
+  ContactNodes nodes;
+  std::vector<Vec3> own_area, facet_area;  ///< area vectors of faces, a corner's share: of this rank's, of the lists'
+  std::vector<Row> rows;                   ///< of the last step, on this rank
+  std::vector<Vec3> impulses;              ///< of those rows [momentum]
+  StepScratch scratch;
+};
+
+}  // namespace brunt::contact

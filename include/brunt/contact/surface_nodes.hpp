@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// What contact knows of each node of this rank's surface besides the faces around it: its mobility, its place at the
+// start, the walls that hold it, and where its copies on other ranks are.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "brunt/comm/communicator.hpp"
+#include "brunt/comm/halo.hpp"
+#include "brunt/contact/data/constraint.hpp"
+#include "brunt/contact/detection/detection.hpp"
+#include "brunt/contact/node_views.hpp"
+#include "brunt/contact/surface/surface.hpp"
+
+namespace brunt::contact {
+
+/// A node that a support holds, with the projector onto its free directions.
+struct ConstrainedNode {
+  LocalIndex node = 0;  ///< local node of the mesh
+  Mat3 projector = Mat3::Identity();
+};
+
+/// Surface nodes that several ranks have: the owner's velocity goes to the copies.
+struct SurfaceCopies {
+  comm::Halo halo;
+  std::vector<LocalIndex> foreign;  ///< surface nodes owned elsewhere
+  std::vector<LocalIndex> lent;     ///< surface nodes owned here, once for each copy elsewhere
+  bool exist = false;               ///< on any rank
+  std::vector<double> sent, received;
+};
+
+struct SurfaceNodes {
+  std::vector<Mobility> mobility;
+  std::vector<Vec3> reference{};  ///< at the start [length]; empty where no overlaps of the start are accepted
+  std::vector<char> held;         ///< wall by wall, a flag a surface node: it started in the plane of a bilateral wall
+  SurfaceCopies copies;
+};
+
+/// inverse_mass: of the mesh's local nodes.
+std::vector<Mobility> surface_mobility(const Surface& surface, std::span<const double> inverse_mass,
+                                       std::span<const ConstrainedNode> constrained);
+
+/// Flags of the nodes that lie in the plane of a bilateral wall, within 1e-6 of the mean face edge. reference: of the
+/// mesh's local nodes.
+std::vector<char> held_by_walls(const Surface& surface, std::span<const Vec3> reference, std::span<const Wall> walls);
+
+/// Collective.
+SurfaceCopies link_copies(const comm::Communicator& ranks, const Surface& surface);
+
+/// Copies take the velocities of their owners. Collective.
+void share_velocity(const Surface& surface, MutableVectorView velocity, SurfaceCopies& copies);
+
+}  // namespace brunt::contact

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assemble_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "brunt/contact/friction.hpp"
+#include "brunt/contact/passes.hpp"
+#include "slave.hpp"
+
+namespace brunt::contact {
+namespace {
+
+/// A node that belongs to several blocks has the roughest one's friction.
+FrictionLaw friction_of(const Contact& contact, const Row& row, std::span<const Wall> walls) {
+  if (row.is_wall()) return walls[static_cast<std::size_t>(-1 - row.master_key)].friction;
+  const ContactSettings& settings = contact.settings;
+  if (settings.friction.empty()) return {};
+  const std::size_t blocks = settings.pairs.block_count();
+  const auto law_of = [&](std::int32_t slave) {
+    return settings.friction[static_cast<std::size_t>(slave) * blocks + static_cast<std::size_t>(row.master_block)];
+  };
+  if (row.is_edge()) return law_of(row.slave_block);
+  FrictionLaw roughest;
+  for (const std::int32_t block : blocks_of_slave(contact, row))
+    if (const FrictionLaw law = law_of(block); law.fixed > roughest.fixed) roughest = law;
+  return roughest;
+}
+
+bool has_twin(const Row& row, std::span<const NodeMotion> motion_of, const DetectionSettings& settings) {
+  const auto motion = [&](LocalIndex node) { return motion_of[static_cast<std::size_t>(node)]; };
+  return std::any_of(row.nodes.begin() + 1, row.nodes.begin() + row.node_count,
+                     [&](LocalIndex node) { return are_twins(motion(row.nodes[0]), motion(node), settings); });
+}
+
+/// The row of a node that has a twin holds in both passes, since the twin has none in the second (see detect_faces).
+void assign_passes(const Contact& contact, double dt, std::span<Row> rows) {
+  const DerivedSettings& derived = contact.derived;
+  const bool remembers_impulses = derived.enforcement.warm_start && !derived.enforcement.averaged;
+  const double softness = remembers_impulses ? derived.enforcement.softness : 0.0;
+  for (Row& row : rows) {
+    if (row.is_wall() || row.is_edge() || row.cone != Cone::compression) continue;  // ties hold in both
+    row.pass =
+        pass_of(row, contact.surface.node(surface_slave(contact, row)), contact.settings.pairs, contact.surface.bodies);
+    if (row.pass == Pass::first && row.slave_body != row.master_body &&
+        has_twin(row, contact.step.nodes.motion, derived.detection))
+      row.pass = Pass::both;
+    if (row.pass == Pass::both || softness == 0) continue;
+    row.softness = softness;
+    if (row.gap < 0) row.gap_share = row.required * dt / -row.gap;
+  }
+}
+
+AnchorScene anchor_scene(const Contact& contact, std::span<const Wall> walls) {
+  return {contact.lists.faces, contact.list_state.faces_by_key, contact.step.nodes.motion, walls,
+          contact.derived.detection.encounter};
+}
+
+void assign_friction(const Contact& contact, const StepInput& input, std::span<Row> rows) {
+  for (Row& row : rows) {
+    if (std::isinf(row.friction)) continue;  // a tie
+    const FrictionLaw law = friction_of(contact, row, input.walls);
+    if (!law.any()) continue;
+    row.friction = friction_coefficient(law, row, contact.step.nodes.motion);
+    if (law.lag > 0) let_friction_lag(row, contact.history.limits, law.lag, input.dt);
+  }
+  const DetectionSettings& detection = contact.derived.detection;
+  aim_at_anchors(rows, anchor_scene(contact, input.walls), contact.history.anchors,
+                 {detection.recovery, detection.recovery_limit * contact.surface.mean_edge}, input.dt);
+}
+
+/// Rows of edges and walls have none: an edge has no area, and a wall's candidates no facets.
+void assign_slabs(const Contact& contact, std::span<Row> rows) {
+  for (Row& row : rows) {
+    if (row.is_wall() || row.is_edge()) continue;
+    const std::vector<double>& impedance = contact.settings.impedance;
+    const double one = impedance[static_cast<std::size_t>(blocks_of_slave(contact, row).front())],
+                 two = impedance[static_cast<std::size_t>(row.master_block)];
+    row.slab = one * two / (one + two) * area_of_slave(contact, row);
+  }
+}
+
+}  // namespace
+
+void assemble_rows(Contact& contact, const StepInput& input) {
+  const DerivedSettings& derived = contact.derived;
+  if (derived.two_passes) assign_passes(contact, input.dt, contact.step.rows);
+  if (derived.friction) assign_friction(contact, input, contact.step.rows);
+  if (derived.enforcement.method == Method::printed) assign_slabs(contact, contact.step.rows);
+}
+
+void remember(Contact& contact, const StepInput& input) {
+  const StepData& step = contact.step;
+  StepScratch& scratch = contact.step.scratch;
+  if (contact.derived.enforcement.warm_start || contact.derived.sheets) {
+    write_pairs(step.rows, step.impulses, input.dt, scratch.detection.sides, scratch.next_pairs);
+    std::swap(contact.history.pairs, scratch.next_pairs);
+  }
+  if (!contact.derived.friction) return;
+  write_anchors(step.rows, step.impulses, anchor_scene(contact, input.walls), contact.history.anchors,
+                scratch.next_anchors);
+  std::swap(contact.history.anchors, scratch.next_anchors);
+  write_limits(step.rows, step.impulses, input.dt, contact.history.limits);
+}
+
+}  // namespace brunt::contact

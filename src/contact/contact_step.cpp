@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact in one time step, THE page: gather, detect, assemble rows, solve, remember, scatter, book.
+//
+//   rows:   G v >= required, friction across the normals       of positions x_n, predicted velocities v* and history
+//   solve:  v = v* + W G^T p, p admitted by the rows           iterated; W the mobility of the nodes
+//   book:   work and impulses of p, for the ledger at t_n
+#include <algorithm>
+
+#include "assemble_rows.hpp"
+#include "book.hpp"
+#include "brunt/contact/contact.hpp"
+#include "detect.hpp"
+#include "gather.hpp"
+
+namespace brunt::contact {
+namespace {
+
+void begin_step(Contact& contact, double dt) {
+  ++contact.ledger.statistics.steps;
+  contact.ledger.clock += dt;
+  contact.ledger.statistics.last = {};
+  contact.step.rows.clear();
+  contact.step.impulses.clear();
+}
+
+/// What a step leaves in which nothing is near anything.
+void stay_idle(Contact& contact) {
+  ++contact.ledger.statistics.idle_steps;
+  contact.history.clear();
+}
+
+EnforcementResult solve(Contact& contact, const StepInput& input) {
+  StepData& step = contact.step;
+  const DerivedSettings& derived = contact.derived;
+  step.impulses.assign(step.rows.size(), Vec3::Zero());
+  if (derived.enforcement.warm_start) start_impulses(step.rows, contact.history.pairs, input.dt, step.impulses);
+  const System system{step.rows, step.nodes.motion, step.nodes.mobility, derived.two_passes, input.mobility_scale};
+  return enforce(system, derived.enforcement, input.dt, contact.lists.exchange, step.impulses, step.nodes.velocity,
+                 step.scratch.enforcement);
+}
+
+}  // namespace
+
+void correct(Contact& contact, const StepInput& input) {
+  begin_step(contact, input.dt);
+  if (nothing_can_meet(contact)) return stay_idle(contact);
+  gather(input, contact.list_state.gather, contact.lists, contact.step);
+  detect_rows(contact, input);
+  assemble_rows(contact, input);
+  const EnforcementResult result = solve(contact, input);
+  remember(contact, input);
+  book_iterations(result, contact.derived.enforcement, contact.ledger.statistics);
+  if (!result.acted) return;  // v* is what it was
+  scatter(contact, input.velocity);
+  book_impulses(contact);
+}
+
+}  // namespace brunt::contact

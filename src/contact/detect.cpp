@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "detect.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "brunt/contact/detection/clearance.hpp"
+#include "memory.hpp"
+#include "tied_parts.hpp"
+#include "watch_driven.hpp"
+
+namespace brunt::contact {
+namespace {
+
+/// The ends of a slave edge may have their rows on other ranks.
+void detect_crossing_edges(const DetectionSettings& settings, double dt, ContactLists& lists, StepData& step) {
+  std::vector<Vec3>& node_normal = step.scratch.node_normal;
+  node_normal.assign(lists.nodes.gid.size(), Vec3::Zero());
+  for (const Row& row : step.rows) {
+    Vec3& normal = node_normal[static_cast<std::size_t>(row.nodes[0])];
+    if (normal.isZero(0)) normal = row.normal;
+  }
+  lists.exchange.share(as_doubles(node_normal), 3);
+  detect_edges(lists.edges, lists.nodes.gid, step.nodes.motion, step.scratch.detection.facet_normal, node_normal,
+               step.nodes.reference, dt, settings, step.rows);
+}
+
+double measured_clearance(const Contact& contact, const StepInput& input) {
+  const ContactLists& lists = contact.lists;
+  const DetectionSettings& settings = contact.derived.detection;
+  const std::vector<NodeMotion>& motion = contact.step.nodes.motion;
+  double least = contact.tied.ties.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+  least = std::min(least, clearance_of_faces(lists.candidates, contact.step.scratch.detection.reach, motion, input.dt));
+  least = std::min(least, clearance_of_edges(lists.edges, motion, input.dt, settings));
+  least = std::min(least, clearance_of_walls(lists.wall_candidates, input.walls, motion, input.dt, settings));
+  return contact.ranks.min(least);
+}
+
+}  // namespace
+
+/// The same on every rank, as the bounds of motion are.
+bool nothing_can_meet(const Contact& contact) {
+  const ListState& state = contact.list_state;
+  return !contact.lists.any_rows || (!state.are_new && 3 * state.motion.bound() < state.clearance);
+}
+
+void find_rows(Contact& contact, std::span<const Wall> walls, double dt) {
+  const DetectionSettings& settings = contact.derived.detection;
+  ContactLists& lists = contact.lists;
+  StepData& step = contact.step;
+  detect_faces(lists.candidates, lists.faces, lists.nodes.gid, step.nodes.motion, step.facet_area, dt, settings,
+               contact.history.pairs, step.scratch.detection, step.rows);
+  if (lists.any_edges) detect_crossing_edges(settings, dt, lists, step);
+  if (!contact.settings.tied.empty()) drop_tied_rows(contact, step.rows);
+  detect_walls(lists.wall_candidates, walls, lists.nodes.gid, step.nodes.motion, dt, settings, step.rows);
+  double& penetration = contact.ledger.sums.penetration;
+  for (const Row& row : step.rows) penetration = std::max(penetration, -row.gap);
+  append_tie_rows(contact, dt, step.rows);
+  sort_rows(step.rows, step.scratch.row_sort);
+}
+
+void detect_rows(Contact& contact, const StepInput& input) {
+  find_rows(contact, input.walls, input.dt);
+  if (contact.derived.may_be_driven) watch_driven(contact, input.dt);
+  if (contact.list_state.are_new) contact.list_state.clearance = measured_clearance(contact, input);
+}
+
+}  // namespace brunt::contact

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of a step from the candidate lists, and whether any candidates can meet at all.
+#pragma once
+#include "brunt/contact/contact.hpp"
+
+namespace brunt::contact {
+
+/// No candidates, or too far from each other for the motion since they were listed; the same on every rank.
+bool nothing_can_meet(const Contact& contact);
+
+/// Fills step.rows, in the order of their keys: faces, edges, walls, ties. Measures the clearance of new lists, and
+/// notes what supports drive through others. Collective.
+void detect_rows(Contact& contact, const StepInput& input);
+
+/// Rows alone: what detect_rows begins with. Collective.
+void find_rows(Contact& contact, std::span<const Wall> walls, double dt);
+
+}  // namespace brunt::contact

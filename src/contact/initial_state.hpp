@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// What contact learns from the bodies before anything moves: the overlaps that the scene keeps, as detection sees them
+// (the same faces and normals as in a step), and which nodes are tied.
+#pragma once
+#include "brunt/contact/contact.hpp"
+
+namespace brunt::contact {
+
+/// Completes derived.detection.accepted and .fitted. Collective.
+void keep_overlaps(Contact& contact, const std::vector<Vec3>& reference, std::span<const Wall> walls);
+
+/// Fills contact.tied, where any pair is tied. Collective.
+void make_ties(Contact& contact, const std::vector<Vec3>& reference, std::span<const Wall> walls);
+
+}  // namespace brunt::contact

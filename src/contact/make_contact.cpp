@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of contact before the first step.
+#include <algorithm>
+#include <limits>
+
+#include "brunt/contact/contact.hpp"
+#include "brunt/contact/join_surface.hpp"
+#include "brunt/contact/passes.hpp"
+#include "initial_state.hpp"
+
+namespace brunt::contact {
+namespace {
+
+/// Of each body, the slowest of its blocks.
+std::vector<double> sound_of(std::span<const BodyFigures> bodies, std::span<const double> sound) {
+  std::vector<double> slowest;
+  if (sound.empty()) return slowest;
+  for (const BodyFigures& body : bodies) {
+    slowest.push_back(std::numeric_limits<double>::infinity());
+    for (const std::int32_t block : body.blocks)
+      slowest.back() = std::min(slowest.back(), sound[static_cast<std::size_t>(block)]);
+  }
+  return slowest;
+}
+
+DetectionSettings derived_detection(const ContactSettings& settings, const Surface& surface) {
+  DetectionSettings detection = settings.detection;
+  detection.wall_size = surface.mean_edge;
+  detection.sound = sound_of(surface.bodies, settings.sound);
+  detection.twin = twin_share * surface.mean_depth;
+  return detection;
+}
+
+/// Walls alone are solved at once, other methods start from nothing: no history is kept for them.
+EnforcementSettings derived_enforcement(const ContactSettings& settings) {
+  EnforcementSettings enforcement = settings.enforcement;
+  const Method method = enforcement.method;
+  enforcement.warm_start =
+      enforcement.warm_start && settings.bodies && (method == Method::rate || method == Method::row_sum);
+  enforcement.averaged = settings.pairs.averages();
+  return enforcement;
+}
+
+/// Collective.
+DerivedSettings derive(const ContactSettings& settings, const Surface& surface, std::span<const Mobility> mobility,
+                       std::span<const Wall> walls, const comm::Communicator& ranks) {
+  DerivedSettings derived{.detection = derived_detection(settings, surface),
+                          .enforcement = derived_enforcement(settings),
+                          .roles = roles_of(surface.bodies, settings.pairs)};
+  derived.friction = std::ranges::any_of(settings.friction, &FrictionLaw::any) ||
+                     std::ranges::any_of(walls, [](const Wall& wall) { return wall.friction.any(); });
+  derived.two_passes = settings.bodies && any_two_passes(settings.pairs, surface.bodies);
+  derived.sheets = std::ranges::any_of(settings.thickness, [](double thickness) { return thickness > 0; });
+  derived.may_be_driven =
+      ranks.any(std::ranges::any_of(mobility, [](const Mobility& node) { return !node.is_free(); }));
+  derived.remembers = derived.enforcement.warm_start || derived.friction || derived.sheets;
+  return derived;
+}
+
+/// Collective.
+SurfaceNodes surface_nodes(const comm::Communicator& ranks, const Surface& surface, const mesh::LocalMesh& mesh,
+                           std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained,
+                           std::span<const Wall> walls, bool wants_reference) {
+  SurfaceNodes nodes{.mobility = surface_mobility(surface, inverse_mass, constrained),
+                     .held = held_by_walls(surface, mesh.coordinates, walls),
+                     .copies = link_copies(ranks, surface)};
+  if (wants_reference)
+    for (const LocalIndex node : surface.model_node)
+      nodes.reference.push_back(mesh.coordinates[static_cast<std::size_t>(node)]);
+  return nodes;
+}
+
+}  // namespace
+
+Contact make_contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const char> excluded,
+                     std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained,
+                     std::span<const Wall> walls, ContactSettings settings) {
+  Surface surface = join_surface(ranks, mesh, excluded, inverse_mass);
+  SurfaceNodes nodes =
+      surface_nodes(ranks, surface, mesh, inverse_mass, constrained, walls, !settings.detection.accepted.empty());
+  DerivedSettings derived = derive(settings, surface, nodes.mobility, walls, ranks);
+  Contact contact{.ranks = ranks,
+                  .settings = std::move(settings),
+                  .derived = std::move(derived),
+                  .surface = std::move(surface),
+                  .surface_nodes = std::move(nodes)};
+  contact.ledger.sums.wall_impulse.resize(walls.size());
+  contact.ledger.sums.tracked_impulse.resize(contact.settings.tracked.size());
+  keep_overlaps(contact, mesh.coordinates, walls);
+  make_ties(contact, mesh.coordinates, walls);
+  return contact;
+}
+
+}  // namespace brunt::contact

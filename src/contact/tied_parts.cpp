@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tied_parts.hpp"
+
+#include <algorithm>
+
+#include "brunt/core/error.hpp"
+#include "slave.hpp"
+
+namespace brunt::contact {
+namespace {
+
+std::size_t place_of_pair(const ContactSettings& settings, std::int32_t slave_block, std::int32_t master_block) {
+  return static_cast<std::size_t>(slave_block) * settings.pairs.block_count() + static_cast<std::size_t>(master_block);
+}
+
+Tied tied(const ContactSettings& settings, std::int32_t slave_block, std::int32_t master_block) {
+  return settings.tied[place_of_pair(settings, slave_block, master_block)];
+}
+
+/// The block of the slave that is tied to this one, the first of several; no_index where none is.
+std::int32_t tied_block(const Contact& contact, LocalIndex slave, std::int32_t master_block) {
+  for (const std::int32_t block : contact.surface.blocks.row(surface_node_of(contact, slave)))
+    if (tied(contact.settings, block, master_block) != Tied::no) return block;
+  return no_index;
+}
+
+TieScene tie_scene(const Contact& contact, double dt) {
+  return {.candidates = contact.lists.candidates,
+          .faces = contact.lists.faces,
+          .by_key = contact.list_state.faces_by_key,
+          .gid = contact.lists.nodes.gid,
+          .motion = contact.step.nodes.motion,
+          .recovery = contact.derived.detection.recovery,
+          .dt = dt};
+}
+
+/// Is the row's slave a node of blocks that have but their ties to do with the master's?
+bool nothing_else_acts(const Contact& contact, const Row& row) {
+  return std::ranges::all_of(blocks_of_slave(contact, row), [&](std::int32_t block) {
+    return tied(contact.settings, block, row.master_block) == Tied::alone ||
+           contact.settings.pairs.at(block, row.master_block) == PairRule::apart;
+  });
+}
+
+}  // namespace
+
+TiedParts find_tied_parts(const Contact& contact) {
+  const ContactLists& lists = contact.lists;
+  TiedParts parts;
+  const auto block_of = [&](LocalIndex face) { return lists.faces[static_cast<std::size_t>(face)].block; };
+  parts.nodes_beside.assign(contact.settings.tied.size(), 0);
+  parts.ties = find_ties(
+      lists.candidates, lists.faces, lists.nodes.gid, contact.step.nodes.motion, contact.step.facet_area,
+      contact.derived.detection.encounter,
+      [&](LocalIndex slave, LocalIndex face) { return tied_block(contact, slave, block_of(face)) != no_index; },
+      [&](LocalIndex slave, LocalIndex face) {
+        const std::int32_t block = tied_block(contact, slave, block_of(face));
+        ++parts.nodes_beside[place_of_pair(contact.settings, block, block_of(face))];
+      });
+  parts.levers.resize(parts.ties.size());
+  for (Tie& tie : parts.ties) {
+    const auto slave = std::ranges::lower_bound(lists.nodes.gid, tie.slave) - lists.nodes.gid.begin();
+    tie.slave_block = tied_block(contact, static_cast<LocalIndex>(slave), tie.block);
+  }
+  return parts;
+}
+
+TiedNodes tied_nodes(const Contact& contact) {
+  TiedNodes count{std::vector<GlobalIndex>(contact.settings.tied.size(), 0), contact.tied.nodes_beside};
+  for (const Tie& tie : contact.tied.ties) ++count.tied[place_of_pair(contact.settings, tie.slave_block, tie.block)];
+  contact.ranks.sum(count.tied);
+  contact.ranks.sum(count.beside);
+  return count;
+}
+
+void append_tie_rows(Contact& contact, double dt, std::vector<Row>& rows) {
+  const std::size_t first = rows.size();
+  tie_rows(contact.tied.ties, tie_scene(contact, dt), contact.tied.levers, rows);
+  for (Row& row : std::span(rows).subspan(first))
+    ask_only_what_can_move(row, contact.step.nodes.mobility, contact.step.nodes.motion);
+}
+
+void demand_ties_hold(const Contact& contact) {
+  const TieScene scene = tie_scene(contact, 1);
+  if (contact.ranks.any(!std::ranges::all_of(contact.tied.ties, [&](const Tie& tie) { return holds(tie, scene); })))
+    throw GuardError("contact: tied parts have been torn from each other: a face is out of reach of a node tied to it");
+}
+
+void drop_tied_rows(const Contact& contact, std::vector<Row>& rows) {
+  std::erase_if(rows, [&](const Row& row) {
+    if (row.is_wall()) return false;
+    if (row.is_edge()) return tied(contact.settings, row.slave_block, row.master_block) != Tied::no;
+    return find_tie(contact.tied.ties, row.slave_gid, row.master_body) != nullptr || nothing_else_acts(contact, row);
+  });
+}
+
+}  // namespace brunt::contact

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ties of a run: found once at the start, on the rank of their slaves, and rows of every step.
+#pragma once
+#include "brunt/contact/contact.hpp"
+
+namespace brunt::contact {
+
+/// From lists and positions of contact nodes at the start.
+TiedParts find_tied_parts(const Contact& contact);
+
+/// Asked of new lists on all ranks, so that all stop: throws GuardError where tied parts have been torn from each
+/// other. Collective.
+void demand_ties_hold(const Contact& contact);
+
+/// A tied node has nothing but its tie to do with that body, nor have edges of tied parts with each other.
+void drop_tied_rows(const Contact& contact, std::vector<Row>& rows);
+
+/// A row a tie.
+void append_tie_rows(Contact& contact, double dt, std::vector<Row>& rows);
+
+}  // namespace brunt::contact
