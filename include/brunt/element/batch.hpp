@@ -37,10 +37,11 @@ struct BatchForce {
 
 /// Upper bound of the largest eigenvalue of a symmetric positive 3x3 (xx,yy,zz,xy,yz,zx): trace/3 + sqrt(2/3)
 /// |deviator|, exact when two eigenvalues are equal and the third is not smaller.
-BRUNT_INLINE Pack largest_eigenvalue_bound(const Pack (&s)[6]) {
-  const Pack mean = (s[0] + s[1] + s[2]) * (1.0 / 3.0);
-  const Pack a = s[0] - mean, b = s[1] - mean, c = s[2] - mean;
-  const Pack norm2 = a * a + b * b + c * c + 2.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
+template <class Number>
+BRUNT_INLINE Number largest_eigenvalue_bound(const Number (&s)[6]) {
+  const Number mean = (s[0] + s[1] + s[2]) * (1.0 / 3.0);
+  const Number a = s[0] - mean, b = s[1] - mean, c = s[2] - mean;
+  const Number norm2 = a * a + b * b + c * c + 2.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
   return mean + pack_sqrt((2.0 / 3.0) * norm2);
 }
 

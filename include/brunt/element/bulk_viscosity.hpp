@@ -9,15 +9,17 @@ namespace brunt::element {
 /// Viscosity z of the pressure -z e, e the rate of volume strain: linear rho c L + quadratic^2 rho L^2 |e|, the second
 /// in compression only (J. von Neumann, R. D. Richtmyer 1950; R. Landshoff 1955). `modulus` = rho c^2, `rho_length2` =
 /// rho L^2, L the thickness of the element.
-BRUNT_INLINE Pack bulk_viscosity(const BulkViscosity& bulk, double modulus, Pack rho_length2, Pack volume_rate) {
-  const Pack compression = pack_max(-volume_rate, broadcast(0.0));
+template <class Number>
+BRUNT_INLINE Number bulk_viscosity(const BulkViscosity& bulk, double modulus, Number rho_length2, Number volume_rate) {
+  const Number compression = pack_max(-volume_rate, Number{});
   return bulk.linear * pack_sqrt(modulus * rho_length2) + (bulk.quadratic * bulk.quadratic) * rho_length2 * compression;
 }
 
 /// Books the work of the viscous stress over the step to t_n (trapezoidal, as every other work of the ledger).
 /// account: energy, then the viscous stress times volume of the last step.
-BRUNT_INLINE void book_bulk_work(Pack* account, Pack viscous_stress, Pack volume, Pack volume_rate, double dt) {
-  const Pack now = viscous_stress * volume;
+template <class Number>
+BRUNT_INLINE void book_bulk_work(Number* account, Number viscous_stress, Number volume, Number volume_rate, double dt) {
+  const Number now = viscous_stress * volume;
   account[0] += (0.5 * dt) * (account[1] + now) * volume_rate;
   account[1] = now;
 }

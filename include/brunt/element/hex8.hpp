@@ -68,7 +68,7 @@ struct Hex8 {
     Pack x[hex_modes][3], v[hex_modes][3], h_mid[4][3];  // h_mid: hourglass modes of the midpoint configuration
     Pack g[6][3], L[9], S[6];
     Pack volume, over_volume;
-    StrainStep strain;  // of rate laws
+    StrainStep<Pack> strain;  // of rate laws
     // of hyperelastic laws: deformation gradient; hourglass coordinates of the reference shape, moved by it; stiffness
     // of the hourglass springs; hourglass_norm of the reference shape
     Pack F[9], moved[4][3], stiffness, gamma2;

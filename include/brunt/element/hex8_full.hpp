@@ -156,7 +156,7 @@ void Hex8Full<Response, bbar>::operator()(const BatchMotion<8>& in, Pack* histor
         const Pack correction = (volume_rate - (L[0] + L[4] + L[8])) * (1.0 / 3.0);
         for (int i = 0; i < 3; ++i) L[4 * i] += correction;
       }
-      const StrainStep strain = strain_step_of<Response>(L, in.dt, history + Memory::at_log_strain + 6 * p);
+      const StrainStep<Pack> strain = strain_step_of<Response>(L, in.dt, history + Memory::at_log_strain + 6 * p);
       update_stress(law, strain, stress, history + Memory::at_tensors + 6 * Response::tensors * p,
                     history + Memory::at_scalars + Response::scalars * p);
       for (int c = 0; c < 6; ++c) s[c] = stress[c];

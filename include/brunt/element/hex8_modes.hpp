@@ -16,14 +16,15 @@ namespace brunt::element {
 constexpr int hex_modes = 7;
 
 /// Sums of nodal values with each mode; nodes in the order of mesh/topology.hpp.
-BRUNT_INLINE void to_modes(const Pack (&u)[8], Pack (&mode)[hex_modes]) {
-  const auto plane = [](Pack y0, Pack y1, Pack y2, Pack y3, Pack& xi, Pack& eta, Pack& xi_eta) {
-    const Pack lower = y1 - y0, upper = y2 - y3;
+template <class Number>
+BRUNT_INLINE void to_modes(const Number (&u)[8], Number (&mode)[hex_modes]) {
+  const auto plane = [](Number y0, Number y1, Number y2, Number y3, Number& xi, Number& eta, Number& xi_eta) {
+    const Number lower = y1 - y0, upper = y2 - y3;
     xi = lower + upper;
     xi_eta = upper - lower;
     eta = (y2 + y3) - (y0 + y1);
   };
-  Pack sum[4], difference[4];
+  Number sum[4], difference[4];
   for (int k = 0; k < 4; ++k) {
     sum[k] = u[k + 4] + u[k];
     difference[k] = u[k + 4] - u[k];
@@ -34,16 +35,17 @@ BRUNT_INLINE void to_modes(const Pack (&u)[8], Pack (&mode)[hex_modes]) {
 }
 
 /// Nodal values of a combination of modes (no constant part): the transpose of to_modes.
-BRUNT_INLINE void from_modes(const Pack (&mode)[hex_modes], Pack (&u)[8]) {
-  const auto plane = [](Pack constant, Pack xi, Pack eta, Pack xi_eta, Pack(&y)[4]) {
-    const Pack minus = xi - xi_eta, plus = xi + xi_eta;
-    const Pack low = constant - eta, high = constant + eta;
+template <class Number>
+BRUNT_INLINE void from_modes(const Number (&mode)[hex_modes], Number (&u)[8]) {
+  const auto plane = [](Number constant, Number xi, Number eta, Number xi_eta, Number(&y)[4]) {
+    const Number minus = xi - xi_eta, plus = xi + xi_eta;
+    const Number low = constant - eta, high = constant + eta;
     y[0] = low - minus;
     y[1] = low + minus;
     y[2] = high + plus;
     y[3] = high - plus;
   };
-  Pack even[4], odd[4];
+  Number even[4], odd[4];
   plane(broadcast(0.0), mode[0], mode[1], mode[5], even);
   plane(mode[2], mode[4], mode[3], mode[6], odd);
   for (int k = 0; k < 4; ++k) {
@@ -53,8 +55,9 @@ BRUNT_INLINE void from_modes(const Pack (&mode)[hex_modes], Pack (&u)[8]) {
 }
 
 /// out = scale (a x b + third (c x d)) for vectors stored as component arrays [3]
-BRUNT_INLINE void cross_pair(const Pack (&a)[3], const Pack (&b)[3], const Pack (&c)[3], const Pack (&d)[3],
-                             double first, double second, Pack (&out)[3]) {
+template <class Number>
+BRUNT_INLINE void cross_pair(const Number (&a)[3], const Number (&b)[3], const Number (&c)[3], const Number (&d)[3],
+                             double first, double second, Number (&out)[3]) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     out[i] = first * (a[j] * b[k] - a[k] * b[j]) + second * (c[j] * d[k] - c[k] * d[j]);
@@ -62,7 +65,8 @@ BRUNT_INLINE void cross_pair(const Pack (&a)[3], const Pack (&b)[3], const Pack 
 }
 
 /// Gradient modes g_m (m = 0..5) and volume of the element whose coordinates have the modes x[m][component].
-BRUNT_INLINE Pack gradient_modes(const Pack (&x)[hex_modes][3], Pack (&g)[6][3]) {
+template <class Number>
+BRUNT_INLINE Number gradient_modes(const Number (&x)[hex_modes][3], Number (&g)[6][3]) {
   constexpr double one = 1.0 / 64.0, third = 1.0 / 192.0;
   const auto &a1 = x[0], &a2 = x[1], &a3 = x[2], &h1 = x[3], &h2 = x[4], &h3 = x[5];
   cross_pair(a2, a3, h3, h2, one, third, g[0]);
@@ -75,10 +79,11 @@ BRUNT_INLINE Pack gradient_modes(const Pack (&x)[hex_modes][3], Pack (&g)[6][3])
 }
 
 /// S = B B^T (xx, yy, zz, xy, yz, zx) from the gradient modes.
-BRUNT_INLINE void gradient_gram(const Pack (&g)[6][3], Pack (&S)[6]) {
+template <class Number>
+BRUNT_INLINE void gradient_gram(const Number (&g)[6][3], Number (&S)[6]) {
   constexpr int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
   for (int c = 0; c < 6; ++c) {
-    Pack sum = g[0][row[c]] * g[0][column[c]];
+    Number sum = g[0][row[c]] * g[0][column[c]];
     for (int m = 1; m < 6; ++m) sum += g[m][row[c]] * g[m][column[c]];
     S[c] = 8.0 * sum;
   }

@@ -17,7 +17,8 @@ struct HexPoint {
 };
 
 /// G_ij = du_i/dxi_j (row major) of the field with modes u[m][component].
-BRUNT_INLINE void parent_gradient(const HexPoint& p, const Pack (&u)[hex_modes][3], Pack (&G)[9]) {
+template <class Number>
+BRUNT_INLINE void parent_gradient(const HexPoint& p, const Number (&u)[hex_modes][3], Number (&G)[9]) {
   for (int i = 0; i < 3; ++i) {
     G[3 * i] = 0.125 * (u[0][i] + p.zeta * u[4][i] + p.eta * u[5][i] + p.eta * p.zeta * u[6][i]);
     G[3 * i + 1] = 0.125 * (u[1][i] + p.zeta * u[3][i] + p.xi * u[5][i] + p.zeta * p.xi * u[6][i]);
@@ -26,9 +27,10 @@ BRUNT_INLINE void parent_gradient(const HexPoint& p, const Pack (&u)[hex_modes][
 }
 
 /// force[i][m] -= A_ij d(mode m)/dxi_j / 8, the transpose of parent_gradient.
-BRUNT_INLINE void subtract_parent_force(const HexPoint& p, const Pack (&A)[9], Pack (&force)[3][hex_modes]) {
+template <class Number>
+BRUNT_INLINE void subtract_parent_force(const HexPoint& p, const Number (&A)[9], Number (&force)[3][hex_modes]) {
   for (int i = 0; i < 3; ++i) {
-    const Pack x = 0.125 * A[3 * i], y = 0.125 * A[3 * i + 1], z = 0.125 * A[3 * i + 2];
+    const Number x = 0.125 * A[3 * i], y = 0.125 * A[3 * i + 1], z = 0.125 * A[3 * i + 2];
     force[i][0] -= x;
     force[i][1] -= y;
     force[i][2] -= z;
@@ -40,7 +42,8 @@ BRUNT_INLINE void subtract_parent_force(const HexPoint& p, const Pack (&A)[9], P
 }
 
 /// Cofactors K of J (K = det J times the inverse transposed) and the determinant.
-BRUNT_INLINE Pack cofactors(const Pack (&J)[9], Pack (&K)[9]) {
+template <class Number>
+BRUNT_INLINE Number cofactors(const Number (&J)[9], Number (&K)[9]) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
@@ -50,10 +53,11 @@ BRUNT_INLINE Pack cofactors(const Pack (&J)[9], Pack (&K)[9]) {
 }
 
 /// Gradient du_i/dx_j in space from parent gradients: (du/dxi) (dx/dxi)^-1. Returns det(dx/dxi).
-BRUNT_INLINE Pack space_gradient(const Pack (&u_parent)[9], const Pack (&x_parent)[9], Pack (&L)[9]) {
-  Pack K[9];
-  const Pack det = cofactors(x_parent, K);
-  const Pack over = 1.0 / det;
+template <class Number>
+BRUNT_INLINE Number space_gradient(const Number (&u_parent)[9], const Number (&x_parent)[9], Number (&L)[9]) {
+  Number K[9];
+  const Number det = cofactors(x_parent, K);
+  const Number over = 1.0 / det;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       L[3 * i + j] =
@@ -62,8 +66,9 @@ BRUNT_INLINE Pack space_gradient(const Pack (&u_parent)[9], const Pack (&x_paren
 }
 
 /// A = s K for a symmetric s = (xx, yy, zz, xy, yz, zx): the force of a stress on the parent directions.
-BRUNT_INLINE void stress_times_cofactors(const Pack (&s)[6], const Pack (&K)[9], Pack (&A)[9]) {
-  const Pack full[9] = {s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2]};
+template <class Number>
+BRUNT_INLINE void stress_times_cofactors(const Number (&s)[6], const Number (&K)[9], Number (&A)[9]) {
+  const Number full[9] = {s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2]};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       A[3 * i + j] = full[3 * i] * K[j] + full[3 * i + 1] * K[3 + j] + full[3 * i + 2] * K[6 + j];

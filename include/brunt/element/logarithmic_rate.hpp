@@ -18,15 +18,17 @@
 namespace brunt::element {
 
 /// Symmetric (xx, yy, zz, xy, yz, zx) times vector.
-BRUNT_INLINE void symmetric_times(const Pack (&M)[6], const Pack (&u)[3], Pack (&result)[3]) {
+template <class Number>
+BRUNT_INLINE void symmetric_times(const Number (&M)[6], const Number (&u)[3], Number (&result)[3]) {
   result[0] = M[0] * u[0] + M[3] * u[1] + M[5] * u[2];
   result[1] = M[3] * u[0] + M[1] * u[1] + M[4] * u[2];
   result[2] = M[5] * u[0] + M[4] * u[1] + M[2] * u[2];
 }
 
 /// M^2 of a symmetric M.
-BRUNT_INLINE void symmetric_square(const Pack (&M)[6], Pack (&square)[6]) {
-  const Pack xy = M[3] * M[3], yz = M[4] * M[4], zx = M[5] * M[5];
+template <class Number>
+BRUNT_INLINE void symmetric_square(const Number (&M)[6], Number (&square)[6]) {
+  const Number xy = M[3] * M[3], yz = M[4] * M[4], zx = M[5] * M[5];
   square[0] = M[0] * M[0] + xy + zx;
   square[1] = M[1] * M[1] + xy + yz;
   square[2] = M[2] * M[2] + yz + zx;
@@ -36,32 +38,35 @@ BRUNT_INLINE void symmetric_square(const Pack (&M)[6], Pack (&square)[6]) {
 }
 
 /// u <- P^-1 u for a symmetric positive P.
-BRUNT_INLINE void solve_symmetric(const Pack (&P)[6], Pack (&u)[3]) {
-  const Pack K[6] = {P[1] * P[2] - P[4] * P[4], P[2] * P[0] - P[5] * P[5], P[0] * P[1] - P[3] * P[3],
-                     P[4] * P[5] - P[3] * P[2], P[5] * P[3] - P[4] * P[0], P[3] * P[4] - P[5] * P[1]};
-  const Pack over = 1.0 / (P[0] * K[0] + P[3] * K[3] + P[5] * K[5]);
-  Pack result[3];
+template <class Number>
+BRUNT_INLINE void solve_symmetric(const Number (&P)[6], Number (&u)[3]) {
+  const Number K[6] = {P[1] * P[2] - P[4] * P[4], P[2] * P[0] - P[5] * P[5], P[0] * P[1] - P[3] * P[3],
+                       P[4] * P[5] - P[3] * P[2], P[5] * P[3] - P[4] * P[0], P[3] * P[4] - P[5] * P[1]};
+  const Number over = 1.0 / (P[0] * K[0] + P[3] * K[3] + P[5] * K[5]);
+  Number result[3];
   symmetric_times(K, u, result);
   for (int i = 0; i < 3; ++i) u[i] = over * result[i];
 }
 
 /// Axial vector of h d - d h for symmetric h and d.
-BRUNT_INLINE void commutator(const Pack (&h)[6], const Pack (&d)[6], Pack (&axial)[3]) {
+template <class Number>
+BRUNT_INLINE void commutator(const Number (&h)[6], const Number (&d)[6], Number (&axial)[3]) {
   axial[0] = (h[5] * d[3] - d[5] * h[3]) + (h[4] * (d[1] - d[2]) - d[4] * (h[1] - h[2]));
   axial[1] = (h[3] * d[4] - d[3] * h[4]) + (h[5] * (d[2] - d[0]) - d[5] * (h[2] - h[0]));
   axial[2] = (h[4] * d[5] - d[4] * h[5]) + (h[3] * (d[0] - d[1]) - d[3] * (h[0] - h[1]));
 }
 
 /// Axial vector of N times the step for the strain increment d at the logarithmic strain h.
-BRUNT_INLINE void logarithmic_spin(const Pack (&h)[6], const Pack (&d)[6], Pack (&spin)[3]) {
-  Pack M[6], M2[6], P[6], deviator[6], a[3], Ma[3], MMa[3];
-  const Pack mean = (h[0] + h[1] + h[2]) * (1.0 / 3.0);
+template <class Number>
+BRUNT_INLINE void logarithmic_spin(const Number (&h)[6], const Number (&d)[6], Number (&spin)[3]) {
+  Number M[6], M2[6], P[6], deviator[6], a[3], Ma[3], MMa[3];
+  const Number mean = (h[0] + h[1] + h[2]) * (1.0 / 3.0);
   for (int i = 0; i < 3; ++i) {
     deviator[i] = h[i] - mean;
     deviator[i + 3] = h[i + 3];
   }
   symmetric_square(deviator, M);
-  const Pack twice_trace = 2.0 * (M[0] + M[1] + M[2]);
+  const Number twice_trace = 2.0 * (M[0] + M[1] + M[2]);
   for (int i = 0; i < 3; ++i) {
     M[i] = twice_trace - 3.0 * M[i];
     M[i + 3] = -3.0 * M[i + 3];
@@ -81,8 +86,9 @@ BRUNT_INLINE void logarithmic_spin(const Pack (&h)[6], const Pack (&d)[6], Pack 
 
 /// Strain and rotation of a step, and h from its start to its end. N is taken at the midpoint, which needs it itself:
 /// once from the start, and once more from the midpoint that this gives (second order in the step).
-BRUNT_INLINE StrainStep logarithmic_step(const Pack (&L)[9], double dt, Pack* log_strain) {
-  Pack d[6], w[3], spin[3], turn[3], h[6], middle[6];
+template <class Number>
+BRUNT_INLINE StrainStep<Number> logarithmic_step(const Number (&L)[9], double dt, Number* log_strain) {
+  Number d[6], w[3], spin[3], turn[3], h[6], middle[6];
   stretch_and_spin(L, dt, d, w);
   for (int c = 0; c < 6; ++c) h[c] = log_strain[c];
   logarithmic_spin(h, d, spin);
@@ -97,15 +103,15 @@ BRUNT_INLINE StrainStep logarithmic_step(const Pack (&L)[9], double dt, Pack* lo
   middle[5] = h[5] + 0.5 * d[5] + (y * (h[2] - h[0]) + x * h[3] - z * h[4]);
   logarithmic_spin(middle, d, spin);
   for (int i = 0; i < 3; ++i) spin[i] += w[i];
-  const StrainStep step = seen_from_end(d, spin);
+  const StrainStep<Number> step = seen_from_end(d, spin);
   geometry::rotate_tensor(step.rotation, h);
   for (int c = 0; c < 6; ++c) log_strain[c] = h[c] + step.strain[c];
   return step;
 }
 
 /// By the objective rate of the law; `log_strain`: six packs where that is the logarithmic one.
-template <class Response>
-BRUNT_INLINE StrainStep strain_step_of(const Pack (&L)[9], double dt, [[maybe_unused]] Pack* log_strain) {
+template <class Response, class Number>
+BRUNT_INLINE StrainStep<Number> strain_step_of(const Number (&L)[9], double dt, [[maybe_unused]] Number* log_strain) {
   if constexpr (Response::logarithmic)
     return logarithmic_step(L, dt, log_strain);
   else

@@ -7,17 +7,19 @@
 namespace brunt::element {
 
 /// Strain and rotation of a step, both as seen from its end.
+template <class Number>
 struct StrainStep {
-  Pack strain[6];    ///< increment, tensor components xx, yy, zz, xy, yz, zx
-  Pack rotation[9];  ///< row major
+  Number strain[6];    ///< increment, tensor components xx, yy, zz, xy, yz, zx
+  Number rotation[9];  ///< row major
 };
 
 /// From strain increment and spin increment in the midpoint configuration. The midpoint strain increment d is seen from
 /// the end of the step as R^(1/2) d R^(-1/2) = d + (w d - d w)/2 + O(w^2 d), w the spin increment: without the
 /// second term the update s <- R s R^T + C d is of first order only (T. J. R. Hughes, J. Winget, Int. J. Numer. Meth.
 /// Eng. 15 (1980) 1862 leave it out). Rigid motions give no strain and their exact rotation.
-BRUNT_INLINE StrainStep seen_from_end(const Pack (&d)[6], const Pack (&spin)[3]) {
-  StrainStep step;
+template <class Number>
+BRUNT_INLINE StrainStep<Number> seen_from_end(const Number (&d)[6], const Number (&spin)[3]) {
+  StrainStep<Number> step;
   geometry::rotation_of_spin(spin, step.rotation);
   const auto& [wx, wy, wz] = spin;
   const auto& [xx, yy, zz, xy, yz, zx] = d;
@@ -32,7 +34,8 @@ BRUNT_INLINE StrainStep seen_from_end(const Pack (&d)[6], const Pack (&spin)[3])
 
 /// Of the velocity gradient L (row major) times dt: symmetric part (xx, yy, zz, xy, yz, zx) and axial vector of the
 /// skew part.
-BRUNT_INLINE void stretch_and_spin(const Pack (&L)[9], double dt, Pack (&d)[6], Pack (&spin)[3]) {
+template <class Number>
+BRUNT_INLINE void stretch_and_spin(const Number (&L)[9], double dt, Number (&d)[6], Number (&spin)[3]) {
   const double half = 0.5 * dt;
   for (int i = 0; i < 3; ++i) d[i] = dt * L[4 * i];
   d[3] = half * (L[1] + L[3]);
@@ -44,22 +47,23 @@ BRUNT_INLINE void stretch_and_spin(const Pack (&L)[9], double dt, Pack (&d)[6], 
 }
 
 /// Of the Jaumann rate: everything turns with the spin of the material.
-BRUNT_INLINE StrainStep strain_step(const Pack (&L)[9], double dt) {
-  Pack d[6], spin[3];
+template <class Number>
+BRUNT_INLINE StrainStep<Number> strain_step(const Number (&L)[9], double dt) {
+  Number d[6], spin[3];
   stretch_and_spin(L, dt, d, spin);
   return seen_from_end(d, spin);
 }
 
 /// Stress (6 packs), history tensors and scalars of a rate law from t_n - dt to t_n. Returns what the law's update
 /// does: the share of the elastic trial stress's deviator that is left after plastic flow.
-template <class Response>
-BRUNT_INLINE Pack update_stress(const Response& law, const StrainStep& step, Pack* stress, Pack* tensors,
-                                Pack* scalars) {
-  Pack s[6];
+template <class Response, class Number>
+BRUNT_INLINE Number update_stress(const Response& law, const StrainStep<Number>& step, Number* stress, Number* tensors,
+                                  Number* scalars) {
+  Number s[6];
   for (int c = 0; c < 6; ++c) s[c] = stress[c];
   geometry::rotate_tensor(step.rotation, s);
   for (int t = 0; t < Response::tensors; ++t) geometry::rotate_tensor(step.rotation, tensors + 6 * t);
-  const Pack left = law.update(step.strain, s, tensors, scalars);
+  const Number left = law.update(step.strain, s, tensors, scalars);
   for (int c = 0; c < 6; ++c) stress[c] = s[c];
   return left;
 }

@@ -83,7 +83,7 @@ void Tet4<Response>::operator()(const BatchMotion<4>& in, Pack* history, BatchFo
     law.tangent(F, lambda, mu);
     for (int c = 0; c < 6; ++c) stress[c] = s[c];
   } else {
-    const StrainStep strain = strain_step_of<Response>(L, in.dt, history + Memory::at_log_strain);
+    const StrainStep<Pack> strain = strain_step_of<Response>(L, in.dt, history + Memory::at_log_strain);
     update_stress(law, strain, stress, history + Memory::at_tensors, history + Memory::at_scalars);
     for (int c = 0; c < 6; ++c) s[c] = stress[c];
     law.tangent(s, lambda, mu);

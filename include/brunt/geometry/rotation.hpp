@@ -8,11 +8,12 @@
 namespace brunt::geometry {
 
 /// R = (I - W/2)^-1 (I + W/2) for the skew W with axial vector w (W u = w x u), row major; orthogonal for any w.
-BRUNT_INLINE void rotation_of_spin(const Pack (&w)[3], Pack (&R)[9]) {
-  const Pack xx = w[0] * w[0], yy = w[1] * w[1], zz = w[2] * w[2];
-  const Pack a = 1.0 / (1.0 + 0.25 * (xx + yy + zz));  // R = I + a (W + W^2/2)
-  const Pack h = 0.5 * a;
-  const Pack xy = h * w[0] * w[1], yz = h * w[1] * w[2], zx = h * w[2] * w[0];
+template <class Number>
+BRUNT_INLINE void rotation_of_spin(const Number (&w)[3], Number (&R)[9]) {
+  const Number xx = w[0] * w[0], yy = w[1] * w[1], zz = w[2] * w[2];
+  const Number a = 1.0 / (1.0 + 0.25 * (xx + yy + zz));  // R = I + a (W + W^2/2)
+  const Number h = 0.5 * a;
+  const Number xy = h * w[0] * w[1], yz = h * w[1] * w[2], zx = h * w[2] * w[0];
   R[0] = 1.0 - h * (yy + zz);
   R[4] = 1.0 - h * (zz + xx);
   R[8] = 1.0 - h * (xx + yy);
@@ -25,19 +26,21 @@ BRUNT_INLINE void rotation_of_spin(const Pack (&w)[3], Pack (&R)[9]) {
 }
 
 /// u <- R u
-BRUNT_INLINE void rotate_vector(const Pack (&R)[9], Pack& x, Pack& y, Pack& z) {
-  const Pack a = R[0] * x + R[1] * y + R[2] * z;
-  const Pack b = R[3] * x + R[4] * y + R[5] * z;
+template <class Number>
+BRUNT_INLINE void rotate_vector(const Number (&R)[9], Number& x, Number& y, Number& z) {
+  const Number a = R[0] * x + R[1] * y + R[2] * z;
+  const Number b = R[3] * x + R[4] * y + R[5] * z;
   z = R[6] * x + R[7] * y + R[8] * z;
   x = a;
   y = b;
 }
 
 /// s <- R s R^T for s = (xx, yy, zz, xy, yz, zx)
-BRUNT_INLINE void rotate_tensor(const Pack (&R)[9], Pack* s) {
-  Pack t[9];  // R s
+template <class Number>
+BRUNT_INLINE void rotate_tensor(const Number (&R)[9], Number* s) {
+  Number t[9];  // R s
   for (int i = 0; i < 3; ++i) {
-    const Pack &p = R[3 * i], &q = R[3 * i + 1], &r = R[3 * i + 2];
+    const Number &p = R[3 * i], &q = R[3 * i + 1], &r = R[3 * i + 2];
     t[3 * i] = p * s[0] + q * s[3] + r * s[5];
     t[3 * i + 1] = p * s[3] + q * s[1] + r * s[4];
     t[3 * i + 2] = p * s[5] + q * s[4] + r * s[2];

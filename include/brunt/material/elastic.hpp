@@ -39,8 +39,9 @@ BRUNT_INLINE void rate_law_tangent(double elastic_lambda, double elastic_mu, con
 }
 
 /// Hooke's law for the increment: d stress = lambda tr(de) 1 + 2 mu de.
-BRUNT_INLINE void add_elastic_increment(double lambda, double mu, const Pack (&de)[6], Pack (&stress)[6]) {
-  const Pack volumetric = lambda * (de[0] + de[1] + de[2]);
+template <class Number>
+BRUNT_INLINE void add_elastic_increment(double lambda, double mu, const Number (&de)[6], Number (&stress)[6]) {
+  const Number volumetric = lambda * (de[0] + de[1] + de[2]);
   const double two_mu = 2.0 * mu;
   for (int i = 0; i < 3; ++i) {
     stress[i] += volumetric + two_mu * de[i];
@@ -62,7 +63,8 @@ struct ElasticResponse {
   }
 
   /// Stress at the end of the step from the stress rotated to the end of the step and the strain increment de.
-  Pack update(const Pack (&de)[6], Pack (&stress)[6], Pack* /*tensors*/, Pack* /*scalars*/) const {
+  template <class Number>
+  Number update(const Number (&de)[6], Number (&stress)[6], Number* /*tensors*/, Number* /*scalars*/) const {
     add_elastic_increment(lambda, mu, de, stress);
     return broadcast(1.0);
   }

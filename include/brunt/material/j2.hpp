@@ -12,8 +12,9 @@
 namespace brunt::material {
 
 /// Of one return: increment of the equivalent plastic strain, and how far the centre of the yield surface moves.
+template <class Number>
 struct PlasticReturn {
-  Pack strain, centre;
+  Number strain, centre;
 };
 
 /// Yield stress a line over the plastic strain: closed form.
@@ -25,9 +26,10 @@ class LinearHardening {
         kinematic_slope_(constants.kinematic * constants.hardening),
         inverse_stiffness_(1 / (3 * shear_modulus + constants.hardening)) {}
 
-  [[nodiscard]] PlasticReturn close(Pack equivalent, Pack plastic_strain) const {
-    const Pack excess = equivalent - (yield_ + isotropic_slope_ * plastic_strain);
-    const Pack increment = pack_max(excess, Pack{}) * inverse_stiffness_;
+  template <class Number>
+  [[nodiscard]] PlasticReturn<Number> close(Number equivalent, Number plastic_strain) const {
+    const Number excess = equivalent - (yield_ + isotropic_slope_ * plastic_strain);
+    const Number increment = pack_max(excess, Number{}) * inverse_stiffness_;
     return {increment, kinematic_slope_ * increment};
   }
 
@@ -41,8 +43,8 @@ class TableHardening {
   TableHardening(const J2& constants, double shear_modulus)
       : curve_(constants.table, shear_modulus), share_(constants.kinematic), smallest_(radius(curve_.smallest())) {}
 
-  [[nodiscard]] PlasticReturn close(Pack equivalent, Pack plastic_strain) const {
-    PlasticReturn step{};
+  [[nodiscard]] PlasticReturn<Pack> close(Pack equivalent, Pack plastic_strain) const {
+    PlasticReturn<Pack> step{};
     if (!any(equivalent > smallest_)) return step;
     for (int lane = 0; lane < pack_width; ++lane) {
       if (!(equivalent[lane] > smallest_)) continue;
@@ -84,23 +86,25 @@ struct J2Response {
 
   /// Stress, back stress (six packs) and plastic strain (one) at the end of the step. The tensors come in
   /// rotated to the end of the step; `de` is the strain increment.
-  Pack update(const Pack (&de)[6], Pack (&stress)[6], [[maybe_unused]] Pack* back_stress, Pack* plastic_strain) const {
+  template <class Number>
+  Number update(const Number (&de)[6], Number (&stress)[6], [[maybe_unused]] Number* back_stress,
+                Number* plastic_strain) const {
     add_elastic_increment(lambda, mu, de, stress);
-    const Pack mean = (stress[0] + stress[1] + stress[2]) * (1.0 / 3.0);
-    Pack flow[6];  // trial stress deviator seen from the centre of the yield surface
+    const Number mean = (stress[0] + stress[1] + stress[2]) * (1.0 / 3.0);
+    Number flow[6];  // trial stress deviator seen from the centre of the yield surface
     for (int i = 0; i < 6; ++i) {
       flow[i] = i < 3 ? stress[i] - mean : stress[i];
       if constexpr (kinematic) flow[i] -= back_stress[i];
     }
-    const Pack normal = flow[0] * flow[0] + flow[1] * flow[1] + flow[2] * flow[2];
-    const Pack shear = flow[3] * flow[3] + flow[4] * flow[4] + flow[5] * flow[5];
+    const Number normal = flow[0] * flow[0] + flow[1] * flow[1] + flow[2] * flow[2];
+    const Number shear = flow[3] * flow[3] + flow[4] * flow[4] + flow[5] * flow[5];
     // the floor keeps the division finite where the trial stress is zero
     const Pack floor = broadcast(std::numeric_limits<double>::min());
-    const Pack equivalent = pack_max(pack_sqrt(1.5 * normal + 3.0 * shear), floor);
+    const Number equivalent = pack_max(pack_sqrt(1.5 * normal + 3.0 * shear), floor);
 
-    const PlasticReturn step = hardening.close(equivalent, plastic_strain[0]);
-    const Pack inverse = 1.0 / equivalent;
-    const Pack back = (3.0 * mu) * step.strain * inverse;
+    const PlasticReturn<Number> step = hardening.close(equivalent, plastic_strain[0]);
+    const Number inverse = 1.0 / equivalent;
+    const Number back = (3.0 * mu) * step.strain * inverse;
     for (int i = 0; i < 6; ++i) {
       stress[i] -= back * flow[i];
       if constexpr (kinematic) back_stress[i] += step.centre * inverse * flow[i];

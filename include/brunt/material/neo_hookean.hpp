@@ -19,12 +19,13 @@ struct NeoHookeanResponse {
       : density(constants.density), lambda(constants.lambda), mu(constants.mu) {}
 
   /// Cauchy stress (mu (b - 1) + lambda ln J 1) / J; F[3 i + j] = dx_i/dX_j. Not-a-number where det F <= 0.
-  void stress(const Pack (&F)[9], Pack (&cauchy)[6]) const {
-    Pack b[6];
+  template <class Number>
+  void stress(const Number (&F)[9], Number (&cauchy)[6]) const {
+    Number b[6];
     left_cauchy_green(F, b);
-    const Pack J = determinant(F);
-    const Pack inverse = 1.0 / J;
-    const Pack scale = mu * inverse, pressure = (lambda * pack_log(J) - mu) * inverse;
+    const Number J = determinant(F);
+    const Number inverse = 1.0 / J;
+    const Number scale = mu * inverse, pressure = (lambda * pack_log(J) - mu) * inverse;
     for (int i = 0; i < 3; ++i) {
       cauchy[i] = scale * b[i] + pressure;
       cauchy[i + 3] = scale * b[i + 3];
@@ -52,10 +53,12 @@ struct NeoHookeanResponse {
   double density, lambda, mu;
 
  private:
-  static Pack determinant(const Pack (&F)[9]) {
+  template <class Number>
+  static Number determinant(const Number (&F)[9]) {
     return F[0] * (F[4] * F[8] - F[5] * F[7]) + F[1] * (F[5] * F[6] - F[3] * F[8]) + F[2] * (F[3] * F[7] - F[4] * F[6]);
   }
-  static void left_cauchy_green(const Pack (&F)[9], Pack (&b)[6]) {
+  template <class Number>
+  static void left_cauchy_green(const Number (&F)[9], Number (&b)[6]) {
     const auto rows = [&](int i, int j) {
       return F[3 * i] * F[3 * j] + F[3 * i + 1] * F[3 * j + 1] + F[3 * i + 2] * F[3 * j + 2];
     };
