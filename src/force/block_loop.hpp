@@ -54,19 +54,21 @@ BRUNT_INLINE void scatter_forces(const LocalIndex* node, int lanes, const Pack (
 template <class Kernel>
 void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalIndex block_index, const BlockPass& pass) {
   constexpr int nodes = Kernel::nodes;
-  const auto& [model, state, scratch, report] = pass;
+  const auto& [model, moved, committed, trial, scratch, report] = pass;
   element::BatchMotion<nodes> motion;
-  motion.dt = state.dt;
+  motion.dt = moved.dt;
   element::BatchForce<nodes> out;
-  Pack* history = reinterpret_cast<Pack*>(state.history[static_cast<std::size_t>(block_index)].data());
+  const auto* before = reinterpret_cast<const Pack*>(committed[static_cast<std::size_t>(block_index)].data());
+  auto* after = reinterpret_cast<Pack*>(trial[static_cast<std::size_t>(block_index)].data());
   Quad* slots = reinterpret_cast<Quad*>(scratch.slots.data());
   Pack largest = broadcast(report.rate);
   for (LocalIndex batch = 0; batch < block.batches(); ++batch) {
     const LocalIndex* node = block.node.data() + static_cast<std::ptrdiff_t>(batch) * nodes * pack_width;
-    gather_motion<nodes>(node, state.nodes.data(), motion);
+    gather_motion<nodes>(node, moved.nodes.data(), motion);
     if constexpr (std::decay_t<decltype(kernel.law)>::hyperelastic)
       gather_reference<nodes>(node, model.reference.data(), motion);
-    kernel(motion, history + static_cast<std::ptrdiff_t>(batch) * Kernel::history_size, out);
+    const std::ptrdiff_t memory = static_cast<std::ptrdiff_t>(batch) * Kernel::history_size;
+    kernel(motion, before + memory, after + memory, out);
     const int lanes = std::min(pack_width, block.count - batch * pack_width);
     scatter_forces<nodes>(node, lanes, out.f, block.border.row(batch), scratch.force.data(), slots);
 
@@ -88,14 +90,16 @@ void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalInde
   }
 }
 
-/// Choice::with_kernel(block, use) calls use(kernel) with the kernel of the block.
+/// Choice::with_kernel(block, viscous, use) calls use(kernel) with the kernel of the block, without viscosity on
+/// request.
 template <class Choice>
 constexpr Kernels kernels_of() {
   return {[](const model::ElementBlock& block) {
-            return Choice::with_kernel(block, [](const auto& kernel) { return kernel.history(); });
+            return Choice::with_kernel(block, true, [](const auto& kernel) { return kernel.history(); });
           },
           [](const model::ElementBlock& block, LocalIndex block_index, const BlockPass& pass) {
-            Choice::with_kernel(block, [&](const auto& kernel) { run_block(kernel, block, block_index, pass); });
+            Choice::with_kernel(block, pass.motion.viscous,
+                                [&](const auto& kernel) { run_block(kernel, block, block_index, pass); });
           }};
 }
 

@@ -9,12 +9,12 @@ namespace {
 
 struct Hex8FullChoice {
   template <class Use>
-  static auto with_kernel(const model::ElementBlock& block, Use&& use) {
+  static auto with_kernel(const model::ElementBlock& block, bool viscous, Use&& use) {
+    const element::BulkViscosity bulk = viscous ? block.bulk : element::BulkViscosity{0, 0};
     return with_response(block.law, [&](const auto& response) {
       using Response = std::decay_t<decltype(response)>;
-      if (block.kind == element::ElementKind::hex8_bbar)
-        return use(element::Hex8Full<Response, true>{response, block.bulk});
-      return use(element::Hex8Full<Response, false>{response, block.bulk});
+      if (block.kind == element::ElementKind::hex8_bbar) return use(element::Hex8Full<Response, true>{response, bulk});
+      return use(element::Hex8Full<Response, false>{response, bulk});
     });
   }
 };

@@ -9,15 +9,18 @@ namespace {
 
 struct Hex8Choice {
   template <class Use>
-  static auto with_kernel(const model::ElementBlock& block, Use&& use) {
+  static auto with_kernel(const model::ElementBlock& block, bool viscous, Use&& use) {
+    const element::BulkViscosity bulk = viscous ? block.bulk : element::BulkViscosity{0, 0};
+    element::Hourglass hourglass = block.hourglass;
+    if (hourglass.kind == element::HourglassKind::viscous && !viscous) hourglass.coefficient = 0;
     return with_response(block.law, [&](const auto& response) {
       using Response = std::decay_t<decltype(response)>;
       using element::HourglassKind;
-      if (block.hourglass.kind == HourglassKind::viscous)
-        return use(element::Hex8<Response, HourglassKind::viscous>{response, block.hourglass, block.bulk});
-      if (block.hourglass.kind == HourglassKind::stiffness || block.hourglass.kind == HourglassKind::elastic)
-        return use(element::Hex8<Response, HourglassKind::stiffness>{response, block.hourglass, block.bulk});
-      return use(element::Hex8<Response, HourglassKind::none>{response, block.hourglass, block.bulk});
+      if (hourglass.kind == HourglassKind::viscous)
+        return use(element::Hex8<Response, HourglassKind::viscous>{response, hourglass, bulk});
+      if (hourglass.kind == HourglassKind::stiffness || hourglass.kind == HourglassKind::elastic)
+        return use(element::Hex8<Response, HourglassKind::stiffness>{response, hourglass, bulk});
+      return use(element::Hex8<Response, HourglassKind::none>{response, hourglass, bulk});
     });
   }
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "brunt/force/trial.hpp"
 #include "kernels.hpp"
 
 namespace brunt::force {
@@ -27,15 +28,24 @@ std::vector<element::HistoryField> history_fields(const model::ElementBlock& blo
   return kernels_of(block.kind).history(block);
 }
 
-ElementReport internal_forces(const model::Model& model, model::State& state, model::Scratch& scratch) {
+ElementReport trial_forces(const model::Model& model, const Motion& motion, const History& committed, History& trial,
+                           model::Scratch& scratch) {
   std::fill(scratch.force.begin(), scratch.force.end(), Quad{});
   ElementReport report;
-  const BlockPass pass{model, state, scratch, report};
+  const BlockPass pass{model, motion, committed, trial, scratch, report};
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const model::ElementBlock& block = model.blocks[b];
     if (block.count > 0) kernels_of(block.kind).forces(block, static_cast<LocalIndex>(b), pass);
   }
   return report;
+}
+
+ElementReport internal_forces(const model::Model& model, model::State& state, model::Scratch& scratch) {
+  return trial_forces(model, {state.nodes, state.dt}, state.history, state.history, scratch);
+}
+
+void commit(const History& trial, History& committed) {
+  for (std::size_t b = 0; b < trial.size(); ++b) std::ranges::copy(trial[b], committed[b].begin());
 }
 
 }  // namespace brunt::force

@@ -5,13 +5,16 @@
 #include <vector>
 
 #include "brunt/force/internal.hpp"
+#include "brunt/force/trial.hpp"
 
 namespace brunt::force {
 
 /// Everything that a pass over a block reads and changes.
 struct BlockPass {
   const model::Model& model;
-  model::State& state;
+  const Motion& motion;
+  const History& committed;
+  History& trial;  ///< may be `committed` itself
   model::Scratch& scratch;
   ElementReport& report;
 };

@@ -9,10 +9,11 @@ namespace {
 
 struct Tet4Choice {
   template <class Use>
-  static auto with_kernel(const model::ElementBlock& block, Use&& use) {
+  static auto with_kernel(const model::ElementBlock& block, bool viscous, Use&& use) {
+    const element::BulkViscosity bulk = viscous ? block.bulk : element::BulkViscosity{0, 0};
     return with_response(block.law, [&](const auto& response) {
       using Response = std::decay_t<decltype(response)>;
-      return use(element::Tet4<Response>{response, block.bulk});
+      return use(element::Tet4<Response>{response, bulk});
     });
   }
 };

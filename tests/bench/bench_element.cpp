@@ -42,7 +42,8 @@ double seconds(int count, const std::function<void()>& work) {
 struct NoKernel {
   static constexpr int nodes = 8, history_size = 1;
   ElasticResponse law;
-  void operator()(const element::BatchMotion<8>& in, Pack* /*history*/, element::BatchForce<8>& out) const {
+  void operator()(const element::BatchMotion<8>& in, const Pack* /*committed*/, Pack* /*trial*/,
+                  element::BatchForce<8>& out) const {
     for (int i = 0; i < 3; ++i)
       for (int c = 0; c < 8; ++c) out.f[i][c] = 1e-30 * (in.x[i][c] + in.v[i][c]);
     out.rate = out.volume = broadcast(1.0);
@@ -73,7 +74,8 @@ class Bench {
       for (int lane = 0; lane < pack_width; ++lane)
         history[static_cast<std::size_t>(batch * Kernel::history_size * pack_width + lane)] = mass;
     force::ElementReport report;
-    const force::BlockPass pass{run_.model, run_.state, run_.scratch, report};
+    const force::Motion motion{run_.state.nodes, run_.state.dt};
+    const force::BlockPass pass{run_.model, motion, run_.state.history, run_.state.history, run_.scratch, report};
     return per_element([&] { force::run_block(kernel, block, 0, pass); });
   }
   double zero_forces() {
@@ -113,7 +115,7 @@ double kernel_alone(const Kernel& kernel) {
   history[0] = broadcast(8000.0);
   element::BatchForce<8> out;
   const auto work = [&] {
-    kernel(in, history.data(), out);
+    kernel(in, history.data(), history.data(), out);
     asm volatile("" : : "r"(&out), "r"(&in) : "memory");
   };
   return 1e9 * seconds(100000, work) / pack_width;

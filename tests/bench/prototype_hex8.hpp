@@ -14,7 +14,8 @@ struct PrototypeHex8 {
   Response law;
   double coefficient = 0.05;
 
-  void operator()(const element::BatchMotion<8>& in, Pack* history, element::BatchForce<8>& out) const {
+  void operator()(const element::BatchMotion<8>& in, const Pack* /*committed*/, Pack* history,
+                  element::BatchForce<8>& out) const {
     using namespace element;
     Pack x[hex_modes][3], v[hex_modes][3], g[6][3], L[9], de[6];
     vector_modes(in.x, x);

@@ -53,7 +53,7 @@ struct ElementBench {
         motion.X[i][c] = broadcast(X(i, c));
       }
     element::BatchForce<nodes> out;
-    kernel(motion, history.data(), out);
+    kernel(motion, history.data(), history.data(), out);
     Answer answer{{}, out.rate[0], out.volume[0]};
     for (int i = 0; i < 3; ++i)
       for (int c = 0; c < nodes; ++c) answer.force(i, c) = out.f[i][c][0];

@@ -56,7 +56,10 @@ struct RatePoint {
     const Matrix gradient = (after - before) * (0.5 * (before + after)).inverse();
     Pack L[9];
     set_full(gradient, L);
-    element::update_stress(law, element::strain_step_of<Response>(L, 1.0, log_strain), stress, tensors, scalars);
+    const element::PointMemory<Pack> memory{stress, tensors, scalars, log_strain};
+    const element::PointMemory<const Pack> committed{stress, tensors, scalars, log_strain};
+    Pack s[6];
+    element::update_stress(law, element::strain_step_of<Response>(L, 1.0, committed, memory), committed, memory, s);
   }
   [[nodiscard]] Matrix cauchy(int lane = 0) const { return symmetric_matrix(stress, lane); }
   [[nodiscard]] double plastic_strain(int lane = 0) const { return scalars[0][lane]; }

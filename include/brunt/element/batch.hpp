@@ -4,10 +4,13 @@
 // A kernel is a small struct with its constants, templated over a material response, and
 //   static constexpr int nodes;                          corners an element
 //   static std::vector<HistoryField> history();          what each element remembers, in order
-//   void operator()(const BatchMotion<nodes>&, Pack* history, BatchForce<nodes>&) const;
-// It knows neither MPI nor files nor how elements are stored.
+//   void operator()(const BatchMotion<nodes>&, const Pack* committed, Pack* trial, BatchForce<nodes>&) const;
+// `committed` is what the elements remember of the start of the step, `trial` of its end: every entry but the mass,
+// which no step changes, is written. Both may be the same memory, as they are in an explicit step. It knows neither MPI
+// nor files nor how elements are stored.
 #pragma once
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "brunt/core/simd.hpp"
@@ -20,20 +23,24 @@ struct HistoryField {
   int components = 1;
 };
 
-template <int nodes>
+template <int nodes, class Number = Pack>
 struct BatchMotion {
-  Pack x[3][nodes];  ///< positions at t_n [length]
-  Pack v[3][nodes];  ///< velocities at t_{n-1/2} [length/time]
-  Pack X[3][nodes];  ///< reference positions, filled for hyperelastic laws only
-  double dt = 0;     ///< t_n - t_{n-1}; zero in the first step, when nothing has been strained yet
+  Number x[3][nodes];  ///< positions at the end of the step [length]
+  Number v[3][nodes];  ///< mean velocities of the step, so that v dt is the increment [length/time]
+  Pack X[3][nodes];    ///< reference positions, filled for hyperelastic laws only
+  double dt = 0;       ///< of the step; zero in the first of a run, when nothing has been strained yet
 };
 
-template <int nodes>
+template <int nodes, class Number = Pack>
 struct BatchForce {
-  Pack f[3][nodes];  ///< minus the internal force on each corner [force]
-  Pack rate;         ///< at least 1 / (largest stable step) of the free element [1/time]
-  Pack volume;       ///< not positive (or NaN) for an inverted element [length^3]
+  Number f[3][nodes];  ///< minus the internal force on each corner [force]
+  Pack rate;           ///< at least 1 / (largest stable step) of the free element [1/time]
+  Pack volume;         ///< not positive (or NaN) for an inverted element [length^3]
 };
+
+/// Only with packs a kernel tells the rate and the volume: of other numbers (core/dual.hpp) it is asked forces alone.
+template <class Number>
+constexpr bool bounds_step = std::is_same_v<Number, Pack>;
 
 /// Upper bound of the largest eigenvalue of a symmetric positive 3x3 (xx,yy,zz,xy,yz,zx): trace/3 + sqrt(2/3)
 /// |deviator|, exact when two eigenvalues are equal and the third is not smaller.

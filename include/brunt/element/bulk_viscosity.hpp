@@ -16,12 +16,13 @@ BRUNT_INLINE Number bulk_viscosity(const BulkViscosity& bulk, double modulus, Nu
 }
 
 /// Books the work of the viscous stress over the step to t_n (trapezoidal, as every other work of the ledger).
-/// account: energy, then the viscous stress times volume of the last step.
+/// Accounts: energy, then the viscous stress times volume at the end of the step.
 template <class Number>
-BRUNT_INLINE void book_bulk_work(Number* account, Number viscous_stress, Number volume, Number volume_rate, double dt) {
+BRUNT_INLINE void book_bulk_work(const Pack* committed, Number* trial, Number viscous_stress, Number volume,
+                                 Number volume_rate, double dt) {
   const Number now = viscous_stress * volume;
-  account[0] += (0.5 * dt) * (account[1] + now) * volume_rate;
-  account[1] = now;
+  trial[0] = committed[0] + (0.5 * dt) * (committed[1] + now) * volume_rate;
+  trial[1] = now;
 }
 
 }  // namespace brunt::element

@@ -60,7 +60,7 @@ struct Hex8 {
     return fields;
   }
 
-  void operator()(const BatchMotion<8>& in, Pack* history, BatchForce<8>& out) const;
+  void operator()(const BatchMotion<8>& in, const Pack* committed, Pack* trial, BatchForce<8>& out) const;
 
  private:
   /// Modes of positions and velocities, gradients now and the velocity gradient at the midpoint.
@@ -87,11 +87,13 @@ struct Hex8 {
 
   BRUNT_INLINE void move(const BatchMotion<8>& in, Kinematics& k) const;
   BRUNT_INLINE void move_from_reference(const BatchMotion<8>& in, Kinematics& k) const;
-  BRUNT_INLINE Tangent update(const Kinematics& k, Pack* history) const;
-  BRUNT_INLINE void resist(const Kinematics& k, const Tangent& tangent, double dt, Pack* history, Resistance& r) const;
+  BRUNT_INLINE Tangent update(const Kinematics& k, const Pack* committed, Pack* trial, Pack (&s)[6]) const;
+  BRUNT_INLINE void resist(const Kinematics& k, const Tangent& tangent, const Pack (&s)[6], double dt,
+                           const Pack* committed, Pack* trial, Resistance& r) const;
   BRUNT_INLINE void resist_hourglass(const Kinematics& k, [[maybe_unused]] Pack left, double dt, Pack over_mass,
-                                     Pack mass, Pack trace, Pack largest, Pack* history, Resistance& r) const;
-  BRUNT_INLINE void resist_from_potential(const Kinematics& k, Pack over_mass, Pack* history, Resistance& r) const;
+                                     Pack mass, Pack trace, Pack largest, const Pack* committed, Pack* trial,
+                                     Resistance& r) const;
+  BRUNT_INLINE void resist_from_potential(const Kinematics& k, Pack over_mass, Pack* trial, Resistance& r) const;
   BRUNT_INLINE void add_hourglass_stress(const Pack (&Q)[4][3], const Pack (*h)[3], Pack over_volume,
                                          Pack (&stress)[9]) const;
 };
@@ -191,28 +193,26 @@ void Hex8<Response, hourglass>::move_from_reference(const BatchMotion<8>& in, Ki
 
 template <class Response, HourglassKind hourglass>
 typename Hex8<Response, hourglass>::Tangent Hex8<Response, hourglass>::update(const Kinematics& k,
-                                                                              Pack* history) const {
+                                                                              const Pack* committed, Pack* trial,
+                                                                              Pack (&s)[6]) const {
   Tangent tangent;
-  Pack* stress = history + Memory::at_stress;
-  Pack s[6];
   if constexpr (Response::hyperelastic) {
     law.stress(k.F, s);
     law.tangent(k.F, tangent.lambda, tangent.mu);
-    for (int c = 0; c < 6; ++c) stress[c] = s[c];
+    for (int c = 0; c < 6; ++c) trial[Memory::at_stress + c] = s[c];
   } else {
-    tangent.left = update_stress(law, k.strain, stress, history + Memory::at_tensors, history + Memory::at_scalars);
-    for (int c = 0; c < 6; ++c) s[c] = stress[c];
+    tangent.left = update_stress(law, k.strain, Memory::point(committed), Memory::point(trial), s);
     law.tangent(s, tangent.lambda, tangent.mu);
   }
   return tangent;
 }
 
 template <class Response, HourglassKind hourglass>
-void Hex8<Response, hourglass>::resist(const Kinematics& k, const Tangent& tangent, double dt, Pack* history,
-                                       Resistance& r) const {
+void Hex8<Response, hourglass>::resist(const Kinematics& k, const Tangent& tangent, const Pack (&s)[6], double dt,
+                                       const Pack* committed, Pack* trial, Resistance& r) const {
   const Pack trace = k.S[0] + k.S[1] + k.S[2];
   const Pack largest = largest_eigenvalue_bound(k.S);
-  const Pack mass = history[Memory::at_mass];
+  const Pack mass = committed[Memory::at_mass];
   const Pack over_both = 1.0 / (mass * largest);  // one division for 1/mass and 1/s_max
   const Pack over_mass = largest * over_both;
 
@@ -221,26 +221,26 @@ void Hex8<Response, hourglass>::resist(const Kinematics& k, const Tangent& tange
   const Pack rho_length2 = 0.5 * mass * mass * k.volume * over_both;
   const Pack viscosity = bulk_viscosity(bulk, law.lambda + 2.0 * law.mu, rho_length2, volume_rate);
   const Pack viscous = viscosity * volume_rate;
-  book_bulk_work(history + Memory::at_bulk_energy, viscous, k.volume, volume_rate, dt);
+  book_bulk_work(committed + Memory::at_bulk_energy, trial + Memory::at_bulk_energy, viscous, k.volume, volume_rate,
+                 dt);
 
   const Pack frequency_factor = 8.0 * k.over_volume * over_mass;
   r.omega2 = frequency_factor * (tangent.lambda * trace + 2.0 * tangent.mu * largest);
   r.damping = frequency_factor * trace * viscosity;
-  const Pack* s = history + Memory::at_stress;
   constexpr int place[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};
   for (int c = 0; c < 9; ++c) r.stress[c] = s[place[c]];
   for (int c = 0; c < 9; c += 4) r.stress[c] += viscous;
   if constexpr (from_potential)
-    resist_from_potential(k, over_mass, history, r);
+    resist_from_potential(k, over_mass, trial, r);
   else if constexpr (hourglass != HourglassKind::none)
     resist_hourglass(k, control.kind == HourglassKind::elastic ? broadcast(1.0) : tangent.left, dt, over_mass, mass,
-                     trace, largest, history, r);
+                     trace, largest, committed, trial, r);
 }
 
 template <class Response, HourglassKind hourglass>
 void Hex8<Response, hourglass>::resist_hourglass(const Kinematics& k, [[maybe_unused]] Pack left, double dt,
-                                                 Pack over_mass, Pack mass, Pack trace, Pack largest, Pack* history,
-                                                 Resistance& r) const {
+                                                 Pack over_mass, Pack mass, Pack trace, Pack largest,
+                                                 const Pack* committed, Pack* trial, Resistance& r) const {
   const Pack gamma2 = hourglass_norm(k.x, k.g, k.S, k.over_volume);
   [[maybe_unused]] Pack stiffness, viscous;
   if constexpr (hourglass == HourglassKind::stiffness) {
@@ -255,7 +255,8 @@ void Hex8<Response, hourglass>::resist_hourglass(const Kinematics& k, [[maybe_un
   Pack work = broadcast(0.0);
   for (int a = 0; a < 4; ++a) {
     const auto& h = k.h_mid[a];
-    Pack* stored = history + at_hourglass_force + 3 * a;
+    const Pack* before = committed + at_hourglass_force + 3 * a;
+    Pack* after = trial + at_hourglass_force + 3 * a;
     for (int i = 0; i < 3; ++i)
       r.Q[a][i] = k.v[3 + a][i] - (k.L[3 * i] * h[0] + k.L[3 * i + 1] * h[1] + k.L[3 * i + 2] * h[2]);
     Pack(&Q)[3] = r.Q[a];
@@ -265,29 +266,29 @@ void Hex8<Response, hourglass>::resist_hourglass(const Kinematics& k, [[maybe_un
       Pack turned[3], q[3];
       for (int i = 0; i < 3; ++i) {
         q[i] = Q[i];
-        turned[i] = stored[i] + (0.5 * stiffness * dt) * q[i];
+        turned[i] = before[i] + (0.5 * stiffness * dt) * q[i];
       }
       geometry::rotate_vector(k.strain.rotation, turned[0], turned[1], turned[2]);
       for (int i = 0; i < 3; ++i) {
         Q[i] = left * (turned[i] + (0.5 * stiffness * dt) * q[i]);
-        work += 0.5 * (stored[i] + Q[i]) * q[i];
-        stored[i] = Q[i];
+        work += 0.5 * (before[i] + Q[i]) * q[i];
+        after[i] = Q[i];
       }
     } else {
       for (int i = 0; i < 3; ++i) {
         const Pack now = viscous * Q[i];
-        work += 0.5 * (stored[i] + now) * Q[i];
-        stored[i] = Q[i] = now;
+        work += 0.5 * (before[i] + now) * Q[i];
+        after[i] = Q[i] = now;
       }
     }
   }
-  history[at_hourglass_energy] += dt * work;
+  trial[at_hourglass_energy] = committed[at_hourglass_energy] + dt * work;
 
   add_hourglass_stress(r.Q, k.x + 3, k.over_volume, r.stress);
 }
 
 template <class Response, HourglassKind hourglass>
-void Hex8<Response, hourglass>::resist_from_potential(const Kinematics& k, Pack over_mass, Pack* history,
+void Hex8<Response, hourglass>::resist_from_potential(const Kinematics& k, Pack over_mass, Pack* trial,
                                                       Resistance& r) const {
   r.omega2 += 8.0 * k.stiffness * k.gamma2 * over_mass;
   Pack squares = broadcast(0.0);
@@ -297,7 +298,7 @@ void Hex8<Response, hourglass>::resist_from_potential(const Kinematics& k, Pack 
       squares += q * q;
       r.Q[a][i] = k.stiffness * q;
     }
-  history[at_hourglass_energy] = 0.5 * k.stiffness * squares;
+  trial[at_hourglass_energy] = 0.5 * k.stiffness * squares;
   add_hourglass_stress(r.Q, k.moved, k.over_volume, r.stress);
 }
 
@@ -314,17 +315,19 @@ void Hex8<Response, hourglass>::add_hourglass_stress(const Pack (&Q)[4][3], cons
 }
 
 template <class Response, HourglassKind hourglass>
-void Hex8<Response, hourglass>::operator()(const BatchMotion<8>& in, Pack* history, BatchForce<8>& out) const {
+void Hex8<Response, hourglass>::operator()(const BatchMotion<8>& in, const Pack* committed, Pack* trial,
+                                           BatchForce<8>& out) const {
   Kinematics k;
   Resistance r;
   if constexpr (Response::hyperelastic)
     move_from_reference(in, k);
   else {
     move(in, k);
-    k.strain = strain_step_of<Response>(k.L, in.dt, history + Memory::at_log_strain);
+    k.strain = strain_step_of<Response>(k.L, in.dt, Memory::point(committed), Memory::point(trial));
   }
-  const Tangent tangent = update(k, history);
-  resist(k, tangent, in.dt, history, r);
+  Pack s[6];
+  const Tangent tangent = update(k, committed, trial, s);
+  resist(k, tangent, s, in.dt, committed, trial, r);
   for (int i = 0; i < 3; ++i) {
     Pack force[hex_modes];
     for (int m = 0; m < 6; ++m)

@@ -9,8 +9,10 @@
 #pragma once
 #include <bit>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
+#include "brunt/core/dual.hpp"
 #include "brunt/element/batch.hpp"
 #include "brunt/element/bulk_viscosity.hpp"
 #include "brunt/element/hex8_frequency.hpp"
@@ -23,35 +25,26 @@
 
 namespace brunt::element {
 
-template <class Response, bool bbar>
-struct Hex8Full {
-  static constexpr int nodes = 8;
-
-  Response law;
-  BulkViscosity bulk;
-
-  using Memory = SolidMemory<Response, hex_points>;
-  static constexpr int history_size = Memory::size;
-
-  static std::vector<HistoryField> history() { return Memory::fields(); }
-
-  void operator()(const BatchMotion<8>& in, Pack* history, BatchForce<8>& out) const;
-};
-
 namespace hex8_full_detail {
 
 /// What the eight points add up to.
-struct PointSums {
-  Pack force[3][hex_modes]{};                         ///< on the modes of the velocity
-  HourglassGram gram;                                 ///< for the stable step
-  Pack pressure{};                                    ///< sum of weight times mean stress, where B-bar
+template <class Number>
+struct ForceSums {
+  Number force[3][hex_modes]{};  ///< on the modes of the velocity
+  Number pressure{};             ///< sum of weight times mean stress, where B-bar
+};
+
+/// And for the stable step.
+struct BoundSums {
+  HourglassGram gram;
   Pack lambda = broadcast(0.0), mu = broadcast(0.0);  ///< largest current tangent
   Pack smallest_det = broadcast(HUGE_VAL);
 };
 
-BRUNT_INLINE void coordinate_modes(const Pack (&u)[3][8], Pack (&mode)[hex_modes][3]) {
+template <class Number>
+BRUNT_INLINE void coordinate_modes(const Number (&u)[3][8], Number (&mode)[hex_modes][3]) {
   for (int i = 0; i < 3; ++i) {
-    Pack of_component[hex_modes];
+    Number of_component[hex_modes];
     to_modes(u[i], of_component);
     for (int m = 0; m < hex_modes; ++m) mode[m][i] = of_component[m];
   }
@@ -69,120 +62,191 @@ BRUNT_INLINE Pack cube_root(Pack a) {
   }
   return root;
 }
+BRUNT_INLINE Dual cube_root(const Dual& a) {
+  const Pack root = cube_root(a.value);
+  return {root, (1.0 / 3.0) * root / a.value * a.slope};
+}
 
-BRUNT_INLINE void deformation_gradient(const HexPoint& p, const Pack (&x)[hex_modes][3], const Pack (&X)[hex_modes][3],
-                                       Pack (&F)[9]) {
-  Pack now[9], reference[9];
+template <class Number>
+BRUNT_INLINE void deformation_gradient(const HexPoint& p, const Number (&x)[hex_modes][3],
+                                       const Pack (&X)[hex_modes][3], Number (&F)[9]) {
+  Number now[9];
+  Pack reference[9];
   parent_gradient(p, x, now);
   parent_gradient(p, X, reference);
   space_gradient(now, reference, F);
 }
 
-BRUNT_INLINE Pack determinant(const Pack (&F)[9]) {
-  Pack K[9];
+template <class Number>
+BRUNT_INLINE Number determinant(const Number (&F)[9]) {
+  Number K[9];
   return cofactors(F, K);
 }
 
 /// Stress in `s` to parent forces; the mean stress apart where B-bar. `weight`: of the point's volume, 1 but for
-/// hyperelastic B-bar.
-template <bool bbar>
-BRUNT_INLINE void add_point(const HexPoint& p, const Pack (&x)[hex_modes][3], Pack (&s)[6], Pack weight,
-                            PointSums& sums) {
-  Pack J[9], K[9], A[9];
+/// hyperelastic B-bar. Cofactors and determinant of dx/dxi go to `K` and the result.
+template <bool bbar, class Number, class Weight>
+BRUNT_INLINE Number add_point(const HexPoint& p, const Number (&x)[hex_modes][3], Number (&s)[6], Weight weight,
+                              Number (&K)[9], ForceSums<Number>& sums) {
+  Number J[9], A[9];
   parent_gradient(p, x, J);
-  const Pack det = cofactors(J, K);
-  sums.smallest_det = pack_min(det, sums.smallest_det);
-  sums.gram.add(p, K, det);
+  const Number det = cofactors(J, K);
   if constexpr (bbar) {
-    const Pack mean = (s[0] + s[1] + s[2]) * (1.0 / 3.0);
+    const Number mean = (s[0] + s[1] + s[2]) * (1.0 / 3.0);
     for (int i = 0; i < 3; ++i) s[i] -= mean;
-    for (Pack& c : s) c *= weight;
+    for (Number& c : s) c *= weight;
     sums.pressure += weight * det * mean;
   }
   stress_times_cofactors(s, K, A);
   subtract_parent_force(p, A, sums.force);
-}
-
-BRUNT_INLINE void keep_largest(Pack lambda, Pack mu, PointSums& sums) {
-  sums.lambda = pack_max(lambda, sums.lambda);
-  sums.mu = pack_max(mu, sums.mu);
+  return det;
 }
 
 }  // namespace hex8_full_detail
 
 template <class Response, bool bbar>
-void Hex8Full<Response, bbar>::operator()(const BatchMotion<8>& in, Pack* history, BatchForce<8>& out) const {
+struct Hex8Full {
+  static constexpr int nodes = 8;
+
+  Response law;
+  BulkViscosity bulk;
+
+  using Memory = SolidMemory<Response, hex_points>;
+  static constexpr int history_size = Memory::size;
+
+  static std::vector<HistoryField> history() { return Memory::fields(); }
+
+  template <class Number>
+  void operator()(const BatchMotion<8, Number>& in, const Pack* committed, Number* trial,
+                  BatchForce<8, Number>& out) const;
+
+ private:
+  /// Modes of positions, of velocities and of the midpoint's positions; rate of volume strain at the midpoint.
+  template <class Number>
+  struct Motion {
+    Number x[hex_modes][3], v[hex_modes][3], x_mid[hex_modes][3];
+    Pack X[hex_modes][3];  // of hyperelastic laws, as theta
+    Number volume, volume_rate, theta;
+    Number g[6][3];
+    double dt;
+  };
+  template <class Number>
+  using Weight = std::conditional_t<Response::hyperelastic, Number, Pack>;
+
+  template <class Number>
+  BRUNT_INLINE static void move(const BatchMotion<8, Number>& in, Motion<Number>& motion);
+  template <class Number>
+  BRUNT_INLINE Weight<Number> stress(const HexPoint& point, const Motion<Number>& motion,
+                                     const PointMemory<const Pack>& committed, const PointMemory<Number>& trial,
+                                     Number (&s)[6], hex8_full_detail::BoundSums& bounds) const;
+};
+
+template <class Response, bool bbar>
+template <class Number>
+void Hex8Full<Response, bbar>::move(const BatchMotion<8, Number>& in, Motion<Number>& motion) {
   using namespace hex8_full_detail;
-  Pack x[hex_modes][3], v[hex_modes][3], x_mid[hex_modes][3], g_mid[6][3], g[6][3];
+  auto& [x, v, x_mid, X, volume, volume_rate, theta, g, dt] = motion;
+  Number g_mid[6][3];
+  dt = in.dt;
   coordinate_modes(in.x, x);
   coordinate_modes(in.v, v);
   for (int m = 0; m < hex_modes; ++m)
     for (int i = 0; i < 3; ++i) x_mid[m][i] = x[m][i] - (0.5 * in.dt) * v[m][i];
-  const Pack volume_mid = gradient_modes(x_mid, g_mid);
-  const Pack volume = gradient_modes(x, g);
-  Pack volume_rate = broadcast(0.0);
+  const Number volume_mid = gradient_modes(x_mid, g_mid);
+  volume = gradient_modes(x, g);
+  volume_rate = broadcast(0.0);
   for (int m = 0; m < 6; ++m)
     for (int i = 0; i < 3; ++i) volume_rate += v[m][i] * g_mid[m][i];
   volume_rate /= volume_mid;
-
-  PointSums sums;
-  [[maybe_unused]] Pack X[hex_modes][3], theta;
   if constexpr (Response::hyperelastic) {
     Pack G[6][3];
     coordinate_modes(in.X, X);
     theta = volume / gradient_modes(X, G);
   }
+}
+
+/// Stress at the end of the step; returns the weight of the point's volume.
+template <class Response, bool bbar>
+template <class Number>
+auto Hex8Full<Response, bbar>::stress(const HexPoint& point, const Motion<Number>& motion,
+                                      const PointMemory<const Pack>& committed, const PointMemory<Number>& trial,
+                                      Number (&s)[6], hex8_full_detail::BoundSums& bounds) const -> Weight<Number> {
+  using namespace hex8_full_detail;
+  Weight<Number> weight = broadcast(1.0);
+  [[maybe_unused]] Pack lambda, mu;
+  if constexpr (Response::hyperelastic) {
+    Number F[9];
+    deformation_gradient(point, motion.x, motion.X, F);
+    if constexpr (bbar) {
+      weight = motion.theta / determinant(F);
+      const Number scale = cube_root(weight);
+      for (Number& entry : F) entry *= scale;
+    }
+    law.stress(F, s);
+    if constexpr (bounds_step<Number>) law.tangent(F, lambda, mu);
+    for (int c = 0; c < 6; ++c) trial.stress[c] = s[c];
+  } else {
+    Number v_parent[9], x_parent[9], L[9];
+    parent_gradient(point, motion.v, v_parent);
+    parent_gradient(point, motion.x_mid, x_parent);
+    space_gradient(v_parent, x_parent, L);
+    if constexpr (bbar) {
+      const Number correction = (motion.volume_rate - (L[0] + L[4] + L[8])) * (1.0 / 3.0);
+      for (int i = 0; i < 3; ++i) L[4 * i] += correction;
+    }
+    const StrainStep<Number> strain = strain_step_of<Response>(L, motion.dt, committed, trial);
+    update_stress(law, strain, committed, trial, s);
+    if constexpr (bounds_step<Number>) law.tangent(s, lambda, mu);
+  }
+  if constexpr (bounds_step<Number>) {
+    bounds.lambda = pack_max(weight * lambda, bounds.lambda);
+    bounds.mu = pack_max(weight * mu, bounds.mu);
+  }
+  return weight;
+}
+
+template <class Response, bool bbar>
+template <class Number>
+void Hex8Full<Response, bbar>::operator()(const BatchMotion<8, Number>& in, const Pack* committed, Number* trial,
+                                          BatchForce<8, Number>& out) const {
+  using namespace hex8_full_detail;
+  Motion<Number> motion;
+  move(in, motion);
+  const auto& [x, v, x_mid, X, volume, volume_rate, theta, g, dt] = motion;
+
+  ForceSums<Number> sums;
+  BoundSums bounds;
   for (int p = 0; p < hex_points; ++p) {
     const HexPoint point(p);
-    Pack* stress = history + Memory::at_stress + 6 * p;
-    Pack s[6], lambda, mu, weight = broadcast(1.0);
-    if constexpr (Response::hyperelastic) {
-      Pack F[9];
-      deformation_gradient(point, x, X, F);
-      if constexpr (bbar) {
-        weight = theta / determinant(F);
-        const Pack scale = cube_root(weight);
-        for (Pack& entry : F) entry *= scale;
-      }
-      law.stress(F, s);
-      law.tangent(F, lambda, mu);
-      for (int c = 0; c < 6; ++c) stress[c] = s[c];
-    } else {
-      Pack v_parent[9], x_parent[9], L[9];
-      parent_gradient(point, v, v_parent);
-      parent_gradient(point, x_mid, x_parent);
-      space_gradient(v_parent, x_parent, L);
-      if constexpr (bbar) {
-        const Pack correction = (volume_rate - (L[0] + L[4] + L[8])) * (1.0 / 3.0);
-        for (int i = 0; i < 3; ++i) L[4 * i] += correction;
-      }
-      const StrainStep<Pack> strain = strain_step_of<Response>(L, in.dt, history + Memory::at_log_strain + 6 * p);
-      update_stress(law, strain, stress, history + Memory::at_tensors + 6 * Response::tensors * p,
-                    history + Memory::at_scalars + Response::scalars * p);
-      for (int c = 0; c < 6; ++c) s[c] = stress[c];
-      law.tangent(s, lambda, mu);
+    Number s[6], K[9];
+    const auto weight = stress(point, motion, Memory::point(committed, p), Memory::point(trial, p), s, bounds);
+    const Number det = add_point<bbar>(point, x, s, weight, K, sums);
+    if constexpr (bounds_step<Number>) {
+      bounds.smallest_det = pack_min(det, bounds.smallest_det);
+      bounds.gram.add(point, K, det);
     }
-    keep_largest(weight * lambda, weight * mu, sums);
-    add_point<bbar>(point, x, s, weight, sums);
   }
 
-  Pack S[6];
+  Number S[6];
   gradient_gram(g, S);
-  const Pack mass = history[Memory::at_mass];
-  const Pack rho_length2 = mass * volume / (2.0 * largest_eigenvalue_bound(S));
-  const Pack viscosity = bulk_viscosity(bulk, law.lambda + 2.0 * law.mu, rho_length2, volume_rate);
-  book_bulk_work(history + Memory::at_bulk_energy, viscosity * volume_rate, volume, volume_rate, in.dt);
-  const Pack through_mean = viscosity * volume_rate + sums.pressure / volume;
+  const Pack mass = committed[Memory::at_mass];
+  const Number rho_length2 = mass * volume / (2.0 * largest_eigenvalue_bound(S));
+  const Number viscosity = bulk_viscosity(bulk, law.lambda + 2.0 * law.mu, rho_length2, volume_rate);
+  book_bulk_work(committed + Memory::at_bulk_energy, trial + Memory::at_bulk_energy, viscosity * volume_rate, volume,
+                 volume_rate, in.dt);
+  const Number through_mean = viscosity * volume_rate + sums.pressure / volume;
   for (int i = 0; i < 3; ++i) {
     for (int m = 0; m < 6; ++m) sums.force[i][m] -= through_mean * g[m][i];
     from_modes(sums.force[i], out.f[i]);
   }
 
-  const Pack point_modulus = bbar ? 2.0 * sums.mu : 3.0 * sums.lambda + 2.0 * sums.mu;
-  const Pack stiffness = largest_stiffness(x, g, volume, S, sums.gram, sums.lambda, sums.mu, point_modulus);
-  const Pack damping = (8.0 / mass) * viscosity * (S[0] + S[1] + S[2]) / volume;
-  out.rate = stable_rate((8.0 / mass) * stiffness, damping);
-  out.volume = select(volume > 0.0, 8.0 * sums.smallest_det, volume);  // a NaN shows in the volume
+  if constexpr (bounds_step<Number>) {
+    const Pack point_modulus = bbar ? 2.0 * bounds.mu : 3.0 * bounds.lambda + 2.0 * bounds.mu;
+    const Pack stiffness = largest_stiffness(x, g, volume, S, bounds.gram, bounds.lambda, bounds.mu, point_modulus);
+    const Pack damping = (8.0 / mass) * viscosity * (S[0] + S[1] + S[2]) / volume;
+    out.rate = stable_rate((8.0 / mass) * stiffness, damping);
+    out.volume = select(volume > 0.0, 8.0 * bounds.smallest_det, volume);  // a NaN shows in the volume
+  }
 }
 
 }  // namespace brunt::element

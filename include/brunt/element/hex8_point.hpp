@@ -53,11 +53,11 @@ BRUNT_INLINE Number cofactors(const Number (&J)[9], Number (&K)[9]) {
 }
 
 /// Gradient du_i/dx_j in space from parent gradients: (du/dxi) (dx/dxi)^-1. Returns det(dx/dxi).
-template <class Number>
-BRUNT_INLINE Number space_gradient(const Number (&u_parent)[9], const Number (&x_parent)[9], Number (&L)[9]) {
-  Number K[9];
-  const Number det = cofactors(x_parent, K);
-  const Number over = 1.0 / det;
+template <class Number, class Shape>
+BRUNT_INLINE Shape space_gradient(const Number (&u_parent)[9], const Shape (&x_parent)[9], Number (&L)[9]) {
+  Shape K[9];
+  const Shape det = cofactors(x_parent, K);
+  const Shape over = 1.0 / det;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       L[3 * i + j] =

@@ -84,13 +84,15 @@ BRUNT_INLINE void logarithmic_spin(const Number (&h)[6], const Number (&d)[6], N
   solve_symmetric(P, spin);
 }
 
-/// Strain and rotation of a step, and h from its start to its end. N is taken at the midpoint, which needs it itself:
-/// once from the start, and once more from the midpoint that this gives (second order in the step).
+/// Strain and rotation of a step, and h from its start (committed) to its end (trial). N is taken at the midpoint,
+/// which needs it itself: once from the start, and once more from the midpoint that this gives (second order in the
+/// step).
 template <class Number>
-BRUNT_INLINE StrainStep<Number> logarithmic_step(const Number (&L)[9], double dt, Number* log_strain) {
+BRUNT_INLINE StrainStep<Number> logarithmic_step(const Number (&L)[9], double dt, const Pack* committed,
+                                                 Number* trial) {
   Number d[6], w[3], spin[3], turn[3], h[6], middle[6];
   stretch_and_spin(L, dt, d, w);
-  for (int c = 0; c < 6; ++c) h[c] = log_strain[c];
+  for (int c = 0; c < 6; ++c) h[c] = committed[c];
   logarithmic_spin(h, d, spin);
   for (int i = 0; i < 3; ++i) turn[i] = 0.5 * (w[i] + spin[i]);
   // h + d/2 + (Omega h - h Omega)/2
@@ -105,15 +107,17 @@ BRUNT_INLINE StrainStep<Number> logarithmic_step(const Number (&L)[9], double dt
   for (int i = 0; i < 3; ++i) spin[i] += w[i];
   const StrainStep<Number> step = seen_from_end(d, spin);
   geometry::rotate_tensor(step.rotation, h);
-  for (int c = 0; c < 6; ++c) log_strain[c] = h[c] + step.strain[c];
+  for (int c = 0; c < 6; ++c) trial[c] = h[c] + step.strain[c];
   return step;
 }
 
-/// By the objective rate of the law; `log_strain`: six packs where that is the logarithmic one.
+/// By the objective rate of the law.
 template <class Response, class Number>
-BRUNT_INLINE StrainStep<Number> strain_step_of(const Number (&L)[9], double dt, [[maybe_unused]] Number* log_strain) {
+BRUNT_INLINE StrainStep<Number> strain_step_of(const Number (&L)[9], double dt,
+                                               const PointMemory<const Pack>& committed,
+                                               const PointMemory<Number>& trial) {
   if constexpr (Response::logarithmic)
-    return logarithmic_step(L, dt, log_strain);
+    return logarithmic_step(L, dt, committed.log_strain, trial.log_strain);
   else
     return strain_step(L, dt);
 }

@@ -7,6 +7,12 @@
 
 namespace brunt::element {
 
+/// Where one integration point's part of a memory begins.
+template <class Number>
+struct PointMemory {
+  Number *stress, *tensors, *scalars, *log_strain;
+};
+
 /// Doubles of one element with `points` integration points, in this order: mass (set once by the model), all stresses
 /// (xx,yy,zz,xy,yz,zx a point), all tensors of the law, all its scalars, then energy and last force of bulk viscosity,
 /// and ln V of all points where the law follows the logarithmic rate.
@@ -19,6 +25,12 @@ struct SolidMemory {
   static constexpr int at_bulk_energy = at_scalars + Response::scalars * points;
   static constexpr int at_log_strain = at_bulk_energy + 2;
   static constexpr int size = at_log_strain + (Response::logarithmic ? 6 * points : 0);
+
+  template <class Number>
+  static PointMemory<Number> point(Number* history, int p = 0) {
+    return {history + at_stress + 6 * p, history + at_tensors + 6 * Response::tensors * p,
+            history + at_scalars + Response::scalars * p, history + at_log_strain + 6 * p};
+  }
 
   static std::vector<HistoryField> fields() {
     std::vector<HistoryField> fields{{"mass", 1}, {"stress", 6 * points}};

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The objective stress update of one integration point, of second order in the step.
 #pragma once
+#include <algorithm>
+
 #include "brunt/core/simd.hpp"
+#include "brunt/element/memory.hpp"
 #include "brunt/geometry/rotation.hpp"
 
 namespace brunt::element {
@@ -54,17 +57,24 @@ BRUNT_INLINE StrainStep<Number> strain_step(const Number (&L)[9], double dt) {
   return seen_from_end(d, spin);
 }
 
-/// Stress (6 packs), history tensors and scalars of a rate law from t_n - dt to t_n. Returns what the law's update
-/// does: the share of the elastic trial stress's deviator that is left after plastic flow.
+/// Stress, history tensors and scalars of a rate law from the start of a step to its end; the stress in `s` too.
+/// Returns what the law's update does: the share of the elastic trial stress's deviator that is left after plastic
+/// flow.
 template <class Response, class Number>
-BRUNT_INLINE Number update_stress(const Response& law, const StrainStep<Number>& step, Number* stress, Number* tensors,
-                                  Number* scalars) {
-  Number s[6];
-  for (int c = 0; c < 6; ++c) s[c] = stress[c];
+BRUNT_INLINE Number update_stress(const Response& law, const StrainStep<Number>& step,
+                                  const PointMemory<const Pack>& committed, const PointMemory<Number>& trial,
+                                  Number (&s)[6]) {
+  constexpr int tensor_entries = 6 * Response::tensors;
+  Number tensors[std::max(tensor_entries, 1)], scalars[std::max(Response::scalars, 1)];
+  for (int c = 0; c < 6; ++c) s[c] = committed.stress[c];
+  for (int c = 0; c < tensor_entries; ++c) tensors[c] = committed.tensors[c];
+  for (int k = 0; k < Response::scalars; ++k) scalars[k] = committed.scalars[k];
   geometry::rotate_tensor(step.rotation, s);
   for (int t = 0; t < Response::tensors; ++t) geometry::rotate_tensor(step.rotation, tensors + 6 * t);
   const Number left = law.update(step.strain, s, tensors, scalars);
-  for (int c = 0; c < 6; ++c) stress[c] = s[c];
+  for (int c = 0; c < 6; ++c) trial.stress[c] = s[c];
+  for (int c = 0; c < tensor_entries; ++c) trial.tensors[c] = tensors[c];
+  for (int k = 0; k < Response::scalars; ++k) trial.scalars[k] = scalars[k];
   return left;
 }
 

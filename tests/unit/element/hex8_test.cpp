@@ -238,7 +238,7 @@ TEMPLATE_TEST_CASE("what an element answers does not depend on its lane or on th
       for (std::size_t h = 0; h < history.size(); ++h) history[h][l] = memory[e][h];
     }
     element::BatchForce<8> out;
-    kernel(in, history.data(), out);
+    kernel(in, history.data(), history.data(), out);
     std::vector<double> bits{out.rate[lane], out.volume[lane]};
     for (int c = 0; c < 24; ++c) bits.push_back(out.f[c / 8][c % 8][lane]);
     for (const Pack& value : history) bits.push_back(value[lane]);
