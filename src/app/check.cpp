@@ -120,18 +120,19 @@ void print_advice(const Prepared& run) {
 
 /// Bodies that overlap have no smallest gap: other places of theirs may be apart, which says nothing.
 void print_gaps(const Prepared& run) {
-  const InitialGaps& gaps = run.overlaps.gaps;
+  const setup::InitialGaps& gaps = run.overlaps.gaps;
   if (!gaps.overlaps.empty())
     fmt::print("deepest overlap  {} of {} node{}, listed above\n",
                scene::with_length(gaps.overlaps.front().depth, run.input.units, 6), gaps.overlaps.size(),
                gaps.overlaps.size() == 1 ? "" : "s");
-  else if (std::ranges::any_of(gaps.piercings, [](const Piercing& p) { return p.rule == OverlapRule::warn; }))
+  else if (std::ranges::any_of(gaps.piercings,
+                               [](const setup::Piercing& p) { return p.rule == setup::OverlapRule::warn; }))
     fmt::print("smallest gap     none: parts pierce each other, listed above\n");
   else if (!gaps.shared.empty())
     fmt::print("smallest gap     none: parts lie in one place, listed above\n");
   else if (gaps.smallest >= 0)
     fmt::print("smallest gap     {} between {} and {}\n", scene::with_length(gaps.smallest, run.input.units, 6),
-               run.input.parts[gaps.part].name, run.input.parts[gaps.other].name);
+               run.model.blocks[gaps.block].part, run.model.blocks[gaps.other_block].part);
   else if (!run.input.contact.empty())
     fmt::print("smallest gap     no two parts are nearer than an element's edge\n");
 }

@@ -14,6 +14,12 @@
 namespace brunt::app {
 namespace {
 
+using setup::InitialGaps;
+using setup::InitialOverlap;
+using setup::OverlapRule;
+using setup::Piercing;
+using setup::SharedSpace;
+
 struct Reporter {
   const scene::Input& input;
   const mesh::Mesh& mesh;
@@ -136,7 +142,7 @@ void list_overlaps(const Reporter& reporter, const InitialGaps& gaps, OverlapRep
 
 }  // namespace
 
-std::string name_of_face(const mesh::Mesh& mesh, const FaceNodes& face) {
+std::string name_of_face(const mesh::Mesh& mesh, const setup::FaceNodes& face) {
   std::string name;
   for (const LocalIndex node : face)
     if (node != no_index)

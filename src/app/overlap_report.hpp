@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "initial_gaps.hpp"
+#include "brunt/scene/input.hpp"
+#include "brunt/setup/initial_gaps.hpp"
 
 namespace brunt::app {
 
@@ -21,9 +22,9 @@ struct OverlapReport {
 /// One line for each pair of parts that overlap: how many nodes, and the deepest. The pair with the deepest comes
 /// first. Then the parts that pierce others. Overlaps under `move` and `offset` are told only where that cannot be
 /// done: deeper than contact looks, or pierced.
-OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh, const InitialGaps& gaps);
+OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh, const setup::InitialGaps& gaps);
 
 /// A node or face as the user knows it.
-std::string name_of_face(const mesh::Mesh& mesh, const FaceNodes& face);
+std::string name_of_face(const mesh::Mesh& mesh, const setup::FaceNodes& face);
 
 }  // namespace brunt::app

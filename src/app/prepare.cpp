@@ -18,7 +18,7 @@
 #include "brunt/scene/write.hpp"
 #include "brunt/time/initialise.hpp"
 #include "brunt/time/relaxation.hpp"
-#include "coarse_slaves.hpp"
+#include "coarse_slave_warnings.hpp"
 #include "contact_setup.hpp"
 #include "failure.hpp"
 #include "partition/distribute.hpp"

@@ -6,13 +6,13 @@
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/mesh/canonical.hpp"
 #include "brunt/scene/input.hpp"
-#include "initial_gaps.hpp"
+#include "brunt/setup/initial_gaps.hpp"
 #include "overlap_report.hpp"
 
 namespace brunt::app {
 
 struct TreatedOverlaps {
-  InitialGaps gaps;  ///< of the mesh after nodes were moved
+  setup::InitialGaps gaps;  ///< of the mesh after nodes were moved
   OverlapReport report;
   std::vector<contact::AcceptedOverlap> accepted;  ///< what `offset` keeps, as contact wants it
   bool recovered = false;  ///< some are left to contact (`warn`), which gives the bodies energy in parting them

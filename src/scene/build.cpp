@@ -234,8 +234,7 @@ std::optional<std::size_t> deciding_entry(const Input& input, const std::string&
   return deciding;
 }
 
-std::optional<ContactEntry::InitialOverlap> overlap_rule(const Input& input, const std::string& a,
-                                                         const std::string& b) {
+std::optional<contact::OverlapRule> overlap_rule(const Input& input, const std::string& a, const std::string& b) {
   const std::optional<std::size_t> entry = deciding_entry(input, a, b);
   return entry ? std::optional(input.contact[*entry].initial_overlap) : std::nullopt;
 }

@@ -10,7 +10,7 @@
 namespace brunt::scene {
 namespace {
 
-using Overlap = ContactEntry::InitialOverlap;
+using Overlap = contact::OverlapRule;
 using Slave = ContactEntry::Slave;
 
 /// Two parts, or one twice: contact with itself.

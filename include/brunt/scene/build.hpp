@@ -25,8 +25,7 @@ std::optional<std::size_t> deciding_entry(const Input& input, const std::string&
 std::string contact_key(const Input& input, const std::string& a, const std::string& b);
 
 /// What the scene wants where these two parts overlap at the start; none where they have no contact.
-std::optional<ContactEntry::InitialOverlap> overlap_rule(const Input& input, const std::string& a,
-                                                         const std::string& b);
+std::optional<contact::OverlapRule> overlap_rule(const Input& input, const std::string& a, const std::string& b);
 
 /// Which parts may touch which, by pairs of blocks; a later entry wins for a pair of parts. part_of_block: names.
 model::ContactRule contact_rule(const Input& input, std::span<const std::string> part_of_block);

@@ -153,7 +153,7 @@ struct ContactEntry {
   bool self = true;  ///< with `all`: parts meet themselves too
   bool tied = false;
   enum class Competing { automatic, nearest, strength, velocity } competing = Competing::automatic;
-  enum class InitialOverlap { error, warn, move, offset } initial_overlap = InitialOverlap::error;
+  contact::OverlapRule initial_overlap = contact::OverlapRule::error;
 };
 
 struct Probe {

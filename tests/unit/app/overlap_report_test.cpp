@@ -9,11 +9,11 @@
 #include "brunt/scene/read.hpp"
 
 using namespace brunt;
-using app::InitialGaps;
-using app::InitialOverlap;
 using app::OverlapReport;
-using app::OverlapRule;
 using Catch::Contains;
+using setup::InitialGaps;
+using setup::InitialOverlap;
+using setup::OverlapRule;
 
 namespace {
 
@@ -32,11 +32,11 @@ struct Parts {
     for (std::size_t n = 0; n < mesh.node_id.size(); ++n) mesh.node_id[n] = 100 + static_cast<GlobalIndex>(n);
   }
   [[nodiscard]] OverlapReport report(std::vector<InitialOverlap> overlaps,
-                                     std::vector<app::Piercing> piercings = {}) const {
+                                     std::vector<setup::Piercing> piercings = {}) const {
     InitialGaps gaps;
     gaps.overlaps = std::move(overlaps);
     gaps.piercings = std::move(piercings);
-    return report_overlaps(input, mesh, gaps);
+    return app::report_overlaps(input, mesh, gaps);
   }
 };
 
@@ -120,12 +120,12 @@ TEST_CASE("overlap report: a body in itself can be offset but not moved; piercin
   CHECK_THAT(moved.faults[1], Contains("does not part a body from itself"));
   fold.rule = OverlapRule::offset;
   CHECK(Parts().report({fold}).faults.empty());
-  const app::Piercing piercing{.block = 1,
-                               .other_block = 0,
-                               .edges = 2,
-                               .edge = {8, 12},
-                               .face = {0, 1, 2, no_index},
-                               .rule = OverlapRule::offset};
+  const setup::Piercing piercing{.block = 1,
+                                 .other_block = 0,
+                                 .edges = 2,
+                                 .edge = {8, 12},
+                                 .face = {0, 1, 2, no_index},
+                                 .rule = OverlapRule::offset};
   const OverlapReport pierced = Parts().report({}, {piercing});
   REQUIRE(pierced.faults.size() == 2);
   CHECK_THAT(pierced.faults[0],

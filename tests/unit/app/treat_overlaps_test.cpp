@@ -9,7 +9,7 @@
 #include "brunt/mesh/primitives.hpp"
 #include "brunt/scene/read.hpp"
 #include "brunt/scene/select.hpp"
-#include "unit/app/bent_bar.hpp"
+#include "unit/setup/bent_bar.hpp"
 
 using namespace brunt;
 using app::TreatedOverlaps;
@@ -159,7 +159,7 @@ TEST_CASE("a node past the middle of a plate is behind the face that it came thr
   Case scene(two_boxes({4, 4, 0.1}, {4, 4, 1}, {0.2, 0.2, 1}, {1, 1, 1}, {1.4, 1.4, 0.02}), "error");
   const TreatedOverlaps treated = scene.treat();
   REQUIRE(treated.gaps.overlaps.size() == 4);
-  for (const app::InitialOverlap& overlap : treated.gaps.overlaps) {
+  for (const setup::InitialOverlap& overlap : treated.gaps.overlaps) {
     CHECK(overlap.depth == Approx(0.08));
     CHECK(overlap.too_deep);
   }
@@ -190,7 +190,12 @@ TEST_CASE("quarters of balls that touch in a vertex do not pierce each other") {
 
 TEST_CASE("a body that overlaps itself is refused, warned of, or kept as zero gap; nothing moves it out of itself") {
   const auto treat = [](const std::string& rule) {
-    const scene::Input input = test::bent_bar_scene("initial_overlap: " + rule);
+    const scene::Input input = scene::read_scene(
+        "units: none\nmesh: {file: of_the_test}\nrun: {end: 1}\n"
+        "materials: {m: {model: elastic, density: 1, young: 1, poisson: 0}}\n"
+        "parts: {a: {material: m}}\ncontact: [{between: all, initial_overlap: " +
+            rule + "}]\n",
+        "scene of the test");
     mesh::CanonicalMesh whole = mesh::canonical_order(test::bent_bar(0.1));
     scene::select(input, whole);
     const std::vector<Vec3> before = whole.mesh.coordinates;

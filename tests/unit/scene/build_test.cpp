@@ -24,7 +24,7 @@ struct Rule {
   bool active = false;
   double friction = 0;
   int slave = 0;
-  std::optional<ContactEntry::InitialOverlap> overlap;
+  std::optional<contact::OverlapRule> overlap;
 };
 
 Rule rule_of(const std::string& contact) {
@@ -34,7 +34,7 @@ Rule rule_of(const std::string& contact) {
           rule.forced_slave[1], overlap_rule(input, "left", "right")};
 }
 
-using Overlap = ContactEntry::InitialOverlap;
+using Overlap = contact::OverlapRule;
 
 }  // namespace
 

@@ -102,7 +102,7 @@ TEST_CASE("a small scene is read with its defaults", "[scene]") {
   CHECK(input.contact[0].enforcement.tolerance == 1e-3);
   CHECK(input.contact[0].enforcement.max_iterations == 200);
   CHECK(input.contact[0].enforcement.softness == 0.05);
-  CHECK(input.contact[0].initial_overlap == ContactEntry::InitialOverlap::error);
+  CHECK(input.contact[0].initial_overlap == contact::OverlapRule::error);
   CHECK(input.run.end == 1e-3);
   CHECK_FALSE(input.run.steps);
   CHECK_FALSE(input.history_every);
@@ -207,7 +207,7 @@ TEST_CASE("contact, probes and the run are read", "[scene]") {
   CHECK(input.contact[0].enforcement.tolerance == 1e-4);
   CHECK(input.contact[0].enforcement.max_iterations == 20);
   CHECK(input.contact[0].enforcement.softness == 0.1);
-  CHECK(input.contact[0].initial_overlap == ContactEntry::InitialOverlap::warn);
+  CHECK(input.contact[0].initial_overlap == contact::OverlapRule::warn);
   CHECK(input.contact[1].slave == Slave::second);
   CHECK(input.contact[2].slave == Slave::first);
   CHECK(input.contact[1].passes == contact::Passes::automatic);

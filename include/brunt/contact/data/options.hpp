@@ -55,6 +55,14 @@ enum class Tied : std::int8_t {
   alone  ///< those do, and nothing else acts between the two
 };
 
+/// What becomes of nodes of two parts that lie inside each other at the start.
+enum class OverlapRule : std::int8_t {
+  error,  ///< the scene is refused
+  warn,   ///< they are told, and recovered slowly
+  move,   ///< nodes are moved out before the run
+  offset  ///< they are kept as zero gap
+};
+
 struct EnforcementSettings {
   Method method = Method::rate;
   double tolerance = 1e-3;  ///< of the residual, relative to the largest violation by the predicted velocities

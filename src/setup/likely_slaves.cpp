@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Faces against the boxes of what they may meet: near it now, or hit by it on a straight flight.
-#include "brunt/contact/likely_slaves.hpp"
+#include "brunt/setup/likely_slaves.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -17,7 +17,7 @@
 #include "brunt/mesh/topology.hpp"
 #include "flight_shadow.hpp"
 
-namespace brunt::contact {
+namespace brunt::setup {
 namespace {
 
 struct Face {
@@ -98,11 +98,11 @@ std::vector<double> mass_of_nodes(const mesh::Mesh& mesh, std::span<const double
   return mass;
 }
 
-std::vector<BodyFigures> figures_of(const mesh::Mesh& mesh, std::span<const mesh::Side> sides,
-                                    std::span<const Face> faces, std::span<const double> density) {
+std::vector<contact::BodyFigures> figures_of(const mesh::Mesh& mesh, std::span<const mesh::Side> sides,
+                                             std::span<const Face> faces, std::span<const double> density) {
   std::int32_t last_body = no_index;
   for (const Face& face : faces) last_body = std::max(last_body, face.body);
-  std::vector<BodyFigures> bodies(static_cast<std::size_t>(last_body + 1));
+  std::vector<contact::BodyFigures> bodies(static_cast<std::size_t>(last_body + 1));
   std::vector<double> face_count(bodies.size(), 0.0), node_count(bodies.size(), 0.0);
   const std::vector<double> mass = mass_of_nodes(mesh, density);
   std::vector<char> counted(mass.size(), 0);
@@ -176,7 +176,7 @@ FlightShadow shadow_of(const mesh::Mesh& mesh, std::span<const mesh::Side> sides
 /// Have all nodes of the face twins there? In the second of two passes they have no rows then (see detect_faces).
 bool has_twins(const mesh::Mesh& mesh, const mesh::Side& side, double size, const FlightShadow& others) {
   return std::ranges::all_of(corners_of(mesh, side), [&](LocalIndex node) {
-    return others.passes_by(mesh.coordinates[static_cast<std::size_t>(node)], twin_share * size);
+    return others.passes_by(mesh.coordinates[static_cast<std::size_t>(node)], contact::twin_share * size);
   });
 }
 
@@ -186,30 +186,30 @@ double span_of(const geometry::Box& a, const geometry::Box& b) {
 
 }  // namespace
 
-std::vector<BodyFigures> body_figures(const mesh::Mesh& mesh, std::span<const mesh::Side> sides,
-                                      std::span<const double> density) {
+std::vector<contact::BodyFigures> body_figures(const mesh::Mesh& mesh, std::span<const mesh::Side> sides,
+                                               std::span<const double> density) {
   demand(density.size() == mesh.blocks.size(), "one density for each block");
   const std::vector<Vec3> at_rest(mesh.coordinates.size(), Vec3::Zero());
   return figures_of(mesh, sides, measure_faces(mesh, sides, at_rest, mesh::bodies(mesh)), density);
 }
 
-std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const mesh::Side> sides, const PairTable& pairs,
-                                      const Outlook& outlook) {
+std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const mesh::Side> sides,
+                                      const contact::PairTable& pairs, const Outlook& outlook) {
   demand(outlook.density.size() == mesh.blocks.size(), "one density for each block");
   demand(outlook.velocity.size() == mesh.coordinates.size(), "one velocity for each node");
   const std::vector<Face> faces = measure_faces(mesh, sides, outlook.velocity, mesh::bodies(mesh));
-  const std::vector<BodyFigures> bodies = figures_of(mesh, sides, faces, outlook.density);
+  const std::vector<contact::BodyFigures> bodies = figures_of(mesh, sides, faces, outlook.density);
   const Patches patches = patches_of(faces);
   std::vector<char> likely(faces.size(), 0);
   bool any_pair = false;
   for (const auto& [own, slave] : patches)
     for (const auto& [others, master] : patches) {
       if (own.first == others.first) continue;  // folds are not foretold
-      const SurfaceNode node{{&own.second, 1}, own.first};
-      if (!may_meet(pairs, bodies, node, others.second, others.first)) continue;
+      const contact::SurfaceNode node{{&own.second, 1}, own.first};
+      if (!contact::may_meet(pairs, bodies, node, others.second, others.first)) continue;
       any_pair = true;
       const double farthest = span_of(slave.box, master.box);
-      const bool second = !leads(pairs, bodies, node, others.second, others.first);
+      const bool second = !contact::leads(pairs, bodies, node, others.second, others.first);
       std::optional<FlightShadow> twins;
       for (const std::size_t f : slave.faces) {
         if (likely[f] != 0 || !may_reach(faces[f], master, outlook.duration, farthest)) continue;
@@ -225,4 +225,4 @@ std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const me
   return chosen;
 }
 
-}  // namespace brunt::contact
+}  // namespace brunt::setup

@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "brunt/mesh/mesh.hpp"
-#include "brunt/scene/input.hpp"
-#include "solids.hpp"
+#include "brunt/setup/solids.hpp"
+#include "brunt/setup/start_rules.hpp"
 
-namespace brunt::app {
-
-using OverlapRule = scene::ContactEntry::InitialOverlap;
+namespace brunt::setup {
 
 struct InitialOverlap {
   LocalIndex node = 0;                     ///< of the mesh
@@ -24,6 +22,7 @@ struct InitialOverlap {
   bool too_deep = false;
   OverlapRule rule = OverlapRule::error;  ///< as the scene has it for this pair
   [[nodiscard]] bool is_within_itself() const { return body == other_body; }
+  [[nodiscard]] bool is_moved() const { return rule == OverlapRule::move; }
 };
 
 /// Edges of one block that pass through another without an end or a corner inside: nodes on the right sides of all
@@ -47,8 +46,8 @@ struct SharedSpace {
 struct InitialGaps {
   double smallest =
       -1;  ///< distance of a node to a face of a part that it may touch [length]; -1: none within one edge
-  std::size_t part = 0, other = 0;       ///< of that node and face, into Input::parts
-  std::vector<InitialOverlap> overlaps;  ///< deepest first
+  std::size_t block = 0, other_block = 0;  ///< of that node and face
+  std::vector<InitialOverlap> overlaps;    ///< deepest first
   std::vector<Piercing> piercings;
   std::vector<SharedSpace> shared;
 };
@@ -56,6 +55,6 @@ struct InitialGaps {
 /// Nodes deeper inside than `touching` overlap; shallower ones touch. Parts that share nodes are one body: of a body
 /// with itself only overlaps are told, in elements that do not touch those of the node; neither gaps (the thickness of
 /// every part would be one) nor edges that pass through it.
-InitialGaps initial_gaps(const scene::Input& input, const mesh::Mesh& mesh);
+InitialGaps initial_gaps(const mesh::Mesh& mesh, const StartRules& rules);
 
-}  // namespace brunt::app
+}  // namespace brunt::setup

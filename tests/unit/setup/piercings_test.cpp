@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A rod through a plate: no node of either is inside the other.
-#include "app/piercings.hpp"
+#include "brunt/setup/piercings.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -20,20 +20,20 @@ mesh::Mesh plate_and_rod(double start) {
   return mesh;
 }
 
-std::vector<app::PiercingEdge> pierce(double start, std::vector<char> inside = std::vector<char>(16, 0)) {
+std::vector<setup::PiercingEdge> pierce(double start, std::vector<char> inside = std::vector<char>(16, 0)) {
   const mesh::Mesh mesh = plate_and_rod(start);
-  const std::vector<app::Solid> solids = app::solids_of(mesh);
-  CHECK(app::piercing_edges(mesh, solids[0], solids[1], inside).empty());  // the plate's edges are far from the rod
-  return app::piercing_edges(mesh, solids[1], solids[0], inside);
+  const std::vector<setup::Solid> solids = setup::solids_of(mesh);
+  CHECK(setup::piercing_edges(mesh, solids[0], solids[1], inside).empty());  // the plate's edges are far from the rod
+  return setup::piercing_edges(mesh, solids[1], solids[0], inside);
 }
 
 }  // namespace
 
 TEST_CASE("piercings: the four long edges of a rod through a plate, each once") {
-  const std::vector<app::PiercingEdge> found = pierce(-1);
+  const std::vector<setup::PiercingEdge> found = pierce(-1);
   REQUIRE(found.size() == 4);
   const mesh::Mesh mesh = plate_and_rod(-1);
-  for (const app::PiercingEdge& edge : found) {
+  for (const setup::PiercingEdge& edge : found) {
     const Vec3 along = mesh.coordinates[static_cast<std::size_t>(edge.edge[1])] -
                        mesh.coordinates[static_cast<std::size_t>(edge.edge[0])];
     CHECK(std::abs(along.z()) == 2);

@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "move_overlaps.hpp"
-
-#include <fmt/core.h>
+#include "brunt/setup/move_overlaps.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "brunt/geometry/closest_point.hpp"
-#include "brunt/scene/select.hpp"
-#include "slave_choice.hpp"
+#include "brunt/setup/slave_choice.hpp"
 
-namespace brunt::app {
+namespace brunt::setup {
 namespace {
 
-constexpr int most_passes = 20, most_rounds = 200;
-constexpr double least_share = 0.2;  // of its volume that an element must keep at each corner
+constexpr int most_rounds = 200;
 constexpr double held_share = 1e-6;  // of a move along a held direction that is rounding
-
-bool is_moved(const InitialOverlap& overlap) {
-  return overlap.rule == OverlapRule::move;
-}
 
 /// One overlap as the coordinates now have it: the node onto the face, or the corners of the face onto the node.
 /// Returns the depth as a share of the face's longest edge.
@@ -73,44 +65,41 @@ double kept_share(const std::vector<Vec3>& before, const std::vector<Vec3>& afte
   return least;
 }
 
+/// What the moves from `before` do that they must not.
 class Judge {
  public:
-  Judge(const scene::Input& input, const mesh::Mesh& mesh, const std::vector<Vec3>& before)
-      : input_(input), mesh_(mesh), before_(before) {}
+  Judge(const mesh::Mesh& mesh, const std::vector<Vec3>& before) : mesh_(mesh), before_(before) {}
 
-  std::vector<std::string> faults;
-
-  void look_at_held_nodes() {
-    for (std::size_t k = 0; k < input_.fixed.size(); ++k)
-      for (int c = 0; c < 3; ++c)
-        if (input_.fixed[k].dofs[static_cast<std::size_t>(c)]) look_at_set("fixed", k, Vec3::Unit(c));
-    for (std::size_t k = 0; k < input_.symmetry.size(); ++k)
-      look_at_set("symmetry", k, input_.symmetry[k].normal.normalized());
-    for (std::size_t k = 0; k < input_.prescribed.size(); ++k)
-      look_at_set("prescribed", k, Vec3::Unit(input_.prescribed[k].dof));
+  [[nodiscard]] std::vector<HeldMove> moves_of_held(std::span<const HeldNodes> held) const {
+    std::vector<HeldMove> moves;
+    for (std::size_t k = 0; k < held.size(); ++k) {
+      HeldMove found{.held = k};
+      for (const LocalIndex node : held[k].nodes) {
+        const Vec3 move = move_of(node);
+        if (std::abs(move.dot(held[k].direction)) <= held_share * move.norm()) continue;
+        if (found.count++ == 0) found.first = node;
+      }
+      if (found.count == 0) continue;
+      found.distance = move_of(found.first).norm();
+      moves.push_back(found);
+    }
+    return moves;
   }
 
-  void look_at_elements() {
-    double least = least_share;
-    const mesh::Block* worst = nullptr;
-    LocalIndex element = 0;
-    for (const mesh::Block& block : mesh_.blocks)
+  [[nodiscard]] std::optional<SpoiledElement> worst_element() const {
+    std::optional<SpoiledElement> worst;
+    double least = least_kept_share;
+    for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
+      const mesh::Block& block = mesh_.blocks[b];
       for (LocalIndex e = 0; e < block.count(); ++e) {
         if (!has_moved(block, e)) continue;
         const double share = kept_share(before_, mesh_.coordinates, block, e);
         if (share >= least) continue;
         least = share;
-        worst = &block;
-        element = e;
+        worst = {b, e, share};
       }
-    if (worst == nullptr) return;
-    const auto number = worst->element_id[static_cast<std::size_t>(element)];
-    const std::size_t block = static_cast<std::size_t>(worst - mesh_.blocks.data());
-    const std::string& part = input_.parts[scene::parts_of_blocks(input_, mesh_)[block]].name;
-    faults.push_back(fmt::format(
-        "{}: initial_overlap: move would {} element {} of part '{}' (a corner keeps {:.3g} of its volume, at "
-        "least {:g} is wanted); move the parts apart, or keep the overlap with offset",
-        input_.at("contact"), least > 0 ? "flatten" : "invert", number, part, least, least_share));
+    }
+    return worst;
   }
 
  private:
@@ -124,34 +113,17 @@ class Judge {
                        [&](LocalIndex node) { return !move_of(node).isZero(0); });
   }
 
-  void look_at_set(const std::string& kind, std::size_t entry, const Vec3& direction) {
-    std::size_t count = 0;
-    LocalIndex first = no_index;
-    for (const LocalIndex node : mesh_.node_sets.at(scene::selection_name(kind, entry))) {
-      const Vec3 move = move_of(node);
-      if (std::abs(move.dot(direction)) <= held_share * move.norm()) continue;
-      if (count++ == 0) first = node;
-    }
-    if (count == 0) return;
-    faults.push_back(fmt::format(
-        "{}: initial_overlap: move would move {} node{} that {}.{} holds (first: node {}, by {:.4g}); let the "
-        "other part move with `slave`, or keep the overlap with offset",
-        input_.at("contact"), count, count == 1 ? "" : "s", kind, entry, mesh_.node_id[static_cast<std::size_t>(first)],
-        move_of(first).norm()));
-  }
-
-  const scene::Input& input_;
   const mesh::Mesh& mesh_;
   const std::vector<Vec3>& before_;
 };
 
 /// Pass after pass; returns the overlaps that are left.
-std::vector<InitialOverlap> push_all_out(const scene::Input& input, mesh::Mesh& mesh, const InitialGaps& before) {
-  const SlaveChoice choice(input, mesh);
+std::vector<InitialOverlap> push_all_out(mesh::Mesh& mesh, const StartRules& rules, const InitialGaps& before) {
+  const SlaveChoice choice(mesh, rules);
   InitialGaps gaps = before;
   for (int pass = 0;; ++pass) {
-    std::erase_if(gaps.overlaps, [](const InitialOverlap& overlap) { return !is_moved(overlap); });
-    if (gaps.overlaps.empty() || pass == most_passes) return gaps.overlaps;
+    std::erase_if(gaps.overlaps, [](const InitialOverlap& overlap) { return !overlap.is_moved(); });
+    if (gaps.overlaps.empty() || pass == most_moving_passes) return gaps.overlaps;
     const auto is_slave = [&](const InitialOverlap& o) {
       return choice.is_slave(o.block, o.body, o.other_block, o.other_body);
     };
@@ -164,37 +136,30 @@ std::vector<InitialOverlap> push_all_out(const scene::Input& input, mesh::Mesh& 
       for (const InitialOverlap& overlap : gaps.overlaps)
         deepest = std::max(deepest, push_out(overlap, slaves_first, mesh.coordinates));
     }
-    gaps = initial_gaps(input, mesh);
+    gaps = initial_gaps(mesh, rules);
   }
 }
 
 }  // namespace
 
-MoveReport move_overlaps(const scene::Input& input, mesh::CanonicalMesh& whole, const InitialGaps& gaps) {
-  MoveReport report;
-  mesh::Mesh& mesh = whole.mesh;
+OverlapMoves move_overlaps(mesh::Mesh& mesh, const StartRules& rules, std::span<const HeldNodes> held,
+                           const InitialGaps& gaps) {
+  OverlapMoves moves;
   const std::vector<Vec3> before = mesh.coordinates;
-  const std::vector<InitialOverlap> left = push_all_out(input, mesh, gaps);
-  Judge judge(input, mesh, before);
-  judge.look_at_held_nodes();
-  judge.look_at_elements();
-  report.faults = std::move(judge.faults);
-  if (!left.empty() && report.faults.empty())
-    report.faults.push_back(
-        fmt::format("{}: initial_overlap: move leaves {} nodes overlapping after {} passes (the deepest: node {}, by "
-                    "{:.4g}); move the parts apart, or keep the overlap with offset",
-                    input.at("contact"), left.size(), most_passes, mesh.node_id[static_cast<std::size_t>(left[0].node)],
-                    left[0].depth));
-  if (!report.faults.empty()) {
+  moves.left = push_all_out(mesh, rules, gaps);
+  const Judge judge(mesh, before);
+  moves.held = judge.moves_of_held(held);
+  moves.spoiled = judge.worst_element();
+  if (moves.refused()) {
     mesh.coordinates = before;
-    return report;
+    return moves;
   }
   for (std::size_t i = 0; i < before.size(); ++i) {
     const double move = (mesh.coordinates[i] - before[i]).norm();
-    if (move > 0) ++report.nodes;
-    report.largest = std::max(report.largest, move);
+    if (move > 0) ++moves.nodes;
+    moves.largest = std::max(moves.largest, move);
   }
-  return report;
+  return moves;
 }
 
-}  // namespace brunt::app
+}  // namespace brunt::setup

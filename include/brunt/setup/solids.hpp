@@ -13,7 +13,7 @@
 #include "brunt/geometry/closest_point.hpp"
 #include "brunt/mesh/mesh.hpp"
 
-namespace brunt::app {
+namespace brunt::setup {
 
 /// Nodes deeper inside than this share of the longest edge of the nearest face overlap; shallower ones touch (rounding
 /// in mesh files, facets of a curved fit).
@@ -135,4 +135,4 @@ class Comparison {
   std::vector<char> inside_;
 };
 
-}  // namespace brunt::app
+}  // namespace brunt::setup

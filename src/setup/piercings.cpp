@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "piercings.hpp"
+#include "brunt/setup/piercings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "brunt/contact/search/box_overlaps.hpp"
 #include "brunt/geometry/segment_face.hpp"
 
-namespace brunt::app {
+namespace brunt::setup {
 namespace {
 
 using geometry::Box;
@@ -141,4 +141,4 @@ std::vector<PiercingEdge> piercing_edges(const mesh::Mesh& mesh, const Solid& on
   return result;
 }
 
-}  // namespace brunt::app
+}  // namespace brunt::setup

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "slave_choice.hpp"
+#include "brunt/setup/slave_choice.hpp"
 
 #include <array>
 
-#include "brunt/contact/likely_slaves.hpp"
-#include "brunt/scene/build.hpp"
-#include "contact_setup.hpp"
-#include "weights.hpp"
+#include "brunt/setup/likely_slaves.hpp"
 
-namespace brunt::app {
+namespace brunt::setup {
 
-SlaveChoice::SlaveChoice(const scene::Input& input, const mesh::Mesh& mesh) {
-  const BlockMaterials blocks = block_materials(input, mesh);
-  pairs_ = pair_table(scene::contact_rule(input, blocks.part), blocks.part.size());
-  bodies_ = contact::body_figures(mesh, contact_faces(input, mesh), blocks.density);
-}
+SlaveChoice::SlaveChoice(const mesh::Mesh& mesh, const StartRules& rules)
+    : pairs_(rules.pairs), bodies_(body_figures(mesh, contact_faces(mesh, rules.symmetric), rules.density)) {}
 
 bool SlaveChoice::is_slave(std::size_t block, std::int32_t body, std::size_t other_block,
                            std::int32_t other_body) const {
@@ -28,4 +22,4 @@ bool SlaveChoice::is_held_off(std::size_t block, std::int32_t body, std::size_t 
   return contact::may_meet(pairs_, bodies_, {own, body}, static_cast<std::int32_t>(other_block), other_body);
 }
 
-}  // namespace brunt::app
+}  // namespace brunt::setup

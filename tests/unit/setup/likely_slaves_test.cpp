@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two cubes of 4^3 elements: who is foretold to touch whom follows from their places and velocities.
-#include "brunt/contact/likely_slaves.hpp"
+#include "brunt/setup/likely_slaves.hpp"
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@ struct Cubes {
                                       contact::Passes passes = contact::Passes::one) const {
     contact::PairTable pairs(2, rule);
     pairs.set_passes(0, 1, passes);
-    const auto sides = contact::likely_slaves(mesh, mesh::exterior_sides(mesh), pairs, {density, velocity, duration});
+    const auto sides = setup::likely_slaves(mesh, mesh::exterior_sides(mesh), pairs, {density, velocity, duration});
     const auto of_first = std::ranges::count(sides, 0, &mesh::Side::block);
     return {static_cast<std::size_t>(of_first), sides.size() - static_cast<std::size_t>(of_first)};
   }

@@ -8,7 +8,7 @@
 #include "brunt/contact/surface/surface.hpp"
 #include "brunt/mesh/mesh.hpp"
 
-namespace brunt::contact {
+namespace brunt::setup {
 
 /// What is known before the run.
 struct Outlook {
@@ -21,11 +21,11 @@ struct Outlook {
 /// the box around what they may meet, by a face's size, or that fly on towards it; of two passes both, but for nodes of
 /// the second that will lie on nodes of the first, which have no rows there. Where nothing is near anything, all
 /// faces; where no pair may meet, none. faces: the contact faces of the whole mesh.
-std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const mesh::Side> faces, const PairTable& pairs,
-                                      const Outlook& outlook);
+std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const mesh::Side> faces,
+                                      const contact::PairTable& pairs, const Outlook& outlook);
 
 /// What decides who is slave (as is_slave does), for each body of the whole mesh. density: of each block.
-std::vector<BodyFigures> body_figures(const mesh::Mesh& mesh, std::span<const mesh::Side> faces,
-                                      std::span<const double> density);
+std::vector<contact::BodyFigures> body_figures(const mesh::Mesh& mesh, std::span<const mesh::Side> faces,
+                                               std::span<const double> density);
 
-}  // namespace brunt::contact
+}  // namespace brunt::setup

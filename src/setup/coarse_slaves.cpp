@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "coarse_slaves.hpp"
-
-#include <fmt/core.h>
+#include "brunt/setup/coarse_slaves.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 
-#include "brunt/contact/likely_slaves.hpp"
 #include "brunt/geometry/closest_point.hpp"
 #include "brunt/mesh/topology.hpp"
-#include "brunt/scene/build.hpp"
-#include "brunt/scene/select.hpp"
-#include "weights.hpp"
+#include "brunt/setup/likely_slaves.hpp"
 
-namespace brunt::app {
+namespace brunt::setup {
 namespace {
 
 /// Blocks of rubber that slide on finer ones at 5 m/s, with edges 1.5, 1.9, 2.2, 3.3, 6.7 times as long: nodes of the
@@ -26,14 +20,10 @@ constexpr double much_coarser = 2;
 
 class Pairs {
  public:
-  Pairs(const scene::Input& input, const mesh::CanonicalMesh& whole)
-      : mesh_(whole.mesh),
-        blocks_(block_materials(input, mesh_)),
-        sides_(contact_faces(input, mesh_)),
-        velocity_(scene::initial_velocities(input, mesh_.coordinates, whole.origin, mesh_.node_sets)),
-        duration_(input.run.end.value_or(std::numeric_limits<double>::infinity())) {}
-
-  [[nodiscard]] const std::string& part(std::size_t block) const { return blocks_.part[block]; }
+  Pairs(const mesh::Mesh& mesh, const StartRules& rules, std::span<const Vec3> velocity, double duration)
+      : mesh_(mesh),
+        sides_(contact_faces(mesh, rules.symmetric)),
+        outlook_{.density = rules.density, .velocity = velocity, .duration = duration} {}
 
   /// Median of the longest edges of the block's faces that may meet the other's [length]; 0 where none may.
   [[nodiscard]] double edge(std::size_t block, std::size_t other) const {
@@ -75,7 +65,7 @@ class Pairs {
     contact::PairTable pair(static_cast<std::int32_t>(mesh_.blocks.size()), contact::PairRule::apart);
     pair.set(own, static_cast<std::int32_t>(other), contact::PairRule::slave);
     std::vector<Face> faces;
-    for (const mesh::Side& side : contact::likely_slaves(mesh_, sides_, pair, {blocks_.density, velocity_, duration_}))
+    for (const mesh::Side& side : likely_slaves(mesh_, sides_, pair, outlook_))
       if (side.block == own) faces.push_back(measure(side));
     return faces;
   }
@@ -89,46 +79,28 @@ class Pairs {
   }
 
   const mesh::Mesh& mesh_;
-  BlockMaterials blocks_;
   std::vector<mesh::Side> sides_;
-  std::vector<Vec3> velocity_;
-  double duration_;
+  Outlook outlook_;
 };
-
-std::string describe(const scene::Input& input, const std::string& slave, const std::string& master, double coarse,
-                     double fine, bool tied) {
-  const std::string finer = fmt::format(
-      "{}: part '{}' is the slave of '{}', whose faces are much finer where they meet (edges of {:.3g} "
-      "against {:.3g})",
-      input.at(scene::contact_key(input, slave, master) + ".slave"), slave, master, fine, coarse);
-  if (tied) return finer + fmt::format(": '{}' hangs on few nodes; say slave: {}", master, master);
-  return finer + fmt::format(
-                     ": its nodes sink in between those of '{}', or pass through, and max_penetration does not "
-                     "count them; say slave: {}, or passes: two",
-                     slave, master);
-}
 
 }  // namespace
 
-std::vector<std::string> warn_of_coarse_slaves(const scene::Input& input, const mesh::CanonicalMesh& whole) {
-  std::vector<std::string> warnings;
-  const BlockMaterials blocks = block_materials(input, whole.mesh);
-  const model::ContactRule rule = scene::contact_rule(input, blocks.part);
-  if (std::ranges::all_of(rule.forced_slave, [](std::int8_t forced) { return forced == 0; })) return warnings;
-  const Pairs pairs(input, whole);
-  const std::size_t n = blocks.part.size();
+std::vector<CoarseSlave> coarse_slaves(const mesh::Mesh& mesh, const StartRules& rules, std::span<const Vec3> velocity,
+                                       double duration) {
+  std::vector<CoarseSlave> found;
+  if (!rules.pairs.forces_a_side()) return found;
+  const Pairs pairs(mesh, rules, velocity, duration);
+  const std::size_t n = mesh.blocks.size();
   for (std::size_t slave = 0; slave < n; ++slave)
     for (std::size_t master = 0; master < n; ++master) {
-      const std::size_t pair = slave * n + master;
-      const bool one_pass =
-          rule.passes[pair] == contact::Passes::one || rule.passes[pair] == contact::Passes::automatic;
-      if (slave == master || rule.active[pair] == 0 || rule.forced_slave[pair] <= 0 || !one_pass) continue;
+      const auto a = static_cast<std::int32_t>(slave), b = static_cast<std::int32_t>(master);
+      const contact::Passes passes = rules.pairs.passes(a, b);
+      const bool one_pass = passes == contact::Passes::one || passes == contact::Passes::automatic;
+      if (slave == master || rules.pairs.at(a, b) != contact::PairRule::slave || !one_pass) continue;
       const double coarse = pairs.edge(slave, master), fine = pairs.edge(master, slave);
-      if (fine == 0 || coarse <= much_coarser * fine) continue;
-      const bool tied = !rule.tied.empty() && rule.tied[pair] == contact::Tied::yes;
-      warnings.push_back(describe(input, pairs.part(slave), pairs.part(master), coarse, fine, tied));
+      if (fine > 0 && coarse > much_coarser * fine) found.push_back({slave, master, coarse, fine});
     }
-  return warnings;
+  return found;
 }
 
-}  // namespace brunt::app
+}  // namespace brunt::setup

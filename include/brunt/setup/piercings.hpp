@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "solids.hpp"
+#include "brunt/setup/solids.hpp"
 
-namespace brunt::app {
+namespace brunt::setup {
 
 struct PiercingEdge {
   std::array<LocalIndex, 2> edge{};
@@ -18,4 +18,4 @@ struct PiercingEdge {
 std::vector<PiercingEdge> piercing_edges(const mesh::Mesh& mesh, const Solid& one, const Solid& other,
                                          const std::vector<char>& inside);
 
-}  // namespace brunt::app
+}  // namespace brunt::setup

@@ -4,9 +4,9 @@
 #pragma once
 #include <cstddef>
 
-#include "solids.hpp"
+#include "brunt/setup/solids.hpp"
 
-namespace brunt::app {
+namespace brunt::setup {
 
 struct ElementsInside {
   std::size_t count = 0;
@@ -16,4 +16,4 @@ struct ElementsInside {
 /// Elements of block `one` whose middle lies in an element of block `other`.
 ElementsInside elements_inside(const mesh::Mesh& mesh, const mesh::Block& one, const mesh::Block& other);
 
-}  // namespace brunt::app
+}  // namespace brunt::setup

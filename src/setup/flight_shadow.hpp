@@ -7,7 +7,7 @@
 
 #include "brunt/core/types.hpp"
 
-namespace brunt::contact {
+namespace brunt::setup {
 
 class FlightShadow {
  public:
@@ -43,4 +43,4 @@ class FlightShadow {
   std::vector<Keyed> points_;
 };
 
-}  // namespace brunt::contact
+}  // namespace brunt::setup

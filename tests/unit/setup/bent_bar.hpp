@@ -3,10 +3,8 @@
 #pragma once
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "brunt/mesh/primitives.hpp"
-#include "brunt/scene/read.hpp"
 
 namespace brunt::test {
 
@@ -31,15 +29,6 @@ inline mesh::Mesh bent_bar(double overlap) {
 inline bool is_bent_bar_depth(double depth, double overlap) {
   const auto at = [&](double radius) { return std::abs(depth - radius * std::sin(overlap / ring_radius)) < 1e-12; };
   return at(ring_radius) || at(ring_radius - 0.25);
-}
-
-inline scene::Input bent_bar_scene(const std::string& contact) {
-  return scene::read_scene(
-      "units: none\nmesh: {file: of_the_test}\nrun: {end: 1}\n"
-      "materials: {m: {model: elastic, density: 1, young: 1, poisson: 0}}\n"
-      "parts: {a: {material: m}}\ncontact: [{between: all, " +
-          contact + "}]\n",
-      "scene of the test");
 }
 
 }  // namespace brunt::test

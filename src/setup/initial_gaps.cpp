@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "initial_gaps.hpp"
+#include "brunt/setup/initial_gaps.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include "brunt/contact/detection/encounter.hpp"
-#include "brunt/scene/build.hpp"
-#include "brunt/scene/select.hpp"
-#include "piercings.hpp"
-#include "shared_space.hpp"
-#include "slave_choice.hpp"
+#include "brunt/setup/piercings.hpp"
+#include "brunt/setup/shared_space.hpp"
+#include "brunt/setup/slave_choice.hpp"
 
-namespace brunt::app {
+namespace brunt::setup {
 namespace {
 
 /// Where detection stops looking behind a face.
@@ -22,13 +20,8 @@ double reach_behind(const SolidFace& face) {
 
 class Survey {
  public:
-  Survey(const scene::Input& input, const mesh::Mesh& mesh)
-      : input_(input),
-        mesh_(mesh),
-        part_of_(scene::parts_of_blocks(input, mesh)),
-        solids_(solids_of(mesh)),
-        body_(body_of_nodes(mesh)),
-        around_(mesh) {
+  Survey(const mesh::Mesh& mesh, const StartRules& rules)
+      : mesh_(mesh), rules_(rules), solids_(solids_of(mesh)), body_(body_of_nodes(mesh)), around_(mesh) {
     for (std::size_t a = 0; a < solids_.size(); ++a)
       for (std::size_t b = 0; b <= a; ++b)
         if (const auto rule = rule_of(a, b)) compare(a, b, *rule);
@@ -43,7 +36,7 @@ class Survey {
  private:
   [[nodiscard]] std::optional<OverlapRule> rule_of(std::size_t a, std::size_t b) const {
     if (solids_[a].faces.empty() || solids_[b].faces.empty()) return std::nullopt;
-    return scene::overlap_rule(input_, input_.parts[part_of_[a]].name, input_.parts[part_of_[b]].name);
+    return rules_.overlap_of(a, b);
   }
 
   void compare(std::size_t a, std::size_t b, OverlapRule rule) {
@@ -79,13 +72,13 @@ class Survey {
     for (std::size_t i = 0; i < compared.size(); ++i) {
       const LocalIndex node = compared.node(i);
       if (!compared.overlaps(i)) {
-        if (!one_body) keep_gap(part_of_[a], part_of_[b], compared.touches(i) ? 0.0 : compared.distance(i));
+        if (!one_body) keep_gap(a, b, compared.touches(i) ? 0.0 : compared.distance(i));
         continue;
       }
       std::optional<Behind> behind = compared.behind_near(i);
       if (!behind && examined++ < most_examined) behind = compared.behind_any(i);
       if (behind && behind->depth < 0) {
-        if (!one_body) keep_gap(part_of_[a], part_of_[b], -behind->depth);
+        if (!one_body) keep_gap(a, b, -behind->depth);
         continue;
       }
       inside[static_cast<std::size_t>(node)] = 1;
@@ -112,17 +105,17 @@ class Survey {
     gaps.piercings.push_back({a, b, edges.size(), edges[0].edge, solids_[b].faces[edges[0].face].nodes, rule});
   }
 
-  void keep_gap(std::size_t part, std::size_t other, double gap) {
+  void keep_gap(std::size_t block, std::size_t other_block, double gap) {
     if (gap == std::numeric_limits<double>::infinity() || (gaps.smallest >= 0 && gap >= gaps.smallest)) return;
     gaps.smallest = gap;
-    gaps.part = part;
-    gaps.other = other;
+    gaps.block = block;
+    gaps.other_block = other_block;
   }
 
   /// In one pass contact does not look for nodes of the master: how deep they are is no matter.
   void forgive_masters() {
     if (std::ranges::none_of(gaps.overlaps, &InitialOverlap::too_deep)) return;
-    const SlaveChoice choice(input_, mesh_);
+    const SlaveChoice choice(mesh_, rules_);
     for (InitialOverlap& o : gaps.overlaps)
       o.too_deep = o.too_deep && choice.is_held_off(o.block, o.body, o.other_block, o.other_body);
   }
@@ -142,9 +135,8 @@ class Survey {
     return bodies;
   }
 
-  const scene::Input& input_;
   const mesh::Mesh& mesh_;
-  std::vector<std::size_t> part_of_;
+  const StartRules& rules_;
   std::vector<Solid> solids_;
   std::vector<std::int32_t> body_;
   NodesAround around_;
@@ -152,9 +144,9 @@ class Survey {
 
 }  // namespace
 
-InitialGaps initial_gaps(const scene::Input& input, const mesh::Mesh& mesh) {
-  if (input.contact.empty()) return {};
-  return Survey(input, mesh).gaps;
+InitialGaps initial_gaps(const mesh::Mesh& mesh, const StartRules& rules) {
+  if (std::ranges::none_of(rules.overlap, [](const auto& rule) { return rule.has_value(); })) return {};
+  return Survey(mesh, rules).gaps;
 }
 
-}  // namespace brunt::app
+}  // namespace brunt::setup

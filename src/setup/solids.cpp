@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "solids.hpp"
+#include "brunt/setup/solids.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include "brunt/contact/search/search.hpp"
 #include "brunt/mesh/topology.hpp"
 
-namespace brunt::app {
+namespace brunt::setup {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -266,4 +266,4 @@ void Comparison::find_inside(const mesh::Mesh& mesh) {
       if (!inside_[i] && in_element(point_[i], mesh, block_, e) && !is_neighbour(i, e)) inside_[i] = 1;
 }
 
-}  // namespace brunt::app
+}  // namespace brunt::setup

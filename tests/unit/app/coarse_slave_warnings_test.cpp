@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The coarser side named as slave is told, where the two can meet and nothing else holds the finer one.
-#include "app/coarse_slaves.hpp"
+#include "app/coarse_slave_warnings.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "shared_space.hpp"
+#include "brunt/setup/shared_space.hpp"
 
 #include <utility>
 
 #include "brunt/contact/search/search.hpp"
 
-namespace brunt::app {
+namespace brunt::setup {
 namespace {
 
 Vec3 middle_of(const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex e) {
@@ -45,4 +45,4 @@ ElementsInside elements_inside(const mesh::Mesh& mesh, const mesh::Block& one, c
   return inside;
 }
 
-}  // namespace brunt::app
+}  // namespace brunt::setup

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surface nodes against a solid: another one, and their own.
-#include "app/solids.hpp"
+#include "brunt/setup/solids.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "brunt/mesh/primitives.hpp"
-#include "unit/app/bent_bar.hpp"
+#include "unit/setup/bent_bar.hpp"
 
 using namespace brunt;
-using app::Comparison;
-using app::Solid;
+using setup::Comparison;
+using setup::Solid;
 
 TEST_CASE("the nodes around a node are those of its elements") {
   const mesh::Mesh mesh = mesh::box("a", {3, 1, 1}, {3, 1, 1});
-  const app::NodesAround around(mesh);
+  const setup::NodesAround around(mesh);
   for (std::size_t n = 0; n < mesh.coordinates.size(); ++n) {
     const std::vector<LocalIndex> found = around.of(static_cast<LocalIndex>(n));
     const double x = mesh.coordinates[n].x();
@@ -27,8 +27,8 @@ TEST_CASE("the nodes around a node are those of its elements") {
 TEST_CASE("a solid is not inside itself, however its elements are cut; a ring whose ends overlap is") {
   for (const double overlap : {-0.1, 0.0, 0.1}) {
     const mesh::Mesh mesh = test::bent_bar(overlap);
-    const std::vector<Solid> solids = app::solids_of(mesh);
-    const app::NodesAround around(mesh);
+    const std::vector<Solid> solids = setup::solids_of(mesh);
+    const setup::NodesAround around(mesh);
     const Comparison compared(mesh, solids[0], solids[0], mesh.blocks[0], &around);
     std::size_t overlapping = 0;
     for (std::size_t i = 0; i < compared.size(); ++i) {

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// initial_overlap: offset - what contact is to count as touching.
+#pragma once
+#include <vector>
+
+#include "brunt/contact/detection/detection.hpp"
+#include "brunt/setup/initial_gaps.hpp"
+
+namespace brunt::setup {
+
+/// Of those to keep, and those that were to be moved, as detection wants them: ordered by (node, body), each once. The
+/// nodes are those of a mesh in canonical order.
+std::vector<contact::AcceptedOverlap> accepted_overlaps(const std::vector<InitialOverlap>& overlaps);
+
+}  // namespace brunt::setup

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coarse_slave_warnings.hpp"
+
+#include <fmt/core.h>
+
+#include "brunt/scene/build.hpp"
+#include "brunt/setup/coarse_slaves.hpp"
+#include "start_rules.hpp"
+
+namespace brunt::app {
+namespace {
+
+std::string describe(const scene::Input& input, const std::string& slave, const std::string& master, double coarse,
+                     double fine, bool tied) {
+  const std::string finer = fmt::format(
+      "{}: part '{}' is the slave of '{}', whose faces are much finer where they meet (edges of {:.3g} "
+      "against {:.3g})",
+      input.at(scene::contact_key(input, slave, master) + ".slave"), slave, master, fine, coarse);
+  if (tied) return finer + fmt::format(": '{}' hangs on few nodes; say slave: {}", master, master);
+  return finer + fmt::format(
+                     ": its nodes sink in between those of '{}', or pass through, and max_penetration does not "
+                     "count them; say slave: {}, or passes: two",
+                     slave, master);
+}
+
+}  // namespace
+
+std::vector<std::string> warn_of_coarse_slaves(const scene::Input& input, const mesh::CanonicalMesh& whole) {
+  std::vector<std::string> warnings;
+  const setup::StartRules rules = start_rules(input, whole.mesh);
+  if (!rules.pairs.forces_a_side()) return warnings;
+  const std::vector<std::string> part = block_materials(input, whole.mesh).part;
+  const model::ContactRule rule = scene::contact_rule(input, part);
+  const FirstMotion motion = first_motion(input, whole);
+  for (const setup::CoarseSlave& pair : setup::coarse_slaves(whole.mesh, rules, motion.velocity, motion.duration)) {
+    const bool tied = !rule.tied.empty() && rule.tied[pair.slave * part.size() + pair.master] == contact::Tied::yes;
+    warnings.push_back(describe(input, part[pair.slave], part[pair.master], pair.coarse, pair.fine, tied));
+  }
+  return warnings;
+}
+
+}  // namespace brunt::app

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/setup/accepted_overlaps.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace brunt::setup {
+
+/// Both sides are named; contact uses those of its slaves. A node behind faces of two blocks of a body has the deeper.
+/// A node that was moved onto a face keeps nothing itself, but an edge from it to a node beside the face still hangs
+/// over the rim: it keeps its overlap there, as edges of named nodes do.
+std::vector<contact::AcceptedOverlap> accepted_overlaps(const std::vector<InitialOverlap>& overlaps) {
+  constexpr double named = std::numeric_limits<double>::min();
+  std::map<std::pair<GlobalIndex, std::int32_t>, contact::AcceptedOverlap> deepest;
+  for (const InitialOverlap& overlap : overlaps) {
+    if (overlap.rule != OverlapRule::offset && !overlap.is_moved()) continue;
+    const double depth = overlap.is_moved() ? named : overlap.depth;
+    // the canonical position of a node is its gid
+    contact::AcceptedOverlap& kept = deepest[{overlap.node, overlap.other_body}];
+    kept = {overlap.node, overlap.other_body, std::max(kept.depth, depth), overlap.body};
+  }
+  std::vector<contact::AcceptedOverlap> accepted;
+  accepted.reserve(deepest.size());
+  for (const auto& [key, overlap] : deepest) accepted.push_back(overlap);
+  return accepted;
+}
+
+}  // namespace brunt::setup

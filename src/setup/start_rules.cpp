@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/setup/start_rules.hpp"
+
+#include <algorithm>
+
+#include "brunt/mesh/topology.hpp"
+
+namespace brunt::setup {
+
+std::vector<mesh::Side> contact_faces(const mesh::Mesh& mesh, const std::vector<std::vector<LocalIndex>>& symmetric) {
+  std::vector<mesh::Side> faces = mesh::exterior_sides(mesh);
+  for (const std::vector<LocalIndex>& plane : symmetric)
+    std::erase_if(faces, [&](const mesh::Side& side) {
+      const mesh::Block& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+      return std::ranges::all_of(
+          mesh::face_nodes(block.shape, block.element(side.element), side.face),
+          [&](LocalIndex node) { return node == no_index || std::ranges::binary_search(plane, node); });
+    });
+  return faces;
+}
+
+}  // namespace brunt::setup
