@@ -9,37 +9,35 @@
 #include <limits>
 #include <span>
 
+#include "brunt/core/cells.hpp"
+
 namespace brunt::app {
 namespace {
-
-constexpr std::array<std::array<std::size_t, 2>, 12> hex_edges{
-    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
-constexpr std::array<std::array<std::size_t, 2>, 6> tet_edges{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
-/// Around the diagonal from corner 0 to corner 6.
-constexpr std::array<std::array<std::size_t, 4>, 6> tets_of_hex{
-    {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6}, {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}}};
 
 using Corners = std::array<Vec3, 8>;
 
 double shortest_edge(const Corners& x, int corners) {
   double shortest = std::numeric_limits<double>::infinity();
-  const auto look = [&](const std::array<std::size_t, 2>& edge) {
-    shortest = std::min(shortest, (x[edge[1]] - x[edge[0]]).norm());
+  const auto look = [&](const std::array<int, 2>& edge) {
+    shortest = std::min(shortest, (x[static_cast<std::size_t>(edge[1])] - x[static_cast<std::size_t>(edge[0])]).norm());
   };
   if (corners == 4)
-    std::ranges::for_each(tet_edges, look);
+    std::ranges::for_each(cells::tet_edges, look);
   else
-    std::ranges::for_each(hex_edges, look);
+    std::ranges::for_each(cells::hex_edges, look);
   return shortest;
 }
 
 double volume(const Corners& x, int corners) {
-  const auto of = [&](const std::array<std::size_t, 4>& tet) {
-    return (x[tet[1]] - x[tet[0]]).cross(x[tet[2]] - x[tet[0]]).dot(x[tet[3]] - x[tet[0]]) / 6;
+  const auto of = [&](const std::array<int, 4>& tet) {
+    const auto from_first = [&](std::size_t i) {
+      return Vec3(x[static_cast<std::size_t>(tet[i])] - x[static_cast<std::size_t>(tet[0])]);
+    };
+    return from_first(1).cross(from_first(2)).dot(from_first(3)) / 6;
   };
   if (corners == 4) return of({0, 1, 2, 3});
   double sum = 0;
-  for (const auto& tet : tets_of_hex) sum += of(tet);
+  for (const auto& tet : cells::hex_tetrahedra) sum += of(tet);
   return sum;
 }
 

@@ -6,19 +6,16 @@
 #include <limits>
 
 #include "block_loop.hpp"
+#include "brunt/core/cells.hpp"
 
 namespace brunt::force {
 namespace {
-
-/// Corners at the other ends of the three edges of each, right-handed.
-constexpr std::array<std::array<std::size_t, 3>, 8> edges_of{
-    {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
 
 /// Smallest Jacobian at a corner over the largest in size, of a batch.
 Pack least_of_corners(const Pack (&x)[3][8]) {
   Pack least = broadcast(std::numeric_limits<double>::max()), largest = broadcast(0.0);
   for (std::size_t k = 0; k < 8; ++k) {
-    const auto [a, b, c] = edges_of[k];
+    const auto [a, b, c] = cells::hex_neighbours[k];
     Pack u[3], v[3], w[3];
     for (int i = 0; i < 3; ++i) {
       u[i] = x[i][a] - x[i][k];

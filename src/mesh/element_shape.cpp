@@ -6,16 +6,13 @@
 #include <algorithm>
 #include <bit>
 
+#include "brunt/core/cells.hpp"
 #include "brunt/mesh/topology.hpp"
 
 namespace brunt::mesh {
 namespace {
 
 using Corners = unsigned;  // a set of local corners, one bit each
-
-/// Corners at the other ends of the three edges, right-handed: the edges' triple product is positive.
-constexpr std::array<std::array<int, 3>, 8> hex_edges{
-    {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
 
 constexpr Corners bit(int corner) {
   return 1U << corner;
@@ -24,13 +21,13 @@ constexpr Corners bit(int corner) {
 bool is_edge(Corners set) {
   if (std::popcount(set) != 2) return false;
   const int corner = std::countr_zero(set);
-  for (const int other : hex_edges[static_cast<std::size_t>(corner)])
+  for (const int other : cells::hex_neighbours[static_cast<std::size_t>(corner)])
     if (set == (bit(corner) | bit(other))) return true;
   return false;
 }
 
 bool is_face(Corners set) {
-  for (const auto& face : hex_faces) {
+  for (const auto& face : cells::hex_faces) {
     Corners corners = 0;
     for (const int c : face) corners |= bit(c);
     if (set == corners) return true;
@@ -74,7 +71,7 @@ WorstJacobian worst_jacobian(Shape shape, const LocalIndex* element, const std::
   const Vec3 zeta = x(4) + x(5) + x(6) + x(7) - x(0) - x(1) - x(2) - x(3);
   WorstJacobian worst{scaled_triple_product(xi, eta, zeta), -1};
   for (int k = 0; k < 8; ++k) {
-    const auto& ends = hex_edges[static_cast<std::size_t>(k)];
+    const auto& ends = cells::hex_neighbours[static_cast<std::size_t>(k)];
     const bool collapsed = std::any_of(ends.begin(), ends.end(), [&](int e) { return element[e] == element[k]; });
     if (collapsed) continue;
     const double scaled = scaled_triple_product(x(ends[0]) - x(k), x(ends[1]) - x(k), x(ends[2]) - x(k));

@@ -9,13 +9,12 @@
 #include <limits>
 #include <span>
 
+#include "brunt/core/cells.hpp"
+
 namespace brunt::mesh {
 namespace {
 
 using Edge = std::array<int, 2>;
-constexpr std::array<Edge, 12> hex_edges{
-    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
-constexpr std::array<Edge, 6> tet_edges{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
 }  // namespace
 
@@ -25,8 +24,8 @@ std::string resolution_fault(const Mesh& mesh, double farthest) {
   GlobalIndex element_of_shortest = 0;
   for (const Block& block : mesh.blocks)
     for (LocalIndex e = 0; e < block.count(); ++e)
-      for (const auto& [a, b] :
-           block.shape == Shape::hex8 ? std::span<const Edge>(hex_edges) : std::span<const Edge>(tet_edges)) {
+      for (const auto& [a, b] : block.shape == Shape::hex8 ? std::span<const Edge>(cells::hex_edges)
+                                                           : std::span<const Edge>(cells::tet_edges)) {
         const LocalIndex i = block.element(e)[a], j = block.element(e)[b];
         if (i == j) continue;  // a collapsed corner
         const double length =

@@ -6,11 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "brunt/core/cells.hpp"
+
 namespace brunt::mesh {
 namespace {
-
-constexpr std::array<std::array<int, 3>, 8> corner_signs{
-    {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
 
 struct Point {
   Vec3 x = Vec3::Zero();
@@ -22,11 +21,11 @@ Point at(const Mesh& mesh, const LocalIndex* element, const std::array<double, 3
   for (std::size_t k = 0; k < 8; ++k) {
     const Vec3& corner = mesh.coordinates[static_cast<std::size_t>(element[k])];
     std::array<double, 3> factor{};
-    for (std::size_t i = 0; i < 3; ++i) factor[i] = 0.5 * (1 + corner_signs[k][i] * xi[i]);
+    for (std::size_t i = 0; i < 3; ++i) factor[i] = 0.5 * (1 + cells::hex_corners[k][i] * xi[i]);
     point.x += factor[0] * factor[1] * factor[2] * corner;
     for (int i = 0; i < 3; ++i) {
       const auto a = static_cast<std::size_t>(i), b = (a + 1) % 3, c = (a + 2) % 3;
-      point.jacobian.col(i) += 0.5 * corner_signs[k][a] * factor[b] * factor[c] * corner;
+      point.jacobian.col(i) += 0.5 * cells::hex_corners[k][a] * factor[b] * factor[c] * corner;
     }
   }
   return point;
@@ -45,7 +44,7 @@ Moments moments(const Mesh& mesh) {
   const double gauss = std::numbers::inv_sqrt3;
   for (const Block& block : mesh.blocks)
     for (LocalIndex e = 0; e < block.count(); ++e)
-      for (const auto& signs : corner_signs) {
+      for (const auto& signs : cells::hex_corners) {
         const Point point = at(mesh, block.element(e), {gauss * signs[0], gauss * signs[1], gauss * signs[2]});
         const double volume = point.jacobian.determinant();
         sum.volume += volume;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "brunt/core/cells.hpp"
+
 namespace brunt::mesh {
 namespace {
 
@@ -59,8 +61,8 @@ LocalIndex find_root(std::vector<LocalIndex>& parent, LocalIndex i) {
 }  // namespace
 
 std::array<LocalIndex, 4> face_nodes(Shape shape, const LocalIndex* element, int face) {
-  const auto& corners =
-      shape == Shape::hex8 ? hex_faces[static_cast<std::size_t>(face)] : tet_faces[static_cast<std::size_t>(face)];
+  const auto& corners = shape == Shape::hex8 ? cells::hex_faces[static_cast<std::size_t>(face)]
+                                             : cells::tet_faces[static_cast<std::size_t>(face)];
   std::array<LocalIndex, 4> nodes = no_face;
   std::size_t count = 0;
   for (const int corner : corners) {

@@ -5,12 +5,10 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "brunt/core/cells.hpp"
+
 namespace brunt::rigid {
 namespace {
-
-/// Parent coordinates of the corners.
-constexpr std::array<std::array<int, 3>, 8> corner_signs{
-    {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
 
 struct GaussPoint {
   double at, weight;
@@ -26,7 +24,7 @@ struct HexMap {
     for (std::size_t k = 0; k < 8; ++k) {
       Vec3 factor, sign;
       for (int i = 0; i < 3; ++i) {
-        sign[i] = corner_signs[k][static_cast<std::size_t>(i)];
+        sign[i] = cells::hex_corners[k][static_cast<std::size_t>(i)];
         factor[i] = 0.5 * (1 + sign[i] * parent[i]);
       }
       x += factor[0] * factor[1] * factor[2] * corners[k];

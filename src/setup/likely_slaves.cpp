@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "brunt/contact/passes.hpp"
+#include "brunt/core/cells.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/box.hpp"
 #include "brunt/geometry/closest_point.hpp"
@@ -75,13 +76,13 @@ std::vector<Face> measure_faces(const mesh::Mesh& mesh, std::span<const mesh::Si
 double volume(const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex element) {
   const LocalIndex* nodes = block.element(element);
   const auto corner = [&](int c) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(nodes[c])]; };
-  const auto tetrahedron = [&](int b, int c, int d) {
-    return (corner(b) - corner(0)).cross(corner(c) - corner(0)).dot(corner(d) - corner(0)) / 6;
+  const auto of = [&](const std::array<int, 4>& tet) {
+    const Vec3& first = corner(tet[0]);
+    return (corner(tet[1]) - first).cross(corner(tet[2]) - first).dot(corner(tet[3]) - first) / 6;
   };
-  if (block.shape == mesh::Shape::tet4) return tetrahedron(1, 2, 3);
-  constexpr int ring[7] = {1, 2, 3, 7, 4, 5, 1};
+  if (block.shape == mesh::Shape::tet4) return of({0, 1, 2, 3});
   double sum = 0;
-  for (int k = 0; k < 6; ++k) sum += tetrahedron(ring[k], ring[k + 1], 6);
+  for (const auto& tet : cells::hex_tetrahedra) sum += of(tet);
   return sum;
 }
 

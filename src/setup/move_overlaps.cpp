@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brunt/core/cells.hpp"
 #include "brunt/geometry/closest_point.hpp"
 #include "brunt/setup/slave_choice.hpp"
 
@@ -41,7 +42,6 @@ double push_out(const InitialOverlap& overlap, bool node_moves, std::vector<Vec3
 
 /// Volumes of the tetrahedra at the corners of an element, six times.
 std::vector<double> corner_volumes(const std::vector<Vec3>& x, const mesh::Block& block, LocalIndex element) {
-  constexpr int around[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
   const LocalIndex* nodes = block.element(element);
   const auto corner = [&](int c) -> const Vec3& { return x[static_cast<std::size_t>(nodes[c])]; };
   const auto volume = [&](int c, int p, int q, int r) {
@@ -50,7 +50,10 @@ std::vector<double> corner_volumes(const std::vector<Vec3>& x, const mesh::Block
   if (block.shape == mesh::Shape::tet4) return {volume(0, 1, 2, 3)};
   std::vector<double> volumes;
   volumes.reserve(8);
-  for (int c = 0; c < 8; ++c) volumes.push_back(volume(c, around[c][0], around[c][1], around[c][2]));
+  for (int c = 0; c < 8; ++c) {
+    const auto& [p, q, r] = cells::hex_neighbours[static_cast<std::size_t>(c)];
+    volumes.push_back(volume(c, p, q, r));
+  }
   return volumes;
 }
 

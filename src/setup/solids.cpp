@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "brunt/contact/search/search.hpp"
+#include "brunt/core/cells.hpp"
 #include "brunt/mesh/topology.hpp"
 
 namespace brunt::setup {
@@ -91,10 +92,9 @@ bool in_element(const Vec3& x, const mesh::Mesh& mesh, const mesh::Block& block,
   const LocalIndex* nodes = block.element(e);
   const auto corner = [&](int c) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(nodes[c])]; };
   if (block.shape == mesh::Shape::tet4) return in_tetrahedron(x, corner(0), corner(1), corner(2), corner(3));
-  constexpr int ring[7] = {1, 2, 3, 7, 4, 5, 1};
-  for (int k = 0; k < 6; ++k)
-    if (in_tetrahedron(x, corner(0), corner(ring[k]), corner(ring[k + 1]), corner(6))) return true;
-  return false;
+  return std::ranges::any_of(cells::hex_tetrahedra, [&](const std::array<int, 4>& tet) {
+    return in_tetrahedron(x, corner(tet[0]), corner(tet[1]), corner(tet[2]), corner(tet[3]));
+  });
 }
 
 std::vector<Solid> solids_of(const mesh::Mesh& mesh) {

@@ -15,7 +15,7 @@ namespace brunt::element {
 /// Modes in the order xi, eta, zeta, eta zeta, zeta xi, xi eta, xi eta zeta (the constant one is never needed).
 constexpr int hex_modes = 7;
 
-/// Sums of nodal values with each mode; nodes in the order of mesh/topology.hpp.
+/// Sums of nodal values with each mode; nodes in the order of core/cells.hpp.
 template <class Number>
 BRUNT_INLINE void to_modes(const Number (&u)[8], Number (&mode)[hex_modes]) {
   const auto plane = [](Number y0, Number y1, Number y2, Number y3, Number& xi, Number& eta, Number& xi_eta) {

@@ -32,7 +32,7 @@ struct Block {
   }
 };
 
-/// One side of one element; faces are numbered as in mesh/topology.hpp.
+/// One side of one element; faces are numbered as in core/cells.hpp.
 struct Side {
   LocalIndex block = 0, element = 0;
   std::int32_t face = 0;

@@ -19,7 +19,7 @@ struct MassMoments {
   [[nodiscard]] static MassMoments from(std::span<const double, width> values);
 };
 
-/// Of the trilinear hexahedron (corners in the order of mesh/topology.hpp, also degenerate ones). Exact: the integrand
+/// Of the trilinear hexahedron (corners in the order of core/cells.hpp, also degenerate ones). Exact: the integrand
 /// is of fourth degree in each parent coordinate at most, and three Gauss points integrate fifth degree.
 [[nodiscard]] MassMoments hexahedron_moments(std::span<const Vec3, 8> corners, double density);
 
