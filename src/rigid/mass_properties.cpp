@@ -83,4 +83,10 @@ MassProperties properties_of(const MassMoments& moments) {
   return {moments.mass, centre, second.trace() * Mat3::Identity() - second};
 }
 
+MassMoments moments_of(const MassProperties& properties) {
+  const auto& [mass, centre, inertia] = properties;
+  const Mat3 about_centre = 0.5 * inertia.trace() * Mat3::Identity() - inertia;
+  return {mass, mass * centre, about_centre + mass * centre * centre.transpose()};
+}
+
 }  // namespace brunt::rigid

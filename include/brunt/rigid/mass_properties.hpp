@@ -17,6 +17,9 @@ struct MassMoments {
   /// mass; first; second as xx, yy, zz, xy, yz, zx: for sums over ranks.
   [[nodiscard]] std::array<double, width> values() const;
   [[nodiscard]] static MassMoments from(std::span<const double, width> values);
+  friend MassMoments operator+(const MassMoments& a, const MassMoments& b) {
+    return {a.mass + b.mass, a.first + b.first, a.second + b.second};
+  }
 };
 
 /// Of the trilinear hexahedron (corners in the order of core/cells.hpp, also degenerate ones). Exact: the integrand
@@ -35,5 +38,8 @@ struct MassProperties {
 
 /// Of a body with these moments. The mass must be positive.
 [[nodiscard]] MassProperties properties_of(const MassMoments& moments);
+
+/// The other way, from the same point as the centre is.
+[[nodiscard]] MassMoments moments_of(const MassProperties& properties);
 
 }  // namespace brunt::rigid

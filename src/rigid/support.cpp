@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/rigid/support.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace brunt::rigid {
+namespace {
+
+/// Projector on what these directions leave free; `any`: is there one?
+Mat3 free_of(std::span<const Vec3> held) {
+  constexpr double dependent = 1e-9;  // of a unit vector: what is left of it is rounding
+  Mat3 free = Mat3::Identity();
+  int directions = 3;
+  for (const Vec3& one : held) {
+    const Vec3 rest = free * one.normalized();
+    if (rest.norm() <= dependent) continue;
+    free -= rest.normalized() * rest.normalized().transpose();
+    --directions;
+  }
+  return directions > 0 ? free : Mat3(Mat3::Zero());
+}
+
+/// The rotation by |turn| about turn. Of small angles exact to rounding, since sin(x)/x is 1 - x^2/6 there.
+Eigen::Quaterniond rotation_by(const Vec3& turn) {
+  const double half = 0.5 * turn.norm();
+  constexpr double small = 1e-4;  // x^4/120 is below rounding
+  const double share = half < small ? 0.5 * (1 - half * half / 6) : 0.5 * std::sin(half) / half;
+  return {std::cos(half), share * turn[0], share * turn[1], share * turn[2]};
+}
+
+Mat3 inertia_at(const Body& body, const Eigen::Quaterniond& orientation) {
+  const Mat3 R = orientation.toRotationMatrix();
+  return R * body.mass.inertia * R.transpose();
+}
+
+}  // namespace
+
+Support make_support(std::span<const Vec3> held_shift, std::span<const Vec3> held_turn) {
+  return {free_of(held_shift), free_of(held_turn), !held_shift.empty(), !held_turn.empty()};
+}
+
+Vec3 supported_spin(const Mat3& free_turn, const Mat3& inertia, const Vec3& angular_momentum, const Vec3& given) {
+  const Mat3& P = free_turn;
+  if (P.isZero(0)) return given;
+  // the axes that are not free get some moment of the body's size, so that the matrix can be inverted
+  const Mat3 others = Mat3::Identity() - P;
+  const Mat3 along_free = P * inertia * P + inertia.trace() / 3 * others;
+  return given + P * (along_free.inverse() * (P * (angular_momentum - inertia * given)));
+}
+
+Mat3 inertia_now(const Body& body, const BodyState& state) {
+  return inertia_at(body, state.orientation);
+}
+
+void move_supported(const Body& body, const Mat3& free_turn, const Vec3& given, double dt, BodyState& state) {
+  constexpr int most = 50;
+  constexpr double rounding = 4e-16;
+  state.displacement += dt * state.velocity;
+  const Eigen::Quaterniond start = state.orientation;
+  const Vec3 l = state.angular_momentum;
+  Vec3 omega = supported_spin(free_turn, inertia_at(body, start), l, given);
+  for (int i = 0; i < most; ++i) {
+    const Mat3 middle = inertia_at(body, (rotation_by(0.5 * dt * omega) * start).normalized());
+    const Vec3 next = supported_spin(free_turn, middle, l, given);
+    const double change = (next - omega).norm();
+    omega = next;
+    if (change <= rounding * omega.norm()) break;
+  }
+  state.orientation = (rotation_by(dt * omega) * start).normalized();
+  const Mat3 inertia = inertia_at(body, state.orientation);
+  state.angular_momentum = inertia * supported_spin(free_turn, inertia, l, given);
+}
+
+}  // namespace brunt::rigid
