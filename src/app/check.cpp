@@ -42,6 +42,8 @@ std::vector<PartFigures> part_figures(const Prepared& run) {
   comm::exact_sum(run.links.ranks, sums, mass);
   std::vector<PartFigures> figures(n);
   for (std::size_t b = 0; b < n; ++b) figures[b] = {run.model.block_size[b], mass[b]};
+  for (const model::RigidBody& body : run.model.bodies)
+    figures[static_cast<std::size_t>(body.block)].mass = body.own.mass;
   return figures;
 }
 
@@ -87,6 +89,20 @@ void print_parts(const Prepared& run, const std::vector<PartFigures>& figures, c
                figures[b].elements, figures[b].mass);
   }
   fmt::print("nodes            {}\n", run.model.mesh.global_nodes);
+}
+
+/// What forces on a rigid body meet: with the masses of deformable elements on its nodes.
+void print_bodies(const Prepared& run, const scene::UnitSystem& units) {
+  for (const model::RigidBody& body : run.model.bodies) {
+    const rigid::MassProperties& mass = body.body.mass;
+    const Vec3 centre = mass.centre + run.model.mesh.origin;
+    const Mat3& J = mass.inertia;
+    fmt::print(
+        "rigid body       {}: mass {:.6g} {}, centre ({:.6g}, {:.6g}, {:.6g}), inertia about it xx {:.6g}, yy {:.6g}, "
+        "zz {:.6g}, xy {:.6g}, yz {:.6g}, zx {:.6g}\n",
+        body.part, mass.mass, units.mass, centre[0], centre[1], centre[2], J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(1, 2),
+        J(2, 0));
+  }
 }
 
 /// Least and greatest coordinate of each part, and of all where there are several [length].
@@ -206,6 +222,7 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   for (const std::string& note : report.notes) fmt::print("{}\n", note);
   print_overlaps(report, options.all);
   print_parts(*run, figures, units);
+  print_bodies(*run, units);
   print_extents(*run, extents, units);
   print_advice(*run);
   for (const std::string& line : round.lines) fmt::print("{:<16} {}\n", "round body", line);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "brunt/core/error.hpp"
 #include "brunt/scene/build.hpp"
@@ -124,7 +125,7 @@ void make_contact(Prepared& run) {
 time::StepControl step_control(const Prepared& run) {
   constexpr double growth = 1.02;
   const double factor = run.contact ? contact::step_factor(run.model.contact.enforcement) : 1.0;
-  return {run.input.run.cfl * factor, growth};
+  return {run.input.run.cfl * factor, growth, run.input.run.step.value_or(std::numeric_limits<double>::infinity())};
 }
 
 std::vector<double> save_sums(const comm::Communicator& ranks, contact::Contact& contact) {

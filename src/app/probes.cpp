@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "body_probes.hpp"
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/scene/select.hpp"
 
@@ -11,8 +12,13 @@ namespace {
 
 using scene::Probe;
 
+bool is_moment(const Probe& probe) {
+  return probe.field == "moment" || probe.field == "reaction_moment";
+}
+
 bool is_force(const Probe& probe) {
-  return probe.kind == Probe::Kind::wall || probe.kind == Probe::Kind::contact || probe.field == "reaction";
+  return probe.kind == Probe::Kind::wall || probe.kind == Probe::Kind::contact || probe.field == "reaction" ||
+         probe.field == "force" || is_moment(probe);
 }
 
 /// Sums over the elements of a part.
@@ -71,10 +77,12 @@ Probes::Probes(const Prepared& run, const scene::UnitSystem& units)
     : motion_(run.input.probes.size(), Vec3::Zero()),
       moment_(motion_.size(), Vec3::Zero()),
       part_(motion_.size()),
-      section_(motion_.size()) {
+      section_(motion_.size()),
+      body_(motion_.size()) {
   for (std::size_t k = 0; k < motion_.size(); ++k) {
     const Probe& probe = run.input.probes[k];
     if (is_sum(probe)) part_[k] = nodes_of_part(run, probe.where);
+    if (probe.kind == Probe::Kind::part) body_[k] = body_of_part(run.model, probe.where);
     if (probe.kind == Probe::Kind::section) section_[k] = find_section(run, k);
     keeps_velocity_ = keeps_velocity_ || probe.field == "energy";
     add_columns(probe, units);
@@ -94,12 +102,16 @@ void Probes::add_columns(const Probe& probe, const scene::UnitSystem& units) {
     vector("", units.force);
     vector("moment_", product(units.force, units.length));
   } else if (is_force(probe)) {
+    const bool moment = is_moment(probe);
     for (const char* component : {"x", "y", "z"}) {
-      columns_.push_back({probe.name + '.' + component, units.force});
-      columns_.push_back({"impulse_" + probe.name + '.' + component, units.momentum});
+      columns_.push_back({probe.name + '.' + component, moment ? product(units.force, units.length) : units.force});
+      columns_.push_back(
+          {"impulse_" + probe.name + '.' + component, moment ? product(units.momentum, units.length) : units.momentum});
     }
   } else {
     vector("", probe.field == "velocity"           ? units.velocity
+               : probe.field == "rotation"         ? (units.length.empty() ? "" : "rad")
+               : probe.field == "angular_velocity" ? (units.time.empty() ? "" : "rad/" + units.time)
                : probe.field == "momentum"         ? units.momentum
                : probe.field == "angular_momentum" ? product(units.momentum, units.length)
                                                    : units.length);
@@ -114,9 +126,9 @@ void Probes::read_motion(const Prepared& run) {
       motion_[k] = force;
       moment_[k] = moment;
     } else if (probe.field == "center") {
-      motion_[k] = part_center(run, part_[k]);
+      motion_[k] = body_[k] ? body_part_center(run, *body_[k]) : part_center(run, part_[k]);
     } else if (!is_force(probe) && !is_sum(probe)) {
-      motion_[k] = mean_motion(run, k);
+      motion_[k] = body_[k] ? body_motion(run, *body_[k], probe.field) : mean_motion(run, k);
     }
   }
   if (!keeps_velocity_) return;
@@ -132,14 +144,16 @@ std::vector<double> Probes::values(Prepared& run, const contact::ContactTotals& 
     if (is_force(probe)) {
       add_force(run, totals, k, row);
     } else if (probe.field == "mass") {
-      row.push_back(part_mass(run, part_[k]));
+      row.push_back(body_[k] ? run.model.bodies[*body_[k]].own.mass : part_mass(run, part_[k]));
     } else if (probe.field == "energy") {
-      const PartEnergy energy = part_energy(run, part_[k], before_, dt_mean);
+      const PartEnergy energy =
+          body_[k] ? body_part_energy(run, *body_[k]) : part_energy(run, part_[k], before_, dt_mean);
       row.insert(row.end(), {energy.kinetic, energy.internal, energy.hourglass, energy.bulk});
     } else if (probe.field == "momentum") {
-      add(part_momentum(run, part_[k]));
+      add(body_[k] ? body_part_momentum(run, *body_[k]) : part_momentum(run, part_[k]));
     } else if (probe.field == "angular_momentum") {
-      add(part_angular_momentum(run, part_[k], probe.about.value_or(Vec3::Zero())));
+      const Vec3 about = probe.about.value_or(Vec3::Zero());
+      add(body_[k] ? body_part_angular_momentum(run, *body_[k], about) : part_angular_momentum(run, part_[k], about));
     } else {
       add(motion_[k]);
       if (probe.kind == Probe::Kind::section) add(moment_[k]);
@@ -166,6 +180,7 @@ Vec3 Probes::impulse(const Prepared& run, const contact::ContactTotals& totals, 
     const auto wall = std::ranges::find(run.model.walls, watched.where, &model::RigidWall::name);
     return totals.wall_impulse[static_cast<std::size_t>(wall - run.model.walls.begin())];
   }
+  if (body_[probe]) return body_impulse(run, *body_[probe], watched.field);
   if (watched.field == "reaction") return reaction_impulse(run, probe);
   const auto pair = std::ranges::find(run.tracked, std::array{watched.where, watched.other});
   return totals.tracked_impulse[static_cast<std::size_t>(pair - run.tracked.begin())];

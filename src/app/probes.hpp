@@ -2,6 +2,7 @@
 // The values that the user watches at nodes, sets, walls and contacts: columns of history.csv.
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,7 @@ class Probes {
   std::vector<Vec3> motion_, moment_;
   std::vector<PartNodes> part_;
   std::vector<Section> section_;
+  std::vector<std::optional<std::size_t>> body_;  ///< of a rigid part
   bool keeps_velocity_ = false;
   std::vector<Vec3> before_;  ///< v_{n-1/2} of all nodes, where a probe asks for energies
 };

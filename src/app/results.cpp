@@ -46,8 +46,8 @@ std::string controlling_element(const Prepared& run, const time::StepReport& ste
   if (mine)
     gid = run.model.blocks[static_cast<std::size_t>(step.elements.block)]
               .input[static_cast<std::size_t>(step.elements.element)];
-  gid = run.links.ranks.max(gid);  // where two have the same rate, one of them is named
-  return fmt::format("{}", gid + 1);
+  gid = run.links.ranks.max(gid);                     // where two have the same rate, one of them is named
+  return gid < 0 ? "-" : fmt::format("{}", gid + 1);  // rigid bodies alone: run.step
 }
 
 /// Half of the diagonal of the model at the start [length]. Collective.
@@ -199,6 +199,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   summary["end_time"] = end_time_;
   summary["elements"] = run_.model.mesh.global_elements;
   summary["nodes"] = run_.model.mesh.global_nodes;
+  summary["rigid_bodies"] = run_.model.bodies.size();
   summary["ranks"] = ranks.size();
   summary["wall_s"] = wall_seconds;
   summary["loop_s"] = cost.seconds;

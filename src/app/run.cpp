@@ -299,9 +299,10 @@ void record_scene(const Prepared& run, const RunOptions& options, const std::str
 void announce(const Prepared& run, Log& log) {
   const model::Model& model = run.model;
   log.line(fmt::format("{} ({} units)", run.input.title.empty() ? run.input.file : run.input.title, run.input.units));
-  log.line(fmt::format("{} elements, {} nodes, {} parts, {} rank{}", model.mesh.global_elements,
-                       model.mesh.global_nodes, model.blocks.size(), run.links.ranks.size(),
-                       run.links.ranks.size() == 1 ? "" : "s"));
+  log.line(fmt::format("{} elements, {} nodes, {} parts{}, {} rank{}", model.mesh.global_elements,
+                       model.mesh.global_nodes, model.blocks.size(),
+                       model.bodies.empty() ? "" : fmt::format(" ({} rigid)", model.bodies.size()),
+                       run.links.ranks.size(), run.links.ranks.size() == 1 ? "" : "s"));
 }
 
 void tell_iterations(const Prepared& run, Log& log) {

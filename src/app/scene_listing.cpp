@@ -124,6 +124,8 @@ class Listing {
     std::string directions;
     for (std::size_t c = 0; c < 3; ++c)
       if (fixed.dofs[c]) directions += fmt::format("{}{}", directions.empty() ? "" : " ", "xyz"[c]);
+    for (std::size_t c = 0; c < 3; ++c)
+      if (fixed.turns[c]) directions += fmt::format("{}r{}", directions.empty() ? "" : " ", "xyz"[c]);
     add("fixed", fmt::format("{}: {}, {}", fixed.where, directions, nodes_of("fixed", k)));
   }
 
@@ -134,15 +136,18 @@ class Listing {
 
   void add_prescribed(const scene::Prescribed& motion, std::size_t k) {
     using Gives = scene::Prescribed::Gives;
-    const bool acceleration = motion.gives == Gives::acceleration;
-    const std::string unit = acceleration ? fmt::format("{}/{}^2", units_.length, units_.time) : units_.velocity;
+    const bool acceleration = motion.gives == Gives::acceleration, turns = motion.dof >= 3;
+    const std::string of_turn = fmt::format("rad/{}", units_.time);
+    const std::string unit = acceleration ? fmt::format("{}/{}^2", turns ? "rad" : units_.length, units_.time)
+                             : turns      ? of_turn
+                                          : units_.velocity;
     const std::string value = motion.curve.empty() ? fmt::format("{:g} {}", motion.scale, unit)
                                                    : fmt::format("curve {} times {:g}", motion.curve, motion.scale);
     const char* what = acceleration                          ? "acceleration"
                        : motion.gives == Gives::displacement ? "displacement"
                                                              : "velocity";
-    add("prescribed",
-        fmt::format("{}: {} {} {}, {}", motion.where, what, "xyz"[motion.dof], value, nodes_of("prescribed", k)));
+    add("prescribed", fmt::format("{}: {} {}{} {}, {}", motion.where, what, turns ? "r" : "", "xyz"[motion.dof % 3],
+                                  value, nodes_of("prescribed", k)));
   }
 
   void add_pressure(const scene::Pressure& pressure, std::size_t k) {

@@ -2,6 +2,7 @@
 #include "weights.hpp"
 
 #include "brunt/scene/build.hpp"
+#include "brunt/scene/rigid_parts.hpp"
 #include "brunt/scene/select.hpp"
 #include "start_rules.hpp"
 
@@ -13,11 +14,15 @@ double cost_of(element::ElementKind kind) {
   return kind == element::ElementKind::hex8 ? 1.0 : kind == element::ElementKind::tet4 ? 0.5 : 5.0;
 }
 
+/// A rigid element has no kernel; its nodes are moved, as a tenth of a hexahedron's step.
+constexpr double rigid_cost = 0.1;
+
 }  // namespace
 
 partition::Weights weigh(const scene::Input& input, const mesh::CanonicalMesh& whole) {
   std::vector<double> cost;
-  for (const std::size_t p : scene::parts_of_blocks(input, whole.mesh)) cost.push_back(cost_of(input.parts[p].element));
+  for (const std::size_t p : scene::parts_of_blocks(input, whole.mesh))
+    cost.push_back(scene::is_rigid(input, input.parts[p]) ? rigid_cost : cost_of(input.parts[p].element));
   if (!scene::contact_rule(input, block_materials(input, whole.mesh).part).any)
     return partition::weigh(whole.mesh, {}, cost);
   const setup::StartRules rules = start_rules(input, whole.mesh);

@@ -25,6 +25,7 @@ const Kernels& kernels_of(element::ElementKind kind) {
 }  // namespace
 
 std::vector<element::HistoryField> history_fields(const model::ElementBlock& block) {
+  if (material::is_rigid(block.law)) return {{"mass", 1}};
   return kernels_of(block.kind).history(block);
 }
 
@@ -35,7 +36,8 @@ ElementReport trial_forces(const model::Model& model, const Motion& motion, cons
   const BlockPass pass{model, motion, committed, trial, scratch, report};
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const model::ElementBlock& block = model.blocks[b];
-    if (block.count > 0) kernels_of(block.kind).forces(block, static_cast<LocalIndex>(b), pass);
+    if (block.count > 0 && !material::is_rigid(block.law))
+      kernels_of(block.kind).forces(block, static_cast<LocalIndex>(b), pass);
   }
   return report;
 }

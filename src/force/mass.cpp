@@ -33,11 +33,12 @@ double element_volume(const model::ElementBlock& block, const Quad* reference, L
   return element::gradient_modes(mode, g)[0];
 }
 
-void lump_mass(const model::Model& model, model::State& state, model::Scratch& scratch) {
+void lump_mass(const model::Model& model, model::State& state, model::Scratch& scratch, Lumped elements) {
   std::fill(scratch.force.begin(), scratch.force.end(), Quad{});
   Quad* slots = reinterpret_cast<Quad*>(scratch.slots.data());
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const model::ElementBlock& block = model.blocks[b];
+    const bool at_nodes = elements == Lumped::all || !material::is_rigid(block.law);
     const double density = material::initial_moduli(block.law).density;
     double* history = state.history[b].data();
     for (LocalIndex batch = 0; batch < block.batches(); ++batch) {
@@ -50,7 +51,7 @@ void lump_mass(const model::Model& model, model::State& state, model::Scratch& s
               fmt::format("part {}: an element has volume {:g} in the reference configuration", block.part, volume));
         const double mass = density * volume;
         history[static_cast<std::ptrdiff_t>(batch) * block.history_size * pack_width + lane] = mass;
-        corner_mass[lane] = mass / block.corners;
+        corner_mass[lane] = at_nodes ? mass / block.corners : 0;
       }
       const int lanes = std::min(pack_width, block.count - batch * pack_width);
       for (int lane = 0; lane < lanes; ++lane)

@@ -2,8 +2,10 @@
 // From the constants of a material to the response that a kernel calls in its loop.
 #pragma once
 #include <type_traits>
+#include <utility>
 #include <variant>
 
+#include "brunt/core/error.hpp"
 #include "brunt/material/elastic.hpp"
 #include "brunt/material/j2.hpp"
 #include "brunt/material/law.hpp"
@@ -33,6 +35,9 @@ auto with_response(const material::Law& law, Use&& use) {
           if (table) return with_rate<material::J2Response<true, false>>(constants, use);
           if (kinematic) return with_rate<material::J2Response<false, true>>(constants, use);
           return with_rate<material::J2Response<false, false>>(constants, use);
+        } else if constexpr (std::is_same_v<Constants, material::Rigid>) {
+          demand(false, "rigid elements have no kernel");
+          return decltype(use(std::declval<material::ElasticResponse>()))();
         } else {
           return use(material::NeoHookeanResponse(constants));
         }

@@ -18,6 +18,9 @@ ElasticModuli moduli_of(const J2& law) {
 ElasticModuli moduli_of(const NeoHookean& law) {
   return {law.density, law.lambda, law.mu};
 }
+ElasticModuli moduli_of(const Rigid& law) {
+  return {law.density, 0, 0};
+}
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "brunt/scene/rigid_parts.hpp"
 #include "brunt/scene/select.hpp"
 #include "constraints.hpp"
 
@@ -47,8 +48,10 @@ model::ElementBlock build_block(const Part& part, const Input& input, const mesh
   block.material = part.material;
   block.kind = part.element;
   block.law = input.materials.at(part.material);
+  if (material::is_rigid(block.law))
+    block.kind = source.shape == mesh::Shape::tet4 ? ElementKind::tet4 : ElementKind::hex8;
   block.hourglass = part.hourglass;
-  if (part.element != ElementKind::hex8) block.hourglass = {HourglassKind::none, 0};
+  if (block.kind != ElementKind::hex8) block.hourglass = {HourglassKind::none, 0};
   block.bulk = part.bulk;
   block.corners = mesh::nodes_per_element(source.shape);
   block.count = static_cast<LocalIndex>(source.gid.size());
@@ -149,7 +152,7 @@ bool leaves_tied(const ContactEntry& entry, bool tied) {
   return tied && entry.between.empty();
 }
 
-/// Nodes that contact, walls or constraints may still change after the prediction.
+/// Nodes that contact, walls or constraints may still change after the prediction. Those of rigid bodies follow these.
 std::vector<LocalIndex> late_nodes(const model::Model& model) {
   std::vector<LocalIndex> late;
   for (const model::ConstrainedNode& constrained : model.constrained) late.push_back(constrained.node);
@@ -160,6 +163,8 @@ std::vector<LocalIndex> late_nodes(const model::Model& model) {
   late.insert(late.end(), model.between_parts.begin(), model.between_parts.end());
   std::ranges::sort(late);
   late.erase(std::unique(late.begin(), late.end()), late.end());
+  for (const model::RigidBody& body : model.bodies)
+    std::erase_if(late, [&](LocalIndex node) { return std::ranges::binary_search(body.nodes, node); });
   return late;
 }
 
@@ -173,6 +178,7 @@ model::Model build_model(const Input& input, mesh::LocalMesh&& mesh) {
   for (const Vec3& X : model.mesh.coordinates) model.reference.push_back(Quad{X[0], X[1], X[2]});
   build_loads(input, model);
   build_constraints(input, model);
+  build_bodies(input, model);
   mark_symmetry_faces(input, model);
   std::vector<std::string> part_of_block;
   for (const model::ElementBlock& block : model.blocks) part_of_block.push_back(block.part);

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "brunt/core/error.hpp"
+#include "brunt/scene/rigid_parts.hpp"
 #include "brunt/scene/select.hpp"
 
 namespace brunt::scene {
@@ -60,7 +61,7 @@ void build_constraints(const Input& input, model::Model& model) {
   };
   for (std::size_t k = 0; k < input.fixed.size(); ++k)
     for (int c = 0; c < 3; ++c)
-      if (input.fixed[k].dofs[static_cast<std::size_t>(c)])
+      if (!names_rigid_part(input, input.fixed[k].where) && input.fixed[k].dofs[static_cast<std::size_t>(c)])
         hold(input, model, held, nodes("fixed", k), {Vec3::Unit(c), -1, fmt::format("fixed.{}", k)}, faults);
   for (std::size_t k = 0; k < input.symmetry.size(); ++k)
     hold(input, model, held, nodes("symmetry", k),
@@ -69,10 +70,12 @@ void build_constraints(const Input& input, model::Model& model) {
     const Prescribed& entry = input.prescribed[k];
     model.drives.push_back({entry.curve.empty() ? model::Curve{} : input.curves.at(entry.curve), entry.scale,
                             static_cast<model::Drive::Gives>(entry.gives)});
+    if (names_rigid_part(input, entry.where)) continue;
     hold(input, model, held, nodes("prescribed", k),
          {Vec3::Unit(entry.dof), static_cast<std::int32_t>(k), fmt::format("prescribed.{}", k)}, faults);
   }
   if (!faults.empty()) throw InputError(std::move(faults));
+  for (const LocalIndex node : rigid_nodes(model.mesh)) held.erase(node);  // in planes of symmetry
   for (const auto& [node, directions] : held) model.constrained.push_back(projector(node, directions));
 }
 

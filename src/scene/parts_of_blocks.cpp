@@ -6,6 +6,7 @@
 
 #include "brunt/core/error.hpp"
 #include "brunt/scene/nearest.hpp"
+#include "brunt/scene/rigid_parts.hpp"
 #include "brunt/scene/select.hpp"
 
 namespace brunt::scene {
@@ -60,7 +61,7 @@ std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& m
       faults.push_back(fmt::format("{}: block {} already belongs to part '{}'; accepted: a block of its own",
                                    input.at(key + ".block"), part.block, input.parts[part_of[b]].name));
     part_of[b] = p;
-    if ((part.element == ElementKind::tet4) != (mesh.blocks[b].shape == mesh::Shape::tet4))
+    if (!is_rigid(input, part) && (part.element == ElementKind::tet4) != (mesh.blocks[b].shape == mesh::Shape::tet4))
       faults.push_back(fmt::format("{}: {} does not fit the block's elements; accepted: {}", input.at(key + ".element"),
                                    element::name_of(part.element), fitting_elements(mesh.blocks[b].shape)));
   }

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "brunt/core/error.hpp"
 #include "brunt/scene/nearest.hpp"
 #include "brunt/scene/overrides.hpp"
+#include "brunt/scene/rigid_parts.hpp"
 #include "brunt/scene/sections.hpp"
 #include "brunt/scene/units.hpp"
 
@@ -78,6 +80,8 @@ Input read_scene(const std::string& text, const std::string& file_name, std::spa
     }
   }
   findings.faults.throw_if_any();
+  if (std::vector<std::string> faults = faults_of_rigid_parts(input); !faults.empty())
+    throw InputError(std::move(faults));
   return input;
 }
 

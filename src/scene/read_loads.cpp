@@ -10,7 +10,7 @@
 namespace brunt::scene {
 namespace {
 
-const Choices<int> directions{{{"x", 0}, {"y", 1}, {"z", 2}}, {"rx", "ry", "rz"}};
+const Choices<int> directions{{{"x", 0}, {"y", 1}, {"z", 2}, {"rx", 3}, {"ry", 4}, {"rz", 5}}, {}};
 
 /// Reads each entry of an optional list with `reader(Section&)`.
 template <class Reader>
@@ -40,7 +40,12 @@ InitialMotion read_motion(Section& entry) {
 Fixed read_fixed(Section& entry) {
   Fixed fixed;
   read_selection(entry, fixed.where);
-  entry.required("dofs", fixed.dofs, directions);
+  std::array<bool, 6> marked{};
+  if (!entry.required("dofs", marked, directions)) return fixed;
+  for (std::size_t c = 0; c < 3; ++c) {
+    fixed.dofs[c] = marked[c];
+    fixed.turns[c] = marked[c + 3];
+  }
   return fixed;
 }
 

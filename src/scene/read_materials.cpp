@@ -7,7 +7,7 @@
 namespace brunt::scene {
 namespace {
 
-enum class Model { elastic, j2, neo_hookean };
+enum class Model { elastic, j2, neo_hookean, rigid };
 
 material::Elastic read_elastic(Section& material) {
   material::Elastic law;
@@ -86,10 +86,16 @@ material::NeoHookean read_neo_hookean(Section& material) {
   return law;
 }
 
+material::Rigid read_rigid(Section& material) {
+  material::Rigid law;
+  material.required("density", law.density, positive);
+  return law;
+}
+
 material::Law read_law(Section& material) {
   static const Choices<Model> models{
-      {{"elastic", Model::elastic}, {"j2", Model::j2}, {"neo_hookean", Model::neo_hookean}},
-      {"johnson_cook", "foam", "crushable_foam", "rigid"}};
+      {{"elastic", Model::elastic}, {"j2", Model::j2}, {"neo_hookean", Model::neo_hookean}, {"rigid", Model::rigid}},
+      {"johnson_cook", "foam", "crushable_foam"}};
   Model model{};
   if (!material.required("model", model, models)) {
     for (const std::string& name : material.key().tree->keys) material.has(name);  // whose keys, nobody knows
@@ -101,6 +107,8 @@ material::Law read_law(Section& material) {
       return read_elastic(material);
     case Model::j2:
       return read_j2(material);
+    case Model::rigid:
+      return read_rigid(material);
     default:
       return read_neo_hookean(material);
   }
@@ -110,7 +118,7 @@ material::Law read_law(Section& material) {
 
 void read_materials(Section& scene, Input& input) {
   for (const auto& [name, key] : entries(scene.at("materials"), "a map of names, each {model: ..., density: ...}")) {
-    Section material(key, "a map {model: elastic, j2 or neo_hookean, density: ...}");
+    Section material(key, "a map {model: elastic, j2, neo_hookean or rigid, density: ...}");
     input.materials[name] = material.is_map() ? read_law(material) : material::Elastic{};
     warn_of_units(material, input.materials[name], input);
   }

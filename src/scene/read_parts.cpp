@@ -2,6 +2,8 @@
 // Parts (what a block of the mesh is made of), named sets, curves.
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
+
 #include "brunt/scene/sections.hpp"
 
 namespace brunt::scene {
@@ -33,6 +35,40 @@ void read_bulk(const Key& key, BulkViscosity& bulk) {
   section.optional("quadratic", bulk.quadratic, not_negative);
 }
 
+/// The tensor of [xx, yy, zz, xy, yz, zx]. A body has the moments of a mass distribution: none is negative, and none
+/// exceeds the sum of the others. A moment of zero would let nothing turn the body about that axis.
+void read_inertia(const Key& key, RigidGiven& given) {
+  constexpr std::string_view accepted = "[xx, yy, zz, xy, yz, zx] about the centre";
+  std::array<double, 6> value{};
+  if (!read(key, value, any_number, accepted)) return;
+  Mat3 tensor;
+  tensor << value[0], value[3], value[5],  //
+      value[3], value[1], value[4],        //
+      value[5], value[4], value[2];
+  const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(tensor, Eigen::EigenvaluesOnly).eigenvalues();
+  constexpr double rounding = 1e-9;
+  const bool positive_moments = moments[0] > rounding * moments[2];
+  const bool of_masses = moments[0] + moments[1] >= (1 - rounding) * moments[2];
+  if (positive_moments && of_masses)
+    given.inertia = tensor;
+  else
+    fault(key, fmt::format("the principal moments are {:g}, {:g}, {:g}; accepted: moments > 0 of which each is at most "
+                           "the sum of the others",
+                           moments[0], moments[1], moments[2]));
+}
+
+RigidGiven read_rigid(const Key& key) {
+  RigidGiven given;
+  Section section(key, "a map {mass: number, centre: [x, y, z], inertia: [xx, yy, zz, xy, yz, zx]}");
+  section.optional("mass", given.mass, positive);
+  if (section.has("centre")) {
+    Vec3 centre = Vec3::Zero();
+    if (section.required("centre", centre, Vector::any)) given.centre = centre;
+  }
+  if (section.has("inertia")) read_inertia(section.at("inertia"), given);
+  return given;
+}
+
 Part read_part(const std::string& name, Section& section) {
   Part part;
   part.name = part.block = name;
@@ -42,7 +78,7 @@ Part read_part(const std::string& name, Section& section) {
   if (section.has("hourglass")) read_hourglass(section.at("hourglass"), part.hourglass);
   if (section.has("bulk")) read_bulk(section.at("bulk"), part.bulk);
   section.not_yet("thickness", "solid elements without it");
-  section.not_yet("rigid", "deformable parts");
+  if (section.has("rigid")) part.rigid = read_rigid(section.at("rigid"));
   return part;
 }
 

@@ -28,7 +28,9 @@ void read_field(Section& entry, Probe& probe) {
   std::vector<std::string> fields{"displacement", "velocity", "position"};
   if (probe.kind == Kind::set || probe.kind == Kind::part) fields.emplace_back("reaction");
   if (probe.kind == Kind::part)
-    for (const char* sum : {"mass", "center", "momentum", "angular_momentum", "energy"}) fields.emplace_back(sum);
+    for (const char* sum : {"mass", "rotation", "angular_velocity", "force", "moment", "reaction_moment", "center",
+                            "momentum", "angular_momentum", "energy"})
+      fields.emplace_back(sum);
   const std::size_t chosen = read_choice(entry.at("field"), fields, {});
   if (chosen < fields.size()) probe.field = fields[chosen];
   if (probe.field == "angular_momentum" && entry.has("about")) {

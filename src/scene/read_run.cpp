@@ -53,6 +53,7 @@ void read_run(Section& scene, Input& input) {
     lacking(run.key(), {"end", "steps"}, "no end is given; accepted: end: time, or steps: count");
   }
   run.optional("cfl", input.run.cfl, courant);
+  run.optional("step", input.run.step, positive);
   run.optional("min_step_ratio", input.run.min_step_ratio, below_one);
   if (run.has("wall_limit")) read_wall_limit(run.at("wall_limit"), input.run);
   if (scene.has("output")) {

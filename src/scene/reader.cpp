@@ -206,8 +206,10 @@ std::size_t read_choice(const Key& key, const std::vector<std::string>& now, con
   return now.size();
 }
 
-bool read(const Key& key, std::array<bool, 3>& marked, const Choices<int>& directions) {
-  constexpr std::string_view accepted = "a list of x, y, z";
+bool read(const Key& key, std::span<bool> marked, const Choices<int>& directions) {
+  std::vector<std::string> names;
+  for (const auto& choice : directions.now) names.push_back(choice.first);
+  const std::string accepted = fmt::format("a list of {}", fmt::join(names, ", "));
   const std::vector<Key> named = items(key, accepted);
   bool good = !named.empty();
   for (const Key& one : named) {

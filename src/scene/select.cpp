@@ -13,6 +13,7 @@
 #include "brunt/core/error.hpp"
 #include "brunt/mesh/topology.hpp"
 #include "brunt/scene/nearest.hpp"
+#include "brunt/scene/rigid_parts.hpp"
 #include "select_watched.hpp"
 
 namespace brunt::scene {
@@ -117,6 +118,10 @@ class Selector {
   }
 
   void add_interface() { make_interface(whole_); }
+
+  void add_bodies() {
+    for (std::string& fault : select_bodies(input_, part_of_block_, whole_)) faults_.push_back(std::move(fault));
+  }
 
   /// parts: only their nodes; empty: all.
   void add_plane(const std::string& reserved, const Vec3& point, const Vec3& normal, const std::string& key,
@@ -383,6 +388,7 @@ void select(const Input& input, mesh::CanonicalMesh& whole) {
   each(input.probes, [&](const Probe& entry, std::size_t k) { selector.add_probe(entry, k); });
   if (std::ranges::any_of(input.probes, [](const Probe& probe) { return probe.field == "energy"; }))
     selector.add_interface();
+  selector.add_bodies();
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 

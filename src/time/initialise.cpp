@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/time/initialise.hpp"
 
+#include <algorithm>
+
 #include "brunt/force/internal.hpp"
 #include "brunt/force/mass.hpp"
+#include "brunt/time/bodies.hpp"
 
 namespace brunt::time {
 namespace {
@@ -25,7 +28,8 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
   state.displacement.assign(n, Quad{});
   state.nodes.assign(n, model::NodeLine{});
   scratch.force.resize(n);
-  scratch.before.assign(model.late.empty() && !model.damped() ? 0 : n, Vec3::Zero());
+  const bool keeps_before = !model.late.empty() || model.damped() || !model.bodies.empty();
+  scratch.before.assign(keeps_before ? n : 0, Vec3::Zero());
   scratch.reaction.resize(model.constrained.size());
   std::size_t slots = 0;
   for (const model::ElementBlock& block : model.blocks) slots += block.border.values.size();
@@ -41,6 +45,9 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
     state.reaction_impulse.assign(3 * n, 0.0);
     if (model.contact.any || !model.walls.empty()) scratch.contact_impulse.assign(n, Vec3::Zero());
   }
+  state.bodies.assign(model.bodies.size(), {});
+  state.body_accounts.assign(model.bodies.size(), {});
+  scratch.bodies.assign(model.bodies.size(), {});
   if (model.relaxes) state.held_force.assign(3 * n, 0.0);
   state.wall_position.assign(model.walls.size(), 0.0);
   if (model.books_interface)
@@ -54,6 +61,21 @@ model::StateArray nodal(const std::string& name, std::vector<double>& values, in
 
 model::StateArray global(const std::string& name, double* values, int components) {
   return {name, model::StateArray::Entity::global, -1, 1, components, values, 1, components, 1, 0, true, true};
+}
+
+/// A row a body of each of its quantities.
+void add_bodies(model::State& state, std::vector<model::StateArray>& arrays) {
+  const auto rows = [&](const char* name, double* first, int components, std::size_t stride) {
+    arrays.push_back({name, model::StateArray::Entity::global, -1, static_cast<LocalIndex>(state.bodies.size()),
+                      components, first, 1, static_cast<int>(stride / sizeof(double)), 1, 0, true, true});
+  };
+  rigid::BodyState& first = state.bodies.front();
+  rows("body_displacement", first.displacement.data(), 3, sizeof first);
+  rows("body_orientation", first.orientation.coeffs().data(), 4, sizeof first);
+  rows("body_velocity", first.velocity.data(), 3, sizeof first);
+  rows("body_angular_momentum", first.angular_momentum.data(), 3, sizeof first);
+  model::BodyAccount& account = state.body_accounts.front();
+  rows("body_accounts", &account.element_work, model::body_account_width, sizeof account);
 }
 
 }  // namespace
@@ -72,12 +94,22 @@ void initialise(model::Model& model, model::State& state, model::Scratch& scratc
   for (LocalIndex i = 0; i < model.nodes(); ++i)
     if (model.mesh.owner[static_cast<std::size_t>(i)] == links.ranks.rank()) model.owned.push_back(i);
 
-  force::lump_mass(model, state, scratch);
-  links.corner_forces.begin(scratch.slots, 4);
-  links.corner_forces.end(scratch.slots, 4, {reinterpret_cast<double*>(scratch.force.data()), 4 * scratch.force.size()},
-                          4);
+  const auto sum_masses = [&](force::Lumped elements) {
+    force::lump_mass(model, state, scratch, elements);
+    links.corner_forces.begin(scratch.slots, 4);
+    links.corner_forces.end(scratch.slots, 4,
+                            {reinterpret_cast<double*>(scratch.force.data()), 4 * scratch.force.size()}, 4);
+  };
+  if (!model.bodies.empty()) {
+    sum_masses(force::Lumped::deformable);
+    weigh_bodies(links.ranks, model, {scratch.force.data(), scratch.force.size()});
+  }
+  sum_masses(force::Lumped::all);
+  std::ranges::fill(scratch.slots, 0.0);  // those of rigid elements stay so: no force comes from them
   for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i].mass = scratch.force[i][0];
   for (const LocalIndex node : model.late) state.nodes[static_cast<std::size_t>(node)].late = 1.0;
+  for (const model::RigidBody& body : model.bodies)
+    for (const LocalIndex node : body.nodes) state.nodes[static_cast<std::size_t>(node)].late = 1.0;
   if (model.relaxes)
     state.relaxation.under_way = 1;
   else
@@ -98,6 +130,7 @@ void start_velocities(const model::Model& model, model::State& state, std::span<
         v[c] = given[c];  // which an acceleration changes
     }
   }
+  start_bodies(model, state);
 }
 
 void update_positions(const model::Model& model, model::State& state) {
@@ -127,6 +160,7 @@ model::Registry state_registry(const model::Model& model, model::State& state) {
   const auto strided = [&](const char* name, double* first, int components, int stride) {
     arrays.push_back({name, model::StateArray::Entity::node, -1, n, components, first, 1, stride, 1, 0, true, true});
   };
+  if (!state.bodies.empty()) add_bodies(state, arrays);
   auto* u = reinterpret_cast<double*>(state.displacement.data());
   constexpr int line = sizeof(model::NodeLine) / sizeof(double);
   strided("displacement", u, 3, 4);

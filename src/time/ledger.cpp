@@ -17,7 +17,7 @@ enum Term {
   reaction_work,
   hourglass,
   bulk,
-  mass,
+  mass_of_all,
   momentum_scale,
   momentum_x,
   momentum_y,
@@ -56,15 +56,58 @@ void add_node(const model::Model& model, const model::State& state, const model:
   }
   const Vec3 momentum_before = before ? Vec3(node.mass * *before) : Vec3(node.mass * v - impulse);
   sums[kinetic].add(0.5 * v.dot(momentum_before));
-  sums[mass].add(node.mass);
+  sums[mass_of_all].add(node.mass);
   for (std::size_t c = 0; c < 3; ++c) sums[momentum_x + c].add(node.mass * v[static_cast<int>(c)]);
   sums[momentum_scale].add(node.mass * v.norm());
+}
+
+/// Which nodes move with bodies, and are booked with these.
+std::vector<char> nodes_of_bodies(const model::Model& model) {
+  std::vector<char> carried(model.bodies.empty() ? 0 : static_cast<std::size_t>(model.nodes()), 0);
+  for (const model::RigidBody& body : model.bodies)
+    for (const LocalIndex node : body.nodes) carried[static_cast<std::size_t>(node)] = 1;
+  return carried;
+}
+
+/// As of a node: half of the work of the last impulses is taken off again.
+void add_body(const model::RigidBody& body, const model::BodyAccount& account, const model::BodyStep& now,
+              const StepReport& step, Sums& sums) {
+  const double mass = body.body.mass.mass;
+  const auto half = [&](const Vec3& impulse, const Vec3& angular_impulse) {
+    return 0.5 * (now.after.velocity.dot(impulse) + now.after.spin.dot(angular_impulse));
+  };
+  const Vec3 drag = step.drag() * mass * (now.before.velocity + now.after.velocity);
+  const Vec3 drag_moment = step.drag() * (now.before.angular_momentum + now.after.angular_momentum);
+  const double element_half = step.dt_mean * half(now.elements.force, now.elements.moment);
+  const double load_half = step.dt_mean * half(now.loads.force, now.loads.moment);
+  sums[element_work].add(account.element_work - element_half);
+  sums[load_work].add(account.load_work - load_half);
+  sums[damping_work].add(account.damping_work + half(drag, drag_moment));
+  sums[reaction_work].add(account.reaction_work - half(now.reaction.force, now.reaction.moment));
+  sums[kinetic].add(half(mass * now.before.velocity, now.before.angular_momentum));
+  const Vec3 given = account.load_impulse + account.reaction_impulse;
+  for (std::size_t c = 0; c < 3; ++c) {
+    sums[impulse_x + c].add(given[static_cast<int>(c)]);
+    sums[momentum_x + c].add(mass * now.after.velocity[static_cast<int>(c)]);
+  }
+  sums[mass_of_all].add(mass);
+  sums[momentum_scale].add(mass * now.after.velocity.norm());
+}
+
+/// Every rank knows all bodies; the root counts them.
+void add_bodies(const model::Model& model, const model::State& state, const model::Scratch& scratch, const Links& links,
+                const StepReport& step, Sums& sums) {
+  if (!links.ranks.is_root()) return;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    add_body(model.bodies[b], state.body_accounts[b], scratch.bodies[b], step, sums);
 }
 
 void add_nodes(const model::Model& model, const model::State& state, const model::Scratch& scratch,
                const StepReport& step, Sums& sums) {
   std::size_t next_constrained = 0;
+  const std::vector<char> carried = nodes_of_bodies(model);
   for (const LocalIndex node : model.owned) {
+    if (!carried.empty() && carried[static_cast<std::size_t>(node)]) continue;
     const Vec3 *before = nullptr, *reaction = nullptr;
     if (model.damped() || state.nodes[static_cast<std::size_t>(node)].late != 0.0)
       before = &scratch.before[static_cast<std::size_t>(node)];
@@ -114,6 +157,7 @@ Ledger ledger(const model::Model& model, const model::State& state, const model:
               const contact::Contact* contact, const StepReport& step) {
   Sums sums;
   add_nodes(model, state, scratch, step, sums);
+  add_bodies(model, state, scratch, links, step, sums);
   add_elements(model, state, sums);
   std::array<double, terms> value{};
   comm::exact_sum(links.ranks, sums, value);
@@ -126,7 +170,7 @@ Ledger ledger(const model::Model& model, const model::State& state, const model:
   result.internal = -value[element_work] - value[hourglass] - value[bulk];
   result.damping = -value[damping_work];
   result.external = value[load_work] + value[reaction_work];
-  result.mass = value[mass];
+  result.mass = value[mass_of_all];
   result.momentum = {value[momentum_x], value[momentum_y], value[momentum_z]};
   result.impulse_given += Vec3{value[impulse_x], value[impulse_y], value[impulse_z]};
   result.momentum_scale = value[momentum_scale];

@@ -4,6 +4,7 @@
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/force/dead_loads.hpp"
 #include "brunt/force/watched.hpp"
+#include "brunt/time/bodies.hpp"
 
 namespace brunt::time {
 namespace {
@@ -85,6 +86,7 @@ Links link_ranks(const comm::Communicator& ranks, model::Model& model) {
   const std::vector<comm::Contribution> corners = number_slots(model);
   Links links{ranks, comm::OrderedSum(ranks, corners, mesh.shared, shared_gid, mesh.sharers), {}, {}, {}, {}, {}, {}};
 
+  link_bodies(ranks, model);
   find_interface(model);
   weigh_dead_loads(ranks, model, shared_gid);
   links.pressure_corners = force::pressure_corners(model);

@@ -101,21 +101,6 @@ void predict_nodes(const model::Model& model, model::State& state, model::Scratc
     predict_all<false, false>(model, state, scratch, step, velocities);
 }
 
-/// What a drive gives for the half step from t_n to t_n + dt: its curve in the middle; the mean velocity that ends in
-/// the displacement given; the velocity before and the integral of the acceleration since then, over dt_mean.
-double driven_component(const model::Drive& given, double before, double time, double dt, double dt_mean) {
-  using Gives = model::Drive::Gives;
-  switch (given.gives) {
-    case Gives::displacement:
-      return given.scale * (model::value_at(given.curve, time + dt) - model::value_at(given.curve, time)) / dt;
-    case Gives::acceleration:
-      return before + given.scale * model::integral(given.curve, time + 0.5 * dt - dt_mean, time + 0.5 * dt);
-    case Gives::velocity:
-      break;
-  }
-  return given.scale * model::value_at(given.curve, time + 0.5 * dt);
-}
-
 /// The given velocity of a constrained node at the half step to come; none before the run has begun.
 Vec3 driven_velocity(const model::Model& model, const model::State& state, const model::ConstrainedNode& constrained,
                      const Vec3& before, double dt, double dt_mean) {
@@ -130,6 +115,19 @@ Vec3 driven_velocity(const model::Model& model, const model::State& state, const
 }
 
 }  // namespace
+
+double driven_component(const model::Drive& given, double before, double time, double dt, double dt_mean) {
+  using Gives = model::Drive::Gives;
+  switch (given.gives) {
+    case Gives::displacement:
+      return given.scale * (model::value_at(given.curve, time + dt) - model::value_at(given.curve, time)) / dt;
+    case Gives::acceleration:
+      return before + given.scale * model::integral(given.curve, time + 0.5 * dt - dt_mean, time + 0.5 * dt);
+    case Gives::velocity:
+      break;
+  }
+  return given.scale * model::value_at(given.curve, time + 0.5 * dt);
+}
 
 contact::VelocitySpan predict(const model::Model& model, model::State& state, model::Scratch& scratch,
                               const Interval& step) {

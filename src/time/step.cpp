@@ -9,6 +9,7 @@
 #include "brunt/force/loads.hpp"
 #include "brunt/force/watched.hpp"
 #include "brunt/model/curve.hpp"
+#include "brunt/time/bodies.hpp"
 #include "brunt/time/motion.hpp"
 
 namespace brunt::time {
@@ -18,6 +19,7 @@ namespace {
 void sum_forces(const model::Model& model, const model::State& state, model::Scratch& scratch, Links& links) {
   links.corner_forces.begin(scratch.slots, 4);
   if (model.loaded()) force::body_loads(model, state, scratch);
+  if (model.loaded()) clear_body_loads(model, scratch);
   force::add_dead_loads(model, state.time, scratch);
   links.corner_forces.end(scratch.slots, 4, {reinterpret_cast<double*>(scratch.force.data()), 4 * scratch.force.size()},
                           4);
@@ -124,9 +126,11 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
   links.ranks.begin_max(reduced);
   sum_forces(model, state, scratch, links);
   links.ranks.end_max(reduced);
+  if (!model.bodies.empty()) sum_body_forces(model, state, scratch, links);
   report.stop = reduced[1] > 0;
   report.rate = reduced[0];
-  report.stable_dt = control.cfl / std::max({report.rate, state.rate_now, state.rate_before});
+  report.stable_dt =
+      std::min(control.cfl / std::max({report.rate, state.rate_now, state.rate_before}), control.largest);
   report.dt = bounded_by_damping(model, state, control, next_dt(state, control, report.stable_dt));
   report.dt_mean = 0.5 * (state.dt + report.dt);
   report.alpha = force::damping_rate(model, state.time);
@@ -142,11 +146,14 @@ void advance(const model::Model& model, model::State& state, model::Scratch& scr
   {
     const auto timed = links.timers.measure(Phase::other);
     velocities = predict(model, state, scratch, interval);
+    if (!model.bodies.empty()) predict_bodies(model, state, scratch, interval);
   }
   if (contact) correct_contact(model, state, scratch, links, *contact, step, velocities);
   const auto timed = links.timers.measure(Phase::other);
   finish_late(model, state, scratch, interval);
+  if (!model.bodies.empty()) book_bodies(model, state, scratch, interval);
   if (model.books_interface) force::book_interface(model, state, scratch, step.dt_mean);
+  if (!model.bodies.empty()) move_bodies(model, state, scratch, step.dt);
   for (std::size_t w = 0; w < model.walls.size(); ++w)
     state.wall_position[w] += step.dt * wall_speed(model.walls[w], state, state.time + 0.5 * step.dt);
   state.time_before = state.time;

@@ -38,9 +38,18 @@ struct NeoHookean {
   double lambda = 0, mu = 0;  ///< [stress] Lame constants (the scene gives young and poisson, or bulk and shear)
 };
 
-using Law = std::variant<Elastic, J2, NeoHookean>;
+/// A part of it is a rigid body: its elements give mass and inertia, and have neither strain nor stress.
+struct Rigid {
+  double density = 0;  ///< [mass/length^3] > 0
+};
 
-/// Lame constants and density of any law in its initial, elastic state.
+using Law = std::variant<Elastic, J2, NeoHookean, Rigid>;
+
+inline bool is_rigid(const Law& law) {
+  return std::holds_alternative<Rigid>(law);
+}
+
+/// Lame constants and density of any law in its initial, elastic state; a rigid part has no moduli (zero).
 struct ElasticModuli {
   double density = 0, lambda = 0, mu = 0;
 };

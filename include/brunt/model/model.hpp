@@ -10,6 +10,7 @@
 #include "brunt/core/aligned.hpp"
 #include "brunt/mesh/local_mesh.hpp"
 #include "brunt/model/element_block.hpp"
+#include "brunt/model/rigid_body.hpp"
 
 namespace brunt::model {
 
@@ -90,6 +91,8 @@ struct Model {
   bool any_constrained = false;         ///< on any rank
   bool books_interface = false;         ///< parts share nodes, on any rank, and their energies are asked for
 
+  std::vector<RigidBody> bodies;  ///< the same on all ranks, by block
+
   std::vector<ConstrainedNode> constrained;  ///< ascending by node
   std::vector<Drive> drives;
   Vec3 gravity = Vec3::Zero();  ///< [length/time^2]
@@ -148,6 +151,8 @@ struct State {
   std::vector<double> reaction_work;           ///< of fixed and prescribed nodes; empty where the scene has none
   std::vector<double> load_impulse;            ///< three a node: gravity, pressure, damping
   std::vector<double> reaction_impulse;        ///< three a node: fixed and prescribed
+  std::vector<rigid::BodyState> bodies;        ///< of Model::bodies, the same on all ranks
+  std::vector<BodyAccount> body_accounts;      ///< likewise
   std::vector<double> wall_position;           ///< travel of each wall along its normal
   /// By block and element: work of its forces on nodes of several parts; empty unless energies of parts are asked for.
   std::vector<std::vector<double>> interface_work;
@@ -162,6 +167,7 @@ struct Scratch {
   AlignedVector<double> slots;        ///< unsummed corner forces of border nodes, four each
   std::vector<Vec3> before;           ///< v_{n-1/2} of the late nodes (with damping: of all), by node; or empty
   std::vector<Vec3> reaction;         ///< impulse of each constrained node in this step
+  std::vector<BodyStep> bodies;       ///< of Model::bodies
   std::vector<Vec3> contact_impulse;  ///< by node; empty unless contact or walls meet constrained nodes
 };
 

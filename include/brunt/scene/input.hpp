@@ -75,11 +75,19 @@ using element::ElementKind;
 using element::Hourglass;
 using element::HourglassKind;
 
+/// What a rigid part is given in place of what its elements add up to.
+struct RigidGiven {
+  std::optional<double> mass;
+  std::optional<Vec3> centre;   ///< of mass, at the start
+  std::optional<Mat3> inertia;  ///< about the centre, in the scene's axes at the start
+};
+
 struct Part {
   std::string name, block, material;  ///< block: name or number as text
   ElementKind element = ElementKind::hex8;
   Hourglass hourglass;
   BulkViscosity bulk;
+  std::optional<RigidGiven> rigid;
 };
 
 /// A named set made from others in the scene.
@@ -100,13 +108,14 @@ struct InitialMotion {
 struct Fixed {
   std::string where;
   std::array<bool, 3> dofs{};
+  std::array<bool, 3> turns{};  ///< about x, y, z: of a rigid part
 };
 struct Symmetry {
   Vec3 point, normal;  ///< unit normal; all nodes in the plane; faces in it are no contact faces
 };
 struct Prescribed {
   std::string where;
-  int dof = 0;
+  int dof = 0;  ///< x, y, z; 3 and more: rotation about x, y, z, of a rigid part [rad]
   enum class Gives { velocity, displacement, acceleration } gives = Gives::velocity;
   std::string curve;  ///< of what is given over time, times `scale`; empty: constant 1
   double scale = 1;
@@ -171,6 +180,7 @@ struct Run {
   std::optional<double> end;
   std::optional<GlobalIndex> steps;
   double cfl = 0.9;
+  std::optional<double> step;        ///< largest step [time]
   double min_step_ratio = 1e-4;      ///< of the first step: below it the run stops
   std::optional<double> wall_limit;  ///< [s] of wall-clock time
 };

@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -127,7 +128,7 @@ bool read(const Key& key, Value& target, const Choices<Value>& choices) {
 }
 
 /// Marks the directions named in a list of at least one, none of them twice.
-bool read(const Key& key, std::array<bool, 3>& marked, const Choices<int>& directions);
+bool read(const Key& key, std::span<bool> marked, const Choices<int>& directions);
 
 /// A map with known keys. Every key asked for is a known one; at the end of the section's life its other keys are
 /// faults that name the nearest known key.

@@ -2,6 +2,7 @@
 // How the ranks of a run hang together during a step: built once, used in every step.
 #pragma once
 #include "brunt/comm/communicator.hpp"
+#include "brunt/comm/exact_sum.hpp"
 #include "brunt/comm/ordered_sum.hpp"
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/core/aligned.hpp"
@@ -21,6 +22,8 @@ struct Links {
   AlignedVector<Quad> pressure_sum;  ///< by node; empty without pressure
   std::vector<contact::Wall> walls;  ///< where the model's walls are at t_n
   Timers timers;
+  std::vector<comm::ExactAccumulator> body_sums{};  ///< forces and moments on rigid bodies
+  std::vector<double> body_forces{};                ///< the same, rounded
 };
 
 /// Numbers the slots of border corners in the model and links the ranks. Collective.

@@ -24,6 +24,10 @@ struct Interval {
 contact::VelocitySpan predict(const model::Model& model, model::State& state, model::Scratch& scratch,
                               const Interval& step);
 
+/// What a drive gives for the half step from t_n to t_n + dt: its curve in the middle; the mean velocity that ends in
+/// the displacement given; the velocity before and the integral of the acceleration since then, over dt_mean.
+double driven_component(const model::Drive& given, double before, double time, double dt, double dt_mean);
+
 /// u, x and work of the late nodes, after contact has given them their velocity.
 void finish_late(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step);
 

@@ -9,6 +9,8 @@
 //
 // Fields written for t_n are those between the two calls: u_n and stresses of t_n.
 #pragma once
+#include <limits>
+
 #include "brunt/force/internal.hpp"
 #include "brunt/model/model.hpp"
 #include "brunt/time/links.hpp"
@@ -28,6 +30,7 @@ constexpr int rate_span = 100;
 struct StepControl {
   double cfl = 0.9;      ///< share of the stable step that is used
   double growth = 1.02;  ///< dt grows by this from one step to the next, or not at all
+  double largest = std::numeric_limits<double>::infinity();  ///< dt is never above this [time]
 };
 
 /// What all ranks know of the step at t_n.
@@ -35,7 +38,7 @@ struct StepReport {
   double dt = 0;                  ///< t_{n+1} - t_n
   double rate = 0;                ///< largest 1 / (stable step) of the elements of all ranks at t_n
   double dt_mean = 0;             ///< (dt_{n-1/2} + dt_{n+1/2}) / 2: the time over which forces at t_n act
-  double stable_dt = 0;           ///< what elements allow, before growth and damping bound it
+  double stable_dt = 0;           ///< what elements and StepControl::largest allow, before growth and damping bound it
   double alpha = 0;               ///< of the mass damping that acts at t_n [1/time]
   force::ElementReport elements;  ///< of this rank
   bool stop = false;              ///< some rank asks to stop (a guard here or there)

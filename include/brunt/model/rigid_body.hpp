@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rigid bodies of a model: what stays for a run, what changes by step, and what a step knows of them. Every rank holds
+// all bodies with the same bits, and of their nodes those that it has.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brunt/core/types.hpp"
+#include "brunt/rigid/body.hpp"
+#include "brunt/rigid/support.hpp"
+
+namespace brunt::model {
+
+/// In place of what the elements of the part add up to.
+struct GivenMass {
+  std::optional<double> mass;
+  std::optional<Vec3> centre;   ///< less the mesh's origin
+  std::optional<Mat3> inertia;  ///< about the centre
+};
+
+/// Motion of a body at the start: velocity of the point of it at the mesh's origin, angular velocity.
+struct StartMotion {
+  Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
+};
+
+/// A plane of symmetry of the scene.
+struct MirrorPlane {
+  Vec3 normal = Vec3::UnitX();
+  bool touches = false;  ///< the body has nodes in it
+};
+
+struct RigidBody {
+  std::string part;
+  std::int32_t block = 0;  ///< of its elements
+  GivenMass given;
+  StartMotion start;
+  std::vector<Vec3> held_shift, held_turn;           ///< directions that supports hold or drive
+  std::array<std::optional<std::int32_t>, 6> drive;  ///< of x, y, z and of the rotations: index into Model::drives
+  std::vector<MirrorPlane> mirrors;
+
+  rigid::MassProperties own;  ///< of the part alone
+  rigid::Body body;           ///< with the masses of deformable elements on its nodes: what moves
+  rigid::Support support;
+
+  std::vector<LocalIndex> nodes;   ///< on this rank, ascending
+  std::vector<Vec3> arm;           ///< of each: X less the body's centre
+  std::vector<LocalIndex> forced;  ///< places in `nodes` of those on which elements or loads may act, the rank's own
+  bool is_forced = false;          ///< are there such nodes on any rank?
+};
+
+/// Sums over the steps since t = 0, doubles only: a checkpoint holds them.
+struct BodyAccount {
+  double element_work = 0;  ///< of deformable elements that share nodes with the body [energy]
+  double load_work = 0;     ///< of gravity, pressure, dead loads
+  double damping_work = 0;
+  double reaction_work = 0;                      ///< of its supports
+  Vec3 load_impulse = Vec3::Zero();              ///< of loads and damping [momentum]
+  Vec3 impulse = Vec3::Zero();                   ///< of all but supports
+  Vec3 angular_impulse = Vec3::Zero();           ///< the same about the centre [mass length^2/time]
+  Vec3 reaction_impulse = Vec3::Zero();          ///< of supports
+  Vec3 reaction_angular_impulse = Vec3::Zero();  ///< about the centre
+};
+constexpr int body_account_width = sizeof(BodyAccount) / sizeof(double);
+
+/// A force and its moment about a body's centre, or their impulses.
+struct Wrench {
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+};
+
+/// Momentum and angular momentum of a body with the velocities that go with them at x_n.
+struct BodyMomentum {
+  Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero(), angular_momentum = Vec3::Zero();
+};
+
+/// Of one step.
+struct BodyStep {
+  Wrench elements, loads;                                         ///< forces at t_n
+  Mat3 inertia, inverse;                                          ///< I_n and I_n^-1 in space
+  Vec3 centre = Vec3::Zero();                                     ///< at t_n
+  BodyMomentum before;                                            ///< of v_{n-1/2}
+  BodyMomentum predicted;                                         ///< by forces and supports; what contact starts from
+  BodyMomentum after;                                             ///< of v_{n+1/2}
+  Vec3 given_velocity = Vec3::Zero(), given_spin = Vec3::Zero();  ///< by drives
+  Wrench reaction;                                                ///< impulses of supports
+};
+
+}  // namespace brunt::model

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/time/bodies.hpp"
+
+#include <Eigen/Geometry>
+
+#include "brunt/comm/exact_sum.hpp"
+#include "brunt/model/curve.hpp"
+
+namespace brunt::time {
+namespace {
+
+using model::BodyStep;
+using model::RigidBody;
+
+Vec3 of(const Quad& q) {
+  return {q[0], q[1], q[2]};
+}
+
+constexpr std::size_t wrench_width = 6;
+
+/// Adds a force at `arm` from the centre.
+void add_force(const Vec3& force, const Vec3& arm, comm::ExactAccumulator* sums) {
+  const Vec3 moment = arm.cross(force);
+  for (std::size_t c = 0; c < 3; ++c) {
+    sums[c].add(force[static_cast<int>(c)]);
+    sums[3 + c].add(moment[static_cast<int>(c)]);
+  }
+}
+
+model::Wrench wrench_of(const double* sums) {
+  return {Vec3(sums), Vec3(sums + 3)};
+}
+
+/// Gravity at t_n [length/time^2].
+Vec3 gravity_at(const model::Model& model, double time) {
+  return model.has_gravity() ? Vec3(model::value_at(model.gravity_curve, time) * model.gravity) : Vec3(Vec3::Zero());
+}
+
+/// Velocities that drives give the body for the half step to come.
+void drive(const model::Model& model, const model::State& state, const RigidBody& body, const Interval& step,
+           BodyStep& now) {
+  now.given_velocity.setZero();
+  now.given_spin.setZero();
+  for (std::size_t dof = 0; dof < body.drive.size(); ++dof) {
+    if (!body.drive[dof]) continue;
+    const auto c = static_cast<int>(dof % 3);
+    const model::Drive& drive = model.drives[static_cast<std::size_t>(*body.drive[dof])];
+    const double before = dof < 3 ? now.before.velocity[c] : now.before.spin[c];
+    (dof < 3 ? now.given_velocity : now.given_spin)[c] =
+        driven_component(drive, before, state.time, step.dt, step.dt_mean);
+  }
+}
+
+/// Directions that supports hold get what is given there; the impulses that this takes.
+void support(const RigidBody& body, const Interval& step, BodyStep& now) {
+  now.reaction = {};
+  if (!body.support.any()) return;
+  const double mass = (1 + step.drag) * body.body.mass.mass;
+  const Vec3 velocity = body.support.free_shift * now.predicted.velocity + now.given_velocity;
+  now.reaction.force = mass * (velocity - now.predicted.velocity);
+  now.predicted.velocity = velocity;
+  if (!body.support.holds_turn) return;
+  const Vec3 spin =
+      rigid::supported_spin(body.support.free_turn, now.inertia, now.predicted.angular_momentum, now.given_spin);
+  const Vec3 momentum = now.inertia * spin;
+  now.reaction.moment = (1 + step.drag) * (momentum - now.predicted.angular_momentum);
+  now.predicted.angular_momentum = momentum;
+}
+
+void predict(const model::Model& model, const model::State& state, const RigidBody& body,
+             const rigid::BodyState& moving, const Interval& step, BodyStep& now) {
+  now.inertia = rigid::inertia_now(body.body, moving);
+  now.inverse = rigid::inverse_inertia_now(body.body, moving);
+  now.centre = body.body.mass.centre + moving.displacement;
+  now.before = {moving.velocity, now.inverse * moving.angular_momentum, moving.angular_momentum};
+  const double share = 1 / (1 + step.drag), kept = share * (1 - step.drag), dt = share * step.dt_mean;
+  const Vec3 force = now.elements.force + now.loads.force, moment = now.elements.moment + now.loads.moment;
+  now.predicted.velocity = kept * now.before.velocity + dt / body.body.mass.mass * force;
+  now.predicted.angular_momentum = kept * now.before.angular_momentum + dt * moment;
+  drive(model, state, body, step, now);
+  support(body, step, now);
+  now.predicted.spin = now.inverse * now.predicted.angular_momentum;
+  now.after = now.predicted;
+}
+
+/// impulse . (velocity before + velocity after)/2.
+double work_of(const BodyStep& now, const Vec3& impulse, const Vec3& angular_impulse) {
+  return 0.5 * (impulse.dot(now.before.velocity + now.after.velocity) +
+                angular_impulse.dot(now.before.spin + now.after.spin));
+}
+
+}  // namespace
+
+void clear_body_loads(const model::Model& model, model::Scratch& scratch) {
+  for (const RigidBody& body : model.bodies)
+    for_nodes(body, [&](std::size_t, std::size_t i) { scratch.load[i] = Quad{}; });
+}
+
+void sum_body_forces(const model::Model& model, const model::State& state, model::Scratch& scratch, Links& links) {
+  const Vec3 gravity = gravity_at(model, state.time);
+  const std::size_t width = model.loaded() ? 2 * wrench_width : wrench_width;
+  links.body_sums.clear();
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const RigidBody& body = model.bodies[b];
+    scratch.bodies[b].elements = {};
+    scratch.bodies[b].loads = {body.body.mass.mass * gravity, Vec3::Zero()};
+    if (!body.is_forced) continue;
+    links.body_sums.resize(links.body_sums.size() + width);
+    comm::ExactAccumulator* sums = &links.body_sums[links.body_sums.size() - width];
+    const Vec3 centre = body.body.mass.centre + state.bodies[b].displacement;
+    for (const LocalIndex k : body.forced) {
+      const auto i = static_cast<std::size_t>(body.nodes[static_cast<std::size_t>(k)]);
+      const Vec3 arm = Eigen::Map<const Vec3>(state.nodes[i].x) - centre;
+      add_force(of(scratch.force[i]), arm, sums);
+      if (model.loaded()) add_force(of(scratch.load[i]), arm, sums + wrench_width);
+    }
+  }
+  if (links.body_sums.empty()) return;
+  links.body_forces.resize(links.body_sums.size());
+  comm::exact_sum(links.ranks, links.body_sums, links.body_forces);
+  const double* values = links.body_forces.data();
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    if (!model.bodies[b].is_forced) continue;
+    BodyStep& now = scratch.bodies[b];
+    now.elements = wrench_of(values);
+    if (model.loaded()) {
+      const model::Wrench loads = wrench_of(values + wrench_width);
+      now.loads.force += loads.force;
+      now.loads.moment += loads.moment;
+    }
+    values += width;
+  }
+}
+
+void predict_bodies(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step) {
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    BodyStep& now = scratch.bodies[b];
+    predict(model, state, model.bodies[b], state.bodies[b], step, now);
+    for_nodes(model.bodies[b], [&](std::size_t, std::size_t i) {
+      const Vec3 arm = Eigen::Map<const Vec3>(state.nodes[i].x) - now.centre;
+      scratch.before[i] = now.before.velocity + now.before.spin.cross(arm);
+      Eigen::Map<Vec3>(state.nodes[i].v) = now.predicted.velocity + now.predicted.spin.cross(arm);
+    });
+  }
+}
+
+void book_bodies(const model::Model& model, model::State& state, const model::Scratch& scratch, const Interval& step) {
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyStep& now = scratch.bodies[b];
+    const double mass = model.bodies[b].body.mass.mass;
+    model::BodyAccount& account = state.body_accounts[b];
+    const Vec3 push = step.dt_mean * now.loads.force, turn = step.dt_mean * now.loads.moment;
+    const Vec3 drag = -step.drag * mass * (now.before.velocity + now.after.velocity);
+    const Vec3 drag_moment = -step.drag * (now.before.angular_momentum + now.after.angular_momentum);
+    account.element_work += work_of(now, step.dt_mean * now.elements.force, step.dt_mean * now.elements.moment);
+    account.load_work += work_of(now, push, turn);
+    account.damping_work += work_of(now, drag, drag_moment);
+    account.reaction_work += work_of(now, now.reaction.force, now.reaction.moment);
+    account.load_impulse += push + drag;
+    account.reaction_impulse += now.reaction.force;
+    account.reaction_angular_impulse += now.reaction.moment;
+    account.impulse += mass * (now.after.velocity - now.before.velocity) - now.reaction.force;
+    account.angular_impulse += now.after.angular_momentum - now.before.angular_momentum - now.reaction.moment;
+  }
+}
+
+void move_bodies(const model::Model& model, model::State& state, const model::Scratch& scratch, double dt) {
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const RigidBody& body = model.bodies[b];
+    const BodyStep& now = scratch.bodies[b];
+    rigid::BodyState& moving = state.bodies[b];
+    moving.velocity = now.after.velocity;
+    moving.angular_momentum = now.after.angular_momentum;
+    if (body.support.holds_turn)
+      rigid::move_supported(body.body, body.support.free_turn, now.given_spin, dt, moving);
+    else
+      rigid::move(body.body, dt, moving);
+    const Mat3 turn = moving.orientation.toRotationMatrix() - Mat3::Identity();
+    for_nodes(body, [&](std::size_t k, std::size_t i) {
+      const Vec3 u = moving.displacement + turn * body.arm[k];
+      Eigen::Map<Vec3>(state.nodes[i].v) = (u - of(state.displacement[i])) / dt;
+      for (int c = 0; c < 3; ++c) {
+        state.displacement[i][c] = u[c];
+        state.nodes[i].x[c] = model.reference[i][c] + u[c];
+      }
+    });
+  }
+}
+
+}  // namespace brunt::time

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rigid bodies at the start of a run: what the ranks know together, masses, velocities.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "brunt/comm/exact_sum.hpp"
+#include "brunt/time/bodies.hpp"
+
+namespace brunt::time {
+namespace {
+
+using rigid::MassMoments;
+using rigid::MassProperties;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Vec3 of(const Quad& q) {
+  return {q[0], q[1], q[2]};
+}
+
+/// Motion and planes of symmetry: ranks without nodes of the body know nothing, all others the same.
+void share_knowledge(const comm::Communicator& ranks, model::RigidBody& body) {
+  std::vector<double> values(6 + body.mirrors.size(), -infinity);
+  if (!body.nodes.empty()) {
+    Eigen::Map<Vec3>(values.data()) = body.start.velocity;
+    Eigen::Map<Vec3>(values.data() + 3) = body.start.spin;
+    for (std::size_t k = 0; k < body.mirrors.size(); ++k) values[6 + k] = body.mirrors[k].touches ? 1 : 0;
+  }
+  ranks.max(values);
+  body.start = {Vec3(values.data()), Vec3(values.data() + 3)};
+  for (std::size_t k = 0; k < body.mirrors.size(); ++k) body.mirrors[k].touches = values[6 + k] > 0;
+}
+
+/// The mirror image of the body is one with it: it slides along the plane and turns about the normal.
+void close_support(model::RigidBody& body) {
+  for (const model::MirrorPlane& plane : body.mirrors) {
+    if (!plane.touches) continue;
+    const Vec3 tangent = plane.normal.unitOrthogonal();
+    body.held_shift.push_back(plane.normal);
+    body.held_turn.push_back(tangent);
+    body.held_turn.push_back(plane.normal.cross(tangent));
+  }
+  body.support = rigid::make_support(body.held_shift, body.held_turn);
+}
+
+/// Middle of the box around the body's nodes: moments about a point near the body lose no digits.
+Vec3 middle_of(const comm::Communicator& ranks, const model::Model& model, const model::RigidBody& body) {
+  std::array<double, 6> far;
+  far.fill(-infinity);
+  for_nodes(body, [&](std::size_t, std::size_t i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      far[c] = std::max(far[c], model.reference[i][static_cast<int>(c)]);
+      far[3 + c] = std::max(far[3 + c], -model.reference[i][static_cast<int>(c)]);
+    }
+  });
+  ranks.max(far);
+  return 0.5 * Vec3(far[0] - far[3], far[1] - far[4], far[2] - far[5]);
+}
+
+class MomentSums {
+ public:
+  void add(const MassMoments& term) {
+    const auto values = term.values();
+    for (std::size_t k = 0; k < values.size(); ++k) sums_[k].add(values[k]);
+  }
+  MassMoments total(const comm::Communicator& ranks) {
+    std::array<double, MassMoments::width> values{};
+    comm::exact_sum(ranks, sums_, values);
+    return MassMoments::from(values);
+  }
+
+ private:
+  std::array<comm::ExactAccumulator, MassMoments::width> sums_;
+};
+
+MassMoments element_moments(const model::Model& model, const model::ElementBlock& block, LocalIndex e,
+                            const Vec3& from) {
+  const double density = material::initial_moduli(block.law).density;
+  std::array<Vec3, 8> corner;
+  for (int c = 0; c < block.corners; ++c)
+    corner[static_cast<std::size_t>(c)] = of(model.reference[static_cast<std::size_t>(block.corner_node(e, c))]) - from;
+  return block.corners == 8 ? rigid::hexahedron_moments(corner, density)
+                            : rigid::tetrahedron_moments(std::span<const Vec3, 8>(corner).first<4>(), density);
+}
+
+/// Of the part alone, from its elements or as given; positions from `from`.
+MassProperties own_properties(const comm::Communicator& ranks, const model::Model& model, const model::RigidBody& body,
+                              const Vec3& from) {
+  const model::ElementBlock& block = model.blocks[static_cast<std::size_t>(body.block)];
+  MomentSums sums;
+  for (LocalIndex e = 0; e < block.count; ++e) sums.add(element_moments(model, block, e, from));
+  MassProperties own = rigid::properties_of(sums.total(ranks));
+  const model::GivenMass& given = body.given;
+  if (given.mass) {
+    own.inertia *= *given.mass / own.mass;
+    own.mass = *given.mass;
+  }
+  if (given.centre) own.centre = *given.centre - from;
+  if (given.inertia) own.inertia = *given.inertia;
+  return own;
+}
+
+/// The masses of deformable elements on the body's nodes.
+MassMoments joined_moments(const comm::Communicator& ranks, const model::Model& model, const model::RigidBody& body,
+                           std::span<const Quad> joined, const Vec3& from) {
+  MomentSums sums;
+  for_nodes(body, [&](std::size_t, std::size_t i) {
+    const double mass = joined[i][0];
+    if (mass == 0 || model.mesh.owner[i] != ranks.rank()) return;
+    const Vec3 place = of(model.reference[i]) - from;
+    sums.add({mass, mass * place, mass * place * place.transpose()});
+  });
+  return sums.total(ranks);
+}
+
+}  // namespace
+
+void link_bodies(const comm::Communicator& ranks, model::Model& model) {
+  for (model::RigidBody& body : model.bodies) {
+    share_knowledge(ranks, body);
+    close_support(body);
+    std::erase_if(body.forced, [&](LocalIndex k) {
+      const LocalIndex node = body.nodes[static_cast<std::size_t>(k)];
+      return model.mesh.owner[static_cast<std::size_t>(node)] != ranks.rank();
+    });
+    body.is_forced = ranks.any(!body.forced.empty());
+  }
+}
+
+void weigh_bodies(const comm::Communicator& ranks, model::Model& model, std::span<const Quad> joined) {
+  for (model::RigidBody& body : model.bodies) {
+    const Vec3 from = middle_of(ranks, model, body);
+    body.own = own_properties(ranks, model, body, from);
+    MassProperties all = body.own;
+    const MassMoments more = joined_moments(ranks, model, body, joined, from);
+    if (more.mass > 0) all = rigid::properties_of(rigid::moments_of(body.own) + more);
+    body.own.centre += from;
+    all.centre += from;
+    body.body = rigid::make_body(all);
+    body.arm.clear();
+    for_nodes(body, [&](std::size_t, std::size_t i) { body.arm.push_back(of(model.reference[i]) - all.centre); });
+  }
+}
+
+void start_bodies(const model::Model& model, model::State& state) {
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const model::RigidBody& body = model.bodies[b];
+    rigid::BodyState& now = state.bodies[b];
+    const auto driven = [&](std::size_t dof) {
+      return body.drive[dof] &&
+             model.drives[static_cast<std::size_t>(*body.drive[dof])].gives == model::Drive::Gives::acceleration;
+    };
+    const Vec3 velocity = body.start.velocity + body.start.spin.cross(body.body.mass.centre);
+    now.velocity = body.support.free_shift * velocity;  // a held direction is at rest from the start
+    Vec3 spin = body.support.free_turn * body.start.spin;
+    for (int c = 0; c < 3; ++c) {  // an acceleration changes the velocity that there is
+      if (driven(static_cast<std::size_t>(c))) now.velocity[c] = velocity[c];
+      if (driven(static_cast<std::size_t>(c) + 3)) spin[c] = body.start.spin[c];
+    }
+    now.angular_momentum = rigid::angular_momentum_of(body.body, now, spin);
+    for_nodes(body, [&](std::size_t k, std::size_t i) {
+      Eigen::Map<Vec3>(state.nodes[i].v) = now.velocity + spin.cross(body.arm[k]);
+    });
+  }
+}
+
+}  // namespace brunt::time
