@@ -34,7 +34,8 @@ EnforcementResult solve(Contact& contact, const StepInput& input) {
   const DerivedSettings& derived = contact.derived;
   step.impulses.assign(step.rows.size(), Vec3::Zero());
   if (derived.enforcement.warm_start) start_impulses(step.rows, contact.history.pairs, input.dt, step.impulses);
-  const System system{step.rows, step.nodes.motion, step.nodes.mobility, derived.two_passes, input.mobility_scale};
+  const RowMatrix& rows = compress(step.rows, step.scratch.enforcement.matrix);
+  const System system{rows, step.nodes.motion, step.nodes.mobility, derived.two_passes, input.mobility_scale};
   return enforce(system, derived.enforcement, input.dt, contact.lists.exchange, step.impulses, step.nodes.velocity,
                  step.scratch.enforcement);
 }

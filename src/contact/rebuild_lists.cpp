@@ -114,8 +114,8 @@ void reserve_rows(const DerivedSettings& derived, const ContactLists& lists, std
   step.rows.reserve(most_rows);
   scratch.row_sort.reserve(most_rows);
   step.impulses.reserve(most_rows);
-  scratch.enforcement.reserve(most_rows, lists.nodes.gid.size());
-  if (derived.two_passes) scratch.enforcement.reserve_passes(most_rows);
+  scratch.enforcement.reserve(most_rows, ties, lists.nodes.gid.size());
+  if (derived.two_passes) scratch.enforcement.reserve_passes(most_rows, ties);
   if (!derived.remembers) return;
   const std::size_t sides = derived.sheets ? lists.candidates.faces.values.size() : 0;
   scratch.detection.sides.reserve(sides);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "brunt/contact/data/row_matrix.hpp"
 #include "brunt/core/error.hpp"
 
 namespace brunt::contact {
@@ -33,7 +34,7 @@ void start_slave(std::span<const Row> rows, std::span<const HistoryRecord> recor
     const Vec3 force(record.force.data());
     const auto own = std::ranges::find(rows, record.key, key_of);
     if (own != rows.end()) {
-      impulses[static_cast<std::size_t>(own - rows.begin())] = admitted(*own, dt * force);
+      impulses[static_cast<std::size_t>(own - rows.begin())] = admitted(law_of(*own), dt * force);
       continue;
     }
     if (record.key.master_key < 0 || !acted(record)) continue;  // walls have no next face
@@ -46,7 +47,7 @@ void start_slave(std::span<const Row> rows, std::span<const HistoryRecord> recor
       most = along;
       best = q;
     }
-    if (best < rows.size()) impulses[best] = admitted(rows[best], dt * force);
+    if (best < rows.size()) impulses[best] = admitted(law_of(rows[best]), dt * force);
   }
 }
 

@@ -10,13 +10,14 @@ namespace {
 constexpr std::array passes{Pass::first, Pass::second};
 
 /// What a row's impulse in one of its passes counts for in the mean; each is exact.
-double share_of(const Row& row, Pass pass) {
+double share_of(const RowFigures& row, Pass pass) {
   return row.pass == Pass::both || row.pass == pass ? 0.5 : 0.0;
 }
 
 /// Rows of one pass only, on any rank? Else the passes are one and the same.
 bool passes_differ(const System& system, Exchange& exchange) {
-  double split = std::ranges::any_of(system.rows, [](const Row& row) { return row.pass != Pass::both; }) ? 1 : 0;
+  double split =
+      std::ranges::any_of(system.rows.figures, [](const RowFigures& row) { return row.pass != Pass::both; }) ? 1 : 0;
   exchange.max({&split, 1});
   return split > 0;
 }
@@ -26,10 +27,9 @@ void start_passes(const System& system, std::span<const Vec3> impulses, Enforcem
   scratch.asked.clear();
   for (std::vector<Vec3>& start : scratch.start) start.clear();
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    const Row& row = system.rows[q];
-    scratch.asked.push_back(row.required);
+    scratch.asked.push_back(system.rows.laws[q].required);
     for (std::size_t k = 0; k < passes.size(); ++k)
-      scratch.start[k].push_back(row.pass == passes[k] ? Vec3(2 * impulses[q]) : impulses[q]);
+      scratch.start[k].push_back(system.rows.figures[q].pass == passes[k] ? Vec3(2 * impulses[q]) : impulses[q]);
   }
 }
 
@@ -40,16 +40,16 @@ EnforcementResult solve_pass(std::size_t k, const System& system, const Enforcem
   scratch.pass_rows.clear();
   scratch.pass_impulses.clear();
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    if (share_of(system.rows[q], passes[k]) == 0) continue;
-    scratch.pass_rows.push_back(system.rows[q]);
-    scratch.pass_rows.back().required = scratch.asked[q];
+    if (share_of(system.rows.figures[q], passes[k]) == 0) continue;
+    scratch.pass_rows.append(system.rows, q);
+    scratch.pass_rows.laws.back().required = scratch.asked[q];
     scratch.pass_impulses.push_back(scratch.start[k][q]);
   }
   const System rows{scratch.pass_rows, system.motion, system.mobility, false, system.mobility_scale};
   const EnforcementResult result = enforce(rows, settings, dt, exchange, scratch.pass_impulses, velocity, scratch);
   std::size_t next = 0;
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    const double share = share_of(system.rows[q], passes[k]);
+    const double share = share_of(system.rows.figures[q], passes[k]);
     if (share == 0) continue;
     scratch.start[k][q] = scratch.pass_impulses[next++];
     sum[q] += share * scratch.start[k][q];
@@ -84,14 +84,15 @@ bool ask_back(const System& system, double least, Exchange& exchange, std::span<
               EnforcementScratch& scratch) {
   double any = 0;
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    const Row& row = system.rows[q];
-    if (row.pass == Pass::both) continue;
-    const double averaged = row.normal.dot(relative_velocity(row, velocity));
-    if (row.required - averaged <= least) continue;
-    const double predicted = row.normal.dot(relative_motion(
-        row, [&](LocalIndex node) -> const Vec3& { return system.motion[static_cast<std::size_t>(node)].predicted; }));
-    scratch.asked[q] = asked_back(row.required, predicted, averaged);
-    if (scratch.asked[q] > row.required) any = 1;
+    if (system.rows.figures[q].pass == Pass::both) continue;
+    const RowLaw& law = system.rows.laws[q];
+    const double averaged = law.normal.dot(relative_velocity(system.rows, q, velocity));
+    if (law.required - averaged <= least) continue;
+    const double predicted = law.normal.dot(relative_motion(system.rows, q, [&](LocalIndex node) -> const Vec3& {
+      return system.motion[static_cast<std::size_t>(node)].predicted;
+    }));
+    scratch.asked[q] = asked_back(law.required, predicted, averaged);
+    if (scratch.asked[q] > law.required) any = 1;
   }
   exchange.max({&any, 1});
   return any > 0;

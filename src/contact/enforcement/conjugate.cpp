@@ -63,25 +63,25 @@ class Conjugate {
     const Amount sweep = swept(q, 1) - push_[q];
     const double step = Kind::size(sweep), h = scratch_.diagonal[q];
     const Amount astray = sweep - step_[q];
-    keep_max(seen.largest[0], h * step - system_.rows[q].noise);
+    keep_max(seen.largest[0], h * step - law(q).noise);
     keep_max(seen.largest[1], Kind::size(push_[q]));
     keep_max(seen.largest[2], std::max(step, Kind::size(step_[q])));
     seen.sums[0] += seen.along.of(h * Kind::product(step_[q], step_[q]));
     seen.sums[1] += seen.astray.of(h * Kind::product(astray, astray));
   }
   Amount swept(std::size_t q, double length) const {
-    return Kind::admitted(system_.rows[q], push_[q] + length * scratch_.inverse[q] * missing_[q]);
+    return Kind::admitted(law(q), push_[q] + length * scratch_.inverse[q] * missing_[q]);
   }
-  Vec3 relative(const Row& row) const {
-    return relative_motion(row,
+  [[nodiscard]] const RowLaw& law(std::size_t q) const { return system_.rows.laws[q]; }
+  Vec3 relative(std::size_t q) const {
+    return relative_motion(system_.rows, q,
                            [&](LocalIndex node) -> const Vec3& { return velocity_[static_cast<std::size_t>(node)]; });
   }
   /// What p leaves to be asked for in this row.
   Amount left(std::size_t q) const {
-    const Row& row = system_.rows[q];
-    const Amount rigid = Kind::missing(row, relative(row));
-    if (row.softness == 0) return rigid;
-    return rigid + Kind::held(row, scratch_.borne[q]) - scratch_.compliance[q] * push_[q];
+    const Amount rigid = Kind::missing(law(q), relative(q));
+    if (law(q).softness == 0) return rigid;
+    return rigid + Kind::held(law(q), scratch_.borne[q]) - scratch_.compliance[q] * push_[q];
   }
   bool can_move(std::size_t q) const { return scratch_.inverse[q] > 0; }
   void move_all(double length);
@@ -131,7 +131,7 @@ Conjugate<Kind>::Conjugate(const System& system, const Setting& setting, Exchang
   for (std::size_t q = 0; q < rows; ++q) {
     const double h = scratch.diagonal[q];
     scratch.inverse[q] = h > 0 ? 1 / h : 0.0;
-    push_[q] = h > 0 ? Amount(Kind::taken(system.rows[q], impulses[q])) : Kind::zero();
+    push_[q] = h > 0 ? Amount(Kind::taken(law(q), impulses[q])) : Kind::zero();
   }
 }
 
@@ -140,16 +140,15 @@ Look Conjugate<Kind>::look_at_start(bool& coupled, double& speed) {
   std::array<double, 6> largest{0, 0, 0, 0, coupled ? 1.0 : 0.0, 0};
   std::array<std::int64_t, 1> rows{static_cast<std::int64_t>(system_.rows.size())};
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
-    const Row& row = system_.rows[q];
     missing_[q] = left(q);
     const double h = scratch_.diagonal[q];
     if (!(h > 0)) continue;
     const double step = Kind::size(swept(q, 1) - push_[q]);
-    keep_max(largest[0], h * step - row.noise);
+    keep_max(largest[0], h * step - law(q).noise);
     keep_max(largest[1], Kind::size(push_[q]));
     keep_max(largest[2], step);
     keep_max(largest[3], h * step * step);
-    keep_max(largest[5], velocity_[static_cast<std::size_t>(row.nodes[0])].cwiseAbs().maxCoeff());
+    keep_max(largest[5], velocity_[system_.rows.leader(q)].cwiseAbs().maxCoeff());
   }
   exchange_.reduce(largest, rows);
   demand_finite(largest[0] + largest[1]);
@@ -165,7 +164,7 @@ template <class Kind>
 void Conjugate<Kind>::move_all(double length) {
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
     push_[q] = swept(q, length);
-    impulses_[q] = Kind::given(system_.rows[q], push_[q]);
+    impulses_[q] = Kind::given(law(q), push_[q]);
   }
   // a row moves by 1.5 (|sweep of length 1| + |z|) at most
   known_.impulse += 3 * known_.step;
@@ -174,9 +173,8 @@ void Conjugate<Kind>::move_all(double length) {
 
 template <class Kind>
 void Conjugate<Kind>::choose(std::size_t q) {
-  const Row& row = system_.rows[q];
   if (can_move(q)) missing_[q] = left(q);
-  const bool chosen = can_move(q) && (row.cone != Cone::compression || Kind::pushes(row, push_[q]));
+  const bool chosen = can_move(q) && (law(q).cone != Cone::compression || Kind::pushes(law(q), push_[q]));
   scratch_.chosen[q] = chosen ? 1 : 0;
   step_[q] = chosen ? Amount(scratch_.inverse[q] * missing_[q]) : Kind::zero();
   direction_[q] = change_[q] = Kind::zero();
@@ -206,16 +204,15 @@ Look Conjugate<Kind>::sweep(double length) {
 
 template <class Kind>
 Look Conjugate<Kind>::look_along() {
-  for (std::size_t q = 0; q < system_.rows.size(); ++q) impulses_[q] = Kind::given(system_.rows[q], step_[q]);
+  for (std::size_t q = 0; q < system_.rows.size(); ++q) impulses_[q] = Kind::given(law(q), step_[q]);
   velocities_of_impulses(system_, impulses_, setting_.share * known_.step, exchange_, velocity_, scratch_);
   const FixedUnit size = unit_of_sum(known_.size), overlap = unit_of_sum(std::sqrt(known_.along * known_.size));
   Seen seen{unit_of_sum(known_.along), unit_of_sum(known_.astray)};
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
     if (!can_move(q)) continue;
     see(q, seen);
-    const Row& row = system_.rows[q];
-    Amount change = Kind::held(row, relative(row));
-    if (row.softness > 0) change += scratch_.compliance[q] * step_[q];
+    Amount change = Kind::held(law(q), relative(q));
+    if (law(q).softness > 0) change += scratch_.compliance[q] * step_[q];
     step_change_[q] = change;
     if (scratch_.chosen[q] == 0) continue;
     const double inverse = scratch_.inverse[q];
@@ -284,9 +281,8 @@ template <class Kind>
 void Conjugate<Kind>::retreat() {
   double beyond = 0;
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
-    if (scratch_.chosen[q] == 0 || system_.rows[q].cone != Cone::compression) continue;
-    const double now = Kind::along(system_.rows[q], push_[q]),
-                 before = Kind::along(system_.rows[q], push_[q] - length_ * direction_[q]);
+    if (scratch_.chosen[q] == 0 || law(q).cone != Cone::compression) continue;
+    const double now = Kind::along(law(q), push_[q]), before = Kind::along(law(q), push_[q] - length_ * direction_[q]);
     if (now < 0 && now < before) beyond = std::max(beyond, before > 0 ? now / (now - before) : 1.0);
   }
   exchange_.max({&beyond, 1});

@@ -5,9 +5,9 @@ namespace brunt::contact {
 namespace {
 
 /// What closes the predicted gap within the step, penetrations of before included.
-Vec3 missing_gap(const Row& row, const Vec3& relative, double dt) {
-  Vec3 missing = missing_rate(row, relative);
-  if (row.cone == Cone::compression) missing += (-row.gap / dt - row.required) * row.normal;
+Vec3 missing_gap(const RowLaw& law, double gap, const Vec3& relative, double dt) {
+  Vec3 missing = missing_rate(law, relative);
+  if (law.cone == Cone::compression) missing += (-gap / dt - law.required) * law.normal;
   return missing;
 }
 
@@ -23,11 +23,12 @@ EnforcementResult enforce_kinematic(const System& system, const EnforcementSetti
   for (int sweep = 0; sweep < predictor_and_corrector; ++sweep) {
     double largest = 0;
     for (std::size_t q = 0; q < system.rows.size(); ++q) {
-      const Row& row = system.rows[q];
+      const RowLaw& law = system.rows.laws[q];
       const double h = scratch.diagonal[q];
       if (!(h > 0)) continue;
-      const Vec3 missing = missing_gap(row, relative_velocity(row, velocity), dt);
-      impulses[q] = admitted(row, impulses[q] + settings.partition / h * missing);
+      const Vec3 missing =
+          missing_gap(law, system.rows.figures[q].gap, relative_velocity(system.rows, q, velocity), dt);
+      impulses[q] = admitted(law, impulses[q] + settings.partition / h * missing);
       keep_max(largest, impulses[q].norm());
     }
     exchange.max({&largest, 1});

@@ -9,18 +9,19 @@ namespace {
 
 /// Has it a spring now? Of the others nothing must be seen, not even in the row sums: which faces a node has in reach
 /// depends on how the scene is turned.
-bool has_spring(const Row& row) {
-  return row.cone == Cone::free || row.gap < 0;
+bool has_spring(const RowMatrix& rows, std::size_t q) {
+  return rows.laws[q].cone == Cone::free || rows.figures[q].gap < 0;
 }
 
 /// The impulse of one row's spring and damper; zero where it is open. stiffness: of springs in units of 1 / (h dt^2)
-Vec3 spring_impulse(const Row& row, const Vec3& missing, double stiffness, double damping, double dt, double h) {
-  if (row.cone == Cone::free) return admitted(row, missing / h);
-  if (!has_spring(row)) return Vec3::Zero();
-  const double closing = row.normal.dot(missing) - row.required;
-  const double along = -stiffness * row.gap / dt + damping * closing;
-  const Vec3 across = missing - row.normal.dot(missing) * row.normal;
-  return admitted(row, (along * row.normal + across) / h);
+Vec3 spring_impulse(const RowLaw& law, double gap, const Vec3& missing, double stiffness, double damping, double dt,
+                    double h) {
+  if (law.cone == Cone::free) return admitted(law, missing / h);
+  if (!(gap < 0)) return Vec3::Zero();
+  const double closing = law.normal.dot(missing) - law.required;
+  const double along = -stiffness * gap / dt + damping * closing;
+  const Vec3 across = missing - law.normal.dot(missing) * law.normal;
+  return admitted(law, (along * law.normal + across) / h);
 }
 
 }  // namespace
@@ -34,10 +35,11 @@ EnforcementResult enforce_penalty(const System& system, const EnforcementSetting
   const double stiffness = system.mobility_scale * settings.stiffness;
   double largest = 0;
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    const Row& row = system.rows[q];
+    const RowLaw& law = system.rows.laws[q];
     const double h = scratch.diagonal[q];
-    const Vec3 missing = missing_rate(row, relative_velocity(row, velocity));
-    impulses[q] = h > 0 ? spring_impulse(row, missing, stiffness, damping, dt, h) : Vec3::Zero();
+    const Vec3 missing = missing_rate(law, relative_velocity(system.rows, q, velocity));
+    impulses[q] =
+        h > 0 ? spring_impulse(law, system.rows.figures[q].gap, missing, stiffness, damping, dt, h) : Vec3::Zero();
     keep_max(largest, impulses[q].norm());
   }
   exchange.max({&largest, 1});

@@ -13,7 +13,7 @@ EnforcementResult enforce_printed(const System& system, const EnforcementSetting
   if (violation == 0) return {};
   form_row_sums(system, exchange, scratch);
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    const double slab = system.rows[q].slab;
+    const double slab = system.rows.figures[q].slab;
     if (slab > 0 && scratch.diagonal[q] > 0) scratch.diagonal[q] = system.mobility_scale / (slab * dt);
   }
   constexpr bool coupled = true;  // the printed H is exact nowhere

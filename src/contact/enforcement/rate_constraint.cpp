@@ -57,9 +57,9 @@ Judgement Iteration::judge(double term_size) {
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
     const double h = scratch_.diagonal[q];
     if (!(h > 0)) continue;  // nothing in this row can move
-    const Row& row = system_.rows[q];
-    Vec3 missing = missing_rate(row, relative_velocity(row, velocity_));
-    if (row.softness > 0) missing += scratch_.borne[q] - scratch_.compliance[q] * impulses_[q];
+    const RowLaw& law = system_.rows.laws[q];
+    Vec3 missing = missing_rate(law, relative_velocity(system_.rows, q, velocity_));
+    if (law.softness > 0) missing += scratch_.borne[q] - scratch_.compliance[q] * impulses_[q];
     if (term_size > 0) {
       const Vec3 change = impulses_[q] - scratch_.previous[q], a_change = scratch_.missing[q] - missing;
       sums[0] += unit.of(h * change.squaredNorm());
@@ -67,15 +67,14 @@ Judgement Iteration::judge(double term_size) {
       sums[2] += unit.of(a_change.squaredNorm() / h);
     }
     scratch_.missing[q] = missing;
-    const Vec3 next = admitted(row, impulses_[q] + missing / h);
+    const Vec3 next = admitted(law, impulses_[q] + missing / h);
     const double step = (next - impulses_[q]).norm();
-    const double slope =
-        std::isinf(row.friction) ? largest_share(row) : (row.friction == 0 ? 1.0 : std::hypot(1.0, row.friction));
-    const double rise = row.cone == Cone::compression ? std::max(0.0, row.normal.dot(missing)) : missing.norm();
-    keep_max(largest[5], velocity_[static_cast<std::size_t>(row.nodes[0])].cwiseAbs().maxCoeff());
-    keep_max(largest[0], h * step - row.noise);
+    const double slope = law.across == Across::rubs ? std::hypot(1.0, law.friction) : law.share;
+    const double rise = law.cone == Cone::compression ? std::max(0.0, law.normal.dot(missing)) : missing.norm();
+    keep_max(largest[5], velocity_[system_.rows.leader(q)].cwiseAbs().maxCoeff());
+    keep_max(largest[0], h * step - law.noise);
     keep_max(largest[1], h * step * step);
-    keep_max(largest[2], slope * impulses_[q].norm() + row.lagging);
+    keep_max(largest[2], slope * impulses_[q].norm() + law.lagging);
     keep_max(largest[3], slope * rise / h);
   }
   exchange_.reduce(largest, sums);
@@ -88,7 +87,8 @@ void Iteration::advance(const Judgement& now, double length) {
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
     const double h = scratch_.diagonal[q];
     scratch_.previous[q] = impulses_[q];
-    impulses_[q] = h > 0 ? admitted(system_.rows[q], impulses_[q] + length / h * scratch_.missing[q]) : Vec3::Zero();
+    impulses_[q] =
+        h > 0 ? admitted(system_.rows.laws[q], impulses_[q] + length / h * scratch_.missing[q]) : Vec3::Zero();
   }
   apply_impulses(system_, impulses_, now.impulse + length * now.rise, exchange_, velocity_, scratch_);
 }
@@ -109,10 +109,10 @@ Setting look_at_rows(const System& system, bool warm_start, Exchange& exchange, 
                      std::span<Vec3> velocity) {
   take_prediction(system, velocity);
   double share = 1, rubs = 0, holds = 0;
-  for (const Row& row : system.rows) {
-    share = std::max(share, largest_share(row));
-    if ((row.friction > 0 || row.lagging > 0) && !std::isinf(row.friction)) rubs = 1;
-    if (std::isinf(row.friction)) holds = 1;
+  for (const RowLaw& law : system.rows.laws) {
+    share = std::max(share, law.share);
+    if (law.across == Across::rubs || law.lagging > 0) rubs = 1;
+    if (law.across == Across::holds) holds = 1;
   }
   std::array<double, 5> largest{violation_here(system, velocity),
                                 warm_start ? largest_impulse_on_a_node(system.rows, impulses) : 0.0, share, rubs,

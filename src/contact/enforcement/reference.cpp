@@ -29,14 +29,14 @@ struct Problem {
 
   [[nodiscard]] double root(std::size_t q) const { return std::sqrt(scratch.diagonal[q]); }
   [[nodiscard]] double rate(std::size_t q) const {
-    return system.rows[q].normal.dot(relative_velocity(system.rows[q], velocity));
+    return system.rows.laws[q].normal.dot(relative_velocity(system.rows, q, velocity));
   }
   /// Impulses of the unknowns, and the velocities that they give.
   void apply(const double* y) {
     double largest = 0;
     for (std::size_t q = 0; q < impulses.size(); ++q) {
       const double along = acts[q] != 0 ? y[q] / root(q) : 0.0;
-      impulses[q] = along * system.rows[q].normal;
+      impulses[q] = along * system.rows.laws[q].normal;
       keep_max(largest, std::abs(along));
     }
     exchange.max({&largest, 1});
@@ -55,7 +55,7 @@ PetscErrorCode objective(Tao /*tao*/, Vec y, PetscReal* value, Vec gradient, voi
   problem.apply(unknown);
   double half_work = 0;
   for (std::size_t q = 0; q < problem.impulses.size(); ++q) {
-    const double rate = problem.rate(q), required = problem.system.rows[q].required;
+    const double rate = problem.rate(q), required = problem.system.rows.laws[q].required;
     slope[q] = problem.acts[q] != 0 ? (rate - required) / problem.root(q) : 0.0;
     if (problem.acts[q] != 0)
       half_work += unknown[q] / problem.root(q) * (0.5 * (rate + problem.predicted_rate[q]) - required);
@@ -99,7 +99,7 @@ void fill(Vec vector, std::size_t rows, Fill&& of_row) {
 void solve_with_bounds(Problem& problem, Vec solution, double accuracy) {
   Vec lower = vector_of(problem), upper = vector_of(problem);
   fill(lower, problem.impulses.size(),
-       [&](std::size_t q) { return problem.system.rows[q].cone == Cone::free ? PETSC_NINFINITY : 0.0; });
+       [&](std::size_t q) { return problem.system.rows.laws[q].cone == Cone::free ? PETSC_NINFINITY : 0.0; });
   check(VecSet(upper, PETSC_INFINITY));
   Tao tao = nullptr;
   check(TaoCreate(PETSC_COMM_WORLD, &tao));
@@ -119,7 +119,8 @@ void solve_with_bounds(Problem& problem, Vec solution, double accuracy) {
 void solve_closed(Problem& problem, Vec solution) {
   Vec right = vector_of(problem);
   fill(right, problem.impulses.size(), [&](std::size_t q) {
-    return problem.acts[q] != 0 ? (problem.system.rows[q].required - problem.predicted_rate[q]) / problem.root(q) : 0.0;
+    return problem.acts[q] != 0 ? (problem.system.rows.laws[q].required - problem.predicted_rate[q]) / problem.root(q)
+                                : 0.0;
   });
   Mat matrix = nullptr;
   const auto rows = static_cast<PetscInt>(problem.impulses.size());
@@ -158,8 +159,8 @@ void finish(Problem& problem, Vec solution) {
   apply_solution(problem, better);
   double pull = 0;
   for (std::size_t q = 0; q < problem.impulses.size(); ++q)
-    if (problem.system.rows[q].cone == Cone::compression)
-      pull = std::max(pull, -problem.system.rows[q].normal.dot(problem.impulses[q]));
+    if (problem.system.rows.laws[q].cone == Cone::compression)
+      pull = std::max(pull, -problem.system.rows.laws[q].normal.dot(problem.impulses[q]));
   problem.exchange.max({&pull, 1});
   if (pull > 0) {
     problem.acts = all;
@@ -173,9 +174,9 @@ double natural_residual(const Problem& problem) {
   for (std::size_t q = 0; q < problem.impulses.size(); ++q) {
     const double h = problem.scratch.diagonal[q];
     if (!(h > 0)) continue;
-    const Row& row = problem.system.rows[q];
-    const Vec3 next =
-        admitted(row, problem.impulses[q] + missing_rate(row, relative_velocity(row, problem.velocity)) / h);
+    const RowLaw& law = problem.system.rows.laws[q];
+    const Vec3 missing = missing_rate(law, relative_velocity(problem.system.rows, q, problem.velocity));
+    const Vec3 next = admitted(law, problem.impulses[q] + missing / h);
     keep_max(largest, h * (next - problem.impulses[q]).norm());
   }
   problem.exchange.max({&largest, 1});
@@ -193,10 +194,10 @@ EnforcementResult enforce_reference(const System& system, const EnforcementSetti
   Problem problem{system, exchange, impulses, velocity, scratch, {}, {}};
   double may_open = 0;
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    demand(system.rows[q].friction == 0, "the reference solution is for frictionless rows");
+    demand(system.rows.laws[q].across == Across::slips, "the reference solution is for frictionless rows");
     problem.predicted_rate.push_back(problem.rate(q));
     problem.acts.push_back(scratch.diagonal[q] > 0 ? 1 : 0);
-    if (system.rows[q].cone == Cone::compression) may_open = 1;
+    if (system.rows.laws[q].cone == Cone::compression) may_open = 1;
   }
   exchange.max({&may_open, 1});
   Vec solution = vector_of(problem);

@@ -16,17 +16,17 @@ struct Normal {
   static std::span<double> view(std::vector<Vec3>& of_rows) {
     return of_rows.empty() ? std::span<double>{} : std::span<double>(of_rows.front().data(), of_rows.size());
   }
-  static double taken(const Row& row, const Vec3& impulse) { return row.normal.dot(impulse); }
-  static Vec3 given(const Row& row, double impulse) { return impulse * row.normal; }
+  static double taken(const RowLaw& law, const Vec3& impulse) { return law.normal.dot(impulse); }
+  static Vec3 given(const RowLaw& law, double impulse) { return impulse * law.normal; }
   static double zero() { return 0; }
   static double size(double impulse) { return std::abs(impulse); }
   static double product(double a, double b) { return a * b; }
-  static double held(const Row& row, const Vec3& relative) { return row.normal.dot(relative); }
-  static double missing(const Row& row, const Vec3& relative) { return row.required - row.normal.dot(relative); }
-  static bool pushes(const Row& /*row*/, double impulse) { return impulse > 0; }
-  static double along(const Row& /*row*/, double impulse) { return impulse; }
-  static double admitted(const Row& row, double impulse) {
-    return row.cone == Cone::compression && impulse < 0 ? 0.0 : impulse;
+  static double held(const RowLaw& law, const Vec3& relative) { return law.normal.dot(relative); }
+  static double missing(const RowLaw& law, const Vec3& relative) { return law.required - law.normal.dot(relative); }
+  static bool pushes(const RowLaw& /*law*/, double impulse) { return impulse > 0; }
+  static double along(const RowLaw& /*law*/, double impulse) { return impulse; }
+  static double admitted(const RowLaw& law, double impulse) {
+    return law.cone == Cone::compression && impulse < 0 ? 0.0 : impulse;
   }
 };
 
@@ -34,18 +34,18 @@ struct Normal {
 struct Whole {
   using Amount = Vec3;
   static std::span<Vec3> view(std::vector<Vec3>& of_rows) { return of_rows; }
-  static const Vec3& taken(const Row& /*row*/, const Vec3& impulse) { return impulse; }
-  static const Vec3& given(const Row& /*row*/, const Vec3& impulse) { return impulse; }
+  static const Vec3& taken(const RowLaw& /*law*/, const Vec3& impulse) { return impulse; }
+  static const Vec3& given(const RowLaw& /*law*/, const Vec3& impulse) { return impulse; }
   static Vec3 zero() { return Vec3::Zero(); }
   static double size(const Vec3& impulse) { return impulse.norm(); }
   static double product(const Vec3& a, const Vec3& b) { return a.dot(b); }
-  static Vec3 held(const Row& row, const Vec3& relative) {
-    return row.friction > 0 ? relative : Vec3(row.normal.dot(relative) * row.normal);
+  static Vec3 held(const RowLaw& law, const Vec3& relative) {
+    return law.across != Across::slips ? relative : Vec3(law.normal.dot(relative) * law.normal);
   }
-  static Vec3 missing(const Row& row, const Vec3& relative) { return missing_rate(row, relative); }
-  static bool pushes(const Row& row, const Vec3& impulse) { return along(row, impulse) > 0; }
-  static double along(const Row& row, const Vec3& impulse) { return row.normal.dot(impulse); }
-  static Vec3 admitted(const Row& row, const Vec3& impulse) { return contact::admitted(row, impulse); }
+  static Vec3 missing(const RowLaw& law, const Vec3& relative) { return missing_rate(law, relative); }
+  static bool pushes(const RowLaw& law, const Vec3& impulse) { return along(law, impulse) > 0; }
+  static double along(const RowLaw& law, const Vec3& impulse) { return law.normal.dot(impulse); }
+  static Vec3 admitted(const RowLaw& law, const Vec3& impulse) { return contact::admitted(law, impulse); }
 };
 
 }  // namespace brunt::contact

@@ -3,96 +3,70 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "brunt/core/error.hpp"
-#include "brunt/core/simd.hpp"
+#include "impulse_grid.hpp"
 
 namespace brunt::contact {
 namespace {
 
-/// Share of an impulse along the row's directions that the node is free to follow: with friction any direction counts.
-/// length: of the row's normal.
-double free_share(const Row& row, double length, const Mobility& mobility) {
-  if (mobility.is_free()) return row.friction > 0 ? 1.0 : length;
-  if (row.friction > 0) return mobility.projector.norm() > Mobility::rounding ? 1.0 : 0.0;
-  const double along = (mobility.projector * row.normal).norm();
+using Counts = bool (*)(const RowMatrix&, std::size_t);
+
+/// Share of an impulse along the row's directions that the node is free to follow: unless it slips any direction
+/// counts. length: of the row's normal.
+double free_share(const RowLaw& law, double length, const Mobility& mobility) {
+  if (mobility.is_free()) return law.across != Across::slips ? 1.0 : length;
+  if (law.across != Across::slips) return mobility.projector.norm() > Mobility::rounding ? 1.0 : 0.0;
+  const double along = (mobility.projector * law.normal).norm();
   return along > Mobility::rounding ? along : 0.0;
 }
 
-/// |G_qn P_n| of node i of a row (of a lever: a bound of it).
-double weight_of(const Row& row, double length, std::size_t i, const Mobility& mobility) {
-  const double weight = std::abs(row.weights[i]) + (row.lever == nullptr ? 0.0 : row.lever->size[i]);
-  return weight * free_share(row, length, mobility);
-}
-
-/// Calls visit(node, |G_qn P_n|) for the nodes of a row.
-template <class Visit>
-void for_each_weight(const System& system, const Row& row, Visit&& visit) {
-  const double length = row.normal.norm();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-    const auto node = static_cast<std::size_t>(row.nodes[i]);
-    visit(node, weight_of(row, length, i, system.mobility[node]));
-  }
+/// |G_qn P_n| of an entry of row q (of an arm: a bound of it).
+double weight_of(const RowMatrix& rows, std::size_t q, std::size_t entry, double length, const Mobility& mobility) {
+  const RowLaw& law = rows.laws[q];
+  const double weight = std::abs(rows.weights[entry]) + (law.turns ? rows.arm(q, entry).size : 0.0);
+  return weight * free_share(law, length, mobility);
 }
 
 /// Can an impulse in this row change its rate? Else the row is left out: prescribed motion has the authority. (Coulomb
 /// friction needs a pressure: it is nothing where both sides are held along the normal.)
-bool can_act(const System& system, const Row& row) {
-  const double length = row.normal.norm();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-    const Mobility& mobility = system.mobility[static_cast<std::size_t>(row.nodes[i])];
-    if (mobility.inverse_mass > 0 && weight_of(row, length, i, mobility) > 0 &&
-        (std::isinf(row.friction) || mobility.is_free_along(row.normal)))
+bool can_act(const System& system, std::size_t q) {
+  const RowMatrix& rows = system.rows;
+  const RowLaw& law = rows.laws[q];
+  const double length = law.normal.norm();
+  for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) {
+    const Mobility& mobility = system.mobility[rows.point(k)];
+    if (mobility.inverse_mass > 0 && weight_of(rows, q, k, length, mobility) > 0 &&
+        (law.across == Across::holds || mobility.is_free_along(law.normal)))
       return true;
   }
   return false;
 }
 
-/// binned_add of the three components at once.
-class ImpulseGrid {
- public:
-  explicit ImpulseGrid(const BinGrid& grid) : coarse_(Quad{} + grid.anchor[0]), fine_(Quad{} + grid.anchor[1]) {}
-  void add(const Vec3& impulse, double* parts) const {
-    const Quad term{impulse[0], impulse[1], impulse[2], 0};
-    const Quad coarse = (term + coarse_) - coarse_, rest = term - coarse;
-    add_to(parts, coarse);
-    add_to(parts + 4, (rest + fine_) - fine_);
-  }
-
- private:
-  static void add_to(double* sum, const Quad& term) {
-    Quad value;
-    std::memcpy(&value, sum, sizeof value);
-    value += term;
-    std::memcpy(sum, &value, sizeof value);
-  }
-  Quad coarse_, fine_;
-};
-
-double shortfall(const Row& row, const Vec3& relative) {
-  if (std::isinf(row.friction)) return missing_rate(row, relative).norm();
-  const double missing = row.required - row.normal.dot(relative);
-  return row.cone == Cone::compression ? std::max(missing, 0.0) : std::abs(missing);
+double shortfall(const RowLaw& law, const Vec3& relative) {
+  if (law.across == Across::holds) return missing_rate(law, relative).norm();
+  const double missing = law.required - law.normal.dot(relative);
+  return law.cone == Cone::compression ? std::max(missing, 0.0) : std::abs(missing);
 }
 
-/// Weights of this rank's rows, laid on their nodes; scratch.share keeps them.
-void lay_weights(const System& system, EnforcementScratch& scratch, bool (*counts)(const Row&)) {
-  constexpr double largest_weight = 4;  // of levers; others' are 1 at most
-  const BinGrid grid = BinGrid::for_bound(largest_weight);
+/// Weights of this rank's rows, laid on their points; scratch.share keeps them.
+void lay_weights(const System& system, EnforcementScratch& scratch, Counts counts) {
+  const RowMatrix& rows = system.rows;
+  const BinGrid grid = BinGrid::for_bound(RowMatrix::largest_weight);
   scratch.row_sum_parts.assign(system.motion.size() * row_sum_width, 0.0);
-  scratch.share.resize(system.rows.size());
-  for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    scratch.share[q] = {};
-    if ((counts != nullptr && !counts(system.rows[q])) || !can_act(system, system.rows[q])) continue;
-    auto share = scratch.share[q].begin();
-    for_each_weight(system, system.rows[q], [&](std::size_t node, double weight) {
-      *share++ = weight;
+  scratch.share.assign(rows.entries(), 0.0);
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    if ((counts != nullptr && !counts(rows, q)) || !can_act(system, q)) continue;
+    const double length = rows.laws[q].normal.norm();
+    for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) {
+      const std::size_t node = rows.point(k);
+      const double weight = weight_of(rows, q, k, length, system.mobility[node]);
+      scratch.share[k] = weight;
       double* parts = &scratch.row_sum_parts[node * row_sum_width];
       binned_add(grid, weight, parts);
       parts[bin_slices] += 1;
-    });
+    }
   }
 }
 
@@ -107,35 +81,34 @@ void take_row_sums(EnforcementScratch& scratch) {
 }
 
 /// From the row sums of all nodes; see form_row_sums.
-bool lay_diagonal(const System& system, EnforcementScratch& scratch, bool (*counts)(const Row&)) {
-  scratch.diagonal.assign(system.rows.size(), 0.0);
+bool lay_diagonal(const System& system, EnforcementScratch& scratch, Counts counts) {
+  const RowMatrix& rows = system.rows;
+  scratch.diagonal.assign(rows.size(), 0.0);
   bool coupled = false;
-  for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    const Row& row = system.rows[q];
-    if (counts != nullptr && !counts(row)) continue;
-    coupled = coupled || row.lever != nullptr;  // its H is a bound
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-      const auto node = static_cast<std::size_t>(row.nodes[i]);
-      const Mobility& mobility = system.mobility[node];
-      const double weight = scratch.share[q][i], sum = scratch.row_sum[node];
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    if (counts != nullptr && !counts(rows, q)) continue;
+    const RowLaw& law = rows.laws[q];
+    coupled = coupled || law.turns;  // its H is a bound
+    for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) {
+      const Mobility& mobility = system.mobility[rows.point(k)];
+      const double weight = scratch.share[k], sum = scratch.row_sum[rows.point(k)];
       if (mobility.inverse_mass > 0 && weight > 0)
-        coupled = coupled || sum != weight || (row.friction > 0 && !mobility.projector.isIdentity(0));
+        coupled = coupled || sum != weight || (law.across != Across::slips && !mobility.projector.isIdentity(0));
       scratch.diagonal[q] += weight * sum * (system.mobility_scale * mobility.inverse_mass);
     }
   }
   return coupled;
 }
 
-/// Impulses of this rank's rows, laid on their nodes.
+/// Impulses of this rank's rows, laid on their points.
 void lay_impulses(const System& system, std::span<const Vec3> impulses, double largest, EnforcementScratch& scratch) {
+  const RowMatrix& rows = system.rows;
   const ImpulseGrid grid(BinGrid::for_bound(largest));
   scratch.impulse_parts.assign(system.motion.size() * impulse_width, 0.0);
-  for (std::size_t q = 0; q < system.rows.size(); ++q) {
+  for (std::size_t q = 0; q < rows.size(); ++q) {
     if (impulses[q].isZero(0)) continue;
-    const Row& row = system.rows[q];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
-      grid.add(impulse_on_node(row, i, impulses[q]),
-               &scratch.impulse_parts[static_cast<std::size_t>(row.nodes[i]) * impulse_width]);
+    for (std::size_t k = rows.begin(q); k < rows.end(q); ++k)
+      grid.add(impulse_on_point(rows, q, k, impulses[q]), &scratch.impulse_parts[rows.point(k) * impulse_width]);
   }
 }
 
@@ -162,10 +135,11 @@ void share_velocities(Exchange& exchange, std::span<Vec3> velocity) {
 
 }  // namespace
 
-void EnforcementScratch::reserve(std::size_t rows, std::size_t nodes) {
+void EnforcementScratch::reserve(std::size_t rows, std::size_t turning_rows, std::size_t nodes) {
   diagonal.reserve(rows);
   compliance.reserve(rows);
-  share.reserve(rows);
+  share.reserve(most_nodes_of_a_row * rows);
+  matrix.reserve(rows, most_nodes_of_a_row * rows, most_nodes_of_a_row * turning_rows);
   previous.reserve(rows);
   for (std::vector<Vec3>* of_rows : {&borne, &missing, &step, &direction, &step_change, &change})
     of_rows->reserve(rows);
@@ -176,8 +150,8 @@ void EnforcementScratch::reserve(std::size_t rows, std::size_t nodes) {
   impulse_parts.reserve(nodes * impulse_width);
 }
 
-void EnforcementScratch::reserve_passes(std::size_t rows) {
-  pass_rows.reserve(rows);
+void EnforcementScratch::reserve_passes(std::size_t rows, std::size_t turning_rows) {
+  pass_rows.reserve(rows, most_nodes_of_a_row * rows, most_nodes_of_a_row * turning_rows);
   pass_impulses.reserve(rows);
   for (std::vector<Vec3>& impulses : start) impulses.reserve(rows);
   asked.reserve(rows);
@@ -192,24 +166,22 @@ Vec3 relative_velocity(const Row& row, std::span<const Vec3> velocity) {
   return relative_motion(row, [&](LocalIndex node) -> const Vec3& { return velocity[static_cast<std::size_t>(node)]; });
 }
 
-double largest_impulse_on_a_node(std::span<const Row> rows, std::span<const Vec3> impulses) {
-  double largest = 0;
-  for (std::size_t q = 0; q < rows.size(); ++q) keep_max(largest, largest_share(rows[q]) * impulses[q].norm());
-  return largest;
+Vec3 relative_velocity(const RowMatrix& rows, std::size_t q, std::span<const Vec3> velocity) {
+  return relative_motion(rows, q,
+                         [&](LocalIndex node) -> const Vec3& { return velocity[static_cast<std::size_t>(node)]; });
 }
 
-Vec3 missing_rate(const Row& row, const Vec3& relative) {
-  const double along = row.normal.dot(relative);
-  Vec3 missing = (row.required - along) * row.normal;
-  if (row.friction > 0) missing += row.drift - (relative - along * row.normal);
-  return missing;
+double largest_impulse_on_a_node(const RowMatrix& rows, std::span<const Vec3> impulses) {
+  double largest = 0;
+  for (std::size_t q = 0; q < rows.size(); ++q) keep_max(largest, rows.laws[q].share * impulses[q].norm());
+  return largest;
 }
 
 double violation_here(const System& system, std::span<const Vec3> velocity) {
   double largest = 0;
-  for (const Row& row : system.rows) {
-    const double missing = shortfall(row, relative_velocity(row, velocity));
-    if (missing != 0 && can_act(system, row)) keep_max(largest, missing);
+  for (std::size_t q = 0; q < system.rows.size(); ++q) {
+    const double missing = shortfall(system.rows.laws[q], relative_velocity(system.rows, q, velocity));
+    if (missing != 0 && can_act(system, q)) keep_max(largest, missing);
   }
   return largest;
 }
@@ -225,7 +197,7 @@ double start_from_prediction(const System& system, Exchange& exchange, std::span
   return largest;
 }
 
-bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch& scratch, bool (*counts)(const Row&)) {
+bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch& scratch, Counts counts) {
   lay_weights(system, scratch, counts);
   exchange.sum_to_owner(scratch.row_sum_parts, row_sum_width);
   take_row_sums(scratch);
@@ -245,11 +217,15 @@ bool start_from_impulses(const System& system, std::span<const Vec3> impulses, d
 }
 
 void form_diagonal(const System& system, EnforcementScratch& scratch) {
-  scratch.diagonal.assign(system.rows.size(), 0.0);
-  for (std::size_t q = 0; q < system.rows.size(); ++q) {
-    for_each_weight(system, system.rows[q], [&](std::size_t node, double weight) {
-      scratch.diagonal[q] += weight * weight * (system.mobility_scale * system.mobility[node].inverse_mass);
-    });
+  const RowMatrix& rows = system.rows;
+  scratch.diagonal.assign(rows.size(), 0.0);
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    const double length = rows.laws[q].normal.norm();
+    for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) {
+      const Mobility& mobility = system.mobility[rows.point(k)];
+      const double weight = weight_of(rows, q, k, length, mobility);
+      scratch.diagonal[q] += weight * weight * (system.mobility_scale * mobility.inverse_mass);
+    }
   }
 }
 

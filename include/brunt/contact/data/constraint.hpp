@@ -45,13 +45,16 @@ enum class Pass : std::int8_t {
   second  ///< the other way
 };
 
+/// Of rows that detection makes: a node and a face of four corners.
+constexpr std::size_t most_nodes_of_a_row = 5;
+
 /// Of a node that is held off its master's face: where that face turns, the node goes with it. Each node's velocity v
 /// counts in r by turn v besides its weight, and each takes turn^T p of an impulse, so that the row asks for nothing
 /// where all nodes turn together, and its impulses have no moment.
 struct Lever {
-  std::array<Mat3, 5> turn{};    ///< of each node of the row
-  std::array<double, 5> size{};  ///< bounds of |turn v| / |v|
-  double most = 1;               ///< bound of what one node takes of an impulse: the largest |weight| + size
+  std::array<Mat3, most_nodes_of_a_row> turn{};    ///< of each node of the row
+  std::array<double, most_nodes_of_a_row> size{};  ///< bounds of |turn v| / |v|
+  double most = 1;  ///< bound of what one node takes of an impulse: the largest |weight| + size
 };
 
 /// One constraint on the relative velocity r = sum_i weights[i] v[nodes[i]]: normal . r >= required (equal, for a free
@@ -60,11 +63,12 @@ struct Lever {
 /// by weights[i] p. Rows are ordered by (slave_gid, slave_second, master_key, master_second).
 struct Row {
   GlobalIndex slave_gid = 0;
-  GlobalIndex slave_second = no_index;   ///< other end of a slave edge
-  GlobalIndex master_key = 0;            ///< face key; for wall w: -1 - w; first end of a master edge
-  GlobalIndex master_second = no_index;  ///< other end of a master edge
-  std::array<LocalIndex, 5> nodes{};     ///< contact nodes, the slave (or the slave edge's two) first
-  std::array<double, 5> weights{};       ///< of the slave, sum 1, then minus the weights of the master's nodes
+  GlobalIndex slave_second = no_index;                  ///< other end of a slave edge
+  GlobalIndex master_key = 0;                           ///< face key; for wall w: -1 - w; first end of a master edge
+  GlobalIndex master_second = no_index;                 ///< other end of a master edge
+  std::array<LocalIndex, most_nodes_of_a_row> nodes{};  ///< contact nodes, the slave (or the slave edge's two) first
+  std::array<double, most_nodes_of_a_row>
+      weights{};  ///< of the slave, sum 1, then minus the weights of the master's nodes
   std::int32_t node_count = 0;
   std::int32_t slave_body = 0, master_body = 0;
   std::int32_t slave_block = no_index;  ///< of a slave edge; a node may have several
@@ -123,20 +127,6 @@ inline double largest_share(const Row& row) {
 /// The largest impulse across the normal [momentum] beside this one along it.
 inline double friction_limit(const Row& row, double along) {
   return row.friction * std::abs(along) + row.lagging;
-}
-
-/// The impulse nearest to this one among those that the row admits: no pull (unless the cone is free), and across the
-/// normal at most what friction allows beside the impulse along it. The normal part is settled first and by itself:
-/// Coulomb's law, not the projection on the cone, which would push the bodies apart where they slide.
-inline Vec3 admitted(const Row& row, const Vec3& impulse) {
-  const double along = row.normal.dot(impulse);
-  const double push = row.cone == Cone::compression && along < 0 ? 0.0 : along;
-  const bool holds_pull = row.cone == Cone::free;
-  if (row.friction == 0 || (push == 0 && !holds_pull)) return push * row.normal;
-  const Vec3 across = impulse - along * row.normal;
-  if (std::isinf(row.friction)) return push * row.normal + across;
-  const double limit = friction_limit(row, push), size = across.norm();
-  return push * row.normal + (size > limit ? Vec3(limit / size * across) : across);
 }
 
 }  // namespace brunt::contact

@@ -8,7 +8,7 @@
 
 namespace brunt::contact {
 
-/// As `enforce`; uses Row::slab, and the row sums for rows that have none.
+/// As `enforce`; uses RowFigures::slab, and the row sums for rows that have none.
 EnforcementResult enforce_printed(const System& system, const EnforcementSettings& settings, double dt,
                                   Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
                                   EnforcementScratch& scratch);

@@ -11,12 +11,13 @@
 
 #include "brunt/contact/data/constraint.hpp"
 #include "brunt/contact/data/exchange.hpp"
+#include "brunt/contact/data/row_matrix.hpp"
 #include "brunt/core/binned_sum.hpp"
 
 namespace brunt::contact {
 
 struct System {
-  std::span<const Row> rows;
+  const RowMatrix& rows;
   std::span<const NodeMotion> motion;  ///< of all contact nodes of this rank
   std::span<const Mobility> mobility;  ///< the same
   bool two_passes = false;             ///< rows may belong to one pass only, on some rank: see contact/passes.hpp
@@ -30,27 +31,29 @@ constexpr int row_sum_width = bin_slices + 1;
 
 /// Arrays of the solvers, sized where lists are rebuilt so that a step allocates nothing.
 struct EnforcementScratch {
-  std::vector<double> diagonal;              ///< H [1/mass], a row each; 0: no impulse in this row can change its rate
-  std::vector<Vec3> previous;                ///< impulses of the iterate before, a row each
-  std::vector<double> compliance;            ///< C of soft rows [1/mass], 0 of others; see softness.hpp
-  std::vector<Vec3> borne;                   ///< C times what they keep of the impulse of before [velocity]
-  std::vector<Vec3> missing;                 ///< what the rows still ask for [velocity], a row each
-  std::vector<Vec3> step, direction;         ///< of conjugate residuals [momentum], a row each
-  std::vector<Vec3> step_change, change;     ///< G W G^T of them [velocity], a row each
-  std::vector<double> inverse;               ///< of the diagonal, 0 for 0 [mass], a row each
-  std::vector<char> chosen;                  ///< rows that conjugate residuals go over
-  std::vector<std::array<double, 5>> share;  ///< |G_qn P_n| of a row's nodes (of a lever: a bound of it), a row each
-  std::vector<double> row_sum;               ///< s, a node each
-  std::vector<double> row_sum_parts;         ///< row_sum_width a node
-  std::vector<double> impulse_parts;         ///< impulse_width a node, see impulse_of_node
+  std::vector<double> diagonal;           ///< H [1/mass], a row each; 0: no impulse in this row can change its rate
+  std::vector<Vec3> previous;             ///< impulses of the iterate before, a row each
+  std::vector<double> compliance;         ///< C of soft rows [1/mass], 0 of others; see softness.hpp
+  std::vector<Vec3> borne;                ///< C times what they keep of the impulse of before [velocity]
+  std::vector<Vec3> missing;              ///< what the rows still ask for [velocity], a row each
+  std::vector<Vec3> step, direction;      ///< of conjugate residuals [momentum], a row each
+  std::vector<Vec3> step_change, change;  ///< G W G^T of them [velocity], a row each
+  std::vector<double> inverse;            ///< of the diagonal, 0 for 0 [mass], a row each
+  std::vector<char> chosen;               ///< rows that conjugate residuals go over
+  std::vector<double> share;              ///< |G_qn P_n| (of an arm: a bound of it), an entry each
+  std::vector<double> row_sum;            ///< s, a node each
+  std::vector<double> row_sum_parts;      ///< row_sum_width a node
+  std::vector<double> impulse_parts;      ///< impulse_width a node, see impulse_of_node
 
-  std::vector<Row> pass_rows;              ///< of two passes, the one being solved
+  RowMatrix matrix;                        ///< of the rows of the step
+  RowMatrix pass_rows;                     ///< of two passes, the one being solved
   std::vector<Vec3> pass_impulses;         ///< of those rows
   std::array<std::vector<Vec3>, 2> start;  ///< of all rows, where each pass starts from
   std::vector<double> asked;               ///< of all rows, the least rate asked for [velocity]
 
-  void reserve(std::size_t rows, std::size_t nodes);
-  void reserve_passes(std::size_t rows);  ///< besides, for two passes
+  /// Room for rows of detection, of which so many turn.
+  void reserve(std::size_t rows, std::size_t turning_rows, std::size_t nodes);
+  void reserve_passes(std::size_t rows, std::size_t turning_rows);  ///< besides, for two passes
 };
 
 /// What the rows gave to a node by the last `apply_impulses`, on its owner [momentum].
@@ -70,15 +73,12 @@ inline void keep_max(double& largest, double value) {
 
 /// Of the row's nodes [velocity]; see Row.
 Vec3 relative_velocity(const Row& row, std::span<const Vec3> velocity);
+Vec3 relative_velocity(const RowMatrix& rows, std::size_t q, std::span<const Vec3> velocity);
 
 /// Bound of what a row's impulse gives to any of its nodes, over these rows [momentum].
-double largest_impulse_on_a_node(std::span<const Row> rows, std::span<const Vec3> impulses);
+double largest_impulse_on_a_node(const RowMatrix& rows, std::span<const Vec3> impulses);
 
-/// What the row asks for beyond this relative velocity: required - n . v along the normal and, with friction,
-/// drift - v across it [velocity].
-Vec3 missing_rate(const Row& row, const Vec3& relative);
-
-/// Largest max(0, required - n . v) over this rank's rows that can act (for tied rows also across the normal).
+/// Largest max(0, required - n . v) over this rank's rows that can act (of rows that hold also across the normal).
 double violation_here(const System& system, std::span<const Vec3> velocity);
 
 /// v = v*.
@@ -91,7 +91,7 @@ double start_from_prediction(const System& system, Exchange& exchange, std::span
 /// positive semidefinite by Gershgorin's theorem. Returns whether rows of this rank share nodes with other rows: else H
 /// is G W G^T itself. Only rows that count, if a function is given; others have zero. Collective.
 bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch& scratch,
-                   bool (*counts)(const Row&) = nullptr);
+                   bool (*counts)(const RowMatrix&, std::size_t q) = nullptr);
 
 /// form_row_sums, and apply_impulses of the impulses to start from, with half of their messages.
 bool start_from_impulses(const System& system, std::span<const Vec3> impulses, double largest, Exchange& exchange,

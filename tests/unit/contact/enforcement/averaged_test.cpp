@@ -45,7 +45,7 @@ EnforcementResult solve_two(Problem& p, const EnforcementSettings& settings) {
   EnforcementScratch scratch;
   p.impulses.assign(p.rows.size(), Vec3::Zero());
   p.velocity.resize(p.motion.size());
-  return enforce({p.rows, p.motion, p.mobility, true}, settings, 1.0, exchange, p.impulses, p.velocity, scratch);
+  return enforce(p.system(true), settings, 1.0, exchange, p.impulses, p.velocity, scratch);
 }
 
 /// Each pass is solved by itself, with the rows of both; of its velocities half counts.
@@ -167,7 +167,7 @@ TEST_CASE("a warm start of two passes begins at the impulses of its passes: litt
   // without walls, whose two impulses have one mean only
   std::erase_if(p.rows, [](const Row& row) { return row.pass == Pass::both; });
   p.impulses.assign(p.rows.size(), Vec3::Zero());
-  const System system{p.rows, p.motion, p.mobility, true};
+  const System system = p.system(true);
   enforce(system, settings, 1.0, exchange, p.impulses, p.velocity, scratch);
   const EnforcementResult warm = enforce(system, settings, 1.0, exchange, p.impulses, p.velocity, scratch);
   CHECK(cold.iterations > 5);

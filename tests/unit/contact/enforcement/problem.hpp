@@ -10,6 +10,7 @@ namespace brunt::contact {
 
 struct Problem {
   std::vector<Row> rows;
+  mutable RowMatrix matrix;
   std::vector<NodeMotion> motion;
   std::vector<Mobility> mobility;
   std::vector<Vec3> impulses;
@@ -44,9 +45,11 @@ struct Problem {
     EnforcementScratch scratch;
     impulses.resize(rows.size(), Vec3::Zero());
     velocity.resize(motion.size());
-    return enforce({rows, motion, mobility}, settings, dt, exchange, impulses, velocity, scratch);
+    return enforce(system(), settings, dt, exchange, impulses, velocity, scratch);
   }
-  [[nodiscard]] System system() const { return {rows, motion, mobility}; }
+  [[nodiscard]] System system(bool two_passes = false) const {
+    return {compress(rows, matrix), motion, mobility, two_passes};
+  }
   [[nodiscard]] double rate(std::size_t q) const { return rows[q].normal.dot(relative_velocity(rows[q], velocity)); }
   [[nodiscard]] double push(std::size_t q) const { return rows[q].normal.dot(impulses[q]); }
   [[nodiscard]] Vec3 momentum_change() const {

@@ -210,7 +210,8 @@ TEST_CASE("a rank without nodes iterates as long as the others do") {
     void reduce(std::span<double> largest, std::span<std::int64_t> /*sums*/) override { max(largest); }
   } exchange;
   EnforcementScratch scratch;
-  const EnforcementResult result = enforce(System{}, to(1e-3, 7), 1.0, exchange, {}, {}, scratch);
+  const RowMatrix none;
+  const EnforcementResult result = enforce(System{none, {}, {}}, to(1e-3, 7), 1.0, exchange, {}, {}, scratch);
   CHECK(result.iterations == 7);
   CHECK(exchange.shares >= 7);
 }

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// What enforcement sees of the rows of a step: a sparse matrix G, three rows of numbers a row (its relative velocity),
+// over contact points, in compressed storage, and the law of each row. Rows have any number of points and weights of
+// any sign; what kind of contact a row comes from is not told here. Whatever makes rows appends them: `compress` those
+// of detection, others (mortar, joint limits) by `begin_row`, `add` and `close_row`.
+#pragma once
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "brunt/contact/data/constraint.hpp"
+#include "brunt/core/error.hpp"
+#include "brunt/core/types.hpp"
+
+namespace brunt::contact {
+
+/// What a row admits across its normal.
+enum class Across : std::int8_t {
+  slips,  ///< nothing
+  rubs,   ///< what Coulomb's law allows
+  holds   ///< anything
+};
+
+/// What a row asks for and which impulses it admits: normal . r >= required (equal, for a free cone) and, unless it
+/// slips, r = drift across the normal for as long as its impulse is one that it admits.
+struct RowLaw {
+  Vec3 normal = Vec3::Zero();  ///< unit
+  double required = 0;         ///< least rate along the normal [velocity]
+  Vec3 drift = Vec3::Zero();   ///< rate across the normal [velocity]
+  double friction = 0;         ///< Coulomb coefficient, where it rubs
+  double lagging = 0;          ///< besides, what friction admits for the pressure of before [momentum]
+  double noise = 0;            ///< of what it asks for: bound of what rounding makes of it [velocity]
+  double softness = 0;         ///< s of enforcement/softness.hpp; 0: rigid
+  double share = 1;            ///< no point takes more than this times the row's impulse
+  Cone cone = Cone::compression;
+  Across across = Across::slips;
+  bool turns = false;  ///< it has moment arms
+};
+
+/// What single methods ask for besides.
+struct RowFigures {
+  double gap = 0;          ///< at x_n [length]
+  double gap_share = 0;    ///< share of the penetration that `required` takes back
+  double drift_share = 0;  ///< share of the slip that `drift` takes back
+  double slab = 0;         ///< eq. (29) of Heinstein et al. 2000 [mass/time]; 0: not known
+  Pass pass = Pass::both;
+};
+
+/// The moment arm of one point of a row: its velocity v counts by turn v besides its weight.
+struct Arm {
+  Mat3 turn = Mat3::Zero();
+  double size = 0;  ///< bound of |turn v| / |v|
+};
+
+struct RowMatrix {
+  std::vector<LocalIndex> offsets{0};  ///< of the entries: rows + 1
+  std::vector<LocalIndex> points;     ///< contact nodes, an entry each; a row's first one stands for its size and speed
+  std::vector<double> weights;        ///< an entry each, |weight| + size of its arm <= largest_weight
+  std::vector<LocalIndex> first_arm;  ///< a row each: where it turns, the arm of its first entry
+  std::vector<Arm> arms;              ///< an entry each of the rows that turn
+  std::vector<RowLaw> laws;
+  std::vector<RowFigures> figures;
+  static constexpr double largest_weight = 4;  ///< sums over weights are binned on a grid for it: scale rows to this
+
+  [[nodiscard]] std::size_t size() const { return laws.size(); }
+  [[nodiscard]] std::size_t entries() const { return points.size(); }
+  [[nodiscard]] std::size_t begin(std::size_t q) const { return static_cast<std::size_t>(offsets[q]); }
+  [[nodiscard]] std::size_t end(std::size_t q) const { return static_cast<std::size_t>(offsets[q + 1]); }
+  [[nodiscard]] std::size_t point(std::size_t entry) const { return static_cast<std::size_t>(points[entry]); }
+  [[nodiscard]] std::size_t leader(std::size_t q) const { return point(begin(q)); }
+  /// Of an entry of a row that turns.
+  [[nodiscard]] const Arm& arm(std::size_t q, std::size_t entry) const {
+    return arms[static_cast<std::size_t>(first_arm[q]) + entry - begin(q)];
+  }
+
+  void clear();
+  /// Room for so many, so that a step allocates nothing. Of arms: entries of rows that turn.
+  void reserve(std::size_t rows, std::size_t entries, std::size_t arms);
+  void add(LocalIndex point, double weight) {
+    points.push_back(point);
+    weights.push_back(weight);
+  }
+  void add(LocalIndex point, double weight, const Arm& arm) {
+    add(point, weight);
+    arms.push_back(arm);
+  }
+  /// Of the entries added since the last call, all with an arm or none.
+  void close_row(const RowLaw& law, const RowFigures& of_row);
+  /// Row q of another matrix.
+  void append(const RowMatrix& other, std::size_t q);
+};
+
+/// The law of a row of detection.
+RowLaw law_of(const Row& row);
+
+/// The matrix of these rows, in their order.
+const RowMatrix& compress(std::span<const Row> rows, RowMatrix& matrix);
+
+/// What arms add to it.
+template <class VelocityOf>
+[[gnu::noinline]] void add_turned(const RowMatrix& rows, std::size_t q, const VelocityOf& velocity_of, Vec3& relative) {
+  for (std::size_t k = rows.begin(q); k < rows.end(q); ++k)
+    relative += rows.arm(q, k).turn * velocity_of(rows.points[k]);
+}
+
+/// The relative velocity of row q; velocity_of(point): of a contact node.
+template <class VelocityOf>
+[[gnu::always_inline]] inline Vec3 relative_motion(const RowMatrix& rows, std::size_t q,
+                                                   const VelocityOf& velocity_of) {
+  Vec3 relative = Vec3::Zero();
+  const std::size_t end = rows.end(q);
+  for (std::size_t k = rows.begin(q); k < end; ++k) relative += rows.weights[k] * velocity_of(rows.points[k]);
+  if (rows.laws[q].turns) [[unlikely]]
+    add_turned(rows, q, velocity_of, relative);
+  return relative;
+}
+
+/// What an entry's point takes of the impulse of row q [momentum].
+inline Vec3 impulse_on_point(const RowMatrix& rows, std::size_t q, std::size_t entry, const Vec3& impulse) {
+  const Vec3 share = rows.weights[entry] * impulse;
+  return rows.laws[q].turns ? Vec3(share + rows.arm(q, entry).turn.transpose() * impulse) : share;
+}
+
+/// The largest impulse across the normal [momentum] beside this one along it, where the row rubs.
+inline double friction_limit(const RowLaw& law, double along) {
+  return law.friction * std::abs(along) + law.lagging;
+}
+
+/// The impulse nearest to this one among those that the law admits: no pull (unless the cone is free), and across the
+/// normal at most what friction allows beside the impulse along it. The normal part is settled first and by itself:
+/// Coulomb's law, not the projection on the cone, which would push the bodies apart where they slide.
+inline Vec3 admitted(const RowLaw& law, const Vec3& impulse) {
+  const double along = law.normal.dot(impulse);
+  const double push = law.cone == Cone::compression && along < 0 ? 0.0 : along;
+  const bool holds_pull = law.cone == Cone::free;
+  if (law.across == Across::slips || (push == 0 && !holds_pull)) return push * law.normal;
+  const Vec3 across = impulse - along * law.normal;
+  if (law.across == Across::holds) return push * law.normal + across;
+  const double limit = friction_limit(law, push), size = across.norm();
+  return push * law.normal + (size > limit ? Vec3(limit / size * across) : across);
+}
+
+/// What the law asks for beyond this relative velocity: required - n . v along the normal and, unless it slips,
+/// drift - v across it [velocity].
+inline Vec3 missing_rate(const RowLaw& law, const Vec3& relative) {
+  const double along = law.normal.dot(relative);
+  Vec3 missing = (law.required - along) * law.normal;
+  if (law.across != Across::slips) missing += law.drift - (relative - along * law.normal);
+  return missing;
+}
+
+}  // namespace brunt::contact
