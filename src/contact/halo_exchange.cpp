@@ -88,4 +88,8 @@ void HaloExchange::reduce(std::span<double> largest, std::span<std::int64_t> sum
   if (!ranks_.empty()) ranks_.front().max_and_sum(largest, sums);
 }
 
+void HaloExchange::sum(std::span<std::int64_t> values) {
+  if (!ranks_.empty()) ranks_.front().sum(values);
+}
+
 }  // namespace brunt::contact

@@ -36,6 +36,7 @@ class HaloExchange final : public Exchange {
   void end_share(std::span<double> values, int width);
   void max(std::span<double> values) override;
   void reduce(std::span<double> largest, std::span<std::int64_t> sums) override;
+  void sum(std::span<std::int64_t> values) override;
 
  private:
   [[nodiscard]] std::span<double> room_for(std::size_t nodes, int width, std::size_t before = 0);

@@ -11,6 +11,7 @@ void RowMatrix::clear() {
   arms.clear();
   laws.clear();
   figures.clear();
+  on_bodies.clear();
 }
 
 void RowMatrix::reserve(std::size_t rows, std::size_t entries, std::size_t arms_of_rows) {
@@ -38,6 +39,10 @@ void RowMatrix::append(const RowMatrix& other, std::size_t q) {
     if (other.laws[q].turns) arms.push_back(other.arm(q, k));
   }
   close_row(other.laws[q], other.figures[q]);
+  if (!other.has_bodies()) return;
+  const std::span<const BodyShare> bodies = other.bodies_of(q);
+  on_bodies.values.insert(on_bodies.values.end(), bodies.begin(), bodies.end());
+  on_bodies.close_row();
 }
 
 RowLaw law_of(const Row& row) {

@@ -2,6 +2,17 @@
 #include "brunt/contact/enforcement/softness.hpp"
 
 namespace brunt::contact {
+namespace {
+
+/// Of a carried point, what its body answers along the normal: its block comes first.
+double inverse_mass_of_leader(const System& system, std::size_t q, const CarriedScratch& carried) {
+  const std::size_t leader = system.rows.leader(q);
+  const std::span<const BodyShare> bodies = system.rows.bodies_of(q);
+  if (bodies.empty() || carried.place[leader] == no_index) return system.mobility[leader].inverse_mass;
+  return bodies.front().along * bodies.front().along;
+}
+
+}  // namespace
 
 void soften(const System& system, std::span<const Vec3> before, EnforcementScratch& scratch) {
   scratch.compliance.assign(system.rows.size(), 0.0);
@@ -9,7 +20,7 @@ void soften(const System& system, std::span<const Vec3> before, EnforcementScrat
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     const RowLaw& law = system.rows.laws[q];
     if (law.softness == 0 || !(scratch.diagonal[q] > 0)) continue;
-    const double compliance = law.softness * system.mobility[system.rows.leader(q)].inverse_mass;
+    const double compliance = law.softness * inverse_mass_of_leader(system, q, scratch.carried);
     scratch.compliance[q] = compliance;
     scratch.diagonal[q] += compliance;
     const RowFigures& figures = system.rows.figures[q];

@@ -41,6 +41,8 @@ bool can_act(const System& system, std::size_t q) {
         (law.across == Across::holds || mobility.is_free_along(law.normal)))
       return true;
   }
+  for (const BodyShare& share : rows.bodies_of(q))
+    if (share.along > 0 || (law.across == Across::holds && share.weight > 0)) return true;
   return false;
 }
 
@@ -50,12 +52,32 @@ double shortfall(const RowLaw& law, const Vec3& relative) {
   return law.cone == Cone::compression ? std::max(missing, 0.0) : std::abs(missing);
 }
 
+void lay_weights_on_bodies(const RowMatrix& rows, std::size_t q, CarriedScratch& scratch) {
+  const std::vector<LocalIndex>& offsets = rows.on_bodies.offsets;
+  for (auto i = static_cast<std::size_t>(offsets[q]); i < static_cast<std::size_t>(offsets[q + 1]); ++i)
+    scratch.share[i] = rows.on_bodies.values[i].weight;
+}
+
+/// Adds what bodies have of H_q. Do others share them, or is the row's own part a bound?
+bool add_bodies_to_diagonal(const RowMatrix& rows, std::size_t q, EnforcementScratch& scratch) {
+  bool coupled = false;
+  const std::vector<LocalIndex>& offsets = rows.on_bodies.offsets;
+  for (auto i = static_cast<std::size_t>(offsets[q]); i < static_cast<std::size_t>(offsets[q + 1]); ++i) {
+    const double weight = scratch.carried.share[i];
+    const double sum = scratch.carried.row_sum[static_cast<std::size_t>(rows.on_bodies.values[i].body)];
+    coupled = coupled || (weight > 0 && (sum != weight || rows.laws[q].across != Across::slips));
+    scratch.diagonal[q] += weight * sum;
+  }
+  return coupled;
+}
+
 /// Weights of this rank's rows, laid on their points; scratch.share keeps them.
 void lay_weights(const System& system, EnforcementScratch& scratch, Counts counts) {
   const RowMatrix& rows = system.rows;
   const BinGrid grid = BinGrid::for_bound(RowMatrix::largest_weight);
   scratch.row_sum_parts.assign(system.motion.size() * row_sum_width, 0.0);
   scratch.share.assign(rows.entries(), 0.0);
+  scratch.carried.share.assign(rows.on_bodies.values.size(), 0.0);
   for (std::size_t q = 0; q < rows.size(); ++q) {
     if ((counts != nullptr && !counts(rows, q)) || !can_act(system, q)) continue;
     const double length = rows.laws[q].normal.norm();
@@ -67,6 +89,7 @@ void lay_weights(const System& system, EnforcementScratch& scratch, Counts count
       binned_add(grid, weight, parts);
       parts[bin_slices] += 1;
     }
+    if (rows.has_bodies()) lay_weights_on_bodies(rows, q, scratch.carried);
   }
 }
 
@@ -96,6 +119,7 @@ bool lay_diagonal(const System& system, EnforcementScratch& scratch, Counts coun
         coupled = coupled || sum != weight || (law.across != Across::slips && !mobility.projector.isIdentity(0));
       scratch.diagonal[q] += weight * sum * (system.mobility_scale * mobility.inverse_mass);
     }
+    if (rows.has_bodies() && add_bodies_to_diagonal(rows, q, scratch)) coupled = true;
   }
   return coupled;
 }
@@ -121,6 +145,18 @@ Vec3 answer(const System& system, std::size_t node, const Vec3& impulse) {
 void take_velocities(const System& system, const EnforcementScratch& scratch, std::span<Vec3> velocity) {
   for (std::size_t node = 0; node < system.motion.size(); ++node)
     velocity[node] = system.motion[node].predicted + answer(system, node, impulse_of_node(scratch, node));
+}
+
+bool has_bodies(const System& system) {
+  return !system.carriers.bodies.empty();
+}
+
+/// To the velocities that nodes have given, on owners.
+void add_answer_of_bodies(const System& system, double largest, Exchange& exchange, std::span<Vec3> velocity,
+                          EnforcementScratch& scratch) {
+  if (!has_bodies(system)) return;
+  contact::add_answer_of_bodies(system.carriers, system.motion, scratch.impulse_parts, largest, exchange, velocity,
+                                scratch.carried);
 }
 
 NodeValues as_values(std::span<Vec3> velocity) {
@@ -155,6 +191,15 @@ void EnforcementScratch::reserve_passes(std::size_t rows, std::size_t turning_ro
   pass_impulses.reserve(rows);
   for (std::vector<Vec3>& impulses : start) impulses.reserve(rows);
   asked.reserve(rows);
+}
+
+void EnforcementScratch::reserve_bodies(std::size_t rows, std::size_t nodes, std::size_t bodies) {
+  if (bodies == 0) return;
+  carried.reserve(rows, nodes, bodies);
+  for (RowMatrix* of_rows : {&matrix, &pass_rows}) {
+    of_rows->on_bodies.offsets.reserve(rows + 1);
+    of_rows->on_bodies.values.reserve(most_bodies_of_a_row * rows);
+  }
 }
 
 void demand_finite(double largest) {
@@ -202,6 +247,7 @@ bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch&
   exchange.sum_to_owner(scratch.row_sum_parts, row_sum_width);
   take_row_sums(scratch);
   exchange.share(scratch.row_sum, 1);
+  if (has_bodies(system)) sum_rows_on_bodies(system.rows, exchange, scratch.carried);
   return lay_diagonal(system, scratch, counts);
 }
 
@@ -212,6 +258,8 @@ bool start_from_impulses(const System& system, std::span<const Vec3> impulses, d
   exchange.sum_both_to_owner({scratch.row_sum_parts, row_sum_width}, {scratch.impulse_parts, impulse_width});
   take_row_sums(scratch);
   take_velocities(system, scratch, velocity);
+  add_answer_of_bodies(system, largest, exchange, velocity, scratch);
+  if (has_bodies(system)) sum_rows_on_bodies(system.rows, exchange, scratch.carried);
   exchange.share_both({scratch.row_sum, 1}, as_values(velocity.first(system.motion.size())));
   return lay_diagonal(system, scratch, nullptr);
 }
@@ -226,6 +274,7 @@ void form_diagonal(const System& system, EnforcementScratch& scratch) {
       const double weight = weight_of(rows, q, k, length, mobility);
       scratch.diagonal[q] += weight * weight * (system.mobility_scale * mobility.inverse_mass);
     }
+    for (const BodyShare& share : rows.bodies_of(q)) scratch.diagonal[q] += share.weight * share.weight;
   }
 }
 
@@ -234,6 +283,7 @@ void apply_impulses(const System& system, std::span<const Vec3> impulses, double
   lay_impulses(system, impulses, largest, scratch);
   exchange.sum_to_owner(scratch.impulse_parts, impulse_width);
   take_velocities(system, scratch, velocity);
+  add_answer_of_bodies(system, largest, exchange, velocity, scratch);
   share_velocities(exchange, velocity.first(system.motion.size()));
 }
 
@@ -243,6 +293,7 @@ void velocities_of_impulses(const System& system, std::span<const Vec3> impulses
   exchange.sum_to_owner(scratch.impulse_parts, impulse_width);
   for (std::size_t node = 0; node < system.motion.size(); ++node)
     velocity[node] = answer(system, node, impulse_of_node(scratch, node));
+  add_answer_of_bodies(system, largest, exchange, velocity, scratch);
   share_velocities(exchange, velocity.first(system.motion.size()));
 }
 

@@ -47,6 +47,8 @@ enum class Pass : std::int8_t {
 
 /// Of rows that detection makes: a node and a face of four corners.
 constexpr std::size_t most_nodes_of_a_row = 5;
+/// Of those rows: the slave and the master.
+constexpr std::size_t most_bodies_of_a_row = 2;
 
 /// Of a node that is held off its master's face: where that face turns, the node goes with it. Each node's velocity v
 /// counts in r by turn v besides its weight, and each takes turn^T p of an impulse, so that the row asks for nothing

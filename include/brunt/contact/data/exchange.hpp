@@ -34,6 +34,8 @@ class Exchange {
   virtual void max(std::span<double> values) = 0;
   /// The same for `largest` and the sums of `sums` over all ranks in one message; at most six of each.
   virtual void reduce(std::span<double> largest, std::span<std::int64_t> sums) = 0;
+  /// Sums over all ranks, element by element, in place: any number of them in one message.
+  virtual void sum(std::span<std::int64_t> values) = 0;
 };
 
 /// One rank with all nodes: nothing to exchange.
@@ -43,6 +45,7 @@ class OneRankExchange final : public Exchange {
   void sum_to_owner(std::span<double> /*values*/, int /*width*/) override {}
   void max(std::span<double> /*values*/) override {}
   void reduce(std::span<double> /*largest*/, std::span<std::int64_t> /*sums*/) override {}
+  void sum(std::span<std::int64_t> /*values*/) override {}
 };
 
 }  // namespace brunt::contact

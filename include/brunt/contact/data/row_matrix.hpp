@@ -12,6 +12,7 @@
 
 #include "brunt/contact/data/constraint.hpp"
 #include "brunt/core/error.hpp"
+#include "brunt/core/ragged.hpp"
 #include "brunt/core/types.hpp"
 
 namespace brunt::contact {
@@ -54,6 +55,13 @@ struct Arm {
   double size = 0;  ///< bound of |turn v| / |v|
 };
 
+/// Part of a row in one body (see enforcement/carried.hpp) [1/mass^(1/2)].
+struct BodyShare {
+  LocalIndex body = 0;
+  double weight = 0;  ///< sqrt of the largest eigenvalue of g W g^T, g the row's block; of rows that slip `along`
+  double along = 0;   ///< sqrt(n . g W g^T n)
+};
+
 struct RowMatrix {
   std::vector<LocalIndex> offsets{0};  ///< of the entries: rows + 1
   std::vector<LocalIndex> points;     ///< contact nodes, an entry each; a row's first one stands for its size and speed
@@ -62,6 +70,7 @@ struct RowMatrix {
   std::vector<Arm> arms;              ///< an entry each of the rows that turn
   std::vector<RowLaw> laws;
   std::vector<RowFigures> figures;
+  Ragged<BodyShare> on_bodies;                 ///< a row each; no rows at all where there are no bodies
   static constexpr double largest_weight = 4;  ///< sums over weights are binned on a grid for it: scale rows to this
 
   [[nodiscard]] std::size_t size() const { return laws.size(); }
@@ -70,6 +79,10 @@ struct RowMatrix {
   [[nodiscard]] std::size_t end(std::size_t q) const { return static_cast<std::size_t>(offsets[q + 1]); }
   [[nodiscard]] std::size_t point(std::size_t entry) const { return static_cast<std::size_t>(points[entry]); }
   [[nodiscard]] std::size_t leader(std::size_t q) const { return point(begin(q)); }
+  [[nodiscard]] bool has_bodies() const { return on_bodies.rows() > 0; }
+  [[nodiscard]] std::span<const BodyShare> bodies_of(std::size_t q) const {
+    return has_bodies() ? on_bodies.row(static_cast<LocalIndex>(q)) : std::span<const BodyShare>{};
+  }
   /// Of an entry of a row that turns.
   [[nodiscard]] const Arm& arm(std::size_t q, std::size_t entry) const {
     return arms[static_cast<std::size_t>(first_arm[q]) + entry - begin(q)];

@@ -9,9 +9,11 @@
 #include <span>
 #include <vector>
 
+#include "brunt/contact/data/carriers.hpp"
 #include "brunt/contact/data/constraint.hpp"
 #include "brunt/contact/data/exchange.hpp"
 #include "brunt/contact/data/row_matrix.hpp"
+#include "brunt/contact/enforcement/carried.hpp"
 #include "brunt/core/binned_sum.hpp"
 
 namespace brunt::contact {
@@ -22,10 +24,9 @@ struct System {
   std::span<const Mobility> mobility;  ///< the same
   bool two_passes = false;             ///< rows may belong to one pass only, on some rank: see contact/passes.hpp
   double mobility_scale = 1;  ///< of all inverse masses: 1 / (1 + alpha dt / 2) under mass damping, which W is part of
+  Carriers carriers{};        ///< whose blocks the rows have: see lay_rows_on_bodies
 };
 
-/// Of the binned sum of a node's impulses: two slices of four, the components and one to spare.
-constexpr int impulse_width = 4 * bin_slices;
 /// Of the sum of a node's rows: two slices and the number of rows.
 constexpr int row_sum_width = bin_slices + 1;
 
@@ -44,6 +45,7 @@ struct EnforcementScratch {
   std::vector<double> row_sum;            ///< s, a node each
   std::vector<double> row_sum_parts;      ///< row_sum_width a node
   std::vector<double> impulse_parts;      ///< impulse_width a node, see impulse_of_node
+  CarriedScratch carried;                 ///< of rigid bodies
 
   RowMatrix matrix;                        ///< of the rows of the step
   RowMatrix pass_rows;                     ///< of two passes, the one being solved
@@ -53,13 +55,13 @@ struct EnforcementScratch {
 
   /// Room for rows of detection, of which so many turn.
   void reserve(std::size_t rows, std::size_t turning_rows, std::size_t nodes);
-  void reserve_passes(std::size_t rows, std::size_t turning_rows);  ///< besides, for two passes
+  void reserve_passes(std::size_t rows, std::size_t turning_rows);               ///< besides, for two passes
+  void reserve_bodies(std::size_t rows, std::size_t nodes, std::size_t bodies);  ///< besides, for rigid bodies
 };
 
 /// What the rows gave to a node by the last `apply_impulses`, on its owner [momentum].
 inline Vec3 impulse_of_node(const EnforcementScratch& scratch, std::size_t node) {
-  const double* parts = &scratch.impulse_parts[node * impulse_width];
-  return Vec3(parts[0], parts[1], parts[2]) + Vec3(parts[4], parts[5], parts[6]);
+  return sum_of_parts(scratch.impulse_parts, node);
 }
 
 /// Throws GuardError where the largest impulse is not finite.

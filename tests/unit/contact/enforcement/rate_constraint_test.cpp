@@ -208,6 +208,7 @@ TEST_CASE("a rank without nodes iterates as long as the others do") {
       for (double& value : values) value = 1.0;
     }
     void reduce(std::span<double> largest, std::span<std::int64_t> /*sums*/) override { max(largest); }
+    void sum(std::span<std::int64_t> /*values*/) override {}
   } exchange;
   EnforcementScratch scratch;
   const RowMatrix none;

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows on points that bodies carry (contact/data/carriers.hpp). Their impulses go on from the points to the bodies,
+//   P = sum over points (p, r x p),   (dV, domega) = W P,   v = v* + dV + domega x r,
+// with exact sums: in any order and on any number of ranks they give the same bits. In the row sums a body counts as
+// one node of inverse mass 1, on which a row has the weight w = sqrt(largest eigenvalue of g W g^T), g its 3x6 block on
+// the body: |g_q W g_p^T| <= w_q w_p (Cauchy and Schwarz), so that H - G W G^T stays positive semidefinite.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "brunt/contact/data/carriers.hpp"
+#include "brunt/contact/data/constraint.hpp"
+#include "brunt/contact/data/exchange.hpp"
+#include "brunt/contact/data/row_matrix.hpp"
+#include "brunt/core/binned_sum.hpp"
+
+namespace brunt::contact {
+
+/// Of the binned sum of a node's impulses: two slices of four, the components and one to spare.
+constexpr int impulse_width = 4 * bin_slices;
+
+inline Vec3 sum_of_parts(std::span<const double> impulse_parts, std::size_t node) {
+  const double* parts = &impulse_parts[node * impulse_width];
+  return Vec3(parts[0], parts[1], parts[2]) + Vec3(parts[4], parts[5], parts[6]);
+}
+
+/// What the rows do to a body, the same bits on every rank.
+struct BodyAnswer {
+  Vec6 impulse = Vec6::Zero();  ///< P: momentum, angular momentum about the centre
+  Vec6 change = Vec6::Zero();   ///< W P: of its velocity, of its angular velocity
+};
+
+/// Binned sums of so many terms that they are exact.
+struct BodyParts {
+  std::array<double, 16> slices{};  ///< coarse and fine of the impulse (four each), then of the moment
+  int terms = 0;
+};
+
+/// Part of a row in a body.
+struct RowBlock {
+  LocalIndex body = 0;
+  Mat3 translation = Mat3::Zero(), rotation = Mat3::Zero();
+};
+
+/// Arrays of what is carried, sized where lists are rebuilt.
+struct CarriedScratch {
+  std::vector<LocalIndex> place;   ///< of each contact node in Carriers::points; no_index: it is not carried
+  std::vector<RowBlock> blocks;    ///< of one row
+  std::vector<double> largest;     ///< what all ranks' maximum is taken of
+  std::vector<LocalIndex> active;  ///< bodies that rows of any rank act on, ascending
+  std::vector<LocalIndex> slot;    ///< of each body in there
+  std::vector<BodyParts> parts;    ///< a body each
+  std::vector<std::int64_t> sums;  ///< of active bodies, what all ranks' sum is taken of
+  std::vector<double> share;       ///< w where the row acts, for each of RowMatrix::on_bodies
+  std::vector<double> row_sum;     ///< sum of these, a body each
+  std::vector<BodyAnswer> answer;  ///< a body each, by the last impulses
+  double longest_arm = 0;          ///< |r| of all ranks [length]
+  double largest_weight = 0;       ///< w of all ranks
+
+  void reserve(std::size_t rows, std::size_t nodes, std::size_t bodies);
+};
+
+/// Fills rows.on_bodies. Nothing where there are no bodies.
+void lay_rows_on_bodies(const Carriers& carriers, std::span<const NodeMotion> motion, CarriedScratch& scratch,
+                        RowMatrix& rows);
+
+/// Before anything else here: which bodies the rows of any rank act on, and bounds. Collective.
+void start_bodies(const Carriers& carriers, std::span<const NodeMotion> motion, const RowMatrix& rows,
+                  Exchange& exchange, CarriedScratch& scratch);
+
+/// scratch.row_sum from scratch.share. Collective.
+void sum_rows_on_bodies(const RowMatrix& rows, Exchange& exchange, CarriedScratch& scratch);
+
+/// From the impulses on the points of this rank (right on the owners): scratch.answer, and what it gives to the points'
+/// velocities is added. largest: bound of a row's impulse on a point. Collective.
+void add_answer_of_bodies(const Carriers& carriers, std::span<const NodeMotion> motion,
+                          std::span<const double> impulse_parts, double largest, Exchange& exchange,
+                          std::span<Vec3> velocity, CarriedScratch& scratch);
+
+}  // namespace brunt::contact

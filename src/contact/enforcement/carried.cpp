@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/enforcement/carried.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "brunt/contact/enforcement/system.hpp"
+#include "brunt/core/binned_sum.hpp"
+#include "brunt/core/error.hpp"
+#include "impulse_grid.hpp"
+
+namespace brunt::contact {
+namespace {
+
+/// Numbers of a body's sum: impulse and moment, coarse and fine.
+constexpr std::size_t sums_of_answer = 12;
+/// Coarse, fine, number of terms.
+constexpr std::size_t sums_of_weights = 3;
+/// A chunk of 2^14 terms on the coarse grid is a whole number below 2^52: a thousand of them fit in 63 bits.
+constexpr std::int64_t most_terms = std::int64_t{1} << 24;
+
+/// log2 of what slices on the grid of this anchor are multiples of.
+int unit_of(double anchor) {
+  return anchor > 0 ? std::ilogb(anchor) - 52 : 0;
+}
+
+std::int64_t in_units(double slice, int unit) {
+  return static_cast<std::int64_t>(std::ldexp(slice, -unit));
+}
+
+double value_of(std::int64_t coarse, std::int64_t fine, const BinGrid& grid) {
+  return std::ldexp(static_cast<double>(coarse), unit_of(grid.anchor[0])) +
+         std::ldexp(static_cast<double>(fine), unit_of(grid.anchor[1]));
+}
+
+Mat3 cross_matrix(const Vec3& a) {
+  Mat3 matrix;
+  matrix << 0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0;
+  return matrix;
+}
+
+Vec3 arm_of(const CarriedPoint& point, const Carriers& carriers, std::span<const NodeMotion> motion) {
+  return motion[static_cast<std::size_t>(point.point)].position -
+         carriers.bodies[static_cast<std::size_t>(point.body)].centre;
+}
+
+/// Blocks of row q on bodies, in the order of its points.
+void find_blocks(const Carriers& carriers, std::span<const NodeMotion> motion, const RowMatrix& rows, std::size_t q,
+                 CarriedScratch& scratch) {
+  scratch.blocks.clear();
+  for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) {
+    const LocalIndex place = scratch.place[rows.point(k)];
+    if (place == no_index) continue;
+    const CarriedPoint& point = carriers.points[static_cast<std::size_t>(place)];
+    auto block = std::ranges::find(scratch.blocks, point.body, &RowBlock::body);
+    if (block == scratch.blocks.end()) block = scratch.blocks.insert(block, {.body = point.body});
+    Mat3 part = rows.weights[k] * Mat3::Identity();
+    if (rows.laws[q].turns) part += rows.arm(q, k).turn;
+    block->translation += part;
+    block->rotation -= part * cross_matrix(arm_of(point, carriers, motion));
+  }
+}
+
+/// Weights of a block; zero along what nothing can change (what rounding leaves of it is nothing, as elsewhere).
+BodyShare share_of(const RowBlock& block, const Mat6& mobility, const RowLaw& law) {
+  constexpr double nothing = Mobility::rounding * Mobility::rounding;
+  constexpr double above = 1 + 1e-6;  // the closed form of eigenvalues errs by less
+  Eigen::Matrix<double, 3, 6> g;
+  g << block.translation, block.rotation;
+  const Mat3 answer = g * mobility * g.transpose();
+  const double scale = block.translation.squaredNorm() * mobility.topLeftCorner<3, 3>().trace() +
+                       block.rotation.squaredNorm() * mobility.bottomRightCorner<3, 3>().trace();
+  const auto root_of = [&](double square) { return square > nothing * scale ? std::sqrt(square) : 0.0; };
+  BodyShare share{.body = block.body, .along = root_of(law.normal.dot(answer * law.normal))};
+  share.weight = share.along;
+  if (law.across == Across::slips) return share;
+  Eigen::SelfAdjointEigenSolver<Mat3> solver;
+  solver.computeDirect(answer, Eigen::EigenvaluesOnly);
+  share.weight = root_of(above * solver.eigenvalues()[2]);
+  return share;
+}
+
+/// Takes the terms of a body's impulse to its whole numbers.
+void flush(const BinGrid& impulse, const BinGrid& moment, BodyParts& parts, std::int64_t* sums) {
+  const std::array<int, 4> units{unit_of(impulse.anchor[0]), unit_of(impulse.anchor[1]), unit_of(moment.anchor[0]),
+                                 unit_of(moment.anchor[1])};
+  for (std::size_t k = 0; k < sums_of_answer; ++k) sums[k] += in_units(parts.slices[4 * (k / 3) + k % 3], units[k / 3]);
+  parts = {};
+}
+
+void flush_weights(const BinGrid& grid, BodyParts& parts, std::int64_t* sums) {
+  for (std::size_t k = 0; k < bin_slices; ++k) sums[k] += in_units(parts.slices[k], unit_of(grid.anchor[k]));
+  sums[2] += parts.terms;
+  parts = {};
+}
+
+}  // namespace
+
+void CarriedScratch::reserve(std::size_t rows, std::size_t nodes, std::size_t bodies) {
+  constexpr std::size_t bounds = 2;
+  place.reserve(nodes);
+  blocks.reserve(most_bodies_of_a_row);
+  largest.reserve(bodies + bounds);
+  active.reserve(bodies);
+  slot.reserve(bodies);
+  parts.reserve(bodies);
+  sums.reserve(sums_of_answer * bodies);
+  share.reserve(most_bodies_of_a_row * rows);
+  row_sum.reserve(bodies);
+  answer.reserve(bodies);
+}
+
+void lay_rows_on_bodies(const Carriers& carriers, std::span<const NodeMotion> motion, CarriedScratch& scratch,
+                        RowMatrix& rows) {
+  if (carriers.bodies.empty()) return;
+  scratch.place.assign(motion.size(), no_index);
+  for (std::size_t i = 0; i < carriers.points.size(); ++i)
+    scratch.place[static_cast<std::size_t>(carriers.points[i].point)] = static_cast<LocalIndex>(i);
+  rows.on_bodies.clear();
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    find_blocks(carriers, motion, rows, q, scratch);
+    for (const RowBlock& block : scratch.blocks) {
+      const Mat6& mobility = carriers.bodies[static_cast<std::size_t>(block.body)].mobility;
+      const BodyShare share = share_of(block, mobility, rows.laws[q]);
+      if (share.weight > 0) rows.on_bodies.values.push_back(share);
+    }
+    rows.on_bodies.close_row();
+  }
+}
+
+void start_bodies(const Carriers& carriers, std::span<const NodeMotion> motion, const RowMatrix& rows,
+                  Exchange& exchange, CarriedScratch& scratch) {
+  const std::size_t bodies = carriers.bodies.size();
+  scratch.largest.assign(bodies + 2, 0.0);
+  for (const BodyShare& share : rows.on_bodies.values) {
+    scratch.largest[static_cast<std::size_t>(share.body)] = 1;
+    keep_max(scratch.largest[bodies], share.weight);
+  }
+  for (const CarriedPoint& point : carriers.points)
+    keep_max(scratch.largest[bodies + 1], arm_of(point, carriers, motion).norm());
+  exchange.max(scratch.largest);
+  scratch.largest_weight = scratch.largest[bodies];
+  scratch.longest_arm = scratch.largest[bodies + 1];
+  scratch.active.clear();
+  scratch.slot.assign(bodies, 0);
+  for (std::size_t b = 0; b < bodies; ++b) {
+    scratch.slot[b] = static_cast<LocalIndex>(scratch.active.size());
+    if (scratch.largest[b] > 0) scratch.active.push_back(static_cast<LocalIndex>(b));
+  }
+  scratch.parts.assign(bodies, {});
+  scratch.row_sum.assign(bodies, 0.0);
+  scratch.answer.assign(bodies, {});
+}
+
+void sum_rows_on_bodies(const RowMatrix& rows, Exchange& exchange, CarriedScratch& scratch) {
+  const BinGrid grid = BinGrid::for_bound(scratch.largest_weight);
+  scratch.sums.assign(sums_of_weights * scratch.active.size(), 0);
+  const auto sums_of = [&](std::size_t body) {
+    return &scratch.sums[sums_of_weights * static_cast<std::size_t>(scratch.slot[body])];
+  };
+  for (std::size_t i = 0; i < scratch.share.size(); ++i) {
+    if (scratch.share[i] == 0) continue;
+    const auto body = static_cast<std::size_t>(rows.on_bodies.values[i].body);
+    BodyParts& parts = scratch.parts[body];
+    binned_add(grid, scratch.share[i], parts.slices.data());
+    if (++parts.terms == binned_terms) flush_weights(grid, parts, sums_of(body));
+  }
+  for (const LocalIndex body : scratch.active) {
+    const auto b = static_cast<std::size_t>(body);
+    flush_weights(grid, scratch.parts[b], sums_of(b));
+  }
+  exchange.sum(scratch.sums);
+  for (const LocalIndex body : scratch.active) {
+    const auto b = static_cast<std::size_t>(body);
+    const std::int64_t* sums = sums_of(b);
+    demand(sums[2] <= most_terms / static_cast<std::int64_t>(most_nodes_of_a_row),
+           "more rows on one rigid body than its sums can hold");
+    scratch.row_sum[b] = value_of(sums[0], sums[1], grid);
+  }
+}
+
+void add_answer_of_bodies(const Carriers& carriers, std::span<const NodeMotion> motion,
+                          std::span<const double> impulse_parts, double largest, Exchange& exchange,
+                          std::span<Vec3> velocity, CarriedScratch& scratch) {
+  // of a point that has as many rows as its own sum may have
+  const BinGrid bins = BinGrid::for_bound(largest * binned_terms),
+                moment_bins = BinGrid::for_bound(largest * binned_terms * scratch.longest_arm);
+  const ImpulseGrid grid(bins), moment_grid(moment_bins);
+  scratch.sums.assign(sums_of_answer * scratch.active.size(), 0);
+  const auto sums_of = [&](std::size_t body) {
+    return &scratch.sums[sums_of_answer * static_cast<std::size_t>(scratch.slot[body])];
+  };
+  for (const CarriedPoint& point : carriers.points) {
+    if (!point.owned) continue;
+    const Vec3 impulse = sum_of_parts(impulse_parts, static_cast<std::size_t>(point.point));
+    if (impulse.isZero(0)) continue;
+    const auto body = static_cast<std::size_t>(point.body);
+    BodyParts& parts = scratch.parts[body];
+    grid.add(impulse, parts.slices.data());
+    moment_grid.add(arm_of(point, carriers, motion).cross(impulse), &parts.slices[8]);
+    if (++parts.terms == binned_terms) flush(bins, moment_bins, parts, sums_of(body));
+  }
+  for (const LocalIndex body : scratch.active) {
+    const auto b = static_cast<std::size_t>(body);
+    flush(bins, moment_bins, scratch.parts[b], sums_of(b));
+  }
+  exchange.sum(scratch.sums);
+  for (const LocalIndex body : scratch.active) {
+    const auto b = static_cast<std::size_t>(body);
+    const std::int64_t* sums = sums_of(b);
+    BodyAnswer& answer = scratch.answer[b];
+    for (int k = 0; k < 3; ++k) {
+      answer.impulse[k] = value_of(sums[k], sums[3 + k], bins);
+      answer.impulse[3 + k] = value_of(sums[6 + k], sums[9 + k], moment_bins);
+    }
+    answer.change = carriers.bodies[b].mobility * answer.impulse;
+  }
+  for (const CarriedPoint& point : carriers.points) {
+    const Vec6& change = scratch.answer[static_cast<std::size_t>(point.body)].change;
+    velocity[static_cast<std::size_t>(point.point)] +=
+        change.head<3>() + change.tail<3>().cross(arm_of(point, carriers, motion));
+  }
+}
+
+}  // namespace brunt::contact

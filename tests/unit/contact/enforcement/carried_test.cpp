@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rigid bodies under the rows of their points: exact answers, conservation, and iterations that do not grow with the
+// number of points.
+#include "brunt/contact/enforcement/carried.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "boxes.hpp"
+
+using namespace brunt;
+using namespace brunt::contact;
+
+TEST_CASE("a box that falls flat on the floor stops, by 4, 100, 10000 points") {
+  const int n = GENERATE(2, 10, 100);
+  BoxProblem p;
+  p.add_box({.centre = {0.3, 0.2, 0.5}, .mass = 3, .velocity = {0.7, -0.2, -2}});
+  p.rest_on_floor(0, n);
+  const EnforcementResult result = p.solve_boxes({.tolerance = 1e-10});
+  CHECK((p.velocity_of(0) - Vec3(0.7, -0.2, 0)).norm() < 1e-9);
+  CHECK(p.spin_of(0).norm() < 1e-8);
+  CHECK((p.answer(0).impulse.head<3>() - Vec3(0, 0, 6)).norm() < 1e-8);
+  for (std::size_t q = 0; q < p.rows.size(); ++q) CHECK(p.rate(q) >= -1e-9);
+  CHECK(result.iterations <= 4);  // seen: 3
+}
+
+TEST_CASE("a box that spins comes down on the corner that the exact solution names") {
+  BoxProblem p;
+  p.add_box({.centre = {0, 0, 0.5}, .size = {1, 2, 1}, .mass = 2, .velocity = {0, 0, -1}, .spin = {0.4, -0.7, 0.2}});
+  p.rest_on_floor(0, 8);
+  BoxProblem exact = p;
+  exact.solve_boxes({.method = Method::reference});
+  p.solve_boxes({.tolerance = 1e-11, .max_iterations = 10000});
+  CHECK((p.answer(0).change - exact.answer(0).change).norm() < 1e-8);
+  CHECK(p.energy(true) < p.energy(false));
+}
+
+TEST_CASE("one point under a corner: the impulse of rigid-body mechanics in one iteration") {
+  BoxProblem p;
+  p.add_box({.centre = {0, 0, 0.5}, .mass = 2, .velocity = {0, 0, -1}});
+  p.add_row({{p.add_point(0, {0.5, 0.5, 0}), 1}}, Vec3::UnitZ());
+  const EnforcementResult result = p.solve_boxes({});
+  // 1/p = 1/m + (r x n) . I^-1 (r x n), I = m a^2 / 6
+  const double answer = 1 / 2.0 + 0.5 / (2 / 6.0);
+  CHECK(p.push(0) == Approx(1 / answer).epsilon(1e-14));
+  CHECK(result.iterations == 1);
+  CHECK(std::abs(p.rate(0)) < 1e-15);
+}
+
+TEST_CASE("boxes that meet in the air keep momentum and angular momentum to rounding, with friction and without") {
+  const double friction = GENERATE(0.0, 0.4);
+  BoxProblem p;
+  p.add_box({.centre = {0.1, 0, -0.5}, .mass = 3, .velocity = {0.2, 0, 1}, .spin = {0.3, 0.1, -0.4}});
+  p.add_box({.centre = {0.3, 0.2, 0.5}, .mass = 0.7, .velocity = {-0.5, 0.3, -1}, .spin = {-0.2, 0.5, 0.1}});
+  for (int i = 0; i < 12; ++i) {
+    const Vec3 place(0.2 + 0.15 * std::cos(i), 0.1 + 0.2 * std::sin(2 * i), 0);
+    p.add_row({{p.add_point(1, place), 1}, {p.add_point(0, place), -1}}, Vec3::UnitZ()).friction = friction;
+  }
+  p.solve_boxes({.tolerance = 1e-9, .max_iterations = 1000});
+  const Vec6 &one = p.answer(0).impulse, &other = p.answer(1).impulse;
+  CHECK(one.head<3>().norm() > 0.5);
+  CHECK((one.head<3>() + other.head<3>()).norm() <= 4e-16 * one.norm());
+  Vec3 spin = Vec3::Zero();
+  for (const LocalIndex b : {0, 1})
+    spin += p.answer(b).impulse.tail<3>() +
+            p.boxes[static_cast<std::size_t>(b)].centre.cross(Vec3(p.answer(b).impulse.head<3>()));
+  CHECK(spin.norm() <= 4e-16 * one.norm());
+  CHECK(p.energy(true) < p.energy(false));
+  for (std::size_t q = 0; q < p.rows.size(); ++q) CHECK(p.rate(q) >= -1e-6);
+}
+
+TEST_CASE("a box on deformable nodes and on another box: row sums bound the operator") {
+  BoxProblem p;
+  p.add_box({.centre = {0, 0, 0.5}, .mass = 5, .velocity = {0, 0, -1}});
+  p.add_box({.centre = {0, 0, 1.5}, .mass = 0.5, .velocity = {0, 0, -2}});
+  for (const LocalIndex point : p.add_side(0, 5, -1)) {
+    const LocalIndex node = p.add_node(0.05, {0, 0, 0});
+    p.add_row({{node, 1}, {point, -1}}, -Vec3::UnitZ()).friction = 0.3;
+  }
+  p.rest_on_box(1, 0, 4);
+  const EnforcementResult result = p.solve_boxes({.tolerance = 1e-8, .max_iterations = 5000});
+  CHECK(result.residual <= 1e-8);
+  const std::vector<double> diagonal = p.scratch.diagonal;
+  OneRankExchange exchange;
+  const System system{p.matrix, p.motion, p.mobility, false, 1, p.carriers()};
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> part(-1, 1);
+  for (int trial = 0; trial < 50; ++trial) {
+    double bound = 0, work = 0;
+    for (Vec3& impulse : p.impulses) impulse = Vec3(part(random), part(random), trial == 0 ? 1 : part(random));
+    for (std::size_t q = 0; q < p.rows.size(); ++q) {
+      if (p.rows[q].friction == 0) p.impulses[q] = p.impulses[q].z() * Vec3::UnitZ();
+      bound += diagonal[q] * p.impulses[q].squaredNorm();
+    }
+    velocities_of_impulses(system, p.impulses, 2, exchange, p.velocity, p.scratch);
+    for (std::size_t q = 0; q < p.rows.size(); ++q) work += p.impulses[q].dot(relative_velocity(p.rows[q], p.velocity));
+    CHECK(work > 0);
+    CHECK(work <= bound);
+  }
+}
+
+TEST_CASE("held freedoms of a body: rows along them are left out, others act") {
+  BoxProblem p;
+  p.add_box({.centre = {0, 0, 0.5}, .mass = 2, .velocity = {-1, 0, -1}});
+  for (const int held : {2, 3, 4, 5}) {
+    p.bodies[0].mobility.row(held).setZero();
+    p.bodies[0].mobility.col(held).setZero();
+  }
+  p.rest_on_floor(0, 3);
+  p.add_row({{p.add_point(0, {-0.5, 0.2, 0.4}), 1}}, Vec3::UnitX());
+  const EnforcementResult result = p.solve_boxes({});
+  CHECK((p.answer(0).impulse.head<3>() - Vec3(2, 0, 0)).norm() < 1e-15);
+  CHECK((p.velocity_of(0) - Vec3(0, 0, -1)).norm() < 1e-15);
+  CHECK(result.violation == 1);  // of the row that can act
+}
+
+TEST_CASE("few points beside many on one body: no more iterations without friction") {
+  for (const int n : {2, 10, 100}) {
+    BoxProblem p;
+    p.add_box({.centre = {0, 0, 0.5}, .velocity = {0.5, 0, -1}});
+    p.add_box({.centre = {0, 0, 1.5}, .velocity = {-0.5, 0.2, -1}});
+    p.rest_on_floor(0, n);
+    p.rest_on_box(1, 0, 2);
+    const EnforcementResult result = p.solve_boxes({});
+    CHECK(result.iterations <= 10);  // seen: 6
+    CHECK(result.residual <= 1e-3);
+  }
+}
+
+TEST_CASE("a stack of boxes that falls flat: iterations grow with its height, not with the points") {
+  const auto [boxes, most] = GENERATE(std::pair(1, 4), std::pair(10, 60), std::pair(100, 1000));
+  for (const int n : {2, 10}) {
+    BoxProblem p;
+    for (int b = 0; b < boxes; ++b) {
+      p.add_box({.centre = {0, 0, 0.5 + b}, .velocity = {0, 0, -1e-3}});
+      if (b == 0)
+        p.rest_on_floor(0, n);
+      else
+        p.rest_on_box(b, b - 1, n);
+    }
+    const EnforcementResult result = p.solve_boxes({.max_iterations = 2000});
+    CAPTURE(boxes, n);
+    CHECK(result.iterations <= most);  // seen: 3; 40, 32; 640, 345
+    CHECK(result.residual <= 1e-3);
+  }
+}
