@@ -3,30 +3,9 @@
 // few steps, an edge where it ends outside - is left to closest_point itself; which lanes those are, and what the
 // others give, is a function of the lane alone.
 #pragma once
-#include "brunt/core/simd.hpp"
+#include "brunt/geometry/vec_of.hpp"
 
 namespace brunt::geometry {
-
-/// Eight vectors.
-struct PackVec {
-  Pack x, y, z;
-};
-
-BRUNT_INLINE PackVec operator+(const PackVec& a, const PackVec& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-BRUNT_INLINE PackVec operator-(const PackVec& a, const PackVec& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-BRUNT_INLINE PackVec operator*(Pack s, const PackVec& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-BRUNT_INLINE Pack dot(const PackVec& a, const PackVec& b) {
-  return a.x * b.x + (a.y * b.y + a.z * b.z);
-}
-BRUNT_INLINE PackVec cross(const PackVec& a, const PackVec& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// Eight quadrilaterals, counter-clockwise seen from outside.
 struct PackQuad {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "brunt/geometry/first_contact.hpp"
+#include "standing.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -15,13 +16,13 @@ const NodeMotion& corner_of(const FacesInMotion& scene, const MasterFace& face, 
   return scene.motion[static_cast<std::size_t>(face.nodes[i])];
 }
 
-/// How far node and face point move apart within the step.
-Vec3 relative_motion(const FacesInMotion& scene, const NodeMotion& slave, const MasterFace& face,
-                     const std::array<double, 4>& weights) {
+/// The node's predicted velocity against the face point's.
+Vec3 relative_velocity(const FacesInMotion& scene, const NodeMotion& slave, const MasterFace& face,
+                       const std::array<double, 4>& weights) {
   Vec3 relative = slave.predicted;
   for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i)
     relative -= weights[i] * corner_of(scene, face, i).predicted;
-  return scene.dt * relative;
+  return relative;
 }
 
 /// Corners of the face that the region consists of; the second is the first for a vertex.
@@ -51,8 +52,8 @@ void join_hit(const FacesInMotion& scene, const EncounterSettings& settings, con
   for (const Encounter& hit : encounters) {
     if (hit.meeting != Meeting::hit || hit.face == met.face) continue;
     if ((hit.point - met.point).norm() > settings.rim * std::min(hit.size, met.size)) continue;
-    const double approach =
-        -met.normal.dot(relative_motion(scene, slave, scene.faces[static_cast<std::size_t>(met.face)], met.weights));
+    const double approach = -met.normal.dot(
+        scene.dt * relative_velocity(scene, slave, scene.faces[static_cast<std::size_t>(met.face)], met.weights));
     if (!(approach > 0)) continue;
     met.meeting = Meeting::hit;
     met.time = hit.time;
@@ -146,7 +147,7 @@ void find_hit(const FacesInMotion& scene, const NodeMotion& slave, Encounter& me
   auto hit = geometry::first_contact(point, moving);
   if (!hit) return;
   if (met.approach.side < 0) std::reverse(hit->weights.begin(), hit->weights.begin() + face.corner_count);
-  const double approach = -hit->normal.dot(relative_motion(scene, slave, face, hit->weights));
+  const double approach = -hit->normal.dot(scene.dt * relative_velocity(scene, slave, face, hit->weights));
   if (!(approach > 0)) return;
   met.meeting = Meeting::hit;
   met.time = hit->tau;
@@ -168,22 +169,14 @@ Encounter encounter(const FacesInMotion& scene, const EncounterSettings& setting
   const auto closest = geometry::closest_point(slave.position, corners);
   if (!closest) return met;
 
-  const Vec3 offset = slave.position - closest->point;
   met.region = closest->region;
   met.point = closest->point;
   met.weights = closest->weights;
   met.normal = approach.side * geometry::face_normal(corners, closest->xi, closest->eta);
-  const double over_middle = offset.dot(met.normal);
-  met.height = met.gap = over_middle - approach.clearance;
-  met.beside = (offset - over_middle * met.normal).norm();
-  const bool over = met.region == Region::face;
-  if (met.height <= 0) {
-    const double deepest = settings.deepest(met.size, face.depth);
-    if (-over_middle <= deepest && met.beside <= deepest) met.meeting = Meeting::inside;
-    return met;
-  }
-  if (over || met.beside <= settings.rim * met.size) met.meeting = Meeting::above;
-  met.slow = relative_motion(scene, slave, face, met.weights).norm() <= settings.slow * met.size;
+  const Vec3 relative = relative_velocity(scene, slave, face, met.weights);
+  classify(stand(geometry::vec_of(slave.position), geometry::vec_of(met.point), geometry::vec_of(met.normal),
+                 geometry::vec_of(relative), scene.dt),
+           settings, face.depth, met);
   return met;
 }
 

@@ -7,6 +7,7 @@
 #include "brunt/contact/detection/encounter.hpp"
 #include "brunt/geometry/closest_place.hpp"
 #include "motion_quads.hpp"
+#include "standing.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -20,7 +21,7 @@ constexpr std::size_t lanes = pack_width;
 struct Batch {
   const NodeMotion* slave[lanes];
   const NodeMotion* corner[4][lanes];
-  Pack side, clearance, dt;
+  Pack side, dt;
 };
 
 /// motion(lane) points to a NodeMotion.
@@ -40,7 +41,7 @@ BRUNT_INLINE PackVec predictions(const MotionOfLane& motion) {
 
 /// What `encounter` finds, lane by lane.
 struct Result {
-  alignas(64) double height[lanes], over_middle[lanes], beside[lanes], moved[lanes], edge[lanes], along[lanes];
+  alignas(64) double over_middle[lanes], beside[lanes], moved[lanes], edge[lanes], along[lanes];
   alignas(64) double normal[3][lanes], point[3][lanes], weights[4][lanes];
   alignas(64) std::int64_t known[lanes], on_face[lanes];
 };
@@ -70,17 +71,14 @@ void measure(const Batch& batch, Result& result) {
   const PackMask upright = length2 > 1e-24 * scale * scale;  // else the face is folded here
   const PackVec normal = (batch.side / pack_sqrt(length2)) * across;
 
-  const PackVec offset = x - point;
-  const Pack over_middle = geometry::dot(offset, normal);
-  const PackVec aside = offset - over_middle * normal;
   PackVec relative = predictions(slave);
   for (int i = 0; i < 4; ++i)
     relative = relative - weights.of[i] * predictions([&](int lane) { return batch.corner[i][lane]; });
 
-  keep(over_middle, result.over_middle);
-  keep(over_middle - batch.clearance, result.height);
-  keep(pack_sqrt(geometry::dot(aside, aside)), result.beside);
-  keep(batch.dt * pack_sqrt(geometry::dot(relative, relative)), result.moved);
+  const Standing<Pack> at = stand(x, point, normal, relative, batch.dt);
+  keep(at.over_middle, result.over_middle);
+  keep(at.beside, result.beside);
+  keep(at.moved, result.moved);
   keep(place.edge, result.edge);
   keep(place.along, result.along);
   keep(normal, result.normal);
@@ -99,23 +97,15 @@ Region region_at(const Result& from, std::size_t lane) {
   return static_cast<Region>(static_cast<int>(Region::edge0) + edge);
 }
 
-void judge(const Result& from, std::size_t lane, const MasterFace& face, const EncounterSettings& settings,
-           Encounter& met) {
+void take(const Result& from, std::size_t lane, const MasterFace& face, const EncounterSettings& settings,
+          Encounter& met) {
   met.region = region_at(from, lane);
-  met.height = met.gap = from.height[lane];
-  met.beside = from.beside[lane];
   for (int c = 0; c < 3; ++c) {
     met.normal[c] = from.normal[c][lane];
     met.point[c] = from.point[c][lane];
   }
   for (std::size_t i = 0; i < 4; ++i) met.weights[i] = from.weights[i][lane];
-  if (met.height <= 0) {
-    const double deepest = settings.deepest(met.size, face.depth);
-    if (-from.over_middle[lane] <= deepest && met.beside <= deepest) met.meeting = Meeting::inside;
-    return;
-  }
-  if (met.region == Region::face || met.beside <= settings.rim * met.size) met.meeting = Meeting::above;
-  met.slow = from.moved[lane] <= settings.slow * met.size;
+  classify({from.over_middle[lane], from.beside[lane], from.moved[lane]}, settings, face.depth, met);
 }
 
 }  // namespace
@@ -132,7 +122,6 @@ void encounter_all(const FacesInMotion& scene, const EncounterSettings& settings
       const MasterFace& face = scene.faces[static_cast<std::size_t>(met[k].face)];
       batch.slave[lane] = slave[k];
       batch.side[lane] = met[k].approach.side;
-      batch.clearance[lane] = met[k].approach.clearance;
       for (std::size_t i = 0; i < 4; ++i)  // a triangle has no fourth corner; any will do, it is not used
         batch.corner[i][lane] = &scene.motion[static_cast<std::size_t>(face.nodes[i])];
     }
@@ -145,7 +134,7 @@ void encounter_all(const FacesInMotion& scene, const EncounterSettings& settings
         continue;
       }
       e.size = scene.reach[static_cast<std::size_t>(e.face)].size;
-      judge(result, lane, face, settings, e);
+      take(result, lane, face, settings, e);
     }
   }
 }

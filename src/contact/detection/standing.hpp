@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one classifier of encounters: how a node stands to the closest point of a face, of one pair or of a pack of
+// them, and what meeting that is.
+#pragma once
+#include "brunt/contact/detection/encounter.hpp"
+#include "brunt/geometry/vec_of.hpp"
+
+namespace brunt::contact {
+
+/// T: double, or Pack for a pair a lane.
+template <class T>
+struct Standing {
+  T over_middle;  ///< height over the plane at the closest point [length]
+  T beside;       ///< distance of the node's foot on that plane from the point [length]
+  T moved;        ///< way of the node against the point within the step [length]
+};
+
+/// normal: unit, on the node's side; relative: the node's predicted velocity against the point's.
+template <class T>
+BRUNT_INLINE Standing<T> stand(const geometry::VecOf<T>& node, const geometry::VecOf<T>& point,
+                               const geometry::VecOf<T>& normal, const geometry::VecOf<T>& relative, T dt) {
+  const geometry::VecOf<T> offset = node - point;
+  const T over_middle = dot(offset, normal);
+  return {over_middle, norm(offset - over_middle * normal), dt * norm(relative)};
+}
+
+/// Fills height, gap, beside, slow and meeting of an encounter with known region, size and clearance; depth: of the
+/// face.
+inline void classify(const Standing<double>& at, const EncounterSettings& settings, double depth, Encounter& met) {
+  met.height = met.gap = at.over_middle - met.approach.clearance;
+  met.beside = at.beside;
+  if (met.height <= 0) {
+    const double deepest = settings.deepest(met.size, depth);
+    if (-at.over_middle <= deepest && met.beside <= deepest) met.meeting = Meeting::inside;
+    return;
+  }
+  const bool over = met.region == geometry::Region::face;
+  if (over || met.beside <= settings.rim * met.size) met.meeting = Meeting::above;
+  met.slow = at.moved <= settings.slow * met.size;
+}
+
+}  // namespace brunt::contact
