@@ -28,12 +28,12 @@ std::string describe(const scene::Input& input, const std::string& slave, const 
 std::vector<std::string> warn_of_coarse_slaves(const scene::Input& input, const mesh::CanonicalMesh& whole) {
   std::vector<std::string> warnings;
   const setup::StartRules rules = start_rules(input, whole.mesh);
-  if (!rules.pairs.forces_a_side()) return warnings;
+  if (!rules.contact.pairs.forces_a_side()) return warnings;
   const std::vector<std::string> part = block_materials(input, whole.mesh).part;
-  const model::ContactRule rule = scene::contact_rule(input, part);
   const FirstMotion motion = first_motion(input, whole);
   for (const setup::CoarseSlave& pair : setup::coarse_slaves(whole.mesh, rules, motion.velocity, motion.duration)) {
-    const bool tied = !rule.tied.empty() && rule.tied[pair.slave * part.size() + pair.master] == contact::Tied::yes;
+    const auto slave = static_cast<std::int32_t>(pair.slave), master = static_cast<std::int32_t>(pair.master);
+    const bool tied = rules.contact.pairs.at(slave, master).tied == contact::Tied::yes;
     warnings.push_back(describe(input, part[pair.slave], part[pair.master], pair.coarse, pair.fine, tied));
   }
   return warnings;

@@ -30,14 +30,19 @@ void track_pairs(Prepared& run, contact::ContactSettings& settings) {
 /// How many nodes each tied pair has, among the notes of the start; none at all is a fault of the scene.
 void tell_ties(Prepared& run) {
   const auto [nodes, beside] = contact::tied_nodes(*run.contact);
-  const std::size_t n = run.model.blocks.size();
+  const contact::PairTable& pairs = run.model.contact.pairs;
+  const auto n = static_cast<std::int32_t>(run.model.blocks.size());
   if (nodes.empty()) return;
   std::vector<std::string> faults;
-  for (std::size_t a = 0; a < n; ++a)
-    for (std::size_t b = a; b < n; ++b) {
-      if (run.model.contact.tied[a * n + b] == contact::Tied::no) continue;
-      const std::string &one = run.model.blocks[a].part, &other = run.model.blocks[b].part;
-      const GlobalIndex there = nodes[a * n + b], back = a == b ? 0 : nodes[b * n + a];
+  const auto part_of = [&](std::int32_t block) -> const std::string& {
+    return run.model.blocks[static_cast<std::size_t>(block)].part;
+  };
+  for (std::int32_t a = 0; a < n; ++a)
+    for (std::int32_t b = a; b < n; ++b) {
+      if (pairs.at(a, b).tied == contact::Tied::no) continue;
+      const std::string &one = part_of(a), &other = part_of(b);
+      const std::size_t ab = pairs.place(a, b), ba = pairs.place(b, a);
+      const GlobalIndex there = nodes[ab], back = a == b ? 0 : nodes[ba];
       if (there + back == 0)
         faults.push_back(fmt::format(
             "{}: {} and {} are tied, but no node of the slave is near a face of the other; accepted: parts that "
@@ -49,8 +54,8 @@ void tell_ties(Prepared& run) {
         if (left > 0) line += fmt::format("; {} near it are not, since they lie beside its faces", left);
         run.overlaps.report.notes.push_back(std::move(line));
       };
-      tell(there, beside[a * n + b], one, other);
-      if (a != b) tell(back, beside[b * n + a], other, one);
+      tell(there, beside[ab], one, other);
+      if (a != b) tell(back, beside[ba], other, one);
     }
   if (!faults.empty()) throw InputError(std::move(faults));
 }
@@ -69,45 +74,26 @@ void for_each_sum(contact::ContactSums& sums, Visit&& visit) {
 
 }  // namespace
 
-contact::PairTable pair_table(const model::ContactRule& rule, std::size_t n) {
-  const auto blocks = static_cast<std::int32_t>(n);
-  contact::PairTable table(blocks, contact::PairRule::apart);
-  for (std::int32_t a = 0; a < blocks; ++a)
-    for (std::int32_t b = a; b < blocks; ++b) {
-      const std::size_t pair = static_cast<std::size_t>(a) * n + static_cast<std::size_t>(b);
-      if (!rule.active[pair]) continue;
-      if (!rule.passes.empty()) table.set_passes(a, b, rule.passes[pair]);
-      const std::int8_t forced = rule.forced_slave[pair];
-      table.set(a, b,
-                forced > 0   ? contact::PairRule::slave
-                : forced < 0 ? contact::PairRule::master
-                             : contact::PairRule::automatic);
-    }
-  table.hold_rims(contact::holds_rates(rule.enforcement.method) && !table.averages());
-  return table;
-}
-
 double speed_of_sound(const model::ElementBlock& block) {
   const material::ElasticModuli moduli = material::initial_moduli(block.law);
   return std::sqrt((moduli.lambda + 2 * moduli.mu) / moduli.density);
 }
 
+contact::BlockProperties block_properties(const model::Model& model) {
+  contact::BlockProperties blocks;
+  for (const model::ElementBlock& block : model.blocks) {
+    blocks.sound.push_back(speed_of_sound(block));
+    blocks.impedance.push_back(blocks.sound.back() * material::initial_moduli(block.law).density);
+  }
+  return blocks;
+}
+
 void make_contact(Prepared& run) {
   const model::Model& model = run.model;
-  if (!model.contact.any && model.walls.empty()) return;
+  if (!model.contact.pairs.any_acts() && model.walls.empty()) return;
   contact::ContactSettings settings;
-  settings.bodies = model.contact.any;
-  settings.pairs = pair_table(model.contact, model.blocks.size());
-  settings.detection.choice.criterion = static_cast<contact::Criterion>(model.contact.competing);
-  settings.enforcement = model.contact.enforcement;
-  settings.friction = model.contact.friction;
-  settings.tied = model.contact.tied;
-  for (const model::ElementBlock& block : model.blocks) {
-    settings.sound.push_back(speed_of_sound(block));
-    settings.impedance.push_back(settings.sound.back() * material::initial_moduli(block.law).density);
-  }
-  if (model.contact.rebuild_every > 0) settings.rebuild = {contact::Rebuild::When::every, model.contact.rebuild_every};
-  if (model.contact.rebuild_every < 0) settings.rebuild.when = contact::Rebuild::When::random;
+  settings.specification = model.contact;
+  settings.blocks = block_properties(model);
   settings.detection.accepted = run.overlaps.accepted;
   settings.detection.recovery_gives = run.overlaps.recovered;
   track_pairs(run, settings);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact of a prepared run: from the model's rules to the contact room, and its sums to and from checkpoints.
+// Contact of a prepared run: from the model's specification to the contact room, and its sums to and from checkpoints.
 #pragma once
 #include <vector>
 
@@ -11,8 +11,8 @@ namespace brunt::app {
 /// Of dilatational waves in the block's material as it is at the start [velocity].
 double speed_of_sound(const model::ElementBlock& block);
 
-/// The rules for pairs of blocks as the contact room reads them.
-contact::PairTable pair_table(const model::ContactRule& rule, std::size_t blocks);
+/// What contact is told of the materials of blocks.
+contact::BlockProperties block_properties(const model::Model& model);
 
 /// Makes Prepared::contact where the scene has contact or walls. Collective.
 void make_contact(Prepared& run);

@@ -7,7 +7,6 @@
 
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/select.hpp"
-#include "contact_setup.hpp"
 
 namespace brunt::app {
 
@@ -26,7 +25,7 @@ setup::StartRules start_rules(const scene::Input& input, const mesh::Mesh& mesh)
   setup::StartRules rules;
   for (const std::string& a : blocks.part)
     for (const std::string& b : blocks.part) rules.overlap.push_back(scene::overlap_rule(input, a, b));
-  rules.pairs = pair_table(scene::contact_rule(input, blocks.part), blocks.part.size());
+  rules.contact = scene::contact_specification(input, blocks.part);
   rules.density = std::move(blocks.density);
   for (std::size_t k = 0; k < input.symmetry.size(); ++k)
     rules.symmetric.push_back(mesh.node_sets.at(scene::selection_name("symmetry", k)));

@@ -23,13 +23,13 @@ partition::Weights weigh(const scene::Input& input, const mesh::CanonicalMesh& w
   std::vector<double> cost;
   for (const std::size_t p : scene::parts_of_blocks(input, whole.mesh))
     cost.push_back(scene::is_rigid(input, input.parts[p]) ? rigid_cost : cost_of(input.parts[p].element));
-  if (!scene::contact_rule(input, block_materials(input, whole.mesh).part).any)
+  if (!scene::contact_specification(input, block_materials(input, whole.mesh).part).pairs.any_acts())
     return partition::weigh(whole.mesh, {}, cost);
   const setup::StartRules rules = start_rules(input, whole.mesh);
   const FirstMotion motion = first_motion(input, whole);
   return partition::weigh(whole.mesh,
                           setup::likely_slaves(whole.mesh, setup::contact_faces(whole.mesh, rules.symmetric),
-                                               rules.pairs, {rules.density, motion.velocity, motion.duration}),
+                                               rules.contact, {rules.density, motion.velocity, motion.duration}),
                           cost);
 }
 

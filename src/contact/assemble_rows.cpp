@@ -15,12 +15,8 @@ namespace {
 /// A node that belongs to several blocks has the roughest one's friction.
 FrictionLaw friction_of(const Contact& contact, const Row& row, std::span<const Wall> walls) {
   if (row.is_wall()) return walls[static_cast<std::size_t>(-1 - row.master_key)].friction;
-  const ContactSettings& settings = contact.settings;
-  if (settings.friction.empty()) return {};
-  const std::size_t blocks = settings.pairs.block_count();
-  const auto law_of = [&](std::int32_t slave) {
-    return settings.friction[static_cast<std::size_t>(slave) * blocks + static_cast<std::size_t>(row.master_block)];
-  };
+  const PairTable& pairs = contact.settings.specification.pairs;
+  const auto law_of = [&](std::int32_t slave) { return pairs.at(slave, row.master_block).friction; };
   if (row.is_edge()) return law_of(row.slave_block);
   FrictionLaw roughest;
   for (const std::int32_t block : blocks_of_slave(contact, row))
@@ -41,8 +37,8 @@ void assign_passes(const Contact& contact, double dt, std::span<Row> rows) {
   const double softness = remembers_impulses ? derived.enforcement.softness : 0.0;
   for (Row& row : rows) {
     if (row.is_wall() || row.is_edge() || row.cone != Cone::compression) continue;  // ties hold in both
-    row.pass =
-        pass_of(row, contact.surface.node(surface_slave(contact, row)), contact.settings.pairs, contact.surface.bodies);
+    row.pass = pass_of(row, contact.surface.node(surface_slave(contact, row)), contact.settings.specification,
+                       contact.surface.bodies);
     if (row.pass == Pass::first && row.slave_body != row.master_body &&
         has_twin(row, contact.step.nodes.motion, derived.detection))
       row.pass = Pass::both;
@@ -74,7 +70,7 @@ void assign_friction(const Contact& contact, const StepInput& input, std::span<R
 void assign_slabs(const Contact& contact, std::span<Row> rows) {
   for (Row& row : rows) {
     if (row.is_wall() || row.is_edge()) continue;
-    const std::vector<double>& impedance = contact.settings.impedance;
+    const std::vector<double>& impedance = contact.settings.blocks.impedance;
     const double one = impedance[static_cast<std::size_t>(blocks_of_slave(contact, row).front())],
                  two = impedance[static_cast<std::size_t>(row.master_block)];
     row.slab = one * two / (one + two) * area_of_slave(contact, row);

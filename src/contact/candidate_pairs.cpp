@@ -59,7 +59,7 @@ bool is_neighbour(const Surface& surface, LocalIndex node, const TravellingFace&
 
 bool is_permitted(const ListBuild& build, LocalIndex node, const TravellingFace& face) {
   const SurfaceNode slave = build.surface.node(node);
-  return may_meet(build.pairs, build.surface.bodies, slave, face.block, face.body) &&
+  return may_meet(build.specification, build.surface.bodies, slave, face.block, face.body) &&
          (slave.body != face.body || !is_neighbour(build.surface, node, face));
 }
 

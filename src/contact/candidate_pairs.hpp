@@ -16,7 +16,7 @@ namespace brunt::contact {
 struct ListBuild {
   const comm::Communicator& ranks;
   const Surface& surface;
-  const PairTable& pairs;
+  const Specification& specification;
   const Roles& roles;
   std::span<const Vec3> positions;  ///< of this rank's surface nodes
   const ListSettings& settings;

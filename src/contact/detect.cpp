@@ -51,7 +51,7 @@ void find_rows(Contact& contact, std::span<const Wall> walls, double dt) {
   detect_faces(lists.candidates, lists.faces, lists.nodes.gid, step.nodes.motion, step.facet_area, dt, settings,
                contact.history.pairs, step.scratch.detection, step.rows);
   if (lists.any_edges) detect_crossing_edges(settings, dt, lists, step);
-  if (!contact.settings.tied.empty()) drop_tied_rows(contact, step.rows);
+  if (contact.derived.tied) drop_tied_rows(contact, step.rows);
   detect_walls(lists.wall_candidates, walls, lists.nodes.gid, step.nodes.motion, dt, settings, step.rows);
   double& penetration = contact.ledger.sums.penetration;
   for (const Row& row : step.rows) penetration = std::max(penetration, -row.gap);

@@ -60,9 +60,9 @@ BodyBoxes boxes_of_bodies(const ListBuild& build) {
 }
 
 /// This rank's edges but for flat ones that no rim of another body can be near: most are far from all. Where rims are
-/// not held (see PairTable::hold_rims) nothing meets flat ones. Collective.
+/// not held (see holds_rims) nothing meets flat ones. Collective.
 std::vector<LocalIndex> edges_to_search(const ListBuild& build) {
-  const BodyBoxes boxes = build.pairs.holds_rims() ? boxes_of_bodies(build) : BodyBoxes{};
+  const BodyBoxes boxes = holds_rims(build.specification) ? boxes_of_bodies(build) : BodyBoxes{};
   std::vector<std::vector<LocalIndex>> near(build.surface.bodies.size());
   for_each_overlap(boxes.edges, boxes.rims, build.scratch.bodies, [&](LocalIndex one, LocalIndex other) {
     const LocalIndex body = boxes.with_edges[static_cast<std::size_t>(one)];
@@ -124,7 +124,7 @@ bool holds_rims(const ListBuild& build, const SurfaceEdge& slave, const Travelli
   const std::array own{slave.block}, other{master.block};
   const auto rim_may_meet = [&](std::span<const std::int32_t> blocks, std::int32_t body, std::int32_t face_block,
                                 std::int32_t face_body) {
-    return may_meet(build.pairs, build.surface.bodies, {blocks, body, true}, face_block, face_body);
+    return may_meet(build.specification, build.surface.bodies, {blocks, body, true}, face_block, face_body);
   };
   return rim_may_meet(own, slave.body, master.block, master.body) &&
          rim_may_meet(other, master.body, slave.block, slave.body);
@@ -134,7 +134,7 @@ bool holds_rims(const ListBuild& build, const SurfaceEdge& slave, const Travelli
 /// body meet where their elements do not touch, the lower as slave.
 bool is_permitted(const ListBuild& build, const SurfaceEdge& slave, const TravellingEdge& master) {
   const std::array block{slave.block};
-  if (!leads(build.pairs, build.surface.bodies, {block, slave.body}, master.block, master.body)) return false;
+  if (!leads(build.specification, build.surface.bodies, {block, slave.body}, master.block, master.body)) return false;
   const bool flat = slave.kind == EdgeKind::flat || master.kind == EdgeKind::flat;
   if (slave.body != master.body) return !flat || holds_rims(build, slave, master);
   const std::array gid{build.surface.gid[static_cast<std::size_t>(slave.nodes[0])],

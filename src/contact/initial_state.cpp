@@ -80,7 +80,7 @@ void keep_overlaps(Contact& contact, const std::vector<Vec3>& reference, std::sp
 }
 
 void make_ties(Contact& contact, const std::vector<Vec3>& reference, std::span<const Wall> walls) {
-  if (contact.settings.tied.empty()) return;
+  if (!contact.derived.tied) return;
   gather_start(contact, reference, walls);
   contact.tied = find_tied_parts(contact);
   forget_start(contact);

@@ -156,8 +156,8 @@ void fill_second(const ListBuild& build, const FacePairs& found, Candidates& can
     const SurfaceNode node = build.surface.node(pair.slave);
     const TravellingFace& face = found.masters[static_cast<std::size_t>(pair.master)];
     const bool second = node.body != face.body &&
-                        !leads(build.pairs, build.surface.bodies, node, face.block, face.body) &&
-                        meet_in_two_passes(build.pairs, build.surface.bodies, node, face.block, face.body);
+                        !leads(build.specification, build.surface.bodies, node, face.block, face.body) &&
+                        meet_in_two_passes(build.specification, build.surface.bodies, node, face.block, face.body);
     candidates.second.push_back(second ? 1 : 0);
   }
 }
@@ -269,10 +269,10 @@ std::vector<NeededNode> needed_nodes(const ListBuild& build, const FacePairs& fa
 
 }  // namespace
 
-ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface, const PairTable& pairs,
+ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface, const Specification& specification,
                          const Roles& roles, std::span<const Vec3> positions, std::span<const Wall> walls,
                          std::span<const char> held, const ListSettings& settings, ListScratch& scratch) {
-  const ListBuild build{ranks, surface, pairs, roles, positions, settings, scratch};
+  const ListBuild build{ranks, surface, specification, roles, positions, settings, scratch};
   ContactLists lists;
   FacePairs faces;
   EdgePairs edges;

@@ -26,31 +26,35 @@ std::vector<double> sound_of(std::span<const BodyFigures> bodies, std::span<cons
 DetectionSettings derived_detection(const ContactSettings& settings, const Surface& surface) {
   DetectionSettings detection = settings.detection;
   detection.wall_size = surface.mean_edge;
-  detection.sound = sound_of(surface.bodies, settings.sound);
+  detection.choice.criterion = settings.specification.criterion;
+  detection.sound = sound_of(surface.bodies, settings.blocks.sound);
   detection.twin = twin_share * surface.mean_depth;
   return detection;
 }
 
 /// Walls alone are solved at once, other methods start from nothing: no history is kept for them.
-EnforcementSettings derived_enforcement(const ContactSettings& settings) {
-  EnforcementSettings enforcement = settings.enforcement;
+EnforcementSettings derived_enforcement(const Specification& specification) {
+  EnforcementSettings enforcement = specification.enforcement;
   const Method method = enforcement.method;
   enforcement.warm_start =
-      enforcement.warm_start && settings.bodies && (method == Method::rate || method == Method::row_sum);
-  enforcement.averaged = settings.pairs.averages();
+      enforcement.warm_start && specification.pairs.any_acts() && (method == Method::rate || method == Method::row_sum);
+  enforcement.averaged = specification.pairs.averages();
   return enforcement;
 }
 
 /// Collective.
 DerivedSettings derive(const ContactSettings& settings, const Surface& surface, std::span<const Mobility> mobility,
                        std::span<const Wall> walls, const comm::Communicator& ranks) {
+  const Specification& specification = settings.specification;
   DerivedSettings derived{.detection = derived_detection(settings, surface),
-                          .enforcement = derived_enforcement(settings),
-                          .roles = roles_of(surface.bodies, settings.pairs)};
-  derived.friction = std::ranges::any_of(settings.friction, &FrictionLaw::any) ||
+                          .enforcement = derived_enforcement(specification),
+                          .roles = roles_of(surface.bodies, specification)};
+  derived.bodies = specification.pairs.any_acts();
+  derived.tied = specification.pairs.any_tied();
+  derived.friction = specification.pairs.any_friction() ||
                      std::ranges::any_of(walls, [](const Wall& wall) { return wall.friction.any(); });
-  derived.two_passes = settings.bodies && any_two_passes(settings.pairs, surface.bodies);
-  derived.sheets = std::ranges::any_of(settings.thickness, [](double thickness) { return thickness > 0; });
+  derived.two_passes = derived.bodies && any_two_passes(specification, surface.bodies);
+  derived.sheets = std::ranges::any_of(settings.blocks.thickness, [](double thickness) { return thickness > 0; });
   derived.may_be_driven =
       ranks.any(std::ranges::any_of(mobility, [](const Mobility& node) { return !node.is_free(); }));
   derived.remembers = derived.enforcement.warm_start || derived.friction || derived.sheets;

@@ -39,7 +39,7 @@ bool motion_is_used_up(Contact& contact, const StepInput& input, const VelocityS
 /// For reasons other than motion.
 bool must_rebuild(const Contact& contact) {
   if (!contact.list_state.exist) return true;
-  const Rebuild& rebuild = contact.settings.rebuild;
+  const Rebuild& rebuild = contact.settings.specification.rebuild;
   const auto step = static_cast<std::uint64_t>(contact.ledger.statistics.steps);
   switch (rebuild.when) {
     case Rebuild::When::every:
@@ -76,10 +76,10 @@ ContactLists lists_of(Contact& contact, std::span<const Wall> walls) {
   const ListSettings reach{.encounter = encounter,
                            .wall_capture = encounter.capture * derived.detection.wall_size,
                            .motion = state.motion_allowed,
-                           .faces = contact.settings.bodies,
+                           .faces = derived.bodies,
                            .two_passes = derived.two_passes,
-                           .thickness = contact.settings.thickness};
-  return build_lists(contact.ranks, contact.surface, contact.settings.pairs, derived.roles,
+                           .thickness = contact.settings.blocks.thickness};
+  return build_lists(contact.ranks, contact.surface, contact.settings.specification, derived.roles,
                      state.motion.starts().first(contact.surface.gid.size()), walls, contact.surface_nodes.held, reach,
                      state.scratch);
 }
@@ -151,9 +151,8 @@ void rebuild(Contact& contact, const StepInput& input) {
   step.own_area.assign(surface.faces.size(), Vec3::Zero());
   step.facet_area.assign(static_cast<std::size_t>(lists.facet_count), Vec3::Zero());
   reserve_rows(derived, lists, contact.tied.ties.size(), step, contact.history);
-  const bool any_tied = !contact.settings.tied.empty();
-  if (derived.friction || derived.may_be_driven || any_tied) state.faces_by_key = order_by_key(lists.faces);
-  if (any_tied) demand_ties_hold(contact);
+  if (derived.friction || derived.may_be_driven || derived.tied) state.faces_by_key = order_by_key(lists.faces);
+  if (derived.tied) demand_ties_hold(contact);
 }
 
 void search(Contact& contact, const StepInput& input, const VelocitySpan& velocities) {

@@ -9,18 +9,20 @@
 namespace brunt::contact {
 namespace {
 
-std::size_t place_of_pair(const ContactSettings& settings, std::int32_t slave_block, std::int32_t master_block) {
-  return static_cast<std::size_t>(slave_block) * settings.pairs.block_count() + static_cast<std::size_t>(master_block);
+const PairTable& pairs_of(const Contact& contact) {
+  return contact.settings.specification.pairs;
 }
 
-Tied tied(const ContactSettings& settings, std::int32_t slave_block, std::int32_t master_block) {
-  return settings.tied[place_of_pair(settings, slave_block, master_block)];
+/// Of arrays over pairs of blocks; none where no pair is tied.
+std::size_t place_count(const Contact& contact) {
+  const std::size_t blocks = pairs_of(contact).block_count();
+  return contact.derived.tied ? blocks * blocks : 0;
 }
 
 /// The block of the slave that is tied to this one, the first of several; no_index where none is.
 std::int32_t tied_block(const Contact& contact, LocalIndex slave, std::int32_t master_block) {
   for (const std::int32_t block : contact.surface.blocks.row(surface_node_of(contact, slave)))
-    if (tied(contact.settings, block, master_block) != Tied::no) return block;
+    if (pairs_of(contact).at(block, master_block).tied != Tied::no) return block;
   return no_index;
 }
 
@@ -37,8 +39,8 @@ TieScene tie_scene(const Contact& contact, double dt) {
 /// Is the row's slave a node of blocks that have but their ties to do with the master's?
 bool nothing_else_acts(const Contact& contact, const Row& row) {
   return std::ranges::all_of(blocks_of_slave(contact, row), [&](std::int32_t block) {
-    return tied(contact.settings, block, row.master_block) == Tied::alone ||
-           contact.settings.pairs.at(block, row.master_block) == PairRule::apart;
+    const PairSpecification& pair = pairs_of(contact).at(block, row.master_block);
+    return pair.tied == Tied::alone || pair.rule == PairRule::apart;
   });
 }
 
@@ -48,14 +50,14 @@ TiedParts find_tied_parts(const Contact& contact) {
   const ContactLists& lists = contact.lists;
   TiedParts parts;
   const auto block_of = [&](LocalIndex face) { return lists.faces[static_cast<std::size_t>(face)].block; };
-  parts.nodes_beside.assign(contact.settings.tied.size(), 0);
+  parts.nodes_beside.assign(place_count(contact), 0);
   parts.ties = find_ties(
       lists.candidates, lists.faces, lists.nodes.gid, contact.step.nodes.motion, contact.step.facet_area,
       contact.derived.detection.encounter,
       [&](LocalIndex slave, LocalIndex face) { return tied_block(contact, slave, block_of(face)) != no_index; },
       [&](LocalIndex slave, LocalIndex face) {
         const std::int32_t block = tied_block(contact, slave, block_of(face));
-        ++parts.nodes_beside[place_of_pair(contact.settings, block, block_of(face))];
+        ++parts.nodes_beside[pairs_of(contact).place(block, block_of(face))];
       });
   parts.levers.resize(parts.ties.size());
   for (Tie& tie : parts.ties) {
@@ -66,8 +68,8 @@ TiedParts find_tied_parts(const Contact& contact) {
 }
 
 TiedNodes tied_nodes(const Contact& contact) {
-  TiedNodes count{std::vector<GlobalIndex>(contact.settings.tied.size(), 0), contact.tied.nodes_beside};
-  for (const Tie& tie : contact.tied.ties) ++count.tied[place_of_pair(contact.settings, tie.slave_block, tie.block)];
+  TiedNodes count{std::vector<GlobalIndex>(place_count(contact), 0), contact.tied.nodes_beside};
+  for (const Tie& tie : contact.tied.ties) ++count.tied[pairs_of(contact).place(tie.slave_block, tie.block)];
   contact.ranks.sum(count.tied);
   contact.ranks.sum(count.beside);
   return count;
@@ -89,7 +91,7 @@ void demand_ties_hold(const Contact& contact) {
 void drop_tied_rows(const Contact& contact, std::vector<Row>& rows) {
   std::erase_if(rows, [&](const Row& row) {
     if (row.is_wall()) return false;
-    if (row.is_edge()) return tied(contact.settings, row.slave_block, row.master_block) != Tied::no;
+    if (row.is_edge()) return pairs_of(contact).at(row.slave_block, row.master_block).tied != Tied::no;
     return find_tie(contact.tied.ties, row.slave_gid, row.master_body) != nullptr || nothing_else_acts(contact, row);
   });
 }

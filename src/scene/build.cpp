@@ -137,26 +137,11 @@ void mark_symmetry_faces(const Input& input, model::Model& model) {
   }
 }
 
-bool names_pair(const ContactEntry& entry, const std::string& a, const std::string& b) {
-  return entry.between.empty() || (entry.between[0] == a && entry.between[1] == b);
-}
-
-bool excludes(const ContactEntry& entry, const std::string& a, const std::string& b) {
-  return std::ranges::any_of(entry.exclude, [&](const std::array<std::string, 2>& pair) {
-    return (pair[0] == a && pair[1] == b) || (pair[0] == b && pair[1] == a);
-  });
-}
-
-/// General contact finds tied parts tied and leaves them so; to untie them an entry must name them.
-bool leaves_tied(const ContactEntry& entry, bool tied) {
-  return tied && entry.between.empty();
-}
-
 /// Nodes that contact, walls or constraints may still change after the prediction. Those of rigid bodies follow these.
 std::vector<LocalIndex> late_nodes(const model::Model& model) {
   std::vector<LocalIndex> late;
   for (const model::ConstrainedNode& constrained : model.constrained) late.push_back(constrained.node);
-  if (model.contact.any || !model.walls.empty()) {
+  if (model.contact.pairs.any_acts() || !model.walls.empty()) {
     const std::vector<LocalIndex>& surface = model.mesh.node_sets.at(surface_set);
     late.insert(late.end(), surface.begin(), surface.end());
   }
@@ -182,72 +167,10 @@ model::Model build_model(const Input& input, mesh::LocalMesh&& mesh) {
   mark_symmetry_faces(input, model);
   std::vector<std::string> part_of_block;
   for (const model::ElementBlock& block : model.blocks) part_of_block.push_back(block.part);
-  model.contact = contact_rule(input, part_of_block);
+  model.contact = contact_specification(input, part_of_block);
   watch_nodes(input, model);
   model.late = late_nodes(model);
   return model;
-}
-
-model::ContactRule contact_rule(const Input& input, std::span<const std::string> part_of_block) {
-  const std::size_t n = part_of_block.size();
-  model::ContactRule rule;
-  rule.active.assign(n * n, 0);
-  rule.forced_slave.assign(n * n, 0);
-  rule.passes.assign(n * n, contact::Passes::one);
-  rule.friction.assign(n * n, {});
-  rule.tied.assign(n * n, contact::Tied::no);
-  for (const ContactEntry& entry : input.contact) {
-    rule.enforcement = entry.enforcement;
-    rule.rebuild_every = entry.rebuild_every;
-    rule.competing = static_cast<int>(entry.competing);
-    for (std::size_t a = 0; a < n; ++a)
-      for (std::size_t b = 0; b < n; ++b) {
-        const std::string &first = part_of_block[a], &second = part_of_block[b];
-        const bool straight = names_pair(entry, first, second), turned = names_pair(entry, second, first);
-        if (!straight && !turned) continue;
-        rule.friction[a * n + b] = entry.friction;
-        contact::Tied& tied = rule.tied[a * n + b];
-        if (leaves_tied(entry, tied != contact::Tied::no)) {
-          if (excludes(entry, first, second)) tied = contact::Tied::alone;
-          continue;
-        }
-        tied = entry.tied ? contact::Tied::yes : contact::Tied::no;
-        const bool lags = entry.friction.lag > 0 && entry.passes == contact::Passes::automatic;
-        rule.passes[a * n + b] = entry.tied || lags ? contact::Passes::one : entry.passes;
-        const bool itself = a == b && entry.between.empty() && !entry.self;
-        rule.active[a * n + b] = itself || excludes(entry, first, second) ? 0 : 1;
-        if (entry.slave != ContactEntry::Slave::automatic && !entry.between.empty())
-          rule.forced_slave[a * n + b] = (entry.slave == ContactEntry::Slave::first) == straight ? 1 : -1;
-        else
-          rule.forced_slave[a * n + b] = 0;
-      }
-  }
-  if (std::ranges::none_of(rule.tied, [](contact::Tied tied) { return tied != contact::Tied::no; })) rule.tied.clear();
-  rule.any = std::ranges::any_of(rule.active, [](std::int8_t on) { return on != 0; });
-  return rule;
-}
-
-std::optional<std::size_t> deciding_entry(const Input& input, const std::string& a, const std::string& b) {
-  std::optional<std::size_t> deciding;
-  bool tied = false;
-  for (std::size_t k = 0; k < input.contact.size(); ++k) {
-    const ContactEntry& entry = input.contact[k];
-    if ((!names_pair(entry, a, b) && !names_pair(entry, b, a)) || leaves_tied(entry, tied)) continue;
-    tied = entry.tied;
-    const bool itself = a == b && entry.between.empty() && !entry.self;
-    deciding = itself || excludes(entry, a, b) ? std::nullopt : std::optional(k);
-  }
-  return deciding;
-}
-
-std::optional<contact::OverlapRule> overlap_rule(const Input& input, const std::string& a, const std::string& b) {
-  const std::optional<std::size_t> entry = deciding_entry(input, a, b);
-  return entry ? std::optional(input.contact[*entry].initial_overlap) : std::nullopt;
-}
-
-std::string contact_key(const Input& input, const std::string& a, const std::string& b) {
-  const std::optional<std::size_t> entry = deciding_entry(input, a, b);
-  return entry ? fmt::format("contact.{}", *entry) : "contact";
 }
 
 std::vector<Vec3> initial_velocities(const Input& input, std::span<const Vec3> coordinates, const Vec3& origin,

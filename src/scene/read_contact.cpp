@@ -60,10 +60,11 @@ void read_slave(const Key& key, ContactEntry& contact) {
 void read_rebuild(const Key& key, ContactEntry& contact) {
   if (key.tree->kind == Tree::Kind::value && key.tree->text == "auto") return;
   if (key.tree->kind == Tree::Kind::value && key.tree->text == "random") {
-    contact.rebuild_every = -1;
+    contact.rebuild.when = contact::Rebuild::When::random;
     return;
   }
-  read(key, contact.rebuild_every, Count{1});
+  contact.rebuild.when = contact::Rebuild::When::every;
+  read(key, contact.rebuild.steps, Count{1});
 }
 
 /// How rows are enforced, and the figures of that method.
@@ -150,11 +151,11 @@ void judge_untied(const Key& whole, Section& entry, const ContactEntry& contact,
 ContactEntry read_entry(Section& entry, const ContactEntry& before) {
   static const Choices<Overlap> overlaps{
       {{"error", Overlap::error}, {"warn", Overlap::warn}, {"move", Overlap::move}, {"offset", Overlap::offset}}, {}};
-  using Competing = ContactEntry::Competing;
-  static const Choices<Competing> competing{{{"auto", Competing::automatic},
-                                             {"nearest", Competing::nearest},
-                                             {"strength", Competing::strength},
-                                             {"velocity", Competing::velocity}},
+  using contact::Criterion;
+  static const Choices<Criterion> competing{{{"auto", Criterion::automatic},
+                                             {"nearest", Criterion::nearest},
+                                             {"strength", Criterion::strength},
+                                             {"velocity", Criterion::velocity}},
                                             {}};
   using contact::Passes;
   static const Choices<Passes> passes{

@@ -62,10 +62,10 @@ class Pairs {
   /// The block's faces that are near the other's or fly on towards them.
   [[nodiscard]] std::vector<Face> near(std::size_t block, std::size_t other) const {
     const auto own = static_cast<std::int32_t>(block);
-    contact::PairTable pair(static_cast<std::int32_t>(mesh_.blocks.size()), contact::PairRule::apart);
-    pair.set(own, static_cast<std::int32_t>(other), contact::PairRule::slave);
+    contact::Specification alone{.pairs = {mesh_.blocks.size(), {}}};
+    alone.pairs.set(own, static_cast<std::int32_t>(other), {.rule = contact::PairRule::slave});
     std::vector<Face> faces;
-    for (const mesh::Side& side : likely_slaves(mesh_, sides_, pair, outlook_))
+    for (const mesh::Side& side : likely_slaves(mesh_, sides_, alone, outlook_))
       if (side.block == own) faces.push_back(measure(side));
     return faces;
   }
@@ -88,15 +88,15 @@ class Pairs {
 std::vector<CoarseSlave> coarse_slaves(const mesh::Mesh& mesh, const StartRules& rules, std::span<const Vec3> velocity,
                                        double duration) {
   std::vector<CoarseSlave> found;
-  if (!rules.pairs.forces_a_side()) return found;
+  if (!rules.contact.pairs.forces_a_side()) return found;
   const Pairs pairs(mesh, rules, velocity, duration);
   const std::size_t n = mesh.blocks.size();
   for (std::size_t slave = 0; slave < n; ++slave)
     for (std::size_t master = 0; master < n; ++master) {
       const auto a = static_cast<std::int32_t>(slave), b = static_cast<std::int32_t>(master);
-      const contact::Passes passes = rules.pairs.passes(a, b);
-      const bool one_pass = passes == contact::Passes::one || passes == contact::Passes::automatic;
-      if (slave == master || rules.pairs.at(a, b) != contact::PairRule::slave || !one_pass) continue;
+      const contact::PairSpecification& pair = rules.contact.pairs.at(a, b);
+      const bool one_pass = pair.passes == contact::Passes::one || pair.passes == contact::Passes::automatic;
+      if (slave == master || pair.rule != contact::PairRule::slave || !one_pass) continue;
       const double coarse = pairs.edge(slave, master), fine = pairs.edge(master, slave);
       if (fine > 0 && coarse > much_coarser * fine) found.push_back({slave, master, coarse, fine});
     }

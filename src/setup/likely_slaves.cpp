@@ -195,7 +195,7 @@ std::vector<contact::BodyFigures> body_figures(const mesh::Mesh& mesh, std::span
 }
 
 std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const mesh::Side> sides,
-                                      const contact::PairTable& pairs, const Outlook& outlook) {
+                                      const contact::Specification& specification, const Outlook& outlook) {
   demand(outlook.density.size() == mesh.blocks.size(), "one density for each block");
   demand(outlook.velocity.size() == mesh.coordinates.size(), "one velocity for each node");
   const std::vector<Face> faces = measure_faces(mesh, sides, outlook.velocity, mesh::bodies(mesh));
@@ -207,10 +207,10 @@ std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const me
     for (const auto& [others, master] : patches) {
       if (own.first == others.first) continue;  // folds are not foretold
       const contact::SurfaceNode node{{&own.second, 1}, own.first};
-      if (!contact::may_meet(pairs, bodies, node, others.second, others.first)) continue;
+      if (!contact::may_meet(specification, bodies, node, others.second, others.first)) continue;
       any_pair = true;
       const double farthest = span_of(slave.box, master.box);
-      const bool second = !contact::leads(pairs, bodies, node, others.second, others.first);
+      const bool second = !contact::leads(specification, bodies, node, others.second, others.first);
       std::optional<FlightShadow> twins;
       for (const std::size_t f : slave.faces) {
         if (likely[f] != 0 || !may_reach(faces[f], master, outlook.duration, farthest)) continue;

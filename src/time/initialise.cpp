@@ -43,7 +43,7 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
   if (model.any_constrained) {
     state.reaction_work.assign(n, 0.0);
     state.reaction_impulse.assign(3 * n, 0.0);
-    if (model.contact.any || !model.walls.empty()) scratch.contact_impulse.assign(n, Vec3::Zero());
+    if (model.contact.pairs.any_acts() || !model.walls.empty()) scratch.contact_impulse.assign(n, Vec3::Zero());
   }
   state.bodies.assign(model.bodies.size(), {});
   state.body_accounts.assign(model.bodies.size(), {});

@@ -21,8 +21,8 @@ void write_faces(const comm::Communicator& ranks, const std::string& folder, con
                  const std::vector<std::string>& overrides) {
   const std::unique_ptr<app::Prepared> run = app::prepare(ranks, scene, overrides);
   const contact::Surface& surface = run->contact->surface;
-  const contact::PairTable pairs = app::pair_table(run->model.contact, run->model.blocks.size());
-  const contact::Roles roles = contact::roles_of(surface.bodies, pairs);
+  const contact::Specification& specification = run->model.contact;
+  const contact::Roles roles = contact::roles_of(surface.bodies, specification);
   const contact::ContactSettings settings;
   const contact::ListSettings reach{.encounter = settings.detection.encounter,
                                     .motion = settings.motion_share * surface.mean_depth};
@@ -30,7 +30,7 @@ void write_faces(const comm::Communicator& ranks, const std::string& folder, con
   for (const LocalIndex node : surface.model_node)
     positions.push_back(run->model.mesh.coordinates[static_cast<std::size_t>(node)]);
   contact::ListScratch scratch;
-  const auto found = contact::find_face_pairs({ranks, surface, pairs, roles, positions, reach, scratch});
+  const auto found = contact::find_face_pairs({ranks, surface, specification, roles, positions, reach, scratch});
 
   std::ofstream out(folder + "/faces_" + std::to_string(ranks.rank()) + ".txt");
   std::size_t own = 0;

@@ -33,8 +33,8 @@ struct MassPoints {
 
   [[nodiscard]] contact::Contact make_contact(contact::ContactSettings settings) const {
     const std::vector<char> excluded(mesh.faces.size(), 0);
-    if (settings.bodies && settings.pairs.block_count() == 0)
-      settings.pairs = contact::PairTable(4, contact::PairRule::automatic);
+    contact::PairTable& pairs = settings.specification.pairs;
+    if (pairs.block_count() == 0) pairs = contact::PairTable(4, {contact::PairRule::automatic});
     return contact::make_contact(ranks, mesh, excluded, inverse_mass, constrained, walls, std::move(settings));
   }
 

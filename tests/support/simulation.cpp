@@ -16,15 +16,11 @@ namespace {
 
 std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation, const contact::Rebuild& rebuild) {
   const model::Model& model = simulation.model;
-  if (!model.contact.any && model.walls.empty()) return nullptr;
+  if (!model.contact.pairs.any_acts() && model.walls.empty()) return nullptr;
   contact::ContactSettings settings;
-  settings.rebuild = rebuild;
-  settings.bodies = model.contact.any;
-  settings.pairs = app::pair_table(model.contact, model.blocks.size());
-  settings.enforcement = model.contact.enforcement;
-  settings.friction = model.contact.friction;
-  std::ranges::transform(model.blocks, std::back_inserter(settings.sound), app::speed_of_sound);
-  settings.tied = model.contact.tied;
+  settings.specification = model.contact;
+  settings.specification.rebuild = rebuild;
+  settings.blocks = app::block_properties(model);
   settings.detection.recovery_gives = std::ranges::any_of(simulation.input.contact, [](const auto& entry) {
     return entry.initial_overlap == scene::ContactEntry::InitialOverlap::warn;
   });

@@ -64,7 +64,7 @@ struct ListScratch {
 
 /// positions: of this rank's surface nodes. held(wall, surface node) as flags, wall by wall; empty without walls.
 /// Collective.
-ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface, const PairTable& pairs,
+ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface, const Specification& specification,
                          const Roles& roles, std::span<const Vec3> positions, std::span<const Wall> walls,
                          std::span<const char> held, const ListSettings& settings, ListScratch& scratch);
 

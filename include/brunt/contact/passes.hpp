@@ -23,6 +23,7 @@ constexpr double twin_share = 0.01;
 
 /// The pass of a row between a node and a face (no edge, no wall). Between bodies those that lead are the first. Within
 /// a body it is the side that the normal looks to: opposite folds have opposite normals.
-Pass pass_of(const Row& row, const SurfaceNode& node, const PairTable& pairs, std::span<const BodyFigures> bodies);
+Pass pass_of(const Row& row, const SurfaceNode& node, const Specification& specification,
+             std::span<const BodyFigures> bodies);
 
 }  // namespace brunt::contact

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "brunt/contact/data/options.hpp"
+#include "brunt/contact/data/specification.hpp"
 #include "brunt/core/aligned.hpp"
 #include "brunt/mesh/local_mesh.hpp"
 #include "brunt/model/element_block.hpp"
@@ -64,19 +64,6 @@ struct RigidWall {
   std::vector<std::int32_t> blocks{};  ///< that it acts on, ascending; empty: all
 };
 
-/// Which parts may touch which; evaluated for pairs of blocks.
-struct ContactRule {
-  std::vector<std::int8_t> active;             ///< [block_a * blocks + block_b]
-  std::vector<std::int8_t> forced_slave;       ///< 0 automatic, 1: block_a is slave of block_b, -1 the other way
-  std::vector<contact::FrictionLaw> friction;  ///< the same places
-  std::vector<contact::Tied> tied;             ///< likewise; empty: no pair is
-  std::vector<contact::Passes> passes;         ///< likewise; empty: one
-  contact::EnforcementSettings enforcement;
-  int rebuild_every = 0;  ///< steps; 0: when the motion is used up; -1: also at random
-  int competing = 0;      ///< what decides among competing faces: contact::Criterion
-  bool any = false;
-};
-
 /// A corner of an element of which the force is found unsummed in Scratch::slots.
 struct WatchedCorner {
   LocalIndex element = 0, node = 0, slot = 0;  ///< element: of its block
@@ -104,7 +91,7 @@ struct Model {
   bool relaxes = false;  ///< a phase before t = 0 finds the static state
   std::vector<RigidWall> walls;
   std::vector<char> in_symmetry_plane;  ///< a flag for each of mesh.faces: no contact face
-  ContactRule contact;
+  contact::Specification contact;
 
   std::vector<LocalIndex> late;     ///< nodes finished after contact and constraints, ascending
   std::vector<LocalIndex> watched;  ///< nodes of which every corner force stays in Scratch::slots, ascending

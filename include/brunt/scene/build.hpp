@@ -27,8 +27,8 @@ std::string contact_key(const Input& input, const std::string& a, const std::str
 /// What the scene wants where these two parts overlap at the start; none where they have no contact.
 std::optional<contact::OverlapRule> overlap_rule(const Input& input, const std::string& a, const std::string& b);
 
-/// Which parts may touch which, by pairs of blocks; a later entry wins for a pair of parts. part_of_block: names.
-model::ContactRule contact_rule(const Input& input, std::span<const std::string> part_of_block);
+/// What contact is asked for, by pairs of blocks; a later entry wins for a pair of parts. part_of_block: names.
+contact::Specification contact_specification(const Input& input, std::span<const std::string> part_of_block);
 
 using NodeSets = std::map<std::string, std::vector<LocalIndex>>;
 

@@ -156,12 +156,12 @@ struct ContactEntry {
   std::vector<std::array<std::string, 2>> exclude;
   contact::FrictionLaw friction;
   contact::EnforcementSettings enforcement;  ///< one for all rows: the last entry's
-  int rebuild_every = 0;  ///< steps; 0: lists are rebuilt when the motion is used up; -1: also at random (for tests)
+  contact::Rebuild rebuild{};                ///< likewise
   enum class Slave { automatic, first, second } slave = Slave::automatic;
   contact::Passes passes = contact::Passes::automatic;
   bool self = true;  ///< with `all`: parts meet themselves too
   bool tied = false;
-  enum class Competing { automatic, nearest, strength, velocity } competing = Competing::automatic;
+  contact::Criterion competing = contact::Criterion::automatic;  ///< likewise
   contact::OverlapRule initial_overlap = contact::OverlapRule::error;
 };
 

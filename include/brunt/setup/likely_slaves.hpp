@@ -22,7 +22,7 @@ struct Outlook {
 /// the second that will lie on nodes of the first, which have no rows there. Where nothing is near anything, all
 /// faces; where no pair may meet, none. faces: the contact faces of the whole mesh.
 std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const mesh::Side> faces,
-                                      const contact::PairTable& pairs, const Outlook& outlook);
+                                      const contact::Specification& specification, const Outlook& outlook);
 
 /// What decides who is slave (as is_slave does), for each body of the whole mesh. density: of each block.
 std::vector<contact::BodyFigures> body_figures(const mesh::Mesh& mesh, std::span<const mesh::Side> faces,

@@ -19,7 +19,7 @@ class SlaveChoice {
                                  std::int32_t other_body) const;
 
  private:
-  const contact::PairTable& pairs_;
+  const contact::Specification& specification_;
   std::vector<contact::BodyFigures> bodies_;
 };
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "brunt/contact/data/options.hpp"
+#include "brunt/contact/data/specification.hpp"
 #include "brunt/contact/surface/surface.hpp"
 #include "brunt/mesh/mesh.hpp"
 
@@ -15,7 +15,7 @@ using contact::OverlapRule;
 /// Of the blocks of one mesh, in their order.
 struct StartRules {
   std::vector<std::optional<OverlapRule>> overlap;  ///< of blocks (a, b) at a * blocks + b; none: they have no contact
-  contact::PairTable pairs;
+  contact::Specification contact;
   std::vector<double> density;                     ///< [mass/length^3]
   std::vector<std::vector<LocalIndex>> symmetric;  ///< nodes in each plane of symmetry, ascending
 

@@ -5,49 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/core/error.hpp"
-
 namespace brunt::contact {
-
-PairTable::PairTable(std::int32_t block_count, PairRule rule)
-    : block_count_(block_count),
-      rule_(static_cast<std::size_t>(block_count) * static_cast<std::size_t>(block_count), rule),
-      passes_(rule_.size(), Passes::one) {
-  demand(rule == PairRule::apart || rule == PairRule::automatic, "a rule for all pairs of blocks must be symmetric");
-}
-
-void PairTable::set(std::int32_t a, std::int32_t b, PairRule rule) {
-  demand(a >= 0 && b >= 0 && a < block_count_ && b < block_count_, "pair of blocks out of range");
-  const auto place = [&](std::int32_t row, std::int32_t column) -> PairRule& {
-    return rule_[static_cast<std::size_t>(row) * static_cast<std::size_t>(block_count_) +
-                 static_cast<std::size_t>(column)];
-  };
-  place(b, a) = rule == PairRule::slave ? PairRule::master : rule == PairRule::master ? PairRule::slave : rule;
-  place(a, b) = rule;
-}
-
-PairRule PairTable::at(std::int32_t a, std::int32_t b) const {
-  return rule_[static_cast<std::size_t>(a) * static_cast<std::size_t>(block_count_) + static_cast<std::size_t>(b)];
-}
-
-void PairTable::set_passes(std::int32_t a, std::int32_t b, Passes passes) {
-  demand(a >= 0 && b >= 0 && a < block_count_ && b < block_count_, "pair of blocks out of range");
-  for (const auto& [row, column] : {std::pair{a, b}, std::pair{b, a}})
-    passes_[static_cast<std::size_t>(row) * static_cast<std::size_t>(block_count_) + static_cast<std::size_t>(column)] =
-        passes;
-}
-
-Passes PairTable::passes(std::int32_t a, std::int32_t b) const {
-  return passes_[static_cast<std::size_t>(a) * static_cast<std::size_t>(block_count_) + static_cast<std::size_t>(b)];
-}
-
-bool PairTable::forces_a_side() const {
-  return std::find(rule_.begin(), rule_.end(), PairRule::slave) != rule_.end();
-}
-
-bool PairTable::averages() const {
-  return std::find(passes_.begin(), passes_.end(), Passes::averaged) != passes_.end();
-}
 
 bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t b) {
   const BodyFigures &one = bodies[static_cast<std::size_t>(a)], &other = bodies[static_cast<std::size_t>(b)];
@@ -73,40 +31,40 @@ bool alike(const BodyFigures& one, const BodyFigures& other) {
 
 namespace {
 
-bool in_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies, std::int32_t block,
+bool in_two_passes(const Specification& specification, std::span<const BodyFigures> bodies, std::int32_t block,
                    const SurfaceNode& node, std::int32_t other_block, std::int32_t other_body) {
-  const PairRule rule = pairs.at(block, other_block);
-  if (rule == PairRule::apart) return false;
-  const Passes passes = pairs.passes(block, other_block);
-  if (passes != Passes::automatic) return passes != Passes::one;
-  if (node.on_rim && node.body != other_body && pairs.holds_rims()) return true;
-  return rule == PairRule::automatic &&
+  const PairSpecification& pair = specification.pairs.at(block, other_block);
+  if (pair.rule == PairRule::apart) return false;
+  if (pair.passes != Passes::automatic) return pair.passes != Passes::one;
+  if (node.on_rim && node.body != other_body && holds_rims(specification)) return true;
+  return pair.rule == PairRule::automatic &&
          (node.body == other_body ||
           alike(bodies[static_cast<std::size_t>(node.body)], bodies[static_cast<std::size_t>(other_body)]));
 }
 
-bool bodies_in_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t b,
-                          bool on_rim) {
+bool bodies_in_two_passes(const Specification& specification, std::span<const BodyFigures> bodies, std::int32_t a,
+                          std::int32_t b, bool on_rim) {
   const auto blocks_of = [&](std::int32_t body) -> const std::vector<std::int32_t>& {
     return bodies[static_cast<std::size_t>(body)].blocks;
   };
   return std::ranges::any_of(blocks_of(a), [&](std::int32_t own) {
     return std::ranges::any_of(blocks_of(b), [&](std::int32_t other) {
-      return in_two_passes(pairs, bodies, own, {.body = a, .on_rim = on_rim}, other, b);
+      return in_two_passes(specification, bodies, own, {.body = a, .on_rim = on_rim}, other, b);
     });
   });
 }
 
-bool may_meet_itself(const BodyFigures& body, const PairTable& pairs) {
+bool may_meet_itself(const BodyFigures& body, const Specification& specification) {
   return std::ranges::any_of(body.blocks, [&](std::int32_t a) {
-    return std::ranges::any_of(body.blocks, [&](std::int32_t b) { return pairs.at(a, b) != PairRule::apart; });
+    return std::ranges::any_of(body.blocks,
+                               [&](std::int32_t b) { return specification.pairs.at(a, b).rule != PairRule::apart; });
   });
 }
 
 }  // namespace
 
-Roles roles_of(std::span<const BodyFigures> bodies, const PairTable& pairs) {
-  const char unknown = pairs.forces_a_side() ? 1 : 0;
+Roles roles_of(std::span<const BodyFigures> bodies, const Specification& specification) {
+  const char unknown = specification.pairs.forces_a_side() ? 1 : 0;
   Roles roles{std::vector<char>(bodies.size(), unknown), std::vector<char>(bodies.size(), unknown),
               std::vector<char>(bodies.size(), 0)};
   const auto count = static_cast<std::int32_t>(bodies.size());
@@ -114,43 +72,43 @@ Roles roles_of(std::span<const BodyFigures> bodies, const PairTable& pairs) {
     for (std::int32_t b = 0; b < count; ++b) {
       const auto i = static_cast<std::size_t>(a);
       if (roles.slave[i] != 0 && roles.master[i] != 0) break;
-      if (a == b && may_meet_itself(bodies[i], pairs)) roles.slave[i] = roles.master[i] = 1;
+      if (a == b && may_meet_itself(bodies[i], specification)) roles.slave[i] = roles.master[i] = 1;
       if (a != b) (is_slave(bodies, a, b) ? roles.slave : roles.master)[i] = 1;
-      if (a != b && bodies_in_two_passes(pairs, bodies, a, b, false)) roles.slave[i] = roles.master[i] = 1;
-      if (a != b && bodies_in_two_passes(pairs, bodies, a, b, true)) roles.slave_rims[i] = roles.master[i] = 1;
+      if (a != b && bodies_in_two_passes(specification, bodies, a, b, false)) roles.slave[i] = roles.master[i] = 1;
+      if (a != b && bodies_in_two_passes(specification, bodies, a, b, true)) roles.slave_rims[i] = roles.master[i] = 1;
     }
   }
   return roles;
 }
 
-bool meet_in_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies, const SurfaceNode& node,
-                        std::int32_t face_block, std::int32_t face_body) {
+bool meet_in_two_passes(const Specification& specification, std::span<const BodyFigures> bodies,
+                        const SurfaceNode& node, std::int32_t face_block, std::int32_t face_body) {
   return std::ranges::any_of(node.blocks, [&](std::int32_t block) {
-    return in_two_passes(pairs, bodies, block, node, face_block, face_body);
+    return in_two_passes(specification, bodies, block, node, face_block, face_body);
   });
 }
 
-bool any_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies) {
+bool any_two_passes(const Specification& specification, std::span<const BodyFigures> bodies) {
   const auto count = static_cast<std::int32_t>(bodies.size());
   for (std::int32_t a = 0; a < count; ++a)
     for (std::int32_t b = a; b < count; ++b)
-      if (bodies_in_two_passes(pairs, bodies, a, b, true)) return true;
+      if (bodies_in_two_passes(specification, bodies, a, b, true)) return true;
   return false;
 }
 
-bool leads(const PairTable& pairs, std::span<const BodyFigures> bodies, const SurfaceNode& node,
+bool leads(const Specification& specification, std::span<const BodyFigures> bodies, const SurfaceNode& node,
            std::int32_t face_block, std::int32_t face_body) {
   return std::ranges::any_of(node.blocks, [&](std::int32_t block) {
-    const PairRule rule = pairs.at(block, face_block);
+    const PairRule rule = specification.pairs.at(block, face_block).rule;
     if (rule == PairRule::automatic) return node.body == face_body || is_slave(bodies, node.body, face_body);
     return rule == PairRule::slave;
   });
 }
 
-bool may_meet(const PairTable& pairs, std::span<const BodyFigures> bodies, const SurfaceNode& node,
+bool may_meet(const Specification& specification, std::span<const BodyFigures> bodies, const SurfaceNode& node,
               std::int32_t face_block, std::int32_t face_body) {
-  return leads(pairs, bodies, node, face_block, face_body) ||
-         meet_in_two_passes(pairs, bodies, node, face_block, face_body);
+  return leads(specification, bodies, node, face_block, face_body) ||
+         meet_in_two_passes(specification, bodies, node, face_block, face_body);
 }
 
 }  // namespace brunt::contact

@@ -20,11 +20,8 @@ TEST_CASE("no allocation in a step of contact") {
   points.walls = {{.point = Vec3(0, 0, -0.02), .normal = Vec3::UnitZ()}};
   points.mesh.blocks.resize(2);
   contact::ContactSettings settings;
-  settings.pairs = contact::PairTable(2, contact::PairRule::apart);
-  settings.pairs.set(0, 1, contact::PairRule::automatic);
-  settings.pairs.set_passes(0, 1, passes);
-  settings.friction.assign(4, {friction, friction, 0});
-  if (tied != contact::Tied::no) settings.tied = {contact::Tied::no, tied, tied, contact::Tied::no};
+  settings.specification.pairs = contact::PairTable(2, {});
+  settings.specification.pairs.set(0, 1, {contact::PairRule::automatic, passes, {friction, friction, 0}, tied});
   contact::Contact contact = points.make_contact(settings);
   int quiet_steps = 0, solved = 0;
   for (int step = 0; step < 20; ++step) {

@@ -28,12 +28,11 @@ MassPoints plates(const comm::Communicator& ranks, const std::function<double(co
 
 ContactSettings between(contact::Passes passes) {
   ContactSettings settings;
-  settings.pairs = contact::PairTable(2, contact::PairRule::apart);
-  settings.pairs.set(0, 1, contact::PairRule::automatic);
-  settings.pairs.set_passes(0, 1, passes);
-  settings.enforcement.tolerance = 1e-12;
-  settings.enforcement.max_iterations = 1000;
-  settings.enforcement.softness = 0;  // so that one step stops the nodes
+  settings.specification.pairs = contact::PairTable(2, {});
+  settings.specification.pairs.set(0, 1, {contact::PairRule::automatic, passes});
+  settings.specification.enforcement.tolerance = 1e-12;
+  settings.specification.enforcement.max_iterations = 1000;
+  settings.specification.enforcement.softness = 0;  // so that one step stops the nodes
   return settings;
 }
 

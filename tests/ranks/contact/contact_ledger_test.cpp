@@ -31,9 +31,8 @@ MassPoints plates(const comm::Communicator& ranks) {
 
 ContactSettings rough() {
   ContactSettings settings;
-  settings.pairs = contact::PairTable(2, contact::PairRule::apart);
-  settings.pairs.set(0, 1, contact::PairRule::automatic);
-  settings.friction.assign(4, {0.3, 0.3, 0});
+  settings.specification.pairs = contact::PairTable(2, {});
+  settings.specification.pairs.set(0, 1, {.rule = contact::PairRule::automatic, .friction = {0.3, 0.3, 0}});
   settings.tracked = {{0, 1}, {1, 0}};
   return settings;
 }

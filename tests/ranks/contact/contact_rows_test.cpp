@@ -30,11 +30,15 @@ MassPoints cubes_on_plate(const comm::Communicator& ranks) {
   return points;
 }
 
-ContactSettings apart_but_for_the_plate() {
+/// frictions: of the cubes on the plate.
+ContactSettings apart_but_for_the_plate(const std::array<double, 2>& frictions) {
   ContactSettings settings;
-  settings.pairs = contact::PairTable(3, contact::PairRule::apart);
-  settings.pairs.set(0, 2, contact::PairRule::automatic);
-  settings.pairs.set(1, 2, contact::PairRule::automatic);
+  settings.specification.pairs = contact::PairTable(3, {});
+  for (const std::int32_t cube : {0, 1}) {
+    const double friction = frictions[static_cast<std::size_t>(cube)];
+    settings.specification.pairs.set(cube, 2,
+                                     {.rule = contact::PairRule::automatic, .friction = {friction, friction, 0}});
+  }
   return settings;
 }
 
@@ -54,10 +58,7 @@ std::vector<contact::Row> node_rows(const contact::Contact& contact) {
 
 TEST_CASE("rows: a node of two blocks has the rougher one's friction") {
   MassPoints points = cubes_on_plate(comm::Communicator::world());
-  ContactSettings settings = apart_but_for_the_plate();
-  settings.friction.assign(9, {});
-  for (const std::size_t pair : {2U, 6U}) settings.friction[pair] = {0.1, 0.1, 0};
-  for (const std::size_t pair : {5U, 7U}) settings.friction[pair] = {0.4, 0.4, 0};
+  const ContactSettings settings = apart_but_for_the_plate({0.1, 0.4});
   contact::Contact contact = points.make_contact(settings);
   points.step(contact, 0.01);
   GlobalIndex seen = 0;
@@ -70,9 +71,9 @@ TEST_CASE("rows: a node of two blocks has the rougher one's friction") {
 
 TEST_CASE("rows: slabs are Z1 Z2 / (Z1 + Z2) times the area that a node has against the face") {
   MassPoints points = cubes_on_plate(comm::Communicator::world());
-  ContactSettings settings = apart_but_for_the_plate();
-  settings.enforcement.method = contact::Method::printed;
-  settings.impedance = {3, 5, 6};
+  ContactSettings settings = apart_but_for_the_plate({0, 0});
+  settings.specification.enforcement.method = contact::Method::printed;
+  settings.blocks.impedance = {3, 5, 6};
   contact::Contact contact = points.make_contact(settings);
   points.step(contact, 0.01);
   GlobalIndex seen = 0;

@@ -49,7 +49,7 @@ std::vector<double> run(const comm::Communicator& ranks, Rank (*deal)(GlobalInde
     for (Vec3& v : points.v) v.z() -= 0.5;
   }
   ContactSettings settings;
-  settings.rebuild = rebuild;
+  settings.specification.rebuild = rebuild;
   contact::Contact contact = points.make_contact(settings);
   for (int step = 0; step < step_count; ++step) points.step(contact, dt);
   std::vector<double> all = points.all_velocities();
@@ -93,7 +93,7 @@ TEST_CASE("momentum to round-off, energy never grows and is booked, nothing pass
     residual = std::max(residual, contact.ledger.statistics.last.residual);
   }
   CHECK((points.momentum() - momentum).norm() <= 1e-13 * (1 + momentum.norm()));
-  CHECK(residual <= settings.enforcement.tolerance);
+  CHECK(residual <= settings.specification.enforcement.tolerance);
   CHECK(contact.ledger.statistics.solved_steps > 0);
   CHECK(contact.ledger.statistics.searches < step_count / 2);
 
@@ -115,8 +115,8 @@ TEST_CASE("one body on a moving wall: the impulse on the body is what its moment
       [](const Vec3&) { return Vec3(0.1, 0, -1); });
   points.walls = {{.normal = Vec3::UnitZ(), .velocity = Vec3(0, 0, 0.25)}};
   ContactSettings settings;
-  settings.bodies = false;
-  settings.enforcement.tolerance = 1e-10;
+  settings.specification.pairs = contact::PairTable(4, {});
+  settings.specification.enforcement.tolerance = 1e-10;
   contact::Contact contact = points.make_contact(settings);
   const Vec3 momentum = points.momentum();
   const double kinetic = points.kinetic();
@@ -143,7 +143,7 @@ TEST_CASE("a bilateral wall holds the nodes that start in it, and a fixed node i
     if (points.x[n].norm() == 0) points.constrained.push_back({static_cast<LocalIndex>(n), Mat3::Zero()});
   points.walls = {{.bilateral = true}};
   ContactSettings settings;
-  settings.bodies = false;
+  settings.specification.pairs = contact::PairTable(4, {});
   contact::Contact contact = points.make_contact(settings);
   for (int step = 0; step < 5; ++step) points.step(contact, dt);
   for (std::size_t n = 0; n < points.x.size(); ++n) {
@@ -171,7 +171,7 @@ TEST_CASE("node on node across ranks: exact") {
     if (upper) points.v[n] = Vec3(0, 0, -5);
   }
   ContactSettings settings;
-  settings.enforcement.tolerance = 1e-12;
+  settings.specification.enforcement.tolerance = 1e-12;
   contact::Contact contact = points.make_contact(settings);
   points.step(contact, 1e-3);
   CHECK(contact.ledger.statistics.last.iterations == 1);
@@ -204,7 +204,7 @@ TEST_CASE("a corner of a triangle carries a third of it") {
   for (std::size_t n = 0; n < points.x.size(); ++n)
     if (points.mesh.node_gid[n] < first) points.constrained.push_back({static_cast<LocalIndex>(n), Mat3::Zero()});
   ContactSettings settings;
-  settings.enforcement.tolerance = 1e-12;
+  settings.specification.enforcement.tolerance = 1e-12;
   contact::Contact contact = points.make_contact(settings);
   points.step(contact, 1e-3);
   const std::vector<double> pressure = contact::pressures(contact, 1e-3);

@@ -32,11 +32,10 @@ MassPoints plates(const comm::Communicator& ranks, double from, const std::funct
 
 ContactSettings tied(Tied how = Tied::yes) {
   ContactSettings settings;
-  settings.pairs = contact::PairTable(2, contact::PairRule::apart);
-  settings.pairs.set(0, 1, contact::PairRule::automatic);
-  settings.tied = {Tied::no, how, how, Tied::no};
-  settings.enforcement.tolerance = 1e-8;
-  settings.enforcement.max_iterations = 1000;
+  settings.specification.pairs = contact::PairTable(2, {});
+  settings.specification.pairs.set(0, 1, {.rule = contact::PairRule::automatic, .tied = how});
+  settings.specification.enforcement.tolerance = 1e-8;
+  settings.specification.enforcement.max_iterations = 1000;
   return settings;
 }
 
@@ -74,7 +73,7 @@ TEST_CASE("ties across a gap: momentum, angular momentum and bits do not depend 
   const auto run = [](const comm::Communicator& ranks, const contact::Rebuild& rebuild, bool checks) {
     MassPoints points = plates(ranks, -0.2, [&](GlobalIndex gid) { return striped(gid, ranks.size()); });
     ContactSettings settings = tied();
-    settings.rebuild = rebuild;
+    settings.specification.rebuild = rebuild;
     contact::Contact contact = points.make_contact(settings);
     const Vec3 momentum = points.momentum(), spin = angular_momentum(points);
     const double energy = points.kinetic();

@@ -58,8 +58,8 @@ void press(MassPoints& points, contact::Contact& contact, int steps) {
 std::vector<double> run(const comm::Communicator& ranks, const Rebuild& rebuild) {
   MassPoints points = pressed_plates(ranks);
   ContactSettings settings;
-  settings.enforcement.warm_start = true;
-  settings.rebuild = rebuild;
+  settings.specification.enforcement.warm_start = true;
+  settings.specification.rebuild = rebuild;
   contact::Contact contact = points.make_contact(settings);
   press(points, contact, 30);
   std::vector<double> all = points.all_velocities();
@@ -106,12 +106,12 @@ TEST_CASE("a warm start needs fewer iterations and ends at the same tolerance") 
   for (const bool warm : {false, true}) {
     MassPoints points = pressed_plates(world);
     ContactSettings settings;
-    settings.enforcement.warm_start = warm;
-    settings.enforcement.max_iterations = 1000;
+    settings.specification.enforcement.warm_start = warm;
+    settings.specification.enforcement.max_iterations = 1000;
     contact::Contact contact = points.make_contact(settings);
     CHECK(contact.derived.remembers == warm);
     press(points, contact, 30);
-    CHECK(contact.ledger.statistics.largest_residual <= settings.enforcement.tolerance);
+    CHECK(contact.ledger.statistics.largest_residual <= settings.specification.enforcement.tolerance);
     iterations[warm ? 1 : 0] = contact.ledger.statistics.iterations;
     if (!warm) CHECK(contact.history.pairs.empty());
   }
@@ -122,7 +122,7 @@ TEST_CASE("a warm start needs fewer iterations and ends at the same tolerance") 
 TEST_CASE("the history goes home: on all ranks, on one, and the run goes on to the same bits") {
   const comm::Communicator world = comm::Communicator::world(), self = comm::Communicator::self();
   ContactSettings settings;
-  settings.enforcement.warm_start = true;
+  settings.specification.enforcement.warm_start = true;
   MassPoints points = pressed_plates(world);
   contact::Contact contact = points.make_contact(settings);
   press(points, contact, 20);

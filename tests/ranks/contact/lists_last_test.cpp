@@ -27,7 +27,7 @@ Flight fly(const comm::Communicator& ranks, const Rebuild& rebuild) {
       ranks, mesh, [&](GlobalIndex gid) { return static_cast<Rank>(gid * 5 % 7 % ranks.size()); },
       [&](const Vec3& x) { return is_bullet(x) ? 1.0 : 1e6; }, [](const Vec3&) { return Vec3(0, 0, 0); });
   contact::ContactSettings settings;
-  settings.rebuild = rebuild;
+  settings.specification.rebuild = rebuild;
   contact::Contact contact = points.make_contact(settings);
   constexpr double dt = 0.01;
   for (int step = 0; step < 60; ++step) {
@@ -57,7 +57,7 @@ Approach approach(const comm::Communicator& ranks, const Rebuild& rebuild) {
       ranks, mesh, [&](GlobalIndex gid) { return static_cast<Rank>(gid * 5 % 7 % ranks.size()); },
       [](const Vec3&) { return 1.0; }, [](const Vec3& x) { return Vec3(0.1, 0, x.z() > 1.5 ? -2.0 : 0.0); });
   contact::ContactSettings settings;
-  settings.rebuild = rebuild;
+  settings.specification.rebuild = rebuild;
   contact::Contact contact = points.make_contact(settings);
   for (int step = 0; step < 80; ++step) points.step(contact, 0.005);
   return {points.all_velocities(), contact.ledger.statistics};

@@ -31,10 +31,10 @@ MassPoints pinched_sheet(const comm::Communicator& ranks, double apart, bool fro
 
 contact::ContactSettings settings_with(const Rebuild& rebuild = {}) {
   contact::ContactSettings settings;
-  settings.thickness = {thickness};
-  settings.enforcement.tolerance = 1e-10;
-  settings.enforcement.max_iterations = 500;
-  settings.rebuild = rebuild;
+  settings.blocks.thickness = {thickness};
+  settings.specification.enforcement.tolerance = 1e-10;
+  settings.specification.enforcement.max_iterations = 500;
+  settings.specification.rebuild = rebuild;
   return settings;
 }
 

@@ -38,10 +38,8 @@ MassPoints plates(const comm::Communicator& ranks, Rank (*deal)(GlobalIndex, int
 /// Two bodies that do not meet themselves.
 ContactSettings two_passes(double friction, contact::Passes passes = contact::Passes::two) {
   ContactSettings settings;
-  settings.pairs = contact::PairTable(2, contact::PairRule::apart);
-  settings.pairs.set(0, 1, contact::PairRule::automatic);
-  settings.pairs.set_passes(0, 1, passes);
-  if (friction > 0) settings.friction.assign(4, {friction, friction, 0});
+  settings.specification.pairs = contact::PairTable(2, {});
+  settings.specification.pairs.set(0, 1, {contact::PairRule::automatic, passes, {friction, friction, 0}});
   return settings;
 }
 
@@ -55,7 +53,7 @@ void press(MassPoints& points, contact::Contact& contact, int steps) {
 std::vector<double> run(const comm::Communicator& ranks, Rank (*deal)(GlobalIndex, int), ContactSettings settings,
                         const Rebuild& rebuild = {}) {
   MassPoints points = plates(ranks, deal);
-  settings.rebuild = rebuild;
+  settings.specification.rebuild = rebuild;
   contact::Contact contact = points.make_contact(std::move(settings));
   press(points, contact, 40);
   CHECK(contact.ledger.statistics.solved_steps > 10);
@@ -70,7 +68,7 @@ TEST_CASE("two passes have the same bits on any number of ranks and whenever lis
   const auto passes = GENERATE(contact::Passes::two, contact::Passes::averaged);
   const double friction = GENERATE(0.0, 0.3);
   ContactSettings settings = two_passes(friction, passes), one = two_passes(friction, contact::Passes::one);
-  settings.enforcement.warm_start = one.enforcement.warm_start = GENERATE(false, true);
+  settings.specification.enforcement.warm_start = one.specification.enforcement.warm_start = GENERATE(false, true);
   const std::vector<double> expected = run(comm::Communicator::self(), by_stripes, settings);
   const comm::Communicator world = comm::Communicator::world();
   CHECK((run(world, by_stripes, settings) == expected));
@@ -107,7 +105,7 @@ TEST_CASE("the history of two passes with friction goes home and the run goes on
   const auto passes = GENERATE(contact::Passes::two, contact::Passes::averaged);
   const comm::Communicator world = comm::Communicator::world();
   ContactSettings settings = two_passes(0.4, passes);
-  settings.enforcement.warm_start = true;
+  settings.specification.enforcement.warm_start = true;
   MassPoints points = plates(world, by_stripes);
   contact::Contact contact = points.make_contact(settings);
   press(points, contact, 25);

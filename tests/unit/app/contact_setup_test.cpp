@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene's rules for pairs as contact reads them, and exact sums that go through a checkpoint unchanged.
+// When contact is made, and exact sums that go through a checkpoint unchanged.
 #include "app/contact_setup.hpp"
 
 #include <catch2/catch.hpp>
@@ -7,21 +7,6 @@
 #include "prepared_scene.hpp"
 
 using namespace brunt;
-using contact::PairRule;
-
-TEST_CASE("contact setup: pairs that are not active stay apart, a forced slave is one seen from either side") {
-  model::ContactRule rule;
-  rule.active = {1, 1, 0, 1, 0, 1, 0, 1, 0};
-  rule.forced_slave = {0, 0, 0, 0, 0, -1, 0, 1, 0};
-  const contact::PairTable table = app::pair_table(rule, 3);
-  CHECK(table.at(0, 0) == PairRule::automatic);
-  CHECK(table.at(0, 1) == PairRule::automatic);
-  CHECK(table.at(1, 0) == PairRule::automatic);
-  CHECK(table.at(0, 2) == PairRule::apart);
-  CHECK(table.at(1, 1) == PairRule::apart);
-  CHECK(table.at(1, 2) == PairRule::master);
-  CHECK(table.at(2, 1) == PairRule::slave);
-}
 
 TEST_CASE("contact setup: no contact is made where the scene has none, walls alone search no bodies") {
   CHECK(support::PreparedScene(support::two_bodies).run->contact == nullptr);

@@ -21,17 +21,16 @@ Input scene_with(const std::string& contact) {
 /// Of the pair (left, right).
 struct Rule {
   Tied tied = Tied::no;
-  bool active = false;
+  contact::PairRule rule = contact::PairRule::apart;
   double friction = 0;
-  int slave = 0;
   std::optional<contact::OverlapRule> overlap;
 };
 
 Rule rule_of(const std::string& contact) {
   const Input input = scene_with(contact);
-  const model::ContactRule rule = contact_rule(input, std::vector<std::string>{"left", "right"});
-  return {rule.tied.empty() ? Tied::no : rule.tied[1], rule.active[1] != 0, rule.friction[1].fixed,
-          rule.forced_slave[1], overlap_rule(input, "left", "right")};
+  const contact::PairSpecification pair =
+      contact_specification(input, std::vector<std::string>{"left", "right"}).pairs.at(0, 1);
+  return {pair.tied, pair.rule, pair.friction.fixed, overlap_rule(input, "left", "right")};
 }
 
 using Overlap = contact::OverlapRule;
@@ -44,8 +43,7 @@ TEST_CASE("tied parts stay tied under general contact, before it or after it", "
     CAPTURE(contact);
     const Rule rule = rule_of(contact);
     CHECK(rule.tied == Tied::yes);
-    CHECK(rule.active);
-    CHECK(rule.slave == -1);
+    CHECK(rule.rule == contact::PairRule::master);  // left, as seen from it
     CHECK(rule.overlap == Overlap::offset);
   }
   CHECK(rule_of("[{between: [left, right], tied: true}, {between: all, friction: 0.2}]").friction == 0.2);
@@ -54,7 +52,7 @@ TEST_CASE("tied parts stay tied under general contact, before it or after it", "
 TEST_CASE("tied parts that general contact excludes have their ties and nothing else", "[scene]") {
   const Rule rule = rule_of("[{between: [left, right], tied: true}, {between: all, exclude: [[right, left]]}]");
   CHECK(rule.tied == Tied::alone);
-  CHECK(rule.active);
+  CHECK(rule.rule == contact::PairRule::automatic);
   CHECK(rule.overlap == Overlap::offset);
   CHECK(rule_of("[{between: all, exclude: [[right, left]]}, {between: [left, right], tied: true}]").tied == Tied::yes);
 }
@@ -70,4 +68,22 @@ TEST_CASE("an entry that names tied parts unties them, with a warning unless it 
   CHECK(scene_with(tied + "{between: [right, left], tied: false}]").warnings.empty());
   CHECK(scene_with(tied + "{between: [left, left]}]").warnings.empty());
   CHECK(scene_with("[{between: [left, right]}, {between: [left, right]}]").warnings.empty());
+}
+
+TEST_CASE("pairs that no entry lets meet stay apart, a named slave is one seen from either side", "[scene]") {
+  const std::vector<std::string> parts{"left", "right", "left"};  // a part of two blocks
+  const auto rule = [&](const std::string& contact, std::int32_t a, std::int32_t b) {
+    return contact_specification(scene_with(contact), parts).pairs.at(a, b).rule;
+  };
+  using contact::PairRule;
+  const std::string named = "[{between: [right, left], slave: right}]";
+  CHECK(rule(named, 0, 0) == PairRule::apart);
+  CHECK(rule(named, 0, 2) == PairRule::apart);
+  CHECK(rule(named, 0, 1) == PairRule::master);
+  CHECK(rule(named, 1, 0) == PairRule::slave);
+  CHECK(rule(named, 1, 2) == PairRule::slave);
+  const std::string all = "[{between: all, self: false}]";
+  CHECK(rule(all, 0, 1) == PairRule::automatic);
+  CHECK(rule(all, 1, 0) == PairRule::automatic);
+  CHECK(rule(all, 1, 1) == PairRule::apart);
 }

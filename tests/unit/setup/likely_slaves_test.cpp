@@ -39,9 +39,10 @@ struct Cubes {
   std::array<std::size_t, 2> foretold(contact::PairRule rule = contact::PairRule::automatic,
                                       double duration = std::numeric_limits<double>::infinity(),
                                       contact::Passes passes = contact::Passes::one) const {
-    contact::PairTable pairs(2, rule);
-    pairs.set_passes(0, 1, passes);
-    const auto sides = setup::likely_slaves(mesh, mesh::exterior_sides(mesh), pairs, {density, velocity, duration});
+    contact::Specification specification{.pairs = {2, {rule}}};
+    specification.pairs.set(0, 1, {rule, passes});
+    const auto sides =
+        setup::likely_slaves(mesh, mesh::exterior_sides(mesh), specification, {density, velocity, duration});
     const auto of_first = std::ranges::count(sides, 0, &mesh::Side::block);
     return {static_cast<std::size_t>(of_first), sides.size() - static_cast<std::size_t>(of_first)};
   }

@@ -8,11 +8,11 @@ namespace brunt::test {
 inline setup::StartRules all_touch(std::size_t blocks, setup::OverlapRule rule, bool self) {
   setup::StartRules rules;
   rules.density.assign(blocks, 1.0);
-  rules.pairs = contact::PairTable(static_cast<std::int32_t>(blocks), contact::PairRule::automatic);
+  rules.contact.pairs = contact::PairTable(blocks, {contact::PairRule::automatic});
   rules.overlap.assign(blocks * blocks, rule);
   for (std::size_t b = 0; b < blocks && !self; ++b) {
     rules.overlap[b * blocks + b].reset();
-    rules.pairs.set(static_cast<std::int32_t>(b), static_cast<std::int32_t>(b), contact::PairRule::apart);
+    rules.contact.pairs.set(static_cast<std::int32_t>(b), static_cast<std::int32_t>(b), {});
   }
   return rules;
 }

@@ -20,7 +20,7 @@ std::array<bool, 2> slaves(contact::PairRule rule) {
   mesh::place(fine, 1, {0, 0, 1}, 0, {0, 0, 1.1});
   mesh::append(mesh, std::move(fine));
   setup::StartRules rules = test::all_touch(2, setup::OverlapRule::error, false);
-  rules.pairs.set(0, 1, rule);
+  rules.contact.pairs.set(0, 1, {rule});
   const setup::SlaveChoice choice(mesh, rules);
   return {choice.is_slave(0, 0, 1, 1), choice.is_slave(1, 1, 0, 0)};
 }

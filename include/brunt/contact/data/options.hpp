@@ -63,6 +63,22 @@ enum class OverlapRule : std::int8_t {
   offset  ///< they are kept as zero gap
 };
 
+/// What decides among faces that compete for a node at a convex place (Heinstein et al. 2000, section 4.5, Fig. 8).
+enum class Criterion : std::int8_t {
+  automatic,  ///< nodes in contact by the smallest |gap|, nodes coming into contact by the earliest time
+  nearest,    ///< the smallest |gap| for all
+  strength,   ///< the greatest |gap| times the cosine between the slave's and the master's normal
+  velocity    ///< the earliest time for all nodes whose path crosses a face, |gap| for the rest
+};
+
+/// When lists are rebuilt; no result depends on it.
+struct Rebuild {
+  enum class When : std::int8_t { motion_used_up, every, random } when = When::motion_used_up;
+  int steps = 1;           ///< for `every`, besides when the motion is used up
+  std::uint64_t seed = 1;  ///< for `random`, in about one step of four
+  friend bool operator==(const Rebuild&, const Rebuild&) = default;
+};
+
 struct EnforcementSettings {
   Method method = Method::rate;
   double tolerance = 1e-3;  ///< of the residual, relative to the largest violation by the predicted velocities

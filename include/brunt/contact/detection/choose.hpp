@@ -3,17 +3,10 @@
 #pragma once
 #include <span>
 
+#include "brunt/contact/data/options.hpp"
 #include "brunt/contact/detection/encounter.hpp"
 
 namespace brunt::contact {
-
-/// What decides among faces that compete for a node at a convex place (Heinstein et al. 2000, section 4.5, Fig. 8).
-enum class Criterion : std::int8_t {
-  automatic,  ///< nodes in contact by the smallest |gap|, nodes coming into contact by the earliest time
-  nearest,    ///< the smallest |gap| for all
-  strength,   ///< the greatest |gap| times the cosine between the slave's and the master's normal
-  velocity    ///< the earliest time for all nodes whose path crosses a face, |gap| for the rest
-};
 
 struct ChoiceSettings {
   Criterion criterion = Criterion::automatic;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "brunt/contact/data/options.hpp"
+#include "brunt/contact/data/specification.hpp"
 #include "brunt/core/ragged.hpp"
 #include "brunt/core/types.hpp"
 #include "brunt/mesh/local_mesh.hpp"
@@ -82,33 +82,6 @@ struct Surface {
   }
 };
 
-/// What a pair of blocks (a, b) may do.
-enum class PairRule : std::int8_t { apart, automatic, slave, master };  ///< slave: a is the slave of b
-
-class PairTable {
- public:
-  PairTable() = default;
-  PairTable(std::int32_t block_count, PairRule rule);
-  /// Sets (a, b), and (b, a) to match.
-  void set(std::int32_t a, std::int32_t b, PairRule rule);
-  [[nodiscard]] PairRule at(std::int32_t a, std::int32_t b) const;
-  [[nodiscard]] std::size_t block_count() const { return static_cast<std::size_t>(block_count_); }
-  /// For (a, b) and (b, a); one where never set.
-  void set_passes(std::int32_t a, std::int32_t b, Passes passes);
-  [[nodiscard]] Passes passes(std::int32_t a, std::int32_t b) const;
-  [[nodiscard]] bool forces_a_side() const;  ///< some rule names the slave
-  [[nodiscard]] bool averages() const;       ///< some pair asks for the mean of its passes
-  /// In one pass that was chosen automatically, are nodes of the master on rims held as well? Not unless told.
-  void hold_rims(bool held) { holds_rims_ = held; }
-  [[nodiscard]] bool holds_rims() const { return holds_rims_; }
-
- private:
-  std::int32_t block_count_ = 0;
-  std::vector<PairRule> rule_;
-  std::vector<Passes> passes_;
-  bool holds_rims_ = false;
-};
-
 /// Is body a the slave where it meets body b? The finer (smaller mean face area) is; where these agree within 1 %, the
 /// lighter; else the lower number. (One exact pass with the finer, lighter side as slave converges fastest and leaves
 /// the least error on the other side.)
@@ -120,26 +93,26 @@ bool alike(const BodyFigures& one, const BodyFigures& other);
 /// Do a node and a face of this block and body meet in two passes? In one automatic pass nodes on rims do as well: a
 /// rim sags beyond the last node of the slave that holds it, and those that come under it later would be deep in the
 /// master when they are first seen.
-bool meet_in_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies, const SurfaceNode& node,
-                        std::int32_t face_block, std::int32_t face_body);
+bool meet_in_two_passes(const Specification& specification, std::span<const BodyFigures> bodies,
+                        const SurfaceNode& node, std::int32_t face_block, std::int32_t face_body);
 
 /// Does any pair of bodies?
-bool any_two_passes(const PairTable& pairs, std::span<const BodyFigures> bodies);
+bool any_two_passes(const Specification& specification, std::span<const BodyFigures> bodies);
 
 /// Which bodies can be slave, or master, of another or of themselves: the rest need not be searched as such.
 struct Roles {
   std::vector<char> slave, master;
   std::vector<char> slave_rims;  ///< bodies of which the nodes on rims alone can be slaves
 };
-Roles roles_of(std::span<const BodyFigures> bodies, const PairTable& pairs);
+Roles roles_of(std::span<const BodyFigures> bodies, const Specification& specification);
 
 /// Is a node the slave of a face of this block and body, were there one pass? Within one body every node is: which of
 /// two folds would be the finer side is not known before they meet.
-bool leads(const PairTable& pairs, std::span<const BodyFigures> bodies, const SurfaceNode& node,
+bool leads(const Specification& specification, std::span<const BodyFigures> bodies, const SurfaceNode& node,
            std::int32_t face_block, std::int32_t face_body);
 
 /// May a node be held off by a face of this block and body? Those that lead, and in two passes the other side's too.
-bool may_meet(const PairTable& pairs, std::span<const BodyFigures> bodies, const SurfaceNode& node,
+bool may_meet(const Specification& specification, std::span<const BodyFigures> bodies, const SurfaceNode& node,
               std::int32_t face_block, std::int32_t face_body);
 
 }  // namespace brunt::contact

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the entries of `contact`, which name parts and go over each other, come to for each pair of blocks.
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "brunt/scene/build.hpp"
+
+namespace brunt::scene {
+namespace {
+
+bool names_pair(const ContactEntry& entry, const std::string& a, const std::string& b) {
+  return entry.between.empty() || (entry.between[0] == a && entry.between[1] == b);
+}
+
+bool excludes(const ContactEntry& entry, const std::string& a, const std::string& b) {
+  return std::ranges::any_of(entry.exclude, [&](const std::array<std::string, 2>& pair) {
+    return (pair[0] == a && pair[1] == b) || (pair[0] == b && pair[1] == a);
+  });
+}
+
+/// General contact finds tied parts tied and leaves them so; to untie them an entry must name them.
+bool leaves_tied(const ContactEntry& entry, bool tied) {
+  return tied && entry.between.empty();
+}
+
+/// The rule for a pair that an entry lets meet.
+contact::PairRule rule_of(const ContactEntry& entry, bool straight) {
+  using contact::PairRule;
+  if (entry.slave == ContactEntry::Slave::automatic || entry.between.empty()) return PairRule::automatic;
+  return (entry.slave == ContactEntry::Slave::first) == straight ? PairRule::slave : PairRule::master;
+}
+
+/// What an entry says of two blocks (one twice, or two) of parts a and b; whether it says anything.
+bool apply(const ContactEntry& entry, const std::string& a, const std::string& b, bool itself,
+           contact::PairSpecification& pair) {
+  using contact::Passes, contact::Tied;
+  const bool straight = names_pair(entry, a, b);
+  if (!straight && !names_pair(entry, b, a)) return false;
+  pair.friction = entry.friction;
+  if (leaves_tied(entry, pair.tied != Tied::no)) {
+    if (excludes(entry, a, b)) pair.tied = Tied::alone;
+    return true;
+  }
+  pair.tied = entry.tied ? Tied::yes : Tied::no;
+  const bool lags = entry.friction.lag > 0 && entry.passes == Passes::automatic;
+  pair.passes = entry.tied || lags ? Passes::one : entry.passes;
+  const bool apart = excludes(entry, a, b) || (itself && entry.between.empty() && !entry.self);
+  pair.rule = apart ? contact::PairRule::apart : rule_of(entry, straight);
+  return true;
+}
+
+}  // namespace
+
+contact::Specification contact_specification(const Input& input, std::span<const std::string> part_of_block) {
+  const auto n = static_cast<std::int32_t>(part_of_block.size());
+  contact::Specification specification;
+  specification.pairs = contact::PairTable(part_of_block.size(), {});
+  for (const ContactEntry& entry : input.contact) {
+    specification.enforcement = entry.enforcement;
+    specification.rebuild = entry.rebuild;
+    specification.criterion = entry.competing;
+    for (std::int32_t a = 0; a < n; ++a)
+      for (std::int32_t b = a; b < n; ++b) {
+        const std::string &first = part_of_block[static_cast<std::size_t>(a)],
+                          &second = part_of_block[static_cast<std::size_t>(b)];
+        contact::PairSpecification pair = specification.pairs.at(a, b);
+        if (apply(entry, first, second, a == b, pair)) specification.pairs.set(a, b, pair);
+      }
+  }
+  return specification;
+}
+
+std::optional<std::size_t> deciding_entry(const Input& input, const std::string& a, const std::string& b) {
+  std::optional<std::size_t> deciding;
+  bool tied = false;
+  for (std::size_t k = 0; k < input.contact.size(); ++k) {
+    const ContactEntry& entry = input.contact[k];
+    if ((!names_pair(entry, a, b) && !names_pair(entry, b, a)) || leaves_tied(entry, tied)) continue;
+    tied = entry.tied;
+    const bool itself = a == b && entry.between.empty() && !entry.self;
+    deciding = itself || excludes(entry, a, b) ? std::nullopt : std::optional(k);
+  }
+  return deciding;
+}
+
+std::optional<contact::OverlapRule> overlap_rule(const Input& input, const std::string& a, const std::string& b) {
+  const std::optional<std::size_t> entry = deciding_entry(input, a, b);
+  return entry ? std::optional(input.contact[*entry].initial_overlap) : std::nullopt;
+}
+
+std::string contact_key(const Input& input, const std::string& a, const std::string& b) {
+  const std::optional<std::size_t> entry = deciding_entry(input, a, b);
+  return entry ? fmt::format("contact.{}", *entry) : "contact";
+}
+
+}  // namespace brunt::scene
