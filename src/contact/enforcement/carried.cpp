@@ -16,8 +16,8 @@ namespace {
 
 /// Numbers of a body's sum: impulse and moment, coarse and fine.
 constexpr std::size_t sums_of_answer = 12;
-/// Coarse, fine, number of terms.
-constexpr std::size_t sums_of_weights = 3;
+/// Coarse and fine of each group's sum, and the number of terms of all.
+constexpr std::size_t sums_of_weights = 2 * body_groups + 1;
 /// A chunk of 2^14 terms on the coarse grid is a whole number below 2^52: a thousand of them fit in 63 bits.
 constexpr std::int64_t most_terms = std::int64_t{1} << 24;
 
@@ -46,13 +46,17 @@ Vec3 arm_of(const CarriedPoint& point, const Carriers& carriers, std::span<const
          carriers.bodies[static_cast<std::size_t>(point.body)].centre;
 }
 
-/// Blocks of row q on bodies, in the order of its points.
-void find_blocks(const Carriers& carriers, std::span<const NodeMotion> motion, const RowMatrix& rows, std::size_t q,
+/// Blocks of row q on bodies, in the order of its points. Does it have no others?
+bool find_blocks(const Carriers& carriers, std::span<const NodeMotion> motion, const RowMatrix& rows, std::size_t q,
                  CarriedScratch& scratch) {
   scratch.blocks.clear();
+  bool all_carried = true;
   for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) {
     const LocalIndex place = scratch.place[rows.point(k)];
-    if (place == no_index) continue;
+    if (place == no_index) {
+      all_carried = false;
+      continue;
+    }
     const CarriedPoint& point = carriers.points[static_cast<std::size_t>(place)];
     auto block = std::ranges::find(scratch.blocks, point.body, &RowBlock::body);
     if (block == scratch.blocks.end()) block = scratch.blocks.insert(block, {.body = point.body});
@@ -61,6 +65,16 @@ void find_blocks(const Carriers& carriers, std::span<const NodeMotion> motion, c
     block->translation += part;
     block->rotation -= part * cross_matrix(arm_of(point, carriers, motion));
   }
+  return all_carried;
+}
+
+/// What the rest of a row's points belong to: see the header.
+LocalIndex group_of(const RowBlock& block, std::span<const RowBlock> blocks, bool all_carried) {
+  constexpr LocalIndex with_nodes = 0, with_nothing = 1, with_bodies = 2;
+  constexpr auto groups_of_bodies = static_cast<LocalIndex>(body_groups) - with_bodies;
+  const auto other = std::ranges::find_if(blocks, [&](const RowBlock& one) { return one.body != block.body; });
+  if (other != blocks.end()) return with_bodies + other->body % groups_of_bodies;
+  return all_carried ? with_nothing : with_nodes;
 }
 
 /// Weights of a block; zero along what nothing can change (what rounding leaves of it is nothing, as elsewhere).
@@ -91,9 +105,23 @@ void flush(const BinGrid& impulse, const BinGrid& moment, BodyParts& parts, std:
 }
 
 void flush_weights(const BinGrid& grid, BodyParts& parts, std::int64_t* sums) {
-  for (std::size_t k = 0; k < bin_slices; ++k) sums[k] += in_units(parts.slices[k], unit_of(grid.anchor[k]));
-  sums[2] += parts.terms;
+  const std::array<int, bin_slices> units{unit_of(grid.anchor[0]), unit_of(grid.anchor[1])};
+  for (std::size_t k = 0; k < bin_slices * body_groups; ++k)
+    sums[k] += in_units(parts.slices[k], units[k % bin_slices]);
+  sums[bin_slices * body_groups] += parts.terms;
   parts = {};
+}
+
+/// S / theta of each group of a body, from its sums.
+void divide_among_groups(const BinGrid& grid, const std::int64_t* sums, std::span<double> row_sum) {
+  double all = 0, groups = 0;
+  for (std::size_t g = 0; g < body_groups; ++g) {
+    row_sum[g] = value_of(sums[bin_slices * g], sums[bin_slices * g + 1], grid);
+    all += row_sum[g];
+    groups += row_sum[g] > 0 ? 1 : 0;
+  }
+  if (groups < 2) return;
+  for (double& sum : row_sum) sum /= 0.5 * (1 / groups + sum / all);
 }
 
 }  // namespace
@@ -106,9 +134,9 @@ void CarriedScratch::reserve(std::size_t rows, std::size_t nodes, std::size_t bo
   active.reserve(bodies);
   slot.reserve(bodies);
   parts.reserve(bodies);
-  sums.reserve(sums_of_answer * bodies);
+  sums.reserve(std::max(sums_of_answer, sums_of_weights) * bodies);
   share.reserve(most_bodies_of_a_row * rows);
-  row_sum.reserve(bodies);
+  row_sum.reserve(body_groups * bodies);
   answer.reserve(bodies);
 }
 
@@ -120,10 +148,11 @@ void lay_rows_on_bodies(const Carriers& carriers, std::span<const NodeMotion> mo
     scratch.place[static_cast<std::size_t>(carriers.points[i].point)] = static_cast<LocalIndex>(i);
   rows.on_bodies.clear();
   for (std::size_t q = 0; q < rows.size(); ++q) {
-    find_blocks(carriers, motion, rows, q, scratch);
+    const bool all_carried = find_blocks(carriers, motion, rows, q, scratch);
     for (const RowBlock& block : scratch.blocks) {
       const Mat6& mobility = carriers.bodies[static_cast<std::size_t>(block.body)].mobility;
-      const BodyShare share = share_of(block, mobility, rows.laws[q]);
+      BodyShare share = share_of(block, mobility, rows.laws[q]);
+      share.group = group_of(block, scratch.blocks, all_carried);
       if (share.weight > 0) rows.on_bodies.values.push_back(share);
     }
     rows.on_bodies.close_row();
@@ -150,7 +179,7 @@ void start_bodies(const Carriers& carriers, std::span<const NodeMotion> motion, 
     if (scratch.largest[b] > 0) scratch.active.push_back(static_cast<LocalIndex>(b));
   }
   scratch.parts.assign(bodies, {});
-  scratch.row_sum.assign(bodies, 0.0);
+  scratch.row_sum.assign(body_groups * bodies, 0.0);
   scratch.answer.assign(bodies, {});
 }
 
@@ -162,9 +191,10 @@ void sum_rows_on_bodies(const RowMatrix& rows, Exchange& exchange, CarriedScratc
   };
   for (std::size_t i = 0; i < scratch.share.size(); ++i) {
     if (scratch.share[i] == 0) continue;
-    const auto body = static_cast<std::size_t>(rows.on_bodies.values[i].body);
+    const BodyShare& share = rows.on_bodies.values[i];
+    const auto body = static_cast<std::size_t>(share.body);
     BodyParts& parts = scratch.parts[body];
-    binned_add(grid, scratch.share[i], parts.slices.data());
+    binned_add(grid, scratch.share[i], &parts.slices[bin_slices * static_cast<std::size_t>(share.group)]);
     if (++parts.terms == binned_terms) flush_weights(grid, parts, sums_of(body));
   }
   for (const LocalIndex body : scratch.active) {
@@ -175,9 +205,9 @@ void sum_rows_on_bodies(const RowMatrix& rows, Exchange& exchange, CarriedScratc
   for (const LocalIndex body : scratch.active) {
     const auto b = static_cast<std::size_t>(body);
     const std::int64_t* sums = sums_of(b);
-    demand(sums[2] <= most_terms / static_cast<std::int64_t>(most_nodes_of_a_row),
+    demand(sums[bin_slices * body_groups] <= most_terms / static_cast<std::int64_t>(most_nodes_of_a_row),
            "more rows on one rigid body than its sums can hold");
-    scratch.row_sum[b] = value_of(sums[0], sums[1], grid);
+    divide_among_groups(grid, sums, std::span(scratch.row_sum).subspan(body_groups * b, body_groups));
   }
 }
 

@@ -64,7 +64,10 @@ bool add_bodies_to_diagonal(const RowMatrix& rows, std::size_t q, EnforcementScr
   const std::vector<LocalIndex>& offsets = rows.on_bodies.offsets;
   for (auto i = static_cast<std::size_t>(offsets[q]); i < static_cast<std::size_t>(offsets[q + 1]); ++i) {
     const double weight = scratch.carried.share[i];
-    const double sum = scratch.carried.row_sum[static_cast<std::size_t>(rows.on_bodies.values[i].body)];
+    const BodyShare& share = rows.on_bodies.values[i];
+    const double sum =
+        scratch.carried
+            .row_sum[body_groups * static_cast<std::size_t>(share.body) + static_cast<std::size_t>(share.group)];
     coupled = coupled || (weight > 0 && (sum != weight || rows.laws[q].across != Across::slips));
     scratch.diagonal[q] += weight * sum;
   }

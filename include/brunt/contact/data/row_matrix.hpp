@@ -58,8 +58,9 @@ struct Arm {
 /// Part of a row in one body (see enforcement/carried.hpp) [1/mass^(1/2)].
 struct BodyShare {
   LocalIndex body = 0;
-  double weight = 0;  ///< sqrt of the largest eigenvalue of g W g^T, g the row's block; of rows that slip `along`
-  double along = 0;   ///< sqrt(n . g W g^T n)
+  LocalIndex group = 0;  ///< of the body's rows, those that have it to do with the same
+  double weight = 0;     ///< sqrt of the largest eigenvalue of g W g^T, g the row's block; of rows that slip `along`
+  double along = 0;      ///< sqrt(n . g W g^T n)
 };
 
 struct RowMatrix {

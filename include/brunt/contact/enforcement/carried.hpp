@@ -4,6 +4,13 @@
 // with exact sums: in any order and on any number of ranks they give the same bits. In the row sums a body counts as
 // one node of inverse mass 1, on which a row has the weight w = sqrt(largest eigenvalue of g W g^T), g its 3x6 block on
 // the body: |g_q W g_p^T| <= w_q w_p (Cauchy and Schwarz), so that H - G W G^T stays positive semidefinite.
+//
+// Rows of a body would hold each other back by their number: where 10000 points stand on the floor and 4 carry another
+// box, each of the 4 has the row sum of 10004. So a body's rows are summed group by group (those with nodes, with
+// nothing that moves, with one other body or another), and with shares theta of sum 1
+//   |sum_g x_g|^2 <= sum_g |x_g|^2 / theta_g   gives   H_q = w_q S_g / theta_g,  S_g = sum of w over q's group.
+// theta_g = 1/2 (1/groups + S_g / sum of all S): half of it splits a body evenly, the other half spares a group that is
+// nearly alone. Any grouping is right, so that one of few by number (body modulo six) serves.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -32,9 +39,13 @@ struct BodyAnswer {
   Vec6 change = Vec6::Zero();   ///< W P: of its velocity, of its angular velocity
 };
 
+/// Groups of a body's rows: with nodes, with nothing that moves, with other bodies.
+constexpr std::size_t body_groups = 8;
+
 /// Binned sums of so many terms that they are exact.
 struct BodyParts {
-  std::array<double, 16> slices{};  ///< coarse and fine of the impulse (four each), then of the moment
+  /// Coarse and fine of the impulse (four each), then of the moment; or coarse and fine of each group's weights.
+  std::array<double, bin_slices * body_groups> slices{};
   int terms = 0;
 };
 
@@ -54,7 +65,7 @@ struct CarriedScratch {
   std::vector<BodyParts> parts;    ///< a body each
   std::vector<std::int64_t> sums;  ///< of active bodies, what all ranks' sum is taken of
   std::vector<double> share;       ///< w where the row acts, for each of RowMatrix::on_bodies
-  std::vector<double> row_sum;     ///< sum of these, a body each
+  std::vector<double> row_sum;     ///< S / theta, body_groups a body
   std::vector<BodyAnswer> answer;  ///< a body each, by the last impulses
   double longest_arm = 0;          ///< |r| of all ranks [length]
   double largest_weight = 0;       ///< w of all ranks

@@ -66,13 +66,16 @@ struct BoxProblem : Problem {
                      i / (n - 1.0), j / (n - 1.0), Vec3::UnitZ());
   }
   [[nodiscard]] Carriers carriers() const { return {points, bodies}; }
-  EnforcementResult solve_boxes(const EnforcementSettings& settings, double dt = 1) {
+  EnforcementResult solve_boxes(const EnforcementSettings& settings) {
     OneRankExchange exchange;
+    return solve_boxes(settings, exchange);
+  }
+  EnforcementResult solve_boxes(const EnforcementSettings& settings, Exchange& exchange) {
     impulses.resize(rows.size(), Vec3::Zero());
     velocity.resize(motion.size());
     compress(rows, matrix);
     lay_rows_on_bodies(carriers(), motion, scratch.carried, matrix);
-    return enforce({matrix, motion, mobility, false, 1, carriers()}, settings, dt, exchange, impulses, velocity,
+    return enforce({matrix, motion, mobility, false, 1, carriers()}, settings, 1.0, exchange, impulses, velocity,
                    scratch);
   }
   [[nodiscard]] const BodyAnswer& answer(LocalIndex body) const {
