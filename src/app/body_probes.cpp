@@ -15,21 +15,21 @@ Vec3 rotation_vector(Eigen::Quaterniond q) {
   return sine > 0 ? Vec3(2 * std::atan2(sine, q.w()) / sine * q.vec()) : Vec3(Vec3::Zero());
 }
 
+/// Of the last step, at its x_n.
+const model::BodyStep& step_of(const Prepared& run, std::size_t b) {
+  return run.scratch.bodies[b];
+}
+
 /// From the body's centre to that of the part alone.
-Vec3 arm_of_part(const Prepared& run, std::size_t b) {
+Vec3 arm_of_part(const Prepared& run, std::size_t b, const Mat3& turn) {
   const model::RigidBody& body = run.model.bodies[b];
-  return run.state.bodies[b].orientation * (body.own.centre - body.body.mass.centre);
+  return turn * (body.own.centre - body.body.mass.centre);
 }
 
 /// Inertia of the part alone about its centre, in space.
 Mat3 inertia_of_part(const Prepared& run, std::size_t b) {
-  const Mat3 R = run.state.bodies[b].orientation.toRotationMatrix();
-  return R * run.model.bodies[b].own.inertia * R.transpose();
-}
-
-Vec3 velocity_of_part(const Prepared& run, std::size_t b) {
-  const rigid::BodyState& now = run.state.bodies[b];
-  return now.velocity + rigid::angular_velocity(run.model.bodies[b].body, now).cross(arm_of_part(run, b));
+  const Mat3& turn = step_of(run, b).turn;
+  return turn * run.model.bodies[b].own.inertia * turn.transpose();
 }
 
 }  // namespace
@@ -58,27 +58,30 @@ Vec3 body_impulse(const Prepared& run, std::size_t b, std::string_view field) {
 }
 
 Vec3 body_part_center(const Prepared& run, std::size_t b) {
-  return body_motion(run, b, "position") + arm_of_part(run, b);
+  return body_motion(run, b, "position") + arm_of_part(run, b, run.state.bodies[b].orientation.toRotationMatrix());
 }
 
 Vec3 body_part_momentum(const Prepared& run, std::size_t b) {
-  return run.model.bodies[b].own.mass * velocity_of_part(run, b);
+  // with the velocity (x_{n+1} - x_n)/dt of its centre, as nodes have it: the momenta of all parts add up to the
+  // model's
+  const rigid::BodyState& now = run.state.bodies[b];
+  const Mat3 turned = now.orientation.toRotationMatrix() - step_of(run, b).turn;
+  return run.model.bodies[b].own.mass * (now.velocity + arm_of_part(run, b, turned) / run.state.dt);
 }
 
 Vec3 body_part_angular_momentum(const Prepared& run, std::size_t b, const Vec3& about) {
-  const Vec3 spin = rigid::angular_velocity(run.model.bodies[b].body, run.state.bodies[b]);
-  return (body_part_center(run, b) - about).cross(body_part_momentum(run, b)) + inertia_of_part(run, b) * spin;
+  const model::BodyStep& step = step_of(run, b);
+  const Vec3 centre = step.centre + arm_of_part(run, b, step.turn) + run.model.mesh.origin;
+  return (centre - about).cross(body_part_momentum(run, b)) + inertia_of_part(run, b) * step.after.spin;
 }
 
 PartEnergy body_part_energy(const Prepared& run, std::size_t b) {
-  const model::RigidBody& body = run.model.bodies[b];
-  const model::BodyStep& step = run.scratch.bodies[b];
-  const Vec3 arm = arm_of_part(run, b);
+  const model::BodyStep& step = step_of(run, b);
+  const Vec3 arm = arm_of_part(run, b, step.turn);
   const Vec3 before = step.before.velocity + step.before.spin.cross(arm);
   const Vec3 after = step.after.velocity + step.after.spin.cross(arm);
-  const bool alone = body.own.mass == body.body.mass.mass;
-  const Vec3 turning = alone ? step.before.angular_momentum : Vec3(inertia_of_part(run, b) * step.before.spin);
-  return {0.5 * (body.own.mass * before.dot(after) + turning.dot(step.after.spin)), 0, 0, 0};
+  const Vec3 turning = inertia_of_part(run, b) * step.before.spin;
+  return {0.5 * (run.model.bodies[b].own.mass * before.dot(after) + turning.dot(step.after.spin)), 0, 0, 0};
 }
 
 }  // namespace brunt::app

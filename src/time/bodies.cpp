@@ -69,6 +69,7 @@ void support(const RigidBody& body, const Interval& step, BodyStep& now) {
 
 void predict(const model::Model& model, const model::State& state, const RigidBody& body,
              const rigid::BodyState& moving, const Interval& step, BodyStep& now) {
+  now.turn = moving.orientation.toRotationMatrix();
   now.inertia = rigid::inertia_now(body.body, moving);
   now.inverse = rigid::inverse_inertia_now(body.body, moving);
   now.centre = body.body.mass.centre + moving.displacement;

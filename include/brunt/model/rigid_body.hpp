@@ -77,6 +77,7 @@ struct BodyMomentum {
 /// Of one step.
 struct BodyStep {
   Wrench elements, loads;                                         ///< forces at t_n
+  Mat3 turn;                                                      ///< R_n
   Mat3 inertia, inverse;                                          ///< I_n and I_n^-1 in space
   Vec3 centre = Vec3::Zero();                                     ///< at t_n
   BodyMomentum before;                                            ///< of v_{n-1/2}
