@@ -14,8 +14,9 @@ const Kernels& kernels_of(element::ElementKind kind) {
     case element::ElementKind::hex8:
       return hex8_kernels;
     case element::ElementKind::hex8_full:
-    case element::ElementKind::hex8_bbar:
       return hex8_full_kernels;
+    case element::ElementKind::hex8_bbar:
+      return hex8_bbar_kernels;
     case element::ElementKind::tet4:
       break;
   }

@@ -26,7 +26,8 @@ struct Kernels {
 };
 
 extern const Kernels hex8_kernels;
-extern const Kernels hex8_full_kernels;  ///< hex8_bbar too
+extern const Kernels hex8_full_kernels;
+extern const Kernels hex8_bbar_kernels;
 extern const Kernels tet4_kernels;
 
 }  // namespace brunt::force

@@ -4,7 +4,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "brunt/core/simd.hpp"
+#include "brunt/core/dual.hpp"
 #include "brunt/material/elastic.hpp"
 #include "brunt/material/law.hpp"
 #include "brunt/material/yield_curve.hpp"
@@ -56,6 +56,20 @@ class TableHardening {
       step.centre[lane] = share_ * (curve_.at(plastic_strain[lane] + increment) - before);
     }
     return step;
+  }
+
+  /// With 3 G dp + dY = excess where the return ends: dp' = excess' / (3 G + dY/dp). The plastic strain before the step
+  /// is committed and has no slope.
+  [[nodiscard]] PlasticReturn<Dual> close(const Dual& equivalent, const Dual& plastic_strain) const {
+    const PlasticReturn<Pack> step = close(equivalent.value, plastic_strain.value);
+    Pack compliance{}, hardening{};
+    for (int lane = 0; lane < pack_width; ++lane) {
+      if (!(step.strain[lane] > 0)) continue;
+      hardening[lane] = curve_.slope_at(plastic_strain.value[lane] + step.strain[lane]);
+      compliance[lane] = 1 / (curve_.three_shear() + hardening[lane]);
+    }
+    const Pack slope = compliance * equivalent.slope;
+    return {{step.strain, slope}, {step.centre, share_ * hardening * slope}};
   }
 
  private:

@@ -4,7 +4,7 @@
 #include <bit>
 #include <limits>
 
-#include "brunt/core/simd.hpp"
+#include "brunt/core/dual.hpp"
 
 namespace brunt::material {
 
@@ -31,6 +31,10 @@ inline Pack pack_log(Pack a) {
   const Pack half_square = 0.5 * f * f;
   const Pack value = k * ln2_high - ((half_square - (s * (half_square + z * series) + k * ln2_low)) - f);
   return select(a > 0.0, value, broadcast(std::numeric_limits<double>::quiet_NaN()));
+}
+
+inline Dual pack_log(const Dual& a) {
+  return {pack_log(a.value), a.slope / a.value};
 }
 
 }  // namespace brunt::material

@@ -20,6 +20,9 @@ class YieldCurve {
   [[nodiscard]] double smallest() const;
   /// Yield stress at `plastic_strain` >= 0.
   [[nodiscard]] double at(double plastic_strain) const;
+  /// d yield / d strain there; at a point of the table that of the piece beyond.
+  [[nodiscard]] double slope_at(double plastic_strain) const { return pieces_[piece_of(plastic_strain)].slope; }
+  [[nodiscard]] double three_shear() const { return three_shear_; }
 
   /// The increment d >= 0 that solves 3 G d + Y(p + d) - Y(p) = excess, p the plastic strain before the step and
   /// excess >= 0 the trial equivalent stress above yield. Exact: one division in the piece where the return ends.
