@@ -11,8 +11,8 @@
 namespace brunt::contact {
 namespace {
 
-const Wall& wall_of(const AnchorScene& scene, GlobalIndex key) {
-  return scene.walls[static_cast<std::size_t>(-1 - key)];
+const Wall& wall_of(const AnchorScene& scene, GlobalIndex wall) {
+  return scene.walls[static_cast<std::size_t>(wall)];
 }
 
 Vec3 slip_of_edges(const AnchorScene& scene, const AnchorRecord& anchor, const Row& row) {
@@ -40,7 +40,8 @@ const MasterFace* find_face(std::span<const MasterFace> faces, std::span<const L
 std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, const Row& row) {
   if (row.is_edge()) return slip_of_edges(scene, anchor, row);
   const Vec3& slave = scene.motion[static_cast<std::size_t>(row.nodes[0])].position;
-  if (anchor.key.master < 0) return slave - (wall_of(scene, anchor.key.master).point + Vec3(anchor.on_wall.data()));
+  if (anchor.key.kind == RowKind::wall)
+    return slave - (wall_of(scene, anchor.key.master).point + Vec3(anchor.on_wall.data()));
   const MasterFace* face = find_face(scene.faces, scene.by_key, anchor.face);
   if (face == nullptr) return std::nullopt;
   std::array<Vec3, 4> corners;
@@ -65,13 +66,13 @@ AnchorRecord anchor_of(const AnchorScene& scene, const Row& row) {
   }
   if (row.is_wall()) {
     const Vec3& slave = scene.motion[static_cast<std::size_t>(row.nodes[0])].position;
-    const Vec3 place = slave - row.gap * row.normal - wall_of(scene, row.master_key).point;
+    const Vec3 place = slave - row.gap * row.normal - wall_of(scene, row.key.master).point;
     anchor.on_wall = {place[0], place[1], place[2]};
     return anchor;
   }
-  const MasterFace* face = find_face(scene.faces, scene.by_key, row.master_key);
+  const MasterFace* face = find_face(scene.faces, scene.by_key, row.key.master);
   demand(face != nullptr, "the face of a row is in the lists");
-  anchor.face = row.master_key;
+  anchor.face = row.key.master;
   for (std::size_t k = 1; k < static_cast<std::size_t>(row.node_count); ++k) {
     const auto corner = std::ranges::find(face->nodes, row.nodes[k]) - face->nodes.begin();
     anchor.weights[static_cast<std::size_t>(corner)] = -row.weights[k];

@@ -14,7 +14,7 @@ namespace {
 
 /// A node that belongs to several blocks has the roughest one's friction.
 FrictionLaw friction_of(const Contact& contact, const Row& row, std::span<const Wall> walls) {
-  if (row.is_wall()) return walls[static_cast<std::size_t>(-1 - row.master_key)].friction;
+  if (row.is_wall()) return walls[static_cast<std::size_t>(row.key.master)].friction;
   const PairTable& pairs = contact.settings.specification.pairs;
   const auto law_of = [&](std::int32_t slave) { return pairs.at(slave, row.master_block).friction; };
   if (row.is_edge()) return law_of(row.slave_block);
@@ -55,7 +55,7 @@ AnchorScene anchor_scene(const Contact& contact, std::span<const Wall> walls) {
 
 void assign_friction(const Contact& contact, const StepInput& input, std::span<Row> rows) {
   for (Row& row : rows) {
-    if (std::isinf(row.friction)) continue;  // a tie
+    if (row.holds) continue;
     const FrictionLaw law = friction_of(contact, row, input.walls);
     if (!law.any()) continue;
     row.friction = friction_coefficient(law, row, contact.step.nodes.motion);

@@ -23,8 +23,8 @@ bool is_slave_in(const Contact& contact, const Row& row, std::int32_t block) {
 void book_work(const Row& row, const Vec3& impulse, const Vec3& relative, WorkSums& sums) {
   const double push = row.normal.dot(impulse);
   (row.is_wall() ? sums.walls : sums.contact).add(-0.5 * push * row.normal.dot(relative));
-  if (row.friction > 0) sums.friction.add(-0.5 * (impulse - push * row.normal).dot(relative));
-  if (std::isinf(row.friction)) [[unlikely]]
+  if (row.friction > 0 || row.holds) sums.friction.add(-0.5 * (impulse - push * row.normal).dot(relative));
+  if (row.holds) [[unlikely]]
     sums.ties.add(-0.5 * (impulse - push * row.normal).dot(relative));
 }
 
@@ -91,7 +91,7 @@ void book_impulses(Contact& contact) {
     const Row& row = step.rows[q];
     book_work(row, impulse, both_relative_velocities(step.nodes, row), sums.work);
     if (row.is_wall()) {
-      add_vector(sums.wall_impulse[static_cast<std::size_t>(-1 - row.master_key)], impulse);
+      add_vector(sums.wall_impulse[static_cast<std::size_t>(row.key.master)], impulse);
       continue;
     }
     add_vector(sums.spin, spin_of(step.nodes, row, impulse));
@@ -123,12 +123,12 @@ RubbingRow most_given_by_friction(const Contact& contact) {
   for (std::size_t q = 0; q < step.rows.size(); ++q) {
     const Row& row = step.rows[q];
     const Vec3& impulse = step.impulses[q];
-    if (!(row.friction > 0) || std::isinf(row.friction) || impulse.isZero(0)) continue;
+    if (!(row.friction > 0) || impulse.isZero(0)) continue;
     const Vec3 across = impulse - row.normal.dot(impulse) * row.normal;
     const double work = -0.5 * across.dot(both_relative_velocities(step.nodes, row));
     if (most.slave_gid == no_index || work < most.work)
-      most = {work, row.slave_gid, step.nodes.motion[static_cast<std::size_t>(row.nodes[0])].position,
-              row.master_block};
+      most = {work, row.key.slave, step.nodes.motion[static_cast<std::size_t>(row.nodes[0])].position,
+              row.is_wall() ? no_index : row.master_block};
   }
   return most;
 }
@@ -163,7 +163,7 @@ ContactTotals collect(const Contact& contact) {
     if (contact.step.impulses[q].isZero(0)) continue;
     ++active;
     const Row& row = contact.step.rows[q];
-    if (!row.is_wall() && !std::isinf(row.friction)) ++touching;
+    if (!row.is_wall() && !row.holds) ++touching;
   }
   result.active = ranks.sum(active);
   result.touching = ranks.sum(touching);

@@ -10,7 +10,7 @@ namespace {
 
 /// Not a tie, which keeps its place by itself.
 bool has_anchor(const Row& row) {
-  return row.friction > 0 && std::isfinite(row.friction);
+  return row.friction > 0;
 }
 
 bool sticks(const Row& row, const Vec3& impulse) {

@@ -26,10 +26,10 @@ std::vector<AcceptedOverlap> overlaps_of(std::span<const Row> rows, const std::s
   for (const Row& row : rows) {
     if (row.is_wall() || row.is_edge() || row.gap >= 0) continue;
     if (!keep.contains(bodies_of(row.slave_body, row.master_body))) continue;
-    if (!seen.empty() && seen.back().slave == row.slave_gid && seen.back().body == row.master_body)
+    if (!seen.empty() && seen.back().slave == row.key.slave && seen.back().body == row.master_body)
       seen.back().depth = std::max(seen.back().depth, -row.gap);
     else
-      seen.push_back({row.slave_gid, row.master_body, -row.gap, row.slave_body});
+      seen.push_back({row.key.slave, row.master_body, -row.gap, row.slave_body});
   }
   return seen;
 }

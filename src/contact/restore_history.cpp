@@ -33,10 +33,10 @@ std::vector<Record> fetch(const comm::Communicator& ranks, const std::vector<Rec
   std::vector<std::vector<Record>> to_desk(count), answers(count);
   std::vector<std::vector<GlobalIndex>> questions(count);
   for (const Record& record : records)
-    to_desk[static_cast<std::size_t>(desk_of(record.key.slave_gid, count))].push_back(record);
+    to_desk[static_cast<std::size_t>(desk_of(record.key.slave, count))].push_back(record);
   for (const GlobalIndex slave : slaves) questions[static_cast<std::size_t>(desk_of(slave, count))].push_back(slave);
   std::vector<Record> on_desk = comm::exchange(ranks, to_desk).values;
-  const auto slave_of = [](const Record& record) { return record.key.slave_gid; };
+  const auto slave_of = [](const Record& record) { return record.key.slave; };
   std::ranges::sort(on_desk, {}, slave_of);
   const Ragged<GlobalIndex> asked = comm::exchange(ranks, questions);
   for (std::size_t r = 0; r < count; ++r)
@@ -74,9 +74,10 @@ void restore_history(const HistoryTables& tables, Contact& contact) {
                       surface.gid[static_cast<std::size_t>(edge.nodes[1])]};
   };
   const auto belongs_elsewhere = [&](const auto& record) {
-    const GlobalIndex slave = record.key.slave_gid, second = record.key.slave_second;
-    return second == no_index ? !owns(slave)
-                              : !std::ranges::binary_search(surface.edges, std::array{slave, second}, {}, ends);
+    const GlobalIndex slave = record.key.slave, second = record.key.slave_second;
+    return record.key.kind != RowKind::edge
+               ? !owns(slave)
+               : !std::ranges::binary_search(surface.edges, std::array{slave, second}, {}, ends);
   };
   std::erase_if(history.pairs, belongs_elsewhere);
   std::erase_if(history.anchors, belongs_elsewhere);

@@ -92,7 +92,7 @@ void drop_tied_rows(const Contact& contact, std::vector<Row>& rows) {
   std::erase_if(rows, [&](const Row& row) {
     if (row.is_wall()) return false;
     if (row.is_edge()) return pairs_of(contact).at(row.slave_block, row.master_block).tied != Tied::no;
-    return find_tie(contact.tied.ties, row.slave_gid, row.master_body) != nullptr || nothing_else_acts(contact, row);
+    return find_tie(contact.tied.ties, row.key.slave, row.master_body) != nullptr || nothing_else_acts(contact, row);
   });
 }
 

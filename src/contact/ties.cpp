@@ -163,8 +163,7 @@ Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const T
   FaceCorners storage;
   const std::span<const Vec3> corners = corners_of(face, scene.motion, storage);
   const LocalIndex slave = scene.candidates.slave[static_cast<std::size_t>(candidate)];
-  Row row{.slave_gid = tie.slave,
-          .master_key = face.key,
+  Row row{.key = {.kind = RowKind::tie, .slave = tie.slave, .master = face.key},
           .slave_body = scene.candidates.body[static_cast<std::size_t>(candidate)],
           .master_body = face.body,
           .master_block = face.block};
@@ -179,7 +178,7 @@ Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const T
   }
   row.normal = normal_of(corners);
   row.cone = Cone::free;
-  row.friction = std::numeric_limits<double>::infinity();
+  row.holds = true;
   const Vec3 offset = offset_of(scene.motion[static_cast<std::size_t>(slave)].position, corners, tie.weights);
   if (tie.height != 0) {
     lay_lever(offset, corners, row, lever);

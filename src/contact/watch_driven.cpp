@@ -21,7 +21,7 @@ bool is_driven(const Row& row, std::span<const Mobility> mobility) {
 }
 
 const MasterFace& face_of(const Contact& contact, const Row& row) {
-  const MasterFace* face = find_face(contact.lists.faces, contact.list_state.faces_by_key, row.master_key);
+  const MasterFace* face = find_face(contact.lists.faces, contact.list_state.faces_by_key, row.key.master);
   demand(face != nullptr, "the face of a row is in the lists");
   return *face;
 }
@@ -37,7 +37,7 @@ double size_of_master(const Contact& contact, const Row& row) {
 }
 
 DrivenMeeting meeting_of(const Contact& contact, const Row& row, std::int32_t slave_block, std::int32_t master_block) {
-  DrivenMeeting meeting{.slave_block = slave_block, .master_block = master_block, .slave = row.slave_gid};
+  DrivenMeeting meeting{.slave_block = slave_block, .master_block = master_block, .slave = row.key.slave};
   if (row.is_wall()) return meeting;
   const MasterFace& face = face_of(contact, row);
   const auto count = static_cast<std::size_t>(face.corner_count);
@@ -58,7 +58,7 @@ void watch_driven(Contact& contact, double dt) {
     if (row.gap >= 0 || row.is_edge() || row.cone != Cone::compression || !is_driven(row, contact.step.nodes.mobility))
       continue;
     const std::int32_t slave_block = blocks_of_slave(contact, row).front();
-    const auto master_block = row.is_wall() ? static_cast<std::int32_t>(row.master_key) : row.master_block;
+    const auto master_block = row.is_wall() ? static_cast<std::int32_t>(-1 - row.key.master) : row.master_block;
     auto known = std::ranges::find_if(
         driven, [&](const DrivenMeeting& meeting) { return meeting.is_of(slave_block, master_block); });
     if (known == driven.end()) {

@@ -59,7 +59,7 @@ TEST_CASE("flat on flat: gaps at rounding give one total force, and every node h
           if (step > 0) continue;
           std::map<GlobalIndex, int> rows_of;
           for (const contact::Row& row : scene.contact->step.rows)
-            if (!row.is_edge()) ++rows_of[row.slave_gid];               // rims hang over faces, open
+            if (!row.is_edge()) ++rows_of[row.key.slave];               // rims hang over faces, open
           CHECK(rows_of.size() == 16 + (passes == "one" ? 0 : below));  // its foot: the upper block is the lighter
           for (const auto& [gid, count] : rows_of) CHECK(count == 1);
         }

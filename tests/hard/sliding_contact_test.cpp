@@ -90,8 +90,8 @@ TEST_CASE("a wedge of 30 degrees falls into a groove of 60 degrees and settles a
       const LocalIndex lowest = scene.node(bottom);
       const GlobalIndex gid = scene.model.mesh.node_gid[static_cast<std::size_t>(lowest)];
       for (std::size_t q = 0; q < scene.contact->step.rows.size(); ++q)
-        if (scene.contact->step.rows[q].slave_gid == gid && !scene.contact->step.impulses[q].isZero(0))
-          faces.insert(scene.contact->step.rows[q].master_key);
+        if (scene.contact->step.rows[q].key.slave == gid && !scene.contact->step.impulses[q].isZero(0))
+          faces.insert(scene.contact->step.rows[q].key.master);
       if (scene.state.time > 2) {
         double up = 0;
         for (std::size_t q = 0; q < scene.contact->step.rows.size(); ++q)
@@ -145,9 +145,9 @@ TEST_CASE("small bodies slide over a faceted valley of facets ten times their si
     for (std::size_t q = 0; q < contact.step.rows.size(); ++q) {
       const contact::Row& row = contact.step.rows[q];
       if (contact.step.impulses[q].isZero(0)) continue;
-      if (row.slave_gid < 88) force.back() += contact.step.impulses[q].dot(row.normal) / dt;
-      auto& faces = ridden[row.slave_gid];
-      if (faces.empty() || faces.back() != row.master_key) faces.push_back(row.master_key);
+      if (row.key.slave < 88) force.back() += contact.step.impulses[q].dot(row.normal) / dt;
+      auto& faces = ridden[row.key.slave];
+      if (faces.empty() || faces.back() != row.key.master) faces.push_back(row.key.master);
     }
   }
   CHECK((points.momentum() - momentum).norm() <= 1e-13 * 24);

@@ -46,7 +46,7 @@ Seen swing(Simulation& pair) {
     pair.step();
     std::size_t pushes = 0;
     for (std::size_t q = 0; q < pair.contact->step.rows.size(); ++q)
-      if (!std::isinf(pair.contact->step.rows[q].friction) && !pair.contact->step.impulses[q].isZero(0)) ++pushes;
+      if (!pair.contact->step.rows[q].holds && !pair.contact->step.impulses[q].isZero(0)) ++pushes;
     seen.pushes = std::max(seen.pushes, pushes);
     double top = 0;  // of the base's far edge, which gives way under the blow
     for (GlobalIndex input = 0; input < 50; ++input)

@@ -30,7 +30,7 @@ void show(const std::string& title, FewFaces scene, const Vec3& node) {
     Vec3 point = Vec3::Zero();
     for (std::size_t i = 1; i < static_cast<std::size_t>(row.node_count); ++i)
       point -= row.weights[i] * scene.motion[static_cast<std::size_t>(row.nodes[i])].position;
-    fmt::print("row {}{}{}\n", row.master_key, text(point), text(row.normal));
+    fmt::print("row {}{}{}\n", row.key.master, text(point), text(row.normal));
   }
 }
 

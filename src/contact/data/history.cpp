@@ -2,7 +2,6 @@
 #include "brunt/contact/data/history.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "brunt/contact/data/row_matrix.hpp"
 #include "brunt/core/error.hpp"
@@ -10,13 +9,10 @@
 namespace brunt::contact {
 namespace {
 
-bool same_slave(const HistoryKey& a, const HistoryKey& b) {
-  return a.slave_gid == b.slave_gid && a.slave_second == b.slave_second;
-}
-
-HistoryKey least_of_slave(const Row& row) {
-  constexpr auto least = std::numeric_limits<GlobalIndex>::min();
-  return {row.slave_gid, row.slave_second, least, least};
+/// What keys begin with.
+std::array<GlobalIndex, 2> slave_of(const RowKey& key) {
+  const SavedKey ordered = saved(key);
+  return {ordered[0], ordered[1]};
 }
 
 bool acted(const HistoryRecord& record) {
@@ -28,16 +24,16 @@ void start_slave(std::span<const Row> rows, std::span<const HistoryRecord> recor
                  std::span<Vec3> impulses) {
   constexpr double alike = 0.9;  // cosine: friction may tilt a force by 26 degrees
   const auto has_record = [&](const Row& row) {
-    return std::ranges::any_of(records, [&](const HistoryRecord& record) { return record.key == key_of(row); });
+    return std::ranges::any_of(records, [&](const HistoryRecord& record) { return record.key == row.key; });
   };
   for (const HistoryRecord& record : records) {
     const Vec3 force(record.force.data());
-    const auto own = std::ranges::find(rows, record.key, key_of);
+    const auto own = std::ranges::find(rows, record.key, &Row::key);
     if (own != rows.end()) {
       impulses[static_cast<std::size_t>(own - rows.begin())] = admitted(law_of(*own), dt * force);
       continue;
     }
-    if (record.key.master_key < 0 || !acted(record)) continue;  // walls have no next face
+    if (record.key.kind == RowKind::wall || !acted(record)) continue;  // walls have no next face
     std::size_t best = rows.size();
     double most = alike * force.norm();
     for (std::size_t q = 0; q < rows.size(); ++q) {
@@ -63,11 +59,11 @@ void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> re
   std::ranges::fill(impulses, Vec3::Zero());
   auto record = records.begin();
   for (std::size_t first = 0, last = 0; first < rows.size(); first = last) {
-    while (last < rows.size() && same_slave(key_of(rows[last]), key_of(rows[first]))) ++last;
-    const HistoryKey least = least_of_slave(rows[first]);
-    while (record != records.end() && record->key < least) ++record;
+    const std::array<GlobalIndex, 2> slave = slave_of(rows[first].key);
+    while (last < rows.size() && slave_of(rows[last].key) == slave) ++last;
+    while (record != records.end() && slave_of(record->key) < slave) ++record;
     const auto begin = record;
-    while (record != records.end() && same_slave(record->key, least)) ++record;
+    while (record != records.end() && slave_of(record->key) == slave) ++record;
     start_slave(rows.subspan(first, last - first), {begin, record}, dt, impulses.subspan(first, last - first));
   }
 }
@@ -77,7 +73,7 @@ void write_pairs(std::span<const Row> rows, std::span<const Vec3> impulses, doub
   records.clear();
   auto side = sides.begin();
   for (std::size_t q = 0; q < rows.size(); ++q) {
-    const HistoryKey key = key_of(rows[q]);
+    const RowKey& key = rows[q].key;
     for (; side != sides.end() && side->key < key; ++side) records.push_back(*side);
     const bool two_sided = side != sides.end() && side->key == key;
     if (impulses[q].isZero(0) && !two_sided) continue;
@@ -91,21 +87,23 @@ void write_pairs(std::span<const Row> rows, std::span<const Vec3> impulses, doub
 void to_tables(const History& history, HistoryTables& tables) {
   tables[0] = {.name = "contact_pairs", .key_width = 4, .value_width = 4};
   for (const auto& [key, force, side] : history.pairs) {
-    tables[0].keys.insert(tables[0].keys.end(), {key.slave_gid, key.slave_second, key.master_key, key.master_second});
+    const SavedKey numbers = saved(key);
+    tables[0].keys.insert(tables[0].keys.end(), numbers.begin(), numbers.end());
     tables[0].values.insert(tables[0].values.end(), {force[0], force[1], force[2], side});
   }
   tables[1] = {.name = "contact_anchors", .key_width = 5, .value_width = 7};
   for (const AnchorRecord& anchor : history.anchors) {
-    tables[1].keys.insert(tables[1].keys.end(), {anchor.key.slave_gid, anchor.key.master, anchor.key.slave_second,
-                                                 anchor.key.master_second, anchor.face});
+    const SavedKey numbers = saved(anchor.key);
+    tables[1].keys.insert(tables[1].keys.end(), numbers.begin(), numbers.end());
+    tables[1].keys.push_back(anchor.key.kind == RowKind::face ? anchor.face : -1);
     std::vector<double>& values = tables[1].values;
     values.insert(values.end(), anchor.weights.begin(), anchor.weights.end());
     values.insert(values.end(), anchor.on_wall.begin(), anchor.on_wall.end());
   }
   tables[2] = {.name = "contact_limits", .key_width = 4, .value_width = 1};
   for (const LimitRecord& record : history.limits) {
-    const AnchorKey& key = record.key;
-    tables[2].keys.insert(tables[2].keys.end(), {key.slave_gid, key.master, key.slave_second, key.master_second});
+    const SavedKey numbers = saved(record.key);
+    tables[2].keys.insert(tables[2].keys.end(), numbers.begin(), numbers.end());
     tables[2].values.push_back(record.limit);
   }
 }
@@ -119,17 +117,18 @@ History from_tables(const HistoryTables& tables) {
          "the tables of contact's history are complete");
   const double* value = pairs.values.data();
   for (auto key = pairs.keys.begin(); key != pairs.keys.end(); key += 4, value += 4)
-    history.pairs.push_back({{key[0], key[1], key[2], key[3]}, {value[0], value[1], value[2]}, value[3]});
+    history.pairs.push_back({row_key_from({key[0], key[1], key[2], key[3]}), {value[0], value[1], value[2]}, value[3]});
   value = anchors.values.data();
   for (auto key = anchors.keys.begin(); key != anchors.keys.end(); key += 5, value += 7) {
-    AnchorRecord anchor{.key = {key[0], key[1], key[2], key[3]}, .face = key[4]};
+    AnchorRecord anchor{.key = anchor_key_from({key[0], key[1], key[2], key[3]})};
+    if (anchor.key.kind == RowKind::face) anchor.face = key[4];
     std::copy_n(value, 4, anchor.weights.begin());
     std::copy_n(value + 4, 3, anchor.on_wall.begin());
     history.anchors.push_back(anchor);
   }
   value = limits.values.data();
   for (auto key = limits.keys.begin(); key != limits.keys.end(); key += 4)
-    history.limits.push_back({.key = {key[0], key[1], key[2], key[3]}, .limit = *value++});
+    history.limits.push_back({.key = anchor_key_from({key[0], key[1], key[2], key[3]}), .limit = *value++});
   std::ranges::sort(history.pairs, {}, &HistoryRecord::key);
   std::ranges::sort(history.anchors, {}, &AnchorRecord::key);
   std::ranges::sort(history.limits, {}, &LimitRecord::key);

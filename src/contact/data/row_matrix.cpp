@@ -55,7 +55,7 @@ RowLaw law_of(const Row& row) {
              .share = largest_share(row),
              .cone = row.cone,
              .turns = row.lever != nullptr};
-  if (std::isinf(row.friction))
+  if (row.holds)
     law.across = Across::holds;
   else if (row.friction > 0)
     law.across = Across::rubs;

@@ -130,10 +130,7 @@ double accepted_overlap(const EdgeScene& scene, const EdgeSide& slave, const Edg
 
 Row row_of(const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met, std::span<const GlobalIndex> gid) {
   const auto id = [&](LocalIndex node) { return gid[static_cast<std::size_t>(node)]; };
-  Row row{.slave_gid = id(slave.nodes[0]),
-          .slave_second = id(slave.nodes[1]),
-          .master_key = id(master.nodes[0]),
-          .master_second = id(master.nodes[1])};
+  Row row{.key = {RowKind::edge, id(slave.nodes[0]), id(slave.nodes[1]), id(master.nodes[0]), id(master.nodes[1])}};
   row.nodes = {slave.nodes[0], slave.nodes[1], master.nodes[0], master.nodes[1], 0};
   row.weights = {1 - met.s, met.s, -(1 - met.t), -met.t, 0};
   row.node_count = 4;

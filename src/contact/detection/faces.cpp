@@ -115,7 +115,7 @@ bool lies_in_flat_surface(const Slave& slave, std::span<const Vec3> facet_normal
 }
 
 void fill_row(const Encounter& e, const MasterFace& face, LocalIndex slave, Row& row) {
-  row.master_key = face.key;
+  row.key.master = face.key;
   row.master_body = face.body;
   row.master_block = face.block;
   row.nodes[0] = slave;
@@ -191,9 +191,9 @@ std::span<Encounter> meet_faces(const FacesInMotion& scene, const DetectionSetti
 /// The records of a slave; `from` moves on with the slaves, which ascend.
 std::span<const HistoryRecord> records_of(GlobalIndex slave, std::span<const HistoryRecord> remembered,
                                           std::size_t& from) {
-  while (from < remembered.size() && remembered[from].key.slave_gid < slave) ++from;
+  while (from < remembered.size() && remembered[from].key.slave < slave) ++from;
   std::size_t end = from;
-  while (end < remembered.size() && remembered[end].key.slave_gid == slave) ++end;
+  while (end < remembered.size() && remembered[end].key.slave == slave) ++end;
   return remembered.subspan(from, end - from);
 }
 
@@ -202,7 +202,7 @@ void keep_sides(const FacesInMotion& scene, GlobalIndex slave, std::span<const E
   const std::size_t first = scratch.sides.size();
   for (const Encounter& e : met)
     if (const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)]; face.two_sided)
-      scratch.sides.push_back({.key = {.slave_gid = slave, .master_key = face.key}, .side = e.approach.side});
+      scratch.sides.push_back({.key = {.slave = slave, .master = face.key}, .side = e.approach.side});
   std::ranges::sort(std::span(scratch.sides).subspan(first), {}, &HistoryRecord::key);
 }
 
@@ -217,7 +217,7 @@ void add_rows(const FacesInMotion& scene, const Candidates& candidates, std::siz
     const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)];
     Row& row = rows.emplace_back();
     fill_row(e, face, node, row);
-    row.slave_gid = slave_gid;
+    row.key.slave = slave_gid;
     row.slave_body = candidates.body[s];
     row.gap += accepted_depth(settings.accepted, slave_gid, face.body);
     row.required = required_rate(row, e.size, scene.dt, scene.motion, settings);

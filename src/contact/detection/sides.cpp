@@ -10,7 +10,7 @@ constexpr double unknown = 0;
 
 double remembered_side(std::span<const HistoryRecord> remembered, GlobalIndex face) {
   const auto found = std::ranges::find_if(
-      remembered, [&](const HistoryRecord& record) { return record.side != 0 && record.key.master_key == face; });
+      remembered, [&](const HistoryRecord& record) { return record.side != 0 && record.key.master == face; });
   return found == remembered.end() ? unknown : found->side;
 }
 

@@ -2,7 +2,6 @@
 // Rows are large: their keys are sorted, and each row moves once.
 #include <algorithm>
 #include <iterator>
-#include <tuple>
 #include <utility>
 
 #include "brunt/contact/detection/detection.hpp"
@@ -41,13 +40,9 @@ void merge_runs(RowSortScratch& scratch) {
 }  // namespace
 
 void sort_rows(std::vector<Row>& rows, RowSortScratch& scratch) {
-  const auto key_of = [](const Row& row) {
-    return std::tie(row.slave_gid, row.slave_second, row.master_key, row.master_second);
-  };
-  if (std::ranges::is_sorted(rows, {}, key_of)) return;  // as they mostly are where no edges cross
+  if (std::ranges::is_sorted(rows, {}, &Row::key)) return;  // as they mostly are where no edges cross
   scratch.places.clear();
-  for (std::size_t q = 0; q < rows.size(); ++q)
-    scratch.places.push_back({{rows[q].slave_gid, rows[q].slave_second, rows[q].master_key, rows[q].master_second}, q});
+  for (std::size_t q = 0; q < rows.size(); ++q) scratch.places.push_back({saved(rows[q].key), q});
   find_runs(scratch);
   while (scratch.runs.size() > 2) merge_runs(scratch);
   scratch.rows.clear();

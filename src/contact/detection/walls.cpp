@@ -20,13 +20,13 @@ void detect_walls(std::span<const WallCandidate> candidates, std::span<const Wal
     const bool closed = held || gap < 0;
     const double limit = settings.recovery_limit * settings.wall_size;
     const double recovery = std::clamp(-settings.recovery * gap, -limit, limit);
-    Row row{.slave_gid = gid[static_cast<std::size_t>(candidate.node)], .master_key = -1 - candidate.wall};
+    Row row{.key = {.kind = RowKind::wall,
+                    .slave = gid[static_cast<std::size_t>(candidate.node)],
+                    .master = candidate.wall}};
     row.nodes[0] = candidate.node;
     row.weights[0] = 1;
     row.node_count = 1;
     row.slave_body = candidate.body;
-    row.master_body = no_index;
-    row.master_block = no_index;
     row.normal = wall.normal;
     row.gap = gap;
     row.required =

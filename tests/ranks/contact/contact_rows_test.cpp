@@ -44,7 +44,7 @@ ContactSettings apart_but_for_the_plate(const std::array<double, 2>& frictions) 
 
 /// Where the row's slave was at the start; gids are places in the mesh: 3 x 2 x 2 nodes, x fastest.
 int column_of(const contact::Row& row) {
-  return static_cast<int>(row.slave_gid % 3);
+  return static_cast<int>(row.key.slave % 3);
 }
 
 /// Rows of nodes with faces of the last step.

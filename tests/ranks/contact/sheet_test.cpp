@@ -66,7 +66,7 @@ Pinch pinch_of(const MassPoints& points, const contact::Contact& contact) {
   for (std::size_t q = 0; q < contact.step.rows.size(); ++q) {
     const contact::Row& row = contact.step.rows[q];
     const double impulse = contact.step.impulses[q].z();
-    (row.slave_gid < 58 ? above : below).push_back(impulse);
+    (row.key.slave < 58 ? above : below).push_back(impulse);
     ++rows;
   }
   return {comm::exact_sum(points.ranks, above), comm::exact_sum(points.ranks, below), points.ranks.sum(rows)};
@@ -99,7 +99,7 @@ TEST_CASE("E4: a sheet pinched between two bodies: equal forces, both at half it
   }
   CHECK(largest_miss(points) < 1e-8);
   for (const contact::HistoryRecord& record : contact.history.pairs)
-    CHECK(record.side == (record.key.slave_gid < 58 ? 1 : -1));
+    CHECK(record.side == (record.key.slave < 58 ? 1 : -1));
 }
 
 namespace {

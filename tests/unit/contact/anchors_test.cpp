@@ -32,8 +32,7 @@ struct TwoSquares {
     return slip(scene(), anchor, row());
   }
   [[nodiscard]] Row row() const {
-    return {.slave_gid = 77,
-            .master_key = 9,
+    return {.key = {.slave = 77, .master = 9},
             .nodes = {6, 3, 0, 1, 4},  // in whatever order
             .weights = {1, -0.025, -0.025, -0.475, -0.475},
             .node_count = 5,
@@ -47,7 +46,7 @@ struct TwoSquares {
 TEST_CASE("an anchor on a face turns and moves with it, over whichever face its slave lies") {
   TwoSquares squares;
   const AnchorRecord anchor = anchor_of(squares.scene(), squares.row());
-  CHECK(anchor.key == contact::AnchorKey{77, 2});
+  CHECK(anchor.key == contact::AnchorKey{.slave = 77, .master = 2});
   CHECK(anchor.face == 9);
   REQUIRE(slip(squares.scene(), anchor, squares.row()));
   CHECK(slip(squares.scene(), anchor, squares.row())->norm() < 1e-15);
@@ -72,10 +71,13 @@ TEST_CASE("an anchor is dropped where it is out of reach, whether its face is kn
 TEST_CASE("an anchor on a wall is in its plane, moves with it, and is never dropped") {
   TwoSquares squares;
   const Vec3 slave = squares.motion[6].position, normal = squares.walls[1].normal;
-  Row row{.slave_gid = 77, .master_key = -2, .nodes = {6}, .node_count = 1, .normal = normal};
+  Row row{.key = {.kind = contact::RowKind::wall, .slave = 77, .master = 1},
+          .nodes = {6},
+          .node_count = 1,
+          .normal = normal};
   row.gap = (slave - squares.walls[1].point).dot(normal);
   const AnchorRecord anchor = anchor_of(squares.scene(), row);
-  CHECK(anchor.key == contact::AnchorKey{77, -2});
+  CHECK(anchor.key == contact::AnchorKey{.kind = contact::RowKind::wall, .slave = 77, .master = 1});
   CHECK((*slip(squares.scene(), anchor, row) - row.gap * normal).norm() < 1e-15);
   squares.walls[1].point += Vec3(0, 0.1, 0.2);
   squares.motion[6].position += Vec3(10, 0.1, 0.2);
@@ -84,13 +86,13 @@ TEST_CASE("an anchor on a wall is in its plane, moves with it, and is never drop
 
 TEST_CASE("an edge holds on to the edge that it meets, at the points of both that met at first") {
   TwoSquares squares;
-  Row row{.slave_gid = 40, .slave_second = 41, .master_key = 50, .master_second = 51};
+  Row row{.key = {contact::RowKind::edge, 40, 41, 50, 51}};
   row.nodes = {0, 1, 3, 4};
   row.weights = {0.75, 0.25, -0.75, -0.25};
   row.node_count = 4;
   REQUIRE(row.is_edge());
   const AnchorRecord anchor = anchor_of(squares.scene(), row);
-  CHECK(anchor.key == contact::AnchorKey{40, 50, 41, 51});
+  CHECK(anchor.key == contact::AnchorKey{contact::RowKind::edge, 40, 50, 41, 51});
   CHECK((*slip(squares.scene(), anchor, row) - Vec3(0, -1, 0)).norm() < 1e-15);  // as far apart as their edges are
   for (const std::size_t i : {0, 1}) squares.motion[i].position += Vec3(0.1, 0, 0);
   row.weights = {0.65, 0.35, -0.75, -0.25};  // it has slid along itself: now they meet elsewhere

@@ -14,7 +14,7 @@ namespace {
 constexpr double coefficient = 0.4, lag = 0.5;
 
 Row rubbing(GlobalIndex slave, GlobalIndex face) {
-  return {.slave_gid = slave, .master_key = face, .normal = {0, 0, 1}, .friction = coefficient};
+  return {.key = {.slave = slave, .master = face}, .normal = {0, 0, 1}, .friction = coefficient};
 }
 
 /// A node that comes into touch and is pressed with 1 for a time of `lag`, then with 2, on one face and then on the
@@ -48,7 +48,7 @@ TEST_CASE("friction that lags follows jumps of the pressure as exp(-t / lag), to
 }
 
 TEST_CASE("friction that lags: nothing without pressure, its limit remains while the row is there, and goes with it") {
-  std::vector<LimitRecord> limits{{.key = {.slave_gid = 7}, .limit = 3}};
+  std::vector<LimitRecord> limits{{.key = {.slave = 7}, .limit = 3}};
   std::vector<Row> rows{rubbing(7, 0)};
   let_friction_lag(rows[0], limits, lag, 0.1);
   CHECK(admitted(law_of(rows[0]), {5, 0, -1}).isZero(0));
@@ -65,13 +65,13 @@ TEST_CASE("friction that lags: nothing without pressure, its limit remains while
 
 TEST_CASE("limits of friction stand in order of their keys, the mean where a node has several rows on a body") {
   std::vector<Row> rows{rubbing(2, 1), rubbing(2, 3), rubbing(2, 4), rubbing(9, 0)};
-  rows[2].master_body = -1;
+  rows[2].key.kind = contact::RowKind::wall;
   for (Row& row : rows) row.lags = true;
   std::vector<LimitRecord> limits;
   write_limits(rows, std::vector<Vec3>{{0, 0, 1}, {0, 0, 2}, {0, 0, 5}, {0, 0, 7}}, 1, limits);
   REQUIRE(limits.size() == 3);
-  CHECK((limits[0].key.slave_gid == 2 && limits[0].key.master == -1));
+  CHECK((limits[0].key.slave == 2 && limits[0].key.kind == contact::RowKind::wall));
   CHECK(limits[0].limit == Approx(5 * coefficient));
   CHECK(limits[1].limit == Approx(1.5 * coefficient));
-  CHECK((limits[2].key.slave_gid == 9 && limits[2].limit == Approx(7 * coefficient)));
+  CHECK((limits[2].key.slave == 9 && limits[2].limit == Approx(7 * coefficient)));
 }

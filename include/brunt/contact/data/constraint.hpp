@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "brunt/contact/data/row_key.hpp"
 #include "brunt/core/types.hpp"
 
 namespace brunt::contact {
@@ -62,37 +63,35 @@ struct Lever {
 /// One constraint on the relative velocity r = sum_i weights[i] v[nodes[i]]: normal . r >= required (equal, for a free
 /// cone) and, with friction, r = drift across the normal for as long as the impulse across it stays within friction
 /// times the impulse along it, and what friction lags behind by. An impulse p [momentum] changes the momentum of node i
-/// by weights[i] p. Rows are ordered by (slave_gid, slave_second, master_key, master_second).
+/// by weights[i] p. Rows are ordered by their keys.
 struct Row {
-  GlobalIndex slave_gid = 0;
-  GlobalIndex slave_second = no_index;                  ///< other end of a slave edge
-  GlobalIndex master_key = 0;                           ///< face key; for wall w: -1 - w; first end of a master edge
-  GlobalIndex master_second = no_index;                 ///< other end of a master edge
+  RowKey key;
   std::array<LocalIndex, most_nodes_of_a_row> nodes{};  ///< contact nodes, the slave (or the slave edge's two) first
   std::array<double, most_nodes_of_a_row>
       weights{};  ///< of the slave, sum 1, then minus the weights of the master's nodes
   std::int32_t node_count = 0;
   std::int32_t slave_body = 0, master_body = 0;
-  std::int32_t slave_block = no_index;  ///< of a slave edge; a node may have several
-  std::int32_t master_block = 0;        ///< no_index for a wall
-  Vec3 normal = Vec3::Zero();           ///< unit, out of the master
-  double gap = 0;                       ///< at x_n: > 0 open, < 0 penetration
-  double required = 0;                  ///< least rate [velocity]: -gap/dt when open, a limited recovery when closed
+  std::int32_t slave_block = 0;   ///< of a slave edge; a node may have several
+  std::int32_t master_block = 0;  ///< walls have neither body nor block
+  Vec3 normal = Vec3::Zero();     ///< unit, out of the master
+  double gap = 0;                 ///< at x_n: > 0 open, < 0 penetration
+  double required = 0;            ///< least rate [velocity]: -gap/dt when open, a limited recovery when closed
   Cone cone = Cone::compression;
   Pass pass = Pass::both;
   double softness = 0;        ///< s of enforcement/softness.hpp; 0: rigid
   double gap_share = 0;       ///< share of the penetration that `required` takes back
   double drift_share = 0;     ///< share of the slip that `drift` takes back
   double slab = 0;            ///< Z1 Z2 / (Z1 + Z2) A of eq. (29) in Heinstein et al. 2000 [mass/time]; 0: not known
-  double friction = 0;        ///< Coulomb coefficient for this step; 0: none; infinity: the node is tied to the master
+  double friction = 0;        ///< Coulomb coefficient for this step; 0: none
+  bool holds = false;         ///< across the normal it holds whatever the impulse: a tie
   bool lags = false;          ///< friction follows the pressure late: see FrictionLaw::lag
   double lagging = 0;         ///< what it admits for the pressure of before [momentum]
   double noise = 0;           ///< of what it asks for: bound of what the rounding of positions makes of it [velocity]
   Vec3 drift = Vec3::Zero();  ///< velocity across the normal that sticking asks for [velocity]: takes back what slid
   const Lever* lever = nullptr;  ///< of a tie across a gap or an overlap; lives as long as the rows of a step
 
-  [[nodiscard]] bool is_wall() const { return master_key < 0; }
-  [[nodiscard]] bool is_edge() const { return slave_second != no_index; }
+  [[nodiscard]] bool is_wall() const { return key.kind == RowKind::wall; }
+  [[nodiscard]] bool is_edge() const { return key.kind == RowKind::edge; }
 };
 
 /// What levers add to it.
@@ -123,7 +122,7 @@ inline Vec3 impulse_on_node(const Row& row, std::size_t i, const Vec3& impulse) 
 inline double largest_share(const Row& row) {
   constexpr double beside = 2;  // weights of a tied node a little beside its face
   if (row.lever != nullptr) return row.lever->most;
-  return std::isinf(row.friction) ? beside : 1.0;
+  return row.holds ? beside : 1.0;
 }
 
 /// The largest impulse across the normal [momentum] beside this one along it.

@@ -5,7 +5,6 @@
 // made.
 #pragma once
 #include <array>
-#include <compare>
 #include <span>
 #include <vector>
 
@@ -14,34 +13,15 @@
 
 namespace brunt::contact {
 
-/// Which row: what rows are ordered by.
-struct HistoryKey {
-  GlobalIndex slave_gid = 0, slave_second = no_index, master_key = 0, master_second = no_index;
-  friend auto operator<=>(const HistoryKey&, const HistoryKey&) = default;
-};
-
-inline HistoryKey key_of(const Row& row) {
-  return {row.slave_gid, row.slave_second, row.master_key, row.master_second};
-}
-
 struct HistoryRecord {
-  HistoryKey key;
+  RowKey key;
   std::array<double, 3> force{};  ///< on the slave: impulse of the row in the last step over its length [force]
   double side = 0;  ///< +1, -1: the side of a two-sided face, along and against its normal; 0 of other rows
 };
 
-/// Where a slave that sticks holds on. A node's key names the master's body, not the face: it finds its anchor again
-/// when it has come to lie over the next face. An edge holds on to an edge.
-struct AnchorKey {
-  GlobalIndex slave_gid = 0;
-  GlobalIndex master = 0;  ///< body; for wall w: -1 - w; of an edge its first node
-  GlobalIndex slave_second = no_index, master_second = no_index;  ///< of edges
-  friend auto operator<=>(const AnchorKey&, const AnchorKey&) = default;
-};
-
 struct AnchorRecord {
   AnchorKey key;
-  GlobalIndex face = no_index;      ///< key of the face that holds the anchor; none on a wall or an edge
+  GlobalIndex face = 0;             ///< of a node on a face: key of the one that holds the anchor
   std::array<double, 4> weights{};  ///< of the face's corners at the anchor; of both edges' ends
   std::array<double, 3> on_wall{};  ///< the anchor less the wall's point [length]
 };
@@ -55,8 +35,10 @@ struct LimitRecord {
 };
 
 inline AnchorKey anchor_key_of(const Row& row) {
-  if (row.is_edge()) return {row.slave_gid, row.master_key, row.slave_second, row.master_second};
-  return {.slave_gid = row.slave_gid, .master = row.is_wall() ? row.master_key : GlobalIndex{row.master_body}};
+  const RowKey& key = row.key;
+  if (row.is_edge()) return {RowKind::edge, key.slave, key.master, key.slave_second, key.master_second};
+  if (row.is_wall()) return {.kind = RowKind::wall, .slave = key.slave, .master = key.master};
+  return {.slave = key.slave, .master = row.master_body};
 }
 
 /// All in ascending order of their keys.
@@ -77,7 +59,7 @@ template <class Visit>
 void for_each_remembered(std::span<const Row> rows, std::span<const HistoryRecord> records, Visit&& visit) {
   auto record = records.begin();
   for (std::size_t q = 0; q < rows.size(); ++q) {
-    const HistoryKey key = key_of(rows[q]);
+    const RowKey& key = rows[q].key;
     while (record != records.end() && record->key < key) ++record;
     if (record == records.end()) return;
     if (record->key == key) visit(q, *record);

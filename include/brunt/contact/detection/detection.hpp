@@ -154,8 +154,8 @@ void detect_walls(std::span<const WallCandidate> candidates, std::span<const Wal
 /// Arrays of sort_rows, sized where lists are rebuilt.
 struct RowSortScratch {
   struct Place {
-    std::array<GlobalIndex, 4> key;  ///< of the row: slave_gid, slave_second, master_key, master_second
-    std::size_t row;                 ///< where it stands
+    SavedKey key;     ///< of the row
+    std::size_t row;  ///< where it stands
   };
   std::vector<Place> places, merged;
   std::vector<std::size_t> runs;  ///< beginnings of runs in order, and the end

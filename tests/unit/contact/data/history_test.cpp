@@ -9,15 +9,20 @@ using contact::AnchorRecord;
 using contact::History;
 using contact::HistoryRecord;
 using contact::Row;
+using contact::row_key_from;
 
 namespace {
 
 Row row(GlobalIndex slave, GlobalIndex master, GlobalIndex second = no_index, GlobalIndex other = no_index) {
-  return {.slave_gid = slave,
-          .slave_second = second,
-          .master_key = master,
-          .master_second = other,
-          .normal = Vec3::UnitZ()};
+  return {.key = row_key_from({slave, second, master, other}), .normal = Vec3::UnitZ()};
+}
+
+HistoryRecord record(GlobalIndex slave, GlobalIndex face, double side) {
+  return {row_key_from({slave, -1, face, -1}), {}, side};
+}
+
+contact::AnchorKey anchor_key(GlobalIndex slave, GlobalIndex master) {
+  return contact::anchor_key_from({slave, master, -1, -1});
 }
 
 }  // namespace
@@ -56,14 +61,13 @@ TEST_CASE("a slave that has gone over to the next face takes along the force of 
 
 TEST_CASE("a step leaves what acted and the sides seen, in order of keys") {
   const std::vector<Row> rows{row(1, -2), row(1, 7), row(3, 5), row(3, 7)};
-  const std::vector<HistoryRecord> sides{
-      {{1, -1, 7, -1}, {}, -1}, {{2, -1, 7, -1}, {}, 1}, {{3, -1, 5, -1}, {}, 1}, {{8, -1, 1, -1}, {}, -1}};
+  const std::vector<HistoryRecord> sides{record(1, 7, -1), record(2, 7, 1), record(3, 5, 1), record(8, 1, -1)};
   std::vector<HistoryRecord> records(1);
   write_pairs(rows, std::vector<Vec3>{{0, 0, 2}, {0, 0, 0}, {0, 0, 4}, {0, 0, 0}}, 0.5, sides, records);
   REQUIRE(records.size() == 5);
   const auto is = [&](std::size_t i, GlobalIndex slave, GlobalIndex master, double force, double side) {
     const HistoryRecord& r = records[i];
-    return r.key == contact::HistoryKey{slave, -1, master, -1} && r.force == std::array<double, 3>{0, 0, force} &&
+    return r.key == row_key_from({slave, -1, master, -1}) && r.force == std::array<double, 3>{0, 0, force} &&
            r.side == side;
   };
   CHECK(is(0, 1, -2, 4, 0));
@@ -76,7 +80,8 @@ TEST_CASE("a step leaves what acted and the sides seen, in order of keys") {
 TEST_CASE("anchors are found by slave and master, whichever face holds them") {
   Row on_face = row(3, 5);
   on_face.master_body = 2;
-  const std::vector<AnchorRecord> anchors{{.key = {1, 2}}, {.key = {3, -1}}, {.key = {3, 2}, .face = 77}};
+  const std::vector<AnchorRecord> anchors{
+      {.key = anchor_key(1, 2)}, {.key = anchor_key(3, -1)}, {.key = anchor_key(3, 2), .face = 77}};
   const AnchorRecord* anchor = find_anchor(anchors, anchor_key_of(on_face));
   REQUIRE(anchor != nullptr);
   CHECK(anchor->face == 77);
@@ -86,9 +91,11 @@ TEST_CASE("anchors are found by slave and master, whichever face holds them") {
 
 TEST_CASE("tables carry a history to the bit, in whatever order the records come") {
   History history;
-  history.pairs = {{{1, -1, -2, -1}, {0.1, 0, 0}, 0}, {{3, 4, 5, 6}, {0, 0, -0.0}, -1}};
-  history.anchors = {{{3, 2, 8, 9}, 77, {0.1, 0.2, 0.3, 0.4}, {1, 2, 3}}, {.key = {4, -1}}};
-  history.limits = {{{1, 2}, 0.7}, {{3, -1}, 0.1}};
+  history.pairs = {{row_key_from({1, -1, -2, -1}), {0.1, 0, 0}, 0}, {row_key_from({3, 4, 5, 6}), {0, 0, -0.0}, -1}};
+  history.anchors = {{anchor_key(3, 2), 77, {0.1, 0.2, 0.3, 0.4}, {1, 2, 3}},
+                     {.key = anchor_key(4, -1)},
+                     {.key = anchor_key_from({5, 2, 8, 9})}};
+  history.limits = {{anchor_key(1, 2), 0.7}, {anchor_key(3, -1), 0.1}};
   contact::HistoryTables tables;
   to_tables(history, tables);
   CHECK(tables[0].rows() == 2);
@@ -103,12 +110,14 @@ TEST_CASE("tables carry a history to the bit, in whatever order the records come
   CHECK(back.pairs[0].force[0] == 0.1);
   CHECK(std::signbit(back.pairs[1].force[2]));
   CHECK(back.pairs[1].side == -1);
-  REQUIRE(back.anchors.size() == 2);
+  REQUIRE(back.anchors.size() == 3);
   const AnchorRecord& anchor = back.anchors[0];
-  CHECK(anchor.key == contact::AnchorKey{3, 2, 8, 9});
+  CHECK(anchor.key == anchor_key(3, 2));
   CHECK((anchor.face == 77 && anchor.weights[3] == 0.4 && anchor.on_wall[2] == 3));
-  CHECK(back.anchors[1].face == no_index);
+  CHECK(back.anchors[1].key.kind == contact::RowKind::wall);
+  CHECK(back.anchors[2].key.kind == contact::RowKind::edge);
+  CHECK(tables[1].keys == std::vector<GlobalIndex>{3, 2, -1, -1, 77, 4, -1, -1, -1, -1, 5, 2, 8, 9, -1});
   REQUIRE(back.limits.size() == 2);
-  CHECK((back.limits[0].key == contact::AnchorKey{1, 2} && back.limits[0].limit == 0.7));
+  CHECK((back.limits[0].key == anchor_key(1, 2) && back.limits[0].limit == 0.7));
   CHECK(back.limits[1].limit == 0.1);
 }

@@ -57,8 +57,8 @@ TEST_CASE("a node above a face: gap, normal, weights and right-hand side") {
   const auto rows = scene.detect({0.25, 0.5, 1.1});
   REQUIRE(rows.size() == 1);
   const Row& row = rows[0];
-  CHECK(row.master_key == top);
-  CHECK(row.slave_gid == 8);
+  CHECK(row.key.master == top);
+  CHECK(row.key.slave == 8);
   CHECK(row.gap == Approx(0.1).epsilon(1e-12));
   CHECK(row.required == Approx(-0.1 / 1e-3).epsilon(1e-12));
   CHECK((row.normal - Vec3::UnitZ()).norm() < 1e-15);
@@ -151,7 +151,7 @@ TEST_CASE("a corner on a corner meets the opposed face, not the sides, whatever 
     for (const double gap : {0.0, 1e-12, -1e-12, 1e-3, -1e-3}) {
       const auto rows = scene.detect({1 + offset, 1 + offset, 1 + gap});
       REQUIRE(rows.size() == 1);
-      CHECK(rows[0].master_key == top);
+      CHECK(rows[0].key.master == top);
       CHECK(rows[0].gap == Approx(gap).margin(1e-15));
       CHECK((rows[0].normal - Vec3::UnitZ()).norm() < 1e-14);
     }
@@ -183,7 +183,7 @@ TEST_CASE("a node that flies at a convex edge is met once, along the mean of the
   CHECK(scene.detect({1.1, 0.5, 1.1}, {0, 0, -150}).empty());
   const auto aimed = scene.detect({1.1, 0.5, 1.05}, {-150, 0, -150});  // under the edge: the side alone
   REQUIRE(aimed.size() == 1);
-  CHECK(aimed[0].master_key == 1);
+  CHECK(aimed[0].key.master == 1);
   CHECK((aimed[0].normal - Vec3::UnitX()).norm() < 1e-12);
 }
 
@@ -193,7 +193,7 @@ TEST_CASE("a face seen from behind is no master: a slave under a thin body does 
   CHECK(scene.detect({0.5, 0.5, 1.05}).empty());
   const auto below = scene.detect({0.5, 0.5, -0.05});
   REQUIRE(below.size() == 1);
-  CHECK(below[0].master_key == 4);
+  CHECK(below[0].key.master == 4);
 }
 
 TEST_CASE("a longer list of candidates changes nothing") {
@@ -205,7 +205,7 @@ TEST_CASE("a longer list of candidates changes nothing") {
   const auto shorter = scene.detect({0.3, 0.6, 1.01});
   REQUIRE(expected.size() == 1);
   REQUIRE(shorter.size() == 1);
-  CHECK(shorter[0].master_key == expected[0].master_key);
+  CHECK(shorter[0].key.master == expected[0].key.master);
   CHECK(shorter[0].gap == expected[0].gap);
   CHECK(shorter[0].weights == expected[0].weights);
 }
@@ -225,8 +225,9 @@ TEST_CASE("rigid walls") {
   RowSortScratch scratch;
   sort_rows(rows, scratch);
   REQUIRE(rows.size() == 2);
-  CHECK(rows[0].slave_gid == 2);
-  CHECK(rows[0].master_key == -1);
+  CHECK(rows[0].key.slave == 2);
+  CHECK(rows[0].is_wall());
+  CHECK(rows[0].key.master == 0);
   CHECK(rows[0].required == Approx(2 + 0.05 * 0.01 / 1e-3));
   CHECK(rows[1].required == Approx(2 - 0.5 / 1e-3));
   CHECK(rows[1].cone == Cone::compression);

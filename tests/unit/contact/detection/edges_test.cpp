@@ -59,7 +59,7 @@ TEST_CASE("crossed edges at 90 degrees and at 1 degree: gap, normal, weights whe
       CHECK((row.normal - Vec3::UnitZ()).norm() < 1e-10);
       const std::array<double, 4> expected{0.5, 0.5, -0.5, -0.5};
       for (std::size_t i = 0; i < 4; ++i) CHECK(row.weights[i] == Approx(expected[i]).margin(1e-9));
-      CHECK((row.slave_gid == 2 && row.slave_second == 3 && row.master_key == 0 && row.master_second == 1));
+      CHECK((row.key.slave == 2 && row.key.slave_second == 3 && row.key.master == 0 && row.key.master_second == 1));
     }
 }
 

@@ -163,7 +163,7 @@ TEST_CASE("a path is judged wherever a step starts and ends: 10000 shots at the 
     auto rows = scene.rows(start, velocity);
     CAPTURE(shot, start.transpose(), velocity.transpose());
     REQUIRE(rows.size() == 1);
-    CHECK(rows[0].master_key == top);
+    CHECK(rows[0].key.master == top);
     // the impact: gap over approach is its share of the step
     const double share = rows[0].gap / (-rows[0].normal.dot(velocity) * scene.dt);
     CHECK(std::abs(share - before / (before + after)) <= 1e-9);

@@ -12,7 +12,7 @@ using namespace brunt::contact;
 namespace {
 
 auto key_of_row(const Row& row) {
-  return std::tuple(row.slave_gid, row.slave_second, row.master_key, row.master_second);
+  return saved(row.key);
 }
 
 /// `runs` runs of ascending rows, each with its number as its gap.
@@ -21,10 +21,13 @@ std::vector<Row> rows_in_runs(int runs, int length, std::mt19937& random) {
   for (int run = 0; run < runs; ++run) {
     std::vector<Row> some(static_cast<std::size_t>(length));
     for (Row& row : some) {
-      row.slave_gid = static_cast<GlobalIndex>(random() % 50);
-      row.slave_second = random() % 3 == 0 ? static_cast<GlobalIndex>(random() % 5) : no_index;
-      row.master_key = run == 0 ? static_cast<GlobalIndex>(random()) : -1 - run;
-      row.master_second = static_cast<GlobalIndex>(random());
+      const auto number = [&](std::uint64_t most) { return static_cast<GlobalIndex>(random() % most); };
+      if (random() % 3 == 0)
+        row.key = {RowKind::edge, number(50), number(5), number(1000), number(1000)};
+      else if (run == 0)
+        row.key = {.slave = number(50), .master = number(1000)};
+      else
+        row.key = {.kind = RowKind::wall, .slave = number(50), .master = run};
     }
     std::ranges::sort(some, {}, key_of_row);
     rows.insert(rows.end(), some.begin(), some.end());

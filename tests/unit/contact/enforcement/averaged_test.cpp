@@ -34,7 +34,7 @@ Problem two_sided(int n, int m, unsigned seed, double friction) {
   }
   for (int k = 0; k < n; ++k) p.add_row({{masters + k * n, 1}}, Vec3::UnitX(), 0.2);
   for (std::size_t q = 0; q < p.rows.size(); ++q) {
-    p.rows[q].slave_gid = static_cast<GlobalIndex>(q);
+    p.rows[q].key.slave = static_cast<GlobalIndex>(q);
     p.rows[q].friction = p.rows[q].pass == Pass::both ? 0 : friction;
   }
   return p;

@@ -87,7 +87,7 @@ TEST_CASE("a tied node follows its face in all directions, pulled as well") {
   for (LocalIndex& corner : corners) corner = p.add_node(1, {0, 0, 0});
   const LocalIndex slave = p.add_node(3, {1, -2, 4});
   Row& row = p.add_row_over(slave, corners, 0.2, 0.7, Vec3::UnitZ());
-  row.friction = std::numeric_limits<double>::infinity();
+  row.holds = true;
   row.cone = Cone::free;
   const EnforcementResult result = p.solve(exact());
   CHECK(result.residual <= 1e-12);

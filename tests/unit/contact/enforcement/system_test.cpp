@@ -17,7 +17,7 @@ TEST_CASE("admitted impulses: no pull, Coulomb's disc, ties hold everything") {
   CHECK(admitted(law_of(row), {0.3, 0.4, 2}) == Vec3(0.3, 0.4, 2));
   CHECK((admitted(law_of(row), {3, 4, 2}) - Vec3(0.6, 0.8, 2)).norm() < 1e-15);
   CHECK(admitted(law_of(row), {3, 4, -2}) == Vec3::Zero());
-  row.friction = std::numeric_limits<double>::infinity();
+  row.holds = true;
   CHECK(admitted(law_of(row), {3, 4, 2}) == Vec3(3, 4, 2));
   CHECK(admitted(law_of(row), {3, 4, -2}) == Vec3::Zero());
   row.cone = Cone::free;
@@ -56,7 +56,7 @@ TEST_CASE("a lever: nodes take what the row's rate is the transpose of, and the 
   lever.turn[2] = -lever.turn[1];
   Row& row = p.add_row({{a, 1}, {b, -0.5}, {c, -0.5}}, Vec3::UnitZ());
   row.cone = Cone::free;
-  row.friction = std::numeric_limits<double>::infinity();
+  row.holds = true;
   row.lever = &lever;
   OneRankExchange exchange;
   EnforcementScratch scratch;

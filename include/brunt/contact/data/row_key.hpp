@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which row: what tells the rows of a step apart, and what they are ordered by.
+#pragma once
+#include <array>
+#include <compare>
+#include <cstdint>
+
+#include "brunt/core/types.hpp"
+
+namespace brunt::contact {
+
+enum class RowKind : std::int8_t {
+  face,  ///< a node on a face
+  edge,  ///< an edge on an edge
+  wall,  ///< a node on a rigid wall
+  tie    ///< a node that is tied to a face
+};
+
+struct RowKey {
+  RowKind kind = RowKind::face;
+  GlobalIndex slave = 0;          ///< gid of the node; of an edge its first end
+  GlobalIndex slave_second = 0;   ///< of an edge: its other end
+  GlobalIndex master = 0;         ///< key of the face, number of the wall; gid of an edge's first end
+  GlobalIndex master_second = 0;  ///< of an edge: its other end
+};
+
+/// Where a slave that sticks holds on. A node's key names the master's body, not the face: it finds its anchor again
+/// when it has come to lie over the next face. An edge holds on to an edge.
+struct AnchorKey {
+  RowKind kind = RowKind::face;
+  GlobalIndex slave = 0;
+  GlobalIndex master = 0;  ///< body, number of the wall; of an edge its first end
+  GlobalIndex slave_second = 0, master_second = 0;
+};
+
+/// As keys stand in checkpoints and in the state hash, which also is their order: no second ends are -1, a wall w is
+/// -1 - w. Kinds that a key names alike (a tie is a node on a face) have the same.
+using SavedKey = std::array<GlobalIndex, 4>;
+inline SavedKey saved(const RowKey& key) {
+  if (key.kind == RowKind::edge) return {key.slave, key.slave_second, key.master, key.master_second};
+  return {key.slave, -1, key.kind == RowKind::wall ? -1 - key.master : key.master, -1};
+}
+inline SavedKey saved(const AnchorKey& key) {
+  if (key.kind == RowKind::edge) return {key.slave, key.master, key.slave_second, key.master_second};
+  return {key.slave, key.kind == RowKind::wall ? -1 - key.master : key.master, -1, -1};
+}
+inline RowKey row_key_from(const SavedKey& key) {
+  const auto [slave, slave_second, master, master_second] = key;
+  if (slave_second >= 0) return {RowKind::edge, slave, slave_second, master, master_second};
+  if (master < 0) return {.kind = RowKind::wall, .slave = slave, .master = -1 - master};
+  return {.slave = slave, .master = master};
+}
+inline AnchorKey anchor_key_from(const SavedKey& key) {
+  const auto [slave, master, slave_second, master_second] = key;
+  if (slave_second >= 0) return {RowKind::edge, slave, master, slave_second, master_second};
+  if (master < 0) return {.kind = RowKind::wall, .slave = slave, .master = -1 - master};
+  return {.slave = slave, .master = master};
+}
+
+inline bool operator==(const RowKey& a, const RowKey& b) {
+  return saved(a) == saved(b);
+}
+inline auto operator<=>(const RowKey& a, const RowKey& b) {
+  return saved(a) <=> saved(b);
+}
+inline bool operator==(const AnchorKey& a, const AnchorKey& b) {
+  return saved(a) == saved(b);
+}
+inline auto operator<=>(const AnchorKey& a, const AnchorKey& b) {
+  return saved(a) <=> saved(b);
+}
+
+}  // namespace brunt::contact
