@@ -72,6 +72,8 @@ void solve_both(const System& system, const EnforcementSettings& settings, doubl
   }
   result.iterations += iterations;
   if (!result.acted) return;
+  if (!system.carriers.bodies.empty())  // of the rows of both passes
+    start_bodies(system.carriers, system.motion, system.rows, exchange, scratch.carried);
   double largest = largest_impulse_on_a_node(system.rows, impulses);
   exchange.max({&largest, 1});
   demand_finite(largest);

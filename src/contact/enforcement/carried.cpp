@@ -153,7 +153,7 @@ void lay_rows_on_bodies(const Carriers& carriers, std::span<const NodeMotion> mo
       const Mat6& mobility = carriers.bodies[static_cast<std::size_t>(block.body)].mobility;
       BodyShare share = share_of(block, mobility, rows.laws[q]);
       share.group = group_of(block, scratch.blocks, all_carried);
-      if (share.weight > 0) rows.on_bodies.values.push_back(share);
+      rows.on_bodies.values.push_back(share);  // also where it is nothing: a held body is told its impulse
     }
     rows.on_bodies.close_row();
   }

@@ -70,12 +70,12 @@ struct BoxProblem : Problem {
     OneRankExchange exchange;
     return solve_boxes(settings, exchange);
   }
-  EnforcementResult solve_boxes(const EnforcementSettings& settings, Exchange& exchange) {
+  EnforcementResult solve_boxes(const EnforcementSettings& settings, Exchange& exchange, bool two_passes = false) {
     impulses.resize(rows.size(), Vec3::Zero());
     velocity.resize(motion.size());
     compress(rows, matrix);
     lay_rows_on_bodies(carriers(), motion, scratch.carried, matrix);
-    return enforce({matrix, motion, mobility, false, 1, carriers()}, settings, 1.0, exchange, impulses, velocity,
+    return enforce({matrix, motion, mobility, two_passes, 1, carriers()}, settings, 1.0, exchange, impulses, velocity,
                    scratch);
   }
   [[nodiscard]] const BodyAnswer& answer(LocalIndex body) const {

@@ -115,6 +115,38 @@ TEST_CASE("held freedoms of a body: rows along them are left out, others act") {
   CHECK(result.violation == 1);  // of the row that can act
 }
 
+TEST_CASE("a body that is held altogether is told the impulse that it takes") {
+  BoxProblem p;
+  p.add_box({.centre = {0, 0, -0.5}});
+  p.bodies[0].mobility.setZero();
+  const LocalIndex node = p.add_node(2, {0.3, 0, -3});
+  p.add_row({{node, 1}, {p.add_point(0, {0.2, 0.1, 0}), -1}}, Vec3::UnitZ());
+  p.solve_boxes({});
+  CHECK(p.velocity[0] == Vec3(0.3, 0, 0));
+  CHECK(p.answer(0).impulse.head<3>() == Vec3(0, 0, -6));
+  CHECK((p.answer(0).impulse.tail<3>() - Vec3(0.2, 0.1, 0.5).cross(Vec3(0, 0, -6))).norm() < 1e-15);
+  CHECK(p.answer(0).change.isZero(0));
+}
+
+TEST_CASE("averaged passes: a body that has rows of one pass alone gets its share") {
+  BoxProblem p;
+  p.add_box({.centre = {0, 0, 0.5}, .mass = 2, .velocity = {0, 0, -1}});
+  p.add_box({.centre = {5, 0, 0.5}, .mass = 2, .velocity = {0, 0, -1}});
+  p.rest_on_floor(0, 3);
+  for (Row& row : p.rows) row.pass = Pass::first;
+  const std::size_t first = p.rows.size();
+  p.rest_on_floor(1, 3);
+  for (std::size_t q = first; q < p.rows.size(); ++q) p.rows[q].pass = Pass::second;
+  OneRankExchange exchange;
+  p.solve_boxes({.method = Method::kinematic}, exchange, true);
+  Vec3 given = Vec3::Zero();
+  for (const Vec3& impulse : p.impulses) given += impulse;
+  const Vec6 taken = p.answer(0).impulse + p.answer(1).impulse;
+  CHECK((taken.head<3>() - given).norm() < 1e-14);
+  CHECK((p.answer(0).impulse - p.answer(1).impulse).norm() < 1e-14);
+  CHECK(p.answer(0).impulse[2] > 0.1);
+}
+
 TEST_CASE("few points beside many on one body: iterations do not grow with the many") {
   const auto [friction, most] = GENERATE(std::pair(0.0, 10), std::pair(0.3, 100));
   for (const int n : {2, 10, 100}) {
