@@ -44,7 +44,7 @@ ElementReport trial_forces(const model::Model& model, const Motion& motion, cons
 }
 
 ElementReport internal_forces(const model::Model& model, model::State& state, model::Scratch& scratch) {
-  return trial_forces(model, {state.nodes, state.dt}, state.history, state.history, scratch);
+  return trial_forces(model, {.nodes = state.nodes, .dt = state.dt}, state.history, state.history, scratch);
 }
 
 void commit(const History& trial, History& committed) {

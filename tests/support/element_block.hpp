@@ -76,7 +76,9 @@ struct ElementBlockBench {
         state.nodes[i].v[c] += d / state.dt;
       }
   }
-  [[nodiscard]] force::Motion motion(bool viscous) const { return {state.nodes, state.dt, viscous}; }
+  [[nodiscard]] force::Motion motion(bool viscous) const {
+    return {.nodes = state.nodes, .dt = state.dt, .viscous = viscous};
+  }
 
   /// Internal forces of the step under way; the committed histories of the state stay.
   Eigen::VectorXd internal_force(force::History& trial, bool viscous = false) {
