@@ -147,6 +147,31 @@ TEST_CASE("averaged passes: a body that has rows of one pass alone gets its shar
   CHECK(p.answer(0).impulse[2] > 0.1);
 }
 
+TEST_CASE("a tie with arms on a body: its work is that of the body's impulse") {
+  BoxProblem p;
+  p.add_box({.centre = {0, 0, 0.5}, .mass = 2, .velocity = {0, 0, -1}, .spin = {0.3, 0, 0}});
+  Lever lever;
+  lever.turn[1] << 0, 0.6, 0, -0.5, 0, 0.2, 0, 0, 0.3;
+  lever.turn[2] = -lever.turn[1];
+  lever.size = {0, 1, 1};
+  lever.most = 1.5;
+  Row& row = p.add_row(
+      {{p.add_node(0.5, {1, 0, 0}), 1}, {p.add_point(0, {0.5, 0, 0}), -0.5}, {p.add_point(0, {0, 0.5, 0}), -0.5}},
+      Vec3::UnitZ());
+  row.cone = Cone::free;
+  row.holds = true;
+  row.lever = &lever;
+  p.solve_boxes({.tolerance = 1e-12, .max_iterations = 1000});
+  CHECK(relative_velocity(p.rows[0], p.velocity).norm() < 1e-11);
+  Vec3 before = Vec3::Zero();
+  for (std::size_t i = 0; i < 3; ++i)
+    before += (p.rows[0].weights[i] * Mat3::Identity() + lever.turn[i]) * p.motion[i].predicted;
+  const double work = p.impulses[0].dot(-before);  // p . G W G^T p
+  const double nodes = p.impulses[0].squaredNorm() / 0.5;
+  CHECK(work == Approx(nodes + p.answer(0).impulse.dot(p.answer(0).change)).epsilon(1e-10));
+  CHECK(work <= p.scratch.diagonal[0] * p.impulses[0].squaredNorm());
+}
+
 TEST_CASE("few points beside many on one body: iterations do not grow with the many") {
   const auto [friction, most] = GENERATE(std::pair(0.0, 10), std::pair(0.3, 100));
   for (const int n : {2, 10, 100}) {
