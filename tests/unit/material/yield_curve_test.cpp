@@ -31,6 +31,15 @@ TEST_CASE("the return equation holds wherever the step starts and ends") {
     }
 }
 
+TEST_CASE("the slope of the curve is that of the piece beyond, none beyond the last point") {
+  const YieldCurve curve({{0, 10}, {1, 20}, {3, 16}}, 2);
+  CHECK(curve.slope_at(0) == 10);
+  CHECK(curve.slope_at(0.9) == 10);
+  CHECK(curve.slope_at(1) == -2);
+  CHECK(curve.slope_at(3) == 0);
+  CHECK(curve.slope_at(9) == 0);
+}
+
 TEST_CASE("a table that is no hardening curve is refused, one line a fault") {
   const auto faults = [](std::vector<std::array<double, 2>> table) -> std::size_t {
     try {
