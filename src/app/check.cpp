@@ -175,7 +175,7 @@ void print_contact(const Prepared& run) {
                wall.bilateral ? ", holds both ways" : "",
                wall.parts.empty() ? "" : fmt::format(", acts on {}", fmt::join(wall.parts, ", ")));
   if (!run.input.contact.empty()) {
-    const contact::EnforcementSettings& settings = run.input.contact.back().enforcement;
+    const contact::EnforcementSettings& settings = run.input.enforcement.settings;
     fmt::print("enforcement      {}, tolerance {:g}\n", name_of(settings.method), settings.tolerance);
   }
 }

@@ -56,10 +56,10 @@ contact::Specification contact_specification(const Input& input, std::span<const
   const auto n = static_cast<std::int32_t>(part_of_block.size());
   contact::Specification specification;
   specification.pairs = contact::PairTable(part_of_block.size(), {});
-  for (const ContactEntry& entry : input.contact) {
-    specification.enforcement = entry.enforcement;
-    specification.rebuild = entry.rebuild;
-    specification.criterion = entry.competing;
+  specification.enforcement = input.enforcement.settings;
+  specification.criterion = input.enforcement.competing;
+  specification.rebuild = input.enforcement.rebuild;
+  for (const ContactEntry& entry : input.contact)
     for (std::int32_t a = 0; a < n; ++a)
       for (std::int32_t b = a; b < n; ++b) {
         const std::string &first = part_of_block[static_cast<std::size_t>(a)],
@@ -67,7 +67,6 @@ contact::Specification contact_specification(const Input& input, std::span<const
         contact::PairSpecification pair = specification.pairs.at(a, b);
         if (apply(entry, first, second, a == b, pair)) specification.pairs.set(a, b, pair);
       }
-  }
   return specification;
 }
 

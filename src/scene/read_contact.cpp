@@ -6,6 +6,7 @@
 #include <set>
 
 #include "brunt/scene/sections.hpp"
+#include "read_enforcement.hpp"
 
 namespace brunt::scene {
 namespace {
@@ -56,30 +57,6 @@ void read_slave(const Key& key, ContactEntry& contact) {
   contact.slave = chosen % 2 == 1 ? Slave::first : Slave::second;
 }
 
-/// When lists are rebuilt changes no result: a check of that, not a choice of method.
-void read_rebuild(const Key& key, ContactEntry& contact) {
-  if (key.tree->kind == Tree::Kind::value && key.tree->text == "auto") return;
-  if (key.tree->kind == Tree::Kind::value && key.tree->text == "random") {
-    contact.rebuild.when = contact::Rebuild::When::random;
-    return;
-  }
-  contact.rebuild.when = contact::Rebuild::When::every;
-  read(key, contact.rebuild.steps, Count{1});
-}
-
-/// How rows are enforced, and the figures of that method.
-void read_enforcement(Section& entry, contact::EnforcementSettings& enforcement) {
-  using contact::Method;
-  static const Choices<Method> methods{{contact::method_names.begin(), contact::method_names.end()}, {}};
-  entry.optional("method", enforcement.method, methods);
-  entry.optional("tolerance", enforcement.tolerance, Range{0, 1, false, false, "a number > 0 and < 1"});
-  entry.optional("max_iterations", enforcement.max_iterations, Count{1});
-  entry.optional("softness", enforcement.softness, Range{0, 1, true, true, "a number from 0 to 1"});
-  entry.optional("partition", enforcement.partition, Range{0, 1, false, true, "a number > 0 and <= 1"});
-  entry.optional("stiffness", enforcement.stiffness, Range{0, 2, false, true, "a number > 0 and <= 2"});
-  entry.optional("damping", enforcement.damping, Range{0, 1, true, true, "a number from 0 to 1"});
-}
-
 /// Words of the vocabulary of which this version has one meaning only.
 void read_settled(Section& entry) {
   if (entry.has("thickness") && entry.at("thickness").tree->text != "auto") {
@@ -87,22 +64,8 @@ void read_settled(Section& entry) {
   }
 }
 
-void warn(const Key& key, std::string_view what, Input& input) {
-  input.warnings.push_back(fmt::format("{}: {}", place_of(key), what));
-}
-
-/// Settings that would do nothing, or not what they seem to.
-void judge_enforcement(const Key& whole, Section& entry, const ContactEntry& contact, Input& input) {
-  using contact::Method;
-  const Method method = contact.enforcement.method;
-  const bool penalty = method == Method::penalty || method == Method::gap_penalty;
-  const auto unused = [&](const char* name, bool used, const char* methods) {
-    if (entry.has(name) && !used) warn(entry.at(name), fmt::format("does nothing but with method {}", methods), input);
-  };
-  unused("stiffness", penalty, "gap_penalty or penalty");
-  unused("damping", method == Method::penalty, "penalty");
-  unused("partition", method == Method::kinematic, "kinematic");
-  unused("softness", method == Method::rate || method == Method::row_sum, "rate or row_sum");
+/// Settings that would do nothing.
+void judge_passes(Section& entry, const ContactEntry& contact, Input& input) {
   const bool two = contact.passes == contact::Passes::two || contact.passes == contact::Passes::averaged;
   if (two && contact.slave != Slave::automatic && entry.has("slave"))
     warn(entry.at("slave"), "does nothing in two passes", input);
@@ -112,8 +75,12 @@ void judge_enforcement(const Key& whole, Section& entry, const ContactEntry& con
         "friction with a lag is for one pass (in two, rows come and go, and their lag with them); accepted: auto, one");
   if (contact.tied && entry.has("passes") && two)
     warn(entry.at("passes"), "does nothing where parts are tied: ties have one pass", input);
-  if (method == Method::printed)
-    warn(whole, "method printed over-corrects: it rebounds and may not converge; for comparisons", input);
+}
+
+/// What the method that holds so far cannot do.
+void judge_method(const Key& whole, const ContactEntry& contact, const Input& input) {
+  using contact::Method;
+  const Method method = input.enforcement.settings.method;
   const bool ties = contact.tied || std::ranges::any_of(input.contact, &ContactEntry::tied);
   if (ties && method != Method::rate && method != Method::row_sum)
     fault(whole, "tied parts are held by the rate constraint; accepted: method rate or row_sum");
@@ -148,30 +115,20 @@ void judge_untied(const Key& whole, Section& entry, const ContactEntry& contact,
        input);
 }
 
-ContactEntry read_entry(Section& entry, const ContactEntry& before) {
+ContactEntry read_entry(Section& entry, contact::Passes passes_before) {
   static const Choices<Overlap> overlaps{
       {{"error", Overlap::error}, {"warn", Overlap::warn}, {"move", Overlap::move}, {"offset", Overlap::offset}}, {}};
-  using contact::Criterion;
-  static const Choices<Criterion> competing{{{"auto", Criterion::automatic},
-                                             {"nearest", Criterion::nearest},
-                                             {"strength", Criterion::strength},
-                                             {"velocity", Criterion::velocity}},
-                                            {}};
   using contact::Passes;
   static const Choices<Passes> passes{
       {{"auto", Passes::automatic}, {"one", Passes::one}, {"two", Passes::two}, {"averaged", Passes::averaged}}, {}};
   ContactEntry contact;
-  contact.enforcement = before.enforcement;
-  contact.passes = before.passes;
+  contact.passes = passes_before;
   read_between(entry, contact);
   if (entry.has("exclude")) read_exclude(entry.at("exclude"), contact);
   read_friction(entry, contact.friction);
   if (entry.has("slave")) read_slave(entry.at("slave"), contact);
   entry.optional("passes", contact.passes, passes);
   entry.optional("self", contact.self);
-  entry.optional("competing", contact.competing, competing);
-  read_enforcement(entry, contact.enforcement);
-  if (entry.has("rebuild")) read_rebuild(entry.at("rebuild"), contact);
   if (entry.optional("tied", contact.tied) && contact.tied) {
     judge_tied(entry, contact);
     contact.initial_overlap = Overlap::offset;  // ties hold nodes where they are
@@ -203,18 +160,24 @@ void read_friction(Section& entry, contact::FrictionLaw& friction) {
 }
 
 void read_contact(Section& scene, Input& input) {
-  if (!scene.has("contact")) return;
-  for (const Key& key : items(scene.at("contact"), "a list of {between: all} or {between: [a, b]}")) {
-    Section entry(key, "a map {between: all} or {between: [a, b]}");
-    if (!entry.is_map()) continue;
-    const ContactEntry contact = read_entry(entry, input.contact.empty() ? ContactEntry{} : input.contact.back());
-    judge_enforcement(key, entry, contact, input);
-    judge_untied(key, entry, contact, input);
-    const contact::FrictionLaw& friction = contact.friction;
-    if (friction.kinetic < friction.fixed && friction.decay == 0)
-      warn(entry.at("friction"), "without decay the coefficient stays the static one, kinetic does nothing", input);
-    input.contact.push_back(contact);
-  }
+  EnforcementReader enforcement(scene, input);
+  contact::Passes passes = contact::Passes::automatic;
+  if (scene.has("contact"))
+    for (const Key& key : items(scene.at("contact"), "a list of {between: all} or {between: [a, b]}")) {
+      Section entry(key, "a map {between: all} or {between: [a, b]}");
+      if (!entry.is_map()) continue;
+      const ContactEntry contact = read_entry(entry, passes);
+      passes = contact.passes;
+      enforcement.read_entry(key, entry);
+      judge_passes(entry, contact, input);
+      judge_method(key, contact, input);
+      judge_untied(key, entry, contact, input);
+      const contact::FrictionLaw& friction = contact.friction;
+      if (friction.kinetic < friction.fixed && friction.decay == 0)
+        warn(entry.at("friction"), "without decay the coefficient stays the static one, kinetic does nothing", input);
+      input.contact.push_back(contact);
+    }
+  enforcement.judge();
 }
 
 }  // namespace brunt::scene

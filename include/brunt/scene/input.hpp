@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "brunt/contact/data/options.hpp"
+#include "brunt/contact/data/specification.hpp"
 #include "brunt/core/types.hpp"
 #include "brunt/element/options.hpp"
 #include "brunt/material/law.hpp"
@@ -151,17 +151,21 @@ struct RigidWall {
   std::vector<std::string> parts{};  ///< that it acts on; empty: all
 };
 
+/// What holds for all contact of a scene, rigid walls too.
+struct Enforcement {
+  contact::EnforcementSettings settings;
+  contact::Criterion competing = contact::Criterion::automatic;
+  contact::Rebuild rebuild;
+};
+
 struct ContactEntry {
   std::vector<std::string> between;  ///< empty: all; else two parts
   std::vector<std::array<std::string, 2>> exclude;
   contact::FrictionLaw friction;
-  contact::EnforcementSettings enforcement;  ///< one for all rows: the last entry's
-  contact::Rebuild rebuild{};                ///< likewise
   enum class Slave { automatic, first, second } slave = Slave::automatic;
   contact::Passes passes = contact::Passes::automatic;
   bool self = true;  ///< with `all`: parts meet themselves too
   bool tied = false;
-  contact::Criterion competing = contact::Criterion::automatic;  ///< likewise
   contact::OverlapRule initial_overlap = contact::OverlapRule::error;
 };
 
@@ -207,6 +211,7 @@ struct Input {
   std::optional<Gravity> gravity;
   std::optional<Damping> damping;
   std::vector<RigidWall> rigid_walls;
+  Enforcement enforcement;
   std::vector<ContactEntry> contact;
   std::vector<Probe> probes;
   Run run;

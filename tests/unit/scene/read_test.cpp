@@ -99,9 +99,9 @@ TEST_CASE("a small scene is read with its defaults", "[scene]") {
   CHECK(std::get<material::J2>(input.materials.at("steel")).hardening == 0);
   CHECK(input.rigid_walls[0].name == "wall0");
   CHECK_FALSE(input.rigid_walls[0].bilateral);
-  CHECK(input.contact[0].enforcement.tolerance == 1e-3);
-  CHECK(input.contact[0].enforcement.max_iterations == 200);
-  CHECK(input.contact[0].enforcement.softness == 0.05);
+  CHECK(input.enforcement.settings.tolerance == 1e-3);
+  CHECK(input.enforcement.settings.max_iterations == 200);
+  CHECK(input.enforcement.settings.softness == 0.05);
   CHECK(input.contact[0].initial_overlap == contact::OverlapRule::error);
   CHECK(input.run.end == 1e-3);
   CHECK_FALSE(input.run.steps);
@@ -204,9 +204,9 @@ TEST_CASE("contact, probes and the run are read", "[scene]") {
   REQUIRE(input.contact.size() == 5);
   CHECK(input.contact[0].between.empty());
   CHECK(input.contact[0].exclude[0] == std::array<std::string, 2>{"rod", "ball"});
-  CHECK(input.contact[0].enforcement.tolerance == 1e-4);
-  CHECK(input.contact[0].enforcement.max_iterations == 20);
-  CHECK(input.contact[0].enforcement.softness == 0.1);
+  CHECK(input.enforcement.settings.tolerance == 1e-4);
+  CHECK(input.enforcement.settings.max_iterations == 20);
+  CHECK(input.enforcement.settings.softness == 0.1);
   CHECK(input.contact[0].initial_overlap == contact::OverlapRule::warn);
   CHECK(input.contact[1].slave == Slave::second);
   CHECK(input.contact[2].slave == Slave::first);
@@ -315,9 +315,38 @@ TEST_CASE("friction and methods are read; what would do nothing draws a warning"
   CHECK(input.contact[1].friction.coefficient(0) == 0.4);
   CHECK(input.contact[1].friction.coefficient(1e9) == 0.2);
   CHECK(input.contact[1].friction.lag == 0.5);
-  CHECK(input.contact[1].enforcement.method == contact::Method::kinematic);  // kept from the entry before
+  CHECK(input.enforcement.settings.method == contact::Method::kinematic);  // kept from the entry before
   CHECK(input.rigid_walls[0].friction.kinetic == 0.5);
   REQUIRE(input.warnings.size() == 2);
   CHECK_THAT(input.warnings[0], Catch::Contains("contact.0.stiffness: does nothing but with method"));
   CHECK_THAT(input.warnings[1], Catch::Contains("contact.0.friction: without decay"));
+}
+
+TEST_CASE("enforcement is a section of its own; entries of contact may say the same", "[scene]") {
+  const auto read_with = [](std::vector<std::string> overrides) {
+    return read_scene(std::string(small_scene), "small.yaml", overrides);
+  };
+  const Input input = read_with(
+      {"enforcement={method: row_sum, tolerance: 1e-5, max_iterations: 7, softness: 0, competing: nearest, rebuild: 3}",
+       "contact.0.tolerance=1.0e-5"});
+  CHECK(input.warnings.empty());
+  CHECK(input.enforcement.settings.method == contact::Method::row_sum);
+  CHECK(input.enforcement.settings.tolerance == 1e-5);
+  CHECK(input.enforcement.settings.max_iterations == 7);
+  CHECK(input.enforcement.settings.softness == 0);
+  CHECK(input.enforcement.competing == contact::Criterion::nearest);
+  CHECK(input.enforcement.rebuild == contact::Rebuild{contact::Rebuild::When::every, 3});
+
+  const Input mixed =
+      read_with({"enforcement.tolerance=1e-6", "contact.0.method=kinematic", "enforcement.partition=0.5"});
+  CHECK(mixed.warnings.empty());  // the entry's method uses the section's figure
+  CHECK(mixed.enforcement.settings.method == contact::Method::kinematic);
+  CHECK(mixed.enforcement.settings.tolerance == 1e-6);
+  CHECK(mixed.enforcement.settings.partition == 0.5);
+
+  CHECK(read_with({"contact=null", "enforcement.max_iterations=9"}).enforcement.settings.max_iterations == 9);  // walls
+  const Input useless = read_with({"contact=null", "rigid_walls=null", "enforcement.damping=0.2"});
+  REQUIRE(useless.warnings.size() == 2);
+  CHECK_THAT(useless.warnings[0], Catch::Contains("enforcement: does nothing without contact or rigid_walls"));
+  CHECK_THAT(useless.warnings[1], Catch::Contains("enforcement.damping: does nothing but with method penalty"));
 }
