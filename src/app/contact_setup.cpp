@@ -14,8 +14,8 @@
 namespace brunt::app {
 namespace {
 
-/// The pairs of blocks that probes watch.
-void track_pairs(Prepared& run, contact::ContactSettings& settings) {
+/// The contacts that probes watch.
+void track_contacts(Prepared& run, contact::ContactSettings& settings) {
   const auto block_of = [&](const std::string& part) {
     const auto found = std::ranges::find(run.model.blocks, part, &model::ElementBlock::part);
     return static_cast<std::int32_t>(found - run.model.blocks.begin());
@@ -23,7 +23,9 @@ void track_pairs(Prepared& run, contact::ContactSettings& settings) {
   for (const scene::Probe& probe : run.input.probes)
     if (probe.kind == scene::Probe::Kind::contact) {
       run.tracked.push_back({probe.where, probe.other});
-      settings.tracked.push_back({block_of(probe.where), block_of(probe.other)});
+      contact::TrackedContact tracked{block_of(probe.where)};
+      if (!probe.other.empty()) tracked.other = block_of(probe.other);
+      settings.tracked.push_back(tracked);
     }
 }
 
@@ -67,9 +69,14 @@ void for_each_sum(contact::ContactSums& sums, Visit&& visit) {
     visit(*sum);
   for (comm::ExactAccumulator& component : sums.spin) visit(component);
   visit(sums.push);
-  for (auto* list : {&sums.wall_impulse, &sums.tracked_impulse})
-    for (auto& vector : *list)
-      for (comm::ExactAccumulator& component : vector) visit(component);
+  for (auto& vector : sums.wall_impulse)
+    for (comm::ExactAccumulator& component : vector) visit(component);
+  for (contact::TrackedSums& tracked : sums.tracked) {
+    for (auto* vector : {&tracked.impulse, &tracked.friction})
+      for (comm::ExactAccumulator& component : *vector) visit(component);
+    visit(tracked.normal_size);
+    visit(tracked.friction_size);
+  }
 }
 
 }  // namespace
@@ -96,7 +103,9 @@ void make_contact(Prepared& run) {
   settings.blocks = block_properties(model);
   settings.detection.accepted = run.overlaps.accepted;
   settings.detection.recovery_gives = run.overlaps.recovered;
-  track_pairs(run, settings);
+  settings.wall_pressures =
+      std::ranges::find(run.input.output.fields, "contact_pressure") != run.input.output.fields.end();
+  track_contacts(run, settings);
 
   std::vector<double> inverse_mass;
   for (const model::NodeLine& node : run.state.nodes) inverse_mass.push_back(1.0 / node.mass);

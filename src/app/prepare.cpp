@@ -76,9 +76,11 @@ model::Registry Prepared::registry() {
   }
   registry.arrays.push_back({"extremes", model::StateArray::Entity::global, -1, 1, extremes_width,
                              reinterpret_cast<double*>(&extremes), 1, 1, 1, 0, true, false});
-  if (!force_memory.empty())  // makes columns go on smoothly; says nothing of the bodies
-    registry.arrays.push_back({"force_memory", model::StateArray::Entity::global, -1, 1,
-                               static_cast<int>(force_memory.size()), force_memory.data(), 1, 1, 1, 0, true, false});
+  // these make columns go on smoothly; they say nothing of the bodies
+  for (auto [name, memory] : {std::pair{"force_memory", &force_memory}, std::pair{"contact_memory", &contact_memory}})
+    if (!memory->empty())
+      registry.arrays.push_back({name, model::StateArray::Entity::global, -1, 1, static_cast<int>(memory->size()),
+                                 memory->data(), 1, 1, 1, 0, true, false});
   if (!driven.saved().empty())  // depends on when it was looked at, and says nothing of the bodies
     registry.arrays.push_back({"driven_parts", model::StateArray::Entity::global, -1, 1,
                                static_cast<int>(driven.saved().size()), driven.saved().data(), 1, 1, 1, 0, true,
@@ -147,6 +149,9 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   make_contact(*prepared);
   prepared->driven.prepare(prepared->contact.get());
   prepared->force_memory.assign(4 * prepared->input.probes.size(), 0.0);
+  if (std::ranges::find(prepared->input.probes, scene::Probe::Kind::contact, &scene::Probe::kind) !=
+      prepared->input.probes.end())
+    prepared->contact_memory.assign(contact_memory_width * prepared->input.probes.size(), 0.0);
   return prepared;
 }
 

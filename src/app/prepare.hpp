@@ -19,6 +19,9 @@
 
 namespace brunt::app {
 
+/// Of each probe in Prepared::contact_memory.
+constexpr std::size_t contact_memory_width = 5;
+
 struct Prepared {
   scene::Input input;
   std::string fingerprint;            ///< what may not change over a restart
@@ -29,7 +32,7 @@ struct Prepared {
   model::Scratch scratch;
   time::Links links;
   std::unique_ptr<contact::Contact> contact;        ///< null without contact and walls
-  std::vector<std::array<std::string, 2>> tracked;  ///< pairs of parts whose impulse is summed, as in the probes
+  std::vector<std::array<std::string, 2>> tracked;  ///< parts of contacts whose impulses are summed, as in the probes
   std::vector<double> contact_sums;                 ///< exact sums of contact as a checkpoint holds them
   contact::HistoryTables contact_history;           ///< what contact remembers, likewise
 
@@ -37,8 +40,9 @@ struct Prepared {
   Extremes extremes;                 ///< what the run has seen since t = 0
 
   std::vector<std::string>
-      left_out{};        ///< on the root: blocks of mesh files that are ignored, and what sets lost by it
-  DrivenParts driven{};  ///< parts that supports move through each other
+      left_out{};  ///< on the root: blocks of mesh files that are ignored, and what sets lost by it
+  std::vector<double> contact_memory{};  ///< of contact probes: friction (3), sizes (2); empty without such
+  DrivenParts driven{};                  ///< parts that supports move through each other
 
   std::string scene_values{};  ///< what the fingerprint is made of, so that a restart can say what differs
   std::string scene_yaml{};    ///< the whole scene after its overrides

@@ -71,6 +71,33 @@ Vec3 reaction_impulse(const Prepared& run, std::size_t index) {
   return {value[0], value[1], value[2]};
 }
 
+Vec3 wall_impulse(const Prepared& run, const contact::ContactTotals& totals, const std::string& name) {
+  const auto wall = std::ranges::find(run.model.walls, name, &model::RigidWall::name);
+  return totals.wall_impulse[static_cast<std::size_t>(wall - run.model.walls.begin())];
+}
+
+/// Nothing where no two bodies of the scene may touch.
+contact::TrackedTotals tracked_totals(const Prepared& run, const contact::ContactTotals& totals, const Probe& probe) {
+  const auto tracked = std::ranges::find(run.tracked, std::array{probe.where, probe.other});
+  if (tracked == run.tracked.end()) return {};
+  return totals.tracked[static_cast<std::size_t>(tracked - run.tracked.begin())];
+}
+
+/// Impulses on the two sides cancel then: sizes alone are told.
+bool is_with_itself(const Probe& probe) {
+  return probe.where == probe.other;
+}
+
+std::vector<std::string> force_components(const Probe& probe) {
+  std::vector<std::string> components;
+  if (!is_with_itself(probe)) components = {"x", "y", "z"};
+  if (probe.kind != Probe::Kind::contact) return components;
+  if (!is_with_itself(probe))
+    components.insert(components.end(), {"normal_x", "normal_y", "normal_z", "friction_x", "friction_y", "friction_z"});
+  components.insert(components.end(), {"normal", "friction"});
+  return components;
+}
+
 }  // namespace
 
 Probes::Probes(const Prepared& run, const scene::UnitSystem& units)
@@ -103,7 +130,7 @@ void Probes::add_columns(const Probe& probe, const scene::UnitSystem& units) {
     vector("moment_", product(units.force, units.length));
   } else if (is_force(probe)) {
     const bool moment = is_moment(probe);
-    for (const char* component : {"x", "y", "z"}) {
+    for (const std::string& component : force_components(probe)) {
       columns_.push_back({probe.name + '.' + component, moment ? product(units.force, units.length) : units.force});
       columns_.push_back(
           {"impulse_" + probe.name + '.' + component, moment ? product(units.momentum, units.length) : units.momentum});
@@ -164,26 +191,39 @@ std::vector<double> Probes::values(Prepared& run, const contact::ContactTotals& 
 
 void Probes::add_force(Prepared& run, const contact::ContactTotals& totals, std::size_t probe,
                        std::vector<double>& row) const {
-  const Vec3 total = impulse(run, totals, probe);
-  double* memory = &run.force_memory[4 * probe];
-  Eigen::Map<Vec3> last(memory);
-  const double passed = run.state.time - memory[3];
-  const Vec3 mean = passed > 0 ? Vec3((total - last) / passed) : Vec3::Zero();
-  for (int c = 0; c < 3; ++c) row.insert(row.end(), {mean[c], total[c]});
-  last = total;
-  memory[3] = run.state.time;
-}
-
-Vec3 Probes::impulse(const Prepared& run, const contact::ContactTotals& totals, std::size_t probe) const {
   const Probe& watched = run.input.probes[probe];
-  if (watched.kind == Probe::Kind::wall) {
-    const auto wall = std::ranges::find(run.model.walls, watched.where, &model::RigidWall::name);
-    return totals.wall_impulse[static_cast<std::size_t>(wall - run.model.walls.begin())];
+  double* memory = &run.force_memory[4 * probe];
+  const double passed = run.state.time - memory[3];
+  memory[3] = run.state.time;
+  const auto add = [&](double total, double last) {
+    row.insert(row.end(), {passed > 0 ? (total - last) / passed : 0.0, total});
+  };
+  const auto add_vector = [&](const Vec3& total, const Vec3& last) {
+    for (int c = 0; c < 3; ++c) add(total[c], last[c]);
+  };
+  Eigen::Map<Vec3> last(memory);
+  if (watched.kind != Probe::Kind::contact) {
+    const Vec3 total = watched.kind == Probe::Kind::wall ? wall_impulse(run, totals, watched.where)
+                       : body_[probe]                    ? body_impulse(run, *body_[probe], watched.field)
+                                                         : reaction_impulse(run, probe);
+    add_vector(total, last);
+    last = total;
+    return;
   }
-  if (body_[probe]) return body_impulse(run, *body_[probe], watched.field);
-  if (watched.field == "reaction") return reaction_impulse(run, probe);
-  const auto pair = std::ranges::find(run.tracked, std::array{watched.where, watched.other});
-  return totals.tracked_impulse[static_cast<std::size_t>(pair - run.tracked.begin())];
+  const contact::TrackedTotals total = tracked_totals(run, totals, watched);
+  double* parts = &run.contact_memory[contact_memory_width * probe];
+  Eigen::Map<Vec3> last_friction(parts);
+  if (!is_with_itself(watched)) {
+    add_vector(total.impulse, last);
+    add_vector(total.impulse - total.friction, last - last_friction);
+    add_vector(total.friction, last_friction);
+  }
+  add(total.normal_size, parts[3]);
+  add(total.friction_size, parts[4]);
+  last = total.impulse;
+  last_friction = total.friction;
+  parts[3] = total.normal_size;
+  parts[4] = total.friction_size;
 }
 
 }  // namespace brunt::app

@@ -30,10 +30,9 @@ class Probes {
 
  private:
   void add_columns(const scene::Probe& probe, const scene::UnitSystem& units);
-  /// Mean force since the last row, and the impulse beside it.
+  /// Mean force since the last row, and the impulse beside it; of contact its parts along and across the normals too.
   void add_force(Prepared& run, const contact::ContactTotals& totals, std::size_t probe,
                  std::vector<double>& row) const;
-  Vec3 impulse(const Prepared& run, const contact::ContactTotals& totals, std::size_t probe) const;
 
   std::vector<io::HistoryColumn> columns_;
   // of each probe, where it has them:

@@ -5,18 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "slave.hpp"
+#include "book_tracked.hpp"
 
 namespace brunt::contact {
 namespace {
 
 void add_vector(std::array<comm::ExactAccumulator, 3>& sum, const Vec3& value) {
   for (std::size_t c = 0; c < 3; ++c) sum[c].add(value[static_cast<int>(c)]);
-}
-
-bool is_slave_in(const Contact& contact, const Row& row, std::int32_t block) {
-  if (row.is_edge()) return row.slave_block == block;
-  return std::ranges::binary_search(blocks_of_slave(contact, row), block);
 }
 
 /// Takes what impulses do at these relative velocities from the sums: half of p . r along the normal, the rest across.
@@ -45,17 +40,6 @@ Vec3 spin_of(const ContactNodes& nodes, const Row& row, const Vec3& impulse) {
   for (std::size_t i = 1; i < static_cast<std::size_t>(row.node_count); ++i)
     spin += (place(i) - place(0)).cross(impulse_on_node(row, i, impulse));
   return spin;
-}
-
-void book_tracked(const Contact& contact, const Row& row, const Vec3& impulse, ContactSums& sums) {
-  const auto& tracked = contact.settings.tracked;
-  for (std::size_t t = 0; t < tracked.size(); ++t) {
-    const auto [first, second] = tracked[t];
-    if (is_slave_in(contact, row, first) && row.master_block == second)
-      add_vector(sums.tracked_impulse[t], impulse);
-    else if (is_slave_in(contact, row, second) && row.master_block == first)
-      add_vector(sums.tracked_impulse[t], -impulse);
-  }
 }
 
 /// C p^2 / 2 of each, as springs (see enforcement/softness.hpp).
@@ -96,7 +80,7 @@ void book_impulses(Contact& contact) {
     }
     add_vector(sums.spin, spin_of(step.nodes, row, impulse));
     sums.push.add(impulse.norm());
-    book_tracked(contact, row, impulse, sums);
+    book_tracked(contact, row, impulse);
   }
 }
 
@@ -140,8 +124,8 @@ ContactTotals collect(const Contact& contact) {
   sums.insert(sums.end(), own.spin.begin(), own.spin.end());
   sums.push_back(own.push);
   sums.push_back(stored_in_soft_rows(contact));
-  for (const auto* vectors : {&own.wall_impulse, &own.tracked_impulse})
-    for (const auto& vector : *vectors) sums.insert(sums.end(), vector.begin(), vector.end());
+  for (const auto& vector : own.wall_impulse) sums.insert(sums.end(), vector.begin(), vector.end());
+  for (const TrackedSums& tracked : own.tracked) append(tracked, sums);
   std::vector<double> totals(sums.size());
   comm::exact_sum(ranks, sums, totals);
 
@@ -154,9 +138,10 @@ ContactTotals collect(const Contact& contact) {
   result.push = totals[7];
   result.stored = totals[8];
   std::size_t next = 9;
-  for (auto [count, vectors] : {std::pair{own.wall_impulse.size(), &result.wall_impulse},
-                                std::pair{own.tracked_impulse.size(), &result.tracked_impulse}})
-    for (std::size_t i = 0; i < count; ++i, next += 3) vectors->push_back(Vec3(&totals[next]));
+  for (std::size_t w = 0; w < own.wall_impulse.size(); ++w, next += 3)
+    result.wall_impulse.push_back(Vec3(&totals[next]));
+  for (std::size_t t = 0; t < own.tracked.size(); ++t, next += tracked_width)
+    result.tracked.push_back(tracked_totals(std::span(totals).subspan(next).first<tracked_width>()));
   result.pairs = ranks.sum(static_cast<GlobalIndex>(contact.lists.candidates.faces.values.size()));
   GlobalIndex active = 0, touching = 0;
   for (std::size_t q = 0; q < contact.step.rows.size(); ++q) {

@@ -2,6 +2,7 @@
 // What contact tells of its last step for pictures.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "brunt/contact/contact.hpp"
 #include "slave.hpp"
@@ -18,15 +19,31 @@ std::size_t model_slave(const Contact& contact, const Row& row) {
   return static_cast<std::size_t>(contact.surface.model_node[static_cast<std::size_t>(surface_slave(contact, row))]);
 }
 
+/// What of these facets looks against the normal [length^2].
+double area_against(const Contact& contact, const Vec3& normal, std::span<const LocalIndex> facets) {
+  double area = 0;
+  for (const LocalIndex facet : facets)
+    area += std::max(0.0, -normal.dot(contact.step.facet_area[static_cast<std::size_t>(facet)]));
+  return area;
+}
+
 }  // namespace
 
 double area_of_slave(const Contact& contact, const Row& row) {
   const Candidates& candidates = contact.lists.candidates;
   const auto slave = std::ranges::lower_bound(candidates.slave, row.nodes[0]) - candidates.slave.begin();
-  double area = 0;
-  for (const LocalIndex facet : candidates.slave_facets.row(static_cast<LocalIndex>(slave)))
-    area += std::max(0.0, -row.normal.dot(contact.step.facet_area[static_cast<std::size_t>(facet)]));
-  return area;
+  return area_against(contact, row.normal, candidates.slave_facets.row(static_cast<LocalIndex>(slave)));
+}
+
+/// The same on a wall; nothing where wall pressures were not asked for.
+double area_on_wall(const Contact& contact, const Row& row) {
+  const ContactLists& lists = contact.lists;
+  if (!contact.settings.wall_pressures) return 0;
+  const auto wall = static_cast<std::int32_t>(row.key.master);
+  const auto key = [](const WallCandidate& c) { return std::pair(c.wall, c.node); };
+  const auto candidate = std::ranges::lower_bound(lists.wall_candidates, std::pair(wall, row.nodes[0]), {}, key);
+  return area_against(contact, row.normal,
+                      lists.wall_facets.row(static_cast<LocalIndex>(candidate - lists.wall_candidates.begin())));
 }
 
 std::vector<double> pressures(const Contact& contact, double dt) {
@@ -50,11 +67,11 @@ std::vector<double> pressures(const Contact& contact, double dt) {
   }
   for (std::size_t q = 0; q < rows.size(); ++q) {
     const Row& row = rows[q];
-    if (row.is_wall() || row.is_edge()) continue;
+    if (row.is_edge()) continue;
     const std::size_t node = model_slave(contact, row);
-    const double area = area_of_slave(contact, row);
+    const double area = row.is_wall() ? area_on_wall(contact, row) : area_of_slave(contact, row);
     double push = row.normal.dot(impulses[q]);
-    if (two_passes) {  // the rows that it is a master's corner of push a node as well, or alone
+    if (two_passes && !row.is_wall()) {  // the rows that it is a master's corner of push a node as well, or alone
       const double share = pushes[node] > 0 ? push / pushes[node] : 1 / count[node];
       push = share * std::max(0.0, row.normal.dot(given[node]));
     }

@@ -207,14 +207,19 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
   lists.most_rows += found.pairs.size();
 }
 
-/// Where the area vectors of facets come from (those around slaves, those of edges), and whose are needed.
+/// Where the area vectors of facets come from (those around slaves and wall_nodes, those of edges), and whose are
+/// needed.
 void link_facets(const ListBuild& build, const FacePairs& found, const std::vector<Place>& of_edges,
-                 ContactLists& lists) {
+                 std::span<const LocalIndex> wall_nodes, ContactLists& lists) {
   std::vector<Place> leaves = of_edges;
   const auto each_slave = [&](auto&& visit) {
     for_each_slave(found.pairs, [&](LocalIndex node, auto /*pairs*/) { visit(build.surface.facets.row(node)); });
   };
-  each_slave([&](std::span<const Place> facets) { leaves.insert(leaves.end(), facets.begin(), facets.end()); });
+  const auto add_leaves = [&](std::span<const Place> facets) {
+    leaves.insert(leaves.end(), facets.begin(), facets.end());
+  };
+  each_slave(add_leaves);
+  for (const LocalIndex node : wall_nodes) add_leaves(build.surface.facets.row(node));
   sort_unique(leaves);
   const auto leaf_of = [&](const Place& facet) {
     return static_cast<LocalIndex>(std::lower_bound(leaves.begin(), leaves.end(), facet) - leaves.begin());
@@ -229,6 +234,10 @@ void link_facets(const ListBuild& build, const FacePairs& found, const std::vect
     for (const Place& facet : facets) lists.candidates.slave_facets.values.push_back(leaf_of(facet));
     lists.candidates.slave_facets.close_row();
   });
+  for (const LocalIndex node : wall_nodes) {
+    for (const Place& facet : build.surface.facets.row(node)) lists.wall_facets.values.push_back(leaf_of(facet));
+    lists.wall_facets.close_row();
+  }
   auto next = of_edges.begin();
   for (std::vector<EdgeSide>* sides : {&lists.edges.masters, &lists.edges.slaves})
     for (EdgeSide& side : *sides)
@@ -284,6 +293,9 @@ ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface
 
   Ragged<LocalIndex> requested;
   lists.nodes = make_table(build, needed_nodes(build, faces, edges, lists.wall_candidates), requested);
+  std::vector<LocalIndex> wall_nodes;  // in the surface
+  for (const WallCandidate& candidate : lists.wall_candidates)
+    if (settings.wall_facets) wall_nodes.push_back(candidate.node);
   for (WallCandidate& candidate : lists.wall_candidates)
     candidate.node = table_index(lists.nodes, surface.gid[static_cast<std::size_t>(candidate.node)]);
   std::vector<Place> edge_facets;
@@ -297,7 +309,7 @@ ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface
   lists.exchange =
       HaloExchange(ranks, static_cast<LocalIndex>(lists.nodes.gid.size()), link_nodes(build, lists.nodes, requested),
                    std::max(node_motion_width + 1, row_sum_width + impulse_width));
-  link_facets(build, faces, edge_facets, lists);
+  link_facets(build, faces, edge_facets, wall_nodes, lists);
   return lists;
 }
 

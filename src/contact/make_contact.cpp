@@ -89,7 +89,7 @@ Contact make_contact(const comm::Communicator& ranks, const mesh::LocalMesh& mes
                   .surface = std::move(surface),
                   .surface_nodes = std::move(nodes)};
   contact.ledger.sums.wall_impulse.resize(walls.size());
-  contact.ledger.sums.tracked_impulse.resize(contact.settings.tracked.size());
+  contact.ledger.sums.tracked.resize(contact.settings.tracked.size());
   keep_overlaps(contact, mesh.coordinates, walls);
   make_ties(contact, mesh.coordinates, walls);
   return contact;

@@ -78,6 +78,7 @@ ContactLists lists_of(Contact& contact, std::span<const Wall> walls) {
                            .motion = state.motion_allowed,
                            .faces = derived.bodies,
                            .two_passes = derived.two_passes,
+                           .wall_facets = contact.settings.wall_pressures,
                            .thickness = contact.settings.blocks.thickness};
   return build_lists(contact.ranks, contact.surface, contact.settings.specification, derived.roles,
                      state.motion.starts().first(contact.surface.gid.size()), walls, contact.surface_nodes.held, reach,

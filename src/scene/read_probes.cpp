@@ -73,11 +73,16 @@ void read_section(const Key& key, Probe& probe) {
   }
 }
 
+/// A part against all others, against another one, or against itself.
 void read_parts(const Key& key, Probe& probe) {
-  const std::vector<Key> parts = items(key, "two parts [a, b]", 2);
+  const bool one = key.tree == nullptr || key.tree->kind != Tree::Kind::list;
+  if (one) {
+    read(key, probe.where, Named::part);
+    return;
+  }
+  const std::vector<Key> parts = items(key, "a part a, two parts [a, b], or [a, a]", 2);
   if (parts.size() != 2) return;
-  const bool good = read(parts[0], probe.where, Named::part) && read(parts[1], probe.other, Named::part);
-  if (good && probe.where == probe.other) fault(key, "the parts are the same; accepted: two different parts [a, b]");
+  if (read(parts[0], probe.where, Named::part)) read(parts[1], probe.other, Named::part);
 }
 
 void read_node(Section& entry, Probe& probe) {

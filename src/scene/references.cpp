@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "brunt/scene/build.hpp"
 #include "brunt/scene/curve.hpp"
 #include "brunt/scene/nearest.hpp"
 #include "brunt/scene/sections.hpp"
@@ -117,6 +118,39 @@ void check_displacements(const Input& input, Section& scene) {
   }
 }
 
+/// What is wrong with a probe of contact whose parts are known; empty: nothing. Columns that never hold anything but
+/// zero are a mistake.
+std::string fault_of_contact_probe(const Input& input, const Probe& probe) {
+  const auto touches = [&](const std::string& other) { return deciding_entry(input, probe.where, other).has_value(); };
+  if (input.contact.empty()) return "the scene has no contact; accepted: parts that an entry of contact lets touch";
+  if (probe.other == probe.where && !touches(probe.where))
+    return fmt::format(
+        "part '{0}' has no contact with itself; accepted: a part that an entry of contact lets touch itself (between: "
+        "all, or between: [{0}, {0}])",
+        probe.where);
+  const auto is_met = [&](const Part& part) { return part.name != probe.where && touches(part.name); };
+  if (probe.other.empty() && std::ranges::none_of(input.parts, is_met))
+    return fmt::format(
+        "part '{}' has contact with no other part; accepted: a part that an entry of contact lets touch another",
+        probe.where);
+  return {};
+}
+
+void check_contact_probes(const Input& input, Section& scene) {
+  const auto known = [&](const std::string& name) {
+    return name.empty() || std::ranges::find(input.parts, name, &Part::name) != input.parts.end();
+  };
+  for (std::size_t k = 0; k < input.probes.size(); ++k) {
+    const Probe& probe = input.probes[k];
+    if (probe.kind != Probe::Kind::contact || probe.where.empty() || !known(probe.where) || !known(probe.other))
+      continue;
+    const std::string what = fault_of_contact_probe(input, probe);
+    if (what.empty()) continue;
+    for (const auto& [name, key] : entries(items(scene.at("probes"), "")[k], ""))
+      if (name == "contact") fault(key, what);
+  }
+}
+
 /// A name that would be two things where one is looked up.
 void check_twice(const Key& section, const std::vector<std::string>& names, std::string_view what) {
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -136,6 +170,7 @@ void check_references(const Input& input, Section& scene) {
   check_uses(input, scene);
   check_bodies(input, scene);
   check_displacements(input, scene);
+  check_contact_probes(input, scene);
   std::vector<std::string> probes;
   for (const Probe& probe : input.probes) probes.push_back(probe.name);
   check_twice(scene.at("probes"), probes, "probe");

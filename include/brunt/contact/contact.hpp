@@ -58,7 +58,7 @@ void add_impulses(const Contact& contact, std::span<Vec3> impulse);
 void add_second_half(const Contact& contact, WorkSums& half);
 
 /// Of the last step, by local node of the mesh, for slaves owned here, zero elsewhere: impulse over dt and the area
-/// around the node [stress]; smallest gap [length].
+/// around the node [stress], on walls where ContactSettings::wall_pressures asks for it; smallest gap [length].
 std::vector<double> pressures(const Contact& contact, double dt);
 std::vector<double> gaps(const Contact& contact);
 

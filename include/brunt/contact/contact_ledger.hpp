@@ -17,11 +17,20 @@ struct WorkSums {
   comm::ExactAccumulator ties;      ///< of `friction`, what ties took: they may give it back
 };
 
+/// What one tracked contact has given: on its block. Within a block the impulses on both sides cancel: sizes alone
+/// tell.
+struct TrackedSums {
+  std::array<comm::ExactAccumulator, 3> impulse;   ///< [momentum]
+  std::array<comm::ExactAccumulator, 3> friction;  ///< of it, across the normals of the rows
+  comm::ExactAccumulator normal_size;              ///< sum of the sizes of the parts along the normals [momentum]
+  comm::ExactAccumulator friction_size;            ///< and of those across them
+};
+
 /// Sums over the run, on this rank, exact: sums are reduced only when wanted (see `collect`).
 struct ContactSums {
   WorkSums work;
-  std::vector<std::array<comm::ExactAccumulator, 3>> wall_impulse;     ///< by each wall on the bodies [momentum]
-  std::vector<std::array<comm::ExactAccumulator, 3>> tracked_impulse;  ///< on the first block of each tracked pair
+  std::vector<std::array<comm::ExactAccumulator, 3>> wall_impulse;  ///< by each wall on the bodies [momentum]
+  std::vector<TrackedSums> tracked;                                 ///< of each of ContactSettings::tracked
   /// Angular momentum that contact between bodies has given: zero where nodes and face points that push on each other
   /// coincide, or where the push is along the line between them.
   std::array<comm::ExactAccumulator, 3> spin;
@@ -29,10 +38,17 @@ struct ContactSums {
   double penetration = 0;       ///< largest so far [length]
 };
 
+/// TrackedSums after reduction over all ranks.
+struct TrackedTotals {
+  Vec3 impulse = Vec3::Zero(), friction = Vec3::Zero();
+  double normal_size = 0, friction_size = 0;
+};
+
 /// The same after reduction over all ranks.
 struct ContactTotals {
   double contact_work = 0, friction_work = 0, wall_work = 0, tie_work = 0;  ///< that of ties is in friction_work too
-  std::vector<Vec3> wall_impulse, tracked_impulse;
+  std::vector<Vec3> wall_impulse;
+  std::vector<TrackedTotals> tracked;
   Vec3 spin = Vec3::Zero();           ///< given by contact between bodies [angular momentum]
   double push = 0;                    ///< sum of the sizes of the impulses between bodies [momentum]
   double stored = 0;                  ///< of contact_work, what soft rows hold after the last step and return [energy]

@@ -30,7 +30,8 @@ struct ContactLists {
   std::vector<MasterFace> faces;
   Candidates candidates;
   EdgeCandidates edges;
-  std::vector<WallCandidate> wall_candidates;
+  std::vector<WallCandidate> wall_candidates;  ///< ordered by (wall, node)
+  Ragged<LocalIndex> wall_facets;  ///< of each of them, as Candidates::slave_facets; empty where nobody asks
   HaloExchange exchange;
   comm::Halo facets;  ///< roots: area vectors of this rank's surface faces; leaves: facets of slaves, edges
   std::vector<char> facet_needed;  ///< surface faces whose area vector some rank needs
@@ -47,6 +48,7 @@ struct ListSettings {
   double motion = 0;                    ///< each node and wall may move this far [length], the coming step included
   bool faces = true;                    ///< search faces at all
   bool two_passes = false;              ///< some pair meets in two passes
+  bool wall_facets = false;             ///< areas around nodes near walls are wanted
   std::span<const double> thickness{};  ///< of the sheets that blocks are, see ContactSettings [length]
 
   [[nodiscard]] double thickness_of(std::int32_t block) const {

@@ -4,6 +4,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "brunt/contact/data/specification.hpp"
@@ -19,12 +20,19 @@ struct BlockProperties {
   std::vector<double> thickness{};  ///< of two-sided sheets, met at half of it from their faces [length]; 0: of a solid
 };
 
+/// Contact whose impulses are summed: of a block with another one, with itself, or, without `other`, with all others.
+struct TrackedContact {
+  std::int32_t block = 0;
+  std::optional<std::int32_t> other{};
+};
+
 struct ContactSettings {
   Specification specification;
   BlockProperties blocks;
   DetectionSettings detection;  ///< but for what is derived
   double motion_share = 0.3;    ///< of Surface::mean_depth: how far nodes may move before lists are rebuilt
-  std::vector<std::array<std::int32_t, 2>> tracked;  ///< pairs of blocks whose impulse is summed
+  std::vector<TrackedContact> tracked;
+  bool wall_pressures = false;  ///< `pressures` are asked for on walls: areas around nodes near walls are kept
 };
 
 /// What follows from the settings, the surface and the walls; the same on every rank.

@@ -172,7 +172,8 @@ struct ContactEntry {
 struct Probe {
   std::string name;
   enum class Kind { node, near, set, part, wall, contact, section } kind = Kind::node;
-  std::string where, other;        ///< node id as text; set or part; wall; the two parts of a contact
+  std::string where, other;        ///< node id as text; set or part; wall; the two parts of a contact, the same twice
+                                   ///< for one with itself, `other` empty for one with all others
   std::string field;               ///< node, set: displacement, velocity, position, (set) reaction; of a part see below
   Vec3 point = Vec3::Zero();       ///< near: the place whose nearest node is taken; section: of its plane
   Vec3 normal = Vec3::Zero();      ///< section: unit normal of its plane; zero: the section is the set `where`

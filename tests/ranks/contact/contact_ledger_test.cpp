@@ -62,11 +62,11 @@ TEST_CASE("ledger: tracked impulses are the momentum of either side, and its tur
   const Vec3 lower = momentum_of(points, false), spin = angular_momentum(points);
   for (int step = 0; step < 40; ++step) points.step(contact, dt);
   const contact::ContactTotals totals = contact::collect(contact);
-  REQUIRE(totals.tracked_impulse.size() == 2);
+  REQUIRE(totals.tracked.size() == 2);
   const Vec3 given = momentum_of(points, false) - lower;
   CHECK(given.norm() > 1);
-  CHECK((totals.tracked_impulse[0] - given).norm() <= 1e-12 * given.norm());
-  CHECK(totals.tracked_impulse[0] == -totals.tracked_impulse[1]);
+  CHECK((totals.tracked[0].impulse - given).norm() <= 1e-12 * given.norm());
+  CHECK(totals.tracked[0].impulse == -totals.tracked[1].impulse);
   const Vec3 turned = angular_momentum(points) - spin;
   CHECK(turned.norm() > 1e-6);  // friction acts a gap apart
   CHECK((totals.spin - turned).norm() <= 1e-11 * spin.norm());

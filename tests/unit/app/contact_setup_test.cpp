@@ -25,18 +25,18 @@ TEST_CASE("contact setup: sums come back from what a checkpoint holds, bit for b
   const comm::Communicator self = comm::Communicator::self();
   for (const double term : {1e20, 1.0, -1e20, 1e-20, 0.1}) {
     contact.ledger.sums.work.contact.add(term);
-    contact.ledger.sums.tracked_impulse[0][2].add(-term);
+    contact.ledger.sums.tracked[0].impulse[2].add(-term);
   }
   contact.ledger.sums.penetration = 0.25;
   const std::vector<double> saved = app::save_sums(self, contact);
   contact.ledger.sums.work.contact.add(17);
-  contact.ledger.sums.tracked_impulse[0][2].clear();
+  contact.ledger.sums.tracked[0].impulse[2].clear();
   contact.ledger.sums.penetration = 3;
   CHECK(app::save_sums(self, contact) != saved);
   app::restore_sums(self, saved, contact);
   CHECK(app::save_sums(self, contact) == saved);
   const contact::ContactTotals totals = contact::collect(contact);
   CHECK(totals.contact_work == 1.1);  // 1 + 0.1 + 1e-20, rounded once
-  CHECK(totals.tracked_impulse[0] == Vec3(0, 0, -1.1));
+  CHECK(totals.tracked[0].impulse == Vec3(0, 0, -1.1));
   CHECK(totals.penetration == 0.25);
 }
