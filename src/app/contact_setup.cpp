@@ -82,6 +82,7 @@ void for_each_sum(contact::ContactSums& sums, Visit&& visit) {
 }  // namespace
 
 double speed_of_sound(const model::ElementBlock& block) {
+  if (material::is_rigid(block.law)) return std::numeric_limits<double>::infinity();
   const material::ElasticModuli moduli = material::initial_moduli(block.law);
   return std::sqrt((moduli.lambda + 2 * moduli.mu) / moduli.density);
 }
@@ -93,6 +94,15 @@ contact::BlockProperties block_properties(const model::Model& model) {
     blocks.impedance.push_back(blocks.sound.back() * material::initial_moduli(block.law).density);
   }
   return blocks;
+}
+
+contact::RigidBodies rigid_bodies(const model::Model& model) {
+  contact::RigidBodies bodies{.count = model.bodies.size()};
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    bodies.supported = bodies.supported || model.bodies[b].support.any();
+    for (const LocalIndex node : model.bodies[b].nodes) bodies.nodes.push_back({node, static_cast<LocalIndex>(b)});
+  }
+  return bodies;
 }
 
 void make_contact(Prepared& run) {
@@ -112,6 +122,7 @@ void make_contact(Prepared& run) {
   std::vector<contact::ConstrainedNode> constrained;
   for (const model::ConstrainedNode& node : model.constrained) constrained.push_back({node.node, node.free});
   const std::vector<contact::Wall> walls = time::walls_at(model, run.state, 0.0);
+  settings.rigid = rigid_bodies(model);
   run.contact = std::make_unique<contact::Contact>(contact::make_contact(
       run.links.ranks, model.mesh, model.in_symmetry_plane, inverse_mass, constrained, walls, settings));
   tell_ties(run);

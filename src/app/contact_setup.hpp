@@ -14,6 +14,9 @@ double speed_of_sound(const model::ElementBlock& block);
 /// What contact is told of the materials of blocks.
 contact::BlockProperties block_properties(const model::Model& model);
 
+/// What it is told of rigid parts.
+contact::RigidBodies rigid_bodies(const model::Model& model);
+
 /// Makes Prepared::contact where the scene has contact or walls. Collective.
 void make_contact(Prepared& run);
 

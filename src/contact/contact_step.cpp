@@ -34,10 +34,13 @@ EnforcementResult solve(Contact& contact, const StepInput& input) {
   const DerivedSettings& derived = contact.derived;
   step.impulses.assign(step.rows.size(), Vec3::Zero());
   if (derived.enforcement.warm_start) start_impulses(step.rows, contact.history.pairs, input.dt, step.impulses);
-  const RowMatrix& rows = compress(step.rows, step.scratch.enforcement.matrix);
-  const System system{rows, step.nodes.motion, step.nodes.mobility, derived.two_passes, input.mobility_scale};
+  EnforcementScratch& scratch = step.scratch.enforcement;
+  const Carriers carriers = carriers_of(contact, input);
+  const RowMatrix& rows = compress(step.rows, scratch.matrix);
+  lay_rows_on_bodies(carriers, step.nodes.motion, scratch.carried, scratch.matrix);
+  const System system{rows, step.nodes.motion, step.nodes.mobility, derived.two_passes, input.mobility_scale, carriers};
   return enforce(system, derived.enforcement, input.dt, contact.lists.exchange, step.impulses, step.nodes.velocity,
-                 step.scratch.enforcement);
+                 scratch);
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ bool nothing_can_meet(const Contact& contact) {
   return !contact.lists.any_rows || (!state.are_new && 3 * state.motion.bound() < state.clearance);
 }
 
-void find_rows(Contact& contact, std::span<const Wall> walls, double dt) {
+void find_rows(Contact& contact, const StepInput& input) {
+  const double dt = input.dt;
   const DetectionSettings& settings = contact.derived.detection;
   ContactLists& lists = contact.lists;
   StepData& step = contact.step;
@@ -52,16 +53,16 @@ void find_rows(Contact& contact, std::span<const Wall> walls, double dt) {
                contact.history.pairs, step.scratch.detection, step.rows);
   if (lists.any_edges) detect_crossing_edges(settings, dt, lists, step);
   if (contact.derived.tied) drop_tied_rows(contact, step.rows);
-  detect_walls(lists.wall_candidates, walls, lists.nodes.gid, step.nodes.motion, dt, settings, step.rows);
+  detect_walls(lists.wall_candidates, input.walls, lists.nodes.gid, step.nodes.motion, dt, settings, step.rows);
   double& penetration = contact.ledger.sums.penetration;
   for (const Row& row : step.rows) penetration = std::max(penetration, -row.gap);
-  append_tie_rows(contact, dt, step.rows);
+  append_tie_rows(contact, carriers_of(contact, input), dt, step.rows);
   sort_rows(step.rows, step.scratch.row_sort);
 }
 
 void detect_rows(Contact& contact, const StepInput& input) {
-  find_rows(contact, input.walls, input.dt);
-  if (contact.derived.may_be_driven) watch_driven(contact, input.dt);
+  find_rows(contact, input);
+  if (contact.derived.may_be_driven) watch_driven(contact, carriers_of(contact, input), input.dt);
   if (contact.list_state.are_new) contact.list_state.clearance = measured_clearance(contact, input);
 }
 

@@ -13,6 +13,6 @@ bool nothing_can_meet(const Contact& contact);
 void detect_rows(Contact& contact, const StepInput& input);
 
 /// Rows alone: what detect_rows begins with. Collective.
-void find_rows(Contact& contact, std::span<const Wall> walls, double dt);
+void find_rows(Contact& contact, const StepInput& input);
 
 }  // namespace brunt::contact

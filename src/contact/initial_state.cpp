@@ -69,7 +69,8 @@ void keep_overlaps(Contact& contact, const std::vector<Vec3>& reference, std::sp
   std::vector<AcceptedOverlap>& accepted = contact.derived.detection.accepted;
   accepted.clear();
   gather_start(contact, reference, walls);
-  if (contact.lists.any_rows) find_rows(contact, walls, any_step);
+  const StepInput at_rest{.position = {}, .old_velocity = {}, .velocity = {}, .walls = walls, .dt = any_step};
+  if (contact.lists.any_rows) find_rows(contact, at_rest);
   const std::vector<std::vector<AcceptedOverlap>> to_all(static_cast<std::size_t>(contact.ranks.size()),
                                                          overlaps_of(contact.step.rows, keep));
   for (const AcceptedOverlap& overlap : comm::exchange(contact.ranks, to_all).values)

@@ -56,6 +56,7 @@ DerivedSettings derive(const ContactSettings& settings, const Surface& surface, 
   derived.two_passes = derived.bodies && any_two_passes(specification, surface.bodies);
   derived.sheets = std::ranges::any_of(settings.blocks.thickness, [](double thickness) { return thickness > 0; });
   derived.may_be_driven =
+      settings.rigid.supported ||
       ranks.any(std::ranges::any_of(mobility, [](const Mobility& node) { return !node.is_free(); }));
   derived.remembers = derived.enforcement.warm_start || derived.friction || derived.sheets;
   return derived;
@@ -64,8 +65,10 @@ DerivedSettings derive(const ContactSettings& settings, const Surface& surface, 
 /// Collective.
 SurfaceNodes surface_nodes(const comm::Communicator& ranks, const Surface& surface, const mesh::LocalMesh& mesh,
                            std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained,
-                           std::span<const Wall> walls, bool wants_reference) {
-  SurfaceNodes nodes{.mobility = surface_mobility(surface, inverse_mass, constrained),
+                           std::span<const Wall> walls, std::span<const BodyNode> on_bodies, bool wants_reference) {
+  std::vector<double> carrier = surface_carriers(surface, on_bodies);
+  SurfaceNodes nodes{.mobility = surface_mobility(surface, inverse_mass, constrained, carrier),
+                     .carrier = std::move(carrier),
                      .held = held_by_walls(surface, mesh.coordinates, walls),
                      .copies = link_copies(ranks, surface)};
   if (wants_reference)
@@ -80,8 +83,8 @@ Contact make_contact(const comm::Communicator& ranks, const mesh::LocalMesh& mes
                      std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained,
                      std::span<const Wall> walls, ContactSettings settings) {
   Surface surface = join_surface(ranks, mesh, excluded, inverse_mass);
-  SurfaceNodes nodes =
-      surface_nodes(ranks, surface, mesh, inverse_mass, constrained, walls, !settings.detection.accepted.empty());
+  SurfaceNodes nodes = surface_nodes(ranks, surface, mesh, inverse_mass, constrained, walls, settings.rigid.nodes,
+                                     !settings.detection.accepted.empty());
   DerivedSettings derived = derive(settings, surface, nodes.mobility, walls, ranks);
   Contact contact{.ranks = ranks,
                   .settings = std::move(settings),

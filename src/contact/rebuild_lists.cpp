@@ -96,18 +96,28 @@ std::vector<T> of_contact_nodes(ContactLists& lists, std::span<const T> of_surfa
   return values;
 }
 
+void find_carried(const Contact& contact, ContactLists& lists, ContactNodes& nodes) {
+  nodes.carried.clear();
+  const std::vector<double> carrier = of_contact_nodes<double>(lists, contact.surface_nodes.carrier, 0.0);
+  for (std::size_t i = 0; i < carrier.size(); ++i)
+    if (carrier[i] > 0)
+      nodes.carried.push_back({static_cast<LocalIndex>(i), static_cast<LocalIndex>(carrier[i]) - 1,
+                               lists.nodes.home[i].rank == contact.ranks.rank()});
+}
+
 void size_nodes(const Contact& contact, ContactLists& lists, ContactNodes& nodes) {
   nodes.motion.assign(lists.nodes.gid.size(), {});
   nodes.velocity.assign(lists.nodes.gid.size(), Vec3::Zero());
   nodes.mobility = of_contact_nodes<Mobility>(lists, contact.surface_nodes.mobility, {});
   static_assert(sizeof(Mobility) == 10 * sizeof(double));
+  if (contact.settings.rigid.count > 0) find_carried(contact, lists, nodes);
   if (!contact.derived.detection.accepted.empty())
     nodes.reference = of_contact_nodes<Vec3>(lists, contact.surface_nodes.reference, Vec3::Zero());
 }
 
 /// All that grows with the rows that these lists can give.
-void reserve_rows(const DerivedSettings& derived, const ContactLists& lists, std::size_t ties, StepData& step,
-                  History& history) {
+void reserve_rows(const DerivedSettings& derived, const ContactLists& lists, std::size_t ties, std::size_t bodies,
+                  StepData& step, History& history) {
   StepScratch& scratch = step.scratch;
   scratch.detection.reserve(lists.faces.size(), step.facet_area.size(), lists.most_faces_of_a_slave);
   scratch.node_normal.reserve(lists.nodes.gid.size());
@@ -117,6 +127,7 @@ void reserve_rows(const DerivedSettings& derived, const ContactLists& lists, std
   step.impulses.reserve(most_rows);
   scratch.enforcement.reserve(most_rows, ties, lists.nodes.gid.size());
   if (derived.two_passes) scratch.enforcement.reserve_passes(most_rows, ties);
+  if (bodies > 0) scratch.enforcement.reserve_bodies(most_rows, lists.nodes.gid.size(), bodies);
   if (!derived.remembers) return;
   const std::size_t sides = derived.sheets ? lists.candidates.faces.values.size() : 0;
   scratch.detection.sides.reserve(sides);
@@ -151,7 +162,7 @@ void rebuild(Contact& contact, const StepInput& input) {
   state.gather = plan_gather(surface, lists);
   step.own_area.assign(surface.faces.size(), Vec3::Zero());
   step.facet_area.assign(static_cast<std::size_t>(lists.facet_count), Vec3::Zero());
-  reserve_rows(derived, lists, contact.tied.ties.size(), step, contact.history);
+  reserve_rows(derived, lists, contact.tied.ties.size(), contact.settings.rigid.count, step, contact.history);
   if (derived.friction || derived.may_be_driven || derived.tied) state.faces_by_key = order_by_key(lists.faces);
   if (derived.tied) demand_ties_hold(contact);
 }

@@ -9,7 +9,7 @@
 namespace brunt::contact {
 
 std::vector<Mobility> surface_mobility(const Surface& surface, std::span<const double> inverse_mass,
-                                       std::span<const ConstrainedNode> constrained) {
+                                       std::span<const ConstrainedNode> constrained, std::span<const double> carrier) {
   std::vector<Mobility> mobility;
   for (const LocalIndex node : surface.model_node)
     mobility.push_back({inverse_mass[static_cast<std::size_t>(node)], Mat3::Identity()});
@@ -18,7 +18,19 @@ std::vector<Mobility> surface_mobility(const Surface& surface, std::span<const d
     if (found == surface.model_node.end() || *found != held.node) continue;
     mobility[static_cast<std::size_t>(found - surface.model_node.begin())].projector = held.projector;
   }
+  for (std::size_t i = 0; i < carrier.size(); ++i)
+    if (carrier[i] > 0) mobility[i].inverse_mass = 0;
   return mobility;
+}
+
+std::vector<double> surface_carriers(const Surface& surface, std::span<const BodyNode> on_bodies) {
+  std::vector<double> carrier(surface.model_node.size(), 0.0);
+  for (const BodyNode& carried : on_bodies) {
+    const auto found = std::ranges::lower_bound(surface.model_node, carried.node);
+    if (found == surface.model_node.end() || *found != carried.node) continue;
+    carrier[static_cast<std::size_t>(found - surface.model_node.begin())] = 1.0 + carried.body;
+  }
+  return carrier;
 }
 
 std::vector<char> held_by_walls(const Surface& surface, std::span<const Vec3> reference, std::span<const Wall> walls) {

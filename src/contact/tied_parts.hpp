@@ -16,6 +16,6 @@ void demand_ties_hold(const Contact& contact);
 void drop_tied_rows(const Contact& contact, std::vector<Row>& rows);
 
 /// A row a tie.
-void append_tie_rows(Contact& contact, double dt, std::vector<Row>& rows);
+void append_tie_rows(Contact& contact, const Carriers& carriers, double dt, std::vector<Row>& rows);
 
 }  // namespace brunt::contact

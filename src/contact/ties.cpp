@@ -194,21 +194,36 @@ Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const T
   return row;
 }
 
+/// Projector onto the directions in which an impulse can move a point of the body.
+Mat3 free_directions(const Carrier& body, const Vec3& position) {
+  constexpr double nothing = Mobility::rounding * Mobility::rounding;
+  Eigen::SelfAdjointEigenSolver<Mat3> directions;
+  directions.computeDirect(answer_at(body, position));
+  Mat3 free = Mat3::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (directions.eigenvalues()[k] > nothing * directions.eigenvalues()[2])
+      free += directions.eigenvectors().col(k) * directions.eigenvectors().col(k).transpose();
+  return free;
+}
+
 /// G P of the i-th node of the row: how its velocity enters the rate, along the directions that are free to it.
-Mat3 free_part(const Row& row, std::size_t i, const Mobility& mobility) {
-  Mat3 part = row.weights[i] * mobility.projector;
-  if (row.lever != nullptr) part += row.lever->turn[i] * mobility.projector;
+Mat3 free_part(const Row& row, std::size_t i, const Mat3& free) {
+  Mat3 part = row.weights[i] * free;
+  if (row.lever != nullptr) part += row.lever->turn[i] * free;
   return part;
 }
 
 /// Projector onto the directions in which nothing can change the row's rate: the null space of sum G P (G P)^T. A share
 /// of Mobility::rounding of the largest is no motion, as elsewhere.
-Mat3 held_directions(const Row& row, std::span<const Mobility> mobility) {
+Mat3 held_directions(const Row& row, std::span<const Mobility> mobility, std::span<const NodeMotion> motion,
+                     const Carriers& carriers) {
   Mat3 sum = Mat3::Zero();
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
     const Mobility& node = mobility[static_cast<std::size_t>(row.nodes[i])];
-    if (node.inverse_mass == 0) continue;
-    const Mat3 part = free_part(row, i, node);
+    const Carrier* body = carriers.of(row.nodes[i]);
+    if (node.inverse_mass == 0 && body == nullptr) continue;
+    const Vec3& place = motion[static_cast<std::size_t>(row.nodes[i])].position;
+    const Mat3 part = free_part(row, i, body != nullptr ? free_directions(*body, place) : node.projector);
     sum += part * part.transpose();
   }
   Eigen::SelfAdjointEigenSolver<Mat3> directions;
@@ -224,10 +239,11 @@ Mat3 held_directions(const Row& row, std::span<const Mobility> mobility) {
 
 }  // namespace
 
-void ask_only_what_can_move(Row& row, std::span<const Mobility> mobility, std::span<const NodeMotion> motion) {
+void ask_only_what_can_move(Row& row, std::span<const Mobility> mobility, std::span<const NodeMotion> motion,
+                            const Carriers& carriers) {
   const Mobility& slave = mobility[static_cast<std::size_t>(row.nodes[0])];
   if (slave.is_free() && slave.inverse_mass > 0) return;  // it can follow any rate
-  const Mat3 held = held_directions(row, mobility);
+  const Mat3 held = held_directions(row, mobility, motion, carriers);
   if (held.isZero(0)) return;
   const Vec3 asked = row.required * row.normal + row.drift;
   const Vec3 predicted = relative_motion(

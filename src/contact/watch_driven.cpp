@@ -12,9 +12,13 @@ namespace brunt::contact {
 namespace {
 
 /// Can no impulse of the row change its rate, since supports hold all its nodes along the normal?
-bool is_driven(const Row& row, std::span<const Mobility> mobility) {
+bool is_driven(const Row& row, const ContactNodes& nodes, const Carriers& carriers) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-    const Mobility& node = mobility[static_cast<std::size_t>(row.nodes[i])];
+    const auto place = static_cast<std::size_t>(row.nodes[i]);
+    const Mobility& node = nodes.mobility[place];
+    if (const Carrier* body = carriers.of(row.nodes[i]))
+      if (row.weights[i] != 0 && row.normal.dot(answer_at(*body, nodes.motion[place].position) * row.normal) > 0)
+        return false;
     if (row.weights[i] != 0 && node.inverse_mass > 0 && node.is_free_along(row.normal)) return false;
   }
   return true;
@@ -52,10 +56,10 @@ DrivenMeeting meeting_of(const Contact& contact, const Row& row, std::int32_t sl
 }  // namespace
 
 /// The rows are in the order of their slaves, so that the first of a step has the lowest gid.
-void watch_driven(Contact& contact, double dt) {
+void watch_driven(Contact& contact, const Carriers& carriers, double dt) {
   std::vector<DrivenMeeting>& driven = contact.driven;
   for (const Row& row : contact.step.rows) {
-    if (row.gap >= 0 || row.is_edge() || row.cone != Cone::compression || !is_driven(row, contact.step.nodes.mobility))
+    if (row.gap >= 0 || row.is_edge() || row.cone != Cone::compression || !is_driven(row, contact.step.nodes, carriers))
       continue;
     const std::int32_t slave_block = blocks_of_slave(contact, row).front();
     const auto master_block = row.is_wall() ? static_cast<std::int32_t>(-1 - row.key.master) : row.master_block;

@@ -6,6 +6,6 @@
 namespace brunt::contact {
 
 /// Looks through the rows of the step.
-void watch_driven(Contact& contact, double dt);
+void watch_driven(Contact& contact, const Carriers& carriers, double dt);
 
 }  // namespace brunt::contact

@@ -40,13 +40,17 @@ Support make_support(std::span<const Vec3> held_shift, std::span<const Vec3> hel
   return {free_of(held_shift), free_of(held_turn), !held_shift.empty(), !held_turn.empty()};
 }
 
-Vec3 supported_spin(const Mat3& free_turn, const Mat3& inertia, const Vec3& angular_momentum, const Vec3& given) {
+Mat3 supported_mobility(const Mat3& free_turn, const Mat3& inertia) {
   const Mat3& P = free_turn;
-  if (P.isZero(0)) return given;
+  if (P.isZero(0)) return P;
   // the axes that are not free get some moment of the body's size, so that the matrix can be inverted
   const Mat3 others = Mat3::Identity() - P;
   const Mat3 along_free = P * inertia * P + inertia.trace() / 3 * others;
-  return given + P * (along_free.inverse() * (P * (angular_momentum - inertia * given)));
+  return P * along_free.inverse() * P;
+}
+
+Vec3 supported_spin(const Mat3& free_turn, const Mat3& inertia, const Vec3& angular_momentum, const Vec3& given) {
+  return given + supported_mobility(free_turn, inertia) * (angular_momentum - inertia * given);
 }
 
 Mat3 inertia_now(const Body& body, const BodyState& state) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "brunt/scene/build.hpp"
+#include "brunt/scene/rigid_parts.hpp"
 
 namespace brunt::scene {
 namespace {
@@ -31,8 +32,13 @@ contact::PairRule rule_of(const ContactEntry& entry, bool straight) {
   return (entry.slave == ContactEntry::Slave::first) == straight ? PairRule::slave : PairRule::master;
 }
 
+/// With `all` unless the entry wants it; a rigid part has no folds.
+bool never_meets_itself(const Input& input, const ContactEntry& entry, const std::string& part) {
+  return (entry.between.empty() && !entry.self) || names_rigid_part(input, part);
+}
+
 /// What an entry says of two blocks (one twice, or two) of parts a and b; whether it says anything.
-bool apply(const ContactEntry& entry, const std::string& a, const std::string& b, bool itself,
+bool apply(const Input& input, const ContactEntry& entry, const std::string& a, const std::string& b, bool itself,
            contact::PairSpecification& pair) {
   using contact::Passes, contact::Tied;
   const bool straight = names_pair(entry, a, b);
@@ -45,7 +51,7 @@ bool apply(const ContactEntry& entry, const std::string& a, const std::string& b
   pair.tied = entry.tied ? Tied::yes : Tied::no;
   const bool lags = entry.friction.lag > 0 && entry.passes == Passes::automatic;
   pair.passes = entry.tied || lags ? Passes::one : entry.passes;
-  const bool apart = excludes(entry, a, b) || (itself && entry.between.empty() && !entry.self);
+  const bool apart = excludes(entry, a, b) || (itself && never_meets_itself(input, entry, a));
   pair.rule = apart ? contact::PairRule::apart : rule_of(entry, straight);
   return true;
 }
@@ -65,7 +71,7 @@ contact::Specification contact_specification(const Input& input, std::span<const
         const std::string &first = part_of_block[static_cast<std::size_t>(a)],
                           &second = part_of_block[static_cast<std::size_t>(b)];
         contact::PairSpecification pair = specification.pairs.at(a, b);
-        if (apply(entry, first, second, a == b, pair)) specification.pairs.set(a, b, pair);
+        if (apply(input, entry, first, second, a == b, pair)) specification.pairs.set(a, b, pair);
       }
   return specification;
 }
@@ -77,7 +83,7 @@ std::optional<std::size_t> deciding_entry(const Input& input, const std::string&
     const ContactEntry& entry = input.contact[k];
     if ((!names_pair(entry, a, b) && !names_pair(entry, b, a)) || leaves_tied(entry, tied)) continue;
     tied = entry.tied;
-    const bool itself = a == b && entry.between.empty() && !entry.self;
+    const bool itself = a == b && never_meets_itself(input, entry, a);
     deciding = itself || excludes(entry, a, b) ? std::nullopt : std::optional(k);
   }
   return deciding;

@@ -2,6 +2,9 @@
 #include "brunt/time/bodies.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/model/curve.hpp"
@@ -84,6 +87,16 @@ void predict(const model::Model& model, const model::State& state, const RigidBo
   now.after = now.predicted;
 }
 
+/// The components of a velocity into the bounds of contact::VelocitySpan: the largest, then minus the least.
+template <class Velocity>
+void widen(const Velocity& velocity, double* bounds) {
+  for (int c = 0; c < 3; ++c) {
+    const double v = std::isfinite(velocity[c]) ? velocity[c] : std::numeric_limits<double>::infinity();
+    bounds[c] = std::max(bounds[c], v);
+    bounds[c + 3] = std::max(bounds[c + 3], std::isfinite(velocity[c]) ? -v : v);
+  }
+}
+
 /// impulse . (velocity before + velocity after)/2.
 double work_of(const BodyStep& now, const Vec3& impulse, const Vec3& angular_impulse) {
   return 0.5 * (impulse.dot(now.before.velocity + now.after.velocity) +
@@ -133,14 +146,60 @@ void sum_body_forces(const model::Model& model, const model::State& state, model
   }
 }
 
-void predict_bodies(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step) {
+void predict_bodies(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step,
+                    contact::VelocitySpan& velocities) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     BodyStep& now = scratch.bodies[b];
     predict(model, state, model.bodies[b], state.bodies[b], step, now);
     for_nodes(model.bodies[b], [&](std::size_t, std::size_t i) {
       const Vec3 arm = Eigen::Map<const Vec3>(state.nodes[i].x) - now.centre;
+      widen(scratch.before[i], velocities.data());  // as it has moved
       scratch.before[i] = now.before.velocity + now.before.spin.cross(arm);
-      Eigen::Map<Vec3>(state.nodes[i].v) = now.predicted.velocity + now.predicted.spin.cross(arm);
+      Eigen::Map<Vec3> predicted(state.nodes[i].v);
+      predicted = now.predicted.velocity + now.predicted.spin.cross(arm);
+      widen(predicted, velocities.data() + 6);
+    });
+  }
+}
+
+void carriers_of_bodies(const model::Model& model, const model::Scratch& scratch, double drag,
+                        std::vector<contact::Carrier>& carriers) {
+  carriers.resize(model.bodies.size());
+  for (std::size_t b = 0; b < carriers.size(); ++b) {
+    const RigidBody& body = model.bodies[b];
+    const BodyStep& now = scratch.bodies[b];
+    const double share = 1 / (1 + drag);
+    carriers[b].centre = now.centre;
+    carriers[b].mobility.setZero();
+    carriers[b].mobility.topLeftCorner<3, 3>() = share / body.body.mass.mass * body.support.free_shift;
+    carriers[b].mobility.bottomRightCorner<3, 3>() =
+        share *
+        (body.support.holds_turn ? rigid::supported_mobility(body.support.free_turn, now.inertia) : now.inverse);
+  }
+}
+
+void push_bodies(const model::Model& model, std::span<const contact::BodyAnswer> answers, double drag,
+                 model::State& state, model::Scratch& scratch) {
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const RigidBody& body = model.bodies[b];
+    BodyStep& now = scratch.bodies[b];
+    const contact::Vec6 &impulse = answers[b].impulse, &change = answers[b].change;
+    const double mass = body.body.mass.mass;
+    now.after.velocity += change.head<3>();
+    // supports take what they do not let through
+    if (body.support.holds_shift) now.reaction.force += (1 + drag) * mass * change.head<3>() - impulse.head<3>();
+    if (body.support.holds_turn) {
+      const Vec3 let_through = now.inertia * change.tail<3>();
+      now.after.angular_momentum += let_through;
+      now.reaction.moment += (1 + drag) * let_through - impulse.tail<3>();
+    } else {
+      now.after.angular_momentum += impulse.tail<3>() / (1 + drag);
+    }
+    now.after.spin = now.inverse * now.after.angular_momentum;
+    if (!model.books_interface) continue;
+    for_nodes(body, [&](std::size_t, std::size_t i) {
+      const Vec3 arm = Eigen::Map<const Vec3>(state.nodes[i].x) - now.centre;
+      Eigen::Map<Vec3>(state.nodes[i].v) = now.after.velocity + now.after.spin.cross(arm);
     });
   }
 }

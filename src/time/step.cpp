@@ -79,6 +79,7 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
                      contact::Contact& contact, const StepReport& step, contact::VelocitySpan velocities) {
   const double dt = step.dt;
   place_walls(model, state, state.time + 0.5 * dt, links.walls);
+  carriers_of_bodies(model, scratch, step.drag(), links.carriers);
   constexpr int line = sizeof(model::NodeLine) / sizeof(double);
   auto* nodes = reinterpret_cast<double*>(state.nodes.data());
   const contact::StepInput input{.position = {nodes, line},
@@ -86,6 +87,7 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
                                  .velocity = {nodes + 4, line},
                                  .walls = links.walls,
                                  .dt = dt,
+                                 .bodies = links.carriers,
                                  .mobility_scale = 1 / (1 + step.drag())};
   {
     const auto timed = links.timers.measure(Phase::search);
@@ -94,6 +96,8 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
   }
   const auto timed = links.timers.measure(Phase::enforcement);
   contact::correct(contact, input);
+  if (!model.bodies.empty() && contact.ledger.statistics.last.acted)
+    push_bodies(model, contact.step.scratch.enforcement.carried.answer, step.drag(), state, scratch);
   if (scratch.contact_impulse.empty()) return;
   // what contact pushes into held directions goes to whatever holds them
   for (const model::ConstrainedNode& constrained : model.constrained)
@@ -146,7 +150,7 @@ void advance(const model::Model& model, model::State& state, model::Scratch& scr
   {
     const auto timed = links.timers.measure(Phase::other);
     velocities = predict(model, state, scratch, interval);
-    if (!model.bodies.empty()) predict_bodies(model, state, scratch, interval);
+    if (!model.bodies.empty()) predict_bodies(model, state, scratch, interval, velocities);
   }
   if (contact) correct_contact(model, state, scratch, links, *contact, step, velocities);
   const auto timed = links.timers.measure(Phase::other);

@@ -2,6 +2,7 @@
 #include "support/simulation.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "app/contact_setup.hpp"
 #include "brunt/mesh/canonical.hpp"
@@ -21,6 +22,7 @@ std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation, con
   settings.specification = model.contact;
   settings.specification.rebuild = rebuild;
   settings.blocks = app::block_properties(model);
+  settings.rigid = app::rigid_bodies(model);
   settings.detection.recovery_gives = std::ranges::any_of(simulation.input.contact, [](const auto& entry) {
     return entry.initial_overlap == scene::ContactEntry::InitialOverlap::warn;
   });
@@ -38,7 +40,7 @@ std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation, con
 Simulation::Simulation(mesh::Mesh mesh, const std::string& scene)
     : input(scene::read_scene("units: none\nmesh: {file: of_the_test}\nrun: {end: 1}\n" + scene, "scene of the test")),
       links{comm::Communicator::world(), {}, {}, {}, {}, {}, {}, {}},
-      control{input.run.cfl, 1.02} {
+      control{input.run.cfl, 1.02, input.run.step.value_or(std::numeric_limits<double>::infinity())} {
   mesh::CanonicalMesh whole = mesh::canonical_order(std::move(mesh));
   scene::select(input, whole);
   std::size_t elements = 0;

@@ -42,6 +42,11 @@ Contact make_contact(const comm::Communicator& ranks, const mesh::LocalMesh& mes
                      std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained,
                      std::span<const Wall> walls, ContactSettings settings);
 
+/// Carriers of a step's contact nodes.
+inline Carriers carriers_of(const Contact& contact, const StepInput& input) {
+  return {contact.step.nodes.carried, input.bodies};
+}
+
 /// Rebuilds the lists where the motion they allow is used up. Once a step, before `correct`. velocities: of all ranks;
 /// their bounds tell for most steps that the lists hold (see ListMotion). Collective.
 void search(Contact& contact, const StepInput& input, const VelocitySpan& velocities);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "brunt/contact/data/carriers.hpp"
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/core/types.hpp"
 
@@ -30,7 +31,8 @@ struct StepInput {
   MutableVectorView velocity;  ///< v*; `correct` replaces it by v at n + 1/2
   std::span<const Wall> walls;
   double dt = 0;
-  double mobility_scale = 1;  ///< what W has of the inverse masses: 1 / (1 + alpha dt / 2) under mass damping
+  std::span<const Carrier> bodies{};  ///< rigid bodies at t_n
+  double mobility_scale = 1;          ///< what W has of the inverse masses: 1 / (1 + alpha dt / 2) under mass damping
 
   [[nodiscard]] VectorView predicted() const { return {velocity.data, velocity.stride}; }
 };

@@ -26,11 +26,25 @@ struct TrackedContact {
   std::optional<std::int32_t> other{};
 };
 
+/// A node that a rigid body carries.
+struct BodyNode {
+  LocalIndex node = 0;  ///< local node of the mesh
+  LocalIndex body = 0;
+};
+
+/// Rigid bodies of the model.
+struct RigidBodies {
+  std::size_t count = 0;          ///< on all ranks
+  bool supported = false;         ///< supports hold or drive some of them
+  std::vector<BodyNode> nodes{};  ///< of this rank
+};
+
 struct ContactSettings {
   Specification specification;
   BlockProperties blocks;
   DetectionSettings detection;  ///< but for what is derived
   double motion_share = 0.3;    ///< of Surface::mean_depth: how far nodes may move before lists are rebuilt
+  RigidBodies rigid{};
   std::vector<TrackedContact> tracked;
   bool wall_pressures = false;  ///< `pressures` are asked for on walls: areas around nodes near walls are kept
 };

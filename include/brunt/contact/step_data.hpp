@@ -43,8 +43,9 @@ struct ListState {
 struct ContactNodes {
   std::vector<NodeMotion> motion;
   std::vector<Mobility> mobility;
-  std::vector<Vec3> velocity;   ///< after contact
-  std::vector<Vec3> reference;  ///< at the start; empty where no overlaps of the start are accepted
+  std::vector<CarriedPoint> carried;  ///< by rigid bodies, ascending
+  std::vector<Vec3> velocity;         ///< after contact
+  std::vector<Vec3> reference;        ///< at the start; empty where no overlaps of the start are accepted
 };
 
 struct StepScratch {

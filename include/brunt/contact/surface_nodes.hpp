@@ -10,6 +10,7 @@
 #include "brunt/contact/data/constraint.hpp"
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/contact/node_views.hpp"
+#include "brunt/contact/settings.hpp"
 #include "brunt/contact/surface/surface.hpp"
 
 namespace brunt::contact {
@@ -31,14 +32,20 @@ struct SurfaceCopies {
 
 struct SurfaceNodes {
   std::vector<Mobility> mobility;
+  /// 1 + the number of the body that carries the node, 0 where none does: a double, since it is shared as others are;
+  /// empty without rigid bodies.
+  std::vector<double> carrier{};
   std::vector<Vec3> reference{};  ///< at the start [length]; empty where no overlaps of the start are accepted
   std::vector<char> held;         ///< wall by wall, a flag a surface node: it started in the plane of a bilateral wall
   SurfaceCopies copies;
 };
 
-/// inverse_mass: of the mesh's local nodes.
+/// inverse_mass: of the mesh's local nodes. Nodes that bodies carry have none of their own.
 std::vector<Mobility> surface_mobility(const Surface& surface, std::span<const double> inverse_mass,
-                                       std::span<const ConstrainedNode> constrained);
+                                       std::span<const ConstrainedNode> constrained, std::span<const double> carrier);
+
+/// SurfaceNodes::carrier.
+std::vector<double> surface_carriers(const Surface& surface, std::span<const BodyNode> on_bodies);
 
 /// Flags of the nodes that lie in the plane of a bilateral wall, within 1e-6 of the mean face edge. reference: of the
 /// mesh's local nodes.

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "brunt/contact/data/carriers.hpp"
 #include "brunt/contact/detection/detection.hpp"
 
 namespace brunt::contact {
@@ -76,7 +77,8 @@ void tie_rows(std::span<const Tie> ties, const TieScene& scene, std::span<Lever>
 /// Along directions in which no impulse can change the rate of a tie's row (supports hold its slave and all corners of
 /// its face there) the row shall ask for the rate that it has by v*: so for nothing. What else it asked for would be
 /// the rounding of positions, or a contradiction of the supports, and no iteration could satisfy it. mobility and
-/// motion: of contact nodes.
-void ask_only_what_can_move(Row& row, std::span<const Mobility> mobility, std::span<const NodeMotion> motion);
+/// motion: of contact nodes; carriers: of those on rigid bodies.
+void ask_only_what_can_move(Row& row, std::span<const Mobility> mobility, std::span<const NodeMotion> motion,
+                            const Carriers& carriers = {});
 
 }  // namespace brunt::contact

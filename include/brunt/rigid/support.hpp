@@ -30,6 +30,9 @@ struct Support {
 [[nodiscard]] Vec3 supported_spin(const Mat3& free_turn, const Mat3& inertia, const Vec3& angular_momentum,
                                   const Vec3& given);
 
+/// How the angular velocity answers a moment's impulse: (P I P)^+.
+[[nodiscard]] Mat3 supported_mobility(const Mat3& free_turn, const Mat3& inertia);
+
 /// I_n in space.
 [[nodiscard]] Mat3 inertia_now(const Body& body, const BodyState& state);
 

@@ -5,6 +5,9 @@
 // ranks. Between steps nodes of bodies have the velocity (x_{n+1} - x_n)/dt, the motion that elements see; within a
 // step (between `predict_bodies` and `move_bodies`) that of the body at x_n, by which works are booked.
 #pragma once
+#include "brunt/contact/data/carriers.hpp"
+#include "brunt/contact/enforcement/carried.hpp"
+#include "brunt/contact/list_motion.hpp"
 #include "brunt/model/model.hpp"
 #include "brunt/time/links.hpp"
 #include "brunt/time/motion.hpp"
@@ -30,8 +33,18 @@ void sum_body_forces(const model::Model& model, const model::State& state, model
 /// Gravity acts on a body as a whole: takes it off the loads of its nodes.
 void clear_body_loads(const model::Model& model, model::Scratch& scratch);
 
-/// Momenta and velocities after the step but for contact, and those of the bodies' nodes, with scratch.before.
-void predict_bodies(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step);
+/// Momenta and velocities after the step but for contact, and those of the bodies' nodes, with scratch.before. How fast
+/// these nodes are is added to `velocities`.
+void predict_bodies(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step,
+                    contact::VelocitySpan& velocities);
+
+/// How bodies answer impulses: mass damping is part of it, and nothing along what supports hold.
+void carriers_of_bodies(const model::Model& model, const model::Scratch& scratch, double drag,
+                        std::vector<contact::Carrier>& carriers);
+
+/// Adds what contact has given to the bodies (an answer each), and to their nodes where works on these are booked.
+void push_bodies(const model::Model& model, std::span<const contact::BodyAnswer> answers, double drag,
+                 model::State& state, model::Scratch& scratch);
 
 /// After contact: works and impulses.
 void book_bodies(const model::Model& model, model::State& state, const model::Scratch& scratch, const Interval& step);

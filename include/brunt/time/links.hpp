@@ -4,6 +4,7 @@
 #include "brunt/comm/communicator.hpp"
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/comm/ordered_sum.hpp"
+#include "brunt/contact/data/carriers.hpp"
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/core/aligned.hpp"
 #include "brunt/core/simd.hpp"
@@ -24,6 +25,7 @@ struct Links {
   Timers timers;
   std::vector<comm::ExactAccumulator> body_sums{};  ///< forces and moments on rigid bodies
   std::vector<double> body_forces{};                ///< the same, rounded
+  std::vector<contact::Carrier> carriers{};         ///< rigid bodies as contact sees them
 };
 
 /// Numbers the slots of border corners in the model and links the ranks. Collective.

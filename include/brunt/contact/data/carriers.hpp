@@ -4,6 +4,7 @@
 // impulses as P = sum (p, r x p), and answers W P; enforcement asks no more.
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <span>
 
 #include "brunt/core/types.hpp"
@@ -27,8 +28,24 @@ struct CarriedPoint {
 };
 
 struct Carriers {
-  std::span<const CarriedPoint> points;  ///< of this rank, each once
+  std::span<const CarriedPoint> points;  ///< of this rank, each once, ascending
   std::span<const Carrier> bodies;       ///< of all ranks, the same bits on each; none: points carry themselves
+
+  /// The body that carries a contact node; null where none does.
+  [[nodiscard]] const Carrier* of(LocalIndex point) const {
+    if (bodies.empty()) return nullptr;
+    const auto found = std::ranges::lower_bound(points, point, {}, &CarriedPoint::point);
+    if (found == points.end() || found->point != point) return nullptr;
+    return &bodies[static_cast<std::size_t>(found->body)];
+  }
 };
+
+/// Change of a point's velocity by an impulse on it: J W J^T, J = [1, -r x]. position: as the carrier's centre.
+inline Mat3 answer_at(const Carrier& carrier, const Vec3& position) {
+  const Vec3 r = position - carrier.centre;
+  Eigen::Matrix<double, 3, 6> J = Eigen::Matrix<double, 3, 6>::Identity();
+  J.rightCols<3>() << 0, r[2], -r[1], -r[2], 0, r[0], r[1], -r[0], 0;
+  return J * carrier.mobility * J.transpose();
+}
 
 }  // namespace brunt::contact
