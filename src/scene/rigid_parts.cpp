@@ -275,18 +275,16 @@ std::vector<std::string> faults_of_rigid_parts(const Input& input) {
       rotation_of_nodes(fmt::format("prescribed.{}.dof", k));
   refuse_two_supports(input, faults);
   check_probes(input, faults);
-  const auto holds_bodies = [](const ContactEntry& entry) {
-    return entry.enforcement.method == contact::Method::rate || entry.enforcement.method == contact::Method::row_sum;
-  };
+  const contact::Method method = input.enforcement.settings.method;
+  const bool holds_bodies = method == contact::Method::rate || method == contact::Method::row_sum;
   const auto rigid = [&](const Part& part) { return is_rigid(input, part); };
   if (!input.parts.empty() && std::ranges::all_of(input.parts, rigid) && !input.run.step)
     faults.push_back(
         told(input, "run",
              "step is missing: all parts are rigid, and no element bounds the step; accepted: step: a time > "
              "0, in which bodies turn by some hundredths of a radian"));
-  if (!input.contact.empty() && !holds_bodies(input.contact.back()) && std::ranges::any_of(input.parts, rigid))
-    faults.push_back(told(input, fmt::format("contact.{}", input.contact.size() - 1),
-                          "the method is not for rigid parts; accepted: rate or row_sum"));
+  if (!input.contact.empty() && !holds_bodies && std::ranges::any_of(input.parts, rigid))
+    faults.push_back(told(input, "enforcement.method", "the method is not for rigid parts; accepted: rate or row_sum"));
   if (input.relaxation && std::ranges::any_of(input.parts, rigid))
     faults.push_back(told(input, "relaxation", "not with rigid parts in this version; accepted: deformable parts"));
   return faults;
