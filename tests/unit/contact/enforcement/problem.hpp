@@ -22,7 +22,7 @@ struct Problem {
     return static_cast<LocalIndex>(motion.size()) - 1;
   }
   Row& add_row(std::initializer_list<std::pair<LocalIndex, double>> terms, const Vec3& normal, double required = 0) {
-    Row row{.normal = normal, .required = required};
+    Row row{.key = {}, .normal = normal, .required = required};
     for (const auto& [node, weight] : terms) {
       row.nodes[static_cast<std::size_t>(row.node_count)] = node;
       row.weights[static_cast<std::size_t>(row.node_count++)] = weight;
