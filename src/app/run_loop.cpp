@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run_loop.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "brunt/core/error.hpp"
+#include "brunt/time/relaxation.hpp"
+#include "brunt/time/step.hpp"
+#include "contact_setup.hpp"
+#include "schedule.hpp"
+#include "signals.hpp"
+#include "stop_causes.hpp"
+
+namespace brunt::app {
+namespace {
+
+constexpr int steps_between_watches = 200;  // the ledger costs a pass over all nodes, a look at folds one of elements
+constexpr int table_lines = 20;             // about so many over a run
+
+/// Of all nodes [length]. Collective.
+double largest_displacement(const Prepared& run) {
+  double largest = 0;
+  for (const Quad& u : run.state.displacement) largest = std::max(largest, u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+  return std::sqrt(run.links.ranks.max(largest));
+}
+
+}  // namespace
+
+Outcome Loop::go() {
+  Outcome outcome;
+  try {
+    if (!relaxing() || come_to_rest(outcome)) go_on(outcome);
+  } catch (const GuardError& error) {
+    outcome = {"guard", ExitCode::guard, error.what()};
+  }
+  cost_ = {seconds_since(loop_start_), passes_, run_.links.timers};
+  return outcome;
+}
+
+void Loop::last_record(Outcome& outcome) {
+  try {
+    if (!relaxing()) pass(true);  // before t = 0 there is nothing to tell
+  } catch (const GuardError& error) {
+    outcome = {"guard", ExitCode::guard, error.what()};
+  }
+}
+
+bool Loop::come_to_rest(Outcome& outcome) {
+  const scene::Relaxation& asked = *run_.input.relaxation;
+  const model::Relaxation& phase = run_.state.relaxation;
+  while (!finished(outcome)) {
+    if (phase.steps >= static_cast<double>(asked.max_steps)) throw GuardError(not_at_rest(phase, asked));
+    const time::RelaxationStep now = time::relax(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(),
+                                                 step_control(run_), {asked.tolerance});
+    if (now.step.stop) stop_for_element(now.step);
+    ++passes_;
+    if (now.stopped) tell_stage(phase);
+    if (!now.at_rest) continue;
+    log_.line(
+        fmt::format("relaxation: at rest after {:.0f} steps; unbalanced forces are {:.2g} of the loads, nodes have "
+                    "moved by {:.3g} "
+                    "at most",
+                    phase.steps, phase.residual, largest_displacement(run_)));
+    begin_run(run_);
+    start_ = Clock::now();
+    return true;
+  }
+  return false;
+}
+
+void Loop::tell_stage(const model::Relaxation& phase) {
+  if (phase.stage <= told_stage_) return;
+  told_stage_ = phase.stage;
+  log_.line(fmt::format("relaxation: step {:.0f}, {:.0f} % of the loads, unbalanced forces {:.2g}", phase.steps,
+                        100 * phase.stage / time::relaxation_stages, phase.residual));
+}
+
+void Loop::go_on(Outcome& outcome) {
+  results_.table_header();
+  while (!finished(outcome)) {
+    pass(false);
+    if (due_after_step()) results_.write_checkpoint();
+  }
+}
+
+double Loop::time_left() const {
+  constexpr double few = 10;
+  const double share = progress(run_.state, run_.input.run);
+  if (share >= 1) return 0;
+  return run_.state.step - first_step_ < few ? -1 : seconds_left(seconds_since(start_), first_share_, share);
+}
+
+void Loop::pass(bool last) {
+  const scene::Input& input = run_.input;
+  const model::State& state = run_.state;
+  const time::StepControl control = step_control(run_);
+  const bool fields = last || state.step == 0 || due(state, input.output.every);
+  const bool row = last || state.step == 0 || history_due(state, input);
+  const bool line = last || progress(state, input.run) * table_lines >= lines_;
+  const auto watch = static_cast<GlobalIndex>(state.step) % steps_between_watches == 0;
+
+  if (fields || watch) {
+    results_.watch_folds();
+    results_.watch_driven();
+  }
+  const time::StepReport step = time::evaluate(run_.model, run_.state, run_.scratch, run_.links, control);
+  if (step.stop) stop_for_element(step);
+  watch_step(step);
+  if (fields) results_.read_fields();
+  if (row) results_.read_probes();
+  time::advance(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);
+  if (!last) ++passes_;
+  if (!last) watch_iterations();
+  if (fields) results_.write_fields(&step);
+  if (row || line || watch) {
+    const time::Ledger ledger = energies(step);
+    if (row) results_.write_history(ledger, step);
+    results_.watch(ledger, state.time_before);
+    if (watch && !last) results_.remember_good();
+    if (line) {
+      results_.table_line(ledger, step, time_left());
+      lines_ = static_cast<int>(progress(state, input.run) * table_lines) + 1;
+    }
+  }
+  if (static_cast<GlobalIndex>(state.step) % 20 == 0) log_.progress(progress(state, input.run), time_left());
+}
+
+time::Ledger Loop::energies(const time::StepReport& step) {
+  const auto timed = run_.links.timers.measure(Phase::output);
+  return time::ledger(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);
+}
+
+bool Loop::finished(Outcome& outcome) {
+  if (at_end(run_.state, run_.input.run)) {
+    outcome.stopped_by = run_.input.run.end && run_.state.time >= *run_.input.run.end ? "end" : "steps";
+    return true;
+  }
+  constexpr int steps_between_looks = 10;
+  if (static_cast<GlobalIndex>(run_.state.step + run_.state.relaxation.steps) % steps_between_looks != 0) return false;
+  const Requests asked = take_requests();
+  const bool root = run_.links.ranks.is_root();
+  const bool late = root && run_.input.run.wall_limit && seconds_since(program_start_) > *run_.input.run.wall_limit;
+  const bool control = root && std::filesystem::exists(results_.folder() + "/stop");
+  double flags[4] = {asked.checkpoint ? 1.0 : 0.0, asked.stop ? 1.0 : 0.0, late ? 1.0 : 0.0, control ? 1.0 : 0.0};
+  run_.links.ranks.max(flags);
+  if (flags[0] > 0) log_.line("checkpoint on request: " + results_.write_checkpoint());
+  if (flags[1] + flags[2] + flags[3] == 0) return false;
+  outcome.code = ExitCode::on_request;
+  outcome.stopped_by = flags[1] > 0 ? "signal" : flags[2] > 0 ? "wall_limit" : "control";
+  if (control) std::filesystem::remove(results_.folder() + "/stop");
+  return true;
+}
+
+void Loop::watch_step(const time::StepReport& step) {
+  double& first = run_.extremes.first_dt;
+  if (first == 0) first = step.stable_dt;
+  const double ratio = run_.input.run.min_step_ratio;
+  if (step.stable_dt >= ratio * first) return;
+  const bool mine = step.elements.rate == step.rate;
+  const ElementPlace place = place_of(run_, mine ? step.elements.block : -1, step.elements.element);
+  throw GuardError(fmt::format(
+      "the stable step has fallen to {:g} at t = {:g}, step {}, below run.min_step_ratio {:g} of the first, {:g}: by "
+      "{}, whose shortest edge is {:.2g} and whose volume {:.2g} of what they were. Likely cause: {}; a smaller "
+      "run.min_step_ratio goes on from the checkpoint",
+      step.stable_dt, run_.state.time, static_cast<GlobalIndex>(run_.state.step), ratio, first, text_of(place),
+      place.shortest_edge, place.volume, cause_of_collapse(place)));
+}
+
+void Loop::watch_iterations() {
+  if (!run_.contact || told_limit_ || run_.contact->ledger.statistics.steps_at_limit == 0) return;
+  told_limit_ = true;
+  const contact::EnforcementSettings& settings = run_.model.contact.enforcement;
+  log_.warning(fmt::format(
+      "contact: the iteration of step {} (t = {:g}) ended at max_iterations {} with a residual of {}, above the "
+      "tolerance of {:g}: what is left may disturb the motion; raise max_iterations in contact (told once)",
+      static_cast<GlobalIndex>(run_.state.step) - 1, run_.state.time_before, settings.max_iterations,
+      told_from(run_.contact->ledger.statistics.last.residual, settings.tolerance), settings.tolerance));
+}
+
+void Loop::stop_for_element(const time::StepReport& step) {
+  const ElementPlace place = place_of(run_, step.elements.inverted_block, step.elements.inverted_element);
+  const char* cause =
+      place.block < 0 ? "" : cause_of_lost_volume(run_.model.blocks[static_cast<std::size_t>(place.block)]);
+  throw GuardError(fmt::format("{} has no volume left or is not a number at t = {:g}, step {}{}", text_of(place),
+                               run_.state.time, static_cast<GlobalIndex>(run_.state.step), cause));
+}
+
+}  // namespace brunt::app
