@@ -14,31 +14,19 @@
 #include "brunt/mesh/topology.hpp"
 #include "brunt/scene/nearest.hpp"
 #include "brunt/scene/rigid_parts.hpp"
+#include "named_nodes.hpp"
 #include "select_watched.hpp"
 
 namespace brunt::scene {
 namespace {
 
-using Nodes = std::vector<LocalIndex>;
-
-void sort_unique(Nodes& nodes) {
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-}
-
 /// The whole mesh with the names that a scene may use for its nodes and sides.
 class Selector {
  public:
+  using Nodes = NamedNodes::Nodes;
+
   Selector(const Input& input, mesh::CanonicalMesh& whole, std::vector<std::string>& faults)
-      : input_(input), whole_(whole), faults_(faults) {
-    for (const std::size_t part : parts_of_blocks(input, whole.mesh)) part_of_block_.push_back(input.parts[part].name);
-    Vec3 low = Vec3::Constant(1e300), high = -low;
-    for (const Vec3& X : whole.mesh.coordinates) {
-      low = low.cwiseMin(X);
-      high = high.cwiseMax(X);
-    }
-    on_plane_ = 1e-9 * (high - low).norm();
-  }
+      : input_(input), whole_(whole), faults_(faults), named_(input, whole) {}
 
   /// A set of the scene that names none of the mesh is told where it is defined, used or not.
   void check_definitions() {
@@ -58,11 +46,11 @@ class Selector {
 
   /// What a set of the scene selects, if anything.
   void add_defined(const std::string& reserved, const SetEntry& set) {
-    if (std::optional<Nodes> found = nodes_of_entry(set)) whole_.mesh.node_sets[reserved] = std::move(*found);
+    if (std::optional<Nodes> found = named_.of_entry(set)) whole_.mesh.node_sets[reserved] = std::move(*found);
   }
 
   void add_nodes(const std::string& reserved, const std::string& where, const std::string& key) {
-    std::optional<Nodes> found = nodes_of(where);
+    std::optional<Nodes> found = named_.of(where);
     if (!found) return unknown(where, key);
     if (found->empty()) tell(key, "'{}' selects no node; accepted: a selection of at least one, {}", where, extent());
     whole_.mesh.node_sets[reserved] = std::move(*found);
@@ -90,11 +78,11 @@ class Selector {
     for (const SetEntry& set : input_.sets)
       if (set.name == where && set.side_set) return add_sides(reserved, where, key);
     if (whole_.mesh.side_sets.contains(where)) return add_sides(reserved, where, key);
-    const std::optional<Nodes> found = nodes_of(where);
+    const std::optional<Nodes> found = named_.of(where);
     if (!found) return unknown(where, key);
     std::vector<mesh::Side>& sides = whole_.mesh.side_sets[reserved];
     for (const mesh::Side& side : mesh::exterior_sides(whole_.mesh))
-      if (std::ranges::all_of(nodes_of_sides({side}),
+      if (std::ranges::all_of(named_.of_sides({side}),
                               [&](LocalIndex n) { return std::ranges::binary_search(*found, n); }))
         sides.push_back(side);
     if (sides.empty())
@@ -110,7 +98,7 @@ class Selector {
     if (probe.kind == Probe::Kind::near) keep_nearest(probe, reserved, whole_);
     if (probe.kind != Probe::Kind::section) return;
     if (named) add_nodes(reserved, probe.where, key + ".section.set");
-    if (make_section(probe, k, part_of_block_, on_plane_, whole_) > 0) return;
+    if (make_section(probe, k, named_.part_of_block(), named_.on_plane(), whole_) > 0) return;
     if (named && whole_.mesh.node_sets.contains(reserved))
       tell(key + ".section.set", "'{}' has no node of the parts; accepted: a set with nodes of theirs", probe.where);
     if (!named)
@@ -120,7 +108,8 @@ class Selector {
   void add_interface() { make_interface(whole_); }
 
   void add_bodies() {
-    for (std::string& fault : select_bodies(input_, part_of_block_, whole_)) faults_.push_back(std::move(fault));
+    for (std::string& fault : select_bodies(input_, named_.part_of_block(), whole_))
+      faults_.push_back(std::move(fault));
   }
 
   /// parts: only their nodes; empty: all.
@@ -132,8 +121,8 @@ class Selector {
       if (acts_on(parts, block)) counts[static_cast<std::size_t>(node)] = 1;
     });
     for (std::size_t i = 0; i < whole_.mesh.coordinates.size(); ++i)
-      if (counts[i] != 0 &&
-          std::abs((whole_.mesh.coordinates[i] - (point - whole_.origin)).dot(normal.normalized())) <= on_plane_)
+      if (counts[i] != 0 && std::abs((whole_.mesh.coordinates[i] - (point - whole_.origin)).dot(normal.normalized())) <=
+                                named_.on_plane())
         nodes.push_back(static_cast<LocalIndex>(i));
     if (nodes.empty() && must_hold)
       tell(key, "no node lies in this plane; accepted: a plane through nodes, {}", extent());
@@ -156,11 +145,11 @@ class Selector {
     double nearest = -std::numeric_limits<double>::infinity();  // of the highest nodes of all bodies
     for (const auto& [number, heights] : range) {
       nearest = std::max(nearest, heights[1]);
-      if (heights[0] < -on_plane_ && heights[1] > on_plane_)
+      if (heights[0] < -named_.on_plane() && heights[1] > named_.on_plane())
         tell(key, "goes through a body, which reaches {:g} behind the wall; accepted: bodies on one side of it",
              -heights[0]);
     }
-    if (!wall.parts.empty() || range.empty() || nearest > on_plane_) return;
+    if (!wall.parts.empty() || range.empty() || nearest > named_.on_plane()) return;
     tell(key + ".normal",
          "all bodies lie behind the wall (the nearest by {:g}), where it never stops them; accepted: a normal that "
          "points "
@@ -168,7 +157,7 @@ class Selector {
          std::max(0.0, -nearest));
   }
 
-  void add_surface() { whole_.mesh.node_sets[surface_set] = nodes_of_sides(mesh::exterior_sides(whole_.mesh)); }
+  void add_surface() { whole_.mesh.node_sets[surface_set] = named_.of_sides(mesh::exterior_sides(whole_.mesh)); }
 
   void add_node(const std::string& reserved, const std::string& id_text, const std::string& key) {
     for (std::size_t i = 0; i < whole_.mesh.node_id.size(); ++i)
@@ -194,7 +183,7 @@ class Selector {
   }
   /// Is the block's part one of these? All are where none is named.
   [[nodiscard]] bool acts_on(const std::vector<std::string>& parts, std::size_t block) const {
-    return parts.empty() || std::ranges::find(parts, part_of_block_[block]) != parts.end();
+    return parts.empty() || std::ranges::find(parts, named_.part_of_block()[block]) != parts.end();
   }
 
   /// Is there another set of its name in the mesh? {foot: {node_set: foot}} is the same one.
@@ -246,7 +235,7 @@ class Selector {
   void unknown(const std::string& where, const std::string& key) {
     if (undefined_.contains(where)) return;
     std::vector<std::string> known, own;
-    for (const std::string& part : part_of_block_)
+    for (const std::string& part : named_.part_of_block())
       if (std::ranges::find(known, part) == known.end()) known.push_back(part);
     for (const SetEntry& set : input_.sets) own.push_back(set.name);
     std::vector<std::string> of_mesh = names(whole_.mesh.node_sets);
@@ -259,82 +248,11 @@ class Selector {
     tell(key, "no part or set '{}', nearest is '{}'; accepted: {}", where, nearest(where, known), lists);
   }
 
-  Nodes nodes_of_part(const std::string& part) const {
-    Nodes nodes;
-    for (std::size_t b = 0; b < part_of_block_.size(); ++b)
-      if (part_of_block_[b] == part)
-        nodes.insert(nodes.end(), whole_.mesh.blocks[b].nodes.begin(), whole_.mesh.blocks[b].nodes.end());
-    sort_unique(nodes);
-    return nodes;
-  }
-
-  Nodes nodes_of_sides(const std::vector<mesh::Side>& sides) const {
-    Nodes nodes;
-    for (const mesh::Side& side : sides) {
-      const mesh::Block& block = whole_.mesh.blocks[static_cast<std::size_t>(side.block)];
-      for (const LocalIndex node : mesh::face_nodes(block.shape, block.element(side.element), side.face))
-        if (node != no_index) nodes.push_back(node);
-    }
-    sort_unique(nodes);
-    return nodes;
-  }
-
-  /// Parts before sets of the scene before sets of the mesh.
-  std::optional<Nodes> nodes_of(const std::string& where) const {
-    if (std::ranges::find(part_of_block_, where) != part_of_block_.end()) return nodes_of_part(where);
-    for (const SetEntry& set : input_.sets)
-      if (set.name == where) return nodes_of_entry(set);
-    return nodes_of_mesh_set(where);
-  }
-
-  std::optional<Nodes> nodes_of_mesh_set(const std::string& where) const {
-    Nodes nodes;
-    if (const auto set = whole_.mesh.node_sets.find(where); set != whole_.mesh.node_sets.end()) {
-      nodes = set->second;
-      sort_unique(nodes);
-      return nodes;
-    }
-    if (const auto set = whole_.mesh.side_sets.find(where); set != whole_.mesh.side_sets.end())
-      return nodes_of_sides(set->second);
-    return std::nullopt;
-  }
-
-  std::optional<Nodes> nodes_of_entry(const SetEntry& set) const {
-    std::optional<Nodes> nodes;
-    if (set.part) {
-      if (std::ranges::find(part_of_block_, *set.part) == part_of_block_.end()) return std::nullopt;
-      nodes = nodes_of_part(*set.part);
-    }
-    if (set.node_set) {
-      const auto found = whole_.mesh.node_sets.find(*set.node_set);
-      if (found == whole_.mesh.node_sets.end()) return std::nullopt;
-      nodes = found->second;
-      sort_unique(*nodes);
-    }
-    if (set.side_set) {  // a node set may have the same number
-      const auto found = whole_.mesh.side_sets.find(*set.side_set);
-      if (found == whole_.mesh.side_sets.end()) return std::nullopt;
-      nodes = nodes_of_sides(found->second);
-    }
-    if (!set.box) return nodes;
-    if (!nodes) {
-      nodes.emplace(whole_.mesh.coordinates.size());
-      for (std::size_t i = 0; i < nodes->size(); ++i) (*nodes)[i] = static_cast<LocalIndex>(i);
-    }
-    std::erase_if(*nodes, [&](LocalIndex node) {
-      const Vec3 X = whole_.mesh.coordinates[static_cast<std::size_t>(node)] + whole_.origin;
-      const Vec3 slack = Vec3::Constant(on_plane_);  // so that a box drawn on the nodes holds them
-      return ((*set.box)[0] - slack - X).maxCoeff() > 0 || (X - (*set.box)[1] - slack).maxCoeff() > 0;
-    });
-    return nodes;
-  }
-
   const Input& input_;
   mesh::CanonicalMesh& whole_;
   std::vector<std::string>& faults_;
-  std::vector<std::string> part_of_block_;
+  NamedNodes named_;
   std::set<std::string> undefined_;  ///< sets of the scene that name none of the mesh
-  double on_plane_ = 0;              // a node this near to a plane lies in it
 };
 
 /// Key of what an entry selects by: its `part` or its `set`.
