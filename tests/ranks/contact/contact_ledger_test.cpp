@@ -33,7 +33,7 @@ ContactSettings rough() {
   ContactSettings settings;
   settings.specification.pairs = contact::PairTable(2, {});
   settings.specification.pairs.set(0, 1, {.rule = contact::PairRule::automatic, .friction = {0.3, 0.3, 0}});
-  settings.tracked = {{0, 1}, {1, 0}};
+  settings.tracked = {{0, 1}, {1, 0}, {0}, {0, 0}};
   return settings;
 }
 
@@ -62,11 +62,16 @@ TEST_CASE("ledger: tracked impulses are the momentum of either side, and its tur
   const Vec3 lower = momentum_of(points, false), spin = angular_momentum(points);
   for (int step = 0; step < 40; ++step) points.step(contact, dt);
   const contact::ContactTotals totals = contact::collect(contact);
-  REQUIRE(totals.tracked.size() == 2);
+  REQUIRE(totals.tracked.size() == 4);
   const Vec3 given = momentum_of(points, false) - lower;
   CHECK(given.norm() > 1);
   CHECK((totals.tracked[0].impulse - given).norm() <= 1e-12 * given.norm());
   CHECK(totals.tracked[0].impulse == -totals.tracked[1].impulse);
+  CHECK(totals.tracked[2].impulse == totals.tracked[0].impulse);  // there is no other block
+  CHECK(totals.tracked[2].friction == totals.tracked[0].friction);
+  CHECK(totals.tracked[0].friction.norm() > 1e-3 * given.norm());
+  CHECK(totals.tracked[0].friction_size <= 0.3 * totals.tracked[0].normal_size * (1 + 1e-12));
+  CHECK(totals.tracked[3].normal_size == 0);  // plates do not fold
   const Vec3 turned = angular_momentum(points) - spin;
   CHECK(turned.norm() > 1e-6);  // friction acts a gap apart
   CHECK((totals.spin - turned).norm() <= 1e-11 * spin.norm());
