@@ -65,7 +65,7 @@ struct Lever {
 /// times the impulse along it, and what friction lags behind by. An impulse p [momentum] changes the momentum of node i
 /// by weights[i] p. Rows are ordered by their keys.
 struct Row {
-  RowKey key;
+  RowKey key{};
   std::array<LocalIndex, most_nodes_of_a_row> nodes{};  ///< contact nodes, the slave (or the slave edge's two) first
   std::array<double, most_nodes_of_a_row>
       weights{};  ///< of the slave, sum 1, then minus the weights of the master's nodes

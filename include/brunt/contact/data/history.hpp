@@ -14,13 +14,13 @@
 namespace brunt::contact {
 
 struct HistoryRecord {
-  RowKey key;
+  RowKey key{};
   std::array<double, 3> force{};  ///< on the slave: impulse of the row in the last step over its length [force]
   double side = 0;  ///< +1, -1: the side of a two-sided face, along and against its normal; 0 of other rows
 };
 
 struct AnchorRecord {
-  AnchorKey key;
+  AnchorKey key{};
   GlobalIndex face = 0;             ///< of a node on a face: key of the one that holds the anchor
   std::array<double, 4> weights{};  ///< of the face's corners at the anchor; of both edges' ends
   std::array<double, 3> on_wall{};  ///< the anchor less the wall's point [length]
@@ -29,7 +29,7 @@ struct AnchorRecord {
 /// The limit of friction where it lags (see FrictionLaw::lag). The key is that of anchors, so that it stays with a node
 /// which slides over to the next face; of several rows of one key it is the mean of those that are pressed, if any is.
 struct LimitRecord {
-  AnchorKey key;
+  AnchorKey key{};
   double limit = 0;      ///< after the last step [force]
   bool pressed = false;  ///< was its row, in the step that wrote it? Asked only there: not in checkpoints
 };

@@ -21,6 +21,10 @@ HistoryRecord record(GlobalIndex slave, GlobalIndex face, double side) {
   return {row_key_from({slave, -1, face, -1}), {}, side};
 }
 
+HistoryRecord pushed(const contact::SavedKey& key, const std::array<double, 3>& force) {
+  return {row_key_from(key), force};
+}
+
 contact::AnchorKey anchor_key(GlobalIndex slave, GlobalIndex master) {
   return contact::anchor_key_from({slave, master, -1, -1});
 }
@@ -31,9 +35,9 @@ TEST_CASE("impulses start from the forces of the same rows as their normals see 
   std::vector<Row> rows{row(1, -2), row(1, 7), row(3, 7), row(3, 5, 4, 6), row(5, 1), row(6, -1)};
   rows[2].normal = Vec3(0, 0.6, 0.8);
   rows[5].cone = contact::Cone::free;
-  const std::vector<HistoryRecord> records{{{1, -1, -2, -1}, {0, 0, 10}}, {{1, -1, 8, -1}, {20, 0, 0}},
-                                           {{3, -1, 7, -1}, {9, 0, 30}},  {{3, 4, 5, 6}, {0, 7, 40}},
-                                           {{5, -1, 1, -1}, {0, 0, -50}}, {{6, -1, -1, -1}, {0, 0, -60}}};
+  const std::vector<HistoryRecord> records{pushed({1, -1, -2, -1}, {0, 0, 10}), pushed({1, -1, 8, -1}, {20, 0, 0}),
+                                           pushed({3, -1, 7, -1}, {9, 0, 30}),  pushed({3, 4, 5, 6}, {0, 7, 40}),
+                                           pushed({5, -1, 1, -1}, {0, 0, -50}), pushed({6, -1, -1, -1}, {0, 0, -60})};
   std::vector<Vec3> impulses(6, Vec3(99, 99, 99));
   start_impulses(rows, records, 0.5, impulses);
   const std::vector<double> along{5, 0, 12, 20, 0, -30};
@@ -46,10 +50,10 @@ TEST_CASE("a slave that has gone over to the next face takes along the force of 
   std::vector<Row> rows{row(1, -1), row(1, 4), row(1, 9), row(2, 4), row(3, 5, 6, 7), row(4, 2)};
   rows[1].normal = Vec3::UnitX();
   const std::vector<HistoryRecord> records{
-      {{1, -1, -2, -1}, {0, 0, 10}},  // a wall has no next face
-      {{1, -1, 7, -1}, {0.1, 0, 20}}, {{2, -1, 4, -1}, {0, 0, 30}},
-      {{2, -1, 5, -1}, {0, 0, 40}},                                    // no row is left without a record
-      {{3, 6, 2, 5}, {0, 0, 50}},     {{4, -1, 3, -1}, {30, 0, 10}}};  // the new face looks elsewhere
+      pushed({1, -1, -2, -1}, {0, 0, 10}),  // a wall has no next face
+      pushed({1, -1, 7, -1}, {0.1, 0, 20}), pushed({2, -1, 4, -1}, {0, 0, 30}),
+      pushed({2, -1, 5, -1}, {0, 0, 40}),                                          // no row is left without a record
+      pushed({3, 6, 2, 5}, {0, 0, 50}),     pushed({4, -1, 3, -1}, {30, 0, 10})};  // the new face looks elsewhere
   std::vector<Vec3> impulses(rows.size(), Vec3(99, 99, 99));
   start_impulses(rows, records, 0.5, impulses);
   const std::vector<double> along{0, 0, 10, 15, 25, 0};
@@ -94,7 +98,7 @@ TEST_CASE("tables carry a history to the bit, in whatever order the records come
   history.pairs = {{row_key_from({1, -1, -2, -1}), {0.1, 0, 0}, 0}, {row_key_from({3, 4, 5, 6}), {0, 0, -0.0}, -1}};
   history.anchors = {{anchor_key(3, 2), 77, {0.1, 0.2, 0.3, 0.4}, {1, 2, 3}},
                      {.key = anchor_key(4, -1)},
-                     {.key = anchor_key_from({5, 2, 8, 9})}};
+                     {.key = contact::anchor_key_from({5, 2, 8, 9})}};
   history.limits = {{anchor_key(1, 2), 0.7}, {anchor_key(3, -1), 0.1}};
   contact::HistoryTables tables;
   to_tables(history, tables);
