@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 using namespace brunt;
@@ -42,7 +43,9 @@ struct TwoSquares {
   }
   /// The rows of these ties; their levers live as long as this.
   std::vector<Row> rows(const std::vector<Tie>& ties, double recovery = 0.1, double dt = 0.5) {
-    levers.assign(ties.size(), {});
+    contact::Lever of_before;  // as from another step
+    of_before.turn.fill(Mat3::Constant(std::numeric_limits<double>::quiet_NaN()));
+    levers.assign(ties.size(), of_before);
     std::vector<Row> made;
     tie_rows(ties, scene(recovery, dt), levers, made);
     return made;

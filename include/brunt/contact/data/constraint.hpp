@@ -55,9 +55,16 @@ constexpr std::size_t most_bodies_of_a_row = 2;
 /// counts in r by turn v besides its weight, and each takes turn^T p of an impulse, so that the row asks for nothing
 /// where all nodes turn together, and its impulses have no moment.
 struct Lever {
-  std::array<Mat3, most_nodes_of_a_row> turn{};    ///< of each node of the row
-  std::array<double, most_nodes_of_a_row> size{};  ///< bounds of |turn v| / |v|
+  std::array<Mat3, most_nodes_of_a_row> turn = all_zero();  ///< of each node of the row
+  std::array<double, most_nodes_of_a_row> size{};           ///< bounds of |turn v| / |v|
   double most = 1;  ///< bound of what one node takes of an impulse: the largest |weight| + size
+
+  /// A matrix that is made from nothing has no values of its own.
+  static std::array<Mat3, most_nodes_of_a_row> all_zero() {
+    std::array<Mat3, most_nodes_of_a_row> turn;
+    turn.fill(Mat3::Zero());
+    return turn;
+  }
 };
 
 /// One constraint on the relative velocity r = sum_i weights[i] v[nodes[i]]: normal . r >= required (equal, for a free

@@ -138,13 +138,13 @@ TEST_CASE("averaged passes: a body that has rows of one pass alone gets its shar
   p.rest_on_floor(1, 3);
   for (std::size_t q = first; q < p.rows.size(); ++q) p.rows[q].pass = Pass::second;
   OneRankExchange exchange;
-  p.solve_boxes({.method = Method::kinematic}, exchange, true);
+  p.solve_boxes({.averaged = true}, exchange, true);
   Vec3 given = Vec3::Zero();
   for (const Vec3& impulse : p.impulses) given += impulse;
   const Vec6 taken = p.answer(0).impulse + p.answer(1).impulse;
   CHECK((taken.head<3>() - given).norm() < 1e-14);
   CHECK((p.answer(0).impulse - p.answer(1).impulse).norm() < 1e-14);
-  CHECK(p.answer(0).impulse[2] > 0.1);
+  CHECK(p.answer(0).impulse[2] > 0.5);
 }
 
 TEST_CASE("a tie with arms on a body: its work is that of the body's impulse") {
