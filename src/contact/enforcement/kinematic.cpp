@@ -32,7 +32,7 @@ EnforcementResult enforce_kinematic(const System& system, const EnforcementSetti
       keep_max(largest, impulses[q].norm());
     }
     exchange.max({&largest, 1});
-    if (largest == 0) return result;
+    if (largest == 0 && !result.acted) return result;
     demand_finite(largest);
     apply_impulses(system, impulses, largest, exchange, velocity, scratch);
     ++result.iterations;

@@ -20,3 +20,13 @@ TEST_CASE("partitioned kinematic (24), (25): a lone node ends on the surface, ha
   open.solve({.method = Method::kinematic}, 0.5);
   CHECK(open.push(0) == 0);
 }
+
+TEST_CASE("partitioned kinematic: where the corrector takes all impulses back, velocities are those of no impulse") {
+  Problem p;
+  const LocalIndex node = p.add_node(2, {0, 0, -3});
+  for (int k = 0; k < 3; ++k) p.add_row({{node, 1}}, Vec3::UnitZ());  // each gives all that is asked for
+  p.solve({.method = Method::kinematic});
+  Vec3 given = Vec3::Zero();
+  for (const Vec3& impulse : p.impulses) given += impulse;
+  CHECK((p.momentum_change() - given).norm() < 1e-14);
+}
