@@ -84,13 +84,17 @@ BRUNT_INLINE Number determinant(const Number (&F)[9]) {
 }
 
 /// Stress in `s` to parent forces; the mean stress apart where B-bar. `weight`: of the point's volume, 1 but for
-/// hyperelastic B-bar. Cofactors and determinant of dx/dxi go to `K` and the result.
+/// hyperelastic B-bar.
 template <bool bbar, class Number, class Weight>
-BRUNT_INLINE Number add_point(const HexPoint& p, const Number (&x)[hex_modes][3], Number (&s)[6], Weight weight,
-                              Number (&K)[9], ForceSums<Number>& sums) {
-  Number J[9], A[9];
+BRUNT_INLINE void add_point(const HexPoint& p, const Number (&x)[hex_modes][3], Number (&s)[6], Weight weight,
+                            ForceSums<Number>& sums, BoundSums& bounds) {
+  Number J[9], K[9], A[9];
   parent_gradient(p, x, J);
   const Number det = cofactors(J, K);
+  if constexpr (bounds_step<Number>) {
+    bounds.smallest_det = pack_min(det, bounds.smallest_det);
+    bounds.gram.add(p, K, det);
+  }
   if constexpr (bbar) {
     const Number mean = (s[0] + s[1] + s[2]) * (1.0 / 3.0);
     for (int i = 0; i < 3; ++i) s[i] -= mean;
@@ -99,7 +103,6 @@ BRUNT_INLINE Number add_point(const HexPoint& p, const Number (&x)[hex_modes][3]
   }
   stress_times_cofactors(s, K, A);
   subtract_parent_force(p, A, sums.force);
-  return det;
 }
 
 }  // namespace hex8_full_detail
@@ -218,13 +221,9 @@ void Hex8Full<Response, bbar>::operator()(const BatchMotion<8, Number>& in, cons
   BoundSums bounds;
   for (int p = 0; p < hex_points; ++p) {
     const HexPoint point(p);
-    Number s[6], K[9];
+    Number s[6];
     const auto weight = stress(point, motion, Memory::point(committed, p), Memory::point(trial, p), s, bounds);
-    const Number det = add_point<bbar>(point, x, s, weight, K, sums);
-    if constexpr (bounds_step<Number>) {
-      bounds.smallest_det = pack_min(det, bounds.smallest_det);
-      bounds.gram.add(point, K, det);
-    }
+    add_point<bbar>(point, x, s, weight, sums, bounds);
   }
 
   Number S[6];
