@@ -1,0 +1,51 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Six rigid boxes on each other at rest: they neither creep nor turn, and carry their weight exactly."""
+import os
+import sys
+
+import numpy
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from case_check import Case  # noqa: E402
+
+SOURCE = "statics"
+
+
+def check(case, label, scene, result):
+    history, boxes = result.history, [entry["box"] for entry in scene["mesh"]]
+    side, gravity = boxes[0]["size"][2], -scene["gravity"]["vector"][2]
+    mass = scene["materials"]["hard"]["density"] * side**3
+    time = history["time"]
+    moved = numpy.linalg.norm([history[f"top.{c}"] for c in "xyz"], axis=0)
+    turned = numpy.linalg.norm([history[f"turn.{c}"] for c in "xyz"], axis=0)
+    case.assert_below(f"{label}: the top moves / side", moved.max() / side, 1e-7, SOURCE)
+    case.assert_below(f"{label}: the top turns [rad]", turned.max(), 1e-7, SOURCE)
+    half = len(time) // 2
+    print(f"{label}: the top has moved by {moved[half] / side:.2e} of a side halfway, {moved[-1] / side:.2e} at the end, at most "
+          f"{moved.max() / side:.2e}; turned by {turned.max():.2e}")
+    for k in range(len(boxes)):
+        carried = (len(boxes) - k) * mass * gravity
+        impulse = numpy.abs(history[f"impulse_f{k}.z"])
+        given = carried * (time[-1] - time[1])
+        case.assert_close(f"{label}: mean force under box {k} [N]", carried, carried * (impulse[-1] - impulse[1]) / given, 1e-6,
+                          SOURCE)
+    case.assert_energy(result, energy_gate=1e-9, momentum_gate=1e-6)
+    contact = result.summary["contact"]
+    print(f"{label}: {result.summary['steps']} steps, {contact['iterations_mean']:.1f} iterations a step, at most "
+          f"{contact['iterations_max']}, {contact['steps_at_limit']} steps at the limit, deepest penetration "
+          f"{result.summary['max_penetration'] / side:.1e} of a side, {result.summary['loop_s']:.0f} s")
+
+
+def main():
+    case = Case(__file__)
+    steps = {} if case.long else {"run.steps": 5000, "history.every": 5e-3}
+    result = case.run(overrides=steps)
+    check(case, f"{result.summary['steps']} steps", case.scene(), result)
+    short = {"run.steps": 200}
+    case.assert_same_on_ranks((1, 2, 3, 4) if case.long else (1, 3), overrides=short)
+    case.finish()
+
+
+if __name__ == "__main__":
+    main()
