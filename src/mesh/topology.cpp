@@ -49,6 +49,20 @@ void collect_faces(const Mesh& mesh, std::vector<std::size_t>& row, std::vector<
   });
 }
 
+/// Calls visit(face, is it another element's too?) for each face.
+template <class Visit>
+void for_each_keyed_face(const Mesh& mesh, Visit visit) {
+  std::vector<std::size_t> row;
+  std::vector<KeyedSide> faces;
+  collect_faces(mesh, row, faces);
+  for (std::size_t r = 0; r + 1 < row.size(); ++r)
+    for (std::size_t i = row[r]; i < row[r + 1]; ++i) {
+      bool shared = false;
+      for (std::size_t j = row[r]; j < row[r + 1] && !shared; ++j) shared = j != i && faces[j].key == faces[i].key;
+      visit(faces[i], shared);
+    }
+}
+
 LocalIndex find_root(std::vector<LocalIndex>& parent, LocalIndex i) {
   while (parent[static_cast<std::size_t>(i)] != i) {
     auto& above = parent[static_cast<std::size_t>(i)];
@@ -76,18 +90,24 @@ std::array<LocalIndex, 4> face_nodes(Shape shape, const LocalIndex* element, int
 }
 
 std::vector<Side> exterior_sides(const Mesh& mesh) {
-  std::vector<std::size_t> row;
-  std::vector<KeyedSide> faces;
-  collect_faces(mesh, row, faces);
   std::vector<Side> exterior;
-  for (std::size_t r = 0; r + 1 < row.size(); ++r)
-    for (std::size_t i = row[r]; i < row[r + 1]; ++i) {
-      bool shared = false;
-      for (std::size_t j = row[r]; j < row[r + 1] && !shared; ++j) shared = j != i && faces[j].key == faces[i].key;
-      if (!shared) exterior.push_back(faces[i].side);
-    }
+  for_each_keyed_face(mesh, [&](const KeyedSide& face, bool shared) {
+    if (!shared) exterior.push_back(face.side);
+  });
   std::sort(exterior.begin(), exterior.end());
   return exterior;
+}
+
+std::vector<Side> interior_sides(const Mesh& mesh, std::span<const char> wanted) {
+  std::vector<Side> interior;
+  for_each_keyed_face(mesh, [&](const KeyedSide& face, bool shared) {
+    const auto is_wanted = [&](LocalIndex node) {
+      return node == no_index || wanted[static_cast<std::size_t>(node)] != 0;
+    };
+    if (shared && std::all_of(face.key.begin(), face.key.end(), is_wanted)) interior.push_back(face.side);
+  });
+  std::sort(interior.begin(), interior.end());
+  return interior;
 }
 
 std::vector<std::int32_t> bodies(const Mesh& mesh) {

@@ -27,6 +27,10 @@ struct ExteriorFace {
   std::int32_t body = 0;  ///< connected component of the whole mesh, numbered by its first element
 };
 
+/// Name of the side set of all faces between elements that may be exposed when elements are removed, from both sides;
+/// missing where none ever is.
+constexpr const char* inner_faces = "@inner";
+
 struct LocalMesh {
   GlobalIndex global_nodes = 0, global_elements = 0;
   Vec3 origin = Vec3::Zero();           ///< taken off all coordinates at load (a rounded value), put back on output

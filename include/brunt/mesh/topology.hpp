@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "brunt/mesh/mesh.hpp"
@@ -15,6 +16,9 @@ std::array<LocalIndex, 4> face_nodes(Shape shape, const LocalIndex* element, int
 
 /// Sides that no other element shares, ordered by (block, element, face).
 std::vector<Side> exterior_sides(const Mesh& mesh);
+
+/// Sides that another element shares and whose nodes are all `wanted` (a flag a node), ordered likewise.
+std::vector<Side> interior_sides(const Mesh& mesh, std::span<const char> wanted);
 
 /// Connected component of each element (elements that share a node hang together), block by block; components are
 /// numbered by their first element.

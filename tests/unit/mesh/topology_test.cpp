@@ -73,3 +73,15 @@ TEST_CASE("bodies are numbered by their first element", "[topology]") {
                                  {"b", 2, Shape::tet4, {5, 6, 7, 8, 3, 4, 5, 6, 12, 10, 11, 9}, {3, 4, 5}}});
   CHECK(bodies(mesh) == std::vector<std::int32_t>{0, 1, 1, 1, 0});
 }
+
+TEST_CASE("interior sides are those that another element shares, where all their nodes are wanted", "[topology]") {
+  Block row{.name = "row", .shape = Shape::hex8, .nodes = {}, .element_id = {1, 2, 3}};
+  for (LocalIndex e = 0; e < 3; ++e)  // three cubes on each other, four nodes a level
+    for (LocalIndex n = 0; n < 8; ++n) row.nodes.push_back(4 * e + n);
+  const Mesh mesh = mesh_of(16, {row});
+  const std::vector<char> all(16, 1);
+  CHECK(interior_sides(mesh, all) == std::vector<Side>{{0, 0, 5}, {0, 1, 4}, {0, 1, 5}, {0, 2, 4}});
+  std::vector<char> lowest(16, 0);
+  std::fill_n(lowest.begin(), 8, 1);
+  CHECK(interior_sides(mesh, lowest) == std::vector<Side>{{0, 0, 5}, {0, 1, 4}});
+}
