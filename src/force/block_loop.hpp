@@ -8,6 +8,7 @@
 #include "brunt/force/internal.hpp"
 #include "brunt/model/model.hpp"
 #include "kernels.hpp"
+#include "living.hpp"
 
 namespace brunt::force {
 
@@ -33,22 +34,33 @@ BRUNT_INLINE void gather_reference(const LocalIndex* node, const Quad* reference
 }
 
 /// Adds corner forces to the nodes, element after element in canonical order; keeps those of border nodes aside.
+/// Removed elements have none.
 template <int nodes>
-BRUNT_INLINE void scatter_forces(const LocalIndex* node, int lanes, const Pack (&f)[3][nodes],
+BRUNT_INLINE void scatter_forces(const LocalIndex* node, int lanes, std::uint8_t living, const Pack (&f)[3][nodes],
                                  std::span<const model::BorderCorner> border, Quad* force, Quad* slots) {
   Pack pair[nodes][4];
   const auto quad = [&](int c, int lane) -> const Quad& {
     return reinterpret_cast<const Quad*>(&pair[c][lane % 4])[lane / 4];
   };
   for (int c = 0; c < nodes; ++c) quads_of(f[0][c], f[1][c], f[2][c], pair[c]);
-  if (lanes == pack_width) {
+  if (lanes == pack_width && living == every_lane) {
     for (int lane = 0; lane < pack_width; ++lane)
       for (int c = 0; c < nodes; ++c) force[node[c * pack_width + lane]] += quad(c, lane);
   } else {
     for (int lane = 0; lane < lanes; ++lane)
-      for (int c = 0; c < nodes; ++c) force[node[c * pack_width + lane]] += quad(c, lane);
+      for (int c = 0; c < nodes && lives(living, lane); ++c) force[node[c * pack_width + lane]] += quad(c, lane);
   }
-  for (const model::BorderCorner& kept : border) slots[kept.slot] = quad(kept.corner, kept.lane);
+  for (const model::BorderCorner& kept : border)
+    slots[kept.slot] = lives(living, kept.lane) ? quad(kept.corner, kept.lane) : Quad{};
+}
+
+/// A batch of removed elements alone: all that was kept of their forces is nothing now.
+template <int nodes>
+void leave_out(std::span<const model::BorderCorner> border, Quad* slots, const KeptForces& kept, LocalIndex batch) {
+  for (const model::BorderCorner& corner : border) slots[corner.slot] = Quad{};
+  if (kept.force == nullptr) return;
+  std::fill_n(kept.force + std::ptrdiff_t{batch} * 3 * nodes, 3 * nodes, broadcast(0.0));
+  kept.power[batch] = broadcast(0.0);
 }
 
 template <class Kernel>
@@ -61,21 +73,38 @@ void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalInde
   const auto* before = reinterpret_cast<const Pack*>(committed[static_cast<std::size_t>(block_index)].data());
   auto* after = reinterpret_cast<Pack*>(trial[static_cast<std::size_t>(block_index)].data());
   Quad* slots = reinterpret_cast<Quad*>(scratch.slots.data());
+  const std::span<const std::uint8_t> of_block = lanes_of(moved.living, block_index);
+  const KeptForces kept = kept_forces(scratch, block_index);
+  RepeatedLane<nodes, Kernel::history_size> repeated;
   Pack largest = broadcast(report.rate);
   for (LocalIndex batch = 0; batch < block.batches(); ++batch) {
     const LocalIndex* node = block.node.data() + static_cast<std::ptrdiff_t>(batch) * nodes * pack_width;
-    gather_motion<nodes>(node, moved.nodes.data(), motion);
-    if constexpr (std::decay_t<decltype(kernel.law)>::hyperelastic)
-      gather_reference<nodes>(node, model.reference.data(), motion);
+    const LocalIndex* seen = node;
     const std::ptrdiff_t memory = static_cast<std::ptrdiff_t>(batch) * Kernel::history_size;
-    kernel(motion, before + memory, after + memory, out);
+    const Pack* remembered = before + memory;
+    const std::uint8_t living = living_lanes(of_block, batch);
+    if (living == 0) {
+      leave_out<nodes>(block.border.row(batch), slots, kept, batch);
+      continue;
+    }
+    if (living != every_lane) {
+      repeated.put(node, living, remembered);
+      seen = repeated.node.data();
+      remembered = repeated.memory.data();
+    }
+    gather_motion<nodes>(seen, moved.nodes.data(), motion);
+    if constexpr (std::decay_t<decltype(kernel.law)>::hyperelastic)
+      gather_reference<nodes>(seen, model.reference.data(), motion);
+    kernel(motion, remembered, after + memory, out);
+    if (living != every_lane) repeated.take_off(living, after + memory);
+    if (kept.force != nullptr) keep_forces<nodes>(out.f, motion.v, living, batch, kept);
     const int lanes = std::min(pack_width, block.count - batch * pack_width);
-    scatter_forces<nodes>(node, lanes, out.f, block.border.row(batch), scratch.force.data(), slots);
+    scatter_forces<nodes>(node, lanes, living, out.f, block.border.row(batch), scratch.force.data(), slots);
 
     if (any(out.rate > largest)) {  // rare: only where an element is quicker than all before it
       // lanes of padding have no say: their histories are neither saved nor restored
       for (int lane = 0; lane < lanes; ++lane)
-        if (out.rate[lane] > report.rate) {
+        if (lives(living, lane) && out.rate[lane] > report.rate) {
           report.rate = out.rate[lane];
           report.block = block_index;
           report.element = batch * pack_width + lane;
@@ -84,7 +113,8 @@ void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalInde
     }
     if (any(~(out.volume > 0.0)) && report.inverted_block < 0) {
       for (int lane = pack_width - 1; lane >= 0; --lane)  // padding repeats the last element
-        if (!(out.volume[lane] > 0.0)) report.inverted_element = std::min(batch * pack_width + lane, block.count - 1);
+        if (lives(living, lane) && !(out.volume[lane] > 0.0))
+          report.inverted_element = std::min(batch * pack_width + lane, block.count - 1);
       report.inverted_block = block_index;
     }
   }

@@ -7,6 +7,7 @@
 
 #include "block_loop.hpp"
 #include "brunt/core/cells.hpp"
+#include "brunt/model/alive.hpp"
 
 namespace brunt::force {
 namespace {
@@ -46,7 +47,8 @@ void look_at(const model::ElementBlock& block, std::int32_t index, const model::
     if (!any(least < flat)) continue;
     const int lanes = std::min(pack_width, block.count - batch * pack_width);
     for (int lane = 0; lane < lanes; ++lane) {
-      if (!(least[lane] < flat)) continue;
+      if (!(least[lane] < flat) || !model::lives(state, static_cast<std::size_t>(index), batch * pack_width + lane))
+        continue;
       ++folded.count;
       const GlobalIndex element =
           block.input[static_cast<std::size_t>(batch) * pack_width + static_cast<std::size_t>(lane)];

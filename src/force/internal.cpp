@@ -44,7 +44,8 @@ ElementReport trial_forces(const model::Model& model, const Motion& motion, cons
 }
 
 ElementReport internal_forces(const model::Model& model, model::State& state, model::Scratch& scratch) {
-  return trial_forces(model, {.nodes = state.nodes, .dt = state.dt}, state.history, state.history, scratch);
+  const Motion motion{.nodes = state.nodes, .dt = state.dt, .living = state.living.lanes};
+  return trial_forces(model, motion, state.history, state.history, scratch);
 }
 
 void commit(const History& trial, History& committed) {

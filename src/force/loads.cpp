@@ -28,9 +28,12 @@ void body_loads(const model::Model& model, const model::State& state, model::Scr
 
 void pressure_forces(const model::Model& model, const model::State& state, std::span<Quad> slots) {
   std::size_t slot = 0;
-  for (const model::PressureLoad& load : model.pressure) {
-    const double p = load.value * model::value_at(load.curve, state.time);
+  for (std::size_t entry = 0; entry < model.pressure.size(); ++entry) {
+    const model::PressureLoad& load = model.pressure[entry];
+    const double whole = load.value * model::value_at(load.curve, state.time);
+    const char* lives = state.living.pressed.empty() ? nullptr : state.living.pressed[entry].data();
     for (const mesh::ExteriorFace& face : load.faces) {
+      const double p = lives == nullptr || *lives++ != 0 ? whole : 0.0;  // a load ends with the element of its face
       const int corners = face.nodes[3] == no_index ? 3 : 4;
       const Vec3 a = position(state, face.nodes[0]), b = position(state, face.nodes[1]),
                  c = position(state, face.nodes[2]);

@@ -55,6 +55,24 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
       state.interface_work.emplace_back(static_cast<std::size_t>(block.count), 0.0);
 }
 
+/// Flags, works and kept forces of blocks that may lose elements.
+void size_removals(const model::Model& model, model::State& state, model::Scratch& scratch) {
+  if (model.removals.empty()) return;
+  const std::size_t n = model.blocks.size();
+  for (auto* arrays : {&state.alive, &state.element_work, &scratch.last_work}) arrays->resize(n);
+  for (auto* arrays : {&scratch.element_force, &scratch.element_power}) arrays->resize(n);
+  for (std::size_t b = 0; b < n; ++b) {
+    if (model.erodes[b] == 0) continue;
+    const auto count = static_cast<std::size_t>(model.blocks[b].count);
+    const auto batches = static_cast<std::size_t>(model.blocks[b].batches());
+    state.alive[b].assign(count, 1.0);
+    state.element_work[b].assign(count, 0.0);
+    scratch.last_work[b].assign(count, 0.0);
+    scratch.element_force[b].assign(batches * 3 * static_cast<std::size_t>(model.blocks[b].corners) * pack_width, 0.0);
+    scratch.element_power[b].assign(batches * pack_width, 0.0);
+  }
+}
+
 model::StateArray nodal(const std::string& name, std::vector<double>& values, int components, LocalIndex nodes) {
   return {name, model::StateArray::Entity::node, -1, nodes, components, values.data(), 1, components, 1, 0, true, true};
 }
@@ -88,7 +106,12 @@ void initialise(model::Model& model, model::State& state, model::Scratch& scratc
   model.block_size.clear();
   for (const model::ElementBlock& block : model.blocks)
     model.block_size.push_back(links.ranks.sum(GlobalIndex{block.count}));
+  model.erodes.assign(model.blocks.size(), 0);
+  for (const model::Removal& removal : model.removals)
+    for (std::size_t b = 0; b < model.blocks.size(); ++b)
+      if (links.ranks.any(!removal.elements[b].empty())) model.erodes[b] = 1;
   size_histories(model, state);
+  size_removals(model, state, scratch);
   size_nodes(model, state, scratch);
   model.owned.clear();
   for (LocalIndex i = 0; i < model.nodes(); ++i)
@@ -187,10 +210,15 @@ model::Registry state_registry(const model::Model& model, model::State& state) {
     registry.block_first.push_back(first);
     registry.block_count.push_back(model.block_size[b]);
     first += model.block_size[b];
-    if (model.books_interface)
-      arrays.push_back({"block/" + block.part + "/interface_work", model::StateArray::Entity::element,
-                        static_cast<std::int32_t>(b), block.count, 1, state.interface_work[b].data(), 1, 1, 1, 0, true,
-                        true});
+    const auto by_element = [&](const char* name, std::vector<double>& values) {
+      arrays.push_back({"block/" + block.part + name, model::StateArray::Entity::element, static_cast<std::int32_t>(b),
+                        block.count, 1, values.data(), 1, 1, 1, 0, true, true});
+    };
+    if (model.books_interface) by_element("/interface_work", state.interface_work[b]);
+    if (b < model.erodes.size() && model.erodes[b] != 0) {
+      by_element("/alive", state.alive[b]);
+      by_element("/work", state.element_work[b]);
+    }
     for (const model::HistoryRange& range : block.history)
       arrays.push_back({"block/" + block.part + "/" + range.name, model::StateArray::Entity::element,
                         static_cast<std::int32_t>(b), block.count, range.components,

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/time/ledger.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/contact/contact.hpp"
+#include "brunt/model/alive.hpp"
 
 namespace brunt::time {
 namespace {
@@ -17,6 +19,8 @@ enum Term {
   reaction_work,
   hourglass,
   bulk,
+  eroded,   // by elements
+  dropped,  // by nodes
   mass_of_all,
   momentum_scale,
   momentum_x,
@@ -33,9 +37,16 @@ Vec3 of(const Quad& q) {
   return {q[0], q[1], q[2]};
 }
 
+/// What the step did to a node besides forces; null where there is nothing.
+struct NodeStep {
+  const Vec3 *before = nullptr, *reaction = nullptr;
+  bool is_dropped = false;  ///< left with its last element
+};
+
 /// Adds one node: accounts hold the work of whole steps, so half of the last impulse's work is taken off again.
 void add_node(const model::Model& model, const model::State& state, const model::Scratch& scratch,
-              const StepReport& step, const Vec3* before, const Vec3* reaction, std::size_t i, Sums& sums) {
+              const StepReport& step, const NodeStep& own, std::size_t i, Sums& sums) {
+  const auto& [before, reaction, is_dropped] = own;
   const double dt_mean = step.dt_mean;
   const model::NodeLine& node = state.nodes[i];
   const Vec3 v = Eigen::Map<const Vec3>(node.v);
@@ -55,6 +66,11 @@ void add_node(const model::Model& model, const model::State& state, const model:
     for (std::size_t c = 0; c < 3; ++c) sums[impulse_x + c].add(state.reaction_impulse[3 * i + c]);
   }
   const Vec3 momentum_before = before ? Vec3(node.mass * *before) : Vec3(node.mass * v - impulse);
+  if (is_dropped) {  // takes along what it has, from now on
+    sums[dropped].add(0.5 * v.dot(momentum_before));
+    for (std::size_t c = 0; c < 3; ++c) sums[impulse_x + c].add(-node.mass * v[static_cast<int>(c)]);
+    return;
+  }
   sums[kinetic].add(0.5 * v.dot(momentum_before));
   sums[mass_of_all].add(node.mass);
   for (std::size_t c = 0; c < 3; ++c) sums[momentum_x + c].add(node.mass * v[static_cast<int>(c)]);
@@ -108,15 +124,22 @@ void add_nodes(const model::Model& model, const model::State& state, const model
   const std::vector<char> carried = nodes_of_bodies(model);
   for (const LocalIndex node : model.owned) {
     if (!carried.empty() && carried[static_cast<std::size_t>(node)]) continue;
-    const Vec3 *before = nullptr, *reaction = nullptr;
+    NodeStep own{.is_dropped = std::ranges::binary_search(state.living.dropped, node)};
     if (model.damped() || state.nodes[static_cast<std::size_t>(node)].late != 0.0)
-      before = &scratch.before[static_cast<std::size_t>(node)];
+      own.before = &scratch.before[static_cast<std::size_t>(node)];
     while (next_constrained < model.constrained.size() && model.constrained[next_constrained].node < node)
       ++next_constrained;
     if (next_constrained < model.constrained.size() && model.constrained[next_constrained].node == node)
-      reaction = &scratch.reaction[next_constrained];
-    add_node(model, state, scratch, step, before, reaction, static_cast<std::size_t>(node), sums);
+      own.reaction = &scratch.reaction[next_constrained];
+    add_node(model, state, scratch, step, own, static_cast<std::size_t>(node), sums);
   }
+}
+
+/// Removed elements: all that their forces have taken, half of their last impulse's work taken off again as on nodes.
+void add_removed(const model::State& state, const model::Scratch& scratch, Sums& sums) {
+  for (std::size_t b = 0; b < state.alive.size(); ++b)
+    for (std::size_t e = 0; e < state.alive[b].size(); ++e)
+      if (state.alive[b][e] <= 0) sums[eroded].add(scratch.last_work[b][e] - state.element_work[b][e]);
 }
 
 void add_elements(const model::Model& model, const model::State& state, Sums& sums) {
@@ -126,6 +149,7 @@ void add_elements(const model::Model& model, const model::State& state, Sums& su
       const model::HistoryRange* range = block.find(name);
       if (!range) return;
       for (LocalIndex e = 0; e < block.count; ++e) {
+        if (!model::lives(state, b, e)) continue;
         const std::ptrdiff_t row = std::ptrdiff_t{e / pack_width} * block.history_size + range->first;
         sums[term].add(state.history[b][static_cast<std::size_t>(row * pack_width + e % pack_width)]);
       }
@@ -159,6 +183,7 @@ Ledger ledger(const model::Model& model, const model::State& state, const model:
   add_nodes(model, state, scratch, step, sums);
   add_bodies(model, state, scratch, links, step, sums);
   add_elements(model, state, sums);
+  add_removed(state, scratch, sums);
   std::array<double, terms> value{};
   comm::exact_sum(links.ranks, sums, value);
 
@@ -167,7 +192,8 @@ Ledger ledger(const model::Model& model, const model::State& state, const model:
   result.kinetic = value[kinetic];
   result.hourglass = value[hourglass];
   result.bulk = value[bulk];
-  result.internal = -value[element_work] - value[hourglass] - value[bulk];
+  result.eroded = value[eroded] + value[dropped];
+  result.internal = -value[element_work] - value[hourglass] - value[bulk] - value[eroded];
   result.damping = -value[damping_work];
   result.external = value[load_work] + value[reaction_work];
   result.mass = value[mass_of_all];

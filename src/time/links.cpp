@@ -89,6 +89,8 @@ Links link_ranks(const comm::Communicator& ranks, model::Model& model) {
   link_bodies(ranks, model);
   find_interface(model);
   weigh_dead_loads(ranks, model, shared_gid);
+  if (const auto faces = mesh.side_sets.find(mesh::inner_faces); faces != mesh.side_sets.end())
+    links.inner_faces = surface::join_faces(ranks, mesh, faces->second);
   links.pressure_corners = force::pressure_corners(model);
   if (!model.pressure.empty()) {
     std::vector<comm::Contribution> faces;

@@ -9,6 +9,7 @@
 
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/core/error.hpp"
+#include "brunt/force/element_work.hpp"
 #include "brunt/force/watched.hpp"
 #include "brunt/model/hash.hpp"
 #include "brunt/time/initialise.hpp"
@@ -97,16 +98,19 @@ class WorkAlongTheWay {
     for (std::size_t i = 0; i < state_.nodes.size(); ++i)
       state_.displacement[i][3] += half_step * Eigen::Map<const Vec3>(state_.nodes[i].v).dot(of(scratch_.force[i]));
     force::add_interface_work(model_, state_, scratch_, half_step);
+    force::add_element_work(model_, state_, scratch_, half_step);
   }
   void keep() {
     nodes_.resize(state_.nodes.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i) nodes_[i] = state_.displacement[i][3];
     interface_ = state_.interface_work;
+    elements_ = state_.element_work;
   }
   void give_back() {
     for (std::size_t i = 0; i < nodes_.size(); ++i) state_.displacement[i][3] = nodes_[i];
     for (std::size_t b = 0; b < interface_.size(); ++b)
       std::ranges::copy(interface_[b], state_.interface_work[b].begin());
+    for (std::size_t b = 0; b < elements_.size(); ++b) std::ranges::copy(elements_[b], state_.element_work[b].begin());
   }
 
  private:
@@ -114,7 +118,7 @@ class WorkAlongTheWay {
   model::State& state_;
   const model::Scratch& scratch_;
   std::vector<double> nodes_;
-  std::vector<std::vector<double>> interface_;
+  std::vector<std::vector<double>> interface_, elements_;
 };
 
 /// So many steps after its peak a swing is over. The fastest modes have periods of 3 steps and more: their peaks, which

@@ -6,6 +6,7 @@
 
 #include "brunt/contact/contact.hpp"
 #include "brunt/force/dead_loads.hpp"
+#include "brunt/force/element_work.hpp"
 #include "brunt/force/loads.hpp"
 #include "brunt/force/watched.hpp"
 #include "brunt/model/curve.hpp"
@@ -21,6 +22,8 @@ void sum_forces(const model::Model& model, const model::State& state, model::Scr
   if (model.loaded()) force::body_loads(model, state, scratch);
   if (model.loaded()) clear_body_loads(model, scratch);
   force::add_dead_loads(model, state.time, scratch);
+  if (model.loaded())
+    for (const LocalIndex node : state.living.dropped) scratch.load[static_cast<std::size_t>(node)] = Quad{};
   links.corner_forces.end(scratch.slots, 4, {reinterpret_cast<double*>(scratch.force.data()), 4 * scratch.force.size()},
                           4);
   if (model.pressure.empty()) return;
@@ -133,8 +136,9 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
   if (!model.bodies.empty()) sum_body_forces(model, state, scratch, links);
   report.stop = reduced[1] > 0;
   report.rate = reduced[0];
-  report.stable_dt =
-      std::min(control.cfl / std::max({report.rate, state.rate_now, state.rate_before}), control.largest);
+  const double largest = std::max({report.rate, state.rate_now, state.rate_before});
+  const bool all_gone = !(largest > 0) && !model.removals.empty();  // then the step stays as it is
+  report.stable_dt = std::min(all_gone ? state.dt : control.cfl / largest, control.largest);
   report.dt = bounded_by_damping(model, state, control, next_dt(state, control, report.stable_dt));
   report.dt_mean = 0.5 * (state.dt + report.dt);
   report.alpha = force::damping_rate(model, state.time);
@@ -157,6 +161,7 @@ void advance(const model::Model& model, model::State& state, model::Scratch& scr
   finish_late(model, state, scratch, interval);
   if (!model.bodies.empty()) book_bodies(model, state, scratch, interval);
   if (model.books_interface) force::book_interface(model, state, scratch, step.dt_mean);
+  force::book_element_work(model, state, scratch, step.dt_mean);
   if (!model.bodies.empty()) move_bodies(model, state, scratch, step.dt);
   for (std::size_t w = 0; w < model.walls.size(); ++w)
     state.wall_position[w] += step.dt * wall_speed(model.walls[w], state, state.time + 0.5 * step.dt);

@@ -18,6 +18,7 @@ struct Motion {
   std::span<const model::NodeLine> nodes;  ///< positions x at its end, mean velocities v of it; masses are not read
   double dt = 1;        ///< its length [time]; where there is no time (a static state) 1, and v is the increment
   bool viscous = true;  ///< with bulk viscosity, and the viscous hourglass control of one-point hexahedra
+  std::span<const std::vector<std::uint8_t>> living{};  ///< lanes as model::Living has them; none: all elements live
 };
 
 /// Forces at the end of the step in `scratch`, as internal_forces leaves them. Histories go from `committed`, at its

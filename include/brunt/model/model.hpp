@@ -3,6 +3,7 @@
 // and holds nothing from one step to the next.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,13 @@ struct RigidWall {
   std::vector<std::int32_t> blocks{};  ///< that it acts on, ascending; empty: all
 };
 
+/// Elements that leave the model in the first step at or past a time.
+struct Removal {
+  double at = 0;            ///< [time]
+  bool keeps_nodes = true;  ///< nodes without an element stay as mass points, else they are dropped
+  std::vector<std::vector<LocalIndex>> elements;  ///< by block, ascending
+};
+
 /// A corner of an element of which the force is found unsummed in Scratch::slots.
 struct WatchedCorner {
   LocalIndex element = 0, node = 0, slot = 0;  ///< element: of its block
@@ -76,6 +84,7 @@ struct Model {
   std::vector<LocalIndex> owned;        ///< nodes this rank owns
   std::vector<GlobalIndex> block_size;  ///< elements of each block on all ranks
   bool any_constrained = false;         ///< on any rank
+  std::vector<char> erodes;             ///< by block: may it lose elements, on any rank?
   bool books_interface = false;         ///< parts share nodes, on any rank, and their energies are asked for
 
   std::vector<RigidBody> bodies;  ///< the same on all ranks, by block
@@ -92,6 +101,9 @@ struct Model {
   std::vector<RigidWall> walls;
   std::vector<char> in_symmetry_plane;  ///< a flag for each of mesh.faces: no contact face
   contact::Specification contact;
+
+  std::vector<Removal> removals;      ///< by time
+  std::vector<LocalIndex> uncovered;  ///< nodes of elements that may be removed, ascending: also of other ranks' ones
 
   std::vector<LocalIndex> late;     ///< nodes finished after contact and constraints, ascending
   std::vector<LocalIndex> watched;  ///< nodes of which every corner force stays in Scratch::slots, ascending
@@ -121,6 +133,13 @@ struct Relaxation {
 };
 constexpr int relaxation_values = 9;
 
+/// What follows from State::alive: made anew by time::follow_alive whenever a flag has changed, never saved.
+struct Living {
+  std::vector<std::vector<std::uint8_t>> lanes;  ///< by block and batch, a bit a lane; empty where all elements live
+  std::vector<std::vector<char>> pressed;        ///< by pressure load and face: its element lives; empty where all do
+  std::vector<LocalIndex> dropped;               ///< nodes that left with their last element, ascending
+};
+
 struct State {
   double time = 0;          ///< t_n
   double time_before = -1;  ///< t_{n-1}
@@ -143,15 +162,27 @@ struct State {
   std::vector<double> wall_position;           ///< travel of each wall along its normal
   /// By block and element: work of its forces on nodes of several parts; empty unless energies of parts are asked for.
   std::vector<std::vector<double>> interface_work;
+  /// By block and element: 1; 0 once it has been removed, -1 if its nodes are dropped with it. Empty for blocks that
+  /// never lose an element.
+  std::vector<std::vector<double>> alive;
+  /// By block and element, empty likewise: work of its forces on all its nodes up to v_{n-1/2}. With the sign turned it
+  /// is the element's energy, which is booked as eroded when it goes.
+  std::vector<std::vector<double>> element_work;
+  Living living;
   Relaxation relaxation;
   /// Three a node, of the phase alone: force of contact, walls and supports in the step before the nodes are stopped.
   std::vector<double> held_force;
 };
 
 struct Scratch {
-  AlignedVector<Quad> force;          ///< minus the internal force; the fourth is unused
-  AlignedVector<Quad> load;           ///< gravity, pressure; empty where the scene has neither these nor damping
-  AlignedVector<double> slots;        ///< unsummed corner forces of border nodes, four each
+  AlignedVector<Quad> force;    ///< minus the internal force; the fourth is unused
+  AlignedVector<Quad> load;     ///< gravity, pressure; empty where the scene has neither these nor damping
+  AlignedVector<double> slots;  ///< unsummed corner forces of border nodes, four each
+  /// Of blocks that may lose elements, else empty. Forces of their elements on the corners at t_n, [batch][component]
+  /// [corner][lane]; their power with v_{n-1/2}, [batch][lane]; and by element the half of the last step's work that
+  /// was done with v_{n+1/2}.
+  std::vector<AlignedVector<double>> element_force, element_power;
+  std::vector<std::vector<double>> last_work;
   std::vector<Vec3> before;           ///< v_{n-1/2} of the late nodes (with damping: of all), by node; or empty
   std::vector<Vec3> reaction;         ///< impulse of each constrained node in this step
   std::vector<BodyStep> bodies;       ///< of Model::bodies

@@ -11,6 +11,7 @@
 #include "brunt/core/timers.hpp"
 #include "brunt/force/loads.hpp"
 #include "brunt/model/model.hpp"
+#include "brunt/surface/exposed.hpp"
 
 namespace brunt::time {
 
@@ -26,6 +27,7 @@ struct Links {
   std::vector<comm::ExactAccumulator> body_sums{};  ///< forces and moments on rigid bodies
   std::vector<double> body_forces{};                ///< the same, rounded
   std::vector<contact::Carrier> carriers{};         ///< rigid bodies as contact sees them
+  surface::InnerFaces inner_faces{};                ///< that removals may expose; none where the scene has no removals
 };
 
 /// Numbers the slots of border corners in the model and links the ranks. Collective.

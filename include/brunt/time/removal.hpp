@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Elements leave the model between `evaluate` and `advance`: their forces at t_n act a last time, everything after sees
+// them no more. Mass stays on the nodes.
+#pragma once
+#include <vector>
+
+#include "brunt/comm/communicator.hpp"
+#include "brunt/model/model.hpp"
+
+namespace brunt::time {
+
+/// Does a removal of the scene fall to the step from t_n? The same on every rank.
+bool removal_is_due(const model::Model& model, const model::State& state);
+
+/// What follows from the flags, after they have changed. Collective.
+void follow_alive(const comm::Communicator& ranks, const model::Model& model, model::State& state);
+
+/// Sets the flags of the elements that are removed at t_n and what follows from them; returns how many each block lost,
+/// on all ranks. Collective.
+std::vector<GlobalIndex> remove_elements(const comm::Communicator& ranks, const model::Model& model,
+                                         model::State& state);
+
+/// Elements removed so far, on all ranks. Collective.
+GlobalIndex removed_elements(const comm::Communicator& ranks, const model::State& state);
+
+}  // namespace brunt::time

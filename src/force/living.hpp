@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Batches with removed elements. A kernel computes all lanes of a batch at once; those of removed elements repeat a
+// living one, as padding does, so that nothing of a removed element (whose nodes may be anywhere by now) is computed.
+// What it does not see are the histories: those of removed elements stay as they were.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "brunt/core/simd.hpp"
+#include "brunt/model/model.hpp"
+
+namespace brunt::force {
+
+constexpr std::uint8_t every_lane = 0xff;
+
+/// A bit for each lane of the batch whose element lives. `lanes`: of the block; empty where all live.
+BRUNT_INLINE std::uint8_t living_lanes(std::span<const std::uint8_t> lanes, LocalIndex batch) {
+  return lanes.empty() ? every_lane : lanes[static_cast<std::size_t>(batch)];
+}
+
+/// Those of a block.
+inline std::span<const std::uint8_t> lanes_of(std::span<const std::vector<std::uint8_t>> lanes, LocalIndex block) {
+  const auto b = static_cast<std::size_t>(block);
+  return b < lanes.size() ? std::span(lanes[b]) : std::span<const std::uint8_t>{};
+}
+
+BRUNT_INLINE bool lives(std::uint8_t living, int lane) {
+  return (living >> lane & 1) != 0;
+}
+
+template <int nodes, int history_size>
+struct RepeatedLane {
+  std::array<LocalIndex, static_cast<std::size_t>(nodes* pack_width)> node;  ///< that the kernel is to see
+  std::array<Pack, static_cast<std::size_t>(history_size)> memory, kept;     ///< likewise, and as it was
+
+  /// Puts a living element in the place of each removed one.
+  void put(const LocalIndex* nodes_of_batch, std::uint8_t living, const Pack* committed) {
+    const int shown = std::countr_zero(living);
+    for (int c = 0; c < nodes; ++c)
+      for (int lane = 0; lane < pack_width; ++lane)
+        node[static_cast<std::size_t>(c * pack_width + lane)] =
+            nodes_of_batch[c * pack_width + (lives(living, lane) ? lane : shown)];
+    std::copy_n(committed, history_size, kept.begin());
+    memory = kept;
+    for (Pack& value : memory)
+      for (int lane = 0; lane < pack_width; ++lane)
+        if (!lives(living, lane)) value[lane] = value[shown];
+  }
+  /// Gives removed elements what they remembered.
+  void take_off(std::uint8_t living, Pack* trial) const {
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      for (int lane = 0; lane < pack_width; ++lane)
+        if (!lives(living, lane)) trial[k][lane] = kept[k][lane];
+  }
+};
+
+/// Where the forces of a block's elements are kept (see Scratch::element_force); null where they are not.
+struct KeptForces {
+  Pack *force = nullptr, *power = nullptr;
+};
+
+inline KeptForces kept_forces(model::Scratch& scratch, LocalIndex block) {
+  const auto b = static_cast<std::size_t>(block);
+  if (b >= scratch.element_force.size() || scratch.element_force[b].empty()) return {};
+  return {reinterpret_cast<Pack*>(scratch.element_force[b].data()),
+          reinterpret_cast<Pack*>(scratch.element_power[b].data())};
+}
+
+/// Keeps the forces of a batch, none of removed elements, and their power with the velocities before the step.
+template <int nodes>
+BRUNT_INLINE void keep_forces(const Pack (&f)[3][nodes], const Pack (&v)[3][nodes], std::uint8_t living,
+                              LocalIndex batch, const KeptForces& kept) {
+  Pack* force = kept.force + std::ptrdiff_t{batch} * 3 * nodes;
+  Pack sum = broadcast(0.0);
+  for (int i = 0; i < 3; ++i)
+    for (int c = 0; c < nodes; ++c) {
+      sum += f[i][c] * v[i][c];
+      force[i * nodes + c] = f[i][c];
+    }
+  for (int lane = 0; lane < pack_width; ++lane) {
+    if (lives(living, lane)) continue;
+    sum[lane] = 0;
+    for (int k = 0; k < 3 * nodes; ++k) force[k][lane] = 0;
+  }
+  kept.power[batch] = sum;
+}
+
+}  // namespace brunt::force
