@@ -32,13 +32,16 @@ bool has_element(const mesh::LocalMesh& mesh, const SurfaceFace& face) {
 
 /// The surface nodes that this rank's elements contain, each with the nodes of those elements; of a surface without
 /// elements the faces stand for them.
-std::vector<Together> seen_here(const mesh::LocalMesh& mesh, const Surface& surface) {
+std::vector<Together> seen_here(const mesh::LocalMesh& mesh, const Surface& surface, surface::Alive alive) {
   std::vector<char> on_surface(mesh.node_gid.size(), 0);
   for (const LocalIndex node : surface.model_node) on_surface[static_cast<std::size_t>(node)] = 1;
   std::vector<Together> seen;
-  for (const mesh::LocalBlock& block : mesh.blocks) {
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const mesh::LocalBlock& block = mesh.blocks[b];
+    const std::vector<double>* flags = b < alive.size() && !alive[b].empty() ? &alive[b] : nullptr;
     const auto width = static_cast<std::size_t>(mesh::nodes_per_element(block.shape));
     for (std::size_t first = 0; first < block.nodes.size(); first += width) {
+      if (flags != nullptr && (*flags)[first / width] <= 0) continue;
       const std::span<const LocalIndex> nodes(&block.nodes[first], width);
       for (const LocalIndex node : nodes) {
         if (on_surface[static_cast<std::size_t>(node)] == 0) continue;
@@ -138,10 +141,10 @@ EdgeKind kind_of(double angle, const EdgeAngles& angles) {
 }  // namespace
 
 Ragged<GlobalIndex> element_neighbours(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
-                                       const Surface& surface) {
+                                       const Surface& surface, surface::Alive alive) {
   std::vector<std::vector<Together>> to_owner(static_cast<std::size_t>(ranks.size()));
   std::size_t at = 0;
-  for (const Together& pair : seen_here(mesh, surface)) {
+  for (const Together& pair : seen_here(mesh, surface, alive)) {
     while (surface.gid[at] != pair.gid) ++at;
     to_owner[static_cast<std::size_t>(surface.home[at].rank)].push_back(pair);
   }

@@ -30,18 +30,33 @@ struct NodeUse {
   Place face;
 };
 
+constexpr Place no_face{no_index, no_index};  ///< of a mass point
+
+/// What the surface is made of.
+struct Outside {
+  std::span<const mesh::ExteriorFace> faces;
+  std::span<const char> excluded;
+  std::span<const surface::MassPoint> points{};
+  surface::Alive alive{};
+};
+
 std::size_t corner_count(const mesh::ExteriorFace& face) {
   return face.nodes[3] == no_index ? 3 : 4;
 }
 
 /// In order of gid, then face key: the same whoever sent them.
 std::vector<NodeUse> uses_of_owned_nodes(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
-                                         std::span<const char> excluded) {
+                                         const Outside& outside) {
   std::vector<std::vector<NodeUse>> outgoing(static_cast<std::size_t>(ranks.size()));
   LocalIndex contact_face = 0;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const mesh::ExteriorFace& face = mesh.faces[f];
-    const bool touches = excluded[f] == 0;
+  for (const surface::MassPoint& point : outside.points) {
+    const auto node = static_cast<std::size_t>(point.node);
+    outgoing[static_cast<std::size_t>(mesh.owner[node])].push_back(
+        {mesh.node_gid[node], point.key, point.block, point.body, no_face});
+  }
+  for (std::size_t f = 0; f < outside.faces.size(); ++f) {
+    const mesh::ExteriorFace& face = outside.faces[f];
+    const bool touches = outside.excluded[f] == 0;
     for (std::size_t i = 0; i < corner_count(face); ++i) {
       const auto node = static_cast<std::size_t>(face.nodes[i]);
       outgoing[static_cast<std::size_t>(mesh.owner[node])].push_back(
@@ -103,7 +118,7 @@ void attach_faces(const std::vector<NodeUse>& uses, Surface& surface) {
     for (; use != uses.end() && use->gid == surface.gid[i]; ++use) {
       surface.body[i] = use->body;
       if (use->block == no_index) continue;
-      surface.facets.values.push_back(use->face);
+      if (use->face != no_face) surface.facets.values.push_back(use->face);
       blocks.push_back(use->block);
     }
     std::sort(blocks.begin(), blocks.end());
@@ -145,10 +160,10 @@ double element_depth(const mesh::LocalMesh& mesh, const mesh::ExteriorFace& face
   return std::min(depth, geometry::width({corners.data(), count}));
 }
 
-void collect_faces(const mesh::LocalMesh& mesh, std::span<const char> excluded, Surface& surface) {
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    if (excluded[f] != 0) continue;
-    const mesh::ExteriorFace& from = mesh.faces[f];
+void collect_faces(const mesh::LocalMesh& mesh, const Outside& outside, Surface& surface) {
+  for (std::size_t f = 0; f < outside.faces.size(); ++f) {
+    if (outside.excluded[f] != 0) continue;
+    const mesh::ExteriorFace& from = outside.faces[f];
     SurfaceFace face{.key = from.key,
                      .corner_count = static_cast<std::int32_t>(corner_count(from)),
                      .body = from.body,
@@ -170,6 +185,7 @@ double mean(double sum, GlobalIndex count) {
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
+/// Bodies are numbered as at the start, when each had a face.
 void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const double> inverse_mass,
                     Surface& surface) {
   GlobalIndex last_body = -1;
@@ -225,22 +241,33 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
   surface.mean_depth = mean(totals[2 * body_count + 1], faces);
 }
 
+Surface join(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Outside& outside,
+             std::span<const double> inverse_mass) {
+  demand(outside.excluded.size() == outside.faces.size(), "one exclusion flag for each exterior face");
+  demand(inverse_mass.size() == mesh.node_gid.size(), "one inverse mass for each node");
+  Surface surface;
+  const std::vector<NodeUse> uses = uses_of_owned_nodes(ranks, mesh, outside);
+  collect_nodes(ranks, mesh, uses, surface);
+  attach_faces(uses, surface);
+  collect_faces(mesh, outside, surface);
+  measure_bodies(ranks, mesh, inverse_mass, surface);
+  surface.neighbours = element_neighbours(ranks, mesh, surface, outside.alive);
+  surface.edges = edges_of(ranks, mesh, surface, edge_angles);
+  surface.on_rim = nodes_on_rims(ranks, surface);
+  return surface;
+}
+
 }  // namespace
 
 Surface join_surface(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const char> excluded,
                      std::span<const double> inverse_mass) {
-  demand(excluded.size() == mesh.faces.size(), "one exclusion flag for each exterior face");
-  demand(inverse_mass.size() == mesh.node_gid.size(), "one inverse mass for each node");
-  Surface surface;
-  const std::vector<NodeUse> uses = uses_of_owned_nodes(ranks, mesh, excluded);
-  collect_nodes(ranks, mesh, uses, surface);
-  attach_faces(uses, surface);
-  collect_faces(mesh, excluded, surface);
-  measure_bodies(ranks, mesh, inverse_mass, surface);
-  surface.neighbours = element_neighbours(ranks, mesh, surface);
-  surface.edges = edges_of(ranks, mesh, surface, edge_angles);
-  surface.on_rim = nodes_on_rims(ranks, surface);
-  return surface;
+  return join(ranks, mesh, {.faces = mesh.faces, .excluded = excluded}, inverse_mass);
+}
+
+Surface join_surface(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Remains& remains,
+                     std::span<const double> inverse_mass) {
+  return join(ranks, mesh, {remains.outside.faces, remains.excluded, remains.outside.points, remains.alive},
+              inverse_mass);
 }
 
 }  // namespace brunt::contact

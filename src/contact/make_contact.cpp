@@ -7,6 +7,7 @@
 #include "brunt/contact/join_surface.hpp"
 #include "brunt/contact/passes.hpp"
 #include "initial_state.hpp"
+#include "tied_parts.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -77,6 +78,17 @@ SurfaceNodes surface_nodes(const comm::Communicator& ranks, const Surface& surfa
   return nodes;
 }
 
+/// What was said of the bodies at the start, with the blocks that have come to their outside.
+std::vector<BodyFigures> with_blocks(std::vector<BodyFigures> bodies, std::span<const BodyFigures> now) {
+  for (std::size_t b = 0; b < std::min(bodies.size(), now.size()); ++b) {
+    std::vector<std::int32_t>& blocks = bodies[b].blocks;
+    blocks.insert(blocks.end(), now[b].blocks.begin(), now[b].blocks.end());
+    std::ranges::sort(blocks);
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  }
+  return bodies;
+}
+
 }  // namespace
 
 Contact make_contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const char> excluded,
@@ -85,17 +97,39 @@ Contact make_contact(const comm::Communicator& ranks, const mesh::LocalMesh& mes
   Surface surface = join_surface(ranks, mesh, excluded, inverse_mass);
   SurfaceNodes nodes = surface_nodes(ranks, surface, mesh, inverse_mass, constrained, walls, settings.rigid.nodes,
                                      !settings.detection.accepted.empty());
+  std::vector<BodyFigures> bodies = surface.bodies;
   DerivedSettings derived = derive(settings, surface, nodes.mobility, walls, ranks);
   Contact contact{.ranks = ranks,
                   .settings = std::move(settings),
                   .derived = std::move(derived),
                   .surface = std::move(surface),
+                  .bodies_at_start = std::move(bodies),
+                  .walls_at_start{walls.begin(), walls.end()},
                   .surface_nodes = std::move(nodes)};
   contact.ledger.sums.wall_impulse.resize(walls.size());
   contact.ledger.sums.tracked.resize(contact.settings.tracked.size());
   keep_overlaps(contact, mesh.coordinates, walls);
   make_ties(contact, mesh.coordinates, walls);
   return contact;
+}
+
+void update_surface(Contact& contact, const mesh::LocalMesh& mesh, const Remains& remains,
+                    std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained) {
+  const std::vector<Wall>& walls = contact.walls_at_start;
+  Surface surface = join_surface(contact.ranks, mesh, remains, inverse_mass);
+  surface.bodies = with_blocks(contact.bodies_at_start, surface.bodies);
+  surface.mean_edge = contact.surface.mean_edge;
+  surface.mean_depth = contact.surface.mean_depth;
+  contact.surface = std::move(surface);
+  contact.surface_nodes = surface_nodes(contact.ranks, contact.surface, mesh, inverse_mass, constrained, walls,
+                                        contact.settings.rigid.nodes, !contact.settings.detection.accepted.empty());
+  std::vector<AcceptedOverlap> accepted = std::move(contact.derived.detection.accepted);
+  std::vector<BodyPair> fitted = std::move(contact.derived.detection.fitted);
+  contact.derived = derive(contact.settings, contact.surface, contact.surface_nodes.mobility, walls, contact.ranks);
+  contact.derived.detection.accepted = std::move(accepted);
+  contact.derived.detection.fitted = std::move(fitted);
+  release_ties(contact, remains.outside.faces);
+  contact.list_state.exist = false;
 }
 
 }  // namespace brunt::contact

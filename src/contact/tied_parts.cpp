@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "brunt/comm/rendezvous.hpp"
 #include "brunt/core/error.hpp"
 #include "slave.hpp"
 
@@ -44,6 +45,23 @@ bool nothing_else_acts(const Contact& contact, const Row& row) {
   });
 }
 
+/// Keys of the ties' faces that some rank still has, ascending. Collective.
+std::vector<GlobalIndex> faces_left(const comm::Communicator& ranks, const std::vector<Tie>& ties,
+                                    std::span<const mesh::ExteriorFace> faces) {
+  std::vector<GlobalIndex> keys;
+  for (const Tie& tie : ties) keys.push_back(tie.face);
+  const auto size = static_cast<std::size_t>(ranks.size());
+  const Ragged<GlobalIndex> asked = comm::exchange(ranks, std::vector<std::vector<GlobalIndex>>(size, keys));
+  std::vector<std::vector<GlobalIndex>> here(size);
+  for (Rank r = 0; r < ranks.size(); ++r)
+    for (const GlobalIndex key : asked.row(r))
+      if (std::ranges::binary_search(faces, key, {}, &mesh::ExteriorFace::key))
+        here[static_cast<std::size_t>(r)].push_back(key);
+  std::vector<GlobalIndex> left = comm::exchange(ranks, here).values;
+  std::ranges::sort(left);
+  return left;
+}
+
 }  // namespace
 
 TiedParts find_tied_parts(const Contact& contact) {
@@ -73,6 +91,21 @@ TiedNodes tied_nodes(const Contact& contact) {
   contact.ranks.sum(count.tied);
   contact.ranks.sum(count.beside);
   return count;
+}
+
+void release_ties(Contact& contact, std::span<const mesh::ExteriorFace> faces) {
+  std::vector<Tie>& ties = contact.tied.ties;
+  if (!contact.derived.tied) return;
+  const std::vector<GlobalIndex> left = faces_left(contact.ranks, ties, faces);
+  const Surface& surface = contact.surface;
+  std::erase_if(ties, [&](const Tie& tie) {
+    const auto slave = std::ranges::lower_bound(surface.gid, tie.slave) - surface.gid.begin();
+    const auto node = static_cast<LocalIndex>(slave);
+    if (slave == std::ssize(surface.gid) || surface.gid[static_cast<std::size_t>(slave)] != tie.slave) return true;
+    return !std::ranges::binary_search(left, tie.face) || surface.facets.row(node).empty() ||
+           !std::ranges::binary_search(surface.blocks.row(node), tie.slave_block);
+  });
+  contact.tied.levers.resize(ties.size());
 }
 
 void append_tie_rows(Contact& contact, const Carriers& carriers, double dt, std::vector<Row>& rows) {

@@ -8,6 +8,10 @@ namespace brunt::contact {
 /// From lists and positions of contact nodes at the start.
 TiedParts find_tied_parts(const Contact& contact);
 
+/// Drops the ties of which the face has gone, or all of the slave's elements in the part that is tied. faces: that are
+/// left on this rank, ascending by key; contact.surface is theirs already. Collective.
+void release_ties(Contact& contact, std::span<const mesh::ExteriorFace> faces);
+
 /// Asked of new lists on all ranks, so that all stop: throws GuardError where tied parts have been torn from each
 /// other. Collective.
 void demand_ties_hold(const Contact& contact);

@@ -9,6 +9,7 @@
 #include "brunt/contact/contact_ledger.hpp"
 #include "brunt/contact/data/history.hpp"
 #include "brunt/contact/driven.hpp"
+#include "brunt/contact/join_surface.hpp"
 #include "brunt/contact/list_motion.hpp"
 #include "brunt/contact/lists.hpp"
 #include "brunt/contact/node_views.hpp"
@@ -26,6 +27,8 @@ struct Contact {
   const ContactSettings settings;
   DerivedSettings derived;
   Surface surface;
+  std::vector<BodyFigures> bodies_at_start;  ///< decide for the whole run who is slave
+  std::vector<Wall> walls_at_start;
   SurfaceNodes surface_nodes;
   ContactLists lists{};
   ListState list_state{};
@@ -46,6 +49,12 @@ Contact make_contact(const comm::Communicator& ranks, const mesh::LocalMesh& mes
 inline Carriers carriers_of(const Contact& contact, const StepInput& input) {
   return {contact.step.nodes.carried, input.bodies};
 }
+
+/// Elements have been removed: the surface and all that follows from it for what is left of the bodies. Who is slave
+/// and the lengths that tolerances are made of stay as they were at the start; so do history, sums and ties but those
+/// of which the face or the slave's elements are gone. A function of the start and of which elements live. Collective.
+void update_surface(Contact& contact, const mesh::LocalMesh& mesh, const Remains& remains,
+                    std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained);
 
 /// Rebuilds the lists where the motion they allow is used up. Once a step, before `correct`. velocities: of all ranks;
 /// their bounds tell for most steps that the lists hold (see ListMotion). Collective.

@@ -7,14 +7,16 @@
 #include "brunt/comm/communicator.hpp"
 #include "brunt/contact/surface/surface.hpp"
 #include "brunt/mesh/local_mesh.hpp"
+#include "brunt/surface/exposed.hpp"
 
 namespace brunt::contact {
 
 /// A row for each surface node: the nodes of all elements that contain it, ascending, where this rank owns it; else
 /// empty. A node never meets a face of its own body whose element has one of these: such elements touch each other, so
 /// that on a smooth surface nothing is near anything. Collective.
+/// alive: of the elements; a removed one connects nothing.
 Ragged<GlobalIndex> element_neighbours(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
-                                       const Surface& surface);
+                                       const Surface& surface, surface::Alive alive = {});
 
 /// By how much the normals of two faces differ where they meet in an edge [radians].
 struct EdgeAngles {

@@ -88,10 +88,10 @@ struct Slave {
   std::span<const HistoryRecord> remembered;
 };
 
-/// How much the facets around the slave oppose each face that it meets.
+/// How much the facets around the slave oppose each face that it meets; a point without any opposes all of them.
 void measure_opposition(const Slave& slave, std::span<const Vec3> facet_normal, std::span<Encounter> met) {
   const bool sheet = slave.half_thickness > 0;
-  for (Encounter& e : met) e.opposition = -1;
+  for (Encounter& e : met) e.opposition = slave.facets.empty() ? 1 : -1;
   for (const LocalIndex facet : slave.facets) {
     const Vec3& out = facet_normal[static_cast<std::size_t>(facet)];
     for (Encounter& e : met) {
