@@ -105,6 +105,18 @@ contact::RigidBodies rigid_bodies(const model::Model& model) {
   return bodies;
 }
 
+std::vector<double> inverse_masses(const model::State& state) {
+  std::vector<double> inverse;
+  for (const model::NodeLine& node : state.nodes) inverse.push_back(1.0 / node.mass);
+  return inverse;
+}
+
+std::vector<contact::ConstrainedNode> held_nodes(const model::Model& model) {
+  std::vector<contact::ConstrainedNode> held;
+  for (const model::ConstrainedNode& node : model.constrained) held.push_back({node.node, node.free});
+  return held;
+}
+
 void make_contact(Prepared& run) {
   const model::Model& model = run.model;
   if (!model.contact.pairs.any_acts() && model.walls.empty()) return;
@@ -117,14 +129,11 @@ void make_contact(Prepared& run) {
       std::ranges::find(run.input.output.fields, "contact_pressure") != run.input.output.fields.end();
   track_contacts(run, settings);
 
-  std::vector<double> inverse_mass;
-  for (const model::NodeLine& node : run.state.nodes) inverse_mass.push_back(1.0 / node.mass);
-  std::vector<contact::ConstrainedNode> constrained;
-  for (const model::ConstrainedNode& node : model.constrained) constrained.push_back({node.node, node.free});
   const std::vector<contact::Wall> walls = time::walls_at(model, run.state, 0.0);
   settings.rigid = rigid_bodies(model);
-  run.contact = std::make_unique<contact::Contact>(contact::make_contact(
-      run.links.ranks, model.mesh, model.in_symmetry_plane, inverse_mass, constrained, walls, settings));
+  run.contact = std::make_unique<contact::Contact>(
+      contact::make_contact(run.links.ranks, model.mesh, model.in_symmetry_plane, inverse_masses(run.state),
+                            held_nodes(model), walls, settings));
   tell_ties(run);
 }
 

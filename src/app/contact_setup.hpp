@@ -16,6 +16,10 @@ contact::BlockProperties block_properties(const model::Model& model);
 
 /// What it is told of rigid parts.
 contact::RigidBodies rigid_bodies(const model::Model& model);
+/// Of the local nodes [1/mass].
+std::vector<double> inverse_masses(const model::State& state);
+/// Nodes that supports hold, with what is left of their freedom.
+std::vector<contact::ConstrainedNode> held_nodes(const model::Model& model);
 
 /// Makes Prepared::contact where the scene has contact or walls. Collective.
 void make_contact(Prepared& run);

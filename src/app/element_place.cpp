@@ -10,6 +10,7 @@
 #include <span>
 
 #include "brunt/core/cells.hpp"
+#include "brunt/model/alive.hpp"
 
 namespace brunt::app {
 namespace {
@@ -87,6 +88,7 @@ ElementPlace place_of_least(const Prepared& run, const std::string& field) {
     const model::HistoryRange* range = block.find(field);
     if (!range) continue;
     for (LocalIndex e = 0; e < block.count; ++e) {
+      if (!model::lives(run.state, b, e)) continue;
       const std::ptrdiff_t row = std::ptrdiff_t{e / pack_width} * block.history_size + range->first;
       const double value = run.state.history[b][static_cast<std::size_t>(row * pack_width + e % pack_width)];
       const bool later = of >= 0 && value == least &&

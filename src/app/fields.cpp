@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brunt/model/alive.hpp"
+
 namespace brunt::app {
 namespace {
 
@@ -48,6 +50,15 @@ io::StateField mises(const Prepared& run) {
   return field;
 }
 
+/// 1, or 0 for elements that have been removed: what pictures leave out.
+io::StateField alive(const Prepared& run) {
+  io::StateField field{"alive", io::Place::element, 1, {}};
+  for (std::size_t b = 0; b < run.model.blocks.size(); ++b)
+    for (LocalIndex e = 0; e < run.model.blocks[b].count; ++e)
+      field.values.push_back(model::lives(run.state, b, e) ? 1.0 : 0.0);
+  return field;
+}
+
 bool is_contact_field(const std::string& name) {
   return name == "contact_pressure" || name == "gap";
 }
@@ -69,6 +80,7 @@ std::vector<io::StateField> state_fields(const Prepared& run) {
     else
       fields.push_back(elemental(run, name, name == "stress" ? 6 : 1));
   }
+  if (!run.model.removals.empty()) fields.push_back(alive(run));
   return fields;
 }
 

@@ -7,6 +7,7 @@
 
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/force/watched.hpp"
+#include "brunt/model/alive.hpp"
 
 namespace brunt::app {
 namespace {
@@ -112,9 +113,15 @@ PartEnergy part_energy(const Prepared& run, const PartNodes& part, std::span<con
           -0.5 * dt_mean *
           velocity(run, static_cast<std::size_t>(corner.node)).dot(force::corner_force(run.scratch, corner)));
   }
+  // removed elements have taken theirs along
+  const auto lives = [&](LocalIndex e) { return model::lives(run.state, part.block, e); };
+  for (LocalIndex e = 0; e < block.count; ++e)
+    if (const auto i = static_cast<std::size_t>(e); !lives(e))
+      sums[work].add(run.scratch.last_work[part.block][i] - run.state.element_work[part.block][i]);
   const auto add = [&](const char* name, auto term) {
     if (const model::HistoryRange* range = block.find(name))
-      for (LocalIndex e = 0; e < block.count; ++e) sums[term].add(remembered(run, part.block, e, *range));
+      for (LocalIndex e = 0; e < block.count; ++e)
+        if (lives(e)) sums[term].add(remembered(run, part.block, e, *range));
   };
   add("hourglass_energy", hourglass);
   add("bulk_energy", bulk);

@@ -24,6 +24,7 @@
 #include "partition/distribute.hpp"
 #include "partition/dual_graph.hpp"
 #include "partition/split.hpp"
+#include "removal.hpp"
 #include "weights.hpp"
 
 namespace brunt::app {
@@ -90,6 +91,7 @@ model::Registry Prepared::registry() {
 
 void Prepared::after_restart() {
   time::update_positions(model, state);
+  follow_alive(*this);
   if (contact) driven.start_clock(state.time - contact->ledger.clock);
   if (contact) restore_sums(links.ranks, contact_sums, *contact);
   if (contact && contact->derived.remembers) contact::restore_history(contact_history, *contact);

@@ -15,6 +15,7 @@
 #include "brunt/model/hash.hpp"
 #include "brunt/scene/units.hpp"
 #include "brunt/time/initialise.hpp"
+#include "brunt/time/removal.hpp"
 #include "commands.hpp"
 #include "failure.hpp"
 #include "fields.hpp"
@@ -184,6 +185,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   ranks.max(seconds);  // the slowest rank in each phase
   const double output = seconds[static_cast<std::size_t>(Phase::output)];
   const double loop = std::max(cost.seconds - output, 1e-12);
+  const GlobalIndex removed = time::removed_elements(ranks, run_.state);
   double measured = 0;
   for (std::size_t p = 0; p < phases; ++p)
     if (p != static_cast<std::size_t>(Phase::output)) measured += seconds[p];
@@ -215,6 +217,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   summary["share"]["other"] = 1.0 - booked;
   summary["warnings"] = log_.warnings();
   summary["folded_elements"] = folded_;
+  summary["removed_elements"] = removed;
   summary["relaxation"] = {{"steps", static_cast<GlobalIndex>(run_.state.relaxation.steps)},
                            {"residual", run_.model.relaxes ? run_.state.relaxation.residual : 0.0}};
   summary["energy"] = {{"kinetic", e.kinetic},   {"internal", e.internal}, {"hourglass", e.hourglass},

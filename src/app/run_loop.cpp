@@ -10,6 +10,7 @@
 #include "brunt/time/relaxation.hpp"
 #include "brunt/time/step.hpp"
 #include "contact_setup.hpp"
+#include "removal.hpp"
 #include "schedule.hpp"
 #include "signals.hpp"
 #include "stop_causes.hpp"
@@ -109,6 +110,7 @@ void Loop::pass(bool last) {
   const time::StepReport step = time::evaluate(run_.model, run_.state, run_.scratch, run_.links, control);
   if (step.stop) stop_for_element(step);
   watch_step(step);
+  remove_due(run_, log_);
   if (fields) results_.read_fields();
   if (row) results_.read_probes();
   time::advance(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);

@@ -64,6 +64,7 @@ class Listing {
     each(input.pressure, &Listing::add_pressure);
     each(input.forces, &Listing::add_force);
     each(input.traction, &Listing::add_traction);
+    each(input.remove, &Listing::add_removal);
     add_fields();
   }
 
@@ -166,6 +167,11 @@ class Listing {
   void add_traction(const scene::DeadLoad& load, std::size_t k) {
     add("traction", fmt::format("{}: {} {}{}, {}", load.where, vector_text(load.value), units_.stress,
                                 curve_text(load.curve), faces_of(scene::selection_name("traction", k))));
+  }
+
+  void add_removal(const scene::Removal& removal, std::size_t /*k*/) {
+    add("remove", fmt::format("{}: at t = {:g} {}{}", removal.where, removal.at, units_.time,
+                              removal.keeps_nodes ? "" : ", nodes too"));
   }
 
   void add_fields() {

@@ -9,6 +9,7 @@
 #include "brunt/scene/rigid_parts.hpp"
 #include "brunt/scene/select.hpp"
 #include "constraints.hpp"
+#include "select_removed.hpp"
 
 namespace brunt::scene {
 namespace {
@@ -124,19 +125,6 @@ void build_loads(const Input& input, model::Model& model) {
                            blocks_of_parts(input, model.mesh, wall.parts)});
 }
 
-/// Faces of which all nodes lie in a plane of symmetry are inside the whole body: nothing can touch them.
-void mark_symmetry_faces(const Input& input, model::Model& model) {
-  model.in_symmetry_plane.assign(model.mesh.faces.size(), 0);
-  for (std::size_t k = 0; k < input.symmetry.size(); ++k) {
-    const std::vector<LocalIndex>& plane = selected(model.mesh, "symmetry", k);
-    for (std::size_t f = 0; f < model.mesh.faces.size(); ++f)
-      if (std::ranges::all_of(model.mesh.faces[f].nodes, [&](LocalIndex node) {
-            return node == no_index || std::ranges::binary_search(plane, node);
-          }))
-        model.in_symmetry_plane[f] = 1;
-  }
-}
-
 /// Nodes that contact, walls or constraints may still change after the prediction. Those of rigid bodies follow these.
 std::vector<LocalIndex> late_nodes(const model::Model& model) {
   std::vector<LocalIndex> late;
@@ -144,6 +132,7 @@ std::vector<LocalIndex> late_nodes(const model::Model& model) {
   if (model.contact.pairs.any_acts() || !model.walls.empty()) {
     const std::vector<LocalIndex>& surface = model.mesh.node_sets.at(surface_set);
     late.insert(late.end(), surface.begin(), surface.end());
+    late.insert(late.end(), model.uncovered.begin(), model.uncovered.end());
   }
   late.insert(late.end(), model.between_parts.begin(), model.between_parts.end());
   std::ranges::sort(late);
@@ -164,13 +153,28 @@ model::Model build_model(const Input& input, mesh::LocalMesh&& mesh) {
   build_loads(input, model);
   build_constraints(input, model);
   build_bodies(input, model);
-  mark_symmetry_faces(input, model);
+  model.in_symmetry_plane = in_symmetry_plane(input, model.mesh, model.mesh.faces);
   std::vector<std::string> part_of_block;
   for (const model::ElementBlock& block : model.blocks) part_of_block.push_back(block.part);
   model.contact = contact_specification(input, part_of_block);
   watch_nodes(input, model);
+  build_removals(input, model);
   model.late = late_nodes(model);
   return model;
+}
+
+std::vector<char> in_symmetry_plane(const Input& input, const mesh::LocalMesh& mesh,
+                                    std::span<const mesh::ExteriorFace> faces) {
+  std::vector<char> flags(faces.size(), 0);
+  for (std::size_t k = 0; k < input.symmetry.size(); ++k) {
+    const std::vector<LocalIndex>& plane = selected(mesh, "symmetry", k);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if (std::ranges::all_of(faces[f].nodes, [&](LocalIndex node) {
+            return node == no_index || std::ranges::binary_search(plane, node);
+          }))
+        flags[f] = 1;
+  }
+  return flags;
 }
 
 std::vector<Vec3> initial_velocities(const Input& input, std::span<const Vec3> coordinates, const Vec3& origin,

@@ -72,6 +72,7 @@ Input read_scene(const std::string& text, const std::string& file_name, std::spa
       read_supports(scene, input);
       read_loads(scene, input);
       read_forces(scene, input);
+      read_removals(scene, input);
       read_rigid_walls(scene, input);
       read_contact(scene, input);
       read_probes(scene, input);

@@ -166,6 +166,17 @@ void read_loads(Section& scene, Input& input) {
   if (scene.has("damping")) read_damping(scene.at("damping"), input);
 }
 
+void read_removals(Section& scene, Input& input) {
+  static const Choices<bool> nodes{{{"keep", true}, {"drop", false}}, {}};
+  read_list(scene, "remove", "{part: name, at: time}", [&](Section& entry) {
+    Removal removal;
+    read_selection(entry, removal.where);
+    entry.required("at", removal.at, not_negative);
+    entry.optional("nodes", removal.keeps_nodes, nodes);
+    input.remove.push_back(removal);
+  });
+}
+
 void read_rigid_walls(Section& scene, Input& input) {
   read_list(scene, "rigid_walls", "{point: [x, y, z], normal: [x, y, z]}",
             [&](Section& entry) { input.rigid_walls.push_back(read_wall(entry, input.rigid_walls.size())); });

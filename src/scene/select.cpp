@@ -15,6 +15,7 @@
 #include "brunt/scene/nearest.hpp"
 #include "brunt/scene/rigid_parts.hpp"
 #include "named_nodes.hpp"
+#include "select_removed.hpp"
 #include "select_watched.hpp"
 
 namespace brunt::scene {
@@ -284,6 +285,8 @@ void select(const Input& input, mesh::CanonicalMesh& whole) {
   each(input.initial, nodes("initial"));
   each(input.fixed, nodes("fixed"));
   each(input.prescribed, nodes("prescribed"));
+  each(input.remove, nodes("remove"));
+  for (std::string& fault : select_removed(input, whole)) faults.push_back(std::move(fault));
   each(input.symmetry, [&](const Symmetry& entry, std::size_t k) {
     selector.add_plane(selection_name("symmetry", k), entry.point, entry.normal, fmt::format("symmetry.{}", k), true);
   });

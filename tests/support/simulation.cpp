@@ -5,11 +5,13 @@
 #include <limits>
 
 #include "app/contact_setup.hpp"
+#include "app/removal.hpp"
 #include "brunt/mesh/canonical.hpp"
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/read.hpp"
 #include "brunt/scene/select.hpp"
 #include "brunt/time/initialise.hpp"
+#include "brunt/time/removal.hpp"
 #include "partition/distribute.hpp"
 
 namespace brunt::test {
@@ -23,9 +25,8 @@ std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation, con
   settings.specification.rebuild = rebuild;
   settings.blocks = app::block_properties(model);
   settings.rigid = app::rigid_bodies(model);
-  settings.detection.recovery_gives = std::ranges::any_of(simulation.input.contact, [](const auto& entry) {
-    return entry.initial_overlap == scene::ContactEntry::InitialOverlap::warn;
-  });
+  settings.detection.recovery_gives = std::ranges::any_of(
+      simulation.input.contact, [](const auto& entry) { return entry.initial_overlap == contact::OverlapRule::warn; });
   std::vector<double> inverse_mass;
   for (const model::NodeLine& node : simulation.state.nodes) inverse_mass.push_back(1.0 / node.mass);
   std::vector<contact::ConstrainedNode> constrained;
@@ -60,6 +61,10 @@ void Simulation::step(std::optional<double> dt) {
   if (dt) {
     report.dt = *dt;
     report.dt_mean = 0.5 * (state.dt + *dt);
+  }
+  if (time::removal_is_due(model, state)) {
+    time::remove_elements(links.ranks, model, state);
+    if (contact) app::expose(input, model, state, links, *contact);
   }
   time::advance(model, state, scratch, links, contact.get(), report);
 }

@@ -17,6 +17,11 @@ namespace brunt::scene {
 /// incompatible constraints (both are named).
 model::Model build_model(const Input& input, mesh::LocalMesh&& mesh);
 
+/// A flag for each face: do all its nodes lie in a plane of symmetry? Such faces are inside the whole body: nothing can
+/// touch them.
+std::vector<char> in_symmetry_plane(const Input& input, const mesh::LocalMesh& mesh,
+                                    std::span<const mesh::ExteriorFace> faces);
+
 /// Position in `contact` of the entry that holds for two parts; none where they have no contact. Tied parts stay so
 /// under later entries with `all`.
 std::optional<std::size_t> deciding_entry(const Input& input, const std::string& a, const std::string& b);

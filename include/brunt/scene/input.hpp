@@ -131,6 +131,12 @@ struct DeadLoad {
   enum class Kind { each_node, total, traction } kind = Kind::each_node;
   std::string curve;
 };
+/// Elements that are taken out of the model: those of a part, or those with all their nodes in a set.
+struct Removal {
+  std::string where;        ///< part or set
+  double at = 0;            ///< in the first step at or past this time [time]
+  bool keeps_nodes = true;  ///< nodes without an element stay as mass points; false: they are dropped
+};
 struct Relaxation {
   double tolerance = 1e-4;
   GlobalIndex max_steps = 100000;
@@ -208,6 +214,7 @@ struct Input {
   std::vector<Prescribed> prescribed;
   std::vector<Pressure> pressure;
   std::vector<DeadLoad> forces, traction;
+  std::vector<Removal> remove;
   std::optional<Relaxation> relaxation;
   std::optional<Gravity> gravity;
   std::optional<Damping> damping;

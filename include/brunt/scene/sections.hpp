@@ -17,6 +17,7 @@ void read_initial(Section& scene, Input& input);
 void read_supports(Section& scene, Input& input);  ///< fixed, symmetry, prescribed
 void read_loads(Section& scene, Input& input);     ///< pressure, gravity, damping
 void read_forces(Section& scene, Input& input);    ///< forces, traction, relaxation
+void read_removals(Section& scene, Input& input);
 void read_rigid_walls(Section& scene, Input& input);
 void read_contact(Section& scene, Input& input);
 void read_probes(Section& scene, Input& input);

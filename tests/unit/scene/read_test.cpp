@@ -55,6 +55,7 @@ prescribed:
 pressure: [{set: load, value: 1.0e6, curve: ramp}]
 gravity: {vector: [0, 0, -9.81e-3], curve: ramp}
 damping: {alpha: 100, from: 1, to: 2}
+remove: [{part: rod, at: 1.5e-3}, {set: foot, at: 0, nodes: drop}]
 rigid_walls:
   - {point: [0, 0, 0], normal: [0, 0, 4], friction: 0}
   - {name: press, point: [0, 0, 9], normal: [0, 0, -1], bilateral: true, motion: ramp}
@@ -193,6 +194,12 @@ TEST_CASE("sets, motions and loads are read", "[scene]") {
   CHECK(input.pressure[0].value == 1e6);
   CHECK(input.gravity->vector == Vec3(0, 0, -9.81e-3));
   CHECK(input.damping->to == 2);
+  REQUIRE(input.remove.size() == 2);
+  CHECK(input.remove[0].where == "rod");
+  CHECK(input.remove[0].at == 1.5e-3);
+  CHECK(input.remove[0].keeps_nodes);
+  CHECK(input.remove[1].where == "foot");
+  CHECK_FALSE(input.remove[1].keeps_nodes);
   CHECK(input.rigid_walls[0].normal == Vec3(0, 0, 1));
   CHECK(input.rigid_walls[1].bilateral);
   CHECK(input.rigid_walls[1].motion == "ramp");

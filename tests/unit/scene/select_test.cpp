@@ -7,6 +7,7 @@
 
 #include "brunt/core/error.hpp"
 #include "brunt/mesh/assemble.hpp"
+#include "brunt/mesh/local_mesh.hpp"
 #include "brunt/mesh/primitives.hpp"
 #include "brunt/scene/read.hpp"
 
@@ -131,4 +132,21 @@ TEST_CASE("select: a wall looks at the parts that it names alone", "[scene]") {
   CHECK(faults_of(scene_with(wall("[3, 0, 0], normal: [1, 0, 0], parts: [top], bilateral: true"))).empty());
   check_fault(wall("[3, 0, 0], normal: [1, 0, 0], parts: [low], bilateral: true"), "two.yaml:6: rigid_walls.0",
               {"no node lies in this plane"});
+}
+
+TEST_CASE("select: what is removed holds whole elements, and faces between them may come to the outside", "[scene]") {
+  check_fault("remove:\n  - {set: food, at: 0}\n", "two.yaml:7: remove.0.set", {"no part or set 'food'"});
+  check_fault("sets: {rim: {part: low, box: [[0, 0, 0], [1, 1, 0]]}}\nremove:\n  - {set: rim, at: 0}\n",
+              "two.yaml:8: remove.0.set", {"'rim' holds no whole deformable element"});
+  check_fault("sets: {far: {box: [[7, 7, 7], [8, 8, 8]]}}\nremove:\n  - {set: far, at: 0}\n",
+              "two.yaml:8: remove.0.set", {"'far' selects no node"});
+
+  mesh::CanonicalMesh whole = two_boxes();
+  select(scene_with("sets: {upper: {part: low, box: [[0, 0, 1], [1, 1, 2]]}}\n"
+                    "remove: [{set: upper, at: 1}, {part: top, at: 0}]\n"),
+         whole);
+  CHECK(whole.mesh.node_sets.at(selection_name("remove", 0)).size() == 8);
+  CHECK(whole.mesh.node_sets.at(selection_name("remove", 1)).size() == 8);
+  CHECK(whole.mesh.side_sets.at(mesh::inner_faces).size() ==
+        2);  // the two sides of the one face between the cubes of `low`
 }

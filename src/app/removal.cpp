@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "removal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "brunt/scene/build.hpp"
+#include "brunt/time/removal.hpp"
+#include "contact_setup.hpp"
+
+namespace brunt::app {
+namespace {
+
+std::string told(const Prepared& run, const std::vector<GlobalIndex>& lost) {
+  std::string parts;
+  for (std::size_t b = 0; b < lost.size(); ++b)
+    if (lost[b] > 0)
+      parts += fmt::format("{}{} element{} of {}", parts.empty() ? "" : ", ", lost[b], lost[b] == 1 ? "" : "s",
+                           run.model.blocks[b].part);
+  return parts;
+}
+
+/// What becomes of nodes without an element, on all ranks.
+std::string told_of_nodes(const Prepared& run) {
+  const surface::BareNodes bare = surface::bare_nodes(run.links.ranks, run.model.mesh, run.state.alive);
+  std::array<GlobalIndex, 2> count{};
+  for (const LocalIndex node : bare.kept) count[0] += std::ranges::binary_search(run.model.owned, node) ? 1 : 0;
+  for (const LocalIndex node : bare.dropped) count[1] += std::ranges::binary_search(run.model.owned, node) ? 1 : 0;
+  run.links.ranks.sum(count);
+  std::string text;
+  if (count[0] > 0) text = fmt::format("; mass points now: {}", count[0]);
+  if (count[1] > 0) text += fmt::format("; nodes dropped: {}", count[1]);
+  return text;
+}
+
+}  // namespace
+
+void expose(const scene::Input& input, const model::Model& model, const model::State& state, const time::Links& links,
+            contact::Contact& contact) {
+  contact::Remains remains{
+      surface::exposed_surface(links.ranks, model.mesh, links.inner_faces, state.alive), {}, state.alive};
+  remains.excluded = scene::in_symmetry_plane(input, model.mesh, remains.outside.faces);
+  contact::update_surface(contact, model.mesh, remains, inverse_masses(state), held_nodes(model));
+}
+
+void remove_due(Prepared& run, Log& log) {
+  if (!time::removal_is_due(run.model, run.state)) return;
+  const std::vector<GlobalIndex> lost = time::remove_elements(run.links.ranks, run.model, run.state);
+  if (std::ranges::all_of(lost, [](GlobalIndex count) { return count == 0; })) return;  // all were gone before
+  if (run.contact) expose(run.input, run.model, run.state, run.links, *run.contact);
+  log.line(fmt::format("removed at t = {:g}, step {}: {}{}", run.state.time, static_cast<GlobalIndex>(run.state.step),
+                       told(run, lost), told_of_nodes(run)));
+}
+
+void follow_alive(Prepared& run) {
+  if (run.state.alive.empty()) return;
+  time::follow_alive(run.links.ranks, run.model, run.state);
+  if (run.contact) expose(run.input, run.model, run.state, run.links, *run.contact);
+}
+
+}  // namespace brunt::app

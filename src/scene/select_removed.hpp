@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Elements that a scene removes: those of a part, or those with all their nodes in a set.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "brunt/mesh/canonical.hpp"
+#include "brunt/model/model.hpp"
+#include "brunt/scene/input.hpp"
+
+namespace brunt::scene {
+
+/// Makes the side set mesh::inner_faces: shared faces all of whose nodes belong to what is removed. After the node sets
+/// of the removals. Returns what is wrong with these: a rigid part, a set without elements.
+std::vector<std::string> select_removed(const Input& input, mesh::CanonicalMesh& whole);
+
+/// The removals of the scene, by time, and the nodes that they may leave bare.
+void build_removals(const Input& input, model::Model& model);
+
+}  // namespace brunt::scene

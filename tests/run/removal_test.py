@@ -1,0 +1,135 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Elements that leave the model: the same bits on any number of ranks and after a restart between two removals, contact
+on faces that were inside, ties that let go, what files and log tell.
+
+Needs BRUNT_RUN (scripts/run) in the environment."""
+import csv
+import json
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+
+import h5py
+import numpy
+
+RUN = os.environ["BRUNT_RUN"]
+PATIENCE = 300  # s
+
+# A block of rubber on a floor loses its upper layer with its nodes, and later a corner; another one falls on what is left.
+# A third is tied to its side and loses the tied layer: it falls off.
+FALL = """\
+units: SI
+mesh:
+  - {box: {part: low, size: [1, 1, 1], elements: [4, 4, 4]}}
+  - {box: {part: top, size: [0.7, 0.7, 0.4], elements: [3, 3, 2], at: [0.13, 0.17, 1.01]}}
+  - {box: {part: side, size: [0.5, 1, 0.5], elements: [2, 3, 2], at: [1, 0, 0.4]}}
+materials:
+  rubber: {model: neo_hookean, density: 1000, young: 1.0e8, poisson: 0.3}
+parts:
+  low: {material: rubber}
+  top: {material: rubber, element: hex8_full}
+  side: {material: rubber}
+sets:
+  layer: {part: low, box: [[0, 0, 0.75], [1, 1, 1]]}
+  corner: {part: low, box: [[0, 0, 0], [0.25, 0.25, 0.25]]}
+  foot: {part: side, box: [[1, 0, 0.4], [1.25, 1, 0.9]]}
+initial: [{part: top, velocity: [0.3, 0, -8]}]
+gravity: {vector: [0, 0, -9.81]}
+rigid_walls: [{name: floor, point: [0, 0, 0], normal: [0, 0, 1], friction: 0.2}]
+contact:
+  - {between: all, friction: 0.2}
+  - {between: [low, side], tied: true}
+remove:
+  - {set: layer, at: 1.0e-3, nodes: drop}
+  - {set: corner, at: 0.05}
+  - {set: foot, at: 0.03}
+probes:
+  - {name: blow, contact: [top, low]}
+  - {name: side, part: side, field: velocity}
+run: {end: 0.09}
+output: {every: 0.01, fields: [displacement, velocity]}
+history: {every: 1.0e-4}
+"""
+ELEMENTS, GONE = 64 + 18 + 12, 16 + 1 + 6
+
+
+class Removal(unittest.TestCase):
+    def setUp(self):
+        keeper = tempfile.TemporaryDirectory()
+        self.addCleanup(keeper.cleanup)
+        self.folder = keeper.name
+
+    def run_scene(self, scene, ranks, out, *options):
+        with open(os.path.join(self.folder, "scene.yaml"), "w", encoding="utf-8") as stream:
+            stream.write(scene)
+        done = subprocess.run([RUN, "-np", str(ranks), "scene.yaml", "--out", out, "--quiet", *options], cwd=self.folder,
+                              capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual(done.returncode, 0, done.stderr + done.stdout)
+        with open(os.path.join(self.folder, out, "summary.json"), encoding="utf-8") as stream:
+            return json.load(stream)
+
+    def rows(self, out):
+        with open(os.path.join(self.folder, out, "history.csv"), encoding="utf-8") as stream:
+            rows = list(csv.DictReader(stream))
+        return {head.split("[")[0].strip(): numpy.array([float(row[head]) for row in rows]) for head in rows[0]}
+
+    def log(self, out):
+        with open(os.path.join(self.folder, out, "log.txt"), encoding="utf-8") as stream:
+            return stream.read()
+
+    def test_a_fall_on_a_face_that_was_inside(self):
+        whole = self.run_scene(FALL, 1, "np1")
+        for ranks in (2, 3, 4):
+            self.assertEqual(self.run_scene(FALL, ranks, f"np{ranks}")["state_hash"], whole["state_hash"])
+        stopped = self.run_scene(FALL, 2, "stopped", "--set", "run.end=0.04", "--set", "checkpoint.every=0.04")
+        self.assertEqual(stopped["removed_elements"], 16 + 6)
+        continued = self.run_scene(FALL, 3, "stopped", "--restart", os.path.join(self.folder, "stopped"), "--set",
+                                   "checkpoint.every=0.04")
+        self.assertEqual(continued["state_hash"], whole["state_hash"])
+
+        self.assertEqual(whole["removed_elements"], GONE)
+        told = re.findall(r"removed at t = .*", self.log("np1"))
+        self.assertEqual(len(told), 3, told)
+        self.assertIn("16 elements of low; nodes dropped: 25", told[0])
+        self.assertIn("6 elements of side; mass points now: 12; nodes dropped: 25", told[1])
+        self.assertIn("1 element of low; mass points now: 13; nodes dropped: 25", told[2])
+
+        rows = self.rows("np1")
+        energy = numpy.abs(rows["total"] - rows["total"][0]).max() / rows["kinetic"].max()
+        self.assertLess(energy, 1e-10)
+        self.assertLess(whole["momentum_error"], 1e-12)
+        self.assertGreater(rows["eroded"][-1], 0)
+        blow = rows["time"][rows["impulse_blow.z"] > 0][0]
+        self.assertGreater(blow, 0.25 / 8.3)  # not on the layer, which was 0.01 away
+        self.assertLess(blow, 0.27 / 8)
+        self.assertLess(whole["max_penetration"], 0.01 * 0.25)
+        self.assertLess(rows["side.z"][-1], rows["side.z"][rows["time"] < 0.03][-1] - 0.3)  # it falls
+
+    def test_what_the_records_tell(self):
+        self.run_scene(FALL, 2, "out")
+        with h5py.File(os.path.join(self.folder, "out", "state.h5")) as file:
+            records = [file[name] for name in sorted(file) if name.startswith("record_")]
+            alive = {float(record.attrs["time"]): record["element/alive"][...] for record in records}
+        for time, flags in alive.items():
+            gone = 16 * (time >= 1e-3) + 6 * (time >= 0.03) + (time >= 0.05)
+            self.assertEqual((flags == 0).sum(), gone, time)
+            self.assertEqual(len(flags), ELEMENTS)
+        with open(os.path.join(self.folder, "out", "state.xdmf"), encoding="utf-8") as stream:
+            self.assertEqual(stream.read().count('Attribute Name="alive" AttributeType="Scalar" Center="Cell"'), len(alive))
+
+    def test_nothing_is_left(self):
+        gone = FALL[:FALL.index("remove:")] + "remove: [{part: low, at: 0}, {part: side, at: 0.01}, {part: top, at: 0.01}]\n"
+        gone += FALL[FALL.index("probes:"):]
+        one = self.run_scene(gone, 1, "np1")
+        self.assertEqual(one["removed_elements"], ELEMENTS)
+        self.assertEqual(self.run_scene(gone, 3, "np3")["state_hash"], one["state_hash"])
+        rows = self.rows("np1")
+        self.assertLess(abs(rows["internal"][-1]), 1e-9 * rows["kinetic"][-1])
+        self.assertLess(numpy.abs(rows["total"] - rows["total"][0]).max() / rows["kinetic"].max(), 1e-10)
+
+
+if __name__ == "__main__":
+    unittest.main()
