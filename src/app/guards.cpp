@@ -36,6 +36,10 @@ double rounding_energy(double mass, double extent, double edge, double dt) {
   return mass * speed * speed;
 }
 
+double settling_energy(double mass, double gravity, double dt, double tolerance, double recovery) {
+  return mass * gravity * gravity * dt * dt * tolerance / recovery;
+}
+
 std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding) {
   // a moving wall gives too, so does contact where bodies began inside each other, and at the first instant all there
   // is may be rounding of either sign

@@ -33,6 +33,12 @@ void observe(const time::Ledger& ledger, Extremes& seen);
 /// all mass at the speed of one such move in one step: it follows units, size and step.
 double rounding_energy(double mass, double extent, double edge, double dt);
 
+/// What bodies at rest give and take by the tolerance of contact [energy]. A step leaves a residual of tolerance g dt
+/// of what weight adds to velocities, and recovery takes back so small a share of a penetration a step that it settles
+/// at tolerance g dt^2 / recovery: the result is the weight times this. Bodies that deform store more by their weight;
+/// rigid bodies at rest have no other energy to compare with.
+double settling_energy(double mass, double gravity, double dt, double tolerance, double recovery);
+
 /// Kinetic energy from nowhere, which a closed ledger does not show. recovered: contact may give, since the scene lets
 /// it part bodies that began inside each other. Empty, or what is wrong.
 std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding);

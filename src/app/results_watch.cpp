@@ -58,8 +58,11 @@ std::string Results::where(Fault fault) const {
 void Results::watch(const time::Ledger& ledger, double time) {
   last_ledger_ = ledger;
   observe(ledger, run_.extremes);
-  const double rounding =
+  double rounding =
       rounding_energy(ledger.mass, extent_, run_.contact ? run_.contact->surface.mean_edge : 0.0, run_.state.dt);
+  if (run_.contact && !run_.model.bodies.empty())
+    rounding += settling_energy(ledger.mass, run_.model.gravity.norm(), run_.state.dt,
+                                run_.model.contact.enforcement.tolerance, run_.contact->derived.detection.recovery);
   const std::string growth = energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding);
   for (const Finding& finding : judge(ledger, run_.extremes, rounding, run_.overlaps.recovered)) {
     bool& told = told_[static_cast<std::size_t>(finding.fault)];

@@ -132,6 +132,7 @@ TEST_CASE("guards: what rounding makes of bodies at rest is below the floor, in 
     CHECK(judge(rest, seen, floor).size() == 2);
   }
   CHECK(rounding_energy(1, 1, 1, 0) == 0);
+  CHECK(settling_energy(6, 9.81, 1e-4, 1e-3, 0.05) == Approx(6 * 9.81 * 9.81 * 1e-8 * 0.02));  // 1e-7 of 6 kg at rest
   CHECK(judge({}, {}, 0).empty());
 }
 
