@@ -5,18 +5,15 @@ on faces that were inside, ties that let go, what files and log tell.
 
 Needs BRUNT_RUN (scripts/run) in the environment."""
 import csv
-import json
 import os
 import re
-import subprocess
-import tempfile
 import unittest
 
 import h5py
 import numpy
 
-RUN = os.environ["BRUNT_RUN"]
-PATIENCE = 300  # s
+from run_test import Program
+
 
 # A block of rubber on a floor loses its upper layer with its nodes, and later a corner; another one falls on what is left.
 # A third is tied to its side and loses the tied layer: it falls off.
@@ -56,42 +53,28 @@ history: {every: 1.0e-4}
 ELEMENTS, GONE = 64 + 18 + 12, 16 + 1 + 6
 
 
-class Removal(unittest.TestCase):
-    def setUp(self):
-        keeper = tempfile.TemporaryDirectory()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
-
-    def run_scene(self, scene, ranks, out, *options):
-        with open(os.path.join(self.folder, "scene.yaml"), "w", encoding="utf-8") as stream:
-            stream.write(scene)
-        done = subprocess.run([RUN, "-np", str(ranks), "scene.yaml", "--out", out, "--quiet", *options], cwd=self.folder,
-                              capture_output=True, text=True, timeout=PATIENCE)
-        self.assertEqual(done.returncode, 0, done.stderr + done.stdout)
-        with open(os.path.join(self.folder, out, "summary.json"), encoding="utf-8") as stream:
-            return json.load(stream)
+class Removal(Program):
+    def go(self, scene, ranks, out, *options):
+        self.write("scene.yaml", scene)
+        self.run_scene(ranks, "scene.yaml", "--out", out, *options)
+        return self.summary(out)
 
     def rows(self, out):
-        with open(os.path.join(self.folder, out, "history.csv"), encoding="utf-8") as stream:
-            rows = list(csv.DictReader(stream))
+        rows = list(csv.DictReader(self.text(out, "history.csv").splitlines()))
         return {head.split("[")[0].strip(): numpy.array([float(row[head]) for row in rows]) for head in rows[0]}
 
-    def log(self, out):
-        with open(os.path.join(self.folder, out, "log.txt"), encoding="utf-8") as stream:
-            return stream.read()
-
     def test_a_fall_on_a_face_that_was_inside(self):
-        whole = self.run_scene(FALL, 1, "np1")
+        whole = self.go(FALL, 1, "np1")
         for ranks in (2, 3, 4):
-            self.assertEqual(self.run_scene(FALL, ranks, f"np{ranks}")["state_hash"], whole["state_hash"])
-        stopped = self.run_scene(FALL, 2, "stopped", "--set", "run.end=0.04", "--set", "checkpoint.every=0.04")
+            self.assertEqual(self.go(FALL, ranks, f"np{ranks}")["state_hash"], whole["state_hash"])
+        stopped = self.go(FALL, 2, "stopped", "--set", "run.end=0.04", "--set", "checkpoint.every=0.04")
         self.assertEqual(stopped["removed_elements"], 16 + 6)
-        continued = self.run_scene(FALL, 3, "stopped", "--restart", os.path.join(self.folder, "stopped"), "--set",
+        continued = self.go(FALL, 3, "stopped", "--restart", os.path.join(self.folder, "stopped"), "--set",
                                    "checkpoint.every=0.04")
         self.assertEqual(continued["state_hash"], whole["state_hash"])
 
         self.assertEqual(whole["removed_elements"], GONE)
-        told = re.findall(r"removed at t = .*", self.log("np1"))
+        told = re.findall(r"removed at t = .*", self.text("np1", "log.txt"))
         self.assertEqual(len(told), 3, told)
         self.assertIn("16 elements of low; nodes dropped: 25", told[0])
         self.assertIn("6 elements of side; mass points now: 12; nodes dropped: 25", told[1])
@@ -109,7 +92,7 @@ class Removal(unittest.TestCase):
         self.assertLess(rows["side.z"][-1], rows["side.z"][rows["time"] < 0.03][-1] - 0.3)  # it falls
 
     def test_what_the_records_tell(self):
-        self.run_scene(FALL, 2, "out")
+        self.go(FALL, 2, "out")
         with h5py.File(os.path.join(self.folder, "out", "state.h5")) as file:
             records = [file[name] for name in sorted(file) if name.startswith("record_")]
             alive = {float(record.attrs["time"]): record["element/alive"][...] for record in records}
@@ -123,9 +106,9 @@ class Removal(unittest.TestCase):
     def test_nothing_is_left(self):
         gone = FALL[:FALL.index("remove:")] + "remove: [{part: low, at: 0}, {part: side, at: 0.01}, {part: top, at: 0.01}]\n"
         gone += FALL[FALL.index("probes:"):]
-        one = self.run_scene(gone, 1, "np1")
+        one = self.go(gone, 1, "np1")
         self.assertEqual(one["removed_elements"], ELEMENTS)
-        self.assertEqual(self.run_scene(gone, 3, "np3")["state_hash"], one["state_hash"])
+        self.assertEqual(self.go(gone, 3, "np3")["state_hash"], one["state_hash"])
         rows = self.rows("np1")
         self.assertLess(abs(rows["internal"][-1]), 1e-9 * rows["kinetic"][-1])
         self.assertLess(numpy.abs(rows["total"] - rows["total"][0]).max() / rows["kinetic"].max(), 1e-10)
