@@ -53,9 +53,9 @@ def main():
     case = Case(__file__)
     coarse = {"mesh.1.box.elements": [24, 24, 12], "mesh.0.sphere.elements": 12}
     check(case, "3 elements over the contact radius", case.scene(overrides=coarse),
-          case.run(overrides=coarse, name="coarse", ranks=2), 0.08)
+          case.run(overrides=coarse, name="coarse", ranks=2), 0.03)
     if case.long:
-        check(case, "6 elements over the contact radius", case.scene(), case.run(name="fine", ranks=2), 0.04)
+        check(case, "6 elements over the contact radius", case.scene(), case.run(name="fine", ranks=2), 0.03)
     short = {**coarse, "run.steps": 150}
     case.assert_same_on_ranks((1, 2, 3, 4), overrides=short)
     whole = case.run(overrides={**coarse, "run.end": 0.003}, name="whole")
