@@ -16,6 +16,10 @@ void observe(const time::Ledger& ledger, Extremes& seen) {
     seen.begun = 1;
     seen.start_total = ledger.total();
     for (int c = 0; c < 3; ++c) seen.start_momentum[c] = own_momentum[c];
+    // what bodies bring may be gone within the first step, where contact or a support stops them at once: the
+    // velocities on both sides of t = 0 then have no product, but the total has what was taken
+    seen.largest_energy = seen.largest_bodies = std::abs(seen.start_total);
+    seen.momentum_scale = own_momentum.norm();
   }
   const double bodies = ledger.kinetic + ledger.internal;
   seen.largest_bodies = std::max(seen.largest_bodies, bodies);

@@ -115,12 +115,16 @@ void Results::tell_parted() {
   // of two equal bodies, one of which was at rest: a restitution of 0.97, since the loss is (1 - e^2)/2
   constexpr double tolerated = 0.03;
   const double share = taken_by_parted(last_ledger_, run_.extremes);
-  if (!(share > tolerated)) return;
+  const auto rigid = [](const model::ElementBlock& block) { return material::is_rigid(block.law); };
+  if (!(share > tolerated) || std::ranges::all_of(run_.model.blocks, rigid)) return;
   log_.warning(fmt::format(
       "contact took {:.2g} % of the largest energy of the bodies, which have parted again: an elastic impact "
       "loses nothing. Contact takes the motion of the layer of elements that meets first, and bodies with "
-      "few elements through their thickness rebound too slowly. Take more of them along the impact",
-      100 * share));
+      "few elements through their thickness rebound too slowly. Take more of them along the impact{}",
+      100 * share,
+      run_.model.bodies.empty()
+          ? ""
+          : " (of rigid parts that meet each other or a rigid wall the loss is as it should be)"));
 }
 
 void Results::tell_hourglass() {

@@ -97,6 +97,12 @@ class RigidContact(Program):
         self.assertAlmostEqual(last["impulse_f.x"], -2, delta=1e-9)  # 2 kg each
         self.assertAlmostEqual(last["contact"], 2, delta=1e-8)  # half of the energy
 
+    def test_bodies_that_part_after_a_plastic_impact_are_no_warning(self):
+        self.run_block("initial: [{part: a, velocity: [2, 0, 0], rotation: {axis: [0, 0, 1], point: [0.1, 0.05, 0], rate: 20}}]\n"
+                       "contact: [{between: [a, b]}]\n")
+        self.assertGreater(self.summary("block")["energy"]["contact"], 0.1)
+        self.assertEqual(self.summary("block")["warnings"], 0)
+
     def test_a_body_slides_on_a_wall_with_coulombs_acceleration(self):
         rows = self.run_block("initial: [{part: a, velocity: [0.5, 0, 0]}]\ngravity: {vector: [0, 0, -10]}\n"
                               "rigid_walls: [{point: [0, 0, 0], normal: [0, 0, 1], friction: 0.2}]\n"

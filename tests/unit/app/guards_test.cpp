@@ -159,3 +159,25 @@ TEST_CASE("guards: what contact has taken of bodies that parted, and nothing whi
   impact.ledger.contact_totals.touching = 1;
   CHECK(taken_by_parted(impact.ledger, impact.seen) == 0);
 }
+
+TEST_CASE("guards: energy and momentum that the first step takes are a scale for what follows") {
+  // a body at 1 m/s that a tie stops at once: v of the two half steps around t = 0 have no product
+  Extremes seen;
+  time::Ledger ledger;
+  ledger.mass = 2;
+  ledger.friction = 1;
+  ledger.kinetic = 1e-14;
+  ledger.impulse_given = {-2, 0, 0};
+  ledger.momentum_scale = 1e-14;
+  observe(ledger, seen);
+  CHECK(judge(ledger, seen, 0).empty());
+  ledger.friction -= 1e-15;
+  ledger.impulse_given += Vec3(1e-15, 0, 0);
+  observe(ledger, seen);
+  CHECK(judge(ledger, seen, 0).empty());
+  CHECK(seen.error_ratio < 1e-14);
+  CHECK(seen.momentum_error < 1e-14);
+  ledger.contact = 1e-10;
+  ledger.contact_totals.push = 1;
+  CHECK(taken_by_parted(ledger, seen) < 1e-9);
+}
