@@ -42,8 +42,12 @@ std::vector<PartFigures> part_figures(const Prepared& run) {
   comm::exact_sum(run.links.ranks, sums, mass);
   std::vector<PartFigures> figures(n);
   for (std::size_t b = 0; b < n; ++b) figures[b] = {run.model.block_size[b], mass[b]};
-  for (const model::RigidBody& body : run.model.bodies)
-    figures[static_cast<std::size_t>(body.block)].mass = body.own.mass;
+  for (const model::RigidBody& body : run.model.bodies) {  // a given mass is all parts' in proportion
+    double elements = 0;
+    for (const std::int32_t b : body.blocks) elements += mass[static_cast<std::size_t>(b)];
+    for (const std::int32_t b : body.blocks)
+      figures[static_cast<std::size_t>(b)].mass = mass[static_cast<std::size_t>(b)] / elements * body.own.mass;
+  }
   return figures;
 }
 
@@ -91,6 +95,14 @@ void print_parts(const Prepared& run, const std::vector<PartFigures>& figures, c
   fmt::print("nodes            {}\n", run.model.mesh.global_nodes);
 }
 
+/// "tool", or "tool with jaw, screw".
+std::string parts_of(const Prepared& run, const model::RigidBody& body) {
+  std::string text = body.part;
+  for (std::size_t k = 1; k < body.blocks.size(); ++k)
+    text += (k == 1 ? " with " : ", ") + run.model.blocks[static_cast<std::size_t>(body.blocks[k])].part;
+  return text;
+}
+
 /// What forces on a rigid body meet: with the masses of deformable elements on its nodes.
 void print_bodies(const Prepared& run, const scene::UnitSystem& units) {
   for (const model::RigidBody& body : run.model.bodies) {
@@ -100,8 +112,8 @@ void print_bodies(const Prepared& run, const scene::UnitSystem& units) {
     fmt::print(
         "rigid body       {}: mass {:.6g} {}, centre ({:.6g}, {:.6g}, {:.6g}), inertia about it xx {:.6g}, yy {:.6g}, "
         "zz {:.6g}, xy {:.6g}, yz {:.6g}, zx {:.6g}\n",
-        body.part, mass.mass, units.mass, centre[0], centre[1], centre[2], J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(1, 2),
-        J(2, 0));
+        parts_of(run, body), mass.mass, units.mass, centre[0], centre[1], centre[2], J(0, 0), J(1, 1), J(2, 2), J(0, 1),
+        J(1, 2), J(2, 0));
   }
 }
 

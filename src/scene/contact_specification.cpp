@@ -43,6 +43,10 @@ bool apply(const Input& input, const ContactEntry& entry, const std::string& a, 
   using contact::Passes, contact::Tied;
   const bool straight = names_pair(entry, a, b);
   if (!straight && !names_pair(entry, b, a)) return false;
+  if (are_one_body(input, a, b) && !itself) {
+    pair.rule = contact::PairRule::apart;
+    return true;
+  }
   pair.friction = entry.friction;
   if (leaves_tied(entry, pair.tied != Tied::no)) {
     if (excludes(entry, a, b)) pair.tied = Tied::alone;
@@ -83,7 +87,7 @@ std::optional<std::size_t> deciding_entry(const Input& input, const std::string&
     const ContactEntry& entry = input.contact[k];
     if ((!names_pair(entry, a, b) && !names_pair(entry, b, a)) || leaves_tied(entry, tied)) continue;
     tied = entry.tied;
-    const bool itself = a == b && never_meets_itself(input, entry, a);
+    const bool itself = a == b ? never_meets_itself(input, entry, a) : are_one_body(input, a, b);
     deciding = itself || excludes(entry, a, b) ? std::nullopt : std::optional(k);
   }
   return deciding;

@@ -59,13 +59,14 @@ void read_inertia(const Key& key, RigidGiven& given) {
 
 RigidGiven read_rigid(const Key& key) {
   RigidGiven given;
-  Section section(key, "a map {mass: number, centre: [x, y, z], inertia: [xx, yy, zz, xy, yz, zx]}");
+  Section section(key, "a map {mass: number, centre: [x, y, z], inertia: [xx, yy, zz, xy, yz, zx]}, or {joins: part}");
   section.optional("mass", given.mass, positive);
   if (section.has("centre")) {
     Vec3 centre = Vec3::Zero();
     if (section.required("centre", centre, Vector::any)) given.centre = centre;
   }
   if (section.has("inertia")) read_inertia(section.at("inertia"), given);
+  section.optional("joins", given.joins, Named::part);
   return given;
 }
 

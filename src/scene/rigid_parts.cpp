@@ -21,23 +21,24 @@ bool turns(const Fixed& entry) {
   return std::ranges::find(entry.turns, true) != entry.turns.end();
 }
 
-/// For each node the rigid part that it belongs to; the first of two is told.
+/// For each node the body that it belongs to, by the block of the part that leads the body; the first of two is told.
 class BodyOfNode {
  public:
   BodyOfNode(const Input& input, std::span<const std::string> part_of_block, const mesh::CanonicalMesh& whole)
       : part_(part_of_block), body_(whole.mesh.coordinates.size(), none) {
+    size_.assign(part_of_block.size(), 0);
     for (std::size_t b = 0; b < part_of_block.size(); ++b) {
-      size_.push_back(0);
       if (!names_rigid_part(input, part_of_block[b])) continue;
+      const std::size_t lead = find(lead_of(input, part_of_block[b]));
       for (const LocalIndex node : whole.mesh.blocks[b].nodes) {
         std::size_t& body = body_[static_cast<std::size_t>(node)];
-        if (body == b) continue;
+        if (body == lead) continue;
         if (body != none) {
-          shared_ = {body, b, static_cast<std::size_t>(node)};
+          shared_ = {body, lead, static_cast<std::size_t>(node)};
           continue;
         }
-        body = b;
-        ++size_[b];
+        body = lead;
+        ++size_[lead];
       }
     }
   }
@@ -48,6 +49,11 @@ class BodyOfNode {
 
   [[nodiscard]] std::size_t of(LocalIndex node) const { return body_[static_cast<std::size_t>(node)]; }
   [[nodiscard]] const std::string& part(std::size_t body) const { return part_[body]; }
+  /// The body that this part leads.
+  [[nodiscard]] std::size_t find(const std::string& part) const {
+    const auto found = std::ranges::find(part_, part);
+    return found == part_.end() ? none : static_cast<std::size_t>(found - part_.begin());
+  }
   [[nodiscard]] std::size_t size(std::size_t body) const { return size_[body]; }
   [[nodiscard]] const std::optional<Shared>& shared() const { return shared_; }
   [[nodiscard]] std::vector<LocalIndex> nodes_of(std::size_t body) const {
@@ -92,7 +98,8 @@ void refuse_node_supports(const Input& input, const BodyOfNode& bodies, const me
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) look("prescribed", k, input.prescribed[k].where);
 }
 
-/// An entry of `initial` moves a body where it selects all of its nodes. Another part may share some of them.
+/// An entry of `initial` moves a body where it names it or selects all of its nodes. Another part may share some of
+/// them.
 void select_motions(const Input& input, const BodyOfNode& bodies, mesh::CanonicalMesh& whole,
                     std::vector<std::string>& faults) {
   const auto is_part = [&](const std::string& where) {
@@ -109,10 +116,13 @@ void select_motions(const Input& input, const BodyOfNode& bodies, mesh::Canonica
                               "all of them, or none",
                               input.initial[k].where, counts[body], bodies.size(body), bodies.part(body)));
     std::vector<LocalIndex> moved;
-    for (const LocalIndex node : set->second) {
-      const std::size_t body = bodies.of(node);
-      if (body != BodyOfNode::none && counts[body] == bodies.size(body)) moved.push_back(node);
-    }
+    if (names_rigid_part(input, input.initial[k].where))
+      moved = bodies.nodes_of(bodies.find(input.initial[k].where));
+    else
+      for (const LocalIndex node : set->second) {
+        const std::size_t body = bodies.of(node);
+        if (body != BodyOfNode::none && counts[body] == bodies.size(body)) moved.push_back(node);
+      }
     whole.mesh.node_sets[body_motion_set(k)] = std::move(moved);
   }
 }
@@ -275,6 +285,7 @@ std::vector<std::string> faults_of_rigid_parts(const Input& input) {
       rotation_of_nodes(fmt::format("prescribed.{}.dof", k));
   refuse_two_supports(input, faults);
   check_probes(input, faults);
+  check_joins(input, faults);
   const contact::Method method = input.enforcement.settings.method;
   const bool holds_bodies = method == contact::Method::rate || method == contact::Method::row_sum;
   const auto rigid = [&](const Part& part) { return is_rigid(input, part); };
@@ -298,9 +309,9 @@ std::vector<std::string> select_bodies(const Input& input, std::span<const std::
   const BodyOfNode bodies(input, part_of_block, whole);
   if (const auto& shared = bodies.shared())
     faults.push_back(told(input, "parts." + bodies.part(shared->second),
-                          "shares node {} with '{}', which is rigid too; accepted: one block for both, or bodies "
-                          "without common nodes",
-                          whole.mesh.node_id[shared->node], bodies.part(shared->first)));
+                          "shares node {} with '{}', which is rigid too; accepted: rigid: {{joins: {}}} for one "
+                          "body of both, or bodies without common nodes",
+                          whole.mesh.node_id[shared->node], bodies.part(shared->first), bodies.part(shared->first)));
   for (std::size_t b = 0; b < part_of_block.size(); ++b)
     if (bodies.size(b) > 0) whole.mesh.node_sets[body_set(b)] = bodies.nodes_of(b);
   whole.mesh.node_sets[forced_set] = forced_nodes(input, bodies, part_of_block, whole);
@@ -320,10 +331,13 @@ std::vector<LocalIndex> rigid_nodes(const mesh::LocalMesh& mesh) {
 void build_bodies(const Input& input, model::Model& model) {
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const model::ElementBlock& block = model.blocks[b];
-    if (!material::is_rigid(block.law)) continue;
+    if (!material::is_rigid(block.law) || lead_of(input, block.part) != block.part) continue;
     model::RigidBody body;
     body.part = block.part;
-    body.block = static_cast<std::int32_t>(b);
+    body.blocks = {static_cast<std::int32_t>(b)};
+    for (std::size_t other = 0; other < model.blocks.size(); ++other)
+      if (other != b && are_one_body(input, block.part, model.blocks[other].part))
+        body.blocks.push_back(static_cast<std::int32_t>(other));
     body.given = given_mass(*std::ranges::find(input.parts, block.part, &Part::name), model.mesh.origin);
     body.nodes = model.mesh.node_sets.at(body_set(b));
     const std::vector<LocalIndex>& forced = model.mesh.node_sets.at(forced_set);

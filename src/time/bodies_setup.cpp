@@ -84,12 +84,14 @@ MassMoments element_moments(const model::Model& model, const model::ElementBlock
                             : rigid::tetrahedron_moments(std::span<const Vec3, 8>(corner).first<4>(), density);
 }
 
-/// Of the part alone, from its elements or as given; positions from `from`.
+/// Of its parts alone, from their elements or as given; positions from `from`.
 MassProperties own_properties(const comm::Communicator& ranks, const model::Model& model, const model::RigidBody& body,
                               const Vec3& from) {
-  const model::ElementBlock& block = model.blocks[static_cast<std::size_t>(body.block)];
   MomentSums sums;
-  for (LocalIndex e = 0; e < block.count; ++e) sums.add(element_moments(model, block, e, from));
+  for (const std::int32_t b : body.blocks) {
+    const model::ElementBlock& block = model.blocks[static_cast<std::size_t>(b)];
+    for (LocalIndex e = 0; e < block.count; ++e) sums.add(element_moments(model, block, e, from));
+  }
   MassProperties own = rigid::properties_of(sums.total(ranks));
   const model::GivenMass& given = body.given;
   if (given.mass) {

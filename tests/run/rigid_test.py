@@ -58,6 +58,26 @@ run: {end: 0.05}
 history: {every: 1.0e-3}
 """
 
+# A hammer of two rigid parts that lie in each other, of different density, falls on its side on a rubber block.
+HAMMER = """\
+units: none
+mesh:
+  - {box: {part: block, size: [1, 1, 0.4], elements: [4, 4, 2]}}
+  - {box: {part: handle, size: [0.8, 0.1, 0.1], elements: [8, 1, 1], at: [0.1, 0.4, 0.55]}}
+  - {box: {part: iron, size: [0.2, 0.5, 0.3], elements: [2, 5, 3], at: [0.75, 0.2, 0.45]}}
+materials:
+  wood: {model: rigid, density: 500}
+  steel: {model: rigid, density: 5000}
+  soft: {model: neo_hookean, density: 1000, young: 1.0e6, poisson: 0.3}
+parts: {block: {material: soft}, handle: {material: wood, rigid: {joins: iron}}, iron: {material: steel}}
+initial: [{part: iron, velocity: [0, 0, -3], rotation: {axis: [0, 1, 0], rate: 2}}]
+rigid_walls: [{point: [0, 0, 0], normal: [0, 0, 1], friction: 0.3}]
+contact: [{between: all, friction: 0.3}]
+probes: [{name: turn, part: iron, field: rotation}, {name: m, part: iron, field: mass}, {name: on, contact: [iron, block]}]
+run: {end: 0.06}
+history: {every: 1.0e-3}
+"""
+
 # An axle along z, off every axis of symmetry: a bar of three unequal edges.
 ALONE = """\
 units: none
@@ -109,6 +129,53 @@ class Rigid(Program):
         self.run_scene(2, "joined.yaml", "--out", "half", "--set", "run.end=0.025")
         self.run_scene(3, "joined.yaml", "--out", "half", "--restart", "half")
         self.assertEqual(self.summary("half")["state_hash"], self.summary("whole")["state_hash"])
+
+    def test_two_halves_that_are_joined_move_as_one_block(self):
+        more = ("initial: [{part: tool, velocity: [1, 0, 2], rotation: {axis: [1, 2, 3], point: [1, 2, 3], rate: 9}}]\n"
+                "probes: [{name: r, part: tool, field: rotation}, {name: u, part: tool, field: displacement},\n"
+                "  {name: l, part: tool, field: angular_momentum}, {name: e, part: tool, field: energy}, {name: m, part: tool, field: mass}]\n")
+        whole = self.run_alone(more)
+        half = "{box: {part: %s, size: [0.3, 0.4, 0.2], elements: [3, 4, 2], at: [%s], rotate: {axis: [1, 1, 0], degrees: 30}}}"
+        # the second half begins 0.3 along the turned x axis
+        cos, sin = math.cos(math.radians(30)), math.sin(math.radians(30))
+        along = [0.3 * (1 + cos) / 2, 0.3 * (1 - cos) / 2, -0.3 * sin / math.sqrt(2)]
+        at = ", ".join(repr(a + b) for a, b in zip((1, 2, 3), along))
+        mesh = ALONE.splitlines()[1]
+        text = ALONE.replace(mesh, f"mesh: [{half % ('tool', '1, 2, 3')}, {half % ('end', at)}]").replace(
+            "parts: {", "parts: {end: {material: hard, rigid: {joins: tool}}, ") + more + "contact: [{between: all}]\n"
+        self.write("halves.yaml", text)
+        self.run_scene(1, "halves.yaml", "--out", "halves")
+        self.assertEqual(self.summary("halves")["rigid_bodies"], 1)
+        self.assertEqual(self.summary("halves")["contact"]["pairs"], 0)
+        for one, two in zip(whole, self.rows("halves")):
+            for key in one:
+                if key.startswith(("r.", "u.", "l.", "e.", "m.")) and "impulse" not in key:
+                    self.assertAlmostEqual(one[key], two[key], delta=1e-11 * max(1, abs(one[key])), msg=key)
+
+    def test_parts_that_share_nodes_are_one_body_where_they_join(self):
+        text = (JOINED.replace("soft: {model: neo_hookean, density: 1000, young: 1.0e6, poisson: 0.3}", "soft: {model: rigid, density: 1000}")
+                .replace("element: hex8_full, bulk: {linear: 0, quadratic: 0}", "rigid: {joins: head}").replace("run: {", "run: {step: 1.0e-4, "))
+        lines = [line for line in text.splitlines() if "part: bar" not in line]
+        self.write("one.yaml", "\n".join(lines + [""]))
+        self.run_scene(2, "one.yaml", "--out", "one")
+        self.assertLess(self.summary("one")["energy"]["error_ratio"], 1e-12)
+        self.assertAlmostEqual(self.rows("one")[-1]["mass"], 0.09 * (0.6 * 3000 + 0.4 * 1000), delta=1e-9)
+
+    def test_a_body_of_two_parts_in_contact_has_the_same_bits_on_any_ranks_and_over_a_restart(self):
+        self.write("hammer.yaml", HAMMER)
+        for ranks in (1, 2, 3, 4):
+            self.run_scene(ranks, "hammer.yaml", "--out", f"out{ranks}")
+        first, last = self.summary("out1"), self.rows("out1")[-1]
+        self.assertEqual(first["rigid_bodies"], 1)
+        self.assertLess(first["energy"]["error_ratio"], 1e-12)
+        self.assertLess(first["momentum_error"], 1e-12)
+        self.assertGreater(abs(last["impulse_on.z"]), 1)
+        self.assertAlmostEqual(last["m.mass"], 0.008 * 500 + 0.03 * 5000, delta=1e-10)  # the common volume counts twice
+        for ranks in (2, 3, 4):
+            self.assertEqual(self.summary(f"out{ranks}")["state_hash"], first["state_hash"])
+        self.run_scene(2, "hammer.yaml", "--out", "half", "--set", "run.end=0.03")
+        self.run_scene(3, "hammer.yaml", "--out", "half", "--restart", "half")
+        self.assertEqual(self.summary("half")["state_hash"], first["state_hash"])
 
     def test_weight_and_a_dead_load_move_the_centre(self):
         rows = self.run_alone("gravity: {vector: [0, 0, -10]}\nforces: [{part: tool, force: [0.1, 0, 0]}]\n"
@@ -212,7 +279,18 @@ class Rigid(Program):
         wrong("relaxation", JOINED + "relaxation: {}\n", "relaxation", "rigid")
         wrong("two", JOINED.replace("soft: {model: neo_hookean, density: 1000, young: 1.0e6, poisson: 0.3}", "soft: {model: rigid, density: 1000}")
               .replace(", element: hex8_full, bulk: {linear: 0, quadratic: 0}", "").replace("run: {", "run: {step: 1.0e-4, "),
-              "shares node", "rigid too")
+              "shares node", "rigid too", "joins: head")
+        wrong("joins nothing", HAMMER.replace("joins: iron", "joins: lead"), "parts.handle.rigid.joins", "iron")
+        wrong("joins a soft part", HAMMER.replace("joins: iron", "joins: block"), "parts.handle.rigid", "'block' is not rigid")
+        wrong("joins itself", HAMMER.replace("joins: iron", "joins: handle"), "parts.handle.rigid", "itself")
+        wrong("joins in a row", HAMMER.replace("iron: {material: steel}", "iron: {material: steel, rigid: {joins: third}}, third: {material: steel}")
+              .replace("materials:", "  - {box: {part: third, size: [1, 1, 1], elements: [1, 1, 1], at: [5, 5, 5]}}\nmaterials:").replace("[{part: iron,", "[{part: third,").replace("part: iron, field", "part: third, field"),
+              "parts.handle.rigid", "joins: third")
+        wrong("mass of a joined part", HAMMER.replace("joins: iron", "joins: iron, mass: 3"), "parts.handle.rigid", "whole body", "parts.iron.rigid")
+        wrong("support of a joined part", HAMMER + "fixed: [{part: handle, dofs: [x]}]\n", "fixed.0", "part: iron")
+        wrong("motion of a joined part", HAMMER.replace("initial: [{part: iron", "initial: [{part: handle"), "initial.0", "part: iron")
+        wrong("probe of a joined part", HAMMER.replace("{name: m, part: iron", "{name: m, part: handle"), "probes.1", "part: iron")
+        wrong("contact in a body", HAMMER.replace("\ncontact: [", "\ncontact: [{between: [iron, handle], tied: true}, "), "contact.0", "one rigid body")
         wrong("given", JOINED.replace("element: hex8_full", "rigid: {mass: 1}"), "parts.bar.rigid", "not rigid")
 
 

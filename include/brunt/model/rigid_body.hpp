@@ -32,15 +32,15 @@ struct MirrorPlane {
 };
 
 struct RigidBody {
-  std::string part;
-  std::int32_t block = 0;  ///< of its elements
+  std::string part;                  ///< whose name it has
+  std::vector<std::int32_t> blocks;  ///< of its elements, that of `part` first; several parts may be one body
   GivenMass given;
   StartMotion start;
   std::vector<Vec3> held_shift, held_turn;           ///< directions that supports hold or drive
   std::array<std::optional<std::int32_t>, 6> drive;  ///< of x, y, z and of the rotations: index into Model::drives
   std::vector<MirrorPlane> mirrors;
 
-  rigid::MassProperties own;  ///< of the part alone
+  rigid::MassProperties own;  ///< of its parts alone
   rigid::Body body;           ///< with the masses of deformable elements on its nodes: what moves
   rigid::Support support;
 

@@ -75,11 +75,12 @@ using element::ElementKind;
 using element::Hourglass;
 using element::HourglassKind;
 
-/// What a rigid part is given in place of what its elements add up to.
+/// What a rigid part is given in place of what its elements add up to, or the part that it is one body with.
 struct RigidGiven {
   std::optional<double> mass;
   std::optional<Vec3> centre;   ///< of mass, at the start
   std::optional<Mat3> inertia;  ///< about the centre, in the scene's axes at the start
+  std::string joins;            ///< the part whose name the common body has; empty: the part leads its own
 };
 
 struct Part {

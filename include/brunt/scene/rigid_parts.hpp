@@ -16,6 +16,15 @@ namespace brunt::scene {
 /// Is this the name of a rigid part?
 [[nodiscard]] bool names_rigid_part(const Input& input, const std::string& where);
 
+/// The part whose name the body has that this rigid part belongs to: itself, or the one that it joins.
+[[nodiscard]] const std::string& lead_of(const Input& input, const std::string& part);
+
+/// Are these two rigid parts, or one twice, of one body?
+[[nodiscard]] bool are_one_body(const Input& input, const std::string& a, const std::string& b);
+
+/// Faults of parts that join others, and of what the scene says of a joined part that is its body's to do.
+void check_joins(const Input& input, std::vector<std::string>& faults);
+
 /// Faults that show without the mesh, "FILE:LINE: key: what": rotations of nodes, mass properties of a part that is not
 /// rigid, no step where nothing gives one.
 [[nodiscard]] std::vector<std::string> faults_of_rigid_parts(const Input& input);
