@@ -3,6 +3,7 @@
 """Contact of rigid parts: with deformable parts, with each other, with walls, ties; exact impulses, balances, the same bits on any number of
 ranks and after a restart. Needs BRUNT and BRUNT_RUN (scripts/run) in the environment."""
 import csv
+import os
 import unittest
 
 from run_test import Program
@@ -86,6 +87,17 @@ class RigidContact(Program):
         self.run_scene(2, "pile.yaml", "--out", "half", "--set", "run.end=0.06")
         self.run_scene(3, "pile.yaml", "--out", "half", "--restart", "half")
         self.assertEqual(self.summary("half")["state_hash"], self.summary("whole")["state_hash"])
+
+    def test_a_stack_at_rest_has_the_same_bits_on_any_ranks_and_over_a_restart(self):
+        with open(os.path.join(os.path.dirname(__file__), "..", "..", "cases", "rigid_stack", "scene.yaml"), encoding="utf-8") as scene:
+            self.write("stack.yaml", scene.read())
+        steps = ("--set", "run.steps=60")
+        for ranks in (1, 2, 4):
+            self.run_scene(ranks, "stack.yaml", "--out", f"stack{ranks}", *steps)
+            self.assertEqual(self.summary(f"stack{ranks}")["state_hash"], self.summary("stack1")["state_hash"])
+        self.run_scene(2, "stack.yaml", "--out", "again", "--set", "run.steps=30")
+        self.run_scene(3, "stack.yaml", "--out", "again", "--restart", "again", *steps)
+        self.assertEqual(self.summary("again")["state_hash"], self.summary("stack1")["state_hash"])
 
     def test_two_bodies_that_meet_go_on_together(self):
         rows = self.run_block("initial: [{part: a, velocity: [2, 0, 0]}]\n"
