@@ -11,13 +11,13 @@ namespace brunt::app {
 
 /// What the whole run has seen since t = 0, the same on every rank. Doubles only: a checkpoint holds it with the state.
 struct Extremes {
-  double first_dt = 0;                   ///< the first step that the elements allowed [time]; 0 before it
-  double begun = 0;                      ///< 1 once a ledger was seen
-  double start_total = 0;                ///< energy at t = 0
-  double largest_energy = 0;             ///< largest of start_total, kinetic + internal, |external|: the scale of errors
-  double largest_bodies = 0;             ///< largest of start_total, kinetic + internal
-  double largest_internal = 0;           ///< [energy]
-  double error_ratio = 0;                ///< largest |total - start| over largest_energy as it was then
+  double first_dt = 0;          ///< the first step that the elements allowed [time]; 0 before it
+  double begun = 0;             ///< 1 once a ledger was seen
+  double start_total = 0;       ///< energy at t = 0
+  double largest_energy = 0;    ///< largest of start_total, kinetic + internal, |external|: the scale of errors
+  double largest_bodies = 0;    ///< largest of start_total, kinetic + internal
+  double largest_internal = 0;  ///< [energy]
+  double error_ratio = 0;       ///< largest |total - start| over largest_energy as it was then
   double start_momentum[3] = {0, 0, 0};  ///< less what was given [momentum]
   double momentum_error = 0;             ///< largest |p - p0 - impulses given| over the largest sum of m |v|
   double momentum_scale = 0;             ///< largest sum of m |v|, and |p0| [momentum]
