@@ -296,8 +296,8 @@ std::vector<std::string> faults_of_rigid_parts(const Input& input) {
              "0, in which bodies turn by some hundredths of a radian"));
   if (!input.contact.empty() && !holds_bodies && std::ranges::any_of(input.parts, rigid))
     faults.push_back(told(input, "enforcement.method", "the method is not for rigid parts; accepted: rate or row_sum"));
-  if (input.relaxation && std::ranges::any_of(input.parts, rigid))
-    faults.push_back(told(input, "relaxation", "not with rigid parts in this version; accepted: deformable parts"));
+  if (input.relaxation && std::ranges::all_of(input.parts, rigid))
+    faults.push_back(told(input, "relaxation", "all parts are rigid; accepted: at least one deformable part"));
   return faults;
 }
 

@@ -44,6 +44,7 @@ void drive(const model::Model& model, const model::State& state, const RigidBody
            BodyStep& now) {
   now.given_velocity.setZero();
   now.given_spin.setZero();
+  if (state.relaxation.under_way != 0) return;  // before the run has begun
   for (std::size_t dof = 0; dof < body.drive.size(); ++dof) {
     if (!body.drive[dof]) continue;
     const auto c = static_cast<int>(dof % 3);

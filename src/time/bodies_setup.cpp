@@ -162,7 +162,7 @@ void start_bodies(const model::Model& model, model::State& state) {
     }
     now.angular_momentum = rigid::angular_momentum_of(body.body, now, spin);
     for_nodes(body, [&](std::size_t k, std::size_t i) {
-      Eigen::Map<Vec3>(state.nodes[i].v) = now.velocity + spin.cross(body.arm[k]);
+      Eigen::Map<Vec3>(state.nodes[i].v) = now.velocity + spin.cross(now.orientation * body.arm[k]);
     });
   }
 }

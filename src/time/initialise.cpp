@@ -48,7 +48,10 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
   state.bodies.assign(model.bodies.size(), {});
   state.body_accounts.assign(model.bodies.size(), {});
   scratch.bodies.assign(model.bodies.size(), {});
-  if (model.relaxes) state.held_force.assign(3 * n, 0.0);
+  if (model.relaxes) {
+    state.held_force.assign(3 * n, 0.0);
+    state.held_wrench.assign(model.bodies.size(), {});
+  }
   state.wall_position.assign(model.walls.size(), 0.0);
   if (model.books_interface)
     for (const model::ElementBlock& block : model.blocks)
@@ -94,6 +97,8 @@ void add_bodies(model::State& state, std::vector<model::StateArray>& arrays) {
   rows("body_angular_momentum", first.angular_momentum.data(), 3, sizeof first);
   model::BodyAccount& account = state.body_accounts.front();
   rows("body_accounts", &account.element_work, model::body_account_width, sizeof account);
+  if (!state.held_wrench.empty())
+    rows("body_held", state.held_wrench.front().force.data(), 6, sizeof state.held_wrench.front());
 }
 
 }  // namespace

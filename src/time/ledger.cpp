@@ -7,6 +7,7 @@
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/contact/contact.hpp"
 #include "brunt/model/alive.hpp"
+#include "brunt/time/bodies_at_rest.hpp"
 
 namespace brunt::time {
 namespace {
@@ -75,14 +76,6 @@ void add_node(const model::Model& model, const model::State& state, const model:
   sums[mass_of_all].add(node.mass);
   for (std::size_t c = 0; c < 3; ++c) sums[momentum_x + c].add(node.mass * v[static_cast<int>(c)]);
   sums[momentum_scale].add(node.mass * v.norm());
-}
-
-/// Which nodes move with bodies, and are booked with these.
-std::vector<char> nodes_of_bodies(const model::Model& model) {
-  std::vector<char> carried(model.bodies.empty() ? 0 : static_cast<std::size_t>(model.nodes()), 0);
-  for (const model::RigidBody& body : model.bodies)
-    for (const LocalIndex node : body.nodes) carried[static_cast<std::size_t>(node)] = 1;
-  return carried;
 }
 
 /// As of a node: half of the work of the last impulses is taken off again.

@@ -12,6 +12,7 @@
 #include "brunt/force/element_work.hpp"
 #include "brunt/force/watched.hpp"
 #include "brunt/model/hash.hpp"
+#include "brunt/time/bodies_at_rest.hpp"
 #include "brunt/time/initialise.hpp"
 
 namespace brunt::time {
@@ -19,13 +20,15 @@ namespace {
 
 double kinetic_energy(const model::Model& model, const model::State& state, const Links& links) {
   std::array<comm::ExactAccumulator, 1> sum;
+  const std::vector<char> carried = nodes_of_bodies(model);
   for (const LocalIndex node : model.owned) {
+    if (!carried.empty() && carried[static_cast<std::size_t>(node)] != 0) continue;
     const model::NodeLine& line = state.nodes[static_cast<std::size_t>(node)];
     sum[0].add(0.5 * line.mass * Eigen::Map<const Vec3>(line.v).squaredNorm());
   }
   std::array<double, 1> energy{};
   comm::exact_sum(links.ranks, sum, energy);
-  return energy[0];
+  return energy[0] + kinetic_energy_of_bodies(model, state);
 }
 
 /// Norm of the forces that are left over the norm of the loads, and the energy that the bodies have stored.
@@ -38,8 +41,10 @@ Balance balance(const model::Model& model, const model::State& state, const mode
                 double dt_mean) {
   enum { left, given, work, terms };
   std::array<comm::ExactAccumulator, terms> sums;
+  const std::vector<char> carried = nodes_of_bodies(model);
   for (const LocalIndex node : model.owned) {
     const auto i = static_cast<std::size_t>(node);
+    if (!carried.empty() && carried[i] != 0) continue;
     const model::NodeLine& line = state.nodes[i];
     const Quad &f = scratch.force[i], &p = scratch.load[i];
     Vec3 net(f[0] + p[0], f[1] + p[1], f[2] + p[2]);
@@ -50,6 +55,10 @@ Balance balance(const model::Model& model, const model::State& state, const mode
   }
   std::array<double, terms> value{};
   comm::exact_sum(links.ranks, sums, value);
+  const BodyBalance bodies = balance_of_bodies(model, scratch, dt_mean);
+  value[left] += bodies.left;
+  value[given] += bodies.given;
+  for (const model::BodyAccount& account : state.body_accounts) value[work] -= account.element_work;
   return {value[given] > 0 ? std::sqrt(value[left] / value[given]) : 0.0, value[work]};
 }
 
@@ -73,6 +82,7 @@ void stop_nodes(const model::Model& model, model::State& state, const model::Scr
     Eigen::Map<Vec3> v(state.nodes[static_cast<std::size_t>(constrained.node)].v);
     v = constrained.free * v;
   }
+  stop_bodies(model, scratch, dt_mean, state);
 }
 
 /// What held the late nodes in the step just taken: all that changed their velocities but forces and loads.
@@ -85,6 +95,7 @@ void keep_held_forces(const model::Model& model, model::State& state, const mode
     Eigen::Map<Vec3>(&state.held_force[3 * i]) =
         node.mass / dt_mean * change - of(scratch.force[i]) - of(scratch.load[i]);
   }
+  keep_held_wrenches(model, scratch, dt_mean, state);
 }
 
 /// The work of element forces along the way of the nodes, by the trapezoidal rule: half a step on each side of t_n. The
@@ -94,20 +105,25 @@ class WorkAlongTheWay {
   WorkAlongTheWay(const model::Model& model, model::State& state, const model::Scratch& scratch)
       : model_(model), state_(state), scratch_(scratch) {}
 
-  void add(double half_step) {
+  /// after: of the half step behind t_n, else before it.
+  void add(double half_step, bool after) {
     for (std::size_t i = 0; i < state_.nodes.size(); ++i)
       state_.displacement[i][3] += half_step * Eigen::Map<const Vec3>(state_.nodes[i].v).dot(of(scratch_.force[i]));
+    add_work_on_bodies(model_, scratch_, half_step, after, state_);
     force::add_interface_work(model_, state_, scratch_, half_step);
     force::add_element_work(model_, state_, scratch_, half_step);
   }
   void keep() {
     nodes_.resize(state_.nodes.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i) nodes_[i] = state_.displacement[i][3];
+    bodies_.clear();
+    for (const model::BodyAccount& account : state_.body_accounts) bodies_.push_back(account.element_work);
     interface_ = state_.interface_work;
     elements_ = state_.element_work;
   }
   void give_back() {
     for (std::size_t i = 0; i < nodes_.size(); ++i) state_.displacement[i][3] = nodes_[i];
+    for (std::size_t b = 0; b < bodies_.size(); ++b) state_.body_accounts[b].element_work = bodies_[b];
     for (std::size_t b = 0; b < interface_.size(); ++b)
       std::ranges::copy(interface_[b], state_.interface_work[b].begin());
     for (std::size_t b = 0; b < elements_.size(); ++b) std::ranges::copy(elements_[b], state_.element_work[b].begin());
@@ -117,7 +133,7 @@ class WorkAlongTheWay {
   const model::Model& model_;
   model::State& state_;
   const model::Scratch& scratch_;
-  std::vector<double> nodes_;
+  std::vector<double> nodes_, bodies_;
   std::vector<std::vector<double>> interface_, elements_;
 };
 
@@ -159,10 +175,12 @@ RelaxationStep relax(const model::Model& model, model::State& state, model::Scra
   if (result.step.stop) return result;
   result.step.alpha = 0;  // the drag of `damping` belongs to the run
   const double share = phase.stage / relaxation_stages;
-  if (share < 1)
+  if (share < 1) {
     for (Quad& load : scratch.load) load *= share;
+    scale_body_loads(share, scratch);
+  }
   WorkAlongTheWay work(model, state, scratch);
-  work.add(0.5 * state.dt);
+  work.add(0.5 * state.dt, false);
   // only now: stresses follow the velocities, so that those of the step before had to stay until they were used
   result.at_rest = phase.under_way == stop_at_rest;
   if (result.at_rest) return result;
@@ -171,7 +189,7 @@ RelaxationStep relax(const model::Model& model, model::State& state, model::Scra
   work.keep();
   advance(model, state, scratch, links, contact, result.step);
   work.give_back();
-  work.add(0.5 * result.step.dt);
+  work.add(0.5 * result.step.dt, true);
   state.time = state.step = 0;
   state.time_before = -1;
   ++phase.steps;
@@ -199,6 +217,7 @@ void begin_run(const model::Model& model, model::State& state, std::span<const V
   for (std::size_t i = 0; i < state.load_work.size(); ++i) state.load_work[i] = -state.displacement[i][3];
   for (auto* account : {&state.load_impulse, &state.damping_work, &state.reaction_work, &state.reaction_impulse})
     std::ranges::fill(*account, 0.0);
+  begin_accounts_of_bodies(state);
 }
 
 }  // namespace brunt::time

@@ -276,7 +276,7 @@ class Rigid(Program):
         wrong("section", JOINED.replace("{name: bar, part: bar, field: energy}",
                                         "{name: cut, section: {part: head, point: [0.3, 0, 0], normal: [1, 0, 0]}}"),
               "probes.4.section", "rigid")
-        wrong("relaxation", JOINED + "relaxation: {}\n", "relaxation", "rigid")
+        wrong("relaxation", ALONE + "gravity: {vector: [0, 0, -1]}\nrelaxation: {}\n", "relaxation", "all parts are rigid")
         wrong("two", JOINED.replace("soft: {model: neo_hookean, density: 1000, young: 1.0e6, poisson: 0.3}", "soft: {model: rigid, density: 1000}")
               .replace(", element: hex8_full, bulk: {linear: 0, quadratic: 0}", "").replace("run: {", "run: {step: 1.0e-4, "),
               "shares node", "rigid too", "joins: head")

@@ -39,6 +39,28 @@ probes:
   - {name: foot, set: low_zmin, field: reaction}
 """
 
+# A rigid tray tied under a block that hangs from above, with a rigid weight on it, off the middle.
+TRAY = """\
+units: none
+mesh:
+  - {box: {part: block, size: [1, 1, 0.5], elements: [4, 4, 3], at: [0, 0, 0.2]}}
+  - {box: {part: tray, size: [1.6, 1, 0.2], elements: [6, 4, 1], at: [-0.3, 0, 0]}}
+  - {box: {part: weight, size: [0.2, 0.3, 0.2], elements: [2, 3, 2], at: [1.05, 0.3, 0.2]}}
+materials: {m: {model: elastic, density: 1000, young: 1.0e7, poisson: 0.3}, hard: {model: rigid, density: 2000}}
+parts: {block: {material: m, element: hex8_full}, tray: {material: hard}, weight: {material: hard}}
+fixed: [{set: block_zmax, dofs: [x, y, z]}]
+gravity: {vector: [0, 0, -10]}
+contact: [{between: [tray, weight], friction: 0.5}, {between: [block, tray], tied: true}]
+relaxation: {tolerance: 1.0e-3}
+run: {end: 0.03}
+history: {every: 1.0e-3}
+probes:
+  - {name: press, contact: [weight, tray]}
+  - {name: hang, contact: [tray, block]}
+  - {name: foot, set: block_zmax, field: reaction}
+  - {name: turn, part: tray, field: rotation}
+"""
+
 
 class Static(Program):
     def setUp(self):
@@ -73,16 +95,42 @@ class Static(Program):
         kinetic = max(float(row["kinetic [1]"]) for row in rows)
         self.assertLess(kinetic, 1e-5 * float(rows[0]["internal [1]"]))
 
+    def test_rigid_parts_hang_and_lie_at_rest(self):
+        self.write("tray.yaml", TRAY)
+        for ranks in (1, 3):
+            self.run_scene(ranks, "tray.yaml", "--out", f"tray{ranks}")
+        first, rows = self.summary("tray1"), self.rows("tray1")
+        self.assertEqual(self.summary("tray3")["state_hash"], first["state_hash"])
+        # of the momentum that is left at rest, while the supports' impulse grows to thousands of times that
+        self.assertLess(first["momentum_error"], 1e-11)
+        self.assertLess(first["energy"]["error_ratio"], 1e-11)
+        weight, tray, block = 10 * 2000 * 0.012, 10 * 2000 * 0.32, 10 * 1000 * 0.5
+        for row in rows:
+            self.assertAlmostEqual(float(row["press.z [1]"]), weight, delta=5e-3 * weight)
+            self.assertAlmostEqual(float(row["hang.z [1]"]), weight + tray, delta=5e-3 * tray)
+            self.assertAlmostEqual(float(row["foot.z [1]"]), weight + tray + block, delta=5e-3 * tray)
+        self.assertLess(max(float(row["kinetic [1]"]) for row in rows), 1e-5 * float(rows[0]["internal [1]"]))
+        turns = [float(row["turn.y [rad]"]) for row in rows]
+        self.assertGreater(min(turns), 1e-5)  # down where the weight lies
+        self.assertLess(max(turns) - min(turns), 1e-2 * max(turns))
+
     def test_restart_within_the_phase(self):
-        self.run_scene(2, "pile.yaml", "--out", "whole")
+        self.check_restart_within_the_phase("pile.yaml")
+
+    def test_restart_within_the_phase_with_rigid_parts(self):
+        self.write("tray.yaml", TRAY)
+        self.check_restart_within_the_phase("tray.yaml")
+
+    def check_restart_within_the_phase(self, scene):
+        self.run_scene(2, scene, "--out", "whole")
         for limit in range(1, 200):  # until one falls into the phase
-            self.run_scene(1, "pile.yaml", "--out", "part", "--force", "--set", f"run.wall_limit={0.02 * limit}", code=5)
+            self.run_scene(1, scene, "--out", "part", "--force", "--set", f"run.wall_limit={0.02 * limit}", code=5)
             part = self.summary("part")
             if part["relaxation"]["steps"] > 20:
                 break
         self.assertEqual(part["stopped_by"], "wall_limit")
         self.assertEqual(part["end_time"], 0)
-        self.run_scene(3, "pile.yaml", "--out", "part", "--restart", "part")
+        self.run_scene(3, scene, "--out", "part", "--restart", "part")
         self.assertEqual(self.summary("part")["state_hash"], self.summary("whole")["state_hash"])
         self.assertEqual(self.text("part", "history.csv"), self.text("whole", "history.csv"))
 

@@ -172,6 +172,7 @@ struct State {
   Relaxation relaxation;
   /// Three a node, of the phase alone: force of contact, walls and supports in the step before the nodes are stopped.
   std::vector<double> held_force;
+  std::vector<Wrench> held_wrench;  ///< likewise, of each body
 };
 
 struct Scratch {
