@@ -177,9 +177,13 @@ void Loop::watch_iterations() {
   const contact::EnforcementSettings& settings = run_.model.contact.enforcement;
   log_.warning(fmt::format(
       "contact: the iteration of step {} (t = {:g}) ended at max_iterations {} with a residual of {}, above the "
-      "tolerance of {:g}: what is left may disturb the motion; raise enforcement.max_iterations (told once)",
+      "tolerance of {:g}: what is left may disturb the motion; raise enforcement.max_iterations{} (told once)",
       static_cast<GlobalIndex>(run_.state.step) - 1, run_.state.time_before, settings.max_iterations,
-      told_from(run_.contact->ledger.statistics.last.residual, settings.tolerance), settings.tolerance));
+      told_from(run_.contact->ledger.statistics.last.residual, settings.tolerance), settings.tolerance,
+      run_.contact->settings.rigid.supported
+          ? "; no number is enough where supports drive a rigid part into what cannot give way while it may turn or "
+            "slide: hold these motions too, or do not drive it there"
+          : ""));
 }
 
 void Loop::stop_for_element(const time::StepReport& step) {

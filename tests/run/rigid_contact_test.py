@@ -136,6 +136,11 @@ class RigidContact(Program):
             self.assertAlmostEqual(row["f.x"], 10, delta=1e-2)
             self.assertAlmostEqual(row["p.x"], -10, delta=1e-2)
 
+    def test_a_driven_body_that_may_turn_is_told_of_where_a_wall_stops_it(self):
+        self.write("block.yaml", BLOCK + "prescribed: [{part: a, dof: z, velocity: -1}]\nrigid_walls: [{point: [0, 0, -0.0105], normal: [0, 0, 1]}]\n")
+        self.run_scene(1, "block.yaml", "--out", "block", "--set", "run.steps=20")
+        self.assertIn("supports drive a rigid part into what cannot give way", self.text("block", "log.txt"))
+
     def test_other_methods_are_refused(self):
         self.write("wrong.yaml", BLOCK + "contact: [{between: [a, b], method: penalty}]\n")
         done = self.brunt("check", "wrong.yaml")
