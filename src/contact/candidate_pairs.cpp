@@ -22,6 +22,7 @@ std::vector<TravellingFace> own_master_faces(const ListBuild& build) {
                           .body = face.body,
                           .block = face.block,
                           .depth = face.depth,
+                          .seams = face.seams,
                           .element = face.element};
     const auto count = static_cast<std::size_t>(face.corner_count);
     std::array<Vec3, 4> corners;

@@ -194,6 +194,25 @@ std::vector<SurfaceEdge> edges_of(const comm::Communicator& ranks, const mesh::L
   return edges;
 }
 
+void tell_copies(const comm::Communicator& ranks, const Surface& surface, std::vector<char>& flags) {
+  const auto count = static_cast<std::size_t>(ranks.size());
+  std::vector<std::vector<LocalIndex>> copies(count), asked(count), told(count);
+  for (std::size_t i = 0; i < surface.gid.size(); ++i) {
+    const auto& [owner, index] = surface.home[i];
+    if (owner == ranks.rank()) continue;
+    copies[static_cast<std::size_t>(owner)].push_back(static_cast<LocalIndex>(i));
+    asked[static_cast<std::size_t>(owner)].push_back(index);
+  }
+  const Ragged<LocalIndex> wanted = comm::exchange(ranks, asked);
+  for (std::size_t r = 0; r < told.size(); ++r)
+    for (const LocalIndex node : wanted.row(static_cast<LocalIndex>(r)))
+      told[r].push_back(flags[static_cast<std::size_t>(node)]);
+  const Ragged<LocalIndex> heard = comm::exchange(ranks, told);
+  for (std::size_t r = 0; r < copies.size(); ++r)
+    for (std::size_t k = 0; k < copies[r].size(); ++k)
+      flags[static_cast<std::size_t>(copies[r][k])] = static_cast<char>(heard.row(static_cast<LocalIndex>(r))[k]);
+}
+
 std::vector<char> nodes_on_rims(const comm::Communicator& ranks, const Surface& surface) {
   std::vector<std::vector<LocalIndex>> to_owner(static_cast<std::size_t>(ranks.size()));
   for (const SurfaceEdge& edge : surface.edges) {
@@ -206,21 +225,7 @@ std::vector<char> nodes_on_rims(const comm::Communicator& ranks, const Surface& 
   std::vector<char> on_rim(surface.gid.size(), 0);
   for (const LocalIndex node : comm::exchange(ranks, to_owner).values) on_rim[static_cast<std::size_t>(node)] = 1;
 
-  std::vector<std::vector<LocalIndex>> copies(to_owner.size()), asked(to_owner.size()), told(to_owner.size());
-  for (std::size_t i = 0; i < surface.gid.size(); ++i) {
-    const auto& [owner, index] = surface.home[i];
-    if (owner == ranks.rank()) continue;
-    copies[static_cast<std::size_t>(owner)].push_back(static_cast<LocalIndex>(i));
-    asked[static_cast<std::size_t>(owner)].push_back(index);
-  }
-  const Ragged<LocalIndex> wanted = comm::exchange(ranks, asked);
-  for (std::size_t r = 0; r < told.size(); ++r)
-    for (const LocalIndex node : wanted.row(static_cast<LocalIndex>(r)))
-      told[r].push_back(on_rim[static_cast<std::size_t>(node)]);
-  const Ragged<LocalIndex> heard = comm::exchange(ranks, told);
-  for (std::size_t r = 0; r < copies.size(); ++r)
-    for (std::size_t k = 0; k < copies[r].size(); ++k)
-      on_rim[static_cast<std::size_t>(copies[r][k])] = static_cast<char>(heard.row(static_cast<LocalIndex>(r))[k]);
+  tell_copies(ranks, surface, on_rim);
   return on_rim;
 }
 

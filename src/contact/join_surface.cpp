@@ -10,6 +10,7 @@
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/comm/rendezvous.hpp"
 #include "brunt/contact/join_neighbours.hpp"
+#include "brunt/contact/seams.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/closest_point.hpp"
 
@@ -254,6 +255,7 @@ Surface join(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const
   surface.neighbours = element_neighbours(ranks, mesh, surface, outside.alive);
   surface.edges = edges_of(ranks, mesh, surface, edge_angles);
   surface.on_rim = nodes_on_rims(ranks, surface);
+  find_seams(ranks, mesh, surface);
   return surface;
 }
 

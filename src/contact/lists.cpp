@@ -131,6 +131,7 @@ void fill_faces(const ListBuild& build, const FacePairs& found, ContactLists& li
     const TravellingFace& from = found.masters[static_cast<std::size_t>(m)];
     MasterFace master{.key = from.key, .corner_count = from.corner_count, .body = from.body, .block = from.block};
     master.depth = from.depth;
+    master.seams = from.seams;
     master.half_thickness = 0.5 * build.settings.thickness_of(from.block);
     master.two_sided = master.half_thickness > 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(from.corner_count); ++i)
@@ -173,6 +174,17 @@ void fill_thickness(const ListBuild& build, const FacePairs& found, Candidates& 
   });
 }
 
+/// Which of the facets around slaves go on beyond a seam; nothing where there is none.
+void fill_seams(const ListBuild& build, const FacePairs& found, Candidates& candidates) {
+  if (build.surface.flush.empty()) return;
+  for_each_slave(found.pairs, [&](LocalIndex node, auto /*pairs*/) {
+    const auto first = build.surface.facets.offsets[static_cast<std::size_t>(node)];
+    const auto end = build.surface.facets.offsets[static_cast<std::size_t>(node) + 1];
+    candidates.goes_on.insert(candidates.goes_on.end(), build.surface.goes_on.begin() + first,
+                              build.surface.goes_on.begin() + end);
+  });
+}
+
 /// Facets are left as places until they are numbered.
 void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& lists, std::vector<Place>& facets) {
   std::vector<LocalIndex> used;
@@ -185,7 +197,9 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
                              .block = from.block,
                              .depth = from.depth,
                              .flat = from.kind == EdgeKind::flat,
-                             .end_on_rim = from.end_on_rim});
+                             .seam = from.seam,
+                             .end_on_rim = from.end_on_rim,
+                             .end_on_seam = from.end_on_seam});
     facets.insert(facets.end(), from.facets.begin(), from.facets.end());
   }
   for_each_slave(found.pairs, [&](LocalIndex slave, std::span<const CandidatePair> pairs) {
@@ -194,12 +208,17 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
       return table_index(lists.nodes, build.surface.gid[static_cast<std::size_t>(node)]);
     };
     const auto on_rim = [&](LocalIndex node) { return build.surface.on_rim[static_cast<std::size_t>(node)]; };
+    const auto on_seam = [&](LocalIndex node) {
+      return build.surface.on_seam.empty() ? char{0} : build.surface.on_seam[static_cast<std::size_t>(node)];
+    };
     edges.slaves.push_back({.nodes = {contact_node(from.nodes[0]), contact_node(from.nodes[1])},
                             .body = from.body,
                             .block = from.block,
                             .depth = from.depth,
                             .flat = from.kind == EdgeKind::flat,
-                            .end_on_rim = {on_rim(from.nodes[0]), on_rim(from.nodes[1])}});
+                            .seam = from.seam,
+                            .end_on_rim = {on_rim(from.nodes[0]), on_rim(from.nodes[1])},
+                            .end_on_seam = {on_seam(from.nodes[0]), on_seam(from.nodes[1])}});
     facets.insert(facets.end(), from.facets.begin(), from.facets.end());
     for (const CandidatePair& pair : pairs) edges.near.values.push_back(place[static_cast<std::size_t>(pair.master)]);
     edges.near.close_row();
@@ -302,6 +321,7 @@ ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface
   fill_faces(build, faces, lists);
   fill_second(build, faces, lists.candidates);
   fill_thickness(build, faces, lists.candidates);
+  fill_seams(build, faces, lists.candidates);
   fill_edges(build, edges, lists, edge_facets);
   lists.most_rows += lists.wall_candidates.size();
   lists.any_rows = ranks.any(lists.most_rows > 0);

@@ -29,6 +29,7 @@ DetectionSettings derived_detection(const ContactSettings& settings, const Surfa
   detection.wall_size = surface.mean_edge;
   detection.choice.criterion = settings.specification.criterion;
   detection.sound = sound_of(surface.bodies, settings.blocks.sound);
+  detection.flush = surface.flush;
   detection.twin = twin_share * surface.mean_depth;
   return detection;
 }

@@ -7,6 +7,7 @@
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/primitives.hpp"
 #include "support/simulation.hpp"
+#include "tetrahedra.hpp"
 #include "true_depth.hpp"
 
 using namespace brunt;
@@ -16,22 +17,6 @@ using test::Skin;
 namespace {
 
 constexpr double side = 0.1;
-
-/// Six tetrahedra for each hexahedron, around its diagonal.
-mesh::Mesh in_tetrahedra(mesh::Mesh mesh) {
-  constexpr int around[6][2] = {{1, 2}, {2, 3}, {3, 7}, {7, 4}, {4, 5}, {5, 1}};  // of the diagonal 0-6
-  mesh::Block& block = mesh.blocks[0];
-  mesh::Block tets{.name = block.name, .id = block.id, .shape = mesh::Shape::tet4, .nodes = {}, .element_id = {}};
-  for (LocalIndex e = 0; e < block.count(); ++e)
-    for (const auto& [a, b] : around) {
-      const LocalIndex* hex = block.element(e);
-      for (const LocalIndex node : {hex[0], hex[a], hex[b], hex[6]}) tets.nodes.push_back(node);
-      tets.element_id.push_back(static_cast<GlobalIndex>(tets.element_id.size() + 1));
-    }
-  block = std::move(tets);
-  mesh.side_sets.clear();
-  return mesh;
-}
 
 struct Impact {
   mesh::Mesh mesh;
@@ -56,7 +41,7 @@ mesh::Mesh body(const std::string& name, const std::string& kind, int n) {
   if (kind == "tube") return mesh::tube(name, 0.3 * side, 0.5 * side, side, {2, 5 * n, n});
   if (kind == "cylinder") return mesh::cylinder(name, 0.5 * side, side, {std::max(2, n - 1), n});
   mesh::Mesh cube = mesh::box(name, {side, side, side}, {n, n, n});
-  return kind == "tet" ? in_tetrahedra(std::move(cube)) : cube;
+  return kind == "tet" ? test::in_tetrahedra(std::move(cube)) : cube;
 }
 
 double reach(const mesh::Mesh& mesh, const Vec3& direction) {

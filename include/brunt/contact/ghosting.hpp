@@ -34,6 +34,7 @@ struct TravellingFace {
   std::int32_t corner_count = 0, body = 0, block = 0;
   PlainBox capture{};                    ///< capture box
   double depth = 0;                      ///< of its element
+  std::uint8_t seams = 0;                ///< as of the surface's face
   std::array<GlobalIndex, 8> element{};  ///< nodes of its element, no_index to fill
 
   friend bool operator<(const TravellingFace& a, const TravellingFace& b) { return a.key < b.key; }
@@ -47,8 +48,9 @@ struct TravellingEdge {
   double depth = 0;  ///< of its elements
   std::int32_t body = 0, block = 0;
   EdgeKind kind = EdgeKind::sharp;
-  std::array<char, 2> end_on_rim{};  ///< 1: that end stands on a sharp edge
-  PlainBox capture{};                ///< capture box
+  std::array<bool, 2> seam{};
+  std::array<char, 2> end_on_rim{}, end_on_seam{};  ///< 1: that end stands on a sharp edge, at a seam
+  PlainBox capture{};                               ///< capture box
 
   friend bool operator<(const TravellingEdge& a, const TravellingEdge& b) { return a.gid < b.gid; }
 };

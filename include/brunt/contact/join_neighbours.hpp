@@ -30,6 +30,9 @@ struct EdgeAngles {
 std::vector<SurfaceEdge> edges_of(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Surface& surface,
                                   const EdgeAngles& angles);
 
+/// Gives all copies of a surface node the flag that its owner has. Collective.
+void tell_copies(const comm::Communicator& ranks, const Surface& surface, std::vector<char>& flags);
+
 /// A flag for each surface node: does it stand on a sharp one of the edges, whichever rank has it? Collective.
 std::vector<char> nodes_on_rims(const comm::Communicator& ranks, const Surface& surface);
 

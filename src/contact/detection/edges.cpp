@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "brunt/contact/detection/seams.hpp"
 #include "edge_ledges.hpp"
 #include "flat_edges.hpp"
 
@@ -170,6 +171,7 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
         if (meet_on_ledge(scene, candidates, near, node_normal, slave, master, met)) continue;
         if (held_at_ends(settings.encounter, node_normal, slave, size, met)) continue;
       }
+      if (meet_at_side_of_seam(scene, slave, master, met)) continue;
       met.gap += accepted_overlap(scene, slave, master, met);
       Row& row = rows.emplace_back(row_of(slave, master, met, gid));
       row.gap += slave.flat || master.flat ? sag_of_rims * size : 0;

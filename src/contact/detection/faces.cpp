@@ -7,6 +7,7 @@
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/contact/detection/false_depth.hpp"
 #include "brunt/contact/detection/ledges.hpp"
+#include "brunt/contact/detection/seams.hpp"
 #include "brunt/contact/detection/sides.hpp"
 #include "brunt/contact/detection/twins.hpp"
 #include "motion_quads.hpp"
@@ -86,6 +87,8 @@ struct Slave {
   std::span<const PossibleTwin> twins;
   double half_thickness;  ///< > 0 on a sheet, whose facets look to both sides
   std::span<const HistoryRecord> remembered;
+  std::int32_t body = 0;
+  std::span<const double> goes_on{};  ///< of facets, see Candidates; empty: none
 };
 
 /// How much the facets around the slave oppose each face that it meets; a point without any opposes all of them.
@@ -181,6 +184,8 @@ std::span<Encounter> meet_faces(const FacesInMotion& scene, const DetectionSetti
     settle_rims(scene, settings.encounter, settings.choice.same_direction, here);
     if (settings.choice.criterion == Criterion::automatic) drop_false_depths(scene, settings.encounter, here);
     judge_paths(scene, settings.encounter, slave.motion, here);
+    if (seams_count(settings, slave.body, body_of(here.front())))
+      drop_sides_of_seams(scene, settings.choice.same_direction, {slave.facets, slave.goes_on, facet_normal}, here);
     pass_ledges(scene, settings.choice.same_direction, slave.motion, here);
   }
   const auto end =
@@ -271,6 +276,11 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
   const bool sheets = !candidates.half_thickness.empty();
   std::size_t record = 0;
   const std::span<const char> second = candidates.second;
+  const auto goes_on = [&](std::size_t s) -> std::span<const double> {
+    if (candidates.goes_on.empty()) return {};
+    const auto facets = candidates.slave_facets.row(static_cast<LocalIndex>(s));
+    return {&candidates.goes_on[static_cast<std::size_t>(candidates.slave_facets.offsets[s])], facets.size()};
+  };
   const auto slave_at = [&](std::size_t s) {
     const auto near = candidates.faces.row(static_cast<LocalIndex>(s));
     const auto place = static_cast<std::size_t>(near.data() - candidates.faces.values.data());
@@ -281,7 +291,9 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
         .second = second.empty() ? second : second.subspan(place, near.size()),
         .twins = second.empty() ? std::span<const PossibleTwin>{} : candidates.twins.row(static_cast<LocalIndex>(s)),
         .half_thickness = sheets ? candidates.half_thickness[s] : 0.0,
-        .remembered = {}};
+        .remembered = {},
+        .body = candidates.body[s],
+        .goes_on = goes_on(s)};
   };
   std::array<std::size_t, slaves_at_once> last_of{};
   for (std::size_t first = 0; first < candidates.slave.size(); first += slaves_at_once) {

@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "brunt/contact/detection/seams.hpp"
+
 namespace brunt::contact {
 namespace {
 
@@ -29,6 +31,12 @@ bool crosses_in_step(const EdgeScene& scene, const EdgeSide& slave, const EdgeSi
   return approach > 0;
 }
 
+/// How far from its end at a rim a flat edge is met as that, as a share of its length.
+double rim_at(const EdgeScene& scene, const EdgeSide& flat, std::size_t end) {
+  const double length = scene.length(flat);
+  return flat.end_on_seam[end] != 0 ? seam_depth * extent(length, flat.depth) / length : scene.settings.encounter.rim;
+}
+
 }  // namespace
 
 bool rim_crosses_flat(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size,
@@ -40,8 +48,9 @@ bool rim_crosses_flat(const EdgeScene& scene, const EdgeSide& slave, const EdgeS
   if (!crosses_now(scene, slave, master, normal, size, met) &&
       !crosses_in_step(scene, slave, master, normal, size, met))
     return false;
-  const double at = slave.flat ? met.s : met.t, reach = scene.settings.encounter.rim;
-  return !(flat.end_on_rim[0] != 0 && at <= reach) && !(flat.end_on_rim[1] != 0 && 1 - at <= reach);
+  const double at = slave.flat ? met.s : met.t;
+  return !(flat.end_on_rim[0] != 0 && at <= rim_at(scene, flat, 0)) &&
+         !(flat.end_on_rim[1] != 0 && 1 - at <= rim_at(scene, flat, 1));
 }
 
 }  // namespace brunt::contact

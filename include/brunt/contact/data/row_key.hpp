@@ -4,10 +4,14 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <utility>
 
 #include "brunt/core/types.hpp"
 
 namespace brunt::contact {
+
+/// Two bodies, the lower one first.
+using BodyPair = std::pair<std::int32_t, std::int32_t>;
 
 enum class RowKind : std::int8_t {
   face,  ///< a node on a face

@@ -24,6 +24,7 @@ struct Candidates {
   std::vector<std::int32_t> body;        ///< of the slave
   Ragged<LocalIndex> faces;              ///< master faces, ordered by (body, key)
   Ragged<LocalIndex> slave_facets;       ///< faces of the slave's own surface around it: rows of the facet area vectors
+  std::vector<double> goes_on{};         ///< of each of slave_facets.values, see Surface; empty: there is no seam
   std::vector<double> half_thickness{};  ///< of the slave where it lies on a two-sided sheet, else 0 [length]; empty:
                                          ///< there is no such sheet
   std::vector<char> second{};            ///< a flag for each of faces.values: this way is the second of two passes, in
@@ -57,9 +58,6 @@ struct AcceptedOverlap {
   std::int32_t slave_body = no_index;
 };
 
-/// Bodies that keep overlaps of the start: the lower one first.
-using BodyPair = std::pair<std::int32_t, std::int32_t>;
-
 struct DetectionSettings {
   EncounterSettings encounter;
   ChoiceSettings choice;
@@ -73,6 +71,7 @@ struct DetectionSettings {
   double wall_size = 0;         ///< [length] stands for the longest edge where the master is a wall
   std::vector<double> sound{};  ///< speed of sound of each body [velocity]; empty: recovery is as fast as steps are
   std::vector<AcceptedOverlap> accepted{};  ///< ordered by (slave, body), each pair once
+  std::vector<BodyPair> flush{};            ///< ascending: bodies between which there is a seam; it is none to them
   std::vector<BodyPair> fitted{};           ///< ascending: bodies of which some overlap was accepted, or moved away
 };
 
@@ -94,6 +93,12 @@ struct DetectionScratch {
     slave_of.reserve(slaves_at_once * most_faces_of_a_slave);
   }
 };
+
+/// Do seams count where these bodies meet?
+inline bool seams_count(const DetectionSettings& settings, std::int32_t slave_body, std::int32_t master_body) {
+  if (settings.flush.empty()) return false;
+  return !std::ranges::binary_search(settings.flush, BodyPair(std::minmax(slave_body, master_body)));
+}
 
 /// [length]; 0 where none is accepted.
 double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex slave, std::int32_t body);

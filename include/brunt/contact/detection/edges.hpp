@@ -19,7 +19,9 @@ struct EdgeSide {
   std::int32_t body = 0, block = 0;
   double depth = std::numeric_limits<double>::infinity();  ///< the smaller one of its two faces [length]
   bool flat = false;                                       ///< lies within a face of its body: see EdgeKind
+  std::array<bool, 2> seam{};                              ///< of each facet, see SurfaceEdge
   std::array<char, 2> end_on_rim{};                        ///< of a flat one: 1 where that end stands on a sharp edge
+  std::array<char, 2> end_on_seam{};                       ///< the same of seams
 };
 
 /// Candidate pairs, slave edge by slave edge in ascending (gid, gid).

@@ -25,6 +25,7 @@ struct MasterFace {
   std::int32_t body = 0, block = 0;
   /// Of its element behind it, or the width of the face if that is less, at the start [length].
   double depth = std::numeric_limits<double>::infinity();
+  std::uint8_t seams = 0;  ///< bit i: beyond side i another face goes on, see SurfaceFace
   bool two_sided = false;
   double half_thickness = 0;  ///< [length]
 };

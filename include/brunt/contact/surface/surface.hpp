@@ -3,8 +3,10 @@
 #pragma once
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "brunt/contact/data/row_key.hpp"
 #include "brunt/contact/data/specification.hpp"
 #include "brunt/core/ragged.hpp"
 #include "brunt/core/types.hpp"
@@ -24,7 +26,8 @@ struct SurfaceFace {
   std::array<LocalIndex, 4> nodes{};  ///< surface nodes, counter-clockwise seen from outside
   std::int32_t corner_count = 4;
   std::int32_t body = 0, block = 0;
-  double depth = 0;                      ///< of its element behind it, or its width if less, at the start [length]
+  double depth = 0;        ///< of its element behind it, or its width if less, at the start [length]
+  std::uint8_t seams = 0;  ///< bit i: beyond side i (corners i, i + 1) another face goes on, see seams.hpp
   std::array<GlobalIndex, 8> element{};  ///< nodes of that element, no_index to fill; the corners without an element
 };
 
@@ -41,6 +44,7 @@ struct SurfaceEdge {
   std::int32_t body = 0, block = 0;        ///< of the first
   double depth = 0;                        ///< the smaller one of the two faces [length]
   EdgeKind kind = EdgeKind::sharp;
+  std::array<bool, 2> seam{};  ///< of each of its two faces: does another one go on beyond it? See seams.hpp
 };
 
 /// What decides who is slave; the same on every rank.
@@ -67,12 +71,15 @@ struct Surface {
   Ragged<std::int32_t> blocks;         ///< for nodes owned here: blocks of their contact faces, ascending
   std::vector<char> on_rim;            ///< do they stand on a sharp edge?
   Ragged<Place> facets;                ///< for nodes owned here: their contact faces by key
-  Ragged<GlobalIndex> neighbours;      ///< for nodes owned here: nodes of the elements that contain them, ascending
-  std::vector<SurfaceFace> faces;      ///< contact faces of this rank's elements, by key
-  std::vector<SurfaceEdge> edges;      ///< convex ones between faces of which this rank has the one with the lower key
-  std::vector<BodyFigures> bodies;     ///< of the whole model
-  double mean_edge = 0;                ///< mean over all contact faces of their longest edge [length]
-  double mean_depth = 0;  ///< mean over the same of the depth, or the longest edge if that is less [length]
+  std::vector<double> goes_on;      ///< of each of facets.values: depth of a seam that ends in the node, or 0 [length]
+  std::vector<char> on_seam;        ///< do they stand at a seam (seams.hpp)? Empty: there is none
+  Ragged<GlobalIndex> neighbours;   ///< for nodes owned here: nodes of the elements that contain them, ascending
+  std::vector<SurfaceFace> faces;   ///< contact faces of this rank's elements, by key
+  std::vector<SurfaceEdge> edges;   ///< convex ones between faces of which this rank has the one with the lower key
+  std::vector<BodyFigures> bodies;  ///< of the whole model
+  std::vector<BodyPair> flush;      ///< of the whole model: bodies between which there is a seam, ascending
+  double mean_edge = 0;             ///< mean over all contact faces of their longest edge [length]
+  double mean_depth = 0;            ///< mean over the same of the depth, or the longest edge if that is less [length]
 
   [[nodiscard]] SurfaceNode node(LocalIndex owned) const {
     return {blocks.row(owned), body[static_cast<std::size_t>(owned)], on_rim[static_cast<std::size_t>(owned)] != 0};

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Seams between bodies that were flush at the start (contact/seams.hpp). The normal cone of an edge there is that of
+// the face that goes on: to other bodies its side begins where flush bodies may have sagged to.
+#pragma once
+#include <algorithm>
+#include <span>
+
+#include "brunt/contact/detection/edges.hpp"
+#include "brunt/contact/detection/encounter.hpp"
+
+namespace brunt::contact {
+
+/// Faces of two bodies are flush where one, continued by this share of its extent, comes no farther from the other.
+constexpr double seam_reach = 0.05;
+
+/// So far below a seam a side is not met, as a share of the extent: what flush bodies may sag under load.
+constexpr double seam_depth = 0.1;
+
+/// What lengths across a surface are measured with: the longest edge, or of flat elements twice their depth [length].
+inline double extent(double size, double depth) {
+  return std::min(size, 2 * depth);
+}
+
+/// The faces of a slave's own body around it.
+struct OwnFacets {
+  std::span<const LocalIndex> facets;  ///< rows of facet_normal
+  std::span<const double> goes_on;     ///< of each: depth of a seam that ends in the slave, 0: none [length]; or empty
+  std::span<const Vec3> facet_normal;
+};
+
+/// Sides of seams become Meeting::none where the node is no farther than seam_depth from the plane of the face that
+/// goes on: one of the master's, or the one of the slave's own faces that goes on lies on the master's face.
+/// encounters: of one slave with the faces of one body that is flush with others than the slave's.
+void drop_sides_of_seams(const FacesInMotion& scene, double same_direction, const OwnFacets& own,
+                         std::span<Encounter> encounters);
+
+struct EdgeScene;
+struct EdgeMeeting;
+
+/// Do the edges meet at the side of a seam that one of them is, where the other reaches no farther below it?
+bool meet_at_side_of_seam(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master,
+                          const EdgeMeeting& met);
+
+}  // namespace brunt::contact

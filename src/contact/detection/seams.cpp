@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/detection/seams.hpp"
+
+#include <Eigen/Geometry>
+
+#include "edge_scene.hpp"
+
+namespace brunt::contact {
+namespace {
+
+constexpr double squarely = 0.5;   // cosine: faces that lie on each other
+constexpr double straight = 0.94;  // cosine of 20 degrees: directions that are one
+
+const MasterFace& face_of(const FacesInMotion& scene, const Encounter& e) {
+  return scene.faces[static_cast<std::size_t>(e.face)];
+}
+
+/// Does another face go on from `top` beyond an edge that `side` ends in? The one that has the node may be the next one
+/// along the seam: then they have a corner alone in common.
+bool goes_on_beyond(const FacesInMotion& scene, const Encounter& top, const Encounter& side) {
+  const MasterFace &above = face_of(scene, top), &below = face_of(scene, side);
+  const auto count = static_cast<std::size_t>(above.corner_count);
+  const std::span<const LocalIndex> corners(below.nodes.data(), static_cast<std::size_t>(below.corner_count));
+  const auto is_corner = [&](LocalIndex node) { return std::ranges::find(corners, node) != corners.end(); };
+  const auto place = [&](LocalIndex node) { return scene.motion[static_cast<std::size_t>(node)].position; };
+  for (std::size_t i = 0; i < count; ++i) {
+    const LocalIndex from = above.nodes[i], to = above.nodes[(i + 1) % count];
+    if ((above.seams >> i & 1U) == 0 || !(is_corner(from) || is_corner(to))) continue;
+    if ((place(to) - place(from)).cross(top.normal).normalized().dot(side.normal) > squarely) return true;
+  }
+  return false;
+}
+
+/// Depth of a seam of the slave's own whose face lies on the one with this normal [length]; 0: none.
+double own_depth(const OwnFacets& own, const Vec3& normal) {
+  double depth = 0;
+  for (std::size_t i = 0; i < own.goes_on.size(); ++i)
+    if (own.facet_normal[static_cast<std::size_t>(own.facets[i])].dot(normal) < -squarely)
+      depth = std::max(depth, own.goes_on[i]);
+  return depth;
+}
+
+bool is_side_of_seam(const FacesInMotion& scene, double same_direction, const OwnFacets& own, const Encounter& side,
+                     const Encounter& top) {
+  const MasterFace &above = face_of(scene, top), &below = face_of(scene, side);
+  double depth = own_depth(own, top.normal);
+  if (goes_on_beyond(scene, top, side)) depth = std::max(depth, seam_depth * extent(top.size, above.depth));
+  if (depth == 0 || !(std::abs(top.height) <= depth) || top.opposition < 0.5 * side.opposition) return false;
+  return !contact::same_direction(side.normal, top.normal, same_direction) && shared_nodes(below, above) >= 1 &&
+         !concave(scene.faces, scene.motion, side, top);
+}
+
+/// out: the meeting's normal, out of the seam's edge.
+bool is_at_side(const EdgeScene& scene, const EdgeSide& seam, const EdgeSide& other, const Vec3& point,
+                const Vec3& out) {
+  const double depth = seam_depth * extent(scene.length(seam), seam.depth);
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (!seam.seam[k]) continue;
+    const Vec3 top = scene.normal(seam, k);
+    if (out.dot(top) > straight) return false;
+    const auto reaches_below = [&](LocalIndex node) { return (scene.at(node).position - point).dot(top) < -depth; };
+    if (std::ranges::none_of(other.nodes, reaches_below)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void drop_sides_of_seams(const FacesInMotion& scene, double same_direction, const OwnFacets& own,
+                         std::span<Encounter> encounters) {
+  if (one_direction(encounters, same_direction)) return;  // nearly always
+  for (Encounter& side : encounters) {
+    if (side.meeting == Meeting::none) continue;
+    const auto is_side = [&](const Encounter& top) {
+      return &top != &side && is_side_of_seam(scene, same_direction, own, side, top);
+    };
+    if (std::ranges::any_of(encounters, is_side)) side.meeting = Meeting::none;
+  }
+}
+
+bool meet_at_side_of_seam(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master,
+                          const EdgeMeeting& met) {
+  if (!seams_count(scene.settings, slave.body, master.body)) return false;
+  const geometry::Segment own = scene.start(slave), other = scene.start(master);
+  return is_at_side(scene, master, slave, (1 - met.t) * other.start + met.t * other.end, met.normal) ||
+         is_at_side(scene, slave, master, (1 - met.s) * own.start + met.s * own.end, -met.normal);
+}
+
+}  // namespace brunt::contact

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/seams.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <utility>
+
+#include "brunt/comm/rendezvous.hpp"
+#include "brunt/contact/detection/choose.hpp"
+#include "brunt/contact/detection/seams.hpp"
+#include "brunt/contact/ghosting.hpp"
+#include "brunt/contact/join_neighbours.hpp"
+#include "brunt/contact/search/search.hpp"
+#include "brunt/core/error.hpp"
+#include "brunt/geometry/closest_point.hpp"
+
+namespace brunt::contact {
+namespace {
+
+/// A face with its corners where they are at the start.
+struct StartFace {
+  GlobalIndex key = 0;
+  std::array<GlobalIndex, 4> gid{};
+  std::array<std::array<double, 3>, 4> corners{};
+  std::int32_t corner_count = 4, body = 0;
+  double margin = 0;  ///< how far from the face a point may be to lie on it [length]
+  PlainBox capture{};
+
+  [[nodiscard]] std::array<Vec3, 4> places() const {
+    std::array<Vec3, 4> places;
+    for (std::size_t i = 0; i < 4; ++i) places[i] = Vec3(corners[i].data());
+    return places;
+  }
+  friend bool operator<(const StartFace& a, const StartFace& b) { return a.key < b.key; }
+};
+
+StartFace start_face(const mesh::LocalMesh& mesh, const Surface& surface, const SurfaceFace& from) {
+  StartFace face{.key = from.key, .corner_count = from.corner_count, .body = from.body};
+  face.gid.fill(no_index);
+  const auto count = static_cast<std::size_t>(from.corner_count);
+  std::array<Vec3, 4> corners;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto node = static_cast<std::size_t>(from.nodes[i]);
+    corners[i] = mesh.coordinates[static_cast<std::size_t>(surface.model_node[node])];
+    face.corners[i] = {corners[i][0], corners[i][1], corners[i][2]};
+    face.gid[i] = surface.gid[node];
+  }
+  const geometry::Corners view(corners.data(), count);
+  face.margin = seam_reach * extent(geometry::longest_edge(view), from.depth);
+  face.capture = PlainBox(geometry::grown(geometry::bounding_box(view), face.margin));
+  return face;
+}
+
+/// A point beyond a side of a face.
+struct Beyond {
+  std::size_t face = 0, side = 0;  ///< of surface.faces
+  Vec3 normal = Vec3::Zero();      ///< of the face
+};
+
+/// Sides of which both ends stand on rims: two points beyond each.
+void look_beyond(const Surface& surface, std::span<const StartFace> faces, std::vector<Beyond>& sides,
+                 std::vector<Vec3>& points) {
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto count = static_cast<std::size_t>(faces[f].corner_count);
+    const std::array<Vec3, 4> corners = faces[f].places();
+    const Vec3 normal = geometry::area_vector({corners.data(), count}).normalized();
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t next = (i + 1) % count;
+      const auto on_rim = [&](std::size_t c) {
+        return surface.on_rim[static_cast<std::size_t>(surface.faces[f].nodes[c])] != 0;
+      };
+      if (!on_rim(i) || !on_rim(next)) continue;
+      const Vec3 side = corners[next] - corners[i], out = side.cross(normal).normalized();
+      for (const double share : {0.25, 0.75}) {
+        sides.push_back({f, i, normal});
+        points.push_back(corners[i] + share * side + faces[f].margin * out);
+      }
+    }
+  }
+}
+
+bool continues(const StartFace& own, const Beyond& side, const Vec3& point, const StartFace& other) {
+  for (const GlobalIndex gid : own.gid)
+    if (gid != no_index && std::ranges::find(other.gid, gid) != other.gid.end()) return false;
+  const auto count = static_cast<std::size_t>(other.corner_count);
+  const std::array<Vec3, 4> corners = other.places();
+  const geometry::Corners view(corners.data(), count);
+  const Vec3 normal = geometry::area_vector(view).normalized();
+  if (!same_direction(normal, side.normal, ChoiceSettings{}.same_direction)) return false;
+  const auto closest = geometry::closest_point(point, view);
+  return closest && (point - closest->point).norm() <= std::min(own.margin, other.margin);
+}
+
+/// Marks sides of this rank's faces; returns the pairs of bodies that meet there. Collective.
+std::vector<BodyPair> mark_sides(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, Surface& surface) {
+  std::vector<StartFace> faces;
+  for (const SurfaceFace& face : surface.faces) faces.push_back(start_face(mesh, surface, face));
+  std::vector<Beyond> sides;
+  std::vector<Vec3> points;
+  look_beyond(surface, faces, sides, points);
+  std::vector<geometry::Box> wanted, boxes;
+  for (const Vec3& point : points) wanted.push_back({point, point});
+  const std::vector<StartFace> ghosts = ghost(ranks, std::span<const StartFace>(faces), wanted, 2 * surface.mean_edge);
+  faces.insert(faces.end(), ghosts.begin(), ghosts.end());
+  for (const StartFace& face : faces) boxes.push_back(face.capture.box());
+  SearchScratch scratch;
+  Ragged<LocalIndex> found;
+  find_pairs(boxes, points, scratch, found);
+  std::vector<BodyPair> flush;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    for (const LocalIndex f : std::as_const(found).row(static_cast<LocalIndex>(p))) {
+      const StartFace &own = faces[sides[p].face], &other = faces[static_cast<std::size_t>(f)];
+      if (!continues(own, sides[p], points[p], other)) continue;
+      surface.faces[sides[p].face].seams |= static_cast<std::uint8_t>(1U << sides[p].side);
+      flush.emplace_back(std::minmax(own.body, other.body));
+    }
+  return flush;
+}
+
+void sort_unique(std::vector<BodyPair>& pairs) {
+  std::ranges::sort(pairs);
+  pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
+}
+
+/// A face beyond whose edge another one goes on. The edge by its nodes, the lower gid first.
+struct SeamOfFace {
+  std::array<GlobalIndex, 2> edge{};
+  Place face;
+  friend auto operator<=>(const SeamOfFace&, const SeamOfFace&) = default;
+};
+
+/// A face that goes on beyond a side that ends in the node; the face is of the rank that says so.
+struct SeamOfNode {
+  LocalIndex node = 0, face = 0;
+  double depth = 0;  ///< [length]
+};
+
+/// What the faces of all ranks say, at the owners of nodes: those of the node, and those of which it is the lower end.
+struct Heard {
+  Ragged<SeamOfNode> nodes;
+  std::vector<SeamOfFace> edges;  ///< ascending
+};
+
+/// Collective.
+Heard tell_owners(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Surface& surface) {
+  const auto count = static_cast<std::size_t>(ranks.size());
+  std::vector<std::vector<SeamOfNode>> nodes(count);
+  std::vector<std::vector<SeamOfFace>> edges(count);
+  for (std::size_t f = 0; f < surface.faces.size(); ++f)
+    for (std::size_t side = 0; side < 4; ++side) {
+      const SurfaceFace& face = surface.faces[f];
+      if ((face.seams >> side & 1U) == 0) continue;
+      const auto corners = static_cast<std::size_t>(face.corner_count);
+      const double depth = seam_depth / seam_reach * start_face(mesh, surface, face).margin;
+      LocalIndex low = face.nodes[side], high = face.nodes[(side + 1) % corners];
+      if (surface.gid[static_cast<std::size_t>(high)] < surface.gid[static_cast<std::size_t>(low)])
+        std::swap(low, high);
+      for (const LocalIndex node : {low, high}) {
+        const Place& home = surface.home[static_cast<std::size_t>(node)];
+        nodes[static_cast<std::size_t>(home.rank)].push_back({home.index, static_cast<LocalIndex>(f), depth});
+      }
+      edges[static_cast<std::size_t>(surface.home[static_cast<std::size_t>(low)].rank)].push_back(
+          {{surface.gid[static_cast<std::size_t>(low)], surface.gid[static_cast<std::size_t>(high)]},
+           {ranks.rank(), static_cast<LocalIndex>(f)}});
+    }
+  Heard heard{comm::exchange(ranks, nodes), comm::exchange(ranks, edges).values};
+  std::ranges::sort(heard.edges);
+  return heard;
+}
+
+void mark_nodes(const Ragged<SeamOfNode>& heard, Surface& surface) {
+  surface.goes_on.assign(surface.facets.values.size(), 0);
+  surface.on_seam.assign(surface.gid.size(), 0);
+  for (Rank rank = 0; rank < heard.rows(); ++rank)
+    for (const auto& [node, face, depth] : heard.row(rank)) {
+      const std::span<const Place> facets = std::as_const(surface.facets).row(node);
+      const auto at = std::ranges::find(facets, Place{rank, face});
+      demand(at != facets.end(), "a node's owner knows its faces");
+      surface.goes_on[static_cast<std::size_t>(&*at - surface.facets.values.data())] = depth;
+      surface.on_seam[static_cast<std::size_t>(node)] = 1;
+    }
+}
+
+/// Edges ask the owner of their lower node. Collective.
+void mark_edges(const comm::Communicator& ranks, std::span<const SeamOfFace> known, Surface& surface) {
+  const auto count = static_cast<std::size_t>(ranks.size());
+  std::vector<std::vector<SeamOfFace>> asked(count);
+  const auto asks = [&](const SurfaceEdge& edge) {
+    return static_cast<std::size_t>(surface.home[static_cast<std::size_t>(edge.nodes[0])].rank);
+  };
+  for (const SurfaceEdge& edge : surface.edges)
+    for (const Place& facet : edge.facets)
+      asked[asks(edge)].push_back(
+          {{surface.gid[static_cast<std::size_t>(edge.nodes[0])], surface.gid[static_cast<std::size_t>(edge.nodes[1])]},
+           facet});
+  const Ragged<SeamOfFace> questions = comm::exchange(ranks, asked);
+  std::vector<std::vector<char>> answers(count);
+  for (std::size_t r = 0; r < count; ++r)
+    for (const SeamOfFace& question : questions.row(static_cast<LocalIndex>(r)))
+      answers[r].push_back(std::ranges::binary_search(known, question) ? 1 : 0);
+  const Ragged<char> heard = comm::exchange(ranks, answers);
+  std::vector<std::size_t> next(count, 0);
+  for (SurfaceEdge& edge : surface.edges)
+    for (bool& seam : edge.seam) seam = heard.row(static_cast<LocalIndex>(asks(edge)))[next[asks(edge)]++] != 0;
+}
+
+}  // namespace
+
+void find_seams(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, Surface& surface) {
+  std::vector<BodyPair> flush = mark_sides(ranks, mesh, surface);
+  sort_unique(flush);
+  std::vector<std::array<std::int32_t, 2>> sent;
+  for (const auto& [one, other] : flush) sent.push_back({one, other});
+  const std::vector<std::vector<std::array<std::int32_t, 2>>> to_all(static_cast<std::size_t>(ranks.size()), sent);
+  for (const auto& [one, other] : comm::exchange(ranks, to_all).values) surface.flush.emplace_back(one, other);
+  sort_unique(surface.flush);
+  if (surface.flush.empty()) return;
+  const Heard heard = tell_owners(ranks, mesh, surface);
+  mark_nodes(heard.nodes, surface);
+  tell_copies(ranks, surface, surface.on_seam);
+  mark_edges(ranks, heard.edges, surface);
+}
+
+}  // namespace brunt::contact
