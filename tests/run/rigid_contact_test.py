@@ -48,6 +48,21 @@ history: {every: 1.0e-3}
 """
 
 
+# A block slides down a longer plate, both rigid: lists that are made less often hold more of the plate's points.
+SLOPE = """\
+units: none
+mesh:
+  - {box: {part: block, size: [0.1, 0.08, 0.05], elements: [3, 2, 2], at: [0.05, 0.06, 0]}}
+  - {box: {part: plate, size: [0.7, 0.2, 0.05], elements: [8, 3, 1], at: [0, 0, -0.05]}}
+materials: {hard: {model: rigid, density: 1000}}
+parts: {block: {material: hard, rigid: {centre: [0.1, 0.1, 0.01]}}, plate: {material: hard}}
+fixed: [{part: plate, dofs: [x, y, z, rx, ry, rz]}]
+gravity: {vector: [4.905, 0, -8.4957]}
+contact: [{between: all, friction: 0.3}]
+run: {end: 0.4, step: 1.0e-4}
+"""
+
+
 class RigidContact(Program):
     def setUp(self):
         super().setUp()
@@ -81,6 +96,12 @@ class RigidContact(Program):
         for rebuild in ("auto", "1", "random"):
             self.run_scene(1, "pile.yaml", "--out", rebuild, "--set", f"contact.1.rebuild={rebuild}", "--set", "run.end=0.05")
             self.assertEqual(self.summary(rebuild)["state_hash"], self.summary("auto")["state_hash"], rebuild)
+
+    def test_nor_on_which_points_of_a_body_they_hold(self):
+        self.write("slope.yaml", SLOPE)
+        for rebuild in ("auto", "1", "20"):
+            self.run_scene(1, "slope.yaml", "--out", f"slope{rebuild}", "--set", f"enforcement.rebuild={rebuild}")
+            self.assertEqual(self.summary(f"slope{rebuild}")["state_hash"], self.summary("slopeauto")["state_hash"], rebuild)
 
     def test_restart_from_two_ranks_on_three(self):
         self.run_scene(1, "pile.yaml", "--out", "whole")

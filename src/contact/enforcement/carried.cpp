@@ -167,8 +167,12 @@ void start_bodies(const Carriers& carriers, std::span<const NodeMotion> motion, 
     scratch.largest[static_cast<std::size_t>(share.body)] = 1;
     keep_max(scratch.largest[bodies], share.weight);
   }
-  for (const CarriedPoint& point : carriers.points)
-    keep_max(scratch.largest[bodies + 1], arm_of(point, carriers, motion).norm());
+  // of points that rows act on: which others the lists hold is a matter of when they were made
+  if (bodies > 0)
+    for (const LocalIndex point : rows.points)
+      if (const LocalIndex place = scratch.place[static_cast<std::size_t>(point)]; place != no_index)
+        keep_max(scratch.largest[bodies + 1],
+                 arm_of(carriers.points[static_cast<std::size_t>(place)], carriers, motion).norm());
   exchange.max(scratch.largest);
   scratch.largest_weight = scratch.largest[bodies];
   scratch.longest_arm = scratch.largest[bodies + 1];
