@@ -90,10 +90,9 @@ std::vector<TravellingEdge> own_edges(const ListBuild& build, std::span<const Lo
     master.depth = edge.depth;
     master.kind = edge.kind;
     master.seam = edge.seam;
+    master.end_on_seam = edge.end_on_seam;
     for (std::size_t i = 0; i < 2; ++i) {
       master.end_on_rim[i] = build.surface.on_rim[static_cast<std::size_t>(edge.nodes[i])];
-      if (!build.surface.on_seam.empty())
-        master.end_on_seam[i] = build.surface.on_seam[static_cast<std::size_t>(edge.nodes[i])];
       master.gid[i] = build.surface.gid[static_cast<std::size_t>(edge.nodes[i])];
       master.home[i] = build.surface.home[static_cast<std::size_t>(edge.nodes[i])];
     }

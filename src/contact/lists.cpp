@@ -208,9 +208,6 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
       return table_index(lists.nodes, build.surface.gid[static_cast<std::size_t>(node)]);
     };
     const auto on_rim = [&](LocalIndex node) { return build.surface.on_rim[static_cast<std::size_t>(node)]; };
-    const auto on_seam = [&](LocalIndex node) {
-      return build.surface.on_seam.empty() ? char{0} : build.surface.on_seam[static_cast<std::size_t>(node)];
-    };
     edges.slaves.push_back({.nodes = {contact_node(from.nodes[0]), contact_node(from.nodes[1])},
                             .body = from.body,
                             .block = from.block,
@@ -218,7 +215,7 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
                             .flat = from.kind == EdgeKind::flat,
                             .seam = from.seam,
                             .end_on_rim = {on_rim(from.nodes[0]), on_rim(from.nodes[1])},
-                            .end_on_seam = {on_seam(from.nodes[0]), on_seam(from.nodes[1])}});
+                            .end_on_seam = from.end_on_seam});
     facets.insert(facets.end(), from.facets.begin(), from.facets.end());
     for (const CandidatePair& pair : pairs) edges.near.values.push_back(place[static_cast<std::size_t>(pair.master)]);
     edges.near.close_row();

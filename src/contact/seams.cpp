@@ -133,6 +133,13 @@ struct SeamOfFace {
 struct SeamOfNode {
   LocalIndex node = 0, face = 0;
   double depth = 0;  ///< [length]
+  std::array<double, 3> normal{};
+};
+
+/// Is it in the side of a seam that something with this normal ends in the node?
+struct EndAtNode {
+  LocalIndex node = 0;  ///< of its owner
+  std::array<double, 3> normal{};
 };
 
 /// What the faces of all ranks say, at the owners of nodes: those of the node, and those of which it is the lower end.
@@ -140,6 +147,12 @@ struct Heard {
   Ragged<SeamOfNode> nodes;
   std::vector<SeamOfFace> edges;  ///< ascending
 };
+
+std::array<double, 3> normal_of(const mesh::LocalMesh& mesh, const Surface& surface, const SurfaceFace& face) {
+  const std::array<Vec3, 4> corners = start_face(mesh, surface, face).places();
+  const Vec3 normal = geometry::area_vector({corners.data(), static_cast<std::size_t>(face.corner_count)}).normalized();
+  return {normal[0], normal[1], normal[2]};
+}
 
 /// Collective.
 Heard tell_owners(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Surface& surface) {
@@ -155,9 +168,10 @@ Heard tell_owners(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, 
       LocalIndex low = face.nodes[side], high = face.nodes[(side + 1) % corners];
       if (surface.gid[static_cast<std::size_t>(high)] < surface.gid[static_cast<std::size_t>(low)])
         std::swap(low, high);
+      const std::array<double, 3> normal = normal_of(mesh, surface, face);
       for (const LocalIndex node : {low, high}) {
         const Place& home = surface.home[static_cast<std::size_t>(node)];
-        nodes[static_cast<std::size_t>(home.rank)].push_back({home.index, static_cast<LocalIndex>(f), depth});
+        nodes[static_cast<std::size_t>(home.rank)].push_back({home.index, static_cast<LocalIndex>(f), depth, normal});
       }
       edges[static_cast<std::size_t>(surface.home[static_cast<std::size_t>(low)].rank)].push_back(
           {{surface.gid[static_cast<std::size_t>(low)], surface.gid[static_cast<std::size_t>(high)]},
@@ -170,14 +184,12 @@ Heard tell_owners(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, 
 
 void mark_nodes(const Ragged<SeamOfNode>& heard, Surface& surface) {
   surface.goes_on.assign(surface.facets.values.size(), 0);
-  surface.on_seam.assign(surface.gid.size(), 0);
   for (Rank rank = 0; rank < heard.rows(); ++rank)
-    for (const auto& [node, face, depth] : heard.row(rank)) {
+    for (const auto& [node, face, depth, normal] : heard.row(rank)) {
       const std::span<const Place> facets = std::as_const(surface.facets).row(node);
       const auto at = std::ranges::find(facets, Place{rank, face});
       demand(at != facets.end(), "a node's owner knows its faces");
       surface.goes_on[static_cast<std::size_t>(&*at - surface.facets.values.data())] = depth;
-      surface.on_seam[static_cast<std::size_t>(node)] = 1;
     }
 }
 
@@ -204,6 +216,40 @@ void mark_edges(const comm::Communicator& ranks, std::span<const SeamOfFace> kno
     for (bool& seam : edge.seam) seam = heard.row(static_cast<LocalIndex>(asks(edge)))[next[asks(edge)]++] != 0;
 }
 
+/// Flat edges ask the owners of their ends: they lie in the side of a seam where one goes by there, but not along the
+/// edge's own faces. Collective.
+void mark_ends(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Ragged<SeamOfNode>& heard,
+               Surface& surface) {
+  const auto count = static_cast<std::size_t>(ranks.size());
+  std::vector<std::vector<EndAtNode>> asked(count);
+  const auto each_end = [&](auto&& visit) {
+    for (SurfaceEdge& edge : surface.edges)
+      for (std::size_t i = 0; edge.kind == EdgeKind::flat && i < 2; ++i)
+        visit(edge, i, surface.home[static_cast<std::size_t>(edge.nodes[i])]);
+  };
+  each_end([&](const SurfaceEdge& edge, std::size_t, const Place& home) {
+    const SurfaceFace& face = surface.faces[static_cast<std::size_t>(edge.facets[0].index)];
+    asked[static_cast<std::size_t>(home.rank)].push_back({home.index, normal_of(mesh, surface, face)});
+  });
+  const Ragged<EndAtNode> questions = comm::exchange(ranks, asked);
+  std::vector<SeamOfNode> known(heard.values);
+  std::ranges::stable_sort(known, {}, &SeamOfNode::node);
+  std::vector<std::vector<char>> answers(count);
+  for (std::size_t r = 0; r < count; ++r)
+    for (const auto& [node, normal] : questions.row(static_cast<LocalIndex>(r))) {
+      const auto tops = std::ranges::equal_range(known, node, {}, &SeamOfNode::node);
+      const bool along = std::ranges::any_of(tops, [&](const SeamOfNode& top) {
+        return same_direction(Vec3(normal.data()), Vec3(top.normal.data()), ChoiceSettings{}.same_direction);
+      });
+      answers[r].push_back(!tops.empty() && !along ? 1 : 0);
+    }
+  const Ragged<char> told = comm::exchange(ranks, answers);
+  std::vector<std::size_t> next(count, 0);
+  each_end([&](SurfaceEdge& edge, std::size_t i, const Place& home) {
+    edge.end_on_seam[i] = told.row(home.rank)[next[static_cast<std::size_t>(home.rank)]++];
+  });
+}
+
 }  // namespace
 
 void find_seams(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, Surface& surface) {
@@ -217,8 +263,8 @@ void find_seams(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, Su
   if (surface.flush.empty()) return;
   const Heard heard = tell_owners(ranks, mesh, surface);
   mark_nodes(heard.nodes, surface);
-  tell_copies(ranks, surface, surface.on_seam);
   mark_edges(ranks, heard.edges, surface);
+  mark_ends(ranks, mesh, heard.nodes, surface);
 }
 
 }  // namespace brunt::contact

@@ -32,9 +32,10 @@ bool crosses_in_step(const EdgeScene& scene, const EdgeSide& slave, const EdgeSi
 }
 
 /// How far from its end at a rim a flat edge is met as that, as a share of its length.
-double rim_at(const EdgeScene& scene, const EdgeSide& flat, std::size_t end) {
+double rim_at(const EdgeScene& scene, const EdgeSide& flat, const EdgeSide& rim, std::size_t end) {
   const double length = scene.length(flat);
-  return flat.end_on_seam[end] != 0 ? seam_depth * extent(length, flat.depth) / length : scene.settings.encounter.rim;
+  const bool seam = flat.end_on_seam[end] != 0 && seams_count(scene.settings, rim.body, flat.body);
+  return seam ? seam_depth * extent(length, flat.depth) / length : scene.settings.encounter.rim;
 }
 
 }  // namespace
@@ -49,8 +50,8 @@ bool rim_crosses_flat(const EdgeScene& scene, const EdgeSide& slave, const EdgeS
       !crosses_in_step(scene, slave, master, normal, size, met))
     return false;
   const double at = slave.flat ? met.s : met.t;
-  return !(flat.end_on_rim[0] != 0 && at <= rim_at(scene, flat, 0)) &&
-         !(flat.end_on_rim[1] != 0 && 1 - at <= rim_at(scene, flat, 1));
+  return !(flat.end_on_rim[0] != 0 && at <= rim_at(scene, flat, rim, 0)) &&
+         !(flat.end_on_rim[1] != 0 && 1 - at <= rim_at(scene, flat, rim, 1));
 }
 
 }  // namespace brunt::contact

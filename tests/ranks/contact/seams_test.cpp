@@ -28,28 +28,27 @@ contact::Surface boxes(const comm::Communicator& ranks, double step) {
 }
 
 struct Counts {
-  GlobalIndex sides = 0, facets_of_edges = 0, nodes = 0;
+  GlobalIndex sides = 0, facets_of_edges = 0, ends = 0;
 };
 
 Counts count(const comm::Communicator& ranks, const contact::Surface& surface) {
   Counts found;
   for (const contact::SurfaceFace& face : surface.faces) found.sides += std::popcount(face.seams);
   for (const contact::SurfaceEdge& edge : surface.edges) found.facets_of_edges += std::ranges::count(edge.seam, true);
-  for (std::size_t i = 0; i < surface.on_seam.size(); ++i)
-    if (surface.owns(static_cast<LocalIndex>(i), ranks.rank())) found.nodes += surface.on_seam[i];
-  return {ranks.sum(found.sides), ranks.sum(found.facets_of_edges), ranks.sum(found.nodes)};
+  for (const contact::SurfaceEdge& edge : surface.edges) found.ends += std::ranges::count(edge.end_on_seam, char{1});
+  return {ranks.sum(found.sides), ranks.sum(found.facets_of_edges), ranks.sum(found.ends)};
 }
 
 }  // namespace
 
-TEST_CASE("seams: sides, edges and nodes between flush boxes of unequal meshes, of all ranks") {
+TEST_CASE("seams: sides, edges and ends of edges between flush boxes of unequal meshes, of all ranks") {
   const comm::Communicator ranks = comm::Communicator::world();
   const contact::Surface surface = boxes(ranks, 0);
   const Counts found = count(ranks, surface);
   CHECK(surface.flush == std::vector<contact::BodyPair>{{0, 1}});
   CHECK(found.sides == 8 + 10);  // above, below and on both sides: 2 + 2 + 2 + 2 faces of the one, 4 + 4 + 1 + 1
   CHECK(found.facets_of_edges == 8 + 10);
-  CHECK(found.nodes == 8 + 10);
+  CHECK(found.ends == 4 + 2 * 3);  // of flat edges in the faces that look at each other
   for (const contact::SurfaceEdge& edge : surface.edges) CHECK_FALSE((edge.seam[0] && edge.seam[1]));
 }
 

@@ -44,7 +44,8 @@ struct SurfaceEdge {
   std::int32_t body = 0, block = 0;        ///< of the first
   double depth = 0;                        ///< the smaller one of the two faces [length]
   EdgeKind kind = EdgeKind::sharp;
-  std::array<bool, 2> seam{};  ///< of each of its two faces: does another one go on beyond it? See seams.hpp
+  std::array<bool, 2> seam{};         ///< of each of its two faces: does another one go on beyond it? See seams.hpp
+  std::array<char, 2> end_on_seam{};  ///< 1: a flat one that lies in the side of a seam ends there at its edge
 };
 
 /// What decides who is slave; the same on every rank.
@@ -71,8 +72,8 @@ struct Surface {
   Ragged<std::int32_t> blocks;         ///< for nodes owned here: blocks of their contact faces, ascending
   std::vector<char> on_rim;            ///< do they stand on a sharp edge?
   Ragged<Place> facets;                ///< for nodes owned here: their contact faces by key
-  std::vector<double> goes_on;      ///< of each of facets.values: depth of a seam that ends in the node, or 0 [length]
-  std::vector<char> on_seam;        ///< do they stand at a seam (seams.hpp)? Empty: there is none
+  std::vector<double> goes_on;      ///< of each of facets.values: depth of a seam that ends in the node, or 0 [length];
+                                    ///< empty: there is no seam
   Ragged<GlobalIndex> neighbours;   ///< for nodes owned here: nodes of the elements that contain them, ascending
   std::vector<SurfaceFace> faces;   ///< contact faces of this rank's elements, by key
   std::vector<SurfaceEdge> edges;   ///< convex ones between faces of which this rank has the one with the lower key
