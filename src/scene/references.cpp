@@ -8,7 +8,9 @@
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/curve.hpp"
 #include "brunt/scene/nearest.hpp"
+#include "brunt/scene/rigid_parts.hpp"
 #include "brunt/scene/sections.hpp"
+#include "read_enforcement.hpp"
 
 namespace brunt::scene {
 namespace {
@@ -128,6 +130,9 @@ std::string fault_of_contact_probe(const Input& input, const Probe& probe) {
         "part '{0}' has no contact with itself; accepted: a part that an entry of contact lets touch itself (between: "
         "all, or between: [{0}, {0}])",
         probe.where);
+  if (!probe.other.empty() && probe.other != probe.where && !touches(probe.other))
+    return fmt::format("no entry of contact lets '{}' touch '{}'; accepted: parts that an entry lets touch",
+                       probe.where, probe.other);
   const auto is_met = [&](const Part& part) { return part.name != probe.where && touches(part.name); };
   if (probe.other.empty() && std::ranges::none_of(input.parts, is_met))
     return fmt::format(
@@ -151,6 +156,17 @@ void check_contact_probes(const Input& input, Section& scene) {
   }
 }
 
+/// What only deformable elements have.
+void warn_of_unused_keys(Input& input, Section& scene) {
+  if (input.parts.empty()) return;
+  for (const auto& [part, entry] : entries(scene.at("parts"), "")) {
+    if (!names_rigid_part(input, part)) continue;
+    for (const auto& [name, key] : entries(entry, ""))
+      if (name == "element" || name == "hourglass" || name == "bulk")
+        warn(key, "no effect, since the part is rigid", input);
+  }
+}
+
 /// A name that would be two things where one is looked up.
 void check_twice(const Key& section, const std::vector<std::string>& names, std::string_view what) {
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -166,11 +182,12 @@ void check_twice(const Key& section, const std::vector<std::string>& names, std:
 
 }  // namespace
 
-void check_references(const Input& input, Section& scene) {
+void check_references(Input& input, Section& scene) {
   check_uses(input, scene);
   check_bodies(input, scene);
   check_displacements(input, scene);
   check_contact_probes(input, scene);
+  warn_of_unused_keys(input, scene);
   std::vector<std::string> probes;
   for (const Probe& probe : input.probes) probes.push_back(probe.name);
   check_twice(scene.at("probes"), probes, "probe");

@@ -32,6 +32,6 @@ void read_friction(Section& entry, contact::FrictionLaw& friction);
 void warn_of_units(Section& material, const material::Law& law, Input& input);
 
 /// Names that are used but not defined, generated parts without an entry in `parts`, names used twice.
-void check_references(const Input& input, Section& scene);
+void check_references(Input& input, Section& scene);
 
 }  // namespace brunt::scene

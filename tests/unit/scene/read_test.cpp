@@ -81,6 +81,10 @@ Input full() {
   return read_scene(std::string(full_scene), "folder/full.yaml");
 }
 
+Input read_with(const std::vector<std::string>& overrides) {
+  return read_scene(std::string(small_scene), "small.yaml", overrides);
+}
+
 }  // namespace
 
 TEST_CASE("a small scene is read with its defaults", "[scene]") {
@@ -330,9 +334,6 @@ TEST_CASE("friction and methods are read; what would do nothing draws a warning"
 }
 
 TEST_CASE("enforcement is a section of its own; entries of contact may say the same", "[scene]") {
-  const auto read_with = [](std::vector<std::string> overrides) {
-    return read_scene(std::string(small_scene), "small.yaml", overrides);
-  };
   const Input input = read_with(
       {"enforcement={method: row_sum, tolerance: 1e-5, max_iterations: 7, softness: 0, competing: nearest, rebuild: 3}",
        "contact.0.tolerance=1.0e-5"});
@@ -356,4 +357,19 @@ TEST_CASE("enforcement is a section of its own; entries of contact may say the s
   REQUIRE(useless.warnings.size() == 2);
   CHECK_THAT(useless.warnings[0], Catch::Contains("enforcement: does nothing without contact or rigid_walls"));
   CHECK_THAT(useless.warnings[1], Catch::Contains("enforcement.damping: does nothing but with method penalty"));
+}
+
+TEST_CASE("keys of deformable elements on a rigid part draw a warning", "[scene]") {
+  const Input input = read_with({"materials.hard={model: rigid, density: 7800}",
+                                 "parts.right={material: hard, element: tet4, bulk: {linear: 0}}"});
+  REQUIRE(input.warnings.size() == 2);
+  CHECK_THAT(input.warnings[0], Catch::Contains("parts.right.element: no effect, since the part is rigid"));
+  CHECK_THAT(input.warnings[1], Catch::Contains("parts.right.bulk: no effect, since the part is rigid"));
+}
+
+TEST_CASE("a probe of contact between parts that nothing lets touch is a fault", "[scene]") {
+  const std::string probe = "probes=[{name: p, contact: [left, right]}]";
+  CHECK_THROWS_WITH(read_with({"contact=[{between: all, exclude: [[right, left]]}]", probe}),
+                    Catch::Contains("no entry of contact lets 'left' touch 'right'; accepted: "));
+  CHECK_NOTHROW(read_with({"contact=[{between: [right, left]}]", probe}));
 }
