@@ -19,14 +19,17 @@ double remembered(const Prepared& run, std::size_t b, LocalIndex element, const 
   return run.state.history[b][static_cast<std::size_t>(row * pack_width + element % pack_width)];
 }
 
-/// Calls visit(node, its share of the element's mass) for all corners of the part's elements.
+/// Calls visit(node, its share of the element's mass) for all corners of the part's elements but those that were
+/// dropped with an element.
 template <class Visit>
 void for_corners(const Prepared& run, const PartNodes& part, Visit&& visit) {
   const model::ElementBlock& block = run.model.blocks[part.block];
   const model::HistoryRange& mass = *block.find("mass");
   for (LocalIndex e = 0; e < block.count; ++e) {
     const double share = remembered(run, part.block, e, mass) / block.corners;
-    for (int c = 0; c < block.corners; ++c) visit(static_cast<std::size_t>(block.corner_node(e, c)), share);
+    for (int c = 0; c < block.corners; ++c)
+      if (const auto node = static_cast<std::size_t>(block.corner_node(e, c)); !run.state.nodes[node].is_dropped())
+        visit(node, share);
   }
 }
 
@@ -72,9 +75,8 @@ PartNodes nodes_of_part(const Prepared& run, const std::string& part) {
 }
 
 double part_mass(const Prepared& run, const PartNodes& part) {
-  const model::ElementBlock& block = run.model.blocks[part.block];
   std::array<comm::ExactAccumulator, 1> sum;
-  for (LocalIndex e = 0; e < block.count; ++e) sum[0].add(remembered(run, part.block, e, *block.find("mass")));
+  for_corners(run, part, [&](std::size_t /*node*/, double share) { sum[0].add(share); });
   return rounded(run, sum)[0];
 }
 

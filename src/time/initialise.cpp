@@ -28,7 +28,9 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
   state.displacement.assign(n, Quad{});
   state.nodes.assign(n, model::NodeLine{});
   scratch.force.resize(n);
-  const bool keeps_before = !model.late.empty() || model.damped() || !model.bodies.empty();
+  const bool may_drop =
+      std::ranges::any_of(model.removals, [](const model::Removal& removal) { return !removal.keeps_nodes; });
+  const bool keeps_before = !model.late.empty() || model.damped() || !model.bodies.empty() || may_drop;
   scratch.before.assign(keeps_before ? n : 0, Vec3::Zero());
   scratch.reaction.resize(model.constrained.size());
   std::size_t slots = 0;

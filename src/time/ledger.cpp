@@ -58,8 +58,10 @@ void add_node(const model::Model& model, const model::State& state, const model:
     const Vec3 load = dt_mean * of(scratch.load[i]);
     impulse += load;
     sums[load_work].add(state.load_work[i] - 0.5 * v.dot(load));
-    if (model.damped())
-      sums[damping_work].add(state.damping_work[i] + 0.5 * step.drag() * node.mass * v.dot(*before + v));
+    if (model.damped()) {
+      const double half = is_dropped ? 0.0 : 0.5 * step.drag() * node.mass * v.dot(*before + v);
+      sums[damping_work].add(state.damping_work[i] + half);
+    }
     for (std::size_t c = 0; c < 3; ++c) sums[impulse_x + c].add(state.load_impulse[3 * i + c]);
   }
   if (model.any_constrained) {

@@ -141,6 +141,10 @@ contact::VelocitySpan predict(const model::Model& model, model::State& state, mo
   for (std::size_t k = 0; k < model.constrained.size(); ++k) {
     const model::ConstrainedNode& constrained = model.constrained[k];
     NodeLine& node = state.nodes[static_cast<std::size_t>(constrained.node)];
+    if (node.is_dropped()) {
+      scratch.reaction[k].setZero();
+      continue;
+    }
     Eigen::Map<Vec3> v(node.v);
     const Vec3 given = driven_velocity(
         model, state, constrained, scratch.before[static_cast<std::size_t>(constrained.node)], step.dt, step.dt_mean);
@@ -166,6 +170,22 @@ inline void fetch(const model::Model& model, const model::State& state, const mo
   __builtin_prefetch(&scratch.before[i]);
 }
 
+/// Nodes that left with their last element, whose forces act a last time: no supports, no damping, no contact.
+void fly_on(const model::Model& model, model::State& state, const model::Scratch& scratch, const Interval& step) {
+  for (const LocalIndex dropped : state.living.dropped) {
+    const auto i = static_cast<std::size_t>(dropped);
+    NodeLine& node = state.nodes[i];
+    const Vec3& v = scratch.before[i];
+    const Quad before{v[0], v[1], v[2], node.late};
+    Quad force = scratch.force[i];
+    if (model.loaded()) force += scratch.load[i];
+    node.v_late() = velocity_after<false>(before, force, node.mass, step);
+    const Quad twice_mean_v = before + node.v_late();
+    if (model.loaded()) book_loads(state, scratch, i, step.dt_mean, twice_mean_v);
+    move(model.reference[i], scratch.force[i], node, state.displacement[i], step.dt, step.dt_mean, twice_mean_v);
+  }
+}
+
 }  // namespace
 
 void finish_late(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step) {
@@ -175,11 +195,17 @@ void finish_late(const model::Model& model, model::State& state, model::Scratch&
     if (k + ahead < model.late.size()) fetch(model, state, scratch, static_cast<std::size_t>(model.late[k + ahead]));
     const auto i = static_cast<std::size_t>(model.late[k]);
     NodeLine& node = state.nodes[i];
+    const bool constrained =
+        next_constrained < model.constrained.size() && model.constrained[next_constrained].node == model.late[k];
+    if (node.is_dropped()) {
+      next_constrained += constrained ? 1 : 0;
+      continue;
+    }
     const Vec3& before = scratch.before[i];
     const Quad twice_mean_v = node.v_late() + Quad{before[0], before[1], before[2]};
     if (model.loaded()) book_loads(state, scratch, i, step.dt_mean, twice_mean_v);
     if (model.damped()) book_drag(state, step.drag, i, twice_mean_v);
-    if (next_constrained < model.constrained.size() && model.constrained[next_constrained].node == model.late[k]) {
+    if (constrained) {
       const Vec3& reaction = scratch.reaction[next_constrained];
       state.reaction_work[i] += 0.5 * dot(twice_mean_v, Quad{reaction[0], reaction[1], reaction[2]});
       for (int c = 0; c < 3; ++c) state.reaction_impulse[3 * i + static_cast<std::size_t>(c)] += reaction[c];
@@ -187,6 +213,7 @@ void finish_late(const model::Model& model, model::State& state, model::Scratch&
     }
     move(model.reference[i], scratch.force[i], node, state.displacement[i], step.dt, step.dt_mean, twice_mean_v);
   }
+  fly_on(model, state, scratch, step);
 }
 
 }  // namespace brunt::time

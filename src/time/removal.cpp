@@ -24,6 +24,8 @@ bool removal_is_due(const model::Model& model, const model::State& state) {
 void follow_alive(const comm::Communicator& ranks, const model::Model& model, model::State& state) {
   state.living = model::follow(model, state);
   if (!state.alive.empty()) state.living.dropped = surface::bare_nodes(ranks, model.mesh, state.alive).dropped;
+  for (const LocalIndex node : state.living.dropped)
+    state.nodes[static_cast<std::size_t>(node)].late = model::NodeLine::dropped;
 }
 
 std::vector<GlobalIndex> remove_elements(const comm::Communicator& ranks, const model::Model& model,

@@ -53,6 +53,53 @@ history: {every: 1.0e-4}
 ELEMENTS, GONE = 64 + 18 + 12, 16 + 1 + 6
 
 
+# All of one part leaves with its nodes while it is driven, pressed and damped; parts that stay do so at rest.
+GONE_WHOLLY = """\
+units: none
+mesh:
+  - {box: {part: gone, size: [0.1, 0.1, 0.1], elements: [2, 2, 2]}}
+  - {box: {part: half, size: [0.1, 0.1, 0.1], elements: [2, 2, 2], at: [1, 0, 0]}}
+  - {box: {part: stays, size: [0.1, 0.1, 0.1], elements: [2, 2, 2], at: [2, 0, 0]}}
+materials: {steel: {model: elastic, density: 8000, young: 2.0e9, poisson: 0.3}}
+parts: {gone: {material: steel}, half: {material: steel}, stays: {material: steel}}
+sets:
+  up: {part: gone, box: [[0, 0, 0.09], [1, 1, 1]]}
+  upper: {part: half, box: [[1, 0, 0.05], [2, 1, 1]]}
+damping: {alpha: 100}
+initial: [{part: half, velocity: [0, 0, 10]}]
+pressure: [{set: gone_zmin, value: 1.0e5}]
+prescribed: [{set: up, dof: z, acceleration: 1000.0}]
+remove: [{part: gone, at: 1.0e-3, nodes: drop}, {set: upper, at: 1.0e-3, nodes: drop}]
+probes:
+  - {name: r, part: gone, field: reaction}
+  - {name: m, part: gone, field: mass}
+  - {name: k, part: gone, field: energy}
+  - {name: p, part: gone, field: momentum}
+  - {name: mh, part: half, field: mass}
+  - {name: ph, part: half, field: momentum}
+  - {name: kh, part: half, field: energy}
+run: {end: 3.0e-3}
+history: {every: 1.0e-5}
+"""
+
+# The middle of a block goes; the upper half falls on the lower one, which is the same part.
+CUT = """\
+units: none
+mesh: {box: {part: block, size: [1, 1, 0.6], elements: [5, 5, 6]}}
+materials: {rubber: {model: neo_hookean, density: 1000, young: 1.0e7, poisson: 0.3}}
+parts: {block: {material: rubber}}
+sets: {cut: {part: block, box: [[0, 0, 0.3], [1, 1, 0.4]]}}
+initial: [{part: block, velocity: [0, 0, -1]}]
+rigid_walls: [{name: floor, point: [0, 0, 0], normal: [0, 0, 1]}]
+contact: [{between: all, friction: 0.1}]
+remove: [{set: cut, at: 0.02, nodes: drop}]
+probes: [{name: meets, contact: [block, block]}, {name: top, near: [0.5, 0.5, 0.6], field: displacement}]
+run: {end: 0.25}
+gravity: {vector: [0, 0, -9.81]}
+history: {every: 1.0e-3}
+"""
+
+
 class Removal(Program):
     def go(self, scene, ranks, out, *options):
         self.write("scene.yaml", scene)
@@ -62,6 +109,37 @@ class Removal(Program):
     def rows(self, out):
         rows = list(csv.DictReader(self.text(out, "history.csv").splitlines()))
         return {head.split("[")[0].strip(): numpy.array([float(row[head]) for row in rows]) for head in rows[0]}
+
+    def test_nothing_acts_on_dropped_nodes(self):
+        self.go(GONE_WHOLLY, 1, "np1")
+        rows = self.rows("np1")
+        after = rows["time"] > 1.1e-3  # steps are of 5e-5
+        for name in ("eroded", "external"):
+            self.assertGreater(abs(rows[name][-1]), 1, name)
+            self.assertEqual(numpy.ptp(rows[name][after]), 0, name)
+        for name in ("r.x", "r.y", "r.z", "m.mass", "p.x", "p.y", "p.z", "k.kinetic"):
+            self.assertEqual(abs(rows[name][after]).max(), 0, name)
+        self.assertAlmostEqual(rows["m.mass"][0], 8, delta=1e-12)
+        self.assertAlmostEqual(rows["mh.mass"][-1], 6, delta=1e-12)  # nodes keep the mass that removed elements gave them
+        # parts are the model: the third is at rest
+        self.assertLess(abs(rows["ph.z"] + rows["p.z"] - rows["momentum_z"]).max(), 1e-10)
+        self.assertLess(abs(rows["kh.kinetic"] + rows["k.kinetic"] - rows["kinetic"]).max(), 1e-9)
+        self.assertLess(self.summary("np1")["energy"]["error_ratio"], 1e-12)
+        self.assertEqual(self.go(GONE_WHOLLY, 2, "np2")["state_hash"], self.summary("np1")["state_hash"])
+
+    def test_a_part_falls_on_itself_where_it_was_cut(self):
+        whole = self.go(CUT, 1, "np1")
+        self.assertEqual(whole["removed_elements"], 25)
+        rows = self.rows("np1")
+        self.assertLess(rows["top.z"].min(), -0.09)  # it falls by the cut
+        self.assertGreater(rows["top.z"].min(), -0.2)  # and no deeper than what it presses in
+        self.assertLess(whole["max_penetration"], 1e-3)
+        self.assertLess(whole["energy"]["error_ratio"], 1e-10)
+        for ranks in (2, 4):
+            self.assertEqual(self.go(CUT, ranks, f"np{ranks}")["state_hash"], whole["state_hash"])
+        self.go(CUT, 2, "stopped", "--set", "run.end=0.1")
+        self.assertEqual(self.go(CUT, 3, "stopped", "--restart", os.path.join(self.folder, "stopped"))["state_hash"],
+                         whole["state_hash"])
 
     def test_a_fall_on_a_face_that_was_inside(self):
         whole = self.go(FALL, 1, "np1")

@@ -20,7 +20,9 @@ struct alignas(64) NodeLine {
   double x[3];  ///< current position, reference + displacement [length]
   double mass;  ///< lumped [mass]
   double v[3];  ///< velocity at the half step [length/time]
-  double late;  ///< 1: the node is finished after contact and constraints, not with the free ones
+  double late;  ///< 1: the node is finished after contact and constraints, not with the free ones; or `dropped`
+  static constexpr double dropped = 2;  ///< it left with its last element: it flies on, and nothing acts on it
+  [[nodiscard]] bool is_dropped() const { return late == dropped; }
   [[nodiscard]] Quad& x_mass() { return *reinterpret_cast<Quad*>(x); }
   [[nodiscard]] Quad& v_late() { return *reinterpret_cast<Quad*>(v); }
 };
