@@ -30,11 +30,22 @@ bool has_twin(const Row& row, std::span<const NodeMotion> motion_of, const Detec
                      [&](LocalIndex node) { return are_twins(motion(row.nodes[0]), motion(node), settings); });
 }
 
+/// Of rows that can be: they go on from the impulses of the last step.
+double softness_of(const DerivedSettings& derived) {
+  const bool remembers_impulses = derived.enforcement.warm_start && !derived.enforcement.averaged;
+  return remembers_impulses ? derived.enforcement.softness : 0.0;
+}
+
+/// rate: of the master itself, along the normal [velocity].
+void soften(Row& row, double softness, double rate, double dt) {
+  row.softness = softness;
+  if (row.gap < 0) row.gap_share = (row.required - rate) * dt / -row.gap;
+}
+
 /// The row of a node that has a twin holds in both passes, since the twin has none in the second (see detect_faces).
 void assign_passes(const Contact& contact, double dt, std::span<Row> rows) {
   const DerivedSettings& derived = contact.derived;
-  const bool remembers_impulses = derived.enforcement.warm_start && !derived.enforcement.averaged;
-  const double softness = remembers_impulses ? derived.enforcement.softness : 0.0;
+  const double softness = softness_of(derived);
   for (Row& row : rows) {
     if (row.is_wall() || row.is_edge() || row.cone != Cone::compression) continue;  // ties hold in both
     row.pass = pass_of(row, contact.surface.node(surface_slave(contact, row)), contact.settings.specification,
@@ -42,9 +53,26 @@ void assign_passes(const Contact& contact, double dt, std::span<Row> rows) {
     if (row.pass == Pass::first && row.slave_body != row.master_body &&
         has_twin(row, contact.step.nodes.motion, derived.detection))
       row.pass = Pass::both;
-    if (row.pass == Pass::both || softness == 0) continue;
-    row.softness = softness;
-    if (row.gap < 0) row.gap_share = row.required * dt / -row.gap;
+    if (row.pass != Pass::both && softness > 0) soften(row, softness, 0, dt);
+  }
+}
+
+/// Between bodies of six degrees of freedom each nearly all rows are redundant, and contradict each other by the little
+/// that their gaps and drifts differ from a motion of the bodies: rigid, they would brace themselves against each other
+/// without end.
+void soften_rows_of_bodies(const StepInput& input, const Carriers& carriers, const ContactNodes& nodes, double softness,
+                           std::span<Row> rows) {
+  if (carriers.bodies.empty() || softness == 0) return;
+  for (Row& row : rows) {
+    if (row.softness > 0 || row.cone != Cone::compression) continue;
+    const std::span<const LocalIndex> points(row.nodes.data(), static_cast<std::size_t>(row.node_count));
+    const auto moves = [&](LocalIndex point) {
+      return nodes.mobility[static_cast<std::size_t>(point)].inverse_mass > 0;
+    };
+    const auto is_carried = [&](LocalIndex point) { return carriers.of(point) != nullptr; };
+    if (std::ranges::any_of(points, moves) || !std::ranges::any_of(points, is_carried)) continue;
+    const Vec3 wall = row.is_wall() ? input.walls[static_cast<std::size_t>(row.key.master)].velocity : Vec3::Zero();
+    soften(row, softness, row.normal.dot(wall), input.dt);
   }
 }
 
@@ -82,6 +110,8 @@ void assign_slabs(const Contact& contact, std::span<Row> rows) {
 void assemble_rows(Contact& contact, const StepInput& input) {
   const DerivedSettings& derived = contact.derived;
   if (derived.two_passes) assign_passes(contact, input.dt, contact.step.rows);
+  soften_rows_of_bodies(input, carriers_of(contact, input), contact.step.nodes, softness_of(derived),
+                        contact.step.rows);
   if (derived.friction) assign_friction(contact, input, contact.step.rows);
   if (derived.enforcement.method == Method::printed) assign_slabs(contact, contact.step.rows);
 }

@@ -112,16 +112,22 @@ void flush_weights(const BinGrid& grid, BodyParts& parts, std::int64_t* sums) {
   parts = {};
 }
 
-/// S / theta of each group of a body, from its sums.
-void divide_among_groups(const BinGrid& grid, const std::int64_t* sums, std::span<double> row_sum) {
+/// S / theta of each group of a body, from its sums. Returns how many times the least of them all weights are.
+double divide_among_groups(const BinGrid& grid, const std::int64_t* sums, std::span<double> row_sum) {
   double all = 0, groups = 0;
   for (std::size_t g = 0; g < body_groups; ++g) {
     row_sum[g] = value_of(sums[bin_slices * g], sums[bin_slices * g + 1], grid);
     all += row_sum[g];
     groups += row_sum[g] > 0 ? 1 : 0;
   }
-  if (groups < 2) return;
-  for (double& sum : row_sum) sum /= 0.5 * (1 / groups + sum / all);
+  if (groups < 2) return 1;
+  double spread = 1;
+  for (double& sum : row_sum) {
+    if (sum == 0) continue;
+    sum /= 0.5 * (1 / groups + sum / all);
+    spread = std::max(spread, all / sum);
+  }
+  return spread;
 }
 
 }  // namespace
@@ -206,12 +212,15 @@ void sum_rows_on_bodies(const RowMatrix& rows, Exchange& exchange, CarriedScratc
     flush_weights(grid, scratch.parts[b], sums_of(b));
   }
   exchange.sum(scratch.sums);
+  scratch.spread = 1;
   for (const LocalIndex body : scratch.active) {
     const auto b = static_cast<std::size_t>(body);
     const std::int64_t* sums = sums_of(b);
     demand(sums[bin_slices * body_groups] <= most_terms / static_cast<std::int64_t>(most_nodes_of_a_row),
            "more rows on one rigid body than its sums can hold");
-    divide_among_groups(grid, sums, std::span(scratch.row_sum).subspan(body_groups * b, body_groups));
+    const double spread =
+        divide_among_groups(grid, sums, std::span(scratch.row_sum).subspan(body_groups * b, body_groups));
+    scratch.spread = std::max(scratch.spread, spread);
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include "brunt/contact/enforcement/rate_constraint.hpp"
 #include "brunt/core/fixed_sum.hpp"
-#include "row_kinds.hpp"
+#include "chosen_rows.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -62,16 +62,19 @@ class Conjugate {
   void see(std::size_t q, Seen& seen) const {
     const Amount sweep = swept(q, 1) - push_[q];
     const double step = Kind::size(sweep), h = scratch_.diagonal[q];
-    const Amount astray = sweep - step_[q];
+    const Amount astray = sweep - over_.with_friction(q, step_[q]);
     keep_max(seen.largest[0], h * step - law(q).noise);
     keep_max(seen.largest[1], Kind::size(push_[q]));
     keep_max(seen.largest[2], std::max(step, Kind::size(step_[q])));
-    seen.sums[0] += seen.along.of(h * Kind::product(step_[q], step_[q]));
+    seen.sums[0] += seen.along.of(over_.energy(q, step_[q]));
     seen.sums[1] += seen.astray.of(h * Kind::product(astray, astray));
   }
-  Amount swept(std::size_t q, double length) const {
-    return Kind::admitted(law(q), push_[q] + length * scratch_.inverse[q] * missing_[q]);
+  Amount asked(std::size_t q, double length) const {
+    Amount missing = missing_[q];
+    if constexpr (Kind::rubs) missing += over_.given(q, push_[q]);
+    return push_[q] + length * scratch_.inverse[q] * missing;
   }
+  Amount swept(std::size_t q, double length) const { return Kind::admitted(law(q), asked(q, length)); }
   [[nodiscard]] const RowLaw& law(std::size_t q) const { return system_.rows.laws[q]; }
   Vec3 relative(std::size_t q) const {
     return relative_motion(system_.rows, q,
@@ -89,6 +92,7 @@ class Conjugate {
   void retreat();
   /// known_, once a step of this length has been taken from from_ along d.
   void bound_after(double length);
+  /// What to go over of this row, of which move_all has left in step_ what it asked for.
   void choose(std::size_t q);
 
   const System& system_;
@@ -96,15 +100,18 @@ class Conjugate {
   Exchange& exchange_;
   std::span<Vec3> impulses_, velocity_;
   EnforcementScratch& scratch_;
+  ChosenRows<Kind> over_;
   std::span<Amount> push_;                ///< p, a row each like all of these
-  std::span<Amount> missing_, step_;      ///< what p leaves to be asked for, z
+  std::span<Amount> missing_, step_;      ///< what p leaves to be asked for (less what springs of `over_` take), z
   std::span<Amount> step_change_;         ///< A z
   std::span<Amount> direction_, change_;  ///< d, A d
   Look known_;                            ///< bounds of what the next look will see, from what all ranks know
   Look from_;                             ///< before the last step, but for d, which is of the step
-  double rows_ = 0;                       ///< of all ranks
-  double direction_change_ = 0;           ///< Ad.H^-1 Ad [energy]
-  double length_ = 0;                     ///< of the last step, in d; 0 after a sweep
+  double slope_ = 1;             ///< an impulse with its friction, in itself; and of changes of what is admitted
+  double spread_ = 1;            ///< bound of H^-1 A, from largest number to largest number
+  double rows_ = 0;              ///< of all ranks
+  double direction_change_ = 0;  ///< Ad.H^-1 Ad [energy]
+  double length_ = 0;            ///< of the last step, in d; 0 after a sweep
 };
 
 template <class Kind>
@@ -115,7 +122,10 @@ Conjugate<Kind>::Conjugate(const System& system, const Setting& setting, Exchang
       exchange_(exchange),
       impulses_(impulses),
       velocity_(velocity),
-      scratch_(scratch) {
+      scratch_(scratch),
+      over_(system.rows, scratch),
+      slope_(Kind::rubs ? 1 + setting.friction : 1.0),
+      spread_(system.carriers.bodies.empty() ? 1.0 : scratch.carried.spread) {
   const std::size_t rows = impulses.size();
   for (std::vector<Vec3>* of_rows :
        {&scratch.previous, &scratch.missing, &scratch.step, &scratch.step_change, &scratch.direction, &scratch.change})
@@ -126,7 +136,6 @@ Conjugate<Kind>::Conjugate(const System& system, const Setting& setting, Exchang
   step_change_ = Kind::view(scratch.step_change);
   direction_ = Kind::view(scratch.direction);
   change_ = Kind::view(scratch.change);
-  scratch.chosen.resize(rows);
   scratch.inverse.resize(rows);
   for (std::size_t q = 0; q < rows; ++q) {
     const double h = scratch.diagonal[q];
@@ -163,11 +172,13 @@ Look Conjugate<Kind>::look_at_start(bool& coupled, double& speed) {
 template <class Kind>
 void Conjugate<Kind>::move_all(double length) {
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
-    push_[q] = swept(q, length);
+    const Amount next = asked(q, length);
+    step_[q] = next;
+    push_[q] = Kind::admitted(law(q), next);
     impulses_[q] = Kind::given(law(q), push_[q]);
   }
   // a row moves by 1.5 (|sweep of length 1| + |z|) at most
-  known_.impulse += 3 * known_.step;
+  known_.impulse = slope_ * (known_.impulse + 3 * known_.step) + setting_.lagging;
   apply_impulses(system_, impulses_, setting_.share * known_.impulse, exchange_, velocity_, scratch_);
 }
 
@@ -175,8 +186,11 @@ template <class Kind>
 void Conjugate<Kind>::choose(std::size_t q) {
   if (can_move(q)) missing_[q] = left(q);
   const bool chosen = can_move(q) && (law(q).cone != Cone::compression || Kind::pushes(law(q), push_[q]));
-  scratch_.chosen[q] = chosen ? 1 : 0;
-  step_[q] = chosen ? Amount(scratch_.inverse[q] * missing_[q]) : Kind::zero();
+  if (chosen)
+    over_.choose(q, step_[q], push_[q], missing_[q]);
+  else
+    over_.leave(q);
+  step_[q] = chosen ? over_.scaled(q, missing_[q]) : Kind::zero();
   direction_[q] = change_[q] = Kind::zero();
 }
 
@@ -184,8 +198,8 @@ template <class Kind>
 Look Conjugate<Kind>::sweep(double length) {
   move_all(length);
   length_ = 0;
-  // H bounds A, so that no step is changed by more than the largest move, in the norm of the maximum and in that of H
-  double bound = 64 * (known_.along + known_.astray);
+  // H bounds A, so that no step is changed by more than the move, in the norm of H
+  double bound = 64 * squared(slope_) * (known_.along + known_.astray);
   if (bound == 0) bound = 64 * rows_ * known_.residual * known_.step;  // rounded to nothing under too wide a bound
   Seen seen{unit_of_sum(bound), unit_of_sum(bound)};
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
@@ -204,22 +218,24 @@ Look Conjugate<Kind>::sweep(double length) {
 
 template <class Kind>
 Look Conjugate<Kind>::look_along() {
-  for (std::size_t q = 0; q < system_.rows.size(); ++q) impulses_[q] = Kind::given(law(q), step_[q]);
-  velocities_of_impulses(system_, impulses_, setting_.share * known_.step, exchange_, velocity_, scratch_);
-  const FixedUnit size = unit_of_sum(known_.size), overlap = unit_of_sum(std::sqrt(known_.along * known_.size));
-  Seen seen{unit_of_sum(known_.along), unit_of_sum(known_.astray)};
+  for (std::size_t q = 0; q < system_.rows.size(); ++q)
+    impulses_[q] = Kind::given(law(q), over_.with_friction(q, step_[q]));
+  velocities_of_impulses(system_, impulses_, setting_.share * slope_ * known_.step, exchange_, velocity_, scratch_);
+  const double along = squared(slope_) * known_.along;
+  const FixedUnit size = unit_of_sum(known_.size), overlap = unit_of_sum(slope_ * std::sqrt(along * known_.size));
+  Seen seen{unit_of_sum(along), unit_of_sum(known_.astray)};
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
     if (!can_move(q)) continue;
     see(q, seen);
     Amount change = Kind::held(law(q), relative(q));
-    if (law(q).softness > 0) change += scratch_.compliance[q] * step_[q];
+    if (law(q).softness > 0) change += scratch_.compliance[q] * over_.with_friction(q, step_[q]);
+    if constexpr (Kind::rubs) change += over_.given(q, step_[q]);
     step_change_[q] = change;
-    if (scratch_.chosen[q] == 0) continue;
-    const double inverse = scratch_.inverse[q];
+    if (!over_.has(q)) continue;
     seen.sums[2] += seen.along.of(Kind::product(step_[q], change));
-    seen.sums[3] += seen.along.of(inverse * Kind::product(change, change));
-    seen.sums[4] += overlap.of(inverse * Kind::product(change, change_[q]));
-    seen.sums[5] += size.of(scratch_.diagonal[q] * Kind::product(direction_[q], direction_[q]));
+    seen.sums[3] += seen.along.of(over_.product(q, change, change));
+    seen.sums[4] += overlap.of(over_.product(q, change, change_[q]));
+    seen.sums[5] += size.of(over_.energy(q, direction_[q]));
     keep_max(seen.largest[3], Kind::size(direction_[q]));
   }
   exchange_.reduce(seen.largest, seen.sums);
@@ -252,9 +268,9 @@ double Conjugate<Kind>::advance(const Look& now) {
     if (!can_move(q)) continue;
     direction_[q] = step_[q] - back * direction_[q];
     change_[q] = step_change_[q] - back * change_[q];
-    push_[q] += length * direction_[q];
+    push_[q] += length * over_.with_friction(q, direction_[q]);
     missing_[q] -= length * change_[q];
-    if (scratch_.chosen[q] != 0) step_[q] = scratch_.inverse[q] * missing_[q];
+    if (over_.has(q)) step_[q] = over_.scaled(q, missing_[q]);
   }
   from_ = now;
   from_.direction = now.step + std::abs(back) * now.direction;
@@ -269,11 +285,13 @@ double Conjugate<Kind>::advance(const Look& now) {
 
 template <class Kind>
 void Conjugate<Kind>::bound_after(double length) {
-  known_ = {.impulse = from_.impulse + length * from_.direction,
-            .step = from_.step + 2 * length * from_.direction,
+  constexpr double fold = Kind::rubs ? 4 : 2;  // what admits impulses of friction is no projection
+  const double moved = slope_ * length * from_.direction;
+  known_ = {.impulse = from_.impulse + moved,
+            .step = from_.step + fold * slope_ * spread_ * moved,
             .direction = from_.direction,
             .along = from_.along,  // it shrinks
-            .astray = squared(std::sqrt(from_.astray) + 2 * length * std::sqrt(from_.size)),
+            .astray = squared(std::sqrt(from_.astray) + fold * squared(slope_) * length * std::sqrt(from_.size)),
             .size = from_.size};
 }
 
@@ -281,14 +299,14 @@ template <class Kind>
 void Conjugate<Kind>::retreat() {
   double beyond = 0;
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
-    if (scratch_.chosen[q] == 0 || law(q).cone != Cone::compression) continue;
+    if (!over_.has(q) || law(q).cone != Cone::compression) continue;
     const double now = Kind::along(law(q), push_[q]), before = Kind::along(law(q), push_[q] - length_ * direction_[q]);
     if (now < 0 && now < before) beyond = std::max(beyond, before > 0 ? now / (now - before) : 1.0);
   }
   exchange_.max({&beyond, 1});
   for (std::size_t q = 0; q < system_.rows.size(); ++q) {
     if (!can_move(q)) continue;
-    push_[q] -= beyond * length_ * direction_[q];
+    push_[q] -= beyond * length_ * over_.with_friction(q, direction_[q]);
     missing_[q] += beyond * length_ * change_[q];
   }
   bound_after((1 - beyond) * length_);
@@ -312,7 +330,7 @@ EnforcementResult run(const System& system, const EnforcementSettings& settings,
   }
   const bool rounding = now.residual <= rounding_share * speed;
   const double enough =
-      std::max(residual_to_reach(settings, result.residual), rounding_share * speed / setting.violation);
+      std::max(residual_to_reach(system, settings, result.residual), rounding_share * speed / setting.violation);
   int sweeps = 1;        // that come next
   bool last = true;      // the next of them may be the last, which is one of length 1
   bool settled = false;  // what is now ends with such a sweep
@@ -347,7 +365,7 @@ EnforcementResult run(const System& system, const EnforcementSettings& settings,
 EnforcementResult iterate_conjugate(const System& system, const EnforcementSettings& settings, const Setting& setting,
                                     bool coupled, Exchange& exchange, std::span<Vec3> impulses,
                                     std::span<Vec3> velocity, EnforcementScratch& scratch) {
-  const auto solve = setting.holds ? run<Whole> : run<Normal>;
+  const auto solve = setting.rubs ? run<Rubbing> : setting.holds ? run<Whole> : run<Normal>;
   return solve(system, settings, setting, coupled, exchange, impulses, velocity, scratch);
 }
 

@@ -108,34 +108,41 @@ double quotient(const Judgement& now, int iteration) {
 Setting look_at_rows(const System& system, bool warm_start, Exchange& exchange, std::span<const Vec3> impulses,
                      std::span<Vec3> velocity) {
   take_prediction(system, velocity);
-  double share = 1, rubs = 0, holds = 0;
+  double share = 1, rubs = 0, holds = 0, friction = 0, lagging = 0;
   for (const RowLaw& law : system.rows.laws) {
     share = std::max(share, law.share);
     if (law.across == Across::rubs || law.lagging > 0) rubs = 1;
+    friction = std::max(friction, law.friction);
+    lagging = std::max(lagging, law.lagging);
     if (law.across == Across::holds) holds = 1;
   }
-  std::array<double, 5> largest{violation_here(system, velocity),
-                                warm_start ? largest_impulse_on_a_node(system.rows, impulses) : 0.0, share, rubs,
-                                holds};
+  std::array<double, 7> largest{violation_here(system, velocity),
+                                warm_start ? largest_impulse_on_a_node(system.rows, impulses) : 0.0,
+                                share,
+                                rubs,
+                                holds,
+                                friction,
+                                lagging};
   exchange.max(largest);
   return {.violation = largest[0],
           .impulse = largest[1],
           .share = largest[2],
+          .friction = largest[5],
+          .lagging = largest[6],
           .rubs = largest[3] > 0,
           .holds = largest[4] > 0};
 }
 
-/// Without Coulomb friction: see the header. Barzilai-Borwein steps go on from where conjugate residuals have come to,
-/// or from nothing where that is nearer.
+/// Barzilai-Borwein steps go on from where conjugate residuals have come to, or from nothing where that is nearer.
 EnforcementResult conjugate_or_quotients(const System& system, const EnforcementSettings& settings,
                                          const Setting& setting, bool coupled, Exchange& exchange,
                                          std::span<Vec3> impulses, std::span<Vec3> velocity,
                                          EnforcementScratch& scratch) {
-  EnforcementSettings half = settings;
-  half.max_iterations = (settings.max_iterations + 1) / 2;
+  EnforcementSettings part = settings;
+  part.max_iterations = setting.rubs ? (3 * settings.max_iterations + 3) / 4 : (settings.max_iterations + 1) / 2;
   const EnforcementResult first =
-      iterate_conjugate(system, half, setting, coupled, exchange, impulses, velocity, scratch);
-  if (first.iterations < half.max_iterations || first.residual <= settings.tolerance) return first;
+      iterate_conjugate(system, part, setting, coupled, exchange, impulses, velocity, scratch);
+  if (first.iterations < part.max_iterations || first.residual <= settings.tolerance) return first;
   if (!(first.residual < 1)) {
     std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
     take_prediction(system, velocity);
@@ -151,8 +158,9 @@ EnforcementResult conjugate_or_quotients(const System& system, const Enforcement
 
 }  // namespace
 
-double residual_to_reach(const EnforcementSettings& settings, double first) {
-  constexpr double gained = 0.03, still = 1e-8;  // of a warm start's residual; of the tolerance
+double residual_to_reach(const System& system, const EnforcementSettings& settings, double first) {
+  const double gained = system.carriers.bodies.empty() ? 0.03 : 0.001;  // of a warm start's residual
+  constexpr double still = 1e-8;                                        // of the tolerance
   if (!settings.warm_start) return settings.tolerance;
   return std::min(settings.tolerance, std::max(gained * first, still * settings.tolerance));
 }
@@ -176,7 +184,7 @@ EnforcementResult iterate(const System& system, const EnforcementSettings& setti
       return {violation, 0.0, 1, true};
     }
     const bool rounding = now.residual <= rounding_share * now.speed;  // of velocities: nothing is left to gain
-    if (result.iterations == 0) enough = residual_to_reach(settings, result.residual);
+    if (result.iterations == 0) enough = residual_to_reach(system, settings, result.residual);
     if (result.residual <= enough || rounding || result.iterations == settings.max_iterations) {
       const bool sweep = taken > 1 || (result.iterations == 0 && !rounding);
       if (sweep) iteration.advance(now, 1);
@@ -203,7 +211,7 @@ EnforcementResult enforce_rate_constraint(const System& system, const Enforcemen
                            ? start_from_impulses(system, impulses, setting.impulse, exchange, velocity, scratch)
                            : form_row_sums(system, exchange, scratch);
   soften(system, impulses, scratch);
-  if (length == StepLength::longer && !setting.rubs)
+  if (length == StepLength::longer && (!setting.rubs || !system.carriers.bodies.empty()))
     return conjugate_or_quotients(system, settings, setting, coupled, exchange, impulses, velocity, scratch);
   return iterate(system, settings, length, coupled, setting.violation, exchange, impulses, velocity, scratch);
 }

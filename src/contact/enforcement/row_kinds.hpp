@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a linear solver over rows is made of: an impulse as one number along the normal, where no row is tied (a third
-// of the work), or as a vector.
+// of the work), or as a vector, with friction or without.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -12,6 +13,7 @@ namespace brunt::contact {
 
 /// Rows that push along their normals alone: an impulse is one number.
 struct Normal {
+  static constexpr bool rubs = false;
   using Amount = double;
   static std::span<double> view(std::vector<Vec3>& of_rows) {
     return of_rows.empty() ? std::span<double>{} : std::span<double>(of_rows.front().data(), of_rows.size());
@@ -32,6 +34,7 @@ struct Normal {
 
 /// Where some are tied.
 struct Whole {
+  static constexpr bool rubs = false;
   using Amount = Vec3;
   static std::span<Vec3> view(std::vector<Vec3>& of_rows) { return of_rows; }
   static const Vec3& taken(const RowLaw& /*law*/, const Vec3& impulse) { return impulse; }
@@ -46,6 +49,27 @@ struct Whole {
   static bool pushes(const RowLaw& law, const Vec3& impulse) { return along(law, impulse) > 0; }
   static double along(const RowLaw& law, const Vec3& impulse) { return law.normal.dot(impulse); }
   static Vec3 admitted(const RowLaw& law, const Vec3& impulse) { return contact::admitted(law, impulse); }
+};
+
+/// Where some have friction; see chosen_rows.hpp.
+struct Rubbing : Whole {
+  static constexpr bool rubs = true;
+  static bool slides(const RowLaw& law, const Vec3& asked) {
+    if (law.across != Across::rubs) return false;
+    const double push = along(law, asked);
+    return (asked - push * law.normal).norm() > friction_limit(law, std::max(push, 0.0));
+  }
+  static Slide slide_of(const RowLaw& law, const Vec3& push, const Vec3& missing) {
+    const Vec3 across = push - along(law, push) * law.normal;
+    const double limit = across.norm();
+    if (!(limit > 0)) return {};
+    const Vec3 direction = across / limit;
+    return {direction, std::max(0.0, direction.dot(missing)) / limit};
+  }
+  static Vec3 turning(const RowLaw& law, const Slide& slide, const Vec3& amount) {
+    if (slide.direction.isZero(0)) return Vec3::Zero();
+    return amount - along(law, amount) * law.normal - slide.direction.dot(amount) * slide.direction;
+  }
 };
 
 }  // namespace brunt::contact

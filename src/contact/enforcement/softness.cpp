@@ -4,12 +4,14 @@
 namespace brunt::contact {
 namespace {
 
-/// Of a carried point, what its body answers along the normal: its block comes first.
+/// Of a carried point, what the bodies answer along the normal.
 double inverse_mass_of_leader(const System& system, std::size_t q, const CarriedScratch& carried) {
   const std::size_t leader = system.rows.leader(q);
   const std::span<const BodyShare> bodies = system.rows.bodies_of(q);
   if (bodies.empty() || carried.place[leader] == no_index) return system.mobility[leader].inverse_mass;
-  return bodies.front().along * bodies.front().along;
+  double answer = 0;
+  for (const BodyShare& share : bodies) answer += share.along * share.along;
+  return answer;
 }
 
 }  // namespace

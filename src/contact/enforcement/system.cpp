@@ -198,6 +198,7 @@ void EnforcementScratch::reserve_passes(std::size_t rows, std::size_t turning_ro
 
 void EnforcementScratch::reserve_bodies(std::size_t rows, std::size_t nodes, std::size_t bodies) {
   if (bodies == 0) return;
+  slide.reserve(rows);
   carried.reserve(rows, nodes, bodies);
   for (RowMatrix* of_rows : {&matrix, &pass_rows}) {
     of_rows->on_bodies.offsets.reserve(rows + 1);

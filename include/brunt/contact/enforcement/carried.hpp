@@ -67,6 +67,7 @@ struct CarriedScratch {
   std::vector<double> share;       ///< w where the row acts, for each of RowMatrix::on_bodies
   std::vector<double> row_sum;     ///< S / theta, body_groups a body
   std::vector<BodyAnswer> answer;  ///< a body each, by the last impulses
+  double spread = 1;               ///< most times that all rows' weights have a group's S / theta
   double longest_arm = 0;          ///< |r| of all ranks [length]
   double largest_weight = 0;       ///< w of all ranks
 

@@ -9,6 +9,9 @@
 // taken back too, under load, contact would do work at every turn of the load: 3e-3 to 2e-2 of what two blocks store
 // when pressed six times (s = 0.1). With the term it does none, however the load comes and goes: it returns what it
 // stored.
+// Soft are rows of two passes, and rows between rigid bodies (C = s n . G W G^T n): these are far more than the bodies
+// have freedom, their gaps and drifts fit no motion of the bodies to the last digit, and rigid ones would brace against
+// each other the more the longer they last, until some slide.
 #pragma once
 #include <span>
 

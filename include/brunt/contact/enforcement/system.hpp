@@ -30,6 +30,12 @@ struct System {
 /// Of the sum of a node's rows: two slices and the number of rows.
 constexpr int row_sum_width = bin_slices + 1;
 
+/// Of a row that slides.
+struct Slide {
+  Vec3 direction = Vec3::Zero();  ///< t, of its friction; zero: it has none
+  double give = 0;                ///< of its friction across t, slip / limit [1/mass]
+};
+
 /// Arrays of the solvers, sized where lists are rebuilt so that a step allocates nothing.
 struct EnforcementScratch {
   std::vector<double> diagonal;           ///< H [1/mass], a row each; 0: no impulse in this row can change its rate
@@ -40,7 +46,8 @@ struct EnforcementScratch {
   std::vector<Vec3> step, direction;      ///< of conjugate residuals [momentum], a row each
   std::vector<Vec3> step_change, change;  ///< G W G^T of them [velocity], a row each
   std::vector<double> inverse;            ///< of the diagonal, 0 for 0 [mass], a row each
-  std::vector<char> chosen;               ///< rows that conjugate residuals go over
+  std::vector<char> chosen;               ///< what conjugate residuals go over, a row each
+  std::vector<Slide> slide;               ///< of rows that slide among them
   std::vector<double> share;              ///< |G_qn P_n| (of an arm: a bound of it), an entry each
   std::vector<double> row_sum;            ///< s, a node each
   std::vector<double> row_sum_parts;      ///< row_sum_width a node

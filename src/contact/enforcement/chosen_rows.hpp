@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which rows conjugate residuals go over, and what of them. Of a row that sticks (or is tied, or has no friction) that
+// is all there is. One that slides has its friction at the limit L, along t; of the sweep's fixed point
+//   p = admitted(p + missing / H)
+// the derivative is taken (as in semismooth Newton methods: Alart and Curnier, Comput. Methods Appl. Mech. Eng. 92,
+// 1991):
+// - along the normal its impulse brings its friction with it, normal + mu t; only the normal is asked for;
+// - across both it turns: friction follows the slip s, which is asked for as of a spring that gives s / L;
+// - along t nothing is asked for.
+// So G W G^T of sliding rows is not symmetric, which steps that leave the least residual bear (conjugate residuals that
+// know one step before are Orthomin(1): Eisenstat, Elman, Schultz, SIAM J. Numer. Anal. 20, 1983) where few rows slide
+// or friction is moderate.
+#pragma once
+#include <algorithm>
+
+#include "row_kinds.hpp"
+
+namespace brunt::contact {
+
+enum class Part : char { none, whole, sliding };
+
+/// a and b: impulses, or what is asked for, of row q.
+template <class Kind>
+class ChosenRows {
+ public:
+  using Amount = typename Kind::Amount;
+  ChosenRows(const RowMatrix& rows, EnforcementScratch& scratch) : rows_(rows), scratch_(scratch) {
+    scratch.chosen.assign(rows.size(), static_cast<char>(Part::none));
+    if constexpr (Kind::rubs) scratch.slide.resize(rows.size());
+  }
+
+  [[nodiscard]] bool has(std::size_t q) const { return part(q) != Part::none; }
+  [[nodiscard]] bool slides(std::size_t q) const { return Kind::rubs && part(q) == Part::sliding; }
+  void leave(std::size_t q) { take(q, Part::none); }
+  /// Of a row that the law's `admitted` brought from `asked` to `push`, with this left to be asked for.
+  void choose(std::size_t q, const Amount& asked, const Amount& push, const Amount& missing) {
+    take(q, Part::whole);
+    if constexpr (Kind::rubs) {
+      if (!Kind::slides(law(q), asked)) return;
+      take(q, Part::sliding);
+      scratch_.slide[q] = Kind::slide_of(law(q), push, missing);
+    }
+  }
+
+  /// With the friction that an impulse along the normal brings.
+  [[nodiscard]] Amount with_friction(std::size_t q, const Amount& a) const {
+    if constexpr (Kind::rubs)
+      if (slides(q)) return a + law(q).friction * Kind::along(law(q), a) * scratch_.slide[q].direction;
+    return a;
+  }
+  /// Its part across the normal and friction, and what springs there take of what is asked for.
+  [[nodiscard]] Amount turning(std::size_t q, const Amount& a) const {
+    if constexpr (Kind::rubs)
+      if (slides(q)) return Kind::turning(law(q), scratch_.slide[q], a);
+    return Kind::zero();
+  }
+  [[nodiscard]] Amount given(std::size_t q, const Amount& a) const {
+    if constexpr (Kind::rubs)
+      if (slides(q)) return scratch_.slide[q].give * turning(q, a);
+    return Kind::zero();
+  }
+  /// The step of length 1, H^-1 a.
+  [[nodiscard]] Amount scaled(std::size_t q, const Amount& a) const {
+    if constexpr (Kind::rubs)
+      if (slides(q))
+        return scratch_.inverse[q] * Kind::along(law(q), a) * law(q).normal +
+               1 / (scratch_.diagonal[q] + scratch_.slide[q].give) * turning(q, a);
+    return scratch_.inverse[q] * a;
+  }
+  /// a.H^-1 b
+  [[nodiscard]] double product(std::size_t q, const Amount& a, const Amount& b) const {
+    if constexpr (Kind::rubs)
+      if (slides(q)) return Kind::product(scaled(q, a), b);
+    return scratch_.inverse[q] * Kind::product(a, b);
+  }
+  /// a.Ha
+  [[nodiscard]] double energy(std::size_t q, const Amount& a) const {
+    const double plain = scratch_.diagonal[q] * Kind::product(a, a);
+    if constexpr (Kind::rubs)
+      if (slides(q)) return plain + Kind::product(given(q, a), a);
+    return plain;
+  }
+
+ private:
+  [[nodiscard]] const RowLaw& law(std::size_t q) const { return rows_.laws[q]; }
+  void take(std::size_t q, Part part) { scratch_.chosen[q] = static_cast<char>(part); }
+  [[nodiscard]] Part part(std::size_t q) const { return static_cast<Part>(scratch_.chosen[q]); }
+
+  const RowMatrix& rows_;
+  EnforcementScratch& scratch_;
+};
+
+}  // namespace brunt::contact
