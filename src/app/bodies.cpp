@@ -11,9 +11,9 @@
 #include "brunt/io/mesh_file.hpp"
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/check.hpp"
+#include "brunt/mesh/duplicate_elements.hpp"
 #include "brunt/mesh/primitives.hpp"
 #include "brunt/mesh/resolution.hpp"
-#include "brunt/mesh/twins.hpp"
 
 namespace brunt::app {
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "brunt/mesh/duplicate_elements.hpp"
 #include "brunt/mesh/topology.hpp"
-#include "brunt/mesh/twins.hpp"
 #include "element_shape.hpp"
 
 namespace brunt::mesh {
@@ -110,9 +110,9 @@ void check_jacobians(const Mesh& mesh, std::vector<std::string>& faults) {
   });
 }
 
-void check_twins(const Mesh& mesh, std::vector<std::string>& faults) {
+void check_duplicate_elements(const Mesh& mesh, std::vector<std::string>& faults) {
   Lines lines(faults);
-  for (const std::string& line : twin_elements(mesh)) lines.add(line);
+  for (const std::string& line : duplicate_elements(mesh)) lines.add(line);
 }
 
 void warn_unused(const Mesh& mesh, std::vector<std::string>& warnings) {
@@ -174,7 +174,7 @@ CheckReport check(const Mesh& mesh) {
   if (!report.faults.empty()) return report;  // what follows reads coordinates through the indices
   check_repeats(mesh, report.faults);
   check_jacobians(mesh, report.faults);
-  check_twins(mesh, report.faults);
+  check_duplicate_elements(mesh, report.faults);
   warn_unused(mesh, report.warnings);
   warn_coincident(mesh, report.warnings);
   return report;

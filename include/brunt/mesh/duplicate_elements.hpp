@@ -10,7 +10,7 @@ namespace brunt::mesh {
 
 /// One line for each element that has the nodes of an earlier one, in whatever order and block; a hexahedron that is
 /// collapsed to a tetrahedron is one with the tetrahedron of its nodes.
-std::vector<std::string> twin_elements(const Mesh& mesh);
+std::vector<std::string> duplicate_elements(const Mesh& mesh);
 
 /// One line for each pair of blocks of different `piece` (a number for each block) of which elements have all their
 /// corners in the same places, to 1e-6 of the element's size: the rounding of coordinates is at most 2^-22 = 2.4e-7 of

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Elements that are there twice, on the same nodes or in the same place, and elements too small for their coordinates.
-#include "brunt/mesh/twins.hpp"
+#include "brunt/mesh/duplicate_elements.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -29,9 +29,9 @@ std::vector<LocalIndex> element(const Mesh& mesh, LocalIndex e) {
 
 }  // namespace
 
-TEST_CASE("a twin on the same nodes is named with its pair", "[twins]") {
+TEST_CASE("a duplicate on the same nodes is named with its pair", "[duplicates]") {
   const Mesh plain = box("b", {1, 1, 1}, {2, 3, 2});
-  CHECK(twin_elements(plain).empty());
+  CHECK(duplicate_elements(plain).empty());
   for (const LocalIndex e : {0, 5, 11}) {
     const std::vector<LocalIndex> n = element(plain, e);
     const std::string pair = " (block second) has the nodes of element " + std::to_string(e + 1) + " (block b)";
@@ -57,22 +57,23 @@ TEST_CASE("a twin on the same nodes is named with its pair", "[twins]") {
   CHECK(check(doubled).faults.size() == 11);
 }
 
-TEST_CASE("twins of wedges, pyramids and tetrahedra, across shapes", "[twins]") {
+TEST_CASE("duplicates of wedges, pyramids and tetrahedra, across shapes", "[duplicates]") {
   Mesh mesh = box("b", {1, 1, 1}, {1, 1, 1});
   mesh.coordinates = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   mesh.node_sets.clear();
   mesh.side_sets.clear();
-  const auto twins = [&](const std::vector<LocalIndex>& a, Shape shape, const std::vector<LocalIndex>& b) {
+  const auto duplicates = [&](const std::vector<LocalIndex>& a, Shape shape, const std::vector<LocalIndex>& b) {
     mesh.blocks[0].nodes = a;
     return check(with_block(mesh, shape, b)).faults.size();
   };
-  CHECK(twins({0, 1, 2, 2, 4, 5, 6, 6}, Shape::hex8, {1, 2, 0, 0, 5, 6, 4, 4}) == 1);  // wedges
-  CHECK(twins({0, 1, 2, 3, 4, 4, 4, 4}, Shape::hex8, {1, 2, 3, 0, 4, 4, 4, 4}) == 1);  // pyramids
-  CHECK(twins({0, 1, 3, 3, 4, 4, 4, 4}, Shape::tet4, {1, 3, 0, 4}) == 1);
-  CHECK(twins({0, 1, 2, 2, 4, 5, 6, 6}, Shape::hex8, {0, 2, 3, 3, 4, 6, 7, 7}) == 0);  // the other half of the cube
+  CHECK(duplicates({0, 1, 2, 2, 4, 5, 6, 6}, Shape::hex8, {1, 2, 0, 0, 5, 6, 4, 4}) == 1);  // wedges
+  CHECK(duplicates({0, 1, 2, 3, 4, 4, 4, 4}, Shape::hex8, {1, 2, 3, 0, 4, 4, 4, 4}) == 1);  // pyramids
+  CHECK(duplicates({0, 1, 3, 3, 4, 4, 4, 4}, Shape::tet4, {1, 3, 0, 4}) == 1);
+  CHECK(duplicates({0, 1, 2, 2, 4, 5, 6, 6}, Shape::hex8, {0, 2, 3, 3, 4, 6, 7, 7}) ==
+        0);  // the other half of the cube
 }
 
-TEST_CASE("bodies in the same place are found, wherever and however they stand", "[twins]") {
+TEST_CASE("bodies in the same place are found, wherever and however they stand", "[duplicates]") {
   for (const Vec3& at : {Vec3(0, 0, 0), Vec3(1e6, -3, 7), Vec3(0.1, 0.2, 0.3)})
     for (const double turn : {0.0, 10.0, 90.0})
       for (const int n : {1, 2, 5}) {
@@ -100,7 +101,7 @@ TEST_CASE("bodies in the same place are found, wherever and however they stand",
   CHECK(found({0, 0, 0}, {5, 5, 5}, {1, 1, 1}) == 0);
 }
 
-TEST_CASE("elements too small for their coordinates are a fault", "[twins]") {
+TEST_CASE("elements too small for their coordinates are a fault", "[duplicates]") {
   for (const double size : {1e-6, 1.0, 1e9}) {
     const Mesh mesh = box("b", {2 * size, size, size}, {2, 1, 1});
     CHECK(resolution_fault(mesh, 0).empty());

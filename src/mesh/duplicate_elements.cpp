@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/mesh/twins.hpp"
+#include "brunt/mesh/duplicate_elements.hpp"
 
 #include <fmt/core.h>
 
@@ -150,26 +150,27 @@ class PlaceFinder {
 
 }  // namespace
 
-std::vector<std::string> twin_elements(const Mesh& mesh) {
+std::vector<std::string> duplicate_elements(const Mesh& mesh) {
   std::vector<std::pair<std::uint64_t, Element>> coded;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
     for (LocalIndex e = 0; e < mesh.blocks[b].count(); ++e)
       coded.emplace_back(code_of(corners_of(mesh.blocks[b], e)), Element{static_cast<LocalIndex>(b), e});
   std::ranges::stable_sort(coded, {}, [](const auto& entry) { return entry.first; });
-  std::vector<std::pair<Element, Element>> twins;
+  std::vector<std::pair<Element, Element>> duplicates;
   const auto block = [&](const Element& e) -> const Block& { return mesh.blocks[static_cast<std::size_t>(e.block)]; };
   for (std::size_t first = 0, i = 1; i < coded.size(); ++i) {
     if (coded[i].first != coded[first].first) first = i;
     for (std::size_t j = first; j < i; ++j) {
       const Element &a = coded[j].second, &b = coded[i].second;
       if (corners_of(block(a), a.element) != corners_of(block(b), b.element)) continue;
-      twins.emplace_back(a, b);
+      duplicates.emplace_back(a, b);
       break;
     }
   }
-  std::ranges::sort(twins, {}, [](const auto& twin) { return std::pair(twin.second.block, twin.second.element); });
+  std::ranges::sort(duplicates, {},
+                    [](const auto& duplicate) { return std::pair(duplicate.second.block, duplicate.second.element); });
   std::vector<std::string> lines;
-  for (const auto& [a, b] : twins)
+  for (const auto& [a, b] : duplicates)
     lines.push_back(fmt::format(
         "element {} ({}) has the nodes of element {} ({}): its mass would count twice; accepted: each element once",
         id_of(block(b), b.element), shown(block(b)), id_of(block(a), a.element), shown(block(a))));
