@@ -126,20 +126,20 @@ void build_loads(const Input& input, model::Model& model) {
 }
 
 /// Nodes that contact, walls or constraints may still change after the prediction. Those of rigid bodies follow these.
-std::vector<LocalIndex> late_nodes(const model::Model& model) {
-  std::vector<LocalIndex> late;
-  for (const model::ConstrainedNode& constrained : model.constrained) late.push_back(constrained.node);
+std::vector<LocalIndex> deferred_nodes(const model::Model& model) {
+  std::vector<LocalIndex> deferred;
+  for (const model::ConstrainedNode& constrained : model.constrained) deferred.push_back(constrained.node);
   if (model.contact.pairs.any_acts() || !model.walls.empty()) {
     const std::vector<LocalIndex>& surface = model.mesh.node_sets.at(surface_set);
-    late.insert(late.end(), surface.begin(), surface.end());
-    late.insert(late.end(), model.uncovered.begin(), model.uncovered.end());
+    deferred.insert(deferred.end(), surface.begin(), surface.end());
+    deferred.insert(deferred.end(), model.uncovered.begin(), model.uncovered.end());
   }
-  late.insert(late.end(), model.between_parts.begin(), model.between_parts.end());
-  std::ranges::sort(late);
-  late.erase(std::unique(late.begin(), late.end()), late.end());
+  deferred.insert(deferred.end(), model.between_parts.begin(), model.between_parts.end());
+  std::ranges::sort(deferred);
+  deferred.erase(std::unique(deferred.begin(), deferred.end()), deferred.end());
   for (const model::RigidBody& body : model.bodies)
-    std::erase_if(late, [&](LocalIndex node) { return std::ranges::binary_search(body.nodes, node); });
-  return late;
+    std::erase_if(deferred, [&](LocalIndex node) { return std::ranges::binary_search(body.nodes, node); });
+  return deferred;
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ model::Model build_model(const Input& input, mesh::LocalMesh&& mesh) {
   model.contact = contact_specification(input, part_of_block);
   watch_nodes(input, model);
   build_removals(input, model);
-  model.late = late_nodes(model);
+  model.deferred = deferred_nodes(model);
   return model;
 }
 

@@ -30,7 +30,7 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
   scratch.force.resize(n);
   const bool may_drop =
       std::ranges::any_of(model.removals, [](const model::Removal& removal) { return !removal.keeps_nodes; });
-  const bool keeps_before = !model.late.empty() || model.damped() || !model.bodies.empty() || may_drop;
+  const bool keeps_before = !model.deferred.empty() || model.damped() || !model.bodies.empty() || may_drop;
   scratch.before.assign(keeps_before ? n : 0, Vec3::Zero());
   scratch.reaction.resize(model.constrained.size());
   std::size_t slots = 0;
@@ -137,9 +137,9 @@ void initialise(model::Model& model, model::State& state, model::Scratch& scratc
   sum_masses(force::Lumped::all);
   std::ranges::fill(scratch.slots, 0.0);  // those of rigid elements stay so: no force comes from them
   for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i].mass = scratch.force[i][0];
-  for (const LocalIndex node : model.late) state.nodes[static_cast<std::size_t>(node)].late = 1.0;
+  for (const LocalIndex node : model.deferred) state.nodes[static_cast<std::size_t>(node)].deferred = 1.0;
   for (const model::RigidBody& body : model.bodies)
-    for (const LocalIndex node : body.nodes) state.nodes[static_cast<std::size_t>(node)].late = 1.0;
+    for (const LocalIndex node : body.nodes) state.nodes[static_cast<std::size_t>(node)].deferred = 1.0;
   if (model.relaxes)
     state.relaxation.under_way = 1;
   else

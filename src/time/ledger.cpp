@@ -120,7 +120,7 @@ void add_nodes(const model::Model& model, const model::State& state, const model
   for (const LocalIndex node : model.owned) {
     if (!carried.empty() && carried[static_cast<std::size_t>(node)]) continue;
     NodeStep own{.is_dropped = std::ranges::binary_search(state.living.dropped, node)};
-    if (model.damped() || state.nodes[static_cast<std::size_t>(node)].late != 0.0)
+    if (model.damped() || state.nodes[static_cast<std::size_t>(node)].deferred != 0.0)
       own.before = &scratch.before[static_cast<std::size_t>(node)];
     while (next_constrained < model.constrained.size() && model.constrained[next_constrained].node < node)
       ++next_constrained;

@@ -82,8 +82,8 @@ void predict_all(const model::Model& model, model::State& state, model::Scratch&
       velocities.before.add(before);
       velocities.after.add(after);
     }
-    if (damped || node.late != 0.0) scratch.before[i] = Vec3(before[0], before[1], before[2]);
-    if (node.late != 0.0) continue;
+    if (damped || node.deferred != 0.0) scratch.before[i] = Vec3(before[0], before[1], before[2]);
+    if (node.deferred != 0.0) continue;
     if constexpr (loaded) book_loads(state, scratch, i, step.dt_mean, before + after);
     if constexpr (damped) book_drag(state, step.drag, i, before + after);
     move(model.reference[i], scratch.force[i], node, state.displacement[i], step.dt, step.dt_mean, before + after);
@@ -131,7 +131,7 @@ double driven_component(const model::Drive& given, double before, double time, d
 
 contact::VelocitySpan predict(const model::Model& model, model::State& state, model::Scratch& scratch,
                               const Interval& step) {
-  if (model.late.empty()) {
+  if (model.deferred.empty()) {
     NoSpread nothing;
     predict_nodes(model, state, scratch, step, nothing);
     return {};
@@ -176,7 +176,7 @@ void fly_on(const model::Model& model, model::State& state, const model::Scratch
     const auto i = static_cast<std::size_t>(dropped);
     NodeLine& node = state.nodes[i];
     const Vec3& v = scratch.before[i];
-    const Quad before{v[0], v[1], v[2], node.late};
+    const Quad before{v[0], v[1], v[2], node.deferred};
     Quad force = scratch.force[i];
     if (model.loaded()) force += scratch.load[i];
     node.v_late() = velocity_after<false>(before, force, node.mass, step);
@@ -191,12 +191,13 @@ void fly_on(const model::Model& model, model::State& state, const model::Scratch
 void finish_late(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step) {
   constexpr std::size_t ahead = 8;
   std::size_t next_constrained = 0;
-  for (std::size_t k = 0; k < model.late.size(); ++k) {
-    if (k + ahead < model.late.size()) fetch(model, state, scratch, static_cast<std::size_t>(model.late[k + ahead]));
-    const auto i = static_cast<std::size_t>(model.late[k]);
+  for (std::size_t k = 0; k < model.deferred.size(); ++k) {
+    if (k + ahead < model.deferred.size())
+      fetch(model, state, scratch, static_cast<std::size_t>(model.deferred[k + ahead]));
+    const auto i = static_cast<std::size_t>(model.deferred[k]);
     NodeLine& node = state.nodes[i];
     const bool constrained =
-        next_constrained < model.constrained.size() && model.constrained[next_constrained].node == model.late[k];
+        next_constrained < model.constrained.size() && model.constrained[next_constrained].node == model.deferred[k];
     if (node.is_dropped()) {
       next_constrained += constrained ? 1 : 0;
       continue;

@@ -36,7 +36,8 @@ struct Balance {
   double residual = 0, stored = 0;
 };
 
-/// After a step of `dt_mean`: late nodes have met contact and supports, all that acts on the others is force and load.
+/// After a step of `dt_mean`: deferred nodes have met contact and supports, all that acts on the others is force and
+/// load.
 Balance balance(const model::Model& model, const model::State& state, const model::Scratch& scratch, const Links& links,
                 double dt_mean) {
   enum { left, given, work, terms };
@@ -48,7 +49,7 @@ Balance balance(const model::Model& model, const model::State& state, const mode
     const model::NodeLine& line = state.nodes[i];
     const Quad &f = scratch.force[i], &p = scratch.load[i];
     Vec3 net(f[0] + p[0], f[1] + p[1], f[2] + p[2]);
-    if (line.late != 0) net = line.mass / dt_mean * (Eigen::Map<const Vec3>(line.v) - scratch.before[i]);
+    if (line.deferred != 0) net = line.mass / dt_mean * (Eigen::Map<const Vec3>(line.v) - scratch.before[i]);
     sums[left].add(net.squaredNorm());
     sums[given].add(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
     sums[work].add(-state.displacement[i][3]);
@@ -85,11 +86,11 @@ void stop_nodes(const model::Model& model, model::State& state, const model::Scr
   stop_bodies(model, scratch, dt_mean, state);
 }
 
-/// What held the late nodes in the step just taken: all that changed their velocities but forces and loads.
+/// What held the deferred nodes in the step just taken: all that changed their velocities but forces and loads.
 void keep_held_forces(const model::Model& model, model::State& state, const model::Scratch& scratch, double dt_mean) {
   std::ranges::fill(state.held_force, 0.0);
-  for (const LocalIndex late : model.late) {
-    const auto i = static_cast<std::size_t>(late);
+  for (const LocalIndex deferred : model.deferred) {
+    const auto i = static_cast<std::size_t>(deferred);
     const model::NodeLine& node = state.nodes[i];
     const Vec3 change = Eigen::Map<const Vec3>(node.v) - scratch.before[i];
     Eigen::Map<Vec3>(&state.held_force[3 * i]) =

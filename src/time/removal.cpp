@@ -25,7 +25,7 @@ void follow_alive(const comm::Communicator& ranks, const model::Model& model, mo
   state.living = model::follow(model, state);
   if (!state.alive.empty()) state.living.dropped = surface::bare_nodes(ranks, model.mesh, state.alive).dropped;
   for (const LocalIndex node : state.living.dropped)
-    state.nodes[static_cast<std::size_t>(node)].late = model::NodeLine::dropped;
+    state.nodes[static_cast<std::size_t>(node)].deferred = model::NodeLine::dropped;
 }
 
 std::vector<GlobalIndex> remove_elements(const comm::Communicator& ranks, const model::Model& model,

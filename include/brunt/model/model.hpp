@@ -17,12 +17,12 @@ namespace brunt::model {
 
 /// One cache line a node, so that an element gathers a corner with one load.
 struct alignas(64) NodeLine {
-  double x[3];  ///< current position, reference + displacement [length]
-  double mass;  ///< lumped [mass]
-  double v[3];  ///< velocity at the half step [length/time]
-  double late;  ///< 1: the node is finished after contact and constraints, not with the free ones; or `dropped`
+  double x[3];      ///< current position, reference + displacement [length]
+  double mass;      ///< lumped [mass]
+  double v[3];      ///< velocity at the half step [length/time]
+  double deferred;  ///< 1: the node is finished after contact and constraints, not with the free ones; or `dropped`
   static constexpr double dropped = 2;  ///< it left with its last element: it flies on, and nothing acts on it
-  [[nodiscard]] bool is_dropped() const { return late == dropped; }
+  [[nodiscard]] bool is_dropped() const { return deferred == dropped; }
   [[nodiscard]] Quad& x_mass() { return *reinterpret_cast<Quad*>(x); }
   [[nodiscard]] Quad& v_late() { return *reinterpret_cast<Quad*>(v); }
 };
@@ -107,8 +107,8 @@ struct Model {
   std::vector<Removal> removals;      ///< by time
   std::vector<LocalIndex> uncovered;  ///< nodes of elements that may be removed, ascending: also of other ranks' ones
 
-  std::vector<LocalIndex> late;     ///< nodes finished after contact and constraints, ascending
-  std::vector<LocalIndex> watched;  ///< nodes of which every corner force stays in Scratch::slots, ascending
+  std::vector<LocalIndex> deferred;  ///< nodes finished after contact and constraints, ascending
+  std::vector<LocalIndex> watched;   ///< nodes of which every corner force stays in Scratch::slots, ascending
   std::vector<LocalIndex>
       between_parts;  ///< nodes of several parts, where the energies of parts are asked for; ascending
   std::vector<std::vector<WatchedCorner>> interface_corners;  ///< on those nodes: by block, ascending by element
@@ -186,7 +186,7 @@ struct Scratch {
   /// was done with v_{n+1/2}.
   std::vector<AlignedVector<double>> element_force, element_power;
   std::vector<std::vector<double>> last_work;
-  std::vector<Vec3> before;           ///< v_{n-1/2} of the late nodes (with damping: of all), by node; or empty
+  std::vector<Vec3> before;           ///< v_{n-1/2} of the deferred nodes (with damping: of all), by node; or empty
   std::vector<Vec3> reaction;         ///< impulse of each constrained node in this step
   std::vector<BodyStep> bodies;       ///< of Model::bodies
   std::vector<Vec3> contact_impulse;  ///< by node; empty unless contact or walls meet constrained nodes

@@ -18,9 +18,9 @@ struct Interval {
   double drag = 0;     ///< a, 0 without damping
 };
 
-/// v* of all nodes. Free nodes are finished at once (u, x and the work of their forces); those in Model::late get v*
-/// with fixed and prescribed directions applied, their velocity before is kept in scratch.before. Returns how fast the
-/// nodes of this rank are, before and after (zeros where there are no late ones).
+/// v* of all nodes. Free nodes are finished at once (u, x and the work of their forces); those in Model::deferred get
+/// v* with fixed and prescribed directions applied, their velocity before is kept in scratch.before. Returns how fast
+/// the nodes of this rank are, before and after (zeros where there are no deferred ones).
 contact::VelocitySpan predict(const model::Model& model, model::State& state, model::Scratch& scratch,
                               const Interval& step);
 
@@ -28,7 +28,7 @@ contact::VelocitySpan predict(const model::Model& model, model::State& state, mo
 /// the displacement given; the velocity before and the integral of the acceleration since then, over dt_mean.
 double driven_component(const model::Drive& given, double before, double time, double dt, double dt_mean);
 
-/// u, x and work of the late nodes, after contact has given them their velocity.
+/// u, x and work of the deferred nodes, after contact has given them their velocity.
 void finish_late(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step);
 
 }  // namespace brunt::time
