@@ -30,7 +30,7 @@ void track_contacts(Prepared& run, contact::ContactSettings& settings) {
 }
 
 /// How many nodes each tied pair has, among the notes of the start; none at all is a fault of the scene.
-void tell_ties(Prepared& run) {
+void report_ties(Prepared& run) {
   const auto [nodes, beside] = contact::tied_nodes(*run.contact);
   const contact::PairTable& pairs = run.model.contact.pairs;
   const auto n = static_cast<std::int32_t>(run.model.blocks.size());
@@ -134,7 +134,7 @@ void make_contact(Prepared& run) {
   run.contact = std::make_unique<contact::Contact>(
       contact::make_contact(run.links.ranks, model.mesh, model.in_symmetry_plane, inverse_masses(run.state),
                             held_nodes(model), walls, settings));
-  tell_ties(run);
+  report_ties(run);
 }
 
 time::StepControl step_control(const Prepared& run) {

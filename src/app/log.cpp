@@ -101,7 +101,7 @@ std::string clock_text(double seconds) {
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-std::string told_from(double value, double limit) {
+std::string reported_from(double value, double limit) {
   constexpr int all_digits = 17;
   const std::string beside = fmt::format("{:g}", limit);
   std::string text;

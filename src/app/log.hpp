@@ -41,6 +41,6 @@ std::string clock_text(double seconds);
 
 /// `value` with as many digits as tell it from `limit` written as {:g}, two at least: a message that says "above" shows
 /// it.
-std::string told_from(double value, double limit);
+std::string reported_from(double value, double limit);
 
 }  // namespace brunt::app

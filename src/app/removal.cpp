@@ -13,7 +13,7 @@
 namespace brunt::app {
 namespace {
 
-std::string told(const Prepared& run, const std::vector<GlobalIndex>& lost) {
+std::string reported(const Prepared& run, const std::vector<GlobalIndex>& lost) {
   std::string parts;
   for (std::size_t b = 0; b < lost.size(); ++b)
     if (lost[b] > 0)
@@ -23,7 +23,7 @@ std::string told(const Prepared& run, const std::vector<GlobalIndex>& lost) {
 }
 
 /// What becomes of nodes without an element, on all ranks.
-std::string told_of_nodes(const Prepared& run) {
+std::string reported_of_nodes(const Prepared& run) {
   const surface::BareNodes bare = surface::bare_nodes(run.links.ranks, run.model.mesh, run.state.alive);
   std::array<GlobalIndex, 2> count{};
   for (const LocalIndex node : bare.kept) count[0] += std::ranges::binary_search(run.model.owned, node) ? 1 : 0;
@@ -51,7 +51,7 @@ void remove_due(Prepared& run, Log& log) {
   if (std::ranges::all_of(lost, [](GlobalIndex count) { return count == 0; })) return;  // all were gone before
   if (run.contact) expose(run.input, run.model, run.state, run.links, *run.contact);
   log.line(fmt::format("removed at t = {:g}, step {}: {}{}", run.state.time, static_cast<GlobalIndex>(run.state.step),
-                       told(run, lost), told_of_nodes(run)));
+                       reported(run, lost), reported_of_nodes(run)));
 }
 
 void follow_alive(Prepared& run) {

@@ -31,13 +31,13 @@ void refuse_other_scene(const Prepared& run, const io::CheckpointHeader& header,
   const std::vector<std::string> different = scene::differences(header.scene, run.scene_values);
   if (different.empty()) return;
   constexpr std::size_t most = 3;
-  std::string told;
-  for (std::size_t k = 0; k < std::min(most, different.size()); ++k) told += (k > 0 ? "; " : "") + different[k];
-  if (different.size() > most) told += fmt::format("; {} more keys differ", different.size() - most);
+  std::string listed;
+  for (std::size_t k = 0; k < std::min(most, different.size()); ++k) listed += (k > 0 ? "; " : "") + different[k];
+  if (different.size() > most) listed += fmt::format("; {} more keys differ", different.size() - most);
   throw InputError(
       fmt::format("{}: written by another scene: {}; accepted: changes of title, output, history, checkpoint, "
                   "run.end, run.steps, run.min_step_ratio and run.wall_limit",
-                  checkpoint, told));
+                  checkpoint, listed));
 }
 
 /// The last one before a checkpoint that can be read and is of this scene; empty where there is none. Collective.

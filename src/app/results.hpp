@@ -49,7 +49,7 @@ class Results {
   /// Warns of parts that supports move through each other, and follows how deep. Collective.
   void watch_driven();
   /// Warns where hourglass control has taken up more than belongs to it, or contact more than an impact loses.
-  void tell_at_end();
+  void report_at_end();
   std::string write_checkpoint();
   /// Remembers the state of t_n, which all guards have let pass. Collective.
   void remember_good();
@@ -67,8 +67,8 @@ class Results {
 
  private:
   [[nodiscard]] std::string where(Fault fault) const;
-  void tell_hourglass();
-  void tell_parted();
+  void report_hourglass();
+  void report_parted();
   Prepared& run_;
   std::string folder_;
   Log& log_;
@@ -78,9 +78,9 @@ class Results {
   std::vector<io::StateField> fields_;
   double fields_step_ = 0, fields_time_ = 0;
   time::Ledger last_ledger_;
-  GlobalIndex folded_ = 0;                    ///< largest number of folded elements seen at one look
-  std::array<bool, guarded_columns> told_{};  ///< of which a warning has been given
-  double extent_ = 0;                         ///< half of the diagonal of the model at the start [length]
+  GlobalIndex folded_ = 0;                        ///< largest number of folded elements seen at one look
+  std::array<bool, guarded_columns> reported_{};  ///< of which a warning has been given
+  double extent_ = 0;                             ///< half of the diagonal of the model at the start [length]
   Snapshot last_good_;
   double checkpoint_step_ = -1;  // of the last checkpoint written in this run
   std::uint64_t hash_ = 0;

@@ -65,10 +65,10 @@ void Results::watch(const time::Ledger& ledger, double time) {
                                 run_.model.contact.enforcement.tolerance, run_.contact->derived.detection.recovery);
   const std::string growth = energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding);
   for (const Finding& finding : judge(ledger, run_.extremes, rounding, run_.overlaps.recovered)) {
-    bool& told = told_[static_cast<std::size_t>(finding.fault)];
+    bool& reported = reported_[static_cast<std::size_t>(finding.fault)];
     const bool stop = finding.stop && growth.empty();
-    if (told && !stop) continue;
-    told = true;
+    if (reported && !stop) continue;
+    reported = true;
     const std::string text =
         fmt::format("{}{}; {}", text_of(finding, time), where(finding.fault), likely_cause(finding.fault));
     if (stop) throw GuardError(text);
@@ -106,12 +106,12 @@ void Results::watch_driven() {
     log_.warning(warning);
 }
 
-void Results::tell_at_end() {
-  tell_hourglass();
-  tell_parted();
+void Results::report_at_end() {
+  report_hourglass();
+  report_parted();
 }
 
-void Results::tell_parted() {
+void Results::report_parted() {
   // of two equal bodies, one of which was at rest: a restitution of 0.97, since the loss is (1 - e^2)/2
   constexpr double tolerated = 0.03;
   const double share = taken_by_parted(last_ledger_, run_.extremes);
@@ -127,7 +127,7 @@ void Results::tell_parted() {
           : " (of rigid parts that meet each other or a rigid wall the loss is as it should be)"));
 }
 
-void Results::tell_hourglass() {
+void Results::report_hourglass() {
   // The usual bound in crash analysis; of the largest, since bodies that fly on after an impact have little left.
   constexpr double tolerated = 0.1;
   const double hourglass = last_ledger_.hourglass, internal = run_.extremes.largest_internal;

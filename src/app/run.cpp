@@ -33,7 +33,7 @@ io::ExistingResults existing_results(const RunOptions& options, const std::strin
 }
 
 /// Does the folder's summary tell of this very state?
-bool is_told(const comm::Communicator& ranks, const std::string& folder, GlobalIndex step) {
+bool is_reported(const comm::Communicator& ranks, const std::string& folder, GlobalIndex step) {
   return ranks.any(ranks.is_root() && io::summarised_steps(folder) == step);
 }
 
@@ -54,7 +54,7 @@ void announce(const Prepared& run, Log& log) {
                        run.links.ranks.size(), run.links.ranks.size() == 1 ? "" : "s"));
 }
 
-void tell_iterations(const Prepared& run, Log& log) {
+void report_iterations(const Prepared& run, Log& log) {
   if (!run.contact) return;
   const contact::ContactStatistics& contact = run.contact->ledger.statistics;
   if (contact.steps_at_limit > 0)
@@ -92,7 +92,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
                     "later run.end (or more run.steps) would go on from there",
                     prepared->state.time, restart->step));
 
-  if (over && existing == io::ExistingResults::keep && is_told(ranks, folder, restart->step)) {
+  if (over && existing == io::ExistingResults::keep && is_reported(ranks, folder, restart->step)) {
     log.line("the results in " + folder + " stay as they are");
     return static_cast<int>(ExitCode::done);
   }
@@ -108,7 +108,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
     log.warning(
         fmt::format("the run ended at t = {:g}, {:.2g} % past its end: steps are never cut, and this run has few",
                     prepared->state.time, 100 * past));
-  tell_iterations(*prepared, log);
+  report_iterations(*prepared, log);
   if (outcome.code != ExitCode::guard) results.write_checkpoint();
   results.seal();
   if (outcome.code == ExitCode::guard) {
@@ -119,7 +119,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
     loop.last_record(outcome);
     if (outcome.code == ExitCode::guard) log.line("stopped: " + outcome.message);
   }
-  results.tell_at_end();
+  results.report_at_end();
   const int code = static_cast<int>(outcome.code);
   results.write_summary(outcome.stopped_by, code, seconds_since(start), loop.cost());
   log.line(fmt::format("{}; results in {}",

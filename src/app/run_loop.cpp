@@ -58,7 +58,7 @@ bool Loop::come_to_rest(Outcome& outcome) {
                                                  step_control(run_), {asked.tolerance});
     if (now.step.stop) stop_for_element(now.step);
     ++passes_;
-    if (now.stopped) tell_stage(phase);
+    if (now.stopped) report_stage(phase);
     if (!now.at_rest) continue;
     log_.line(
         fmt::format("relaxation: at rest after {:.0f} steps; unbalanced forces are {:.2g} of the loads, nodes have "
@@ -72,9 +72,9 @@ bool Loop::come_to_rest(Outcome& outcome) {
   return false;
 }
 
-void Loop::tell_stage(const model::Relaxation& phase) {
-  if (phase.stage <= told_stage_) return;
-  told_stage_ = phase.stage;
+void Loop::report_stage(const model::Relaxation& phase) {
+  if (phase.stage <= reported_stage_) return;
+  reported_stage_ = phase.stage;
   log_.line(fmt::format("relaxation: step {:.0f}, {:.0f} % of the loads, unbalanced forces {:.2g}", phase.steps,
                         100 * phase.stage / time::relaxation_stages, phase.residual));
 }
@@ -172,14 +172,14 @@ void Loop::watch_step(const time::StepReport& step) {
 }
 
 void Loop::watch_iterations() {
-  if (!run_.contact || told_limit_ || run_.contact->ledger.statistics.steps_at_limit == 0) return;
-  told_limit_ = true;
+  if (!run_.contact || reported_limit_ || run_.contact->ledger.statistics.steps_at_limit == 0) return;
+  reported_limit_ = true;
   const contact::EnforcementSettings& settings = run_.model.contact.enforcement;
   log_.warning(fmt::format(
       "contact: the iteration of step {} (t = {:g}) ended at max_iterations {} with a residual of {}, above the "
       "tolerance of {:g}: what is left may disturb the motion; raise enforcement.max_iterations{} (told once)",
       static_cast<GlobalIndex>(run_.state.step) - 1, run_.state.time_before, settings.max_iterations,
-      told_from(run_.contact->ledger.statistics.last.residual, settings.tolerance), settings.tolerance,
+      reported_from(run_.contact->ledger.statistics.last.residual, settings.tolerance), settings.tolerance,
       run_.contact->settings.rigid.supported
           ? "; no number is enough where supports drive a rigid part into what cannot give way while it may turn or "
             "slide: hold these motions too, or do not drive it there"

@@ -43,7 +43,7 @@ class Loop {
   /// The phase before t = 0; false where it was asked to stop.
   bool come_to_rest(Outcome& outcome);
 
-  void tell_stage(const model::Relaxation& phase);
+  void report_stage(const model::Relaxation& phase);
 
   void go_on(Outcome& outcome);
 
@@ -79,8 +79,8 @@ class Loop {
   double passes_ = 0;
   int lines_ = 0;
   double first_step_ = run_.state.step;
-  double told_stage_ = 1;
-  bool told_limit_ = false;
+  double reported_stage_ = 1;
+  bool reported_limit_ = false;
 };
 
 }  // namespace brunt::app

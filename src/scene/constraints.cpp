@@ -23,15 +23,15 @@ using HeldNodes = std::map<LocalIndex, std::vector<Held>>;
 
 void hold(const Input& input, const model::Model& model, HeldNodes& held, const std::vector<LocalIndex>& nodes,
           const Held& what, std::vector<std::string>& faults) {
-  bool told = false;  // one line an entry is enough, though thousands of nodes may clash
+  bool reported = false;  // one line an entry is enough, though thousands of nodes may clash
   for (const LocalIndex node : nodes) {
     for (const Held& other : held[node]) {
       const bool both_at_rest = what.drive < 0 && other.drive < 0;
-      if (both_at_rest || std::abs(what.direction.dot(other.direction)) < 1e-12 || told) continue;
+      if (both_at_rest || std::abs(what.direction.dot(other.direction)) < 1e-12 || reported) continue;
       faults.push_back(fmt::format(
           "{}: node {} is in {} too, which holds the same direction differently; accepted: one of them there",
           input.at(what.source), model.mesh.node_id[static_cast<std::size_t>(node)], other.source));
-      told = true;
+      reported = true;
     }
     held[node].push_back(what);
   }

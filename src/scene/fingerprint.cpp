@@ -80,11 +80,11 @@ std::vector<std::string> differences(const std::string& there, const std::string
       both[line.substr(0, equals)][side] = line.substr(std::min(equals + 1, line.size()));
     }
   }
-  const auto told = [](const std::string& value) { return value.empty() ? "not given" : value; };
+  const auto reported = [](const std::string& value) { return value.empty() ? "not given" : value; };
   std::vector<std::string> different;
   for (const auto& [path, values] : both)
     if (values[0] != values[1])
-      different.push_back(fmt::format("{} is {} there and {} here", path, told(values[0]), told(values[1])));
+      different.push_back(fmt::format("{} is {} there and {} here", path, reported(values[0]), reported(values[1])));
   return different;
 }
 

@@ -36,8 +36,8 @@ class Selector {
       const auto& nodes = whole_.mesh.node_sets;
       const auto& sides = whole_.mesh.side_sets;
       if (shadows(set))
-        tell(key, "the mesh has a {} set of that name already, which is another one; accepted: a name of its own",
-             nodes.contains(set.name) ? "node" : "side");
+        report(key, "the mesh has a {} set of that name already, which is another one; accepted: a name of its own",
+               nodes.contains(set.name) ? "node" : "side");
       if (set.node_set && !nodes.contains(*set.node_set))
         undefined(set.name, key + ".node_set", "node set", *set.node_set, names(nodes), sides.contains(*set.node_set));
       if (set.side_set && !sides.contains(*set.side_set))
@@ -53,7 +53,7 @@ class Selector {
   void add_nodes(const std::string& reserved, const std::string& where, const std::string& key) {
     std::optional<Nodes> found = named_.of(where);
     if (!found) return unknown(where, key);
-    if (found->empty()) tell(key, "'{}' selects no node; accepted: a selection of at least one, {}", where, extent());
+    if (found->empty()) report(key, "'{}' selects no node; accepted: a selection of at least one, {}", where, extent());
     whole_.mesh.node_sets[reserved] = std::move(*found);
   }
 
@@ -67,10 +67,10 @@ class Selector {
       std::vector<std::string> known = names(whole_.mesh.side_sets);
       for (const SetEntry& set : input_.sets)
         if (set.side_set) known.push_back(set.name);
-      return tell(key, "no side set '{}'{}", where, accepted(where, known));
+      return report(key, "no side set '{}'{}", where, accepted(where, known));
     }
     if (found->second.empty())
-      tell(key, "side set '{}' has no side; accepted: a side set with at least one face", where);
+      report(key, "side set '{}' has no side; accepted: a side set with at least one face", where);
     whole_.mesh.side_sets[reserved] = found->second;
   }
 
@@ -87,7 +87,7 @@ class Selector {
                               [&](LocalIndex n) { return std::ranges::binary_search(*found, n); }))
         sides.push_back(side);
     if (sides.empty())
-      tell(key, "'{}' has no face on the outside; accepted: a set with faces, or force: for each node", where);
+      report(key, "'{}' has no face on the outside; accepted: a set with faces, or force: for each node", where);
   }
 
   void add_probe(const Probe& probe, std::size_t k) {
@@ -101,9 +101,9 @@ class Selector {
     if (named) add_nodes(reserved, probe.where, key + ".section.set");
     if (make_section(probe, k, named_.part_of_block(), named_.on_plane(), whole_) > 0) return;
     if (named && whole_.mesh.node_sets.contains(reserved))
-      tell(key + ".section.set", "'{}' has no node of the parts; accepted: a set with nodes of theirs", probe.where);
+      report(key + ".section.set", "'{}' has no node of the parts; accepted: a set with nodes of theirs", probe.where);
     if (!named)
-      tell(key + ".section", "the plane cuts no element of the parts; accepted: a plane through them, {}", extent());
+      report(key + ".section", "the plane cuts no element of the parts; accepted: a plane through them, {}", extent());
   }
 
   void add_interface() { make_interface(whole_); }
@@ -126,7 +126,7 @@ class Selector {
                                 named_.on_plane())
         nodes.push_back(static_cast<LocalIndex>(i));
     if (nodes.empty() && must_hold)
-      tell(key, "no node lies in this plane; accepted: a plane through nodes, {}", extent());
+      report(key, "no node lies in this plane; accepted: a plane through nodes, {}", extent());
     whole_.mesh.node_sets[reserved] = std::move(nodes);
   }
 
@@ -147,15 +147,15 @@ class Selector {
     for (const auto& [number, heights] : range) {
       nearest = std::max(nearest, heights[1]);
       if (heights[0] < -named_.on_plane() && heights[1] > named_.on_plane())
-        tell(key, "goes through a body, which reaches {:g} behind the wall; accepted: bodies on one side of it",
-             -heights[0]);
+        report(key, "goes through a body, which reaches {:g} behind the wall; accepted: bodies on one side of it",
+               -heights[0]);
     }
     if (!wall.parts.empty() || range.empty() || nearest > named_.on_plane()) return;
-    tell(key + ".normal",
-         "all bodies lie behind the wall (the nearest by {:g}), where it never stops them; accepted: a normal that "
-         "points "
-         "towards the bodies, or rigid_walls[].parts, the parts that the wall acts on",
-         std::max(0.0, -nearest));
+    report(key + ".normal",
+           "all bodies lie behind the wall (the nearest by {:g}), where it never stops them; accepted: a normal that "
+           "points "
+           "towards the bodies, or rigid_walls[].parts, the parts that the wall acts on",
+           std::max(0.0, -nearest));
   }
 
   void add_surface() { whole_.mesh.node_sets[surface_set] = named_.of_sides(mesh::exterior_sides(whole_.mesh)); }
@@ -167,8 +167,8 @@ class Selector {
         return;
       }
     const auto [lowest, highest] = std::ranges::minmax(whole_.mesh.node_id);
-    tell(key, "the mesh has no node {}; accepted: the number of one of its {} nodes, from {} to {}", id_text,
-         whole_.mesh.node_id.size(), lowest, highest);
+    report(key, "the mesh has no node {}; accepted: the number of one of its {} nodes, from {} to {}", id_text,
+           whole_.mesh.node_id.size(), lowest, highest);
   }
 
  private:
@@ -197,7 +197,7 @@ class Selector {
   }
 
   template <class... Values>
-  void tell(const std::string& key, fmt::format_string<Values...> what, Values&&... values) {
+  void report(const std::string& key, fmt::format_string<Values...> what, Values&&... values) {
     faults_.push_back(fmt::format("{}: {}", input_.at(key), fmt::format(what, std::forward<Values>(values)...)));
   }
 
@@ -218,8 +218,8 @@ class Selector {
                  const std::vector<std::string>& known, bool of_other_kind) {
     undefined_.insert(set);
     const std::string_view other = std::string_view(kind) == "side set" ? "node set" : "side set";
-    tell(key, "the mesh has no {} '{}'{}{}", kind, word,
-         of_other_kind ? fmt::format(" (it has a {} of that name)", other) : "", accepted(word, known));
+    report(key, "the mesh has no {} '{}'{}{}", kind, word,
+           of_other_kind ? fmt::format(" (it has a {} of that name)", other) : "", accepted(word, known));
   }
 
   /// Where the nodes of the mesh are.
@@ -246,7 +246,7 @@ class Selector {
     const std::string lists =
         fmt::format("parts: {}; sets: {}; sets of the mesh: {}", none(known), none(own), none(of_mesh));
     for (const auto* list : {&own, &of_mesh}) known.insert(known.end(), list->begin(), list->end());
-    tell(key, "no part or set '{}', nearest is '{}'; accepted: {}", where, nearest(where, known), lists);
+    report(key, "no part or set '{}', nearest is '{}'; accepted: {}", where, nearest(where, known), lists);
   }
 
   const Input& input_;

@@ -50,7 +50,7 @@ struct Converter {
       tree.kind = Tree::Kind::value;
       tree.text = node.Scalar();
       tree.quoted = node.Tag() == "!";
-      if (!tree.quoted && path != "title") tell_joined(tree, path);
+      if (!tree.quoted && path != "title") report_joined(tree, path);
     } else if (node.IsSequence()) {
       tree.kind = Tree::Kind::list;
       for (const YAML::Node& child : node) {
@@ -64,7 +64,7 @@ struct Converter {
   }
 
   /// "elastic density:7800": a line without a blank behind its colon goes on the text of the line above.
-  void tell_joined(const Tree& value, const std::string& path) {
+  void report_joined(const Tree& value, const std::string& path) {
     for (std::size_t blank = value.text.find(' '); blank != std::string::npos; blank = value.text.find(' ', blank + 1))
       if (const auto joined = joined_entry(std::string_view(value.text).substr(blank + 1))) {
         faults.add(value.place, path, no_blank(*joined));

@@ -28,9 +28,9 @@ class Scanner {
       }
     }
     if (!open_.empty())
-      tell(open_.back().line, open_.back().column,
-           fmt::format("the bracket '{}' is not closed; accepted: its '{}' at the end of the list or map",
-                       open_.back().bracket, partner(open_.back().bracket)));
+      report(open_.back().line, open_.back().column,
+             fmt::format("the bracket '{}' is not closed; accepted: its '{}' at the end of the list or map",
+                         open_.back().bracket, partner(open_.back().bracket)));
     return std::move(found_);
   }
 
@@ -47,7 +47,7 @@ class Scanner {
   [[nodiscard]] bool after_blank() const { return at_ == 0 || is_end(text_[at_ - 1]); }
   [[nodiscard]] int column() const { return static_cast<int>(at_ - line_start_) + 1; }
 
-  void tell(int line, int column, std::string what) {
+  void report(int line, int column, std::string what) {
     if (!found_.bracket) found_.bracket = {line, column, std::move(what)};
   }
 
@@ -92,23 +92,24 @@ class Scanner {
     } else if (!open_.empty() && is_flow_end(c)) {
       close(c);
     } else {
-      if (closed_ != '\0') tell_text_behind(c);
+      if (closed_ != '\0') report_text_behind(c);
       ++at_;
     }
   }
 
-  void tell_text_behind(char c) {
+  void report_text_behind(char c) {
     const bool quote = closed_ == '"' || closed_ == '\'';
     if (c == ']' || c == '}')
-      tell(line_, column(), fmt::format("the bracket '{}' closes nothing; accepted: one for each opened", c));
+      report(line_, column(), fmt::format("the bracket '{}' closes nothing; accepted: one for each opened", c));
     else if (quote)
-      tell(line_, column(),
-           fmt::format("text follows the closing quote {0}; accepted: the whole text in quotes, {1}", closed_,
-                       closed_ == '\'' ? "each single quote within it doubled ('')" : "each quote within it as \\\""));
+      report(
+          line_, column(),
+          fmt::format("text follows the closing quote {0}; accepted: the whole text in quotes, {1}", closed_,
+                      closed_ == '\'' ? "each single quote within it doubled ('')" : "each quote within it as \\\""));
     else
-      tell(line_, column(),
-           fmt::format("text follows the closing bracket '{}'; accepted: a text that begins with a bracket in quotes",
-                       closed_));
+      report(line_, column(),
+             fmt::format("text follows the closing bracket '{}'; accepted: a text that begins with a bracket in quotes",
+                         closed_));
     closed_ = '\0';
   }
 
@@ -133,11 +134,11 @@ class Scanner {
     }
     --at_;
     if (open_.empty()) {
-      tell(line_, column(), fmt::format("the bracket '{}' closes nothing; accepted: one for each opened", c));
+      report(line_, column(), fmt::format("the bracket '{}' closes nothing; accepted: one for each opened", c));
     } else {
-      tell(line_, column(),
-           fmt::format("the bracket '{}' stands where '{}' of line {} is open; accepted: '{}' first", c,
-                       open_.back().bracket, open_.back().line, partner(open_.back().bracket)));
+      report(line_, column(),
+             fmt::format("the bracket '{}' stands where '{}' of line {} is open; accepted: '{}' first", c,
+                         open_.back().bracket, open_.back().line, partner(open_.back().bracket)));
       open_.pop_back();
     }
     ++at_;

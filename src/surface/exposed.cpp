@@ -136,11 +136,11 @@ InnerFaces join_faces(const comm::Communicator& ranks, const mesh::LocalMesh& me
 }
 
 BareNodes bare_nodes(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, Alive alive) {
-  struct Told {
+  struct Reported {
     GlobalIndex gid = 0, mark = 0;
   };
   std::vector<char> marks = marks_here(mesh, flags_of(mesh, alive));
-  std::vector<std::vector<Told>> told(static_cast<std::size_t>(ranks.size()));
+  std::vector<std::vector<Reported>> told(static_cast<std::size_t>(ranks.size()));
   for (std::size_t s = 0; s < mesh.shared.size(); ++s) {
     const auto node = static_cast<std::size_t>(mesh.shared[s]);
     for (const Rank sharer : mesh.sharers.row(static_cast<LocalIndex>(s)))

@@ -11,7 +11,7 @@
 #include "brunt/core/error.hpp"
 #include "prepared_scene.hpp"
 
-using brunt::app::told_from;
+using brunt::app::reported_from;
 
 TEST_CASE("log: a folder that another run has taken since it was looked at is left as it is") {
   const brunt::support::SceneFolder folder;
@@ -32,11 +32,11 @@ TEST_CASE("log: a folder that another run has taken since it was looked at is le
 }
 
 TEST_CASE("log: a figure above a limit is never written as the limit") {
-  CHECK(told_from(0.25, 1e-3) == "0.25");
-  CHECK(told_from(0.0123456, 1e-3) == "0.012");  // no more digits than it takes
-  CHECK(told_from(0.00100049, 1e-3) == "0.0010005");
-  CHECK(told_from(1.00000000000002e-4, 1e-4) != "0.0001");
-  CHECK(told_from(1e-3, 1e-3) == "0.001");  // nothing to tell
+  CHECK(reported_from(0.25, 1e-3) == "0.25");
+  CHECK(reported_from(0.0123456, 1e-3) == "0.012");  // no more digits than it takes
+  CHECK(reported_from(0.00100049, 1e-3) == "0.0010005");
+  CHECK(reported_from(1.00000000000002e-4, 1e-4) != "0.0001");
+  CHECK(reported_from(1e-3, 1e-3) == "0.001");  // nothing to tell
 }
 
 TEST_CASE("log: a duration is hours, minutes and seconds, and a dash where it is not known") {
