@@ -151,7 +151,7 @@ void print_gaps(const Prepared& run) {
   const setup::InitialGaps& gaps = run.overlaps.gaps;
   if (!gaps.overlaps.empty())
     fmt::print("deepest overlap  {} of {} node{}, listed above\n",
-               scene::with_length(gaps.overlaps.front().depth, run.input.units, 6), gaps.overlaps.size(),
+               scene::with_length(gaps.overlaps.front().penetration, run.input.units, 6), gaps.overlaps.size(),
                gaps.overlaps.size() == 1 ? "" : "s");
   else if (std::ranges::any_of(gaps.piercings,
                                [](const setup::Piercing& p) { return p.rule == setup::OverlapRule::warn; }))

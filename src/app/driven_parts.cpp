@@ -43,7 +43,7 @@ std::array<double, width> record_of(const contact::DrivenMeeting& meeting, doubl
   record[since] = clock_start + meeting.since;
   record[slave_block] = meeting.slave_block;
   record[master_block] = meeting.master_block;
-  record[depth] = meeting.depth;
+  record[depth] = meeting.penetration;
   record[slave] = static_cast<double>(meeting.slave);
   for (std::size_t i = 0; i < 4; ++i) {
     record[corners + i] = static_cast<double>(meeting.corners[i]);
@@ -143,7 +143,7 @@ std::vector<std::string> DrivenParts::look(const comm::Communicator& ranks, cons
   }
   std::array<double, most_pairs> deepest{};
   for (const contact::DrivenMeeting& meeting : contact.driven)
-    if (const auto k = find(meeting)) deepest[*k] = std::max(deepest[*k], meeting.depth);
+    if (const auto k = find(meeting)) deepest[*k] = std::max(deepest[*k], meeting.penetration);
   if (used > 0) ranks.max(deepest);
   for (std::size_t k = 0; k < used; ++k) {
     record(k)[depth] = std::max(record(k)[depth], deepest[k]);

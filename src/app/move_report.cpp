@@ -31,7 +31,7 @@ std::vector<std::string> report_refused_moves(const scene::Input& input, const m
     faults.push_back(fmt::format(
         "{}: initial_overlap: move leaves {} nodes overlapping after {} passes (the deepest: node {}, by "
         "{:.4g}); move the parts apart, or keep the overlap with offset",
-        where, moves.left.size(), setup::most_moving_passes, number(moves.left[0].node), moves.left[0].depth));
+        where, moves.left.size(), setup::most_moving_passes, number(moves.left[0].node), moves.left[0].penetration));
   return faults;
 }
 

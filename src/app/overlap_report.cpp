@@ -46,7 +46,7 @@ struct Reporter {
   [[nodiscard]] std::string describe(const InitialOverlap& deepest, std::size_t nodes, std::size_t too_deep) const {
     std::string line = fmt::format("{}: node {} of part '{}' lies {} inside part '{}' at the start",
                                    where(deepest.block, deepest.other_block), node(deepest.node), part(deepest.block),
-                                   length(deepest.depth), part(deepest.other_block));
+                                   length(deepest.penetration), part(deepest.other_block));
     if (deepest.is_within_itself()) line += " (one body, which overlaps itself)";
     if (nodes > 1)
       line += fmt::format(
@@ -100,7 +100,7 @@ std::vector<Pair> pairs_of(const Reporter& reporter, const InitialGaps& gaps) {
 std::string listed(const Reporter& reporter, const InitialOverlap& overlap) {
   return fmt::format(
       "node {:>8} of {:<16} {} inside {}{}{}, {}", reporter.node(overlap.node), reporter.part(overlap.block),
-      reporter.length(overlap.depth), reporter.part(overlap.other_block),
+      reporter.length(overlap.penetration), reporter.part(overlap.other_block),
       overlap.face[0] == no_index ? "" : fmt::format(", behind its face {}", name_of_face(reporter.mesh, overlap.face)),
       overlap.too_deep ? ", deeper than contact looks" : "", reporter.place(overlap.node));
 }

@@ -39,7 +39,7 @@ TreatedOverlaps treat_overlaps(const scene::Input& input, mesh::CanonicalMesh& w
   if (asked(setup::OverlapRule::offset)) {
     const std::vector<contact::AcceptedOverlap> accepted = setup::accepted_overlaps(treated.gaps.overlaps);
     double largest = 0;
-    for (const contact::AcceptedOverlap& overlap : accepted) largest = std::max(largest, overlap.depth);
+    for (const contact::AcceptedOverlap& overlap : accepted) largest = std::max(largest, overlap.penetration);
     treated.report.notes.push_back(fmt::format("initial overlaps: {} node{} keep theirs as zero gap, {} at most",
                                                accepted.size(), accepted.size() == 1 ? "" : "s",
                                                scene::with_length(largest, input.units)));

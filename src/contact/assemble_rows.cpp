@@ -24,10 +24,10 @@ FrictionLaw friction_of(const Contact& contact, const Row& row, std::span<const 
   return roughest;
 }
 
-bool has_twin(const Row& row, std::span<const NodeMotion> motion_of, const DetectionSettings& settings) {
+bool has_coincident_node(const Row& row, std::span<const NodeMotion> motion_of, const DetectionSettings& settings) {
   const auto motion = [&](LocalIndex node) { return motion_of[static_cast<std::size_t>(node)]; };
   return std::any_of(row.nodes.begin() + 1, row.nodes.begin() + row.node_count,
-                     [&](LocalIndex node) { return are_twins(motion(row.nodes[0]), motion(node), settings); });
+                     [&](LocalIndex node) { return are_coincident(motion(row.nodes[0]), motion(node), settings); });
 }
 
 /// Of rows that can be: they go on from the impulses of the last step.
@@ -42,7 +42,8 @@ void soften(Row& row, double softness, double rate, double dt) {
   if (row.gap < 0) row.gap_share = (row.required - rate) * dt / -row.gap;
 }
 
-/// The row of a node that has a twin holds in both passes, since the twin has none in the second (see detect_faces).
+/// The row of a node with a coincident node holds in both passes, since that node has none in the second (see
+/// detect_faces).
 void assign_passes(const Contact& contact, double dt, std::span<Row> rows) {
   const DerivedSettings& derived = contact.derived;
   const double softness = softness_of(derived);
@@ -51,7 +52,7 @@ void assign_passes(const Contact& contact, double dt, std::span<Row> rows) {
     row.pass = pass_of(row, contact.surface.node(surface_slave(contact, row)), contact.settings.specification,
                        contact.surface.bodies);
     if (row.pass == Pass::first && row.slave_body != row.master_body &&
-        has_twin(row, contact.step.nodes.motion, derived.detection))
+        has_coincident_node(row, contact.step.nodes.motion, derived.detection))
       row.pass = Pass::both;
     if (row.pass != Pass::both && softness > 0) soften(row, softness, 0, dt);
   }

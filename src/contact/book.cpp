@@ -28,7 +28,7 @@ Vec3 both_relative_velocities(const ContactNodes& nodes, const Row& row) {
   const auto old_velocity = [&](LocalIndex node) -> const Vec3& {
     return nodes.motion[static_cast<std::size_t>(node)].old_velocity;
   };
-  return relative_velocity(row, nodes.velocity) + relative_motion(row, old_velocity);
+  return relative_velocity(row, nodes.velocity) + relative_velocity(row, old_velocity);
 }
 
 /// About the slave: what the nodes take sums to zero.

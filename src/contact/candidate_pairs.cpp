@@ -13,17 +13,17 @@ namespace {
 
 using geometry::Box;
 
-std::vector<TravellingFace> own_master_faces(const ListBuild& build) {
-  std::vector<TravellingFace> masters;
+std::vector<GhostFace> own_master_faces(const ListBuild& build) {
+  std::vector<GhostFace> masters;
   for (const SurfaceFace& face : build.surface.faces) {
     if (build.roles.master[static_cast<std::size_t>(face.body)] == 0) continue;
-    TravellingFace master{.key = face.key,
-                          .corner_count = face.corner_count,
-                          .body = face.body,
-                          .block = face.block,
-                          .depth = face.depth,
-                          .seams = face.seams,
-                          .element = face.element};
+    GhostFace master{.key = face.key,
+                     .corner_count = face.corner_count,
+                     .body = face.body,
+                     .block = face.block,
+                     .element_depth = face.element_depth,
+                     .seams = face.seams,
+                     .element = face.element};
     const auto count = static_cast<std::size_t>(face.corner_count);
     std::array<Vec3, 4> corners;
     for (std::size_t i = 0; i < count; ++i) {
@@ -32,7 +32,7 @@ std::vector<TravellingFace> own_master_faces(const ListBuild& build) {
       master.home[i] = build.surface.home[static_cast<std::size_t>(face.nodes[i])];
     }
     const double edge = geometry::longest_edge({corners.data(), count});
-    master.capture = PlainBox(capture_box(build, {corners.data(), count}, edge, face.depth));
+    master.capture = PlainBox(capture_box(build, {corners.data(), count}, edge, face.element_depth));
     masters.push_back(master);
   }
   return masters;
@@ -50,7 +50,7 @@ std::vector<LocalIndex> own_slave_nodes(const ListBuild& build) {
 }
 
 /// A face of the node's own body whose element touches one of the node's elements.
-bool is_neighbour(const Surface& surface, LocalIndex node, const TravellingFace& face) {
+bool is_neighbour(const Surface& surface, LocalIndex node, const GhostFace& face) {
   static_assert(sizeof(face.element) == sizeof(OctetMask));
   OctetMask corners, found{};  // all eight at once: a search of the row by halves guesses wrong at every turn
   std::memcpy(&corners, face.element.data(), sizeof corners);
@@ -58,7 +58,7 @@ bool is_neighbour(const Surface& surface, LocalIndex node, const TravellingFace&
   return any_of_eight(found);
 }
 
-bool is_permitted(const ListBuild& build, LocalIndex node, const TravellingFace& face) {
+bool is_permitted(const ListBuild& build, LocalIndex node, const GhostFace& face) {
   const SurfaceNode slave = build.surface.node(node);
   return may_meet(build.specification, build.surface.bodies, slave, face.block, face.body) &&
          (slave.body != face.body || !is_neighbour(build.surface, node, face));
@@ -66,16 +66,16 @@ bool is_permitted(const ListBuild& build, LocalIndex node, const TravellingFace&
 
 }  // namespace
 
-Box capture_box(const ListBuild& build, std::span<const Vec3> corners, double edge, double depth) {
+Box capture_box(const ListBuild& build, std::span<const Vec3> corners, double edge, double element_depth) {
   const double motion = build.settings.motion;
   const double reach =
-      build.settings.encounter.reach(edge + 2 * motion, depth) + 2 * motion + build.settings.most_clearance();
+      build.settings.encounter.reach(edge + 2 * motion, element_depth) + 2 * motion + build.settings.most_clearance();
   // the criterion of detection is evaluated later and rounds otherwise
   return geometry::grown(geometry::bounding_box(corners), reach * (1 + 1e-6));
 }
 
-CandidatePairs<TravellingFace> find_face_pairs(const ListBuild& build) {
-  CandidatePairs<TravellingFace> result{own_master_faces(build), {}};
+CandidatePairs<GhostFace> find_face_pairs(const ListBuild& build) {
+  CandidatePairs<GhostFace> result{own_master_faces(build), {}};
   const std::vector<LocalIndex> slaves = own_slave_nodes(build);
   std::vector<Vec3> points;
   std::vector<Box> wanted;
@@ -94,8 +94,8 @@ CandidatePairs<TravellingFace> find_face_pairs(const ListBuild& build) {
   }
   std::sort(result.pairs.begin(), result.pairs.end(), [&](const CandidatePair& a, const CandidatePair& b) {
     if (a.slave != b.slave) return a.slave < b.slave;
-    const TravellingFace &one = result.masters[static_cast<std::size_t>(a.master)],
-                         &other = result.masters[static_cast<std::size_t>(b.master)];
+    const GhostFace &one = result.masters[static_cast<std::size_t>(a.master)],
+                    &other = result.masters[static_cast<std::size_t>(b.master)];
     return one.body != other.body ? one.body < other.body : one.key < other.key;
   });
   return result;

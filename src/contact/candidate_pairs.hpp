@@ -31,35 +31,34 @@ struct CandidatePair {
   LocalIndex master = 0;  ///< into the masters
 };
 
-template <class Traveller>
+template <class Ghost>
 struct CandidatePairs {
-  std::vector<Traveller> masters;    ///< of this rank and ghosts
+  std::vector<Ghost> masters;        ///< of this rank and ghosts
   std::vector<CandidatePair> pairs;  ///< by slave, then master body and key (edges: gids)
 };
 
 /// What lies within the detection's reach of a master with this longest edge, even after both sides have moved towards
 /// each other by the motion allowed (which may stretch an edge by twice that).
-geometry::Box capture_box(const ListBuild& build, std::span<const Vec3> corners, double edge, double depth);
+geometry::Box capture_box(const ListBuild& build, std::span<const Vec3> corners, double edge, double element_depth);
 
-template <class Traveller>
-std::vector<geometry::Box> capture_boxes(const std::vector<Traveller>& masters) {
+template <class Ghost>
+std::vector<geometry::Box> capture_boxes(const std::vector<Ghost>& masters) {
   std::vector<geometry::Box> boxes;
   boxes.reserve(masters.size());
-  for (const Traveller& master : masters) boxes.push_back(master.capture.box());
+  for (const Ghost& master : masters) boxes.push_back(master.capture.box());
   return boxes;
 }
 
 /// Those of other ranks that may touch a `wanted` box. Collective.
-template <class Traveller>
-void add_ghosts(const ListBuild& build, std::span<const geometry::Box> wanted, std::vector<Traveller>& masters) {
-  const std::vector<Traveller> ghosts =
-      ghost(build.ranks, std::span<const Traveller>(masters), wanted, build.finest_cell());
+template <class Ghost>
+void add_ghosts(const ListBuild& build, std::span<const geometry::Box> wanted, std::vector<Ghost>& masters) {
+  const std::vector<Ghost> ghosts = ghost(build.ranks, std::span<const Ghost>(masters), wanted, build.finest_cell());
   masters.insert(masters.end(), ghosts.begin(), ghosts.end());
 }
 
 /// Nodes near faces. Collective.
-CandidatePairs<TravellingFace> find_face_pairs(const ListBuild& build);
+CandidatePairs<GhostFace> find_face_pairs(const ListBuild& build);
 /// Edges near edges of which one is sharp. Collective.
-CandidatePairs<TravellingEdge> find_edge_pairs(const ListBuild& build);
+CandidatePairs<GhostEdge> find_edge_pairs(const ListBuild& build);
 
 }  // namespace brunt::contact

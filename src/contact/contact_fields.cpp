@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What contact tells of its last step for pictures.
+// Pressure and gap of the last step, for output.
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -20,7 +20,7 @@ bool is_sharp(EdgeKind kind) {
 
 Box capture_box(const ListBuild& build, const SurfaceEdge& edge) {
   const std::array ends{build.position(edge.nodes[0]), build.position(edge.nodes[1])};
-  return capture_box(build, ends, (ends[1] - ends[0]).norm(), edge.depth);
+  return capture_box(build, ends, (ends[1] - ends[0]).norm(), edge.element_depth);
 }
 
 /// Boxes of all ranks' edges and rims, as far as they reach, of the bodies that have some.
@@ -81,13 +81,13 @@ std::vector<LocalIndex> edges_to_search(const ListBuild& build) {
 }
 
 /// The sharp ones of these edges, or the others.
-std::vector<TravellingEdge> own_edges(const ListBuild& build, std::span<const LocalIndex> chosen, bool sharp) {
-  std::vector<TravellingEdge> edges;
+std::vector<GhostEdge> own_edges(const ListBuild& build, std::span<const LocalIndex> chosen, bool sharp) {
+  std::vector<GhostEdge> edges;
   for (const LocalIndex e : chosen) {
     const SurfaceEdge& edge = build.surface.edges[static_cast<std::size_t>(e)];
     if (is_sharp(edge.kind) != sharp) continue;
-    TravellingEdge master{.facets = edge.facets, .elements = edge.elements, .body = edge.body, .block = edge.block};
-    master.depth = edge.depth;
+    GhostEdge master{.facets = edge.facets, .elements = edge.elements, .body = edge.body, .block = edge.block};
+    master.element_depth = edge.element_depth;
     master.kind = edge.kind;
     master.seam = edge.seam;
     master.end_on_seam = edge.end_on_seam;
@@ -122,7 +122,7 @@ SlaveEdges slave_edges(const ListBuild& build, std::span<const LocalIndex> chose
 }
 
 /// Is a rim of either body held off the other's faces?
-bool holds_rims(const ListBuild& build, const SurfaceEdge& slave, const TravellingEdge& master) {
+bool holds_rims(const ListBuild& build, const SurfaceEdge& slave, const GhostEdge& master) {
   const std::array own{slave.block}, other{master.block};
   const auto rim_may_meet = [&](std::span<const std::int32_t> blocks, std::int32_t body, std::int32_t face_block,
                                 std::int32_t face_body) {
@@ -134,9 +134,10 @@ bool holds_rims(const ListBuild& build, const SurfaceEdge& slave, const Travelli
 
 /// Once for a pair, however many passes its nodes and faces make. Flat edges meet rims of other bodies; edges of one
 /// body meet where their elements do not touch, the lower as slave.
-bool is_permitted(const ListBuild& build, const SurfaceEdge& slave, const TravellingEdge& master) {
+bool is_permitted(const ListBuild& build, const SurfaceEdge& slave, const GhostEdge& master) {
   const std::array block{slave.block};
-  if (!leads(build.specification, build.surface.bodies, {block, slave.body}, master.block, master.body)) return false;
+  if (!is_primary_slave(build.specification, build.surface.bodies, {block, slave.body}, master.block, master.body))
+    return false;
   const bool flat = slave.kind == EdgeKind::flat || master.kind == EdgeKind::flat;
   if (slave.body != master.body) return !flat || holds_rims(build, slave, master);
   const std::array gid{build.surface.gid[static_cast<std::size_t>(slave.nodes[0])],
@@ -147,8 +148,8 @@ bool is_permitted(const ListBuild& build, const SurfaceEdge& slave, const Travel
   });
 }
 
-void add_pairs(const ListBuild& build, const SlaveEdges& slaves, std::vector<TravellingEdge> masters,
-               OverlapScratch& scratch, CandidatePairs<TravellingEdge>& result) {
+void add_pairs(const ListBuild& build, const SlaveEdges& slaves, std::vector<GhostEdge> masters,
+               OverlapScratch& scratch, CandidatePairs<GhostEdge>& result) {
   add_ghosts(build, slaves.box, masters);
   const auto first = static_cast<LocalIndex>(result.masters.size());
   for_each_overlap(slaves.box, capture_boxes(masters), scratch, [&](LocalIndex s, LocalIndex master) {
@@ -162,8 +163,8 @@ void add_pairs(const ListBuild& build, const SlaveEdges& slaves, std::vector<Tra
 
 }  // namespace
 
-CandidatePairs<TravellingEdge> find_edge_pairs(const ListBuild& build) {
-  CandidatePairs<TravellingEdge> result;
+CandidatePairs<GhostEdge> find_edge_pairs(const ListBuild& build) {
+  CandidatePairs<GhostEdge> result;
   const std::vector<LocalIndex> chosen = edges_to_search(build);
   add_pairs(build, slave_edges(build, chosen, false), own_edges(build, chosen, true), build.scratch.rims, result);
   add_pairs(build, slave_edges(build, chosen, true), own_edges(build, chosen, false), build.scratch.edges, result);

@@ -99,7 +99,7 @@ std::vector<BoxCell> cells_of(std::span<const geometry::Box> boxes, double fines
   return cells;
 }
 
-/// What a rank tells a cell's home, and what the home tells the rank that offers.
+/// What a rank reports to the home of a cell, and the home to the rank that offers.
 struct CellUse {
   CellKey key = 0;
   Rank rank = 0;
@@ -108,7 +108,8 @@ struct CellUse {
 };
 
 /// One entry a cell, of a rank's cells in order.
-void tell_homes(const std::vector<BoxCell>& cells, Rank rank, bool wants, std::vector<std::vector<CellUse>>& to_home) {
+void report_to_homes(const std::vector<BoxCell>& cells, Rank rank, bool wants,
+                     std::vector<std::vector<CellUse>>& to_home) {
   for (std::size_t first = 0, last = 0; first < cells.size(); first = last) {
     CellUse use{cells[first].key, rank, wants ? 1 : 0, 0};
     for (; last < cells.size() && cells[last].key == use.key; ++last)
@@ -121,8 +122,8 @@ void tell_homes(const std::vector<BoxCell>& cells, Rank rank, bool wants, std::v
 std::vector<CellUse> meet_at_home(const comm::Communicator& ranks, const std::vector<BoxCell>& offered,
                                   const std::vector<BoxCell>& wanted) {
   std::vector<std::vector<CellUse>> to_home(static_cast<std::size_t>(ranks.size()));
-  tell_homes(offered, ranks.rank(), false, to_home);
-  tell_homes(wanted, ranks.rank(), true, to_home);
+  report_to_homes(offered, ranks.rank(), false, to_home);
+  report_to_homes(wanted, ranks.rank(), true, to_home);
   std::vector<CellUse> uses = comm::exchange(ranks, to_home).values;
   std::sort(uses.begin(), uses.end(), [](const CellUse& a, const CellUse& b) {
     if (a.key != b.key) return a.key < b.key;

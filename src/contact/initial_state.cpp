@@ -27,7 +27,7 @@ std::vector<AcceptedOverlap> overlaps_of(std::span<const Row> rows, const std::s
     if (row.is_wall() || row.is_edge() || row.gap >= 0) continue;
     if (!keep.contains(bodies_of(row.slave_body, row.master_body))) continue;
     if (!seen.empty() && seen.back().slave == row.key.slave && seen.back().body == row.master_body)
-      seen.back().depth = std::max(seen.back().depth, -row.gap);
+      seen.back().penetration = std::max(seen.back().penetration, -row.gap);
     else
       seen.push_back({row.key.slave, row.master_body, -row.gap, row.slave_body});
   }
@@ -56,7 +56,7 @@ void forget_start(Contact& contact) {
 
 }  // namespace
 
-/// What was accepted tells which bodies keep their overlaps. Geometry alone does not know all of their nodes: one that
+/// The accepted overlaps name the bodies that keep theirs. Geometry alone does not know all of their nodes: one that
 /// is outside of a facetted end may be at the rim of its face to detection, or be behind another face.
 void keep_overlaps(Contact& contact, const std::vector<Vec3>& reference, std::span<const Wall> walls) {
   if (contact.settings.detection.accepted.empty()) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements tell the owners of their surface nodes whom they connect; faces meet at their edges.
+// Elements report to the owners of their surface nodes which nodes they connect; faces meet at their edges.
 #include "brunt/contact/join_neighbours.hpp"
 
 #include <Eigen/Geometry>
@@ -61,7 +61,7 @@ std::vector<Together> seen_here(const mesh::LocalMesh& mesh, const Surface& surf
   return seen;
 }
 
-/// One face's side of an edge, told to the edge's home.
+/// One face at an edge, reported to the home of the edge.
 struct EdgeUse {
   std::array<GlobalIndex, 2> gid{};  ///< ascending
   GlobalIndex key = 0;
@@ -69,17 +69,17 @@ struct EdgeUse {
   std::array<double, 3> area{};       ///< of the face
   std::array<double, 3> direction{};  ///< of the edge, counter-clockwise around the face
   std::array<GlobalIndex, 8> element{};
-  double depth = 0;
+  double element_depth = 0;
   std::int32_t body = 0, block = 0;
 };
 
-/// What the home tells the rank of the face with the lower key.
+/// What the home reports to the rank of the face with the lower key.
 struct EdgeFound {
   std::array<GlobalIndex, 2> gid{};
   std::array<Place, 2> faces{};  ///< lower key first
   std::array<std::array<GlobalIndex, 8>, 2> elements{};
   std::int32_t body = 0, block = 0;
-  double depth = 0;
+  double element_depth = 0;
   EdgeKind kind = EdgeKind::flat;
 };
 
@@ -114,7 +114,7 @@ std::vector<EdgeUse> uses_at_home(const comm::Communicator& ranks, const mesh::L
                         .area = components_of(area),
                         .direction = components_of(corners[next] - corners[i]),
                         .element = face.element,
-                        .depth = face.depth,
+                        .element_depth = face.element_depth,
                         .body = face.body,
                         .block = face.block};
       to_home[static_cast<std::size_t>(low) % to_home.size()].push_back(use);
@@ -174,14 +174,15 @@ std::vector<SurfaceEdge> edges_of(const comm::Communicator& ranks, const mesh::L
                                                                 {one.element, other.element},
                                                                 one.body,
                                                                 one.block,
-                                                                std::min(one.depth, other.depth),
+                                                                std::min(one.element_depth, other.element_depth),
                                                                 kind_of(angle, angles)});
   }
   std::vector<EdgeFound> found = comm::exchange(ranks, to_face).values;
   std::sort(found.begin(), found.end(), [](const EdgeFound& a, const EdgeFound& b) { return a.gid < b.gid; });
   std::vector<SurfaceEdge> edges;
   for (const EdgeFound& edge : found) {
-    SurfaceEdge convex{.facets = edge.faces, .body = edge.body, .block = edge.block, .depth = edge.depth};
+    SurfaceEdge convex{
+        .facets = edge.faces, .body = edge.body, .block = edge.block, .element_depth = edge.element_depth};
     convex.kind = edge.kind;
     for (std::size_t i = 0; i < 2; ++i) {
       std::copy(edge.elements[i].begin(), edge.elements[i].end(), convex.elements.begin() + static_cast<long>(8 * i));
@@ -194,9 +195,9 @@ std::vector<SurfaceEdge> edges_of(const comm::Communicator& ranks, const mesh::L
   return edges;
 }
 
-void tell_copies(const comm::Communicator& ranks, const Surface& surface, std::vector<char>& flags) {
+void report_to_copies(const comm::Communicator& ranks, const Surface& surface, std::vector<char>& flags) {
   const auto count = static_cast<std::size_t>(ranks.size());
-  std::vector<std::vector<LocalIndex>> copies(count), asked(count), told(count);
+  std::vector<std::vector<LocalIndex>> copies(count), asked(count), reported(count);
   for (std::size_t i = 0; i < surface.gid.size(); ++i) {
     const auto& [owner, index] = surface.home[i];
     if (owner == ranks.rank()) continue;
@@ -204,13 +205,13 @@ void tell_copies(const comm::Communicator& ranks, const Surface& surface, std::v
     asked[static_cast<std::size_t>(owner)].push_back(index);
   }
   const Ragged<LocalIndex> wanted = comm::exchange(ranks, asked);
-  for (std::size_t r = 0; r < told.size(); ++r)
+  for (std::size_t r = 0; r < reported.size(); ++r)
     for (const LocalIndex node : wanted.row(static_cast<LocalIndex>(r)))
-      told[r].push_back(flags[static_cast<std::size_t>(node)]);
-  const Ragged<LocalIndex> heard = comm::exchange(ranks, told);
+      reported[r].push_back(flags[static_cast<std::size_t>(node)]);
+  const Ragged<LocalIndex> received = comm::exchange(ranks, reported);
   for (std::size_t r = 0; r < copies.size(); ++r)
     for (std::size_t k = 0; k < copies[r].size(); ++k)
-      flags[static_cast<std::size_t>(copies[r][k])] = static_cast<char>(heard.row(static_cast<LocalIndex>(r))[k]);
+      flags[static_cast<std::size_t>(copies[r][k])] = static_cast<char>(received.row(static_cast<LocalIndex>(r))[k]);
 }
 
 std::vector<char> nodes_on_rims(const comm::Communicator& ranks, const Surface& surface) {
@@ -225,7 +226,7 @@ std::vector<char> nodes_on_rims(const comm::Communicator& ranks, const Surface& 
   std::vector<char> on_rim(surface.gid.size(), 0);
   for (const LocalIndex node : comm::exchange(ranks, to_owner).values) on_rim[static_cast<std::size_t>(node)] = 1;
 
-  tell_copies(ranks, surface, on_rim);
+  report_to_copies(ranks, surface, on_rim);
   return on_rim;
 }
 

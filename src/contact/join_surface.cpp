@@ -23,7 +23,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr EdgeAngles edge_angles{.flat = -20 * degree, .blunt = 4 * degree, .sharp = 20 * degree};
 
-/// A face tells the owner of each of its nodes that it is there.
+/// A face reports to the owner of each of its nodes.
 struct NodeUse {
   GlobalIndex gid = 0, key = 0;
   std::int32_t block = no_index;  ///< no_index for an excluded face
@@ -77,34 +77,34 @@ LocalIndex index_of(const std::vector<GlobalIndex>& ascending, GlobalIndex gid) 
   return static_cast<LocalIndex>(found - ascending.begin());
 }
 
-/// Owned surface nodes are told to all ranks that hold them, so that every copy is known as surface.
+/// Owned surface nodes are reported to all ranks that hold them, so that every copy is known as surface.
 void collect_nodes(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const std::vector<NodeUse>& uses,
                    Surface& surface) {
   std::vector<GlobalIndex> owned;
   for (const NodeUse& use : uses)
     if (owned.empty() || owned.back() != use.gid) owned.push_back(use.gid);
-  std::vector<std::vector<GlobalIndex>> told(static_cast<std::size_t>(ranks.size()));
+  std::vector<std::vector<GlobalIndex>> reported(static_cast<std::size_t>(ranks.size()));
   for (std::size_t s = 0; s < mesh.shared.size(); ++s) {
     const auto node = static_cast<std::size_t>(mesh.shared[s]);
     const GlobalIndex gid = mesh.node_gid[node];
     if (mesh.owner[node] != ranks.rank() || !std::binary_search(owned.begin(), owned.end(), gid)) continue;
     for (const Rank sharer : mesh.sharers.row(static_cast<LocalIndex>(s)))
-      if (sharer != ranks.rank()) told[static_cast<std::size_t>(sharer)].push_back(gid);
+      if (sharer != ranks.rank()) reported[static_cast<std::size_t>(sharer)].push_back(gid);
   }
-  const Ragged<GlobalIndex> heard = comm::exchange(ranks, told);
+  const Ragged<GlobalIndex> received = comm::exchange(ranks, reported);
   surface.gid = owned;
-  surface.gid.insert(surface.gid.end(), heard.values.begin(), heard.values.end());
+  surface.gid.insert(surface.gid.end(), received.values.begin(), received.values.end());
   std::sort(surface.gid.begin(), surface.gid.end());
   for (const GlobalIndex gid : surface.gid) surface.model_node.push_back(index_of(mesh.node_gid, gid));
 
-  std::vector<std::vector<LocalIndex>> place_at(told.size());
-  for (std::size_t r = 0; r < told.size(); ++r)
-    for (const GlobalIndex gid : told[r]) place_at[r].push_back(index_of(surface.gid, gid));
+  std::vector<std::vector<LocalIndex>> place_at(reported.size());
+  for (std::size_t r = 0; r < reported.size(); ++r)
+    for (const GlobalIndex gid : reported[r]) place_at[r].push_back(index_of(surface.gid, gid));
   const Ragged<LocalIndex> places = comm::exchange(ranks, place_at);
   for (std::size_t i = 0; i < surface.gid.size(); ++i)
     surface.home.push_back({ranks.rank(), static_cast<LocalIndex>(i)});
   for (Rank r = 0; r < ranks.size(); ++r) {
-    const auto gids = heard.row(r);
+    const auto gids = received.row(r);
     const auto there = places.row(r);
     for (std::size_t i = 0; i < gids.size(); ++i)
       surface.home[static_cast<std::size_t>(index_of(surface.gid, gids[i]))] = {r, there[i]};
@@ -169,7 +169,7 @@ void collect_faces(const mesh::LocalMesh& mesh, const Outside& outside, Surface&
                      .corner_count = static_cast<std::int32_t>(corner_count(from)),
                      .body = from.body,
                      .block = from.block,
-                     .depth = element_depth(mesh, from)};
+                     .element_depth = element_depth(mesh, from)};
     for (std::size_t i = 0; i < corner_count(from); ++i)
       face.nodes[i] = index_of(surface.gid, mesh.node_gid[static_cast<std::size_t>(from.nodes[i])]);
     face.element.fill(no_index);
@@ -208,7 +208,7 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
     sums[body].add(geometry::area_vector(view).norm());
     const double edge = geometry::longest_edge(view);
     sums[2 * body_count].add(edge);
-    sums[2 * body_count + 1].add(std::min(edge, face.depth));
+    sums[2 * body_count + 1].add(std::min(edge, face.element_depth));
     ++counts[body];
     if (static_cast<std::size_t>(face.block) < block_count)
       ++faces_of[body * block_count + static_cast<std::size_t>(face.block)];
@@ -239,7 +239,7 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
     faces += counts[body];
   }
   surface.mean_edge = mean(totals[2 * body_count], faces);
-  surface.mean_depth = mean(totals[2 * body_count + 1], faces);
+  surface.mean_element_depth = mean(totals[2 * body_count + 1], faces);
 }
 
 Surface join(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Outside& outside,

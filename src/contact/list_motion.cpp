@@ -46,7 +46,7 @@ void ListMotion::correct(const MotionSpan& found) {
   moved_low_ = -Vec3(&found[4]);
 }
 
-/// Where the bounds tell nothing, any other does as well that is the same on all ranks.
+/// Where the bounds are not finite, any point serves that is the same on all ranks.
 Vec3 ListMotion::middle() const {
   const Vec3 middle = 0.5 * (low_ + high_);
   return middle.allFinite() ? middle : Vec3(Vec3::Zero());

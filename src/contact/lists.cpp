@@ -71,7 +71,7 @@ NodeTable make_table(const ListBuild& build, std::vector<NeededNode> needed, Rag
   return table;
 }
 
-/// Copies and owners tell each other where they keep the node; both lists of a pair of ranks run in ascending gid.
+/// Copies and owners exchange the places of the node; both lists of a pair of ranks run in ascending gid.
 NodeLinks link_nodes(const ListBuild& build, const NodeTable& table, const Ragged<LocalIndex>& requested) {
   const auto rank_count = static_cast<std::size_t>(build.ranks.size());
   NodeLinks links;
@@ -99,12 +99,12 @@ NodeLinks link_nodes(const ListBuild& build, const NodeTable& table, const Ragge
   return links;
 }
 
-using FacePairs = CandidatePairs<TravellingFace>;
-using EdgePairs = CandidatePairs<TravellingEdge>;
+using FacePairs = CandidatePairs<GhostFace>;
+using EdgePairs = CandidatePairs<GhostEdge>;
 
 /// Masters that some pair needs, in the order of their first pair: place of each, or no_index.
-template <class Traveller>
-std::vector<LocalIndex> masters_in_use(const CandidatePairs<Traveller>& found, std::vector<LocalIndex>& used) {
+template <class Ghost>
+std::vector<LocalIndex> masters_in_use(const CandidatePairs<Ghost>& found, std::vector<LocalIndex>& used) {
   std::vector<LocalIndex> place(found.masters.size(), no_index);
   for (const CandidatePair& pair : found.pairs) {
     LocalIndex& here = place[static_cast<std::size_t>(pair.master)];
@@ -128,9 +128,9 @@ void fill_faces(const ListBuild& build, const FacePairs& found, ContactLists& li
   std::vector<LocalIndex> used;
   const std::vector<LocalIndex> place = masters_in_use(found, used);
   for (const LocalIndex m : used) {
-    const TravellingFace& from = found.masters[static_cast<std::size_t>(m)];
+    const GhostFace& from = found.masters[static_cast<std::size_t>(m)];
     MasterFace master{.key = from.key, .corner_count = from.corner_count, .body = from.body, .block = from.block};
-    master.depth = from.depth;
+    master.element_depth = from.element_depth;
     master.seams = from.seams;
     master.half_thickness = 0.5 * build.settings.thickness_of(from.block);
     master.two_sided = master.half_thickness > 0;
@@ -155,9 +155,9 @@ void fill_second(const ListBuild& build, const FacePairs& found, Candidates& can
   if (!build.settings.two_passes) return;
   for (const CandidatePair& pair : found.pairs) {
     const SurfaceNode node = build.surface.node(pair.slave);
-    const TravellingFace& face = found.masters[static_cast<std::size_t>(pair.master)];
+    const GhostFace& face = found.masters[static_cast<std::size_t>(pair.master)];
     const bool second = node.body != face.body &&
-                        !leads(build.specification, build.surface.bodies, node, face.block, face.body) &&
+                        !is_primary_slave(build.specification, build.surface.bodies, node, face.block, face.body) &&
                         meet_in_two_passes(build.specification, build.surface.bodies, node, face.block, face.body);
     candidates.second.push_back(second ? 1 : 0);
   }
@@ -180,8 +180,8 @@ void fill_seams(const ListBuild& build, const FacePairs& found, Candidates& cand
   for_each_slave(found.pairs, [&](LocalIndex node, auto /*pairs*/) {
     const auto first = build.surface.facets.offsets[static_cast<std::size_t>(node)];
     const auto end = build.surface.facets.offsets[static_cast<std::size_t>(node) + 1];
-    candidates.goes_on.insert(candidates.goes_on.end(), build.surface.goes_on.begin() + first,
-                              build.surface.goes_on.begin() + end);
+    candidates.seam_sag.insert(candidates.seam_sag.end(), build.surface.seam_sag.begin() + first,
+                               build.surface.seam_sag.begin() + end);
   });
 }
 
@@ -191,11 +191,11 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
   const std::vector<LocalIndex> place = masters_in_use(found, used);
   EdgeCandidates& edges = lists.edges;
   for (const LocalIndex m : used) {
-    const TravellingEdge& from = found.masters[static_cast<std::size_t>(m)];
+    const GhostEdge& from = found.masters[static_cast<std::size_t>(m)];
     edges.masters.push_back({.nodes = {table_index(lists.nodes, from.gid[0]), table_index(lists.nodes, from.gid[1])},
                              .body = from.body,
                              .block = from.block,
-                             .depth = from.depth,
+                             .element_depth = from.element_depth,
                              .flat = from.kind == EdgeKind::flat,
                              .seam = from.seam,
                              .end_on_rim = from.end_on_rim,
@@ -211,7 +211,7 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
     edges.slaves.push_back({.nodes = {contact_node(from.nodes[0]), contact_node(from.nodes[1])},
                             .body = from.body,
                             .block = from.block,
-                            .depth = from.depth,
+                            .element_depth = from.element_depth,
                             .flat = from.kind == EdgeKind::flat,
                             .seam = from.seam,
                             .end_on_rim = {on_rim(from.nodes[0]), on_rim(from.nodes[1])},
@@ -255,8 +255,8 @@ void link_facets(const ListBuild& build, const FacePairs& found, const std::vect
     lists.wall_facets.close_row();
   }
   auto next = of_edges.begin();
-  for (std::vector<EdgeSide>* sides : {&lists.edges.masters, &lists.edges.slaves})
-    for (EdgeSide& side : *sides)
+  for (std::vector<ContactEdge>* sides : {&lists.edges.masters, &lists.edges.slaves})
+    for (ContactEdge& side : *sides)
       for (LocalIndex& facet : side.facets) facet = leaf_of(*next++);
   lists.facet_needed.assign(build.surface.faces.size(), 0);
   for (const LocalIndex face : comm::exchange(build.ranks, needs).values)
@@ -279,13 +279,13 @@ std::vector<NeededNode> needed_nodes(const ListBuild& build, const FacePairs& fa
   std::vector<LocalIndex> used;
   masters_in_use(faces, used);
   for (const LocalIndex m : used) {
-    const TravellingFace& master = faces.masters[static_cast<std::size_t>(m)];
+    const GhostFace& master = faces.masters[static_cast<std::size_t>(m)];
     for (std::size_t i = 0; i < static_cast<std::size_t>(master.corner_count); ++i)
       needed.push_back({master.gid[i], master.home[i]});
   }
   for (const CandidatePair& pair : edges.pairs) {
     for (const LocalIndex node : build.surface.edges[static_cast<std::size_t>(pair.slave)].nodes) need(node);
-    const TravellingEdge& master = edges.masters[static_cast<std::size_t>(pair.master)];
+    const GhostEdge& master = edges.masters[static_cast<std::size_t>(pair.master)];
     for (std::size_t i = 0; i < 2; ++i) needed.push_back({master.gid[i], master.home[i]});
   }
   for (const WallCandidate& candidate : walls) need(candidate.node);

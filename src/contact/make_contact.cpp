@@ -27,10 +27,10 @@ std::vector<double> sound_of(std::span<const BodyFigures> bodies, std::span<cons
 DetectionSettings derived_detection(const ContactSettings& settings, const Surface& surface) {
   DetectionSettings detection = settings.detection;
   detection.wall_size = surface.mean_edge;
-  detection.choice.criterion = settings.specification.criterion;
+  detection.selection.criterion = settings.specification.criterion;
   detection.sound = sound_of(surface.bodies, settings.blocks.sound);
   detection.flush = surface.flush;
-  detection.twin = twin_share * surface.mean_depth;
+  detection.coincidence = coincidence_share * surface.mean_element_depth;
   return detection;
 }
 
@@ -120,7 +120,7 @@ void update_surface(Contact& contact, const mesh::LocalMesh& mesh, const Remains
   Surface surface = join_surface(contact.ranks, mesh, remains, inverse_mass);
   surface.bodies = with_blocks(contact.bodies_at_start, surface.bodies);
   surface.mean_edge = contact.surface.mean_edge;
-  surface.mean_depth = contact.surface.mean_depth;
+  surface.mean_element_depth = contact.surface.mean_element_depth;
   contact.surface = std::move(surface);
   contact.surface_nodes = surface_nodes(contact.ranks, contact.surface, mesh, inverse_mass, constrained, walls,
                                         contact.settings.rigid.nodes, !contact.settings.detection.accepted.empty());

@@ -7,7 +7,8 @@ Pass pass_of(const Row& row, const SurfaceNode& node, const Specification& speci
              std::span<const BodyFigures> bodies) {
   if (!meet_in_two_passes(specification, bodies, node, row.master_block, row.master_body)) return Pass::both;
   if (row.slave_body != row.master_body)
-    return leads(specification, bodies, node, row.master_block, row.master_body) ? Pass::first : Pass::second;
+    return is_primary_slave(specification, bodies, node, row.master_block, row.master_body) ? Pass::first
+                                                                                            : Pass::second;
   const Vec3 askew(0.81, 0.47, 0.35);  // no face of a body that was meshed along the axes looks across it
   return row.normal.dot(askew) > 0 ? Pass::first : Pass::second;
 }

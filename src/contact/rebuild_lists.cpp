@@ -148,7 +148,7 @@ void rebuild(Contact& contact, const StepInput& input) {
   StepData& step = contact.step;
   const double fastest = start_motion(surface, input, state.motion);
   state.motion_allowed =
-      std::max(contact.settings.motion_share * surface.mean_depth, 4 * input.dt * contact.ranks.max(fastest));
+      std::max(contact.settings.motion_share * surface.mean_element_depth, 4 * input.dt * contact.ranks.max(fastest));
   lists = lists_of(contact, input.walls);
   state.exist = true;
   ++contact.ledger.statistics.searches;
@@ -157,7 +157,7 @@ void rebuild(Contact& contact, const StepInput& input) {
   if (derived.two_passes) {
     const std::span<const Vec3> starts = state.motion.starts().first(surface.gid.size());
     const std::vector<Vec3> positions = of_contact_nodes<Vec3>(lists, starts, Vec3::Zero());
-    list_twins(lists.faces, positions, state.motion_allowed, derived.detection, lists.candidates);
+    list_coincident_nodes(lists.faces, positions, state.motion_allowed, derived.detection, lists.candidates);
   }
   state.gather = plan_gather(surface, lists);
   step.own_area.assign(surface.faces.size(), Vec3::Zero());

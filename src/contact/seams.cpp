@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "brunt/comm/rendezvous.hpp"
-#include "brunt/contact/detection/choose.hpp"
 #include "brunt/contact/detection/seams.hpp"
+#include "brunt/contact/detection/select_rows.hpp"
 #include "brunt/contact/ghosting.hpp"
 #include "brunt/contact/join_neighbours.hpp"
 #include "brunt/contact/search/search.hpp"
@@ -46,7 +46,7 @@ StartFace start_face(const mesh::LocalMesh& mesh, const Surface& surface, const 
     face.gid[i] = surface.gid[node];
   }
   const geometry::Corners view(corners.data(), count);
-  face.margin = seam_reach * extent(geometry::longest_edge(view), from.depth);
+  face.margin = seam_reach * extent(geometry::longest_edge(view), from.element_depth);
   face.capture = PlainBox(geometry::grown(geometry::bounding_box(view), face.margin));
   return face;
 }
@@ -86,7 +86,7 @@ bool continues(const StartFace& own, const Beyond& side, const Vec3& point, cons
   const std::array<Vec3, 4> corners = other.places();
   const geometry::Corners view(corners.data(), count);
   const Vec3 normal = geometry::area_vector(view).normalized();
-  if (!same_direction(normal, side.normal, ChoiceSettings{}.same_direction)) return false;
+  if (!same_direction(normal, side.normal, SelectionSettings{}.same_direction)) return false;
   const auto closest = geometry::closest_point(point, view);
   return closest && (point - closest->point).norm() <= std::min(own.margin, other.margin);
 }
@@ -132,7 +132,7 @@ struct SeamOfFace {
 /// A face that goes on beyond a side that ends in the node; the face is of the rank that says so.
 struct SeamOfNode {
   LocalIndex node = 0, face = 0;
-  double depth = 0;  ///< [length]
+  double sag = 0;  ///< [length]
   std::array<double, 3> normal{};
 };
 
@@ -143,7 +143,7 @@ struct EndAtNode {
 };
 
 /// What the faces of all ranks say, at the owners of nodes: those of the node, and those of which it is the lower end.
-struct Heard {
+struct ReceivedSeams {
   Ragged<SeamOfNode> nodes;
   std::vector<SeamOfFace> edges;  ///< ascending
 };
@@ -155,7 +155,7 @@ std::array<double, 3> normal_of(const mesh::LocalMesh& mesh, const Surface& surf
 }
 
 /// Collective.
-Heard tell_owners(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Surface& surface) {
+ReceivedSeams report_to_owners(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Surface& surface) {
   const auto count = static_cast<std::size_t>(ranks.size());
   std::vector<std::vector<SeamOfNode>> nodes(count);
   std::vector<std::vector<SeamOfFace>> edges(count);
@@ -164,32 +164,32 @@ Heard tell_owners(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, 
       const SurfaceFace& face = surface.faces[f];
       if ((face.seams >> side & 1U) == 0) continue;
       const auto corners = static_cast<std::size_t>(face.corner_count);
-      const double depth = seam_depth / seam_reach * start_face(mesh, surface, face).margin;
+      const double sag = seam_sag_limit / seam_reach * start_face(mesh, surface, face).margin;
       LocalIndex low = face.nodes[side], high = face.nodes[(side + 1) % corners];
       if (surface.gid[static_cast<std::size_t>(high)] < surface.gid[static_cast<std::size_t>(low)])
         std::swap(low, high);
       const std::array<double, 3> normal = normal_of(mesh, surface, face);
       for (const LocalIndex node : {low, high}) {
         const Place& home = surface.home[static_cast<std::size_t>(node)];
-        nodes[static_cast<std::size_t>(home.rank)].push_back({home.index, static_cast<LocalIndex>(f), depth, normal});
+        nodes[static_cast<std::size_t>(home.rank)].push_back({home.index, static_cast<LocalIndex>(f), sag, normal});
       }
       edges[static_cast<std::size_t>(surface.home[static_cast<std::size_t>(low)].rank)].push_back(
           {{surface.gid[static_cast<std::size_t>(low)], surface.gid[static_cast<std::size_t>(high)]},
            {ranks.rank(), static_cast<LocalIndex>(f)}});
     }
-  Heard heard{comm::exchange(ranks, nodes), comm::exchange(ranks, edges).values};
-  std::ranges::sort(heard.edges);
-  return heard;
+  ReceivedSeams received{comm::exchange(ranks, nodes), comm::exchange(ranks, edges).values};
+  std::ranges::sort(received.edges);
+  return received;
 }
 
-void mark_nodes(const Ragged<SeamOfNode>& heard, Surface& surface) {
-  surface.goes_on.assign(surface.facets.values.size(), 0);
-  for (Rank rank = 0; rank < heard.rows(); ++rank)
-    for (const auto& [node, face, depth, normal] : heard.row(rank)) {
+void mark_nodes(const Ragged<SeamOfNode>& received, Surface& surface) {
+  surface.seam_sag.assign(surface.facets.values.size(), 0);
+  for (Rank rank = 0; rank < received.rows(); ++rank)
+    for (const auto& [node, face, sag, normal] : received.row(rank)) {
       const std::span<const Place> facets = std::as_const(surface.facets).row(node);
       const auto at = std::ranges::find(facets, Place{rank, face});
       demand(at != facets.end(), "a node's owner knows its faces");
-      surface.goes_on[static_cast<std::size_t>(&*at - surface.facets.values.data())] = depth;
+      surface.seam_sag[static_cast<std::size_t>(&*at - surface.facets.values.data())] = sag;
     }
 }
 
@@ -210,15 +210,15 @@ void mark_edges(const comm::Communicator& ranks, std::span<const SeamOfFace> kno
   for (std::size_t r = 0; r < count; ++r)
     for (const SeamOfFace& question : questions.row(static_cast<LocalIndex>(r)))
       answers[r].push_back(std::ranges::binary_search(known, question) ? 1 : 0);
-  const Ragged<char> heard = comm::exchange(ranks, answers);
+  const Ragged<char> received = comm::exchange(ranks, answers);
   std::vector<std::size_t> next(count, 0);
   for (SurfaceEdge& edge : surface.edges)
-    for (bool& seam : edge.seam) seam = heard.row(static_cast<LocalIndex>(asks(edge)))[next[asks(edge)]++] != 0;
+    for (bool& seam : edge.seam) seam = received.row(static_cast<LocalIndex>(asks(edge)))[next[asks(edge)]++] != 0;
 }
 
 /// Flat edges ask the owners of their ends: they lie in the side of a seam where one goes by there, but not along the
 /// edge's own faces. Collective.
-void mark_ends(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Ragged<SeamOfNode>& heard,
+void mark_ends(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Ragged<SeamOfNode>& received,
                Surface& surface) {
   const auto count = static_cast<std::size_t>(ranks.size());
   std::vector<std::vector<EndAtNode>> asked(count);
@@ -232,21 +232,21 @@ void mark_ends(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, con
     asked[static_cast<std::size_t>(home.rank)].push_back({home.index, normal_of(mesh, surface, face)});
   });
   const Ragged<EndAtNode> questions = comm::exchange(ranks, asked);
-  std::vector<SeamOfNode> known(heard.values);
+  std::vector<SeamOfNode> known(received.values);
   std::ranges::stable_sort(known, {}, &SeamOfNode::node);
   std::vector<std::vector<char>> answers(count);
   for (std::size_t r = 0; r < count; ++r)
     for (const auto& [node, normal] : questions.row(static_cast<LocalIndex>(r))) {
       const auto tops = std::ranges::equal_range(known, node, {}, &SeamOfNode::node);
       const bool along = std::ranges::any_of(tops, [&](const SeamOfNode& top) {
-        return same_direction(Vec3(normal.data()), Vec3(top.normal.data()), ChoiceSettings{}.same_direction);
+        return same_direction(Vec3(normal.data()), Vec3(top.normal.data()), SelectionSettings{}.same_direction);
       });
       answers[r].push_back(!tops.empty() && !along ? 1 : 0);
     }
-  const Ragged<char> told = comm::exchange(ranks, answers);
+  const Ragged<char> replies = comm::exchange(ranks, answers);
   std::vector<std::size_t> next(count, 0);
   each_end([&](SurfaceEdge& edge, std::size_t i, const Place& home) {
-    edge.end_on_seam[i] = told.row(home.rank)[next[static_cast<std::size_t>(home.rank)]++];
+    edge.end_on_seam[i] = replies.row(home.rank)[next[static_cast<std::size_t>(home.rank)]++];
   });
 }
 
@@ -261,10 +261,10 @@ void find_seams(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, Su
   for (const auto& [one, other] : comm::exchange(ranks, to_all).values) surface.flush.emplace_back(one, other);
   sort_unique(surface.flush);
   if (surface.flush.empty()) return;
-  const Heard heard = tell_owners(ranks, mesh, surface);
-  mark_nodes(heard.nodes, surface);
-  mark_edges(ranks, heard.edges, surface);
-  mark_ends(ranks, mesh, heard.nodes, surface);
+  const ReceivedSeams received = report_to_owners(ranks, mesh, surface);
+  mark_nodes(received.nodes, surface);
+  mark_edges(ranks, received.edges, surface);
+  mark_ends(ranks, mesh, received.nodes, surface);
 }
 
 }  // namespace brunt::contact

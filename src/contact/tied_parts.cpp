@@ -112,7 +112,7 @@ void append_tie_rows(Contact& contact, const Carriers& carriers, double dt, std:
   const std::size_t first = rows.size();
   tie_rows(contact.tied.ties, tie_scene(contact, dt), contact.tied.levers, rows);
   for (Row& row : std::span(rows).subspan(first))
-    ask_only_what_can_move(row, contact.step.nodes.mobility, contact.step.nodes.motion, carriers);
+    keep_feasible_rate(row, contact.step.nodes.mobility, contact.step.nodes.motion, carriers);
 }
 
 void demand_ties_hold(const Contact& contact) {

@@ -77,7 +77,7 @@ Seen look_at(const MasterFace& face, std::span<const NodeMotion> motion, const V
   if (!closest) return Seen::nothing;
   const Vec3 normal = normal_of(corners), offset = slave - closest->point;
   const double size = geometry::longest_edge(corners), over = normal.dot(offset), distance = offset.norm();
-  const double reach = settings.deepest(size, face.depth);
+  const double reach = settings.max_penetration(size, face.element_depth);
   if (std::abs(over) > reach || !looks_at(facets, facet_area, normal)) return Seen::nothing;
   const Vec3 across = offset - over * normal;
   if (across.norm() > settings.rim * size) return distance <= reach ? Seen::beside : Seen::nothing;
@@ -111,7 +111,7 @@ Mat3 cross_matrix(const Vec3& a) {
 /// How the offset of a slave turns with the corners. What is along the normal turns with the area vector
 /// A = 1/2 sum x_i x x_{i+1}, whose rate is sum c_i x v_i with c_i = (x_{i-1} - x_{i+1}) / 2: the gradient of what the
 /// tie keeps. The little that has crept across goes with the corners' mean spin J^-1 sum d_i x v_i.
-void lay_lever(const Vec3& offset, std::span<const Vec3> corners, const Row& row, Lever& lever) {
+void compute_lever(const Vec3& offset, std::span<const Vec3> corners, const Row& row, Lever& lever) {
   const std::size_t count = corners.size();
   const Vec3 &normal = row.normal, middle = middle_of(corners);
   const double height = normal.dot(offset);
@@ -126,8 +126,8 @@ void lay_lever(const Vec3& offset, std::span<const Vec3> corners, const Row& row
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 along = 0.5 * (corners[(i + count - 1) % count] - corners[(i + 1) % count]);
     lever.turn[i + 1] = spin * cross_matrix(corners[i] - middle) - tilt * cross_matrix(along);
-    lever.size[i + 1] = lever.turn[i + 1].norm();
-    lever.most = std::max(lever.most, std::abs(row.weights[i + 1]) + lever.size[i + 1]);
+    lever.bound[i + 1] = lever.turn[i + 1].norm();
+    lever.most = std::max(lever.most, std::abs(row.weights[i + 1]) + lever.bound[i + 1]);
   }
 }
 
@@ -145,7 +145,7 @@ Vec3 lost_in_turning(const Tie& tie, const Vec3& crept, const Row& row, const Ma
   for (std::size_t i = 0; i < count; ++i) storage[i] = place_after(face.nodes[i]);
   const std::span<const Vec3> corners(storage.data(), count);
   const Vec3 after = offset_of(place_after(row.nodes[0]), corners, tie.weights) - tie.height * normal_of(corners);
-  return after - crept - scene.dt * relative_motion(row, old_velocity);
+  return after - crept - scene.dt * relative_velocity(row, old_velocity);
 }
 
 /// Bound of the rounding in a sum of the slave's and the corners' positions with weights of sum 1 and -1 [length]: each
@@ -181,7 +181,7 @@ Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const T
   row.holds = true;
   const Vec3 offset = offset_of(scene.motion[static_cast<std::size_t>(slave)].position, corners, tie.weights);
   if (tie.height != 0) {
-    lay_lever(offset, corners, row, lever);
+    compute_lever(offset, corners, row, lever);
     row.lever = &lever;
   }
   const Vec3 crept = offset - tie.height * row.normal;
@@ -239,14 +239,14 @@ Mat3 held_directions(const Row& row, std::span<const Mobility> mobility, std::sp
 
 }  // namespace
 
-void ask_only_what_can_move(Row& row, std::span<const Mobility> mobility, std::span<const NodeMotion> motion,
-                            const Carriers& carriers) {
+void keep_feasible_rate(Row& row, std::span<const Mobility> mobility, std::span<const NodeMotion> motion,
+                        const Carriers& carriers) {
   const Mobility& slave = mobility[static_cast<std::size_t>(row.nodes[0])];
   if (slave.is_free() && slave.inverse_mass > 0) return;  // it can follow any rate
   const Mat3 held = held_directions(row, mobility, motion, carriers);
   if (held.isZero(0)) return;
   const Vec3 asked = row.required * row.normal + row.drift;
-  const Vec3 predicted = relative_motion(
+  const Vec3 predicted = relative_velocity(
       row, [&](LocalIndex node) -> const Vec3& { return motion[static_cast<std::size_t>(node)].predicted; });
   const Vec3 left = asked + held * (predicted - asked);
   row.required = row.normal.dot(left);

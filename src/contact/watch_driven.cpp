@@ -71,7 +71,7 @@ void watch_driven(Contact& contact, const Carriers& carriers, double dt) {
       driven.back().since = contact.ledger.clock - dt;
       known = driven.end() - 1;
     }
-    known->depth = std::max(known->depth, -row.gap);
+    known->penetration = std::max(known->penetration, -row.gap);
   }
 }
 

@@ -16,10 +16,10 @@ std::vector<contact::AcceptedOverlap> accepted_overlaps(const std::vector<Initia
   std::map<std::pair<GlobalIndex, std::int32_t>, contact::AcceptedOverlap> deepest;
   for (const InitialOverlap& overlap : overlaps) {
     if (overlap.rule != OverlapRule::offset && !overlap.is_moved()) continue;
-    const double depth = overlap.is_moved() ? named : overlap.depth;
+    const double penetration = overlap.is_moved() ? named : overlap.penetration;
     // the canonical position of a node is its gid
     contact::AcceptedOverlap& kept = deepest[{overlap.node, overlap.other_body}];
-    kept = {overlap.node, overlap.other_body, std::max(kept.depth, depth), overlap.body};
+    kept = {overlap.node, overlap.other_body, std::max(kept.penetration, penetration), overlap.body};
   }
   std::vector<contact::AcceptedOverlap> accepted;
   accepted.reserve(deepest.size());

@@ -15,7 +15,7 @@ namespace {
 /// Where detection stops looking behind a face.
 double reach_behind(const SolidFace& face) {
   const contact::EncounterSettings settings;
-  return settings.deepest(face.size, face.depth);
+  return settings.max_penetration(face.size, face.element_depth);
 }
 
 class Survey {
@@ -27,7 +27,7 @@ class Survey {
         if (const auto rule = rule_of(a, b)) compare(a, b, *rule);
     forgive_masters();
     std::ranges::sort(gaps.overlaps, [](const InitialOverlap& p, const InitialOverlap& q) {
-      return p.depth != q.depth ? p.depth > q.depth : p.node < q.node;
+      return p.penetration != q.penetration ? p.penetration > q.penetration : p.node < q.node;
     });
   }
 
@@ -40,17 +40,17 @@ class Survey {
   }
 
   void compare(std::size_t a, std::size_t b, OverlapRule rule) {
-    const std::size_t told = gaps.overlaps.size() + gaps.piercings.size();
+    const std::size_t known = gaps.overlaps.size() + gaps.piercings.size();
     std::vector<char> inside(mesh_.coordinates.size(), 0);
     compare_nodes(a, b, rule, inside);
     if (a == b) return;
     compare_nodes(b, a, rule, inside);
     find_piercings(a, b, rule, inside);
     find_piercings(b, a, rule, inside);
-    if (gaps.overlaps.size() + gaps.piercings.size() == told) find_shared_space(a, b, rule);
+    if (gaps.overlaps.size() + gaps.piercings.size() == known) find_shared_space(a, b, rule);
   }
 
-  /// Only where nodes and edges have told nothing.
+  /// Only where nodes and edges have found nothing.
   void find_shared_space(std::size_t a, std::size_t b, OverlapRule rule) {
     if (body_of(solids_[a]) == body_of(solids_[b]) || !geometry::overlaps(solids_[a].box, solids_[b].box)) return;
     for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
@@ -77,8 +77,8 @@ class Survey {
       }
       std::optional<Behind> behind = compared.behind_near(i);
       if (!behind && examined++ < most_examined) behind = compared.behind_any(i);
-      if (behind && behind->depth < 0) {
-        if (!one_body) keep_gap(a, b, -behind->depth);
+      if (behind && behind->penetration < 0) {
+        if (!one_body) keep_gap(a, b, -behind->penetration);
         continue;
       }
       inside[static_cast<std::size_t>(node)] = 1;
@@ -90,10 +90,10 @@ class Survey {
                              .rule = rule};
       if (behind) {
         const SolidFace& face = solid.faces[behind->face];
-        overlap.depth = behind->depth;
+        overlap.penetration = behind->penetration;
         overlap.face = face.nodes;
       }
-      overlap.too_deep = !behind || behind->depth > reach_behind(solid.faces[behind->face]);
+      overlap.too_deep = !behind || behind->penetration > reach_behind(solid.faces[behind->face]);
       gaps.overlaps.push_back(overlap);
     }
   }

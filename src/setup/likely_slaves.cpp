@@ -174,10 +174,11 @@ FlightShadow shadow_of(const mesh::Mesh& mesh, std::span<const mesh::Side> sides
   return {way, nodes};
 }
 
-/// Have all nodes of the face twins there? In the second of two passes they have no rows then (see detect_faces).
-bool has_twins(const mesh::Mesh& mesh, const mesh::Side& side, double size, const FlightShadow& others) {
+/// Have all nodes of the face coincident ones there? In the second of two passes they have no rows then (see
+/// detect_faces).
+bool has_coincident_nodes(const mesh::Mesh& mesh, const mesh::Side& side, double size, const FlightShadow& others) {
   return std::ranges::all_of(corners_of(mesh, side), [&](LocalIndex node) {
-    return others.passes_by(mesh.coordinates[static_cast<std::size_t>(node)], contact::twin_share * size);
+    return others.passes_by(mesh.coordinates[static_cast<std::size_t>(node)], contact::coincidence_share * size);
   });
 }
 
@@ -210,12 +211,12 @@ std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const me
       if (!contact::may_meet(specification, bodies, node, others.second, others.first)) continue;
       any_pair = true;
       const double farthest = span_of(slave.box, master.box);
-      const bool second = !contact::leads(specification, bodies, node, others.second, others.first);
-      std::optional<FlightShadow> twins;
+      const bool second = !contact::is_primary_slave(specification, bodies, node, others.second, others.first);
+      std::optional<FlightShadow> shadow;
       for (const std::size_t f : slave.faces) {
         if (likely[f] != 0 || !may_reach(faces[f], master, outlook.duration, farthest)) continue;
-        if (second && !twins) twins = shadow_of(mesh, sides, master, slave.velocity - master.velocity);
-        if (!second || !has_twins(mesh, sides[f], faces[f].size, *twins)) likely[f] = 1;
+        if (second && !shadow) shadow = shadow_of(mesh, sides, master, slave.velocity - master.velocity);
+        if (!second || !has_coincident_nodes(mesh, sides[f], faces[f].size, *shadow)) likely[f] = 1;
       }
     }
   if (!any_pair) return {};

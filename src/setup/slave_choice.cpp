@@ -13,7 +13,8 @@ SlaveChoice::SlaveChoice(const mesh::Mesh& mesh, const StartRules& rules)
 bool SlaveChoice::is_slave(std::size_t block, std::int32_t body, std::size_t other_block,
                            std::int32_t other_body) const {
   const std::array own{static_cast<std::int32_t>(block)};
-  return contact::leads(specification_, bodies_, {own, body}, static_cast<std::int32_t>(other_block), other_body);
+  return contact::is_primary_slave(specification_, bodies_, {own, body}, static_cast<std::int32_t>(other_block),
+                                   other_body);
 }
 
 bool SlaveChoice::is_held_off(std::size_t block, std::int32_t body, std::size_t other_block,

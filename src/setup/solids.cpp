@@ -32,8 +32,9 @@ SolidFace face_of(const mesh::Mesh& mesh, const mesh::Side& side) {
   face.size = geometry::longest_edge(face.points());
   const Vec3 inwards = -geometry::area_vector(face.points()).normalized();
   for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c)
-    face.depth = std::max(face.depth, (mesh.coordinates[static_cast<std::size_t>(element[c])] - centre).dot(inwards));
-  face.depth = std::min(face.depth, geometry::width(face.points()));
+    face.element_depth =
+        std::max(face.element_depth, (mesh.coordinates[static_cast<std::size_t>(element[c])] - centre).dot(inwards));
+  face.element_depth = std::min(face.element_depth, geometry::width(face.points()));
   return face;
 }
 
@@ -191,22 +192,22 @@ void Comparison::judge(std::size_t i, std::size_t f, Nearest& nearest) const {
   const auto closest = geometry::closest_point(point_[i], face.points());
   if (!closest || is_neighbour(i, face.element)) return;
   const Vec3 offset = point_[i] - closest->point;
-  const double far = offset.norm();
-  const bool nearer = !nearest.all || far < nearest.all_distance;
-  if (!nearer && nearest.opposed && far >= nearest.opposed_distance) return;
+  const double distance = offset.norm();
+  const bool nearer = !nearest.all || distance < nearest.all_distance;
+  if (!nearer && nearest.opposed && distance >= nearest.opposed_distance) return;
   const Vec3 normal = geometry::face_normal(face.points(), closest->xi, closest->eta);
   const double below = -offset.dot(normal);
   const bool in_front = below < 0 && closest->region == geometry::Region::face;
-  const Behind here{f, in_front || below > 0 ? below : far, normal, closest->weights};
+  const Behind here{f, in_front || below > 0 ? below : distance, normal, closest->weights};
   if (nearer) {
     nearest.all = here;
-    nearest.all_distance = far;
+    nearest.all_distance = distance;
   }
   if (in_front) return;
   if (!is_opposed(i, normal)) return;
-  if (nearest.opposed && far >= nearest.opposed_distance) return;
+  if (nearest.opposed && distance >= nearest.opposed_distance) return;
   nearest.opposed = here;
-  nearest.opposed_distance = far;
+  nearest.opposed_distance = distance;
 }
 
 bool Comparison::is_opposed(std::size_t i, const Vec3& normal) const {
@@ -226,7 +227,7 @@ std::optional<Behind> Comparison::behind_near(std::size_t i) const {
 
 bool Comparison::is_deep(std::size_t i) const {
   const std::optional<Behind> behind = nearest_near(i).opposed;
-  return behind && behind->depth > touching * solid_.faces[behind->face].size;
+  return behind && behind->penetration > touching * solid_.faces[behind->face].size;
 }
 
 std::optional<Behind> Comparison::behind_any(std::size_t i) const {

@@ -43,7 +43,7 @@ TEST_CASE("flat on flat: gaps at rounding give one total force, and every node h
   constexpr GlobalIndex low_nodes = 6 * 6 * 3, top_nodes = 4 * 4 * 3;
   struct Place {
     Vec3 shift;
-    std::size_t below;  ///< nodes of the lower block under the upper one, none of them a twin
+    std::size_t below;  ///< nodes of the lower block under the upper one, none of them coincident with one of it
   };
   for (const auto& [shift, below] :
        {Place{{0, 0, 0}, 0}, Place{{h / 3, 0, 0}, 12}, Place{{h / 3, h / 3, 0}, 9}, Place{{h / 2, -h / 3, 0}, 9}})

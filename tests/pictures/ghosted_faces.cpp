@@ -25,7 +25,7 @@ void write_faces(const comm::Communicator& ranks, const std::string& folder, con
   const contact::Roles roles = contact::roles_of(surface.bodies, specification);
   const contact::ContactSettings settings;
   const contact::ListSettings reach{.encounter = settings.detection.encounter,
-                                    .motion = settings.motion_share * surface.mean_depth};
+                                    .motion = settings.motion_share * surface.mean_element_depth};
   std::vector<Vec3> positions;
   for (const LocalIndex node : surface.model_node)
     positions.push_back(run->model.mesh.coordinates[static_cast<std::size_t>(node)]);

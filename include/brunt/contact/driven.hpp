@@ -19,7 +19,7 @@ struct DrivenMeeting {
   GlobalIndex slave = no_index;                    ///< gid
   std::array<GlobalIndex, 4> corners{no_index, no_index, no_index, no_index};  ///< gids of the face; none of a wall
   std::array<double, 4> weights{};                                             ///< of the corners, sum 1
-  double depth = 0;                                                            ///< largest so far [length]
+  double penetration = 0;                                                      ///< largest so far [length]
   [[nodiscard]] bool is_wall() const { return master_block < 0; }
   /// Of these two, whichever is the slave?
   [[nodiscard]] bool is_of(std::int32_t one, std::int32_t other) const {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What of the surface goes to which rank: the owner of a slave must see every face and edge that could touch it. Ranks
-// say which cells of a sparse grid their boxes fill; cells meet at a home rank, which tells the ranks that offer faces
-// who wants them. No array has the size of the grid, so a far outlier costs nothing; a box fills cells of its own size
-// and, where the other side has larger ones, those, so none fills more than eight on a level.
+// say which cells of a sparse grid their boxes fill; cells meet at a home rank, which reports to the ranks that offer
+// faces who wants them. No array has the size of the grid, so a far outlier costs nothing; a box fills cells of its own
+// size and, where the other side has larger ones, those, so none fills more than eight on a level.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -27,32 +27,32 @@ struct PlainBox {
 };
 
 /// A face with all that is needed to search it and to find its nodes' owners.
-struct TravellingFace {
+struct GhostFace {
   GlobalIndex key = 0;
   std::array<GlobalIndex, 4> gid{};
   std::array<Place, 4> home{};
   std::int32_t corner_count = 0, body = 0, block = 0;
   PlainBox capture{};                    ///< capture box
-  double depth = 0;                      ///< of its element
+  double element_depth = 0;              ///< of its element
   std::uint8_t seams = 0;                ///< as of the surface's face
   std::array<GlobalIndex, 8> element{};  ///< nodes of its element, no_index to fill
 
-  friend bool operator<(const TravellingFace& a, const TravellingFace& b) { return a.key < b.key; }
+  friend bool operator<(const GhostFace& a, const GhostFace& b) { return a.key < b.key; }
 };
 
 /// The same for a convex edge.
-struct TravellingEdge {
+struct GhostEdge {
   std::array<GlobalIndex, 2> gid{};  ///< ascending
   std::array<Place, 2> home{}, facets{};
   std::array<GlobalIndex, 16> elements{};
-  double depth = 0;  ///< of its elements
+  double element_depth = 0;  ///< of its elements
   std::int32_t body = 0, block = 0;
   EdgeKind kind = EdgeKind::sharp;
   std::array<bool, 2> seam{};
   std::array<char, 2> end_on_rim{}, end_on_seam{};  ///< 1: that end stands on a sharp edge, at a seam
   PlainBox capture{};                               ///< capture box
 
-  friend bool operator<(const TravellingEdge& a, const TravellingEdge& b) { return a.gid < b.gid; }
+  friend bool operator<(const GhostEdge& a, const GhostEdge& b) { return a.gid < b.gid; }
 };
 
 /// Edge for the smallest cells [length] where only the boxes are known: of the smallest of all ranks that has a size.
@@ -66,18 +66,18 @@ std::vector<std::vector<LocalIndex>> meet_in_cells(const comm::Communicator& ran
                                                    std::span<const geometry::Box> wanted, double finest);
 
 /// Those of other ranks that may touch a `wanted` box, in ascending order. Collective.
-template <class Traveller>
-std::vector<Traveller> ghost(const comm::Communicator& ranks, std::span<const Traveller> offered,
-                             std::span<const geometry::Box> wanted, double finest) {
+template <class Ghost>
+std::vector<Ghost> ghost(const comm::Communicator& ranks, std::span<const Ghost> offered,
+                         std::span<const geometry::Box> wanted, double finest) {
   std::vector<geometry::Box> boxes;
   boxes.reserve(offered.size());
-  for (const Traveller& traveller : offered) boxes.push_back(traveller.capture.box());
-  std::vector<std::vector<Traveller>> outgoing;
+  for (const Ghost& candidate : offered) boxes.push_back(candidate.capture.box());
+  std::vector<std::vector<Ghost>> outgoing;
   for (const std::vector<LocalIndex>& leaving : meet_in_cells(ranks, boxes, wanted, finest)) {
     outgoing.emplace_back();
     for (const LocalIndex i : leaving) outgoing.back().push_back(offered[static_cast<std::size_t>(i)]);
   }
-  std::vector<Traveller> ghosts = comm::exchange(ranks, outgoing).values;
+  std::vector<Ghost> ghosts = comm::exchange(ranks, outgoing).values;
   std::sort(ghosts.begin(), ghosts.end());
   return ghosts;
 }

@@ -31,7 +31,7 @@ std::vector<SurfaceEdge> edges_of(const comm::Communicator& ranks, const mesh::L
                                   const EdgeAngles& angles);
 
 /// Gives all copies of a surface node the flag that its owner has. Collective.
-void tell_copies(const comm::Communicator& ranks, const Surface& surface, std::vector<char>& flags);
+void report_to_copies(const comm::Communicator& ranks, const Surface& surface, std::vector<char>& flags);
 
 /// A flag for each surface node: does it stand on a sharp one of the edges, whichever rank has it? Collective.
 std::vector<char> nodes_on_rims(const comm::Communicator& ranks, const Surface& surface);

@@ -23,7 +23,7 @@ struct Remains {
 };
 
 /// The surface of what is left: faces keep their keys, nodes without an element are slaves without faces. The figures
-/// of bodies, mean_edge and mean_depth are those of this surface; see update_surface. Collective.
+/// of bodies, mean_edge and mean_element_depth are those of this surface; see update_surface. Collective.
 Surface join_surface(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Remains& remains,
                      std::span<const double> inverse_mass);
 

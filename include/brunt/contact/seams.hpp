@@ -10,7 +10,7 @@
 
 namespace brunt::contact {
 
-/// Sets `seams` of faces, `seam` of edges, `goes_on` of nodes and `flush`, from the reference mesh. A side of a face
+/// Sets `seams` of faces, `seam` of edges, `seam_sag` of nodes and `flush`, from the reference mesh. A side of a face
 /// is a seam where a point a little beyond it in the face's plane, at a quarter or at three quarters of the side, lies
 /// on another face that looks the same way and has no node in common with it (detection/tolerances.hpp: seam).
 /// Collective.

@@ -43,7 +43,7 @@ struct ContactSettings {
   Specification specification;
   BlockProperties blocks;
   DetectionSettings detection;  ///< but for what is derived
-  double motion_share = 0.3;    ///< of Surface::mean_depth: how far nodes may move before lists are rebuilt
+  double motion_share = 0.3;    ///< of Surface::mean_element_depth: how far nodes may move before lists are rebuilt
   RigidBodies rigid{};
   std::vector<TrackedContact> tracked;
   bool wall_pressures = false;  ///< `pressures` are asked for on walls: areas around nodes near walls are kept

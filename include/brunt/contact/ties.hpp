@@ -78,7 +78,7 @@ void tie_rows(std::span<const Tie> ties, const TieScene& scene, std::span<Lever>
 /// its face there) the row shall ask for the rate that it has by v*: so for nothing. What else it asked for would be
 /// the rounding of positions, or a contradiction of the supports, and no iteration could satisfy it. mobility and
 /// motion: of contact nodes; carriers: of those on rigid bodies.
-void ask_only_what_can_move(Row& row, std::span<const Mobility> mobility, std::span<const NodeMotion> motion,
-                            const Carriers& carriers = {});
+void keep_feasible_rate(Row& row, std::span<const Mobility> mobility, std::span<const NodeMotion> motion,
+                        const Carriers& carriers = {});
 
 }  // namespace brunt::contact

@@ -16,7 +16,7 @@ struct InitialOverlap {
   LocalIndex node = 0;                     ///< of the mesh
   std::size_t block = 0, other_block = 0;  ///< of the node, and that it is inside
   std::int32_t body = 0, other_body = 0;
-  double depth = 0;  ///< behind the face [length]; 0: not measured, of more than 1000 deep nodes of a pair
+  double penetration = 0;  ///< behind the face [length]; 0: not measured, of more than 1000 deep nodes of a pair
   FaceNodes face{no_index, no_index, no_index, no_index};  ///< that the node is behind; none: not measured
   /// A slave deeper than contact looks behind a face: it would be let go, or seen from the wrong side.
   bool too_deep = false;
@@ -53,8 +53,8 @@ struct InitialGaps {
 };
 
 /// Nodes deeper inside than `touching` overlap; shallower ones touch. Parts that share nodes are one body: of a body
-/// with itself only overlaps are told, in elements that do not touch those of the node; neither gaps (the thickness of
-/// every part would be one) nor edges that pass through it.
+/// with itself only overlaps are reported, in elements that do not touch those of the node; neither gaps (the thickness
+/// of every part would be one) nor edges that pass through it.
 InitialGaps initial_gaps(const mesh::Mesh& mesh, const StartRules& rules);
 
 }  // namespace brunt::setup

@@ -28,7 +28,7 @@ struct SolidFace {
   std::size_t corner_count = 0;
   LocalIndex element = no_index;  ///< of the block, behind it
   double size = 0;                ///< longest edge [length]
-  double depth = 0;               ///< of that element, or the width of the face if that is less [length]
+  double element_depth = 0;       ///< of that element, or the width of the face if that is less [length]
   [[nodiscard]] geometry::Corners points() const { return {corners.data(), corner_count}; }
 };
 
@@ -55,7 +55,7 @@ std::vector<std::int32_t> body_of_nodes(const mesh::Mesh& mesh);
 /// The face that a node inside a solid is behind.
 struct Behind {
   std::size_t face = 0;
-  double depth = 0;  ///< along the normal [length]; < 0: in front of a warped face
+  double penetration = 0;  ///< along the normal [length]; < 0: in front of a warped face
   Vec3 normal = Vec3::Zero();
   std::array<double, 4> weights{};  ///< of the face's corners where the node is nearest
 };
@@ -112,7 +112,7 @@ class Comparison {
     /// Tetrahedra do not follow a warped face: the nearest decides where it has the node in front (not where they
     /// touch).
     [[nodiscard]] const std::optional<Behind>& chosen(const Solid& solid) const {
-      return all && all->depth < -touching * solid.faces[all->face].size ? all : opposed;
+      return all && all->penetration < -touching * solid.faces[all->face].size ? all : opposed;
     }
   };
   void judge(std::size_t i, std::size_t face, Nearest& nearest) const;

@@ -68,7 +68,7 @@ const RowMatrix& compress(std::span<const Row> rows, RowMatrix& matrix) {
   for (const Row& row : rows) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
       matrix.add(row.nodes[i], row.weights[i]);
-      if (row.lever != nullptr) matrix.arms.push_back({row.lever->turn[i], row.lever->size[i]});
+      if (row.lever != nullptr) matrix.arms.push_back({row.lever->turn[i], row.lever->bound[i]});
     }
     matrix.close_row(law_of(row), {.gap = row.gap,
                                    .gap_share = row.gap_share,

@@ -14,9 +14,10 @@ constexpr double upright = 0.9;    // cosine between an edge and the normal of w
 constexpr double parallel = 1e-3;  // sine between edges, at most
 constexpr double level = 0.1;      // of what edges slide along a face they may move so much across it
 
-/// How the edges have moved against each other in the last step, where they meet: see last_motion in ledges.cpp.
-Vec3 last_motion(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met) {
-  const auto last = [&](const EdgeSide& edge, std::size_t i) { return scene.at(edge.nodes[i]).old_velocity; };
+/// How the edges have moved against each other in the last step, where they meet: see last_displacement in ledges.cpp.
+Vec3 last_displacement(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master,
+                       const EdgeMeeting& met) {
+  const auto last = [&](const ContactEdge& edge, std::size_t i) { return scene.at(edge.nodes[i]).old_velocity; };
   return scene.dt * ((1 - met.s) * last(slave, 0) + met.s * last(slave, 1) - (1 - met.t) * last(master, 0) -
                      met.t * last(master, 1));
 }
@@ -25,17 +26,17 @@ Vec3 last_motion(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& 
 /// that from its plane. Edges that cross must lie on that face, or the other way round: both ends of one are held by
 /// it. Else they hold each other, however small their angle: bars laid on each other at one degree gave energy without
 /// that.
-bool pass_along(const EdgeScene& scene, std::span<const Vec3> node_normal, const EdgeSide& slave,
-                const EdgeSide& master, double size, const EdgeMeeting& met, const Vec3& motion) {
+bool slide_along_ledge(const EdgeScene& scene, std::span<const Vec3> node_normal, const ContactEdge& slave,
+                       const ContactEdge& master, double size, const EdgeMeeting& met, const Vec3& motion) {
   const geometry::Segment own = scene.start(slave), other = scene.start(master);
   const double sine = own.along().cross(other.along()).norm();
   if (sine >= scene.full) return false;
-  const auto lies_along = [&](const EdgeSide& edge, const Vec3& out) {
+  const auto lies_along = [&](const ContactEdge& edge, const Vec3& out) {
     return std::ranges::all_of(
         edge.nodes, [&](LocalIndex node) { return node_normal[static_cast<std::size_t>(node)].dot(out) > upright; });
   };
   const Vec3 apart = (1 - met.s) * own.start + met.s * own.end - (1 - met.t) * other.start - met.t * other.end;
-  const auto faces = [&](const EdgeSide& edge, std::size_t i, const Vec3& normal) {
+  const auto faces = [&](const ContactEdge& edge, std::size_t i, const Vec3& normal) {
     return scene.normal(edge, i).dot(normal) < -0.5;
   };
   // face i of the slave lies on face k of the master, and the others meet
@@ -51,13 +52,13 @@ bool pass_along(const EdgeScene& scene, std::span<const Vec3> node_normal, const
 
 /// Calls visit(end) for the ends of the edge that are within a ledge of where it is met; at: that, from its first end.
 template <class Visit>
-bool any_end_at_ledge(const EdgeScene& scene, const EdgeSide& edge, double at, double size, Visit&& visit) {
+bool any_end_at_ledge(const EdgeScene& scene, const ContactEdge& edge, double at, double size, Visit&& visit) {
   const double reach = ledge * size / scene.length(edge);
   return (at <= reach && visit(std::size_t{0})) || (1 - at <= reach && visit(std::size_t{1}));
 }
 
 /// Does the slave edge stand on one of its ends, and come with it to a ledge?
-bool stands_at_ledge(const EdgeScene& scene, std::span<const Vec3> node_normal, const EdgeSide& slave, double size,
+bool stands_at_ledge(const EdgeScene& scene, std::span<const Vec3> node_normal, const ContactEdge& slave, double size,
                      const EdgeMeeting& met, const Vec3& motion) {
   return any_end_at_ledge(scene, slave, met.s, size, [&](std::size_t end) {
     const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];
@@ -67,15 +68,15 @@ bool stands_at_ledge(const EdgeScene& scene, std::span<const Vec3> node_normal, 
 
 /// Is it the other way round? What holds the end of a master edge is not known, but that the slave edge has a face
 /// across it, and that no other edge within reach goes on from there. Corner on corner is no ledge.
-bool is_ledge_below(const EdgeScene& scene, const EdgeCandidates& candidates, std::span<const LocalIndex> near,
-                    const EdgeSide& slave, const EdgeSide& master, double size, const EdgeMeeting& met,
-                    const Vec3& motion) {
+bool meets_ledge_below(const EdgeScene& scene, const EdgeCandidates& candidates, std::span<const LocalIndex> near,
+                       const ContactEdge& slave, const ContactEdge& master, double size, const EdgeMeeting& met,
+                       const Vec3& motion) {
   if (any_end_at_ledge(scene, slave, met.s, size, [](std::size_t) { return true; })) return false;
   const Vec3 along = scene.start(master).along();
   const geometry::Box slave_box = scene.sweep(slave);
   return any_end_at_ledge(scene, master, met.t, size, [&](std::size_t end) {
-    const auto goes_on = [&](LocalIndex m) {
-      const EdgeSide& other = candidates.masters[static_cast<std::size_t>(m)];
+    const auto continues = [&](LocalIndex m) {
+      const ContactEdge& other = candidates.masters[static_cast<std::size_t>(m)];
       return other.nodes != master.nodes && std::ranges::find(other.nodes, master.nodes[end]) != other.nodes.end() &&
              geometry::overlaps(scene.reach(other), slave_box) &&
              std::abs(scene.start(other).along().dot(along)) > upright;
@@ -84,20 +85,20 @@ bool is_ledge_below(const EdgeScene& scene, const EdgeCandidates& candidates, st
       const Vec3 normal = scene.normal(slave, side);
       return std::abs(normal.dot(along)) > upright && slides_into(motion, met.normal, -normal, size);
     };
-    return (crosses(0) || crosses(1)) && std::ranges::none_of(near, goes_on);
+    return (crosses(0) || crosses(1)) && std::ranges::none_of(near, continues);
   });
 }
 
 }  // namespace
 
 bool meet_on_ledge(const EdgeScene& scene, const EdgeCandidates& candidates, std::span<const LocalIndex> near,
-                   std::span<const Vec3> node_normal, const EdgeSide& slave, const EdgeSide& master,
+                   std::span<const Vec3> node_normal, const ContactEdge& slave, const ContactEdge& master,
                    const EdgeMeeting& met) {
   const double size = std::min(scene.length(slave), scene.length(master));
-  const Vec3 slid = last_motion(scene, slave, master, met);
-  return pass_along(scene, node_normal, slave, master, size, met, slid) ||
+  const Vec3 slid = last_displacement(scene, slave, master, met);
+  return slide_along_ledge(scene, node_normal, slave, master, size, met, slid) ||
          stands_at_ledge(scene, node_normal, slave, size, met, slid) ||
-         is_ledge_below(scene, candidates, near, slave, master, size, met, slid);
+         meets_ledge_below(scene, candidates, near, slave, master, size, met, slid);
 }
 
 }  // namespace brunt::contact

@@ -23,31 +23,31 @@ struct EdgeScene {
   std::span<const Vec3> facet_normal, reference;
   double dt;
   const DetectionSettings& settings;
-  double full;  ///< sine of the angle of settings.choice.same_direction
+  double full;  ///< sine of the angle of settings.selection.same_direction
 
   [[nodiscard]] const NodeMotion& at(LocalIndex node) const { return motion[static_cast<std::size_t>(node)]; }
-  [[nodiscard]] geometry::Segment start(const EdgeSide& edge) const {
+  [[nodiscard]] geometry::Segment start(const ContactEdge& edge) const {
     return {at(edge.nodes[0]).position, at(edge.nodes[1]).position};
   }
-  [[nodiscard]] geometry::Segment end(const EdgeSide& edge) const {
+  [[nodiscard]] geometry::Segment end(const ContactEdge& edge) const {
     const geometry::Segment from = start(edge);
     return {from.start + dt * at(edge.nodes[0]).predicted, from.end + dt * at(edge.nodes[1]).predicted};
   }
-  [[nodiscard]] Vec3 normal(const EdgeSide& edge, std::size_t side) const {
+  [[nodiscard]] Vec3 normal(const ContactEdge& edge, std::size_t side) const {
     return facet_normal[static_cast<std::size_t>(edge.facets[side])];
   }
-  [[nodiscard]] Vec3 outward(const EdgeSide& edge) const { return normal(edge, 0) + normal(edge, 1); }
-  [[nodiscard]] double length(const EdgeSide& edge) const {
+  [[nodiscard]] Vec3 outward(const ContactEdge& edge) const { return normal(edge, 0) + normal(edge, 1); }
+  [[nodiscard]] double length(const ContactEdge& edge) const {
     const geometry::Segment at_start = start(edge);
     return (at_start.end - at_start.start).norm();
   }
-  [[nodiscard]] geometry::Box sweep(const EdgeSide& edge) const {
+  [[nodiscard]] geometry::Box sweep(const ContactEdge& edge) const {
     const geometry::Segment from = start(edge), to = end(edge);
     return geometry::bounding_box(std::array{from.start, from.end, to.start, to.end});
   }
   /// What is outside of it has nothing to do with this master in this step, whether the lists name it or not.
-  [[nodiscard]] geometry::Box reach(const EdgeSide& master) const {
-    return geometry::grown(sweep(master), settings.encounter.reach(length(master), master.depth));
+  [[nodiscard]] geometry::Box reach(const ContactEdge& master) const {
+    return geometry::grown(sweep(master), settings.encounter.reach(length(master), master.element_depth));
   }
 };
 
@@ -56,12 +56,13 @@ constexpr double warp = 0.1;              // sine: by so much a warped face's no
 
 /// Does `direction` lie between the normals of the two faces of a convex edge, or beyond them by no more than rounding
 /// and the curvature of a facet? beyond: sine of the angle.
-bool between_normals(const EdgeScene& scene, const EdgeSide& edge, const Vec3& direction, double beyond);
+bool between_normals(const EdgeScene& scene, const ContactEdge& edge, const Vec3& direction, double beyond);
 
 /// How far the points (s, t) move apart within the step.
-Vec3 relative_motion(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double s, double t);
+Vec3 relative_displacement(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, double s,
+                           double t);
 
 /// Edges that move little against each other are seen in time at the start of a step.
-bool is_slow(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size);
+bool is_slow(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, double size);
 
 }  // namespace brunt::contact

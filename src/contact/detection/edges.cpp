@@ -18,7 +18,7 @@ constexpr double along_a_face = 5;  // [degrees] from a face's normal: the edge 
 constexpr double kink = 0.5;        // [radians] between edges of a chain that a node presses in
 constexpr double crosswise = 0.35;  // cosine between directions that lie across each other, at most
 
-bool touches_as_edges(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, const Vec3& normal,
+bool touches_as_edges(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, const Vec3& normal,
                       double beyond = facet_curvature) {
   return between_normals(scene, master, normal, beyond) && between_normals(scene, slave, -normal, beyond);
 }
@@ -44,8 +44,8 @@ Mat3 axes_of(const geometry::Segment& one, const geometry::Segment& two) {
 /// each other meet along the middle between their faces' normals. That may turn from edge to edge of a chain, so that
 /// the crossing lies on neither: then it is seen along the normals of either side alone, which the edges of the other
 /// side's chain have in common.
-std::optional<geometry::CommonPerpendicular> crossing(const EdgeScene& scene, const EdgeSide& slave,
-                                                      const EdgeSide& master) {
+std::optional<geometry::CommonPerpendicular> crossing(const EdgeScene& scene, const ContactEdge& slave,
+                                                      const ContactEdge& master) {
   const geometry::Segment own = scene.start(slave), other = scene.start(master);
   const Vec3 out_of_slave = scene.outward(slave), out_of_master = scene.outward(master);
   const Vec3 apart = out_of_master - out_of_slave;
@@ -63,7 +63,8 @@ std::optional<geometry::CommonPerpendicular> crossing(const EdgeScene& scene, co
 }
 
 /// In contact or near each other, at the start of the step.
-bool meet_now(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size, EdgeMeeting& met) {
+bool meet_now(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, double size,
+              EdgeMeeting& met) {
   const auto closest = crossing(scene, slave, master);
   if (!closest) return false;
   met = {closest->s, closest->t, closest->gap, closest->normal};
@@ -74,16 +75,18 @@ bool meet_now(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& mas
   // where a chain of edges ends for good, faces and nodes meet, along the normal of a face
   const double beyond = closest->past_an_end ? -0.1 : (shallow ? warp : facet_curvature);
   if (!touches_as_edges(scene, slave, master, met.normal, beyond)) return false;
-  if (met.gap <= 0) return -met.gap <= scene.settings.encounter.deepest(size, std::min(slave.depth, master.depth));
+  if (met.gap <= 0)
+    return -met.gap <=
+           scene.settings.encounter.max_penetration(size, std::min(slave.element_depth, master.element_depth));
   return is_slow(scene, slave, master, size);
 }
 
 /// Their paths cross within the step.
-bool meet_in_step(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, EdgeMeeting& met) {
+bool meet_in_step(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, EdgeMeeting& met) {
   const auto hit =
       geometry::edge_crossing({scene.start(slave), scene.end(slave)}, {scene.start(master), scene.end(master)});
   if (!hit) return false;
-  const double approach = -hit->normal.dot(relative_motion(scene, slave, master, hit->s, hit->t));
+  const double approach = -hit->normal.dot(relative_displacement(scene, slave, master, hit->s, hit->t));
   if (!(approach > 0) || !touches_as_edges(scene, slave, master, hit->normal)) return false;
   met = {hit->s, hit->t, hit->tau * approach, hit->normal};
   return true;
@@ -91,9 +94,9 @@ bool meet_in_step(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide&
 
 /// Have the ends of the slave edge rows of their own that hold it? Along nearly the same normal: then the edge lies in
 /// a face. An end that hangs over the master's rim has none, and one whose face slants is less deep than the edge is at
-/// the rim. Where an end lies deep, its own row tells how deep it is. A deep edge of which both ends are held across
+/// the rim. Where an end lies deep, its own row gives the penetration. A deep edge of which both ends are held across
 /// that has come in from their side, where it is as deep as they are, over the end of the master's edge.
-bool held_at_ends(const EncounterSettings& settings, std::span<const Vec3> node_normal, const EdgeSide& slave,
+bool held_at_ends(const EncounterSettings& settings, std::span<const Vec3> node_normal, const ContactEdge& slave,
                   double size, const EdgeMeeting& met) {
   const bool deep = -met.gap > settings.rim * size;
   const auto held = [&](std::size_t end, double weight) {
@@ -108,18 +111,19 @@ bool held_at_ends(const EncounterSettings& settings, std::span<const Vec3> node_
   return (held(0, 1 - met.s) && held(1, met.s)) || (deep && held_across(0) && held_across(1));
 }
 
-bool has_accepted_end(const EdgeScene& scene, const EdgeSide& edge, std::int32_t body) {
+bool has_accepted_end(const EdgeScene& scene, const ContactEdge& edge, std::int32_t body) {
   return std::ranges::any_of(edge.nodes, [&](LocalIndex node) {
-    return accepted_depth(scene.settings.accepted, scene.gid[static_cast<std::size_t>(node)], body) > 0;
+    return accepted_penetration(scene.settings.accepted, scene.gid[static_cast<std::size_t>(node)], body) > 0;
   });
 }
 
 /// How deep the edges lay in each other at the start, on the sides on which they meet now, where the scene accepts
 /// that.
-double accepted_overlap(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met) {
+double accepted_overlap(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master,
+                        const EdgeMeeting& met) {
   if (scene.reference.empty()) return 0;
   if (!has_accepted_end(scene, slave, master.body) && !has_accepted_end(scene, master, slave.body)) return 0;
-  const auto then = [&](const EdgeSide& edge) {
+  const auto then = [&](const ContactEdge& edge) {
     return geometry::Segment{scene.reference[static_cast<std::size_t>(edge.nodes[0])],
                              scene.reference[static_cast<std::size_t>(edge.nodes[1])]};
   };
@@ -129,7 +133,8 @@ double accepted_overlap(const EdgeScene& scene, const EdgeSide& slave, const Edg
   return start ? std::max(0.0, -start->gap) : 0.0;
 }
 
-Row row_of(const EdgeSide& slave, const EdgeSide& master, const EdgeMeeting& met, std::span<const GlobalIndex> gid) {
+Row row_of(const ContactEdge& slave, const ContactEdge& master, const EdgeMeeting& met,
+           std::span<const GlobalIndex> gid) {
   const auto id = [&](LocalIndex node) { return gid[static_cast<std::size_t>(node)]; };
   Row row{.key = {RowKind::edge, id(slave.nodes[0]), id(slave.nodes[1]), id(master.nodes[0]), id(master.nodes[1])}};
   row.nodes = {slave.nodes[0], slave.nodes[1], master.nodes[0], master.nodes[1], 0};
@@ -150,14 +155,14 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_normal,
                   std::span<const Vec3> node_normal, std::span<const Vec3> reference, double dt,
                   const DetectionSettings& settings, std::vector<Row>& rows) {
-  const double full = std::sin(settings.choice.same_direction * std::numbers::pi / 180);
+  const double full = std::sin(settings.selection.same_direction * std::numbers::pi / 180);
   const EdgeScene scene{gid, motion, facet_normal, reference, dt, settings, full};
   for (std::size_t e = 0; e < candidates.slaves.size(); ++e) {
-    const EdgeSide& slave = candidates.slaves[e];
+    const ContactEdge& slave = candidates.slaves[e];
     const geometry::Box slave_box = scene.sweep(slave);
     const std::span<const LocalIndex> near = candidates.near.row(static_cast<LocalIndex>(e));
     for (const LocalIndex m : near) {
-      const EdgeSide& master = candidates.masters[static_cast<std::size_t>(m)];
+      const ContactEdge& master = candidates.masters[static_cast<std::size_t>(m)];
       if (!geometry::overlaps(scene.reach(master), slave_box)) continue;
       const double size = std::min(scene.length(slave), scene.length(master));
       EdgeMeeting met;
@@ -174,9 +179,9 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
       if (meet_at_side_of_seam(scene, slave, master, met)) continue;
       met.gap += accepted_overlap(scene, slave, master, met);
       Row& row = rows.emplace_back(row_of(slave, master, met, gid));
-      row.gap += slave.flat || master.flat ? sag_of_rims * size : 0;
+      row.gap += slave.flat || master.flat ? rim_sag * size : 0;
       row.required = required_rate(row, size, dt, motion, settings);
-      row.gap = met.gap;  // what is told is how deep they are
+      row.gap = met.gap;  // the reported gap is the geometric one
     }
   }
 }

@@ -176,7 +176,7 @@ Encounter encounter(const FacesInMotion& scene, const EncounterSettings& setting
   const Vec3 relative = relative_velocity(scene, slave, face, met.weights);
   classify(stand(geometry::vec_of(slave.position), geometry::vec_of(met.point), geometry::vec_of(met.normal),
                  geometry::vec_of(relative), scene.dt),
-           settings, face.depth, met);
+           settings, face.element_depth, met);
   return met;
 }
 
@@ -193,8 +193,8 @@ bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> moti
   return (centre(b) - a.point).dot(a.normal) > level * b.size && (centre(a) - b.point).dot(b.normal) > level * a.size;
 }
 
-void settle_rims(const FacesInMotion& scene, const EncounterSettings& settings, double same_direction,
-                 std::span<Encounter> encounters) {
+void resolve_rim_projections(const FacesInMotion& scene, const EncounterSettings& settings, double same_direction,
+                             std::span<Encounter> encounters) {
   const bool smooth = one_direction(encounters, same_direction);
   for (std::size_t i = 0; i < encounters.size(); ++i) {
     Encounter& e = encounters[i];
@@ -206,8 +206,8 @@ void settle_rims(const FacesInMotion& scene, const EncounterSettings& settings, 
   }
 }
 
-void judge_paths(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
-                 std::span<Encounter> encounters) {
+void detect_path_hits(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+                      std::span<Encounter> encounters) {
   double most = 0;
   for (const Encounter& e : encounters)
     if (!std::isnan(e.height)) most = std::max(most, e.opposition);

@@ -105,7 +105,7 @@ void take(const Result& from, std::size_t lane, const MasterFace& face, const En
     met.point[c] = from.point[c][lane];
   }
   for (std::size_t i = 0; i < 4; ++i) met.weights[i] = from.weights[i][lane];
-  classify({from.over_middle[lane], from.beside[lane], from.moved[lane]}, settings, face.depth, met);
+  classify({from.over_middle[lane], from.beside[lane], from.moved[lane]}, settings, face.element_depth, met);
 }
 
 }  // namespace

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "brunt/contact/detection/coincident_nodes.hpp"
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/contact/detection/false_depth.hpp"
 #include "brunt/contact/detection/ledges.hpp"
 #include "brunt/contact/detection/seams.hpp"
 #include "brunt/contact/detection/sides.hpp"
-#include "brunt/contact/detection/twins.hpp"
 #include "motion_quads.hpp"
 
 namespace brunt::contact {
@@ -30,7 +30,7 @@ BRUNT_INLINE Sweep sweep_of(const NodeMotion& node, double dt, double margin) {
   return sweep;
 }
 
-/// All six comparisons at once: which of them tells is different at every turn.
+/// All six comparisons at once: a branch on each would be mispredicted.
 BRUNT_INLINE bool overlaps(const Box& box, const Sweep& sweep) {
   static_assert(sizeof(Box) == 6 * sizeof(double));
   const char* const six = reinterpret_cast<const char*>(&box);
@@ -68,7 +68,7 @@ FaceReach reach_of(const MasterFace& face, std::span<const NodeMotion> motion, d
     high = high > corners[i] ? high : corners[i];
   }
   FaceReach reach{.box = {}, .size = size_of(corners, count)};
-  const double margin = settings.reach(reach.size, face.depth) + face.half_thickness;
+  const double margin = settings.reach(reach.size, face.element_depth) + face.half_thickness;
   reach.box = geometry::grown({Vec3(low[0], low[1], low[2]), Vec3(high[0], high[1], high[2])}, margin);
   return reach;
 }
@@ -84,20 +84,20 @@ struct Slave {
   const NodeMotion& motion;
   std::span<const LocalIndex> near, facets;
   std::span<const char> second;  ///< of near; empty: none
-  std::span<const PossibleTwin> twins;
+  std::span<const CoincidentCandidate> coincident;
   double half_thickness;  ///< > 0 on a sheet, whose facets look to both sides
   std::span<const HistoryRecord> remembered;
   std::int32_t body = 0;
-  std::span<const double> goes_on{};  ///< of facets, see Candidates; empty: none
+  std::span<const double> seam_sag{};  ///< of facets, see Candidates; empty: none
 };
 
 /// How much the facets around the slave oppose each face that it meets; a point without any opposes all of them.
-void measure_opposition(const Slave& slave, std::span<const Vec3> facet_normal, std::span<Encounter> met) {
+void measure_opposition(const Slave& slave, std::span<const Vec3> facet_normal, std::span<Encounter> encounters) {
   const bool sheet = slave.half_thickness > 0;
-  for (Encounter& e : met) e.opposition = slave.facets.empty() ? 1 : -1;
+  for (Encounter& e : encounters) e.opposition = slave.facets.empty() ? 1 : -1;
   for (const LocalIndex facet : slave.facets) {
     const Vec3& out = facet_normal[static_cast<std::size_t>(facet)];
-    for (Encounter& e : met) {
+    for (Encounter& e : encounters) {
       const double cosine = out.dot(e.normal);
       e.opposition = std::max(e.opposition, sheet ? std::abs(cosine) : -cosine);
     }
@@ -137,22 +137,24 @@ void fill_row(const Encounter& e, const MasterFace& face, LocalIndex slave, Row&
 /// The faces of one body near a slave, as encounters of which face and approach are set. second: a flag each, or none.
 void list_faces_of_body(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
                         const Sweep& sweep, std::span<const LocalIndex> near, std::span<const char> second,
-                        std::span<const Vec3> facet_normal, std::vector<Encounter>& met) {
-  const bool twin =
-      !slave.twins.empty() && has_twin(scene, {slave.motion, slave.facets, facet_normal, slave.half_thickness > 0},
-                                       near, slave.twins, settings.twin);
-  const std::size_t first = met.size();
+                        std::span<const Vec3> facet_normal, std::vector<Encounter>& encounters) {
+  const bool held =
+      !slave.coincident.empty() &&
+      is_held_by_coincident_node(scene, {slave.motion, slave.facets, facet_normal, slave.half_thickness > 0}, near,
+                                 slave.coincident, settings.coincidence);
+  const std::size_t first = encounters.size();
   bool two_sided = false;
   for (std::size_t i = 0; i < near.size(); ++i) {
-    if (twin && second[i] != 0) continue;
+    if (held && second[i] != 0) continue;
     if (!overlaps(scene.reach[static_cast<std::size_t>(near[i])].box, sweep)) continue;
     const MasterFace& face = scene.faces[static_cast<std::size_t>(near[i])];
-    Encounter& e = met.emplace_back();
+    Encounter& e = encounters.emplace_back();
     e.face = near[i];
     e.approach.clearance = face.half_thickness + slave.half_thickness;
     two_sided = two_sided || face.two_sided;
   }
-  if (two_sided) find_sides(scene, settings.encounter, slave.motion, slave.remembered, std::span(met).subspan(first));
+  if (two_sided)
+    find_sides(scene, settings.encounter, slave.motion, slave.remembered, std::span(encounters).subspan(first));
 }
 
 /// The same of all faces near it, body by body.
@@ -171,26 +173,26 @@ void list_faces(const FacesInMotion& scene, const DetectionSettings& settings, c
 
 /// One slave node's encounters with all faces near it, body by body; returns those where something is met.
 std::span<Encounter> meet_faces(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
-                                std::span<const Vec3> facet_normal, std::span<Encounter> met) {
+                                std::span<const Vec3> facet_normal, std::span<Encounter> encounters) {
   const auto body_of = [&](const Encounter& e) { return scene.faces[static_cast<std::size_t>(e.face)].body; };
-  measure_opposition(slave, facet_normal, met);
+  measure_opposition(slave, facet_normal, encounters);
   const auto stands = [](const Encounter& e) { return e.opposition > 0 && e.opposition < side_on_flat; };
-  if (std::ranges::any_of(met, stands) && lies_in_flat_surface(slave, facet_normal))
-    for (Encounter& e : met)
+  if (std::ranges::any_of(encounters, stands) && lies_in_flat_surface(slave, facet_normal))
+    for (Encounter& e : encounters)
       if (stands(e)) e.opposition = 0;
-  for (std::size_t first = 0, last = 0; first < met.size(); first = last) {
-    while (last < met.size() && body_of(met[last]) == body_of(met[first])) ++last;
-    const std::span<Encounter> here = met.subspan(first, last - first);
-    settle_rims(scene, settings.encounter, settings.choice.same_direction, here);
-    if (settings.choice.criterion == Criterion::automatic) drop_false_depths(scene, settings.encounter, here);
-    judge_paths(scene, settings.encounter, slave.motion, here);
+  for (std::size_t first = 0, last = 0; first < encounters.size(); first = last) {
+    while (last < encounters.size() && body_of(encounters[last]) == body_of(encounters[first])) ++last;
+    const std::span<Encounter> here = encounters.subspan(first, last - first);
+    resolve_rim_projections(scene, settings.encounter, settings.selection.same_direction, here);
+    if (settings.selection.criterion == Criterion::automatic) reject_false_depths(scene, settings.encounter, here);
+    detect_path_hits(scene, settings.encounter, slave.motion, here);
     if (seams_count(settings, slave.body, body_of(here.front())))
-      drop_sides_of_seams(scene, settings.choice.same_direction, {slave.facets, slave.goes_on, facet_normal}, here);
-    pass_ledges(scene, settings.choice.same_direction, slave.motion, here);
+      remove_seam_sides(scene, settings.selection.same_direction, {slave.facets, slave.seam_sag, facet_normal}, here);
+    remove_ledge_sides(scene, settings.selection.same_direction, slave.motion, here);
   }
-  const auto end =
-      std::remove_if(met.begin(), met.end(), [](const Encounter& e) { return e.meeting == Meeting::none; });
-  return met.first(static_cast<std::size_t>(end - met.begin()));
+  const auto end = std::remove_if(encounters.begin(), encounters.end(),
+                                  [](const Encounter& e) { return e.meeting == Meeting::none; });
+  return encounters.first(static_cast<std::size_t>(end - encounters.begin()));
 }
 
 /// The records of a slave; `from` moves on with the slaves, which ascend.
@@ -202,10 +204,10 @@ std::span<const HistoryRecord> records_of(GlobalIndex slave, std::span<const His
   return remembered.subspan(from, end - from);
 }
 
-void keep_sides(const FacesInMotion& scene, GlobalIndex slave, std::span<const Encounter> met,
+void keep_sides(const FacesInMotion& scene, GlobalIndex slave, std::span<const Encounter> encounters,
                 DetectionScratch& scratch) {
   const std::size_t first = scratch.sides.size();
-  for (const Encounter& e : met)
+  for (const Encounter& e : encounters)
     if (const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)]; face.two_sided)
       scratch.sides.push_back({.key = {.slave = slave, .master = face.key}, .side = e.approach.side});
   std::ranges::sort(std::span(scratch.sides).subspan(first), {}, &HistoryRecord::key);
@@ -213,18 +215,18 @@ void keep_sides(const FacesInMotion& scene, GlobalIndex slave, std::span<const E
 
 /// The rows of one slave, from what it meets.
 void add_rows(const FacesInMotion& scene, const Candidates& candidates, std::size_t s, std::span<const GlobalIndex> gid,
-              const DetectionSettings& settings, std::span<Encounter> met, std::vector<Row>& rows) {
+              const DetectionSettings& settings, std::span<Encounter> encounters, std::vector<Row>& rows) {
   const LocalIndex node = candidates.slave[s];
   const GlobalIndex slave_gid = gid[static_cast<std::size_t>(node)];
   const NodeMotion& motion = scene.motion[static_cast<std::size_t>(node)];
-  const std::size_t kept = choose(scene.faces, scene.motion, motion, scene.dt, settings.choice, met);
-  for (const Encounter& e : met.first(kept)) {
+  const std::size_t kept = select_rows(scene.faces, scene.motion, motion, scene.dt, settings.selection, encounters);
+  for (const Encounter& e : encounters.first(kept)) {
     const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)];
     Row& row = rows.emplace_back();
     fill_row(e, face, node, row);
     row.key.slave = slave_gid;
     row.slave_body = candidates.body[s];
-    row.gap += accepted_depth(settings.accepted, slave_gid, face.body);
+    row.gap += accepted_penetration(settings.accepted, slave_gid, face.body);
     row.required = required_rate(row, e.size, scene.dt, scene.motion, settings);
   }
 }
@@ -235,13 +237,13 @@ bool are_fitted(std::span<const BodyPair> fitted, const Row& row) {
 
 }  // namespace
 
-double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex slave, std::int32_t body) {
+double accepted_penetration(std::span<const AcceptedOverlap> accepted, GlobalIndex slave, std::int32_t body) {
   if (accepted.empty()) return 0;
   const auto before = [](const AcceptedOverlap& one, const std::pair<GlobalIndex, std::int32_t>& wanted) {
     return std::pair(one.slave, one.body) < wanted;
   };
   const auto found = std::lower_bound(accepted.begin(), accepted.end(), std::pair(slave, body), before);
-  return found != accepted.end() && found->slave == slave && found->body == body ? found->depth : 0;
+  return found != accepted.end() && found->slave == slave && found->body == body ? found->penetration : 0;
 }
 
 double recovery_time(const Row& row, double size, double dt, std::span<const double> sound) {
@@ -259,7 +261,7 @@ double required_rate(const Row& row, double size, double dt, std::span<const Nod
   const bool fitted = are_fitted(settings.fitted, row);
   if (!fitted && (settings.recovery_gives || !row.is_edge())) return recovery;
   if (-row.gap <= (fitted ? settings.touch : settings.drift) * size) return recovery;
-  const Vec3 relative = relative_motion(
+  const Vec3 relative = relative_velocity(
       row, [&](LocalIndex node) -> const Vec3& { return motion[static_cast<std::size_t>(node)].old_velocity; });
   return std::clamp(-row.normal.dot(relative), 0.0, recovery);
 }
@@ -276,24 +278,24 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
   const bool sheets = !candidates.half_thickness.empty();
   std::size_t record = 0;
   const std::span<const char> second = candidates.second;
-  const auto goes_on = [&](std::size_t s) -> std::span<const double> {
-    if (candidates.goes_on.empty()) return {};
+  const auto seam_sag = [&](std::size_t s) -> std::span<const double> {
+    if (candidates.seam_sag.empty()) return {};
     const auto facets = candidates.slave_facets.row(static_cast<LocalIndex>(s));
-    return {&candidates.goes_on[static_cast<std::size_t>(candidates.slave_facets.offsets[s])], facets.size()};
+    return {&candidates.seam_sag[static_cast<std::size_t>(candidates.slave_facets.offsets[s])], facets.size()};
   };
   const auto slave_at = [&](std::size_t s) {
     const auto near = candidates.faces.row(static_cast<LocalIndex>(s));
     const auto place = static_cast<std::size_t>(near.data() - candidates.faces.values.data());
-    return Slave{
-        .motion = motion[static_cast<std::size_t>(candidates.slave[s])],
-        .near = near,
-        .facets = candidates.slave_facets.row(static_cast<LocalIndex>(s)),
-        .second = second.empty() ? second : second.subspan(place, near.size()),
-        .twins = second.empty() ? std::span<const PossibleTwin>{} : candidates.twins.row(static_cast<LocalIndex>(s)),
-        .half_thickness = sheets ? candidates.half_thickness[s] : 0.0,
-        .remembered = {},
-        .body = candidates.body[s],
-        .goes_on = goes_on(s)};
+    return Slave{.motion = motion[static_cast<std::size_t>(candidates.slave[s])],
+                 .near = near,
+                 .facets = candidates.slave_facets.row(static_cast<LocalIndex>(s)),
+                 .second = second.empty() ? second : second.subspan(place, near.size()),
+                 .coincident = second.empty() ? std::span<const CoincidentCandidate>{}
+                                              : candidates.coincident.row(static_cast<LocalIndex>(s)),
+                 .half_thickness = sheets ? candidates.half_thickness[s] : 0.0,
+                 .remembered = {},
+                 .body = candidates.body[s],
+                 .seam_sag = seam_sag(s)};
   };
   std::array<std::size_t, slaves_at_once> last_of{};
   for (std::size_t first = 0; first < candidates.slave.size(); first += slaves_at_once) {
@@ -309,11 +311,11 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
     encounter_all(scene, settings.encounter, scratch.slave_of, scratch.encounters);
     for (std::size_t s = first, begin = 0; s < end; begin = last_of[s++ - first]) {
       if (begin == last_of[s - first]) continue;
-      const std::span<Encounter> met =
+      const std::span<Encounter> encounters =
           meet_faces(scene, settings, slave_at(s), scratch.facet_normal,
                      std::span(scratch.encounters).subspan(begin, last_of[s - first] - begin));
-      if (sheets) keep_sides(scene, gid[static_cast<std::size_t>(candidates.slave[s])], met, scratch);
-      add_rows(scene, candidates, s, gid, settings, met, rows);
+      if (sheets) keep_sides(scene, gid[static_cast<std::size_t>(candidates.slave[s])], encounters, scratch);
+      add_rows(scene, candidates, s, gid, settings, encounters, rows);
     }
   }
 }

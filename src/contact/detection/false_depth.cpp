@@ -11,7 +11,7 @@ namespace {
 using geometry::Region;
 
 /// From the node to the nearest point of the face.
-double distance(const Encounter& e) {
+double distance_to_face(const Encounter& e) {
   return std::sqrt(e.height * e.height + e.beside * e.beside);
 }
 
@@ -42,8 +42,8 @@ Nearest nearest_of(const FacesInMotion& scene, std::span<const Encounter> encoun
   constexpr double same_point = 1e-9;  // of the size
   Nearest nearest;
   for (const Encounter& e : encounters)
-    if (!std::isnan(e.height) && (nearest.face == nullptr || distance(e) < nearest.distance))
-      nearest = {.face = &e, .distance = distance(e)};
+    if (!std::isnan(e.height) && (nearest.face == nullptr || distance_to_face(e) < nearest.distance))
+      nearest = {.face = &e, .distance = distance_to_face(e)};
   if (nearest.face == nullptr) return nearest;
   nearest.opposition = nearest.face->opposition;
   double height = 0;
@@ -63,7 +63,8 @@ bool lies_behind(const Vec3& point, const Encounter& face) {
 
 }  // namespace
 
-void drop_false_depths(const FacesInMotion& scene, const EncounterSettings& settings, std::span<Encounter> encounters) {
+void reject_false_depths(const FacesInMotion& scene, const EncounterSettings& settings,
+                         std::span<Encounter> encounters) {
   constexpr double level = 1e-4;  // of the size: nearer to a face than this, a node may be on either side by rounding
   const auto is_deep = [&](const Encounter& e, double than) {
     return e.meeting == Meeting::inside && !scene.faces[static_cast<std::size_t>(e.face)].two_sided &&

@@ -11,38 +11,39 @@ namespace {
 
 constexpr double same_side = 0.5;  // cosine between the normal of a path's crossing and the face's, at least
 
-bool crosses_now(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, const Vec3& normal, double size,
-                 EdgeMeeting& met) {
+bool crosses_now(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, const Vec3& normal,
+                 double size, EdgeMeeting& met) {
   const auto crossing = geometry::crossing_along(scene.start(slave), scene.start(master), normal);
   if (!crossing || crossing->past_an_end) return false;
   met = {crossing->s, crossing->t, crossing->gap, crossing->normal};
   if (met.gap > 0) return is_slow(scene, slave, master, size);
-  return -met.gap <= scene.settings.encounter.deepest(size, std::min(slave.depth, master.depth));
+  return -met.gap <=
+         scene.settings.encounter.max_penetration(size, std::min(slave.element_depth, master.element_depth));
 }
 
-bool crosses_in_step(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, const Vec3& normal,
+bool crosses_in_step(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, const Vec3& normal,
                      double size, EdgeMeeting& met) {
   if (is_slow(scene, slave, master, size)) return false;
   const auto hit =
       geometry::edge_crossing({scene.start(slave), scene.end(slave)}, {scene.start(master), scene.end(master)});
   if (!hit || hit->normal.dot(normal) < same_side) return false;
-  const double approach = -normal.dot(relative_motion(scene, slave, master, hit->s, hit->t));
+  const double approach = -normal.dot(relative_displacement(scene, slave, master, hit->s, hit->t));
   met = {hit->s, hit->t, hit->tau * approach, normal};
   return approach > 0;
 }
 
 /// How far from its end at a rim a flat edge is met as that, as a share of its length.
-double rim_at(const EdgeScene& scene, const EdgeSide& flat, const EdgeSide& rim, std::size_t end) {
+double rim_at(const EdgeScene& scene, const ContactEdge& flat, const ContactEdge& rim, std::size_t end) {
   const double length = scene.length(flat);
   const bool seam = flat.end_on_seam[end] != 0 && seams_count(scene.settings, rim.body, flat.body);
-  return seam ? seam_depth * extent(length, flat.depth) / length : scene.settings.encounter.rim;
+  return seam ? seam_sag_limit * extent(length, flat.element_depth) / length : scene.settings.encounter.rim;
 }
 
 }  // namespace
 
-bool rim_crosses_flat(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master, double size,
+bool rim_crosses_flat(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, double size,
                       EdgeMeeting& met) {
-  const EdgeSide &flat = slave.flat ? slave : master, &rim = slave.flat ? master : slave;
+  const ContactEdge &flat = slave.flat ? slave : master, &rim = slave.flat ? master : slave;
   if (scene.start(slave).along().cross(scene.start(master).along()).norm() < scene.full) return false;
   const Vec3 out = scene.outward(flat).normalized(), normal = slave.flat ? Vec3(-out) : out;
   if (!between_normals(scene, rim, -out, warp)) return false;

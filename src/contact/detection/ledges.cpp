@@ -13,7 +13,7 @@ const MasterFace& face_of(const FacesInMotion& scene, const Encounter& e) {
 
 /// How far node and face point have moved apart in the last step: the predicted velocities hold what presses the node
 /// into a face that bears it.
-Vec3 last_motion(const FacesInMotion& scene, const NodeMotion& slave, const Encounter& e) {
+Vec3 last_displacement(const FacesInMotion& scene, const NodeMotion& slave, const Encounter& e) {
   const MasterFace& face = face_of(scene, e);
   Vec3 relative = slave.old_velocity;
   for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i)
@@ -22,7 +22,7 @@ Vec3 last_motion(const FacesInMotion& scene, const NodeMotion& slave, const Enco
 }
 
 /// Is the place where the node meets `side` below the edge of `top` by no more than a ledge?
-bool is_ledge(const FacesInMotion& scene, double same_direction, const Encounter& side, const Encounter& top) {
+bool meets_ledge_side(const FacesInMotion& scene, double same_direction, const Encounter& side, const Encounter& top) {
   const double height = ledge * std::min(side.size, top.size);
   if (!(top.height <= 0) || -top.height > height || top.opposition < 0.5 * side.opposition) return false;
   if (contact::same_direction(side.normal, top.normal, same_direction)) return false;  // as nearly all are
@@ -32,16 +32,16 @@ bool is_ledge(const FacesInMotion& scene, double same_direction, const Encounter
 
 }  // namespace
 
-void pass_ledges(const FacesInMotion& scene, double same_direction, const NodeMotion& slave,
-                 std::span<Encounter> encounters) {
+void remove_ledge_sides(const FacesInMotion& scene, double same_direction, const NodeMotion& slave,
+                        std::span<Encounter> encounters) {
   if (one_direction(encounters, same_direction)) return;  // nearly always
   for (Encounter& side : encounters) {
     if (side.meeting == Meeting::none) continue;
-    const auto passes = [&](const Encounter& top) {
-      return &top != &side && is_ledge(scene, same_direction, side, top) &&
-             slides_into(last_motion(scene, slave, side), side.normal, top.normal, side.size);
+    const auto is_below = [&](const Encounter& top) {
+      return &top != &side && meets_ledge_side(scene, same_direction, side, top) &&
+             slides_into(last_displacement(scene, slave, side), side.normal, top.normal, side.size);
     };
-    if (std::ranges::any_of(encounters, passes)) side.meeting = Meeting::none;
+    if (std::ranges::any_of(encounters, is_below)) side.meeting = Meeting::none;
   }
 }
 

@@ -17,7 +17,7 @@ const MasterFace& face_of(const FacesInMotion& scene, const Encounter& e) {
 
 /// Does another face go on from `top` beyond an edge that `side` ends in? The one that has the node may be the next one
 /// along the seam: then they have a corner alone in common.
-bool goes_on_beyond(const FacesInMotion& scene, const Encounter& top, const Encounter& side) {
+bool continues_beyond(const FacesInMotion& scene, const Encounter& top, const Encounter& side) {
   const MasterFace &above = face_of(scene, top), &below = face_of(scene, side);
   const auto count = static_cast<std::size_t>(above.corner_count);
   const std::span<const LocalIndex> corners(below.nodes.data(), static_cast<std::size_t>(below.corner_count));
@@ -31,34 +31,34 @@ bool goes_on_beyond(const FacesInMotion& scene, const Encounter& top, const Enco
   return false;
 }
 
-/// Depth of a seam of the slave's own whose face lies on the one with this normal [length]; 0: none.
-double own_depth(const OwnFacets& own, const Vec3& normal) {
-  double depth = 0;
-  for (std::size_t i = 0; i < own.goes_on.size(); ++i)
+/// Sag of a seam of the slave's own whose face lies on the one with this normal [length]; 0: none.
+double own_sag(const OwnFacets& own, const Vec3& normal) {
+  double sag = 0;
+  for (std::size_t i = 0; i < own.seam_sag.size(); ++i)
     if (own.facet_normal[static_cast<std::size_t>(own.facets[i])].dot(normal) < -squarely)
-      depth = std::max(depth, own.goes_on[i]);
-  return depth;
+      sag = std::max(sag, own.seam_sag[i]);
+  return sag;
 }
 
 bool is_side_of_seam(const FacesInMotion& scene, double same_direction, const OwnFacets& own, const Encounter& side,
                      const Encounter& top) {
   const MasterFace &above = face_of(scene, top), &below = face_of(scene, side);
-  double depth = own_depth(own, top.normal);
-  if (goes_on_beyond(scene, top, side)) depth = std::max(depth, seam_depth * extent(top.size, above.depth));
-  if (depth == 0 || !(std::abs(top.height) <= depth) || top.opposition < 0.5 * side.opposition) return false;
+  double sag = own_sag(own, top.normal);
+  if (continues_beyond(scene, top, side)) sag = std::max(sag, seam_sag_limit * extent(top.size, above.element_depth));
+  if (sag == 0 || !(std::abs(top.height) <= sag) || top.opposition < 0.5 * side.opposition) return false;
   return !contact::same_direction(side.normal, top.normal, same_direction) && shared_nodes(below, above) >= 1 &&
          !concave(scene.faces, scene.motion, side, top);
 }
 
 /// out: the meeting's normal, out of the seam's edge.
-bool is_at_side(const EdgeScene& scene, const EdgeSide& seam, const EdgeSide& other, const Vec3& point,
+bool is_at_side(const EdgeScene& scene, const ContactEdge& seam, const ContactEdge& other, const Vec3& point,
                 const Vec3& out) {
-  const double depth = seam_depth * extent(scene.length(seam), seam.depth);
+  const double sag = seam_sag_limit * extent(scene.length(seam), seam.element_depth);
   for (std::size_t k = 0; k < 2; ++k) {
     if (!seam.seam[k]) continue;
     const Vec3 top = scene.normal(seam, k);
     if (out.dot(top) > straight) return false;
-    const auto reaches_below = [&](LocalIndex node) { return (scene.at(node).position - point).dot(top) < -depth; };
+    const auto reaches_below = [&](LocalIndex node) { return (scene.at(node).position - point).dot(top) < -sag; };
     if (std::ranges::none_of(other.nodes, reaches_below)) return true;
   }
   return false;
@@ -66,8 +66,8 @@ bool is_at_side(const EdgeScene& scene, const EdgeSide& seam, const EdgeSide& ot
 
 }  // namespace
 
-void drop_sides_of_seams(const FacesInMotion& scene, double same_direction, const OwnFacets& own,
-                         std::span<Encounter> encounters) {
+void remove_seam_sides(const FacesInMotion& scene, double same_direction, const OwnFacets& own,
+                       std::span<Encounter> encounters) {
   if (one_direction(encounters, same_direction)) return;  // nearly always
   for (Encounter& side : encounters) {
     if (side.meeting == Meeting::none) continue;
@@ -78,7 +78,7 @@ void drop_sides_of_seams(const FacesInMotion& scene, double same_direction, cons
   }
 }
 
-bool meet_at_side_of_seam(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master,
+bool meet_at_side_of_seam(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master,
                           const EdgeMeeting& met) {
   if (!seams_count(scene.settings, slave.body, master.body)) return false;
   const geometry::Segment own = scene.start(slave), other = scene.start(master);

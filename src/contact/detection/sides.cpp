@@ -15,7 +15,7 @@ double remembered_side(std::span<const HistoryRecord> remembered, GlobalIndex fa
 }
 
 /// +1 where the faces share an edge and are turned alike, -1 where they are turned against each other, else 0.
-double alike(const MasterFace& one, const MasterFace& other) {
+double relative_orientation(const MasterFace& one, const MasterFace& other) {
   const auto corner = [](const MasterFace& face, std::int32_t i) {
     return face.nodes[static_cast<std::size_t>(i % face.corner_count)];
   };
@@ -33,13 +33,13 @@ double side_across_an_edge(const FacesInMotion& scene, std::span<const HistoryRe
     const MasterFace& neighbour = scene.faces[static_cast<std::size_t>(other.face)];
     const double side = neighbour.two_sided ? remembered_side(remembered, neighbour.key) : unknown;
     if (side == unknown) continue;
-    if (const double turned = alike(face, neighbour); turned != 0) return turned * side;
+    if (const double turned = relative_orientation(face, neighbour); turned != 0) return turned * side;
   }
   return unknown;
 }
 
-/// The side that the node is on. Beside the face its plane tells nothing (behind a convex edge lies the outside): there
-/// it is a path through the face that counts.
+/// The side that the node is on. Beside the face the plane does not decide (behind a convex edge lies the outside):
+/// there it is a path through the face that counts.
 double side_at_first_sight(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
                            const Encounter& e) {
   Encounter up = encounter(scene, settings, slave, e.face, {1, e.approach.clearance});

@@ -24,13 +24,14 @@ BRUNT_INLINE Standing<T> stand(const geometry::VecOf<T>& node, const geometry::V
   return {over_middle, norm(offset - over_middle * normal), dt * norm(relative)};
 }
 
-/// Fills height, gap, beside, slow and meeting of an encounter with known region, size and clearance; depth: of the
-/// face.
-inline void classify(const Standing<double>& at, const EncounterSettings& settings, double depth, Encounter& met) {
+/// Fills height, gap, beside, slow and meeting of an encounter with known region, size and clearance; element_depth: of
+/// the face.
+inline void classify(const Standing<double>& at, const EncounterSettings& settings, double element_depth,
+                     Encounter& met) {
   met.height = met.gap = at.over_middle - met.approach.clearance;
   met.beside = at.beside;
   if (met.height <= 0) {
-    const double deepest = settings.deepest(met.size, depth);
+    const double deepest = settings.max_penetration(met.size, element_depth);
     if (-at.over_middle <= deepest && met.beside <= deepest) met.meeting = Meeting::inside;
     return;
   }

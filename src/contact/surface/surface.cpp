@@ -18,7 +18,7 @@ bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t 
   return a < b;
 }
 
-bool alike(const BodyFigures& one, const BodyFigures& other) {
+bool have_similar_meshes(const BodyFigures& one, const BodyFigures& other) {
   if (std::isinf(one.mean_mass) || std::isinf(other.mean_mass)) return false;
   // ratio at most. A matter of cost alone: two passes hold meshes of any ratio, but one pass errs less the more they
   // differ (cases/patch_test: by 14 % at 2 on 3, 4 % at 4 on 7). In cases/stack, 2 on 3, both ways are as deep (6e-6 of
@@ -38,8 +38,8 @@ bool in_two_passes(const Specification& specification, std::span<const BodyFigur
   if (pair.passes != Passes::automatic) return pair.passes != Passes::one;
   if (node.on_rim && node.body != other_body && holds_rims(specification)) return true;
   return pair.rule == PairRule::automatic &&
-         (node.body == other_body ||
-          alike(bodies[static_cast<std::size_t>(node.body)], bodies[static_cast<std::size_t>(other_body)]));
+         (node.body == other_body || have_similar_meshes(bodies[static_cast<std::size_t>(node.body)],
+                                                         bodies[static_cast<std::size_t>(other_body)]));
 }
 
 bool bodies_in_two_passes(const Specification& specification, std::span<const BodyFigures> bodies, std::int32_t a,
@@ -96,8 +96,8 @@ bool any_two_passes(const Specification& specification, std::span<const BodyFigu
   return false;
 }
 
-bool leads(const Specification& specification, std::span<const BodyFigures> bodies, const SurfaceNode& node,
-           std::int32_t face_block, std::int32_t face_body) {
+bool is_primary_slave(const Specification& specification, std::span<const BodyFigures> bodies, const SurfaceNode& node,
+                      std::int32_t face_block, std::int32_t face_body) {
   return std::ranges::any_of(node.blocks, [&](std::int32_t block) {
     const PairRule rule = specification.pairs.at(block, face_block).rule;
     if (rule == PairRule::automatic) return node.body == face_body || is_slave(bodies, node.body, face_body);
@@ -107,7 +107,7 @@ bool leads(const Specification& specification, std::span<const BodyFigures> bodi
 
 bool may_meet(const Specification& specification, std::span<const BodyFigures> bodies, const SurfaceNode& node,
               std::int32_t face_block, std::int32_t face_body) {
-  return leads(specification, bodies, node, face_block, face_body) ||
+  return is_primary_slave(specification, bodies, node, face_block, face_body) ||
          meet_in_two_passes(specification, bodies, node, face_block, face_body);
 }
 

@@ -25,10 +25,10 @@ struct Scene {
 };
 
 /// What travels: as much of a face as the search needs.
-struct Traveller {
+struct Ghost {
   GlobalIndex id = 0;
   contact::PlainBox capture;
-  friend bool operator<(const Traveller& a, const Traveller& b) { return a.id < b.id; }
+  friend bool operator<(const Ghost& a, const Ghost& b) { return a.id < b.id; }
 };
 
 /// Scenes of all kinds mixed by chance, the same on any number of ranks.
@@ -125,7 +125,7 @@ using Pair = std::array<GlobalIndex, 2>;  ///< node, face
 struct Part {
   std::vector<GlobalIndex> node_id;
   std::vector<Vec3> nodes;
-  std::vector<Traveller> faces;
+  std::vector<Ghost> faces;
   std::vector<Box> boxes;  ///< of the faces
 };
 
@@ -143,9 +143,9 @@ Part part_of(const comm::Communicator& ranks, const Scene& scene, Maker& maker) 
     part.faces.push_back({static_cast<GlobalIndex>(f), contact::PlainBox(scene.faces[f])});
     part.boxes.push_back(scene.faces[f]);
   }
-  const std::vector<Traveller> ghosts =
-      contact::ghost(ranks, std::span<const Traveller>(part.faces), wanted, maker.finest(ranks, part.boxes));
-  for (const Traveller& ghost : ghosts) {
+  const std::vector<Ghost> ghosts =
+      contact::ghost(ranks, std::span<const Ghost>(part.faces), wanted, maker.finest(ranks, part.boxes));
+  for (const Ghost& ghost : ghosts) {
     part.faces.push_back(ghost);
     part.boxes.push_back(ghost.capture.box());
   }
@@ -190,9 +190,8 @@ void search(const comm::Communicator& ranks, const Scene& scene, Maker& maker, c
     for (const LocalIndex f : std::as_const(pairs).row(n))
       found.push_back({part.node_id[static_cast<std::size_t>(n)], part.faces[static_cast<std::size_t>(f)].id});
   score.add(std::move(found), brute_force(scene, ranks.rank()));
-  score.ghosts += std::ranges::count_if(part.faces, [&](const Traveller& face) {
-    return scene.face_on[static_cast<std::size_t>(face.id)] != ranks.rank();
-  });
+  score.ghosts += std::ranges::count_if(
+      part.faces, [&](const Ghost& face) { return scene.face_on[static_cast<std::size_t>(face.id)] != ranks.rank(); });
 }
 
 }  // namespace
@@ -225,27 +224,26 @@ TEST_CASE("boxes that overlap over the ranks: none missed, none twice") {
   contact::OverlapScratch scratch;
   for (int k = 0; k < 400; ++k) {
     const Scene scene = moved(maker.make(), std::array{0.0, 1.0 / 3, 1e6}[static_cast<std::size_t>(k % 3)]);
-    std::vector<Traveller> own;
+    std::vector<Ghost> own;
     std::vector<Box> wanted;
     for (std::size_t f = 0; f < scene.faces.size(); ++f) {
       if (scene.face_on[f] != ranks.rank()) continue;
       own.push_back({static_cast<GlobalIndex>(f), contact::PlainBox(scene.faces[f])});
       wanted.push_back(scene.faces[f]);
     }
-    std::vector<Traveller> all = own;
+    std::vector<Ghost> all = own;
     const double finest = maker.finest(ranks, wanted);
-    for (const Traveller& ghost : contact::ghost(ranks, std::span<const Traveller>(own), wanted, finest))
-      all.push_back(ghost);
+    for (const Ghost& ghost : contact::ghost(ranks, std::span<const Ghost>(own), wanted, finest)) all.push_back(ghost);
     std::vector<Box> boxes;
-    for (const Traveller& traveller : all) boxes.push_back(traveller.capture.box());
+    for (const Ghost& candidate : all) boxes.push_back(candidate.capture.box());
     std::vector<Pair> found, expected;
     contact::for_each_overlap(wanted, boxes, scratch, [&](LocalIndex i, LocalIndex j) {
       found.push_back({own[static_cast<std::size_t>(i)].id, all[static_cast<std::size_t>(j)].id});
     });
-    for (const Traveller& traveller : own)
+    for (const Ghost& candidate : own)
       for (std::size_t f = 0; f < scene.faces.size(); ++f)
-        if (geometry::overlaps(traveller.capture.box(), scene.faces[f]))
-          expected.push_back({traveller.id, static_cast<GlobalIndex>(f)});
+        if (geometry::overlaps(candidate.capture.box(), scene.faces[f]))
+          expected.push_back({candidate.id, static_cast<GlobalIndex>(f)});
     score.add(std::move(found), expected);
   }
   const Score all = score.of_all(ranks);

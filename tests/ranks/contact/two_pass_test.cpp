@@ -121,7 +121,7 @@ TEST_CASE("the history of two passes with friction goes home and the run goes on
   CHECK((again.all_velocities() == points.all_velocities()));
 }
 
-TEST_CASE("twins: equal meshes that lie node on node have one row each, and the bits of one pass") {
+TEST_CASE("coincident nodes: equal meshes that lie node on node have one row each, and the bits of one pass") {
   const comm::Communicator world = comm::Communicator::world();
   const auto passes = GENERATE(contact::Passes::automatic, contact::Passes::averaged);
   std::vector<double> all[2];

@@ -42,7 +42,7 @@ struct Parts {
 
 /// A node of the hammer in the anvil, behind its upper face.
 InitialOverlap in_anvil(LocalIndex node, double depth, OverlapRule rule = OverlapRule::error) {
-  InitialOverlap overlap{.node = node, .block = 1, .other_block = 0, .body = 1, .other_body = 0, .depth = depth};
+  InitialOverlap overlap{.node = node, .block = 1, .other_block = 0, .body = 1, .other_body = 0, .penetration = depth};
   overlap.face = {4, 5, 7, 6};
   overlap.rule = rule;
   return overlap;

@@ -112,7 +112,7 @@ TEST_CASE("offset: each overlapping node keeps its depth, nothing moves") {
   CHECK(scene.whole.mesh.coordinates == before);
   REQUIRE(treated.accepted.size() == 26);
   CHECK(std::ranges::is_sorted(treated.accepted, {}, &contact::AcceptedOverlap::slave));
-  for (const contact::AcceptedOverlap& overlap : treated.accepted) CHECK(overlap.depth == Approx(0.05));
+  for (const contact::AcceptedOverlap& overlap : treated.accepted) CHECK(overlap.penetration == Approx(0.05));
 }
 
 TEST_CASE("a plate that is pierced without a node inside") {
@@ -160,7 +160,7 @@ TEST_CASE("a node past the middle of a plate is behind the face that it came thr
   const TreatedOverlaps treated = scene.treat();
   REQUIRE(treated.gaps.overlaps.size() == 4);
   for (const setup::InitialOverlap& overlap : treated.gaps.overlaps) {
-    CHECK(overlap.depth == Approx(0.08));
+    CHECK(overlap.penetration == Approx(0.08));
     CHECK(overlap.too_deep);
   }
 }
@@ -220,7 +220,7 @@ TEST_CASE("a body that overlaps itself is refused, warned of, or kept as zero ga
   REQUIRE(treated.accepted.size() == test::bent_bar_nodes);
   for (const contact::AcceptedOverlap& overlap : treated.accepted) {
     CHECK(overlap.body == 0);
-    CHECK(test::is_bent_bar_depth(overlap.depth, 0.1));
+    CHECK(test::is_bent_bar_depth(overlap.penetration, 0.1));
   }
 }
 
@@ -229,7 +229,7 @@ TEST_CASE("flush bodies that overlap do so with the nodes on their sides as well
   Case scene(two_boxes({1, 1, 1}, {2, 2, 2}, {1, 1, 1}, {2, 2, 2}, {0.95, 0, 0}), "offset");
   const TreatedOverlaps treated = scene.treat();
   REQUIRE(treated.accepted.size() == 18);
-  for (const contact::AcceptedOverlap& overlap : treated.accepted) CHECK(overlap.depth == Approx(0.05));
+  for (const contact::AcceptedOverlap& overlap : treated.accepted) CHECK(overlap.penetration == Approx(0.05));
   CHECK(Case(two_boxes({1, 1, 1}, {2, 2, 2}, {1, 1, 1}, {2, 2, 2}, {1, 0, 0}), "error").treat().report.list.empty());
 }
 

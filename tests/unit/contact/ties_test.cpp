@@ -16,8 +16,8 @@ namespace {
 
 /// Two unit squares side by side in the plane z = 0, the second with the lower key, and slaves around them.
 struct TwoSquares {
-  std::vector<contact::MasterFace> faces{{.key = 4, .nodes = {1, 2, 5, 4}, .body = 2, .block = 1, .depth = 1},
-                                         {.key = 9, .nodes = {0, 1, 4, 3}, .body = 2, .block = 1, .depth = 1}};
+  std::vector<contact::MasterFace> faces{{.key = 4, .nodes = {1, 2, 5, 4}, .body = 2, .block = 1, .element_depth = 1},
+                                         {.key = 9, .nodes = {0, 1, 4, 3}, .body = 2, .block = 1, .element_depth = 1}};
   std::vector<LocalIndex> by_key{0, 1};
   std::vector<contact::NodeMotion> motion;
   std::vector<GlobalIndex> gid;
@@ -149,7 +149,8 @@ TEST_CASE("a tie across a gap: a common turn asks for nothing, impulses have no 
     const auto place = [&](LocalIndex node) -> const Vec3& {
       return squares.motion[static_cast<std::size_t>(node)].position;
     };
-    CHECK(relative_motion(row, [&](LocalIndex node) { return Vec3(speed + spin.cross(place(node))); }).norm() < 1e-14);
+    CHECK(relative_velocity(row, [&](LocalIndex node) { return Vec3(speed + spin.cross(place(node))); }).norm() <
+          1e-14);
     Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
     double most = 0;
     for (std::size_t i = 0; i < 5; ++i) {
@@ -186,7 +187,7 @@ TEST_CASE("a tie across a gap asks for the rate of what it keeps, by differences
       const Row there = moved.rows(ties)[t];
       return Vec3(there.gap * there.normal - 5 * there.drift);
     };
-    const Vec3 rate = (lack(h) - lack(-h)) / (2 * h), asked = relative_motion(row, velocity);
+    const Vec3 rate = (lack(h) - lack(-h)) / (2 * h), asked = relative_velocity(row, velocity);
     CAPTURE(t, rate.transpose(), asked.transpose());
     CHECK((rate - asked).norm() < 1e-8 * asked.norm());
   }

@@ -42,7 +42,7 @@ TEST_CASE("initial gaps: nodes inside the other body with their depth") {
   // of b the end of 5 x 5 nodes at x = 0.875, less those at y or z = 1.1: 4 x 4; of a the end of 3 x 3 less those at 0:
   // 2 x 2
   CHECK(gaps.overlaps.size() == 4 * 4 + 2 * 2);
-  CHECK(gaps.overlaps.front().depth == Approx(0.125));
+  CHECK(gaps.overlaps.front().penetration == Approx(0.125));
   for (const setup::InitialOverlap& overlap : gaps.overlaps) CHECK(overlap.face[0] != no_index);
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("initial gaps: a body that overlaps itself is told, where parts meet t
   REQUIRE(gaps.overlaps.size() == test::bent_bar_nodes);
   for (const setup::InitialOverlap& overlap : gaps.overlaps) {
     CHECK(overlap.is_within_itself());
-    CHECK(test::is_bent_bar_depth(overlap.depth, 0.1));
+    CHECK(test::is_bent_bar_depth(overlap.penetration, 0.1));
     CHECK_FALSE(overlap.too_deep);
     CHECK(overlap.rule == OverlapRule::error);
   }

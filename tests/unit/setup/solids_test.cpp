@@ -36,7 +36,7 @@ TEST_CASE("a solid is not inside itself, however its elements are cut; a ring wh
       ++overlapping;
       const auto behind = compared.behind_near(i);
       REQUIRE(behind);
-      CHECK(test::is_bent_bar_depth(behind->depth, overlap));
+      CHECK(test::is_bent_bar_depth(behind->penetration, overlap));
     }
     CHECK(overlapping == (overlap > 0 ? test::bent_bar_nodes : 0));
   }

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <vector>
 
@@ -56,8 +57,8 @@ constexpr std::size_t most_bodies_of_a_row = 2;
 /// where all nodes turn together, and its impulses have no moment.
 struct Lever {
   std::array<Mat3, most_nodes_of_a_row> turn = all_zero();  ///< of each node of the row
-  std::array<double, most_nodes_of_a_row> size{};           ///< bounds of |turn v| / |v|
-  double most = 1;  ///< bound of what one node takes of an impulse: the largest |weight| + size
+  std::array<double, most_nodes_of_a_row> bound{};          ///< bounds of |turn v| / |v|
+  double most = 1;  ///< bound of what one node takes of an impulse: the largest |weight| + bound
 
   /// A matrix that is made from nothing has no values of its own.
   static std::array<Mat3, most_nodes_of_a_row> all_zero() {
@@ -102,15 +103,15 @@ struct Row {
 };
 
 /// What levers add to it.
-template <class VelocityOf>
+template <std::invocable<LocalIndex> VelocityOf>
 [[gnu::noinline]] void add_turned(const Row& row, const VelocityOf& velocity_of, Vec3& relative) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
     relative += row.lever->turn[i] * velocity_of(row.nodes[i]);
 }
 
 /// The row's relative velocity; velocity_of(node): of a contact node.
-template <class VelocityOf>
-[[gnu::always_inline]] inline Vec3 relative_motion(const Row& row, const VelocityOf& velocity_of) {
+template <std::invocable<LocalIndex> VelocityOf>
+[[gnu::always_inline]] inline Vec3 relative_velocity(const Row& row, const VelocityOf& velocity_of) {
   Vec3 relative = Vec3::Zero();
   const auto count = static_cast<std::size_t>(row.node_count);
   for (std::size_t i = 0; i < count; ++i) relative += row.weights[i] * velocity_of(row.nodes[i]);

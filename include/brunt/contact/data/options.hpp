@@ -58,7 +58,7 @@ enum class Tied : std::int8_t {
 /// What becomes of nodes of two parts that lie inside each other at the start.
 enum class OverlapRule : std::int8_t {
   error,  ///< the scene is refused
-  warn,   ///< they are told, and recovered slowly
+  warn,   ///< they are reported, and recovered slowly
   move,   ///< nodes are moved out before the run
   offset  ///< they are kept as zero gap
 };

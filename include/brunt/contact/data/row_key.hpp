@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which row: what tells the rows of a step apart, and what they are ordered by.
+// Which row: what identifies the rows of a step, and their order.
 #pragma once
 #include <array>
 #include <compare>

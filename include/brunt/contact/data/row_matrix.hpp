@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What enforcement sees of the rows of a step: a sparse matrix G, three rows of numbers a row (its relative velocity),
 // over contact points, in compressed storage, and the law of each row. Rows have any number of points and weights of
-// any sign; what kind of contact a row comes from is not told here. Whatever makes rows appends them: `compress` those
-// of detection, others (mortar, joint limits) by `begin_row`, `add` and `close_row`.
+// any sign; the kind of contact that a row comes from is not known here. Whatever makes rows appends them: `compress`
+// those of detection, others (mortar, joint limits) by `begin_row`, `add` and `close_row`.
 #pragma once
 #include <cmath>
 #include <cstddef>
@@ -113,16 +113,16 @@ RowLaw law_of(const Row& row);
 const RowMatrix& compress(std::span<const Row> rows, RowMatrix& matrix);
 
 /// What arms add to it.
-template <class VelocityOf>
+template <std::invocable<LocalIndex> VelocityOf>
 [[gnu::noinline]] void add_turned(const RowMatrix& rows, std::size_t q, const VelocityOf& velocity_of, Vec3& relative) {
   for (std::size_t k = rows.begin(q); k < rows.end(q); ++k)
     relative += rows.arm(q, k).turn * velocity_of(rows.points[k]);
 }
 
 /// The relative velocity of row q; velocity_of(point): of a contact node.
-template <class VelocityOf>
-[[gnu::always_inline]] inline Vec3 relative_motion(const RowMatrix& rows, std::size_t q,
-                                                   const VelocityOf& velocity_of) {
+template <std::invocable<LocalIndex> VelocityOf>
+[[gnu::always_inline]] inline Vec3 relative_velocity(const RowMatrix& rows, std::size_t q,
+                                                     const VelocityOf& velocity_of) {
   Vec3 relative = Vec3::Zero();
   const std::size_t end = rows.end(q);
   for (std::size_t k = rows.begin(q); k < end; ++k) relative += rows.weights[k] * velocity_of(rows.points[k]);

@@ -11,9 +11,9 @@
 #include "brunt/contact/data/constraint.hpp"
 #include "brunt/contact/data/history.hpp"
 #include "brunt/contact/data/options.hpp"
-#include "brunt/contact/detection/choose.hpp"
+#include "brunt/contact/detection/coincident_nodes.hpp"
 #include "brunt/contact/detection/encounter.hpp"
-#include "brunt/contact/detection/twins.hpp"
+#include "brunt/contact/detection/select_rows.hpp"
 #include "brunt/core/ragged.hpp"
 
 namespace brunt::contact {
@@ -24,12 +24,13 @@ struct Candidates {
   std::vector<std::int32_t> body;        ///< of the slave
   Ragged<LocalIndex> faces;              ///< master faces, ordered by (body, key)
   Ragged<LocalIndex> slave_facets;       ///< faces of the slave's own surface around it: rows of the facet area vectors
-  std::vector<double> goes_on{};         ///< of each of slave_facets.values, see Surface; empty: there is no seam
+  std::vector<double> seam_sag{};        ///< of each of slave_facets.values, see Surface; empty: there is no seam
   std::vector<double> half_thickness{};  ///< of the slave where it lies on a two-sided sheet, else 0 [length]; empty:
                                          ///< there is no such sheet
   std::vector<char> second{};            ///< a flag for each of faces.values: this way is the second of two passes, in
-                                         ///< which twins are left out; empty: there is none such
-  Ragged<PossibleTwin> twins{};          ///< of each slave, in the bodies that it meets in the second pass; likewise
+                                         ///< which coincident nodes are left out; empty: there is none such
+  Ragged<CoincidentCandidate>
+      coincident{};  ///< of each slave, in the bodies that it meets in the second pass; likewise
 };
 
 /// A rigid plane at t_n; bodies are on the side that the normal points to.
@@ -52,22 +53,22 @@ inline bool acts_on(const Wall& wall, std::span<const std::int32_t> blocks) {
 /// the whole run, so that nothing need be remembered. Edges of which it is an end are measured from their own overlap
 /// at the start.
 struct AcceptedOverlap {
-  GlobalIndex slave = 0;  ///< gid of the node
-  std::int32_t body = 0;  ///< of the master
-  double depth = 0;       ///< [length], > 0
+  GlobalIndex slave = 0;   ///< gid of the node
+  std::int32_t body = 0;   ///< of the master
+  double penetration = 0;  ///< [length], > 0
   std::int32_t slave_body = no_index;
 };
 
 struct DetectionSettings {
   EncounterSettings encounter;
-  ChoiceSettings choice;
+  SelectionSettings selection;
   double recovery = 0.05;        ///< share of a penetration that a step may recover
   double recovery_limit = 1e-3;  ///< the same limited to this share of the longest edge
   bool recovery_gives = true;   ///< recovery may do work on the bodies at any depth: where overlaps of the start are to
                                 ///< part. Else edges deeper than `drift` do not (see required_rate)
   double drift = 3e-5;          ///< depth that a step may leave by itself, as a share of the longest edge
   double touch = 1e-4;          ///< of fitted bodies, in place of drift: at the start deeper nodes overlap
-  double twin = 0;              ///< nodes of two bodies this near each other are twins [length]
+  double coincidence = 0;       ///< nodes of two bodies this near each other are coincident [length]
   double wall_size = 0;         ///< [length] stands for the longest edge where the master is a wall
   std::vector<double> sound{};  ///< speed of sound of each body [velocity]; empty: recovery is as fast as steps are
   std::vector<AcceptedOverlap> accepted{};  ///< ordered by (slave, body), each pair once
@@ -101,7 +102,7 @@ inline bool seams_count(const DetectionSettings& settings, std::int32_t slave_bo
 }
 
 /// [length]; 0 where none is accepted.
-double accepted_depth(std::span<const AcceptedOverlap> accepted, GlobalIndex slave, std::int32_t body);
+double accepted_penetration(std::span<const AcceptedOverlap> accepted, GlobalIndex slave, std::int32_t body);
 
 /// The time that stands for the step where a penetration is recovered [time]: the step, or if that is longer half the
 /// time that sound takes along `size` [length] in the slower of the two bodies, which is about the stable step of a
@@ -125,20 +126,20 @@ double required_rate(const Row& row, double size, double dt, std::span<const Nod
                      const DetectionSettings& settings);
 
 /// Are the nodes so near each other that each lies where the other does? The same seen from either.
-inline bool are_twins(const NodeMotion& one, const NodeMotion& other, const DetectionSettings& settings) {
-  return (one.position - other.position).squaredNorm() < settings.twin * settings.twin;
+inline bool are_coincident(const NodeMotion& one, const NodeMotion& other, const DetectionSettings& settings) {
+  return (one.position - other.position).squaredNorm() < settings.coincidence * settings.coincidence;
 }
 
-/// Fills candidates.twins, where there are second passes. positions: of the contact nodes where lists are made, from
-/// where each may move by `motion` [length].
-void list_twins(std::span<const MasterFace> faces, std::span<const Vec3> positions, double motion,
-                const DetectionSettings& settings, Candidates& candidates);
+/// Fills candidates.coincident, where there are second passes. positions: of the contact nodes where lists are made,
+/// from where each may move by `motion` [length].
+void list_coincident_nodes(std::span<const MasterFace> faces, std::span<const Vec3> positions, double motion,
+                           const DetectionSettings& settings, Candidates& candidates);
 
-/// Appends the rows of slave nodes with faces, at most most_rows_of_a_node each: see `encounter` and `choose`.
+/// Appends the rows of slave nodes with faces, at most most_rows_of_a_node each: see `encounter` and `select_rows`.
 /// facet_area: along the area vectors of the slaves' own faces (their unit normals are left in the scratch).
 /// remembered: the history; the sides of two-sided faces are taken from there, and left in the scratch for all pairs
-/// that meet (Meeting::none aside). A node with a twin in the other body has no row there in the second of two passes:
-/// the twin's own row holds both.
+/// that meet (Meeting::none aside). A node with a coincident one in the other body has no row there in the second of
+/// two passes: that node's own row holds both.
 void detect_faces(const Candidates& candidates, std::span<const MasterFace> faces, std::span<const GlobalIndex> gid,
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_area, double dt,
                   const DetectionSettings& settings, std::span<const HistoryRecord> remembered,

@@ -13,20 +13,20 @@
 namespace brunt::contact {
 
 /// An edge among the contact nodes.
-struct EdgeSide {
+struct ContactEdge {
   std::array<LocalIndex, 2> nodes{};   ///< contact nodes, lower gid first
   std::array<LocalIndex, 2> facets{};  ///< the two faces that meet in it: rows of the facet area vectors
   std::int32_t body = 0, block = 0;
-  double depth = std::numeric_limits<double>::infinity();  ///< the smaller one of its two faces [length]
-  bool flat = false;                                       ///< lies within a face of its body: see EdgeKind
-  std::array<bool, 2> seam{};                              ///< of each facet, see SurfaceEdge
-  std::array<char, 2> end_on_rim{};                        ///< of a flat one: 1 where that end stands on a sharp edge
-  std::array<char, 2> end_on_seam{};                       ///< the same of seams
+  double element_depth = std::numeric_limits<double>::infinity();  ///< the smaller one of its two faces [length]
+  bool flat = false;                                               ///< lies within a face of its body: see EdgeKind
+  std::array<bool, 2> seam{};                                      ///< of each facet, see SurfaceEdge
+  std::array<char, 2> end_on_rim{};   ///< of a flat one: 1 where that end stands on a sharp edge
+  std::array<char, 2> end_on_seam{};  ///< the same of seams
 };
 
 /// Candidate pairs, slave edge by slave edge in ascending (gid, gid).
 struct EdgeCandidates {
-  std::vector<EdgeSide> slaves, masters;
+  std::vector<ContactEdge> slaves, masters;
   Ragged<LocalIndex> near;  ///< a row for each slave edge: master edges in ascending (gid, gid)
 };
 

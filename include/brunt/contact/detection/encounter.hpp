@@ -24,7 +24,7 @@ struct MasterFace {
   std::int32_t corner_count = 4;
   std::int32_t body = 0, block = 0;
   /// Of its element behind it, or the width of the face if that is less, at the start [length].
-  double depth = std::numeric_limits<double>::infinity();
+  double element_depth = std::numeric_limits<double>::infinity();
   std::uint8_t seams = 0;  ///< bit i: beyond side i another face goes on, see SurfaceFace
   bool two_sided = false;
   double half_thickness = 0;  ///< [length]
@@ -61,7 +61,7 @@ struct Encounter {
   double gap = 0;              ///< that the row closes [length]
   double time = 0;             ///< of a hit, as a share of the step
   double size = 0;             ///< longest edge of the face [length]
-  double order = 0;            ///< what ranks it among the slave's, the least first: see `choose`
+  double order = 0;            ///< what ranks it among the slave's, the least first: see `select_rows`
   bool slow = false;           ///< moves little against the face within the step
   double opposition = 0;       ///< cosine between the master's normal and the reversed normal of the most opposed facet
   Vec3 normal = Vec3::Zero();  ///< of the row, unit, out of the face on the node's side
@@ -81,12 +81,14 @@ struct EncounterSettings {
   double slow = 0.05;          ///< a node above a face that moves against it by less than this share of the longest
                                ///< edge within the step is judged by its closest point alone
 
-  /// How far behind a face a node is in contact with it. size: the face's longest edge; depth: MasterFace::depth.
-  [[nodiscard]] double deepest(double size, double depth) const {
-    return std::min(capture * size, element_share * depth);
+  /// How far behind a face a node is in contact with it. size: the face's longest edge; element_depth: see MasterFace.
+  [[nodiscard]] double max_penetration(double size, double element_depth) const {
+    return std::min(capture * size, element_share * element_depth);
   }
   /// What is farther from the swept box of a face (or edge) is not looked at; grows with the size.
-  [[nodiscard]] double reach(double size, double depth) const { return std::max(rim * size, deepest(size, depth)); }
+  [[nodiscard]] double reach(double size, double element_depth) const {
+    return std::max(rim * size, max_penetration(size, element_depth));
+  }
 };
 
 /// The faces and nodes that detection looks at.
@@ -137,14 +139,14 @@ bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> moti
 /// it only where all faces of the body that share that edge or corner have it behind them, over them or nearest there
 /// too (the bottom of a groove: a node beyond the end of a bore is beside its facets). The others become Meeting::none.
 /// encounters: of one slave with the faces of one body, with their opposition.
-void settle_rims(const FacesInMotion& scene, const EncounterSettings& settings, double same_direction,
-                 std::span<Encounter> encounters);
+void resolve_rim_projections(const FacesInMotion& scene, const EncounterSettings& settings, double same_direction,
+                             std::span<Encounter> encounters);
 
 /// Looks along the path of a node that is outside of faces: those that it passes through become Meeting::hit. Nodes
 /// that move slowly above a face are left to their closest point, and faces that the slave's surface opposes by less
 /// than `facing` of the best are passed over (sides of flush bodies, along which nodes slide). encounters: of one slave
-/// with the faces of one body, after settle_rims.
-void judge_paths(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
-                 std::span<Encounter> encounters);
+/// with the faces of one body, after resolve_rim_projections.
+void detect_path_hits(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+                      std::span<Encounter> encounters);
 
 }  // namespace brunt::contact

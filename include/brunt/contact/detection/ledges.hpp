@@ -15,9 +15,9 @@ constexpr double ledge = 1e-3;
 /// Sides of ledges become Meeting::none: a node that moves into a face, but along the neighbour across a convex edge,
 /// and is behind that by no more than a ledge, is left to the neighbour, which takes back the height slowly (see
 /// required_rate). What moves as much into the neighbour, or hardly at all, has no ledge: there the nearest face holds.
-/// encounters: of one slave with the faces of one body, with their opposition, after judge_paths.
-void pass_ledges(const FacesInMotion& scene, double same_direction, const NodeMotion& slave,
-                 std::span<Encounter> encounters);
+/// encounters: of one slave with the faces of one body, with their opposition, after detect_path_hits.
+void remove_ledge_sides(const FacesInMotion& scene, double same_direction, const NodeMotion& slave,
+                        std::span<Encounter> encounters);
 
 /// Does what moves like this in a step [length] move into what has one normal, but along what has the other?
 /// size: longest edge [length].

@@ -14,31 +14,31 @@ namespace brunt::contact {
 constexpr double seam_reach = 0.05;
 
 /// So far below a seam a side is not met, as a share of the extent: what flush bodies may sag under load.
-constexpr double seam_depth = 0.1;
+constexpr double seam_sag_limit = 0.1;
 
 /// What lengths across a surface are measured with: the longest edge, or of flat elements twice their depth [length].
-inline double extent(double size, double depth) {
-  return std::min(size, 2 * depth);
+inline double extent(double size, double element_depth) {
+  return std::min(size, 2 * element_depth);
 }
 
 /// The faces of a slave's own body around it.
 struct OwnFacets {
   std::span<const LocalIndex> facets;  ///< rows of facet_normal
-  std::span<const double> goes_on;     ///< of each: depth of a seam that ends in the slave, 0: none [length]; or empty
+  std::span<const double> seam_sag;    ///< of each: sag of a seam that ends in the slave, 0: none [length]; or empty
   std::span<const Vec3> facet_normal;
 };
 
-/// Sides of seams become Meeting::none where the node is no farther than seam_depth from the plane of the face that
+/// Sides of seams become Meeting::none where the node is no farther than seam_sag_limit from the plane of the face that
 /// goes on: one of the master's, or the one of the slave's own faces that goes on lies on the master's face.
 /// encounters: of one slave with the faces of one body that is flush with others than the slave's.
-void drop_sides_of_seams(const FacesInMotion& scene, double same_direction, const OwnFacets& own,
-                         std::span<Encounter> encounters);
+void remove_seam_sides(const FacesInMotion& scene, double same_direction, const OwnFacets& own,
+                       std::span<Encounter> encounters);
 
 struct EdgeScene;
 struct EdgeMeeting;
 
 /// Do the edges meet at the side of a seam that one of them is, where the other reaches no farther below it?
-bool meet_at_side_of_seam(const EdgeScene& scene, const EdgeSide& slave, const EdgeSide& master,
+bool meet_at_side_of_seam(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master,
                           const EdgeMeeting& met);
 
 }  // namespace brunt::contact

@@ -26,8 +26,8 @@ struct SurfaceFace {
   std::array<LocalIndex, 4> nodes{};  ///< surface nodes, counter-clockwise seen from outside
   std::int32_t corner_count = 4;
   std::int32_t body = 0, block = 0;
-  double depth = 0;        ///< of its element behind it, or its width if less, at the start [length]
-  std::uint8_t seams = 0;  ///< bit i: beyond side i (corners i, i + 1) another face goes on, see seams.hpp
+  double element_depth = 0;  ///< of its element behind it, or its width if less, at the start [length]
+  std::uint8_t seams = 0;    ///< bit i: beyond side i (corners i, i + 1) another face goes on, see seams.hpp
   std::array<GlobalIndex, 8> element{};  ///< nodes of that element, no_index to fill; the corners without an element
 };
 
@@ -42,7 +42,7 @@ struct SurfaceEdge {
   std::array<Place, 2> facets{};           ///< the two faces that meet in it, lower key first
   std::array<GlobalIndex, 16> elements{};  ///< nodes of the elements behind them, no_index to fill
   std::int32_t body = 0, block = 0;        ///< of the first
-  double depth = 0;                        ///< the smaller one of the two faces [length]
+  double element_depth = 0;                ///< the smaller one of the two faces [length]
   EdgeKind kind = EdgeKind::sharp;
   std::array<bool, 2> seam{};         ///< of each of its two faces: does another one go on beyond it? See seams.hpp
   std::array<char, 2> end_on_seam{};  ///< 1: a flat one that lies in the side of a seam ends there at its edge
@@ -72,7 +72,7 @@ struct Surface {
   Ragged<std::int32_t> blocks;         ///< for nodes owned here: blocks of their contact faces, ascending
   std::vector<char> on_rim;            ///< do they stand on a sharp edge?
   Ragged<Place> facets;                ///< for nodes owned here: their contact faces by key
-  std::vector<double> goes_on;      ///< of each of facets.values: depth of a seam that ends in the node, or 0 [length];
+  std::vector<double> seam_sag;     ///< of each of facets.values: sag of a seam that ends in the node, or 0 [length];
                                     ///< empty: there is no seam
   Ragged<GlobalIndex> neighbours;   ///< for nodes owned here: nodes of the elements that contain them, ascending
   std::vector<SurfaceFace> faces;   ///< contact faces of this rank's elements, by key
@@ -80,7 +80,8 @@ struct Surface {
   std::vector<BodyFigures> bodies;  ///< of the whole model
   std::vector<BodyPair> flush;      ///< of the whole model: bodies between which there is a seam, ascending
   double mean_edge = 0;             ///< mean over all contact faces of their longest edge [length]
-  double mean_depth = 0;            ///< mean over the same of the depth, or the longest edge if that is less [length]
+  double mean_element_depth =
+      0;  ///< mean over the same of the element depth, or the longest edge if that is less [length]
 
   [[nodiscard]] SurfaceNode node(LocalIndex owned) const {
     return {blocks.row(owned), body[static_cast<std::size_t>(owned)], on_rim[static_cast<std::size_t>(owned)] != 0};
@@ -96,7 +97,7 @@ struct Surface {
 bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t b);
 
 /// Are their meshes equal where they meet, neither side much finer or lighter? See Passes::automatic.
-bool alike(const BodyFigures& one, const BodyFigures& other);
+bool have_similar_meshes(const BodyFigures& one, const BodyFigures& other);
 
 /// Do a node and a face of this block and body meet in two passes? In one automatic pass nodes on rims do as well: a
 /// rim sags beyond the last node of the slave that holds it, and those that come under it later would be deep in the
@@ -116,8 +117,8 @@ Roles roles_of(std::span<const BodyFigures> bodies, const Specification& specifi
 
 /// Is a node the slave of a face of this block and body, were there one pass? Within one body every node is: which of
 /// two folds would be the finer side is not known before they meet.
-bool leads(const Specification& specification, std::span<const BodyFigures> bodies, const SurfaceNode& node,
-           std::int32_t face_block, std::int32_t face_body);
+bool is_primary_slave(const Specification& specification, std::span<const BodyFigures> bodies, const SurfaceNode& node,
+                      std::int32_t face_block, std::int32_t face_body);
 
 /// May a node be held off by a face of this block and body? Those that lead, and in two passes the other side's too.
 bool may_meet(const Specification& specification, std::span<const BodyFigures> bodies, const SurfaceNode& node,

@@ -33,9 +33,10 @@ TEST_CASE("rows of any length: their rates, and what their points take") {
   const RowMatrix rows = three_rows();
   REQUIRE(rows.size() == 3);
   CHECK(rows.entries() == 15);
-  CHECK(relative_motion(rows, 0, velocity_of) == Vec3(-1.5, 0, 3));  // six times a quarter of the step from one to next
-  CHECK(relative_motion(rows, 1, velocity_of) == Vec3(3, 1, -6));
-  CHECK(relative_motion(rows, 2, velocity_of) == Vec3(5, 1, -10) + Vec3(6, 1, -12));
+  CHECK(relative_velocity(rows, 0, velocity_of) ==
+        Vec3(-1.5, 0, 3));  // six times a quarter of the step from one to next
+  CHECK(relative_velocity(rows, 1, velocity_of) == Vec3(3, 1, -6));
+  CHECK(relative_velocity(rows, 2, velocity_of) == Vec3(5, 1, -10) + Vec3(6, 1, -12));
   CHECK(rows.leader(2) == 5);
   CHECK(impulse_on_point(rows, 0, 11, {0, 0, 4}) == Vec3(0, 0, -1));
   CHECK(impulse_on_point(rows, 2, rows.begin(2) + 1, {1, 0, 4}) == Vec3(1, 0, 4));  // 2 - 1
@@ -47,8 +48,8 @@ TEST_CASE("rows go over to another matrix one by one, and a matrix is filled ane
   some.append(all, 2);
   some.append(all, 0);
   REQUIRE(some.size() == 2);
-  CHECK(relative_motion(some, 0, velocity_of) == relative_motion(all, 2, velocity_of));
-  CHECK(relative_motion(some, 1, velocity_of) == relative_motion(all, 0, velocity_of));
+  CHECK(relative_velocity(some, 0, velocity_of) == relative_velocity(all, 2, velocity_of));
+  CHECK(relative_velocity(some, 1, velocity_of) == relative_velocity(all, 0, velocity_of));
   CHECK(some.figures[1].gap == -0.1);
   some.clear();
   CHECK(some.size() == 0);

@@ -252,7 +252,7 @@ TEST_CASE("rigid walls") {
 TEST_CASE("a node behind more than half of a flat element is not held: it belongs to a body on the far side") {
   CubeAndNode scene;
   CHECK(scene.detect({0.25, 0.5, 0.8}).size() == 1);
-  for (MasterFace& face : scene.faces) face.depth = 0.1;
+  for (MasterFace& face : scene.faces) face.element_depth = 0.1;
   CHECK(scene.detect({0.25, 0.5, 0.8}).empty());
   CHECK(scene.detect({0.25, 0.5, 0.96}).size() == 1);
 }

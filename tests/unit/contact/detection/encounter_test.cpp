@@ -22,8 +22,8 @@ Encounter meet(FewFaces& scene, const Vec3& position, const Vec3& velocity, Loca
 }
 
 void settle(const FewFaces& scene, std::span<Encounter> met) {
-  settle_rims({scene.faces, {}, scene.motion, scene.dt}, scene.settings.encounter, scene.settings.choice.same_direction,
-              met);
+  resolve_rim_projections({scene.faces, {}, scene.motion, scene.dt}, scene.settings.encounter,
+                          scene.settings.selection.same_direction, met);
 }
 
 constexpr LocalIndex top = 5;

@@ -153,7 +153,7 @@ TEST_CASE("a tie with arms on a body: its work is that of the body's impulse") {
   Lever lever;
   lever.turn[1] << 0, 0.6, 0, -0.5, 0, 0.2, 0, 0, 0.3;
   lever.turn[2] = -lever.turn[1];
-  lever.size = {0, 1, 1};
+  lever.bound = {0, 1, 1};
   lever.most = 1.5;
   Row& row = p.add_row(
       {{p.add_node(0.5, {1, 0, 0}), 1}, {p.add_point(0, {0.5, 0, 0}), -0.5}, {p.add_point(0, {0, 0.5, 0}), -0.5}},

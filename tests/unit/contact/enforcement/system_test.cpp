@@ -52,7 +52,7 @@ TEST_CASE("a lever: nodes take what the row's rate is the transpose of, and the 
   Problem p;
   const LocalIndex a = p.add_node(1, {0, 0, -1}), b = p.add_node(2, {0, 0, 0}), c = p.add_node(3, {1, 0, 2});
   Lever lever;
-  lever.size = {0, 1, 1};
+  lever.bound = {0, 1, 1};
   lever.most = 1.5;
   lever.turn[1] << 0, 0.6, 0, -0.5, 0, 0.2, 0, 0, 0.3;
   lever.turn[2] = -lever.turn[1];

@@ -63,7 +63,8 @@ TEST_CASE("two passes: by order, or where neither side is much finer or lighter 
   const auto ways = [&](std::int32_t a, std::int32_t b) {  // a node on b's face, b's on a's, as edges do
     const std::vector<std::int32_t> own{a}, other{b};
     return std::array{may_meet(rules, bodies, {own, a}, b, b), may_meet(rules, bodies, {other, b}, a, a),
-                      leads(rules, bodies, {own, a}, b, b), leads(rules, bodies, {other, b}, a, a)};
+                      is_primary_slave(rules, bodies, {own, a}, b, b),
+                      is_primary_slave(rules, bodies, {other, b}, a, a)};
   };
   using Ways = std::array<bool, 4>;
   CHECK(any_two_passes(rules, bodies));

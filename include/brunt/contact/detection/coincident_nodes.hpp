@@ -16,7 +16,7 @@ struct NodeOnSurface {
 };
 
 /// A contact node of another body that may come to lie where a slave does.
-struct PossibleTwin {
+struct CoincidentCandidate {
   LocalIndex node = 0;
   std::int32_t body = 0;
 };
@@ -24,10 +24,10 @@ struct PossibleTwin {
 /// Is a corner of the faces `near` (of one body) nearer to the node than `distance` [length], so that one row holds
 /// both, that of the corner's node on the node's own faces? It does where the surfaces lie on each other (whatever
 /// looks at the other side by 60 degrees or less has a face there to which it is opposed within 20), and where two
-/// sharp corners meet. A sharp corner that stands on a face, or has pressed a dent into it, is no twin of the node
-/// there: that node meets one side of the corner, and its row would leave the corner to fall along that side into the
-/// dent. possible: all nodes that may be so near.
-bool has_twin(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-              std::span<const PossibleTwin> possible, double distance);
+/// sharp corners meet. A sharp corner that stands on a face, or has pressed a dent into it, does not coincide with the
+/// node there: that node meets one side of the corner, and its row would leave the corner to fall along that side into
+/// the dent. possible: all nodes that may be so near.
+bool is_held_by_coincident_node(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
+                                std::span<const CoincidentCandidate> possible, double distance);
 
 }  // namespace brunt::contact

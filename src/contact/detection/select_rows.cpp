@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/detection/choose.hpp"
+#include "brunt/contact/detection/select_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +10,12 @@ namespace {
 
 constexpr double sideways = 1e-6;  // what is left of surfaces at right angles after rounding opposes nothing
 
-struct Choice {
+struct Selection {
   std::span<const MasterFace> faces;
   std::span<const NodeMotion> motion;
   const NodeMotion& slave;
   double dt;
-  const ChoiceSettings& settings;
+  const SelectionSettings& settings;
   bool smooth = false;  ///< all normals are surely alike
 
   [[nodiscard]] const MasterFace& face(const Encounter& e) const { return faces[static_cast<std::size_t>(e.face)]; }
@@ -30,7 +30,7 @@ struct Choice {
 
 /// Those to keep come first; returns how many. In a valley both slopes are met, also the one that a slave's surface
 /// opposes but little; around a convex edge that one is a side along which bodies lie flush.
-std::size_t drop_sideways(const Choice& choice, std::span<Encounter> encounters) {
+std::size_t remove_unopposed(const Selection& selection, std::span<Encounter> encounters) {
   constexpr double slope = 0.1;
   const auto less = [](const Encounter& a, const Encounter& b) {
     return (a.meeting == Meeting::none ? -1 : a.opposition) < (b.meeting == Meeting::none ? -1 : b.opposition);
@@ -40,41 +40,41 @@ std::size_t drop_sideways(const Choice& choice, std::span<Encounter> encounters)
   const Encounter best = *found;  // a copy: the others are moved
   const auto end = std::remove_if(encounters.begin(), encounters.end(), [&](const Encounter& e) {
     if (e.meeting == Meeting::none || e.opposition < slope * best.opposition) return true;
-    return e.opposition < 0.5 * best.opposition && !(choice.same_body(e, best) && choice.concave(e, best));
+    return e.opposition < 0.5 * best.opposition && !(selection.same_body(e, best) && selection.concave(e, best));
   });
   return static_cast<std::size_t>(end - encounters.begin());
 }
 
 /// |gap|, for a node beside the face to its rim.
-double distance(const Encounter& e) {
+double gap_distance(const Encounter& e) {
   return e.meeting == Meeting::hit ? std::abs(e.gap) : std::sqrt(e.gap * e.gap + e.beside * e.beside);
 }
 
-/// Is the node behind the plane of a face beside it, but over the neighbour? Which of the two it lies on is then told
-/// by where it is: behind a ridge's plane it would be lifted off the other slope, and fall back on it, for ever.
-bool lies_on_neighbour(const Choice& choice, std::span<const Encounter> encounters, const Encounter& e) {
+/// Is the node behind the plane of a face beside it, but over the neighbour? Its position then decides which
+/// of the two it lies on: behind a ridge's plane it would be lifted off the other slope, and fall back on it, for ever.
+bool lies_on_neighbour(const Selection& selection, std::span<const Encounter> encounters, const Encounter& e) {
   if (e.meeting != Meeting::inside || e.region == geometry::Region::face) return false;
   return std::ranges::any_of(encounters, [&](const Encounter& other) {
-    if (other.region != geometry::Region::face || !choice.same_body(other, e)) return false;
+    if (other.region != geometry::Region::face || !selection.same_body(other, e)) return false;
     const double apart = (other.point - e.point).norm();
-    return apart <= choice.settings.same_place * std::min(e.size, other.size) && choice.same_direction(other, e);
+    return apart <= selection.settings.same_place * std::min(e.size, other.size) && selection.same_direction(other, e);
   });
 }
 
 /// Who of a slave's encounters goes before whom; their order is set with it.
 class Ranking {
  public:
-  Ranking(const Choice& choice, std::span<Encounter> encounters)
-      : choice_(choice), criterion_(choice.settings.criterion) {
+  Ranking(const Selection& selection, std::span<Encounter> encounters)
+      : selection_(selection), criterion_(selection.settings.criterion) {
     for (Encounter& e : encounters)
       e.order =
-          criterion_ == Criterion::strength ? -std::abs(e.gap) * e.opposition : (by_time(e) ? e.time : distance(e));
+          criterion_ == Criterion::strength ? -std::abs(e.gap) * e.opposition : (by_time(e) ? e.time : gap_distance(e));
   }
   [[nodiscard]] bool operator()(const Encounter& a, const Encounter& b) const {
     if (rank(a) != rank(b)) return rank(a) < rank(b);
     if (a.order != b.order) return a.order < b.order;
     if (a.opposition != b.opposition) return a.opposition > b.opposition;
-    return choice_.face(a).key < choice_.face(b).key;
+    return selection_.face(a).key < selection_.face(b).key;
   }
 
  private:
@@ -85,18 +85,18 @@ class Ranking {
     if (criterion_ == Criterion::nearest || criterion_ == Criterion::strength) return 0;
     return criterion_ == Criterion::velocity ? (by_time(e) ? 0 : 1) : static_cast<int>(e.meeting);
   }
-  const Choice& choice_;
+  const Selection& selection_;
   Criterion criterion_;
 };
 
 /// The row's gap along another normal: a node inside is carried along, one that hits arrives at the same time.
-void turn(const Choice& choice, const Vec3& normal, Encounter& e) {
+void turn(const Selection& selection, const Vec3& normal, Encounter& e) {
   if (e.meeting == Meeting::hit) {
-    Vec3 relative = choice.slave.predicted;
-    const MasterFace& master = choice.face(e);
+    Vec3 relative = selection.slave.predicted;
+    const MasterFace& master = selection.face(e);
     for (std::size_t i = 0; i < static_cast<std::size_t>(master.corner_count); ++i)
-      relative -= e.weights[i] * choice.motion[static_cast<std::size_t>(master.nodes[i])].predicted;
-    e.gap = std::max(0.0, -e.time * choice.dt * normal.dot(relative));
+      relative -= e.weights[i] * selection.motion[static_cast<std::size_t>(master.nodes[i])].predicted;
+    e.gap = std::max(0.0, -e.time * selection.dt * normal.dot(relative));
   } else {
     e.gap *= e.normal.dot(normal);
   }
@@ -109,11 +109,11 @@ void turn(const Choice& choice, const Vec3& normal, Encounter& e) {
 /// good as outside of it: the other face has no say. Else where a fine mesh slid out under a coarse one, whose
 /// same_place is wide, its nodes were let in at 0.1 of an element from the rim.) What comes into contact there arrives
 /// at all of them.
-double share_at_convex_edge(const Choice& choice, const Encounter& e, const Encounter& best) {
+double share_at_convex_edge(const Selection& selection, const Encounter& e, const Encounter& best) {
   if (e.meeting != Meeting::inside) return 1;
   constexpr double level = 0.1;      // of the zone: so near each other they are equally deep
   constexpr double rounding = 1e-3;  // of same_place: what a step leaves at the surface
-  const double place = choice.settings.same_place * std::min(e.size, best.size);
+  const double place = selection.settings.same_place * std::min(e.size, best.size);
   const double zone = std::min(place, rounding * place + 4 * std::abs(best.gap));
   const double deeper = (std::abs(e.gap) - std::abs(best.gap)) / zone;
   return std::clamp((1 - std::abs(deeper)) / (1 - level), 0.0, 1.0);
@@ -123,52 +123,52 @@ double share_at_convex_edge(const Choice& choice, const Encounter& e, const Enco
 /// corner: which of them is met first is decided by rounding. Where the surface is bent but little, the normal turns
 /// from one face's to the other's within same_place of their common edge, so that a node may slide over it without a
 /// jump.
-void merge_corner(const Choice& choice, std::span<Encounter> encounters) {
+void merge_corner(const Selection& selection, std::span<Encounter> encounters) {
   Encounter& best = encounters.front();
   Vec3 sum = best.normal;
   for (const Encounter& e : encounters.subspan(1)) {
-    if (!choice.same_body(e, best)) continue;
-    const double place = choice.settings.same_place * std::min(e.size, best.size);
+    if (!selection.same_body(e, best)) continue;
+    const double place = selection.settings.same_place * std::min(e.size, best.size);
     const double apart2 = (e.point - best.point).squaredNorm();
     if (apart2 > place * place) continue;
-    if (choice.same_direction(e, best))
+    if (selection.same_direction(e, best))
       sum += (1 - std::sqrt(apart2) / place) * e.normal;
-    else if (e.meeting == best.meeting && !choice.concave(e, best))
-      sum += share_at_convex_edge(choice, e, best) * e.normal;
+    else if (e.meeting == best.meeting && !selection.concave(e, best))
+      sum += share_at_convex_edge(selection, e, best) * e.normal;
   }
   const double length = sum.norm();
-  if (length > 0.1) turn(choice, sum / length, best);  // else they face each other: a blade without thickness
+  if (length > 0.1) turn(selection, sum / length, best);  // else they face each other: a blade without thickness
 }
 
 /// A row of its own beside those kept?
-bool asks_for_a_row(const Choice& choice, std::span<const Encounter> kept, const Encounter& e) {
+bool asks_for_a_row(const Selection& selection, std::span<const Encounter> kept, const Encounter& e) {
   return std::ranges::all_of(kept, [&](const Encounter& k) {
-    return !choice.same_direction(k, e) && (!choice.same_body(k, e) || choice.concave(k, e));
+    return !selection.same_direction(k, e) && (!selection.same_body(k, e) || selection.concave(k, e));
   });
 }
 
 }  // namespace
 
-std::size_t choose(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const NodeMotion& slave,
-                   double dt, const ChoiceSettings& settings, std::span<Encounter> encounters) {
-  Choice choice{faces, motion, slave, dt, settings};
-  encounters = encounters.first(drop_sideways(choice, encounters));
+std::size_t select_rows(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const NodeMotion& slave,
+                        double dt, const SelectionSettings& settings, std::span<Encounter> encounters) {
+  Selection selection{faces, motion, slave, dt, settings};
+  encounters = encounters.first(remove_unopposed(selection, encounters));
   if (encounters.size() < 2) return encounters.size();
-  choice.smooth = one_direction(encounters, settings.same_direction);
+  selection.smooth = one_direction(encounters, settings.same_direction);
   for (Encounter& e : encounters)
-    if (lies_on_neighbour(choice, encounters, e)) e.meeting = Meeting::above;
-  const Ranking before(choice, encounters);
+    if (lies_on_neighbour(selection, encounters, e)) e.meeting = Meeting::above;
+  const Ranking before(selection, encounters);
   if (const auto best = std::ranges::min_element(encounters, before); best != encounters.begin())
     std::swap(encounters.front(), *best);
-  merge_corner(choice, encounters);
-  if (choice.smooth) return 1;  // nearly always: one surface
+  merge_corner(selection, encounters);
+  if (selection.smooth) return 1;  // nearly always: one surface
   const std::span<Encounter> others = encounters.subspan(1);
-  const auto asks = [&](const Encounter& e) { return asks_for_a_row(choice, encounters.first(1), e); };
+  const auto asks = [&](const Encounter& e) { return asks_for_a_row(selection, encounters.first(1), e); };
   if (std::ranges::none_of(others, asks)) return 1;
   std::sort(others.begin(), others.end(), before);
   std::size_t kept = 1;
   for (std::size_t i = 1; i < encounters.size() && kept < most_rows_of_a_node; ++i)
-    if (asks_for_a_row(choice, encounters.first(kept), encounters[i])) std::swap(encounters[kept++], encounters[i]);
+    if (asks_for_a_row(selection, encounters.first(kept), encounters[i])) std::swap(encounters[kept++], encounters[i]);
   return kept;
 }
 

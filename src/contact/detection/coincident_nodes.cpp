@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/detection/twins.hpp"
+#include "brunt/contact/detection/coincident_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,10 +40,10 @@ struct Around {
   [[nodiscard]] bool are_sharp_corner() const { return normals.norm() < lies * count && corners.dot(normals) < 0; }
 };
 
-/// Are both surfaces flat there and on each other, as nearly all twins' are? What is said to be so here the thorough
-/// look below finds too: every face lies on the first facet, and every facet on the first face.
-bool lie_flat(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-              LocalIndex twin) {
+/// Are both surfaces flat there and on each other, as around nearly all coincident nodes? What is said to be so here
+/// the thorough look below finds too: every face lies on the first facet, and every facet on the first face.
+bool surfaces_coincide(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
+                       LocalIndex other) {
   constexpr double clearly = 0.95 * 0.95;  // squared cosine
   const auto faces_each_other = [&](LocalIndex facet, const Vec3& area) {
     const double along = -node.facet_normal[static_cast<std::size_t>(facet)].dot(area);
@@ -52,7 +52,7 @@ bool lie_flat(const FacesInMotion& scene, const NodeOnSurface& node, std::span<c
   auto facets = node.facets;  // for the first face all, for the others the first
   for (const LocalIndex f : near) {
     const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
-    if (!has_corner(face, twin)) continue;
+    if (!has_corner(face, other)) continue;
     const Vec3 area = area_of(scene, face);
     if (!std::ranges::all_of(facets, [&](LocalIndex facet) { return faces_each_other(facet, area); })) return false;
     facets = facets.first(std::min<std::size_t>(1, facets.size()));
@@ -60,9 +60,9 @@ bool lie_flat(const FacesInMotion& scene, const NodeOnSurface& node, std::span<c
   return !node.facets.empty();
 }
 
-/// Does one row hold the node and `twin`, a corner of some of the faces?
+/// Does one row hold the node and `other`, a corner of some of the faces?
 bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-                       LocalIndex twin) {
+                       LocalIndex other) {
   constexpr std::size_t most = 32;  // facets of a node; of more the rest is not asked
   std::array<double, most> facet_lies{};
   const std::size_t facets = std::min(most, node.facets.size());
@@ -70,7 +70,7 @@ bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, st
   bool fit = true;
   for (const LocalIndex f : near) {
     const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
-    if (!has_corner(face, twin)) continue;
+    if (!has_corner(face, other)) continue;
     const Vec3 normal = area_of(scene, face).normalized();
     around.normals += normal;
     ++around.count;
@@ -91,29 +91,30 @@ bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, st
 
 }  // namespace
 
-bool has_twin(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-              std::span<const PossibleTwin> possible, double distance) {
+bool is_held_by_coincident_node(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
+                                std::span<const CoincidentCandidate> possible, double distance) {
   const std::int32_t body = scene.faces[static_cast<std::size_t>(near.front())].body;
-  for (const PossibleTwin& other : possible) {
+  for (const CoincidentCandidate& other : possible) {
     const Vec3& there = scene.motion[static_cast<std::size_t>(other.node)].position;
     if (other.body == body && (there - node.motion.position).squaredNorm() < distance * distance)
-      return lie_flat(scene, node, near, other.node) || are_held_together(scene, node, near, other.node);
+      return surfaces_coincide(scene, node, near, other.node) || are_held_together(scene, node, near, other.node);
   }
   return false;
 }
 
-void list_twins(std::span<const MasterFace> faces, std::span<const Vec3> positions, double motion,
-                const DetectionSettings& settings, Candidates& candidates) {
-  candidates.twins.clear();
+void list_coincident_nodes(std::span<const MasterFace> faces, std::span<const Vec3> positions, double motion,
+                           const DetectionSettings& settings, Candidates& candidates) {
+  candidates.coincident.clear();
   if (candidates.second.empty()) return;
-  const double within = (settings.twin + 2 * motion) * (1 + 1e-6);  // what is later measured is rounded otherwise
+  const double within =
+      (settings.coincidence + 2 * motion) * (1 + 1e-6);  // what is later measured is rounded otherwise
   const auto place = [&](LocalIndex node) -> const Vec3& { return positions[static_cast<std::size_t>(node)]; };
   for (LocalIndex s = 0; s < candidates.faces.rows(); ++s) {
     const std::span<const LocalIndex> near = std::as_const(candidates.faces).row(s);
     const char* second = candidates.second.data() + (near.data() - candidates.faces.values.data());
-    const auto known = [&, first = candidates.twins.values.size()](LocalIndex node) {
-      return std::ranges::any_of(std::span(candidates.twins.values).subspan(first),
-                                 [&](const PossibleTwin& twin) { return twin.node == node; });
+    const auto known = [&, first = candidates.coincident.values.size()](LocalIndex node) {
+      return std::ranges::any_of(std::span(candidates.coincident.values).subspan(first),
+                                 [&](const CoincidentCandidate& other) { return other.node == node; });
     };
     for (std::size_t i = 0; i < near.size(); ++i) {
       if (second[i] == 0) continue;
@@ -121,10 +122,10 @@ void list_twins(std::span<const MasterFace> faces, std::span<const Vec3> positio
       for (std::size_t c = 0; c < static_cast<std::size_t>(face.corner_count); ++c) {
         const LocalIndex node = face.nodes[c];
         if ((place(node) - place(candidates.slave[static_cast<std::size_t>(s)])).norm() < within && !known(node))
-          candidates.twins.values.push_back({node, face.body});
+          candidates.coincident.values.push_back({node, face.body});
       }
     }
-    candidates.twins.close_row();
+    candidates.coincident.close_row();
   }
 }
 

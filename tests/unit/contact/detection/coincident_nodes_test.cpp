@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nodes that lie on each other: where one row holds both, and where it does not.
-#include "brunt/contact/detection/twins.hpp"
+#include "brunt/contact/detection/coincident_nodes.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -24,15 +24,16 @@ FewFaces around_a_node(double lift) {
   return {points, {{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}, {4, 5, 8, 7}}};
 }
 
-bool is_twin(FewFaces& scene, const Vec3& position, const std::vector<Vec3>& facet_normal) {
+bool coincides(FewFaces& scene, const Vec3& position, const std::vector<Vec3>& facet_normal) {
   const NodeMotion node{.position = position};
   std::vector<LocalIndex> near, facets;
   for (std::size_t f = 0; f < scene.faces.size(); ++f) near.push_back(static_cast<LocalIndex>(f));
   for (std::size_t f = 0; f < facet_normal.size(); ++f) facets.push_back(static_cast<LocalIndex>(f));
   const std::vector<FaceReach> reach(scene.faces.size());
-  std::vector<PossibleTwin> corners;
+  std::vector<CoincidentCandidate> corners;
   for (std::size_t i = 0; i + 1 < scene.motion.size(); ++i) corners.push_back({static_cast<LocalIndex>(i), 0});
-  return has_twin({scene.faces, reach, scene.motion, scene.dt}, {node, facets, facet_normal}, near, corners, distance);
+  return is_held_by_coincident_node({scene.faces, reach, scene.motion, scene.dt}, {node, facets, facet_normal}, near,
+                                    corners, distance);
 }
 
 /// Normals of the three faces of a cube's lowest corner, which stands upright on it.
@@ -48,28 +49,29 @@ std::vector<Vec3> standing_corner(double turned) {
 
 }  // namespace
 
-TEST_CASE("the corner of a block on a node of a flat face, or of an equal block, is its twin, near enough") {
+TEST_CASE("the corner of a block on a node of a flat face, or of an equal block, coincides with it, near enough") {
   FewFaces flat = around_a_node(0), block = support::cube();
   const std::vector<Vec3> corner{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, -1)};
-  CHECK(is_twin(flat, Vec3(0.5 * distance, 0, 0), corner));
-  CHECK_FALSE(is_twin(flat, Vec3(2 * distance, 0, 0), corner));
-  CHECK(is_twin(block, Vec3(1, 1, 1 - 1e-6), corner));
+  CHECK(coincides(flat, Vec3(0.5 * distance, 0, 0), corner));
+  CHECK_FALSE(coincides(flat, Vec3(2 * distance, 0, 0), corner));
+  CHECK(coincides(block, Vec3(1, 1, 1 - 1e-6), corner));
   const auto bulged = Eigen::AngleAxisd(0.3, Vec3(1, -1, 0).normalized());
-  CHECK(is_twin(block, Vec3(1, 1, 1), {bulged * corner[0], bulged * corner[1], corner[2]}));
+  CHECK(coincides(block, Vec3(1, 1, 1), {bulged * corner[0], bulged * corner[1], corner[2]}));
 }
 
-TEST_CASE("corner on corner: they are twins, however they are turned") {
+TEST_CASE("corner on corner: they are coincident, however they are turned") {
   FewFaces block = support::cube();
   const Vec3 diagonal = Vec3(1, 1, 1).normalized();
   for (const double turn : {0.0, 0.4, 1.0}) {
     std::vector<Vec3> facets;
     for (const Vec3& axis : {Vec3(-1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, -1)})
       facets.push_back(Eigen::AngleAxisd(turn, diagonal) * axis);
-    CHECK(is_twin(block, Vec3(1, 1, 1 + 1e-6), facets));
+    CHECK(coincides(block, Vec3(1, 1, 1 + 1e-6), facets));
   }
 }
 
-TEST_CASE("nodes of curved faces that fit are twins; a corner that has pressed a dent, or stands on a face, is none") {
+TEST_CASE(
+    "nodes of curved faces that fit are coincident; a corner that has pressed a dent, or stands on a face, is none") {
   FewFaces dent = around_a_node(0.3), flat = around_a_node(0);
   std::vector<Vec3> fitting;
   for (const MasterFace& face : dent.faces) {
@@ -77,14 +79,14 @@ TEST_CASE("nodes of curved faces that fit are twins; a corner that has pressed a
     for (std::size_t i = 0; i < 4; ++i) corners[i] = dent.motion[static_cast<std::size_t>(face.nodes[i])].position;
     fitting.push_back(-geometry::area_vector(corners).normalized());
   }
-  CHECK(is_twin(dent, Vec3(0, 0, 1e-3), fitting));
+  CHECK(coincides(dent, Vec3(0, 0, 1e-3), fitting));
   for (const double turned : {0.0, 0.2, 0.7}) {
     CAPTURE(turned);
-    CHECK_FALSE(is_twin(dent, Vec3(0, 0, 1e-3), standing_corner(turned)));
-    CHECK_FALSE(is_twin(flat, Vec3(0, 0, 1e-3), standing_corner(turned)));
+    CHECK_FALSE(coincides(dent, Vec3(0, 0, 1e-3), standing_corner(turned)));
+    CHECK_FALSE(coincides(flat, Vec3(0, 0, 1e-3), standing_corner(turned)));
   }
   // three of the dent's sides have a face that lies on them, the fourth looks at one that does not
   fitting.pop_back();
   fitting.push_back(Vec3(0.9, 0, -std::sqrt(1 - 0.81)));
-  CHECK_FALSE(is_twin(dent, Vec3(0, 0, 1e-3), fitting));
+  CHECK_FALSE(coincides(dent, Vec3(0, 0, 1e-3), fitting));
 }
