@@ -25,7 +25,7 @@ std::vector<std::string> report_refused_moves(const scene::Input& input, const m
         "least {:g} is wanted); move the parts apart, or keep the overlap with offset",
         where, spoiled.kept > 0 ? "flatten" : "invert",
         mesh.blocks[spoiled.block].element_id[static_cast<std::size_t>(spoiled.element)], part, spoiled.kept,
-        setup::least_kept_share));
+        spoiled.wanted));
   }
   if (!moves.left.empty() && faults.empty())
     faults.push_back(fmt::format(

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/force/folded.hpp"
 #include "brunt/scene/units.hpp"
@@ -61,8 +62,9 @@ void Results::watch(const time::Ledger& ledger, double time) {
   double rounding =
       rounding_energy(ledger.mass, extent_, run_.contact ? run_.contact->surface.mean_edge : 0.0, run_.state.dt);
   if (run_.contact && !run_.model.bodies.empty())
-    rounding += settling_energy(ledger.mass, run_.model.gravity.norm(), run_.state.dt,
-                                run_.model.contact.enforcement.tolerance, run_.contact->derived.detection.recovery);
+    rounding +=
+        settling_energy(ledger.mass, run_.model.gravity.norm(), run_.state.dt, run_.model.contact.enforcement.tolerance,
+                        run_.contact->derived.detection.tolerances->recovery);
   const std::string growth = energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding);
   for (const Finding& finding : judge(ledger, run_.extremes, rounding, run_.overlaps.recovered)) {
     bool& reported = reported_[static_cast<std::size_t>(finding.fault)];

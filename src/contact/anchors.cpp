@@ -5,6 +5,7 @@
 #include <array>
 #include <numeric>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/closest_point.hpp"
 
@@ -53,7 +54,7 @@ std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, c
   }
   const Vec3 moved = slave - point;
   const double size = geometry::longest_edge({corners.data(), count});
-  const double reach = scene.encounter.reach(size, face->element_depth) + face->half_thickness;
+  const double reach = scene.tolerances->reach(size, face->element_depth) + face->half_thickness;
   if (!(moved.norm() <= reach)) return std::nullopt;
   return moved;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/friction.hpp"
 #include "brunt/contact/passes.hpp"
 #include "slave.hpp"
@@ -79,7 +80,7 @@ void soften_rows_of_bodies(const StepInput& input, const Carriers& carriers, con
 
 AnchorScene anchor_scene(const Contact& contact, std::span<const Wall> walls) {
   return {contact.lists.faces, contact.list_state.faces_by_key, contact.step.nodes.motion, walls,
-          contact.derived.detection.encounter};
+          contact.derived.detection.tolerances};
 }
 
 void assign_friction(const Contact& contact, const StepInput& input, std::span<Row> rows) {
@@ -90,9 +91,9 @@ void assign_friction(const Contact& contact, const StepInput& input, std::span<R
     row.friction = friction_coefficient(law, row, contact.step.nodes.motion);
     if (law.lag > 0) let_friction_lag(row, contact.history.limits, law.lag, input.dt);
   }
-  const DetectionSettings& detection = contact.derived.detection;
+  const Tolerances& tolerances = *contact.derived.detection.tolerances;
   aim_at_anchors(rows, anchor_scene(contact, input.walls), contact.history.anchors,
-                 {detection.recovery, detection.recovery_limit * contact.surface.mean_edge}, input.dt);
+                 {tolerances.recovery, tolerances.recovery_limit * contact.surface.mean_edge}, input.dt);
 }
 
 /// Rows of edges and walls have none: an edge has no area, and a wall's candidates no facets.

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <utility>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/core/simd.hpp"
 #include "brunt/geometry/closest_point.hpp"
 
@@ -69,9 +70,9 @@ bool is_permitted(const ListBuild& build, LocalIndex node, const GhostFace& face
 Box capture_box(const ListBuild& build, std::span<const Vec3> corners, double edge, double element_depth) {
   const double motion = build.settings.motion;
   const double reach =
-      build.settings.encounter.reach(edge + 2 * motion, element_depth) + 2 * motion + build.settings.most_clearance();
+      build.settings.tolerances->reach(edge + 2 * motion, element_depth) + 2 * motion + build.settings.most_clearance();
   // the criterion of detection is evaluated later and rounds otherwise
-  return geometry::grown(geometry::bounding_box(corners), reach * (1 + 1e-6));
+  return geometry::grown(geometry::bounding_box(corners), reach * (1 + build.settings.tolerances->rounding));
 }
 
 CandidatePairs<GhostFace> find_face_pairs(const ListBuild& build) {

@@ -33,7 +33,8 @@ EnforcementResult solve(Contact& contact, const StepInput& input) {
   StepData& step = contact.step;
   const DerivedSettings& derived = contact.derived;
   step.impulses.assign(step.rows.size(), Vec3::Zero());
-  if (derived.enforcement.warm_start) start_impulses(step.rows, contact.history.pairs, input.dt, step.impulses);
+  if (derived.enforcement.warm_start)
+    start_impulses(step.rows, contact.history.pairs, input.dt, step.impulses, *derived.detection.tolerances);
   EnforcementScratch& scratch = step.scratch.enforcement;
   const Carriers carriers = carriers_of(contact, input);
   const RowMatrix& rows = compress(step.rows, scratch.matrix);

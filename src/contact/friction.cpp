@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "brunt/contact/data/tolerances.hpp"
+
 namespace brunt::contact {
 namespace {
 
@@ -13,8 +15,8 @@ bool has_anchor(const Row& row) {
   return row.friction > 0;
 }
 
-bool sticks(const Row& row, const Vec3& impulse) {
-  constexpr double inside = 1 - 1e-9;
+bool sticks(const Row& row, const Vec3& impulse, const Tolerances& tolerances) {
+  const double inside = 1 - tolerances.fine_rounding;
   const double push = row.normal.dot(impulse);
   return push > 0 && (impulse - push * row.normal).norm() < inside * friction_limit(row, push);
 }
@@ -82,7 +84,7 @@ void write_anchors(std::span<const Row> rows, std::span<const Vec3> impulses, co
   after.clear();
   for (std::size_t q = 0; q < rows.size(); ++q) {
     const Row& row = rows[q];
-    if (!has_anchor(row) || !sticks(row, impulses[q])) continue;
+    if (!has_anchor(row) || !sticks(row, impulses[q], *scene.tolerances)) continue;
     const AnchorRecord* anchor = find_anchor(before, anchor_key_of(row));
     const bool holds = anchor != nullptr && slip(scene, *anchor, row).has_value();
     after.push_back(holds ? *anchor : anchor_of(scene, row));

@@ -168,7 +168,7 @@ std::vector<SurfaceEdge> edges_of(const comm::Communicator& ranks, const mesh::L
     if (last - first != 2) continue;  // a rim, or an edge where surfaces meet that are no neighbours
     const EdgeUse &one = uses[first], &other = uses[first + 1];
     const double angle = angle_between(one, other);
-    if (!(angle > angles.flat)) continue;
+    if (!(angle > angles.least)) continue;
     to_face[static_cast<std::size_t>(one.face.rank)].push_back({one.gid,
                                                                 {one.face, other.face},
                                                                 {one.element, other.element},

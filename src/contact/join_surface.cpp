@@ -9,6 +9,7 @@
 
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/join_neighbours.hpp"
 #include "brunt/contact/seams.hpp"
 #include "brunt/core/error.hpp"
@@ -17,11 +18,12 @@
 namespace brunt::contact {
 namespace {
 
-/// Facets of round bodies differ by 22.5 degrees with 16 around, by 5.6 with 64. Edges flatter than 4 slip over a rim
-/// between its nodes without harm: a steel peg with 96 around (3.75 degrees) that drifts in its hole is given 3e-8 of
-/// its energy as it goes in, as with 80 (4.5 degrees).
-constexpr double degree = std::numbers::pi / 180;
-constexpr EdgeAngles edge_angles{.flat = -20 * degree, .blunt = 4 * degree, .sharp = 20 * degree};
+EdgeAngles edge_angles(const Tolerances& tolerances) {
+  constexpr double degree = std::numbers::pi / 180;
+  return {.least = -tolerances.dent_angle * degree,
+          .blunt = tolerances.blunt_angle * degree,
+          .sharp = tolerances.sharp_angle * degree};
+}
 
 /// A face reports to the owner of each of its nodes.
 struct NodeUse {
@@ -243,7 +245,7 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
 }
 
 Surface join(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Outside& outside,
-             std::span<const double> inverse_mass) {
+             std::span<const double> inverse_mass, const Tolerances& tolerances) {
   demand(outside.excluded.size() == outside.faces.size(), "one exclusion flag for each exterior face");
   demand(inverse_mass.size() == mesh.node_gid.size(), "one inverse mass for each node");
   Surface surface;
@@ -253,23 +255,23 @@ Surface join(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const
   collect_faces(mesh, outside, surface);
   measure_bodies(ranks, mesh, inverse_mass, surface);
   surface.neighbours = element_neighbours(ranks, mesh, surface, outside.alive);
-  surface.edges = edges_of(ranks, mesh, surface, edge_angles);
+  surface.edges = edges_of(ranks, mesh, surface, edge_angles(tolerances));
   surface.on_rim = nodes_on_rims(ranks, surface);
-  find_seams(ranks, mesh, surface);
+  find_seams(ranks, mesh, tolerances, surface);
   return surface;
 }
 
 }  // namespace
 
 Surface join_surface(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const char> excluded,
-                     std::span<const double> inverse_mass) {
-  return join(ranks, mesh, {.faces = mesh.faces, .excluded = excluded}, inverse_mass);
+                     std::span<const double> inverse_mass, const Tolerances& tolerances) {
+  return join(ranks, mesh, {.faces = mesh.faces, .excluded = excluded}, inverse_mass, tolerances);
 }
 
 Surface join_surface(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Remains& remains,
-                     std::span<const double> inverse_mass) {
+                     std::span<const double> inverse_mass, const Tolerances& tolerances) {
   return join(ranks, mesh, {remains.outside.faces, remains.excluded, remains.outside.points, remains.alive},
-              inverse_mass);
+              inverse_mass, tolerances);
 }
 
 }  // namespace brunt::contact

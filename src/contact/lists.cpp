@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/enforcement/system.hpp"
 #include "brunt/core/error.hpp"
 #include "candidate_pairs.hpp"
@@ -17,7 +18,8 @@ std::vector<WallCandidate> walls_in_reach(const ListBuild& build, std::span<cons
                                           std::span<const char> held) {
   std::vector<WallCandidate> candidates;  // nodes are surface nodes until the table is made
   const std::size_t count = build.surface.gid.size();
-  const double reach = (build.settings.wall_capture + 2 * build.settings.motion) * (1 + 1e-6);
+  const double reach =
+      (build.settings.wall_capture + 2 * build.settings.motion) * (1 + build.settings.tolerances->rounding);
   for (std::size_t w = 0; w < walls.size(); ++w) {
     for (std::size_t node = 0; node < count; ++node) {
       if (!build.surface.owns(static_cast<LocalIndex>(node), build.ranks.rank())) continue;

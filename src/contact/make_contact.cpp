@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "brunt/contact/contact.hpp"
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/join_surface.hpp"
 #include "brunt/contact/passes.hpp"
 #include "initial_state.hpp"
@@ -26,11 +27,12 @@ std::vector<double> sound_of(std::span<const BodyFigures> bodies, std::span<cons
 
 DetectionSettings derived_detection(const ContactSettings& settings, const Surface& surface) {
   DetectionSettings detection = settings.detection;
+  detection.tolerances = settings.specification.tolerances;
   detection.wall_size = surface.mean_edge;
-  detection.selection.criterion = settings.specification.criterion;
+  detection.criterion = settings.specification.criterion;
   detection.sound = sound_of(surface.bodies, settings.blocks.sound);
   detection.flush = surface.flush;
-  detection.coincidence = coincidence_share * surface.mean_element_depth;
+  detection.coincidence = detection.tolerances->coincidence * surface.mean_element_depth;
   return detection;
 }
 
@@ -67,11 +69,12 @@ DerivedSettings derive(const ContactSettings& settings, const Surface& surface, 
 /// Collective.
 SurfaceNodes surface_nodes(const comm::Communicator& ranks, const Surface& surface, const mesh::LocalMesh& mesh,
                            std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained,
-                           std::span<const Wall> walls, std::span<const BodyNode> on_bodies, bool wants_reference) {
+                           std::span<const Wall> walls, std::span<const BodyNode> on_bodies, bool wants_reference,
+                           const Tolerances& tolerances) {
   std::vector<double> carrier = surface_carriers(surface, on_bodies);
   SurfaceNodes nodes{.mobility = surface_mobility(surface, inverse_mass, constrained, carrier),
                      .carrier = std::move(carrier),
-                     .held = held_by_walls(surface, mesh.coordinates, walls),
+                     .held = held_by_walls(surface, mesh.coordinates, walls, tolerances),
                      .copies = link_copies(ranks, surface)};
   if (wants_reference)
     for (const LocalIndex node : surface.model_node)
@@ -95,9 +98,9 @@ std::vector<BodyFigures> with_blocks(std::vector<BodyFigures> bodies, std::span<
 Contact make_contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const char> excluded,
                      std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained,
                      std::span<const Wall> walls, ContactSettings settings) {
-  Surface surface = join_surface(ranks, mesh, excluded, inverse_mass);
+  Surface surface = join_surface(ranks, mesh, excluded, inverse_mass, *settings.specification.tolerances);
   SurfaceNodes nodes = surface_nodes(ranks, surface, mesh, inverse_mass, constrained, walls, settings.rigid.nodes,
-                                     !settings.detection.accepted.empty());
+                                     !settings.detection.accepted.empty(), *settings.specification.tolerances);
   std::vector<BodyFigures> bodies = surface.bodies;
   DerivedSettings derived = derive(settings, surface, nodes.mobility, walls, ranks);
   Contact contact{.ranks = ranks,
@@ -117,13 +120,15 @@ Contact make_contact(const comm::Communicator& ranks, const mesh::LocalMesh& mes
 void update_surface(Contact& contact, const mesh::LocalMesh& mesh, const Remains& remains,
                     std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained) {
   const std::vector<Wall>& walls = contact.walls_at_start;
-  Surface surface = join_surface(contact.ranks, mesh, remains, inverse_mass);
+  Surface surface =
+      join_surface(contact.ranks, mesh, remains, inverse_mass, *contact.settings.specification.tolerances);
   surface.bodies = with_blocks(contact.bodies_at_start, surface.bodies);
   surface.mean_edge = contact.surface.mean_edge;
   surface.mean_element_depth = contact.surface.mean_element_depth;
   contact.surface = std::move(surface);
   contact.surface_nodes = surface_nodes(contact.ranks, contact.surface, mesh, inverse_mass, constrained, walls,
-                                        contact.settings.rigid.nodes, !contact.settings.detection.accepted.empty());
+                                        contact.settings.rigid.nodes, !contact.settings.detection.accepted.empty(),
+                                        *contact.settings.specification.tolerances);
   std::vector<AcceptedOverlap> accepted = std::move(contact.derived.detection.accepted);
   std::vector<BodyPair> fitted = std::move(contact.derived.detection.fitted);
   contact.derived = derive(contact.settings, contact.surface, contact.surface_nodes.mobility, walls, contact.ranks);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "brunt/contact/anchors.hpp"
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/core/error.hpp"
 #include "gather.hpp"
 #include "memory.hpp"
@@ -71,10 +72,10 @@ double start_motion(const Surface& surface, const StepInput& input, ListMotion& 
 
 ContactLists lists_of(Contact& contact, std::span<const Wall> walls) {
   const DerivedSettings& derived = contact.derived;
-  const EncounterSettings& encounter = derived.detection.encounter;
+  const Tolerances& tolerances = *derived.detection.tolerances;
   ListState& state = contact.list_state;
-  const ListSettings reach{.encounter = encounter,
-                           .wall_capture = encounter.capture * derived.detection.wall_size,
+  const ListSettings reach{.tolerances = &tolerances,
+                           .wall_capture = tolerances.capture * derived.detection.wall_size,
                            .motion = state.motion_allowed,
                            .faces = derived.bodies,
                            .two_passes = derived.two_passes,

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/detection/seams.hpp"
-#include "brunt/contact/detection/select_rows.hpp"
 #include "brunt/contact/ghosting.hpp"
 #include "brunt/contact/join_neighbours.hpp"
 #include "brunt/contact/search/search.hpp"
@@ -34,7 +34,8 @@ struct StartFace {
   friend bool operator<(const StartFace& a, const StartFace& b) { return a.key < b.key; }
 };
 
-StartFace start_face(const mesh::LocalMesh& mesh, const Surface& surface, const SurfaceFace& from) {
+StartFace start_face(const mesh::LocalMesh& mesh, const Surface& surface, const SurfaceFace& from,
+                     const Tolerances& tolerances) {
   StartFace face{.key = from.key, .corner_count = from.corner_count, .body = from.body};
   face.gid.fill(no_index);
   const auto count = static_cast<std::size_t>(from.corner_count);
@@ -46,7 +47,7 @@ StartFace start_face(const mesh::LocalMesh& mesh, const Surface& surface, const 
     face.gid[i] = surface.gid[node];
   }
   const geometry::Corners view(corners.data(), count);
-  face.margin = seam_reach * extent(geometry::longest_edge(view), from.element_depth);
+  face.margin = tolerances.seam_reach * extent(geometry::longest_edge(view), from.element_depth);
   face.capture = PlainBox(geometry::grown(geometry::bounding_box(view), face.margin));
   return face;
 }
@@ -58,8 +59,8 @@ struct Beyond {
 };
 
 /// Sides of which both ends stand on rims: two points beyond each.
-void look_beyond(const Surface& surface, std::span<const StartFace> faces, std::vector<Beyond>& sides,
-                 std::vector<Vec3>& points) {
+void look_beyond(const Surface& surface, std::span<const StartFace> faces, const Tolerances& tolerances,
+                 std::vector<Beyond>& sides, std::vector<Vec3>& points) {
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto count = static_cast<std::size_t>(faces[f].corner_count);
     const std::array<Vec3, 4> corners = faces[f].places();
@@ -71,7 +72,7 @@ void look_beyond(const Surface& surface, std::span<const StartFace> faces, std::
       };
       if (!on_rim(i) || !on_rim(next)) continue;
       const Vec3 side = corners[next] - corners[i], out = side.cross(normal).normalized();
-      for (const double share : {0.25, 0.75}) {
+      for (const double share : {tolerances.seam_sample, 1 - tolerances.seam_sample}) {
         sides.push_back({f, i, normal});
         points.push_back(corners[i] + share * side + faces[f].margin * out);
       }
@@ -79,25 +80,27 @@ void look_beyond(const Surface& surface, std::span<const StartFace> faces, std::
   }
 }
 
-bool continues(const StartFace& own, const Beyond& side, const Vec3& point, const StartFace& other) {
+bool continues(const StartFace& own, const Beyond& side, const Vec3& point, const StartFace& other,
+               const Tolerances& tolerances) {
   for (const GlobalIndex gid : own.gid)
     if (gid != no_index && std::ranges::find(other.gid, gid) != other.gid.end()) return false;
   const auto count = static_cast<std::size_t>(other.corner_count);
   const std::array<Vec3, 4> corners = other.places();
   const geometry::Corners view(corners.data(), count);
   const Vec3 normal = geometry::area_vector(view).normalized();
-  if (!same_direction(normal, side.normal, SelectionSettings{}.same_direction)) return false;
+  if (!same_direction(normal, side.normal, tolerances.same_direction)) return false;
   const auto closest = geometry::closest_point(point, view);
   return closest && (point - closest->point).norm() <= std::min(own.margin, other.margin);
 }
 
 /// Marks sides of this rank's faces; returns the pairs of bodies that meet there. Collective.
-std::vector<BodyPair> mark_sides(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, Surface& surface) {
+std::vector<BodyPair> mark_sides(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
+                                 const Tolerances& tolerances, Surface& surface) {
   std::vector<StartFace> faces;
-  for (const SurfaceFace& face : surface.faces) faces.push_back(start_face(mesh, surface, face));
+  for (const SurfaceFace& face : surface.faces) faces.push_back(start_face(mesh, surface, face, tolerances));
   std::vector<Beyond> sides;
   std::vector<Vec3> points;
-  look_beyond(surface, faces, sides, points);
+  look_beyond(surface, faces, tolerances, sides, points);
   std::vector<geometry::Box> wanted, boxes;
   for (const Vec3& point : points) wanted.push_back({point, point});
   const std::vector<StartFace> ghosts = ghost(ranks, std::span<const StartFace>(faces), wanted, 2 * surface.mean_edge);
@@ -110,7 +113,7 @@ std::vector<BodyPair> mark_sides(const comm::Communicator& ranks, const mesh::Lo
   for (std::size_t p = 0; p < points.size(); ++p)
     for (const LocalIndex f : std::as_const(found).row(static_cast<LocalIndex>(p))) {
       const StartFace &own = faces[sides[p].face], &other = faces[static_cast<std::size_t>(f)];
-      if (!continues(own, sides[p], points[p], other)) continue;
+      if (!continues(own, sides[p], points[p], other, tolerances)) continue;
       surface.faces[sides[p].face].seams |= static_cast<std::uint8_t>(1U << sides[p].side);
       flush.emplace_back(std::minmax(own.body, other.body));
     }
@@ -148,14 +151,16 @@ struct ReceivedSeams {
   std::vector<SeamOfFace> edges;  ///< ascending
 };
 
-std::array<double, 3> normal_of(const mesh::LocalMesh& mesh, const Surface& surface, const SurfaceFace& face) {
-  const std::array<Vec3, 4> corners = start_face(mesh, surface, face).places();
+std::array<double, 3> normal_of(const mesh::LocalMesh& mesh, const Surface& surface, const SurfaceFace& face,
+                                const Tolerances& tolerances) {
+  const std::array<Vec3, 4> corners = start_face(mesh, surface, face, tolerances).places();
   const Vec3 normal = geometry::area_vector({corners.data(), static_cast<std::size_t>(face.corner_count)}).normalized();
   return {normal[0], normal[1], normal[2]};
 }
 
 /// Collective.
-ReceivedSeams report_to_owners(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Surface& surface) {
+ReceivedSeams report_to_owners(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Surface& surface,
+                               const Tolerances& tolerances) {
   const auto count = static_cast<std::size_t>(ranks.size());
   std::vector<std::vector<SeamOfNode>> nodes(count);
   std::vector<std::vector<SeamOfFace>> edges(count);
@@ -164,11 +169,12 @@ ReceivedSeams report_to_owners(const comm::Communicator& ranks, const mesh::Loca
       const SurfaceFace& face = surface.faces[f];
       if ((face.seams >> side & 1U) == 0) continue;
       const auto corners = static_cast<std::size_t>(face.corner_count);
-      const double sag = seam_sag_limit / seam_reach * start_face(mesh, surface, face).margin;
+      const double sag =
+          tolerances.seam_sag / tolerances.seam_reach * start_face(mesh, surface, face, tolerances).margin;
       LocalIndex low = face.nodes[side], high = face.nodes[(side + 1) % corners];
       if (surface.gid[static_cast<std::size_t>(high)] < surface.gid[static_cast<std::size_t>(low)])
         std::swap(low, high);
-      const std::array<double, 3> normal = normal_of(mesh, surface, face);
+      const std::array<double, 3> normal = normal_of(mesh, surface, face, tolerances);
       for (const LocalIndex node : {low, high}) {
         const Place& home = surface.home[static_cast<std::size_t>(node)];
         nodes[static_cast<std::size_t>(home.rank)].push_back({home.index, static_cast<LocalIndex>(f), sag, normal});
@@ -219,7 +225,7 @@ void mark_edges(const comm::Communicator& ranks, std::span<const SeamOfFace> kno
 /// Flat edges ask the owners of their ends: they lie in the side of a seam where one goes by there, but not along the
 /// edge's own faces. Collective.
 void mark_ends(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Ragged<SeamOfNode>& received,
-               Surface& surface) {
+               const Tolerances& tolerances, Surface& surface) {
   const auto count = static_cast<std::size_t>(ranks.size());
   std::vector<std::vector<EndAtNode>> asked(count);
   const auto each_end = [&](auto&& visit) {
@@ -229,7 +235,7 @@ void mark_ends(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, con
   };
   each_end([&](const SurfaceEdge& edge, std::size_t, const Place& home) {
     const SurfaceFace& face = surface.faces[static_cast<std::size_t>(edge.facets[0].index)];
-    asked[static_cast<std::size_t>(home.rank)].push_back({home.index, normal_of(mesh, surface, face)});
+    asked[static_cast<std::size_t>(home.rank)].push_back({home.index, normal_of(mesh, surface, face, tolerances)});
   });
   const Ragged<EndAtNode> questions = comm::exchange(ranks, asked);
   std::vector<SeamOfNode> known(received.values);
@@ -239,7 +245,7 @@ void mark_ends(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, con
     for (const auto& [node, normal] : questions.row(static_cast<LocalIndex>(r))) {
       const auto tops = std::ranges::equal_range(known, node, {}, &SeamOfNode::node);
       const bool along = std::ranges::any_of(tops, [&](const SeamOfNode& top) {
-        return same_direction(Vec3(normal.data()), Vec3(top.normal.data()), SelectionSettings{}.same_direction);
+        return same_direction(Vec3(normal.data()), Vec3(top.normal.data()), tolerances.same_direction);
       });
       answers[r].push_back(!tops.empty() && !along ? 1 : 0);
     }
@@ -252,8 +258,9 @@ void mark_ends(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, con
 
 }  // namespace
 
-void find_seams(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, Surface& surface) {
-  std::vector<BodyPair> flush = mark_sides(ranks, mesh, surface);
+void find_seams(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Tolerances& tolerances,
+                Surface& surface) {
+  std::vector<BodyPair> flush = mark_sides(ranks, mesh, tolerances, surface);
   sort_unique(flush);
   std::vector<std::array<std::int32_t, 2>> sent;
   for (const auto& [one, other] : flush) sent.push_back({one, other});
@@ -261,10 +268,10 @@ void find_seams(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, Su
   for (const auto& [one, other] : comm::exchange(ranks, to_all).values) surface.flush.emplace_back(one, other);
   sort_unique(surface.flush);
   if (surface.flush.empty()) return;
-  const ReceivedSeams received = report_to_owners(ranks, mesh, surface);
+  const ReceivedSeams received = report_to_owners(ranks, mesh, surface, tolerances);
   mark_nodes(received.nodes, surface);
   mark_edges(ranks, received.edges, surface);
-  mark_ends(ranks, mesh, received.nodes, surface);
+  mark_ends(ranks, mesh, received.nodes, tolerances, surface);
 }
 
 }  // namespace brunt::contact

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/contact/data/tolerances.hpp"
 
 namespace brunt::contact {
 
@@ -33,15 +34,15 @@ std::vector<double> surface_carriers(const Surface& surface, std::span<const Bod
   return carrier;
 }
 
-std::vector<char> held_by_walls(const Surface& surface, std::span<const Vec3> reference, std::span<const Wall> walls) {
-  constexpr double in_plane = 1e-6;
+std::vector<char> held_by_walls(const Surface& surface, std::span<const Vec3> reference, std::span<const Wall> walls,
+                                const Tolerances& tolerances) {
   std::vector<char> held;
   held.reserve(walls.size() * surface.gid.size());
   for (const Wall& wall : walls)
     for (std::size_t i = 0; i < surface.model_node.size(); ++i) {
       const double gap = (reference[static_cast<std::size_t>(surface.model_node[i])] - wall.point).dot(wall.normal);
       const bool acts = acts_on(wall, surface.blocks.row(static_cast<LocalIndex>(i)));
-      held.push_back(wall.bilateral && acts && std::abs(gap) <= in_plane * surface.mean_edge ? 1 : 0);
+      held.push_back(wall.bilateral && acts && std::abs(gap) <= tolerances.rounding * surface.mean_edge ? 1 : 0);
     }
   return held;
 }

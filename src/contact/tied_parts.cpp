@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/core/error.hpp"
 #include "slave.hpp"
 
@@ -33,7 +34,7 @@ TieScene tie_scene(const Contact& contact, double dt) {
           .by_key = contact.list_state.faces_by_key,
           .gid = contact.lists.nodes.gid,
           .motion = contact.step.nodes.motion,
-          .recovery = contact.derived.detection.recovery,
+          .recovery = contact.derived.detection.tolerances->recovery,
           .dt = dt};
 }
 
@@ -71,7 +72,7 @@ TiedParts find_tied_parts(const Contact& contact) {
   parts.nodes_beside.assign(place_count(contact), 0);
   parts.ties = find_ties(
       lists.candidates, lists.faces, lists.nodes.gid, contact.step.nodes.motion, contact.step.facet_area,
-      contact.derived.detection.encounter,
+      *contact.derived.detection.tolerances,
       [&](LocalIndex slave, LocalIndex face) { return tied_block(contact, slave, block_of(face)) != no_index; },
       [&](LocalIndex slave, LocalIndex face) {
         const std::int32_t block = tied_block(contact, slave, block_of(face));

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "brunt/contact/anchors.hpp"
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/closest_point.hpp"
 #include "brunt/geometry/face_weights.hpp"
@@ -37,12 +38,9 @@ Vec3 offset_of(const Vec3& slave, std::span<const Vec3> corners, const std::arra
 
 /// Do the slave's own faces look at one with this normal, one of them or all together (at the edge of a wedge) by 60
 /// degrees or less? Nodes on the side of a part whose end is tied do not, nor do those that hang over a rim.
-bool looks_at(std::span<const LocalIndex> facets, std::span<const Vec3> facet_area, const Vec3& normal) {
-  const auto is_opposed = [&](const Vec3& area) {
-    constexpr double squarely = 0.5;
-    return -area.dot(normal) >= squarely * area.norm();
-  };
-  constexpr double nothing = 1e-6;  // is left of faces that look away from each other
+bool looks_at(std::span<const LocalIndex> facets, std::span<const Vec3> facet_area, const Vec3& normal,
+              const Tolerances& tolerances) {
+  const auto is_opposed = [&](const Vec3& area) { return -area.dot(normal) >= tolerances.facing * area.norm(); };
   Vec3 sum = Vec3::Zero();
   double total = 0;
   for (const LocalIndex facet : facets) {
@@ -51,7 +49,7 @@ bool looks_at(std::span<const LocalIndex> facets, std::span<const Vec3> facet_ar
     sum += area;
     total += area.norm();
   }
-  return facets.empty() || (sum.norm() > nothing * total && is_opposed(sum));
+  return facets.empty() || (sum.norm() > tolerances.rounding * total && is_opposed(sum));
 }
 
 /// The best place of a slave so far.
@@ -61,15 +59,11 @@ struct Place {
   Tie tie;
 };
 
-/// Shares of the longest edge.
-constexpr double rounding = 1e-12;
-constexpr double flush = 1e-9;  // the moment of such a height is nothing
-
 enum class Seen : std::int8_t { nothing, beside, over };
 
 /// Keeps the nearer one of `best` and this face, if that is within reach.
 Seen look_at(const MasterFace& face, std::span<const NodeMotion> motion, const Vec3& slave,
-             std::span<const LocalIndex> facets, std::span<const Vec3> facet_area, const EncounterSettings& settings,
+             std::span<const LocalIndex> facets, std::span<const Vec3> facet_area, const Tolerances& tolerances,
              Place& best) {
   FaceCorners storage;
   const std::span<const Vec3> corners = corners_of(face, motion, storage);
@@ -77,15 +71,17 @@ Seen look_at(const MasterFace& face, std::span<const NodeMotion> motion, const V
   if (!closest) return Seen::nothing;
   const Vec3 normal = normal_of(corners), offset = slave - closest->point;
   const double size = geometry::longest_edge(corners), over = normal.dot(offset), distance = offset.norm();
-  const double reach = settings.max_penetration(size, face.element_depth);
-  if (std::abs(over) > reach || !looks_at(facets, facet_area, normal)) return Seen::nothing;
+  const double reach = tolerances.max_penetration(size, face.element_depth);
+  if (std::abs(over) > reach || !looks_at(facets, facet_area, normal, tolerances)) return Seen::nothing;
   const Vec3 across = offset - over * normal;
-  if (across.norm() > settings.rim * size) return distance <= reach ? Seen::beside : Seen::nothing;
+  if (across.norm() > tolerances.rim * size) return distance <= reach ? Seen::beside : Seen::nothing;
   if (distance > best.distance || (distance == best.distance && face.key > best.face)) return Seen::over;
   best = {distance, face.key, {.face = face.key, .body = face.body, .block = face.block, .weights = closest->weights}};
-  if (across.norm() > rounding * size) geometry::shift_weights(corners, normal, across, best.tie.weights);
+  if (across.norm() > tolerances.tie_rounding * size)
+    geometry::shift_weights(corners, normal, across, best.tie.weights);
   const double height = normal.dot(offset_of(slave, corners, best.tie.weights));
-  best.tie.height = std::abs(height) > flush * size ? height : 0.0;
+  // the moment of a height that is rounding is nothing
+  best.tie.height = std::abs(height) > tolerances.fine_rounding * size ? height : 0.0;
   return Seen::over;
 }
 
@@ -255,7 +251,7 @@ void keep_feasible_rate(Row& row, std::span<const Mobility> mobility, std::span<
 
 std::vector<Tie> find_ties(const Candidates& candidates, std::span<const MasterFace> faces,
                            std::span<const GlobalIndex> gid, std::span<const NodeMotion> motion,
-                           std::span<const Vec3> facet_area, const EncounterSettings& settings,
+                           std::span<const Vec3> facet_area, const Tolerances& tolerances,
                            const std::function<bool(LocalIndex, LocalIndex)>& may_tie,
                            const std::function<void(LocalIndex, LocalIndex)>& beside) {
   std::vector<Tie> ties;
@@ -268,7 +264,7 @@ std::vector<Tie> find_ties(const Candidates& candidates, std::span<const MasterF
     for (const LocalIndex f : candidates.faces.row(s)) {
       if (!may_tie(slave, f)) continue;
       const Vec3& place = motion[static_cast<std::size_t>(slave)].position;
-      if (look_at(faces[static_cast<std::size_t>(f)], motion, place, facets, facet_area, settings, best) ==
+      if (look_at(faces[static_cast<std::size_t>(f)], motion, place, facets, facet_area, tolerances, best) ==
           Seen::beside)
         passed = f;
     }

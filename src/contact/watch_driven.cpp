@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "brunt/contact/anchors.hpp"
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/closest_point.hpp"
 #include "slave.hpp"
@@ -66,7 +67,7 @@ void watch_driven(Contact& contact, const Carriers& carriers, double dt) {
     auto known = std::ranges::find_if(
         driven, [&](const DrivenMeeting& meeting) { return meeting.is_of(slave_block, master_block); });
     if (known == driven.end()) {
-      if (-row.gap <= DrivenMeeting::share * size_of_master(contact, row)) continue;
+      if (-row.gap <= contact.derived.detection.tolerances->driven * size_of_master(contact, row)) continue;
       driven.push_back(meeting_of(contact, row, slave_block, master_block));
       driven.back().since = contact.ledger.clock - dt;
       known = driven.end() - 1;

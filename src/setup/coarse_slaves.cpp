@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/geometry/closest_point.hpp"
 #include "brunt/mesh/topology.hpp"
 #include "brunt/setup/likely_slaves.hpp"
@@ -13,15 +14,11 @@
 namespace brunt::setup {
 namespace {
 
-/// Blocks of rubber that slide on finer ones at 5 m/s, with edges 1.5, 1.9, 2.2, 3.3, 6.7 times as long: nodes of the
-/// master that are not held (all with `one`) sink by 3, 10, 24, 42, 105 % of an edge of theirs. Up to twice that is
-/// what one pass leaves anyway.
-constexpr double much_coarser = 2;
-
 class Pairs {
  public:
   Pairs(const mesh::Mesh& mesh, const StartRules& rules, std::span<const Vec3> velocity, double duration)
       : mesh_(mesh),
+        tolerances_(*rules.contact.tolerances),
         sides_(contact_faces(mesh, rules.symmetric)),
         outlook_{.density = rules.density, .velocity = velocity, .duration = duration} {}
 
@@ -54,9 +51,9 @@ class Pairs {
   }
 
   /// Sides of a bar that stands on its end are near the ground, but do not meet it.
-  static bool faces_it(const Vec3& normal, const Direction& direction) {
+  [[nodiscard]] bool faces_it(const Vec3& normal, const Direction& direction) const {
     const Vec3 other(direction[0], direction[1], direction[2]);
-    return normal.dot(other) < -0.5 * other.norm();
+    return normal.dot(other) < -tolerances_.facing * other.norm();
   }
 
   /// The block's faces that are near the other's or fly on towards them.
@@ -79,6 +76,7 @@ class Pairs {
   }
 
   const mesh::Mesh& mesh_;
+  const contact::Tolerances& tolerances_;
   std::vector<mesh::Side> sides_;
   Outlook outlook_;
 };
@@ -98,7 +96,8 @@ std::vector<CoarseSlave> coarse_slaves(const mesh::Mesh& mesh, const StartRules&
       const bool one_pass = pair.passes == contact::Passes::one || pair.passes == contact::Passes::automatic;
       if (slave == master || pair.rule != contact::PairRule::slave || !one_pass) continue;
       const double coarse = pairs.edge(slave, master), fine = pairs.edge(master, slave);
-      if (fine > 0 && coarse > much_coarser * fine) found.push_back({slave, master, coarse, fine});
+      if (fine > 0 && coarse > rules.contact.tolerances->coarse_slave * fine)
+        found.push_back({slave, master, coarse, fine});
     }
   return found;
 }

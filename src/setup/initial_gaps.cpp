@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/detection/encounter.hpp"
 #include "brunt/setup/piercings.hpp"
 #include "brunt/setup/shared_space.hpp"
@@ -13,9 +14,8 @@ namespace brunt::setup {
 namespace {
 
 /// Where detection stops looking behind a face.
-double reach_behind(const SolidFace& face) {
-  const contact::EncounterSettings settings;
-  return settings.max_penetration(face.size, face.element_depth);
+double reach_behind(const SolidFace& face, const contact::Tolerances& tolerances) {
+  return tolerances.max_penetration(face.size, face.element_depth);
 }
 
 class Survey {
@@ -34,6 +34,7 @@ class Survey {
   InitialGaps gaps;
 
  private:
+  [[nodiscard]] const contact::Tolerances& tolerances() const { return *rules_.contact.tolerances; }
   [[nodiscard]] std::optional<OverlapRule> rule_of(std::size_t a, std::size_t b) const {
     if (solids_[a].faces.empty() || solids_[b].faces.empty()) return std::nullopt;
     return rules_.overlap_of(a, b);
@@ -55,7 +56,7 @@ class Survey {
     if (body_of(solids_[a]) == body_of(solids_[b]) || !geometry::overlaps(solids_[a].box, solids_[b].box)) return;
     for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
       const mesh::Block& block = mesh_.blocks[one];
-      const ElementsInside inside = elements_inside(mesh_, block, mesh_.blocks[other]);
+      const ElementsInside inside = elements_inside(mesh_, block, mesh_.blocks[other], tolerances());
       if (inside.count == 0) continue;
       gaps.shared.push_back({one, other, inside.count, block.element_id[static_cast<std::size_t>(inside.first)], rule});
       return;
@@ -67,7 +68,7 @@ class Survey {
     const Solid& solid = solids_[b];
     const bool one_body = std::ranges::any_of(
         bodies_of(solids_[a]), [&](std::int32_t body) { return std::ranges::binary_search(bodies_of(solid), body); });
-    const Comparison compared(mesh_, solids_[a], solid, mesh_.blocks[b], one_body ? &around_ : nullptr);
+    const Comparison compared(mesh_, solids_[a], solid, mesh_.blocks[b], one_body ? &around_ : nullptr, tolerances());
     std::size_t examined = 0;
     for (std::size_t i = 0; i < compared.size(); ++i) {
       const LocalIndex node = compared.node(i);
@@ -93,14 +94,14 @@ class Survey {
         overlap.penetration = behind->penetration;
         overlap.face = face.nodes;
       }
-      overlap.too_deep = !behind || behind->penetration > reach_behind(solid.faces[behind->face]);
+      overlap.too_deep = !behind || behind->penetration > reach_behind(solid.faces[behind->face], tolerances());
       gaps.overlaps.push_back(overlap);
     }
   }
 
   void find_piercings(std::size_t a, std::size_t b, OverlapRule rule, const std::vector<char>& inside) {
     if (body_of(solids_[a]) == body_of(solids_[b])) return;
-    const std::vector<PiercingEdge> edges = piercing_edges(mesh_, solids_[a], solids_[b], inside);
+    const std::vector<PiercingEdge> edges = piercing_edges(mesh_, solids_[a], solids_[b], inside, tolerances());
     if (edges.empty()) return;
     gaps.piercings.push_back({a, b, edges.size(), edges[0].edge, solids_[b].faces[edges[0].face].nodes, rule});
   }

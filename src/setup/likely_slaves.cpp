@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/passes.hpp"
 #include "brunt/core/cells.hpp"
 #include "brunt/core/error.hpp"
@@ -176,9 +177,9 @@ FlightShadow shadow_of(const mesh::Mesh& mesh, std::span<const mesh::Side> sides
 
 /// Have all nodes of the face coincident ones there? In the second of two passes they have no rows then (see
 /// detect_faces).
-bool has_coincident_nodes(const mesh::Mesh& mesh, const mesh::Side& side, double size, const FlightShadow& others) {
+bool has_coincident_nodes(const mesh::Mesh& mesh, const mesh::Side& side, double within, const FlightShadow& others) {
   return std::ranges::all_of(corners_of(mesh, side), [&](LocalIndex node) {
-    return others.passes_by(mesh.coordinates[static_cast<std::size_t>(node)], contact::coincidence_share * size);
+    return others.passes_by(mesh.coordinates[static_cast<std::size_t>(node)], within);
   });
 }
 
@@ -216,7 +217,9 @@ std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const me
       for (const std::size_t f : slave.faces) {
         if (likely[f] != 0 || !may_reach(faces[f], master, outlook.duration, farthest)) continue;
         if (second && !shadow) shadow = shadow_of(mesh, sides, master, slave.velocity - master.velocity);
-        if (!second || !has_coincident_nodes(mesh, sides[f], faces[f].size, *shadow)) likely[f] = 1;
+        if (!second ||
+            !has_coincident_nodes(mesh, sides[f], specification.tolerances->coincidence * faces[f].size, *shadow))
+          likely[f] = 1;
       }
     }
   if (!any_pair) return {};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/core/cells.hpp"
 #include "brunt/geometry/closest_point.hpp"
 #include "brunt/setup/slave_choice.hpp"
@@ -13,7 +14,6 @@ namespace brunt::setup {
 namespace {
 
 constexpr int most_rounds = 200;
-constexpr double held_share = 1e-6;  // of a move along a held direction that is rounding
 
 /// One overlap as the coordinates now have it: the node onto the face, or the corners of the face onto the node.
 /// Returns the depth as a share of the face's longest edge.
@@ -59,19 +59,21 @@ std::vector<double> corner_volumes(const std::vector<Vec3>& x, const mesh::Block
 
 /// What of its volume the worst corner keeps.
 double kept_share(const std::vector<Vec3>& before, const std::vector<Vec3>& after, const mesh::Block& block,
-                  LocalIndex element) {
+                  LocalIndex element, const contact::Tolerances& tolerances) {
   const std::vector<double> old = corner_volumes(before, block, element), now = corner_volumes(after, block, element);
   const double largest = std::ranges::max(old);
   double least = 1;
   for (std::size_t c = 0; c < old.size(); ++c)
-    if (old[c] > 1e-6 * largest) least = std::min(least, now[c] / old[c]);  // corners of wedges may be flat
+    if (old[c] > tolerances.rounding * largest)
+      least = std::min(least, now[c] / old[c]);  // corners of wedges may be flat
   return least;
 }
 
 /// What the moves from `before` do that they must not.
 class Judge {
  public:
-  Judge(const mesh::Mesh& mesh, const std::vector<Vec3>& before) : mesh_(mesh), before_(before) {}
+  Judge(const mesh::Mesh& mesh, const std::vector<Vec3>& before, const contact::Tolerances& tolerances)
+      : mesh_(mesh), before_(before), tolerances_(tolerances) {}
 
   [[nodiscard]] std::vector<HeldMove> moves_of_held(std::span<const HeldNodes> held) const {
     std::vector<HeldMove> moves;
@@ -79,7 +81,7 @@ class Judge {
       HeldMove found{.held = k};
       for (const LocalIndex node : held[k].nodes) {
         const Vec3 move = move_of(node);
-        if (std::abs(move.dot(held[k].direction)) <= held_share * move.norm()) continue;
+        if (std::abs(move.dot(held[k].direction)) <= tolerances_.rounding * move.norm()) continue;
         if (found.count++ == 0) found.first = node;
       }
       if (found.count == 0) continue;
@@ -91,15 +93,15 @@ class Judge {
 
   [[nodiscard]] std::optional<SpoiledElement> worst_element() const {
     std::optional<SpoiledElement> worst;
-    double least = least_kept_share;
+    double least = tolerances_.kept_volume;
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
       const mesh::Block& block = mesh_.blocks[b];
       for (LocalIndex e = 0; e < block.count(); ++e) {
         if (!has_moved(block, e)) continue;
-        const double share = kept_share(before_, mesh_.coordinates, block, e);
+        const double share = kept_share(before_, mesh_.coordinates, block, e, tolerances_);
         if (share >= least) continue;
         least = share;
-        worst = {b, e, share};
+        worst = {b, e, share, tolerances_.kept_volume};
       }
     }
     return worst;
@@ -118,6 +120,7 @@ class Judge {
 
   const mesh::Mesh& mesh_;
   const std::vector<Vec3>& before_;
+  const contact::Tolerances& tolerances_;
 };
 
 /// Pass after pass; returns the overlaps that are left.
@@ -134,7 +137,7 @@ std::vector<InitialOverlap> push_all_out(mesh::Mesh& mesh, const StartRules& rul
     std::erase_if(gaps.overlaps,
                   [&](const InitialOverlap& o) { return is_slave(o) != slaves_first || o.face[0] == no_index; });
     double deepest = 1;  // nodes behind one face push the same corners: they agree in some rounds
-    for (int round = 0; round < most_rounds && deepest > 0.1 * touching; ++round) {
+    for (int round = 0; round < most_rounds && deepest > 0.1 * rules.contact.tolerances->touching; ++round) {
       deepest = 0;
       for (const InitialOverlap& overlap : gaps.overlaps)
         deepest = std::max(deepest, push_out(overlap, slaves_first, mesh.coordinates));
@@ -150,7 +153,7 @@ OverlapMoves move_overlaps(mesh::Mesh& mesh, const StartRules& rules, std::span<
   OverlapMoves moves;
   const std::vector<Vec3> before = mesh.coordinates;
   moves.left = push_all_out(mesh, rules, gaps);
-  const Judge judge(mesh, before);
+  const Judge judge(mesh, before, *rules.contact.tolerances);
   moves.held = judge.moves_of_held(held);
   moves.spoiled = judge.worst_element();
   if (moves.refused()) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/search/box_overlaps.hpp"
 #include "brunt/geometry/segment_face.hpp"
 
@@ -70,24 +71,24 @@ Vec3 outward_at(const Solid& solid, const std::vector<LocalIndex>& near, const N
 
 /// Is the middle of the stretch that begins or ends at the crossing deeper inside than `touching`? A crossing that
 /// rounding has made where the segment only touches has a stretch outside.
-bool is_deep(const Solid& solid, const std::vector<LocalIndex>& near, const Vec3& middle) {
-  constexpr double along_face = 1e-6;  // sine of an angle to the face: what rounding may turn it, and more
+bool is_deep(const Solid& solid, const std::vector<LocalIndex>& near, const Vec3& middle,
+             const contact::Tolerances& tolerances) {
   NearestPlace nearest;
   for (const LocalIndex f : near) {
     const SolidFace& face = solid.faces[static_cast<std::size_t>(f)];
     const auto closest = geometry::closest_point(middle, face.points());
     if (!closest) continue;
     const double distance = (middle - closest->point).norm();
-    if (distance <= touching * face.size) return false;
+    if (distance <= tolerances.touching * face.size) return false;
     if (distance < nearest.distance) nearest = {f, *closest, distance};
   }
   if (nearest.face == no_index) return true;  // where no face can tell
-  return (middle - nearest.point.point).dot(outward_at(solid, near, nearest)) < -along_face * nearest.distance;
+  return (middle - nearest.point.point).dot(outward_at(solid, near, nearest)) < -tolerances.rounding * nearest.distance;
 }
 
 /// The face through which the segment comes to a stretch deep inside.
 std::optional<std::size_t> pierced_face(const Solid& solid, const std::vector<LocalIndex>& near,
-                                        const geometry::Segment& segment) {
+                                        const geometry::Segment& segment, const contact::Tolerances& tolerances) {
   std::vector<Crossing> crossings;
   for (const LocalIndex f : near) {
     const auto met = geometry::segment_crosses_face(segment, solid.faces[static_cast<std::size_t>(f)].points());
@@ -102,7 +103,8 @@ std::optional<std::size_t> pierced_face(const Solid& solid, const std::vector<Lo
     else
       from = k > 0 ? crossings[k - 1].along : 0.0;
     const double middle = 0.5 * (from + to);
-    if (to > from && is_deep(solid, near, segment.start + middle * (segment.end - segment.start))) return here.face;
+    if (to > from && is_deep(solid, near, segment.start + middle * (segment.end - segment.start), tolerances))
+      return here.face;
   }
   return std::nullopt;
 }
@@ -110,7 +112,7 @@ std::optional<std::size_t> pierced_face(const Solid& solid, const std::vector<Lo
 }  // namespace
 
 std::vector<PiercingEdge> piercing_edges(const mesh::Mesh& mesh, const Solid& one, const Solid& other,
-                                         const std::vector<char>& inside) {
+                                         const std::vector<char>& inside, const contact::Tolerances& tolerances) {
   std::vector<PiercingEdge> result;
   if (!geometry::overlaps(one.box, other.box)) return result;
   const auto at = [&](LocalIndex node) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(node)]; };
@@ -128,14 +130,14 @@ std::vector<PiercingEdge> piercing_edges(const mesh::Mesh& mesh, const Solid& on
     edge_boxes.push_back(geometry::grown(box, 0.5 * (at(edge[1]) - at(edge[0])).norm()));
   }
   for (const SolidFace& face : other.faces)
-    face_boxes.push_back(geometry::grown(geometry::bounding_box(face.points()), touching * face.size));
+    face_boxes.push_back(geometry::grown(geometry::bounding_box(face.points()), tolerances.touching * face.size));
   std::map<LocalIndex, std::vector<LocalIndex>> near;  // faces by edge, in a fixed order
   contact::OverlapScratch scratch;
   contact::for_each_overlap(edge_boxes, face_boxes, scratch, [&](LocalIndex e, LocalIndex f) { near[e].push_back(f); });
   for (auto& [e, faces] : near) {
     std::ranges::sort(faces);
     const auto edge = edges[static_cast<std::size_t>(e)];
-    const auto pierced = pierced_face(other, faces, {at(edge[0]), at(edge[1])});
+    const auto pierced = pierced_face(other, faces, {at(edge[0]), at(edge[1])}, tolerances);
     if (pierced && std::ranges::none_of(other.faces[*pierced].nodes, is_inside)) result.push_back({edge, *pierced});
   }
   return result;

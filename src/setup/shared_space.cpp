@@ -17,7 +17,8 @@ Vec3 middle_of(const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex e) {
 
 }  // namespace
 
-ElementsInside elements_inside(const mesh::Mesh& mesh, const mesh::Block& one, const mesh::Block& other) {
+ElementsInside elements_inside(const mesh::Mesh& mesh, const mesh::Block& one, const mesh::Block& other,
+                               const contact::Tolerances& tolerances) {
   std::vector<geometry::Box> boxes;
   geometry::Box around;
   for (LocalIndex e = 0; e < other.count(); ++e) {
@@ -38,7 +39,7 @@ ElementsInside elements_inside(const mesh::Mesh& mesh, const mesh::Block& one, c
   contact::find_pairs(boxes, middles, scratch, pairs);
   for (std::size_t i = 0; i < middles.size(); ++i)
     for (const LocalIndex e : std::as_const(pairs).row(static_cast<LocalIndex>(i))) {
-      if (!in_element(middles[i], mesh, other, e)) continue;
+      if (!in_element(middles[i], mesh, other, e, tolerances)) continue;
       if (inside.count++ == 0) inside.first = elements[i];
       break;
     }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/search/search.hpp"
 #include "brunt/core/cells.hpp"
 #include "brunt/mesh/topology.hpp"
@@ -62,13 +63,13 @@ void collect_nodes(Solid& solid) {
 }
 
 /// Is x in the closed tetrahedron?
-bool in_tetrahedron(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+bool in_tetrahedron(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double rounding) {
   const auto volume = [](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
     return (q - p).cross(r - p).dot(s - p);
   };
   const double whole = volume(a, b, c, d);
   if (!(whole > 0)) return false;  // flat: nothing is in it
-  const double slack = -1e-9 * whole;
+  const double slack = -rounding * whole;
   return volume(x, b, c, d) >= slack && volume(a, x, c, d) >= slack && volume(a, b, x, d) >= slack &&
          volume(a, b, c, x) >= slack;
 }
@@ -89,12 +90,14 @@ geometry::Box box_of_element(const mesh::Mesh& mesh, const mesh::Block& block, L
   return box;
 }
 
-bool in_element(const Vec3& x, const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex e) {
+bool in_element(const Vec3& x, const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex e,
+                const contact::Tolerances& tolerances) {
+  const double rounding = tolerances.fine_rounding;
   const LocalIndex* nodes = block.element(e);
   const auto corner = [&](int c) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(nodes[c])]; };
-  if (block.shape == mesh::Shape::tet4) return in_tetrahedron(x, corner(0), corner(1), corner(2), corner(3));
+  if (block.shape == mesh::Shape::tet4) return in_tetrahedron(x, corner(0), corner(1), corner(2), corner(3), rounding);
   return std::ranges::any_of(cells::hex_tetrahedra, [&](const std::array<int, 4>& tet) {
-    return in_tetrahedron(x, corner(tet[0]), corner(tet[1]), corner(tet[2]), corner(tet[3]));
+    return in_tetrahedron(x, corner(tet[0]), corner(tet[1]), corner(tet[2]), corner(tet[3]), rounding);
   });
 }
 
@@ -146,8 +149,8 @@ std::vector<LocalIndex> NodesAround::of(LocalIndex node) const {
 }
 
 Comparison::Comparison(const mesh::Mesh& mesh, const Solid& nodes, const Solid& solid, const mesh::Block& block,
-                       const NodesAround* around)
-    : nodes_(nodes), solid_(solid), block_(block), around_(around) {
+                       const NodesAround* around, const contact::Tolerances& tolerances)
+    : nodes_(nodes), solid_(solid), block_(block), around_(around), tolerances_(tolerances) {
   double longest = 0;
   for (const SolidFace& face : solid.faces) longest = std::max(longest, face.size);
   const geometry::Box reach = geometry::grown(solid.box, longest);
@@ -211,8 +214,7 @@ void Comparison::judge(std::size_t i, std::size_t f, Nearest& nearest) const {
 }
 
 bool Comparison::is_opposed(std::size_t i, const Vec3& normal) const {
-  constexpr double opposed = 0.5;
-  return opposition(nodes_.outwards.row(static_cast<LocalIndex>(node_[i])), normal) >= opposed;
+  return opposition(nodes_.outwards.row(static_cast<LocalIndex>(node_[i])), normal) >= tolerances_.facing;
 }
 
 Comparison::Nearest Comparison::nearest_near(std::size_t i) const {
@@ -222,18 +224,18 @@ Comparison::Nearest Comparison::nearest_near(std::size_t i) const {
 }
 
 std::optional<Behind> Comparison::behind_near(std::size_t i) const {
-  return nearest_near(i).chosen(solid_);
+  return nearest_near(i).chosen(solid_, tolerances_.touching);
 }
 
 bool Comparison::is_deep(std::size_t i) const {
   const std::optional<Behind> behind = nearest_near(i).opposed;
-  return behind && behind->penetration > touching * solid_.faces[behind->face].size;
+  return behind && behind->penetration > tolerances_.touching * solid_.faces[behind->face].size;
 }
 
 std::optional<Behind> Comparison::behind_any(std::size_t i) const {
   Nearest nearest;
   for (std::size_t f = 0; f < solid_.faces.size(); ++f) judge(i, f, nearest);
-  return nearest.opposed ? nearest.chosen(solid_) : nearest.all;
+  return nearest.opposed ? nearest.chosen(solid_, tolerances_.touching) : nearest.all;
 }
 
 void Comparison::measure_near() {
@@ -249,7 +251,7 @@ void Comparison::measure_near() {
       if (!closest || is_neighbour(i, face.element)) continue;
       const Vec3 offset = point_[i] - closest->point;
       near_[i] = std::min(near_[i], offset.norm());
-      if (offset.norm() > touching * face.size) continue;
+      if (offset.norm() > tolerances_.touching * face.size) continue;
       const bool faces_it = is_opposed(i, geometry::face_normal(face.points(), closest->xi, closest->eta));
       touches_[i] = std::max(touches_[i], faces_it ? Touch::face : Touch::side);
     }
@@ -264,7 +266,7 @@ void Comparison::find_inside(const mesh::Mesh& mesh) {
   contact::find_pairs(boxes, point_, scratch, pairs);
   for (std::size_t i = 0; i < point_.size(); ++i)
     for (const LocalIndex e : std::as_const(pairs).row(static_cast<LocalIndex>(i)))
-      if (!inside_[i] && in_element(point_[i], mesh, block_, e) && !is_neighbour(i, e)) inside_[i] = 1;
+      if (!inside_[i] && in_element(point_[i], mesh, block_, e, tolerances_) && !is_neighbour(i, e)) inside_[i] = 1;
 }
 
 }  // namespace brunt::setup

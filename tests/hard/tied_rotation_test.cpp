@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/primitives.hpp"
 #include "tests/support/simulation.hpp"
@@ -97,7 +98,7 @@ TEST_CASE("a tie across a gap or an overlap keeps energy, angular momentum and t
     // recovery takes back its share; that stretch is what the start of the motion costs, of a spin about the middle
     // with a radius of gyration of 6.5 mm some times F h (w dt)^2 / (2 recovery), and no more comes later
     const double turn = rate * pair.report.dt,
-                 stretch = std::abs(gap) * turn * turn / (2 * contact::DetectionSettings{}.recovery);
+                 stretch = std::abs(gap) * turn * turn / (2 * contact::standard_tolerances.recovery);
     CHECK(kept.crept <= 1.1 * stretch);
     CHECK(kept.energy <= 10 * stretch / 0.01);
     CHECK(kept.energy_later <= stretch / 0.01);

@@ -24,7 +24,7 @@ void write_faces(const comm::Communicator& ranks, const std::string& folder, con
   const contact::Specification& specification = run->model.contact;
   const contact::Roles roles = contact::roles_of(surface.bodies, specification);
   const contact::ContactSettings settings;
-  const contact::ListSettings reach{.encounter = settings.detection.encounter,
+  const contact::ListSettings reach{.tolerances = settings.detection.tolerances,
                                     .motion = settings.motion_share * surface.mean_element_depth};
   std::vector<Vec3> positions;
   for (const LocalIndex node : surface.model_node)

@@ -18,7 +18,7 @@ struct AnchorScene {
   std::span<const LocalIndex> by_key;  ///< the faces in ascending order of their keys
   std::span<const NodeMotion> motion;  ///< of contact nodes
   std::span<const Wall> walls;
-  EncounterSettings encounter{};
+  const Tolerances* tolerances = &standard_tolerances;
 };
 
 /// Once a list.

@@ -11,9 +11,6 @@ namespace brunt::contact {
 
 /// The first such node of a pair of blocks on this rank, and how deep any of the pair has been seen.
 struct DrivenMeeting {
-  /// Deeper than this share of the face's longest edge: ten times the ledge that contact passes over as flush (1e-3).
-  static constexpr double share = 0.01;
-
   std::int32_t slave_block = 0, master_block = 0;  ///< for wall w: -1 - w
   double since = 0;                                ///< ContactLedger::clock when it was first so deep [time]
   GlobalIndex slave = no_index;                    ///< gid

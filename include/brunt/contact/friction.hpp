@@ -26,8 +26,8 @@ void write_limits(std::span<const Row> rows, std::span<const Vec3> impulses, dou
                   std::vector<LimitRecord>& after);
 
 struct AnchorSettings {
-  double recovery = 0.05;  ///< share of the distance to the anchor that a step takes back
-  double limit = 0;        ///< the same at most [length]
+  double recovery = 0;  ///< share of the distance to the anchor that a step takes back
+  double limit = 0;     ///< the same at most [length]
 };
 
 /// Row::drift and its share of the slip, of rows with friction whose slave stuck in the last step. anchors: in order of

@@ -20,7 +20,7 @@ Ragged<GlobalIndex> element_neighbours(const comm::Communicator& ranks, const me
 
 /// By how much the normals of two faces differ where they meet in an edge [radians].
 struct EdgeAngles {
-  double flat = 0;   ///< at less there is none; < 0: a dent
+  double least = 0;  ///< at less there is none; < 0: a dent
   double blunt = 0;  ///< from here on it is a blunt one
   double sharp = 0;  ///< and from here on a sharp one
 };

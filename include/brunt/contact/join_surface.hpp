@@ -13,7 +13,7 @@ namespace brunt::contact {
 /// excluded: one flag for each of mesh.faces; such faces (in a symmetry plane) touch nothing, their nodes still meet
 /// walls. inverse_mass: of the mesh's nodes. Figures of bodies are taken in the reference state. Collective.
 Surface join_surface(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const char> excluded,
-                     std::span<const double> inverse_mass);
+                     std::span<const double> inverse_mass, const Tolerances& tolerances = standard_tolerances);
 
 /// What is left of the bodies once elements have been removed.
 struct Remains {
@@ -25,6 +25,6 @@ struct Remains {
 /// The surface of what is left: faces keep their keys, nodes without an element are slaves without faces. The figures
 /// of bodies, mean_edge and mean_element_depth are those of this surface; see update_surface. Collective.
 Surface join_surface(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Remains& remains,
-                     std::span<const double> inverse_mass);
+                     std::span<const double> inverse_mass, const Tolerances& tolerances = standard_tolerances);
 
 }  // namespace brunt::contact

@@ -43,8 +43,8 @@ struct ContactLists {
 };
 
 struct ListSettings {
-  EncounterSettings encounter;          ///< lists hold all that is within its reach
-  double wall_capture = 0;              ///< [length]
+  const Tolerances* tolerances = &standard_tolerances;  ///< lists hold all that is within its reach
+  double wall_capture = 0;                              ///< [length]
   double motion = 0;                    ///< each node and wall may move this far [length], the coming step included
   bool faces = true;                    ///< search faces at all
   bool two_passes = false;              ///< some pair meets in two passes

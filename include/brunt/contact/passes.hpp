@@ -17,10 +17,6 @@
 
 namespace brunt::contact {
 
-/// Nodes of two bodies are coincident where they are nearer to each other than this share of an element: there one pass
-/// is as good as two.
-constexpr double coincidence_share = 0.01;
-
 /// The pass of a row between a node and a face (no edge, no wall). Between bodies those that lead are the first. Within
 /// a body it is the side that the normal looks to: opposite folds have opposite normals.
 Pass pass_of(const Row& row, const SurfaceNode& node, const Specification& specification,

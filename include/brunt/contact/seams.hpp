@@ -14,6 +14,7 @@ namespace brunt::contact {
 /// is a seam where a point a little beyond it in the face's plane, at a quarter or at three quarters of the side, lies
 /// on another face that looks the same way and has no node in common with it (detection/tolerances.hpp: seam).
 /// Collective.
-void find_seams(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, Surface& surface);
+void find_seams(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Tolerances& tolerances,
+                Surface& surface);
 
 }  // namespace brunt::contact

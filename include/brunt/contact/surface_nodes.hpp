@@ -47,9 +47,10 @@ std::vector<Mobility> surface_mobility(const Surface& surface, std::span<const d
 /// SurfaceNodes::carrier.
 std::vector<double> surface_carriers(const Surface& surface, std::span<const BodyNode> on_bodies);
 
-/// Flags of the nodes that lie in the plane of a bilateral wall, within 1e-6 of the mean face edge. reference: of the
-/// mesh's local nodes.
-std::vector<char> held_by_walls(const Surface& surface, std::span<const Vec3> reference, std::span<const Wall> walls);
+/// Flags of the nodes that lie in the plane of a bilateral wall, within Tolerances::rounding of the mean face edge.
+/// reference: of the mesh's local nodes.
+std::vector<char> held_by_walls(const Surface& surface, std::span<const Vec3> reference, std::span<const Wall> walls,
+                                const Tolerances& tolerances);
 
 /// Collective.
 SurfaceCopies link_copies(const comm::Communicator& ranks, const Surface& surface);

@@ -49,7 +49,7 @@ struct TiedNodes {
 /// slaves without a tie that look at a face within reach, but lie beside it.
 std::vector<Tie> find_ties(const Candidates& candidates, std::span<const MasterFace> faces,
                            std::span<const GlobalIndex> gid, std::span<const NodeMotion> motion,
-                           std::span<const Vec3> facet_area, const EncounterSettings& settings,
+                           std::span<const Vec3> facet_area, const Tolerances& tolerances,
                            const std::function<bool(LocalIndex, LocalIndex)>& may_tie,
                            const std::function<void(LocalIndex, LocalIndex)>& beside);
 

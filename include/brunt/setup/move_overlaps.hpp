@@ -10,7 +10,6 @@
 namespace brunt::setup {
 
 constexpr int most_moving_passes = 20;
-constexpr double least_kept_share = 0.2;  ///< of its volume that an element must keep at each corner
 
 /// Nodes that something holds in a direction.
 struct HeldNodes {
@@ -30,7 +29,8 @@ struct HeldMove {
 struct SpoiledElement {
   std::size_t block = 0;
   LocalIndex element = 0;
-  double kept = 0;  ///< share of the volume; <= 0: turned inside out
+  double kept = 0;    ///< share of the volume; <= 0: turned inside out
+  double wanted = 0;  ///< the least that it must keep
 };
 
 struct OverlapMoves {
@@ -47,9 +47,9 @@ struct OverlapMoves {
 /// until nothing that the scene wants moved overlaps by more than `touching`: its own nodes onto the faces, and the
 /// corners of faces that nodes of the master are behind. Some passes, each from the gaps that the last has left. The
 /// coordinates are reference positions, so nothing is stressed. Refused where a node would move along a direction that
-/// the scene holds (fixed, symmetry, prescribed), where a corner of an element would keep less than a fifth of its
-/// volume, and where passes come to no end; the mesh is then as it was. gaps: of the mesh as it is; none of those to be
-/// moved too deep.
+/// the scene holds (fixed, symmetry, prescribed), where a corner of an element would keep less than
+/// Tolerances::kept_volume, and where passes come to no end; the mesh is then as it was. gaps: of the mesh as it is;
+/// none of those to be moved too deep.
 OverlapMoves move_overlaps(mesh::Mesh& mesh, const StartRules& rules, std::span<const HeldNodes> held,
                            const InitialGaps& gaps);
 

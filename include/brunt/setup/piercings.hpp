@@ -16,6 +16,7 @@ struct PiercingEdge {
 /// Edges of `one` with a stretch deeper inside `other` than `touching`, but for those of which an end is in `inside`
 /// and those through faces of which a corner is: there are nodes that tell. inside: a flag for each node of the mesh.
 std::vector<PiercingEdge> piercing_edges(const mesh::Mesh& mesh, const Solid& one, const Solid& other,
-                                         const std::vector<char>& inside);
+                                         const std::vector<char>& inside,
+                                         const contact::Tolerances& tolerances = contact::standard_tolerances);
 
 }  // namespace brunt::setup

@@ -14,6 +14,7 @@ struct ElementsInside {
 };
 
 /// Elements of block `one` whose middle lies in an element of block `other`.
-ElementsInside elements_inside(const mesh::Mesh& mesh, const mesh::Block& one, const mesh::Block& other);
+ElementsInside elements_inside(const mesh::Mesh& mesh, const mesh::Block& one, const mesh::Block& other,
+                               const contact::Tolerances& tolerances);
 
 }  // namespace brunt::setup

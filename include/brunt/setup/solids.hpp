@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "brunt/contact/data/standard_tolerances.hpp"
 #include "brunt/core/ragged.hpp"
 #include "brunt/core/types.hpp"
 #include "brunt/geometry/box.hpp"
@@ -14,10 +15,6 @@
 #include "brunt/mesh/mesh.hpp"
 
 namespace brunt::setup {
-
-/// Nodes deeper inside than this share of the longest edge of the nearest face overlap; shallower ones touch (rounding
-/// in mesh files, facets of a curved fit).
-constexpr double touching = 1e-4;
 
 /// Three or four nodes of an exterior face, no_index after a triangle's.
 using FaceNodes = std::array<LocalIndex, 4>;
@@ -47,7 +44,8 @@ std::vector<Solid> solids_of(const mesh::Mesh& mesh);
 geometry::Box box_of_element(const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex element);
 
 /// Is x in the closed element? A hexahedron is six tetrahedra around its diagonal 0-6.
-bool in_element(const Vec3& x, const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex element);
+bool in_element(const Vec3& x, const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex element,
+                const contact::Tolerances& tolerances);
 
 /// The connected body of each node; no_index for a node without elements.
 std::vector<std::int32_t> body_of_nodes(const mesh::Mesh& mesh);
@@ -83,7 +81,7 @@ class Comparison {
   /// that touch an element of the node are no other solid (as contact has it): it is neither inside them nor behind
   /// their faces.
   Comparison(const mesh::Mesh& mesh, const Solid& nodes, const Solid& solid, const mesh::Block& block,
-             const NodesAround* around);
+             const NodesAround* around, const contact::Tolerances& tolerances = contact::standard_tolerances);
 
   [[nodiscard]] std::size_t size() const { return node_.size(); }
   [[nodiscard]] LocalIndex node(std::size_t i) const { return nodes_.surface_nodes[node_[i]]; }
@@ -111,7 +109,7 @@ class Comparison {
     double all_distance = 0, opposed_distance = 0;
     /// Tetrahedra do not follow a warped face: the nearest decides where it has the node in front (not where they
     /// touch).
-    [[nodiscard]] const std::optional<Behind>& chosen(const Solid& solid) const {
+    [[nodiscard]] const std::optional<Behind>& chosen(const Solid& solid, double touching) const {
       return all && all->penetration < -touching * solid.faces[all->face].size ? all : opposed;
     }
   };
@@ -127,6 +125,7 @@ class Comparison {
   const Solid &nodes_, &solid_;
   const mesh::Block& block_;
   const NodesAround* around_;
+  const contact::Tolerances& tolerances_;
   std::vector<std::size_t> node_;  // into nodes_.surface_nodes
   std::vector<Vec3> point_;
   Ragged<LocalIndex> near_faces_;  // within their longest edge, or a little more

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "brunt/contact/data/row_matrix.hpp"
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/core/error.hpp"
 
 namespace brunt::contact {
@@ -20,9 +21,9 @@ bool acted(const HistoryRecord& record) {
 }
 
 /// Rows and records of one slave: those of the same keys belong together, then, each once, those that point alike.
-void start_slave(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt,
+/// aligned: Tolerances::aligned; friction may tilt a force by 26 degrees.
+void start_slave(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt, double aligned,
                  std::span<Vec3> impulses) {
-  constexpr double alike = 0.9;  // cosine: friction may tilt a force by 26 degrees
   const auto has_record = [&](const Row& row) {
     return std::ranges::any_of(records, [&](const HistoryRecord& record) { return record.key == row.key; });
   };
@@ -35,7 +36,7 @@ void start_slave(std::span<const Row> rows, std::span<const HistoryRecord> recor
     }
     if (record.key.kind == RowKind::wall || !acted(record)) continue;  // walls have no next face
     std::size_t best = rows.size();
-    double most = alike * force.norm();
+    double most = aligned * force.norm();
     for (std::size_t q = 0; q < rows.size(); ++q) {
       if (rows[q].is_wall() || !impulses[q].isZero(0) || has_record(rows[q])) continue;
       const double along = rows[q].normal.dot(force);
@@ -55,7 +56,7 @@ const AnchorRecord* find_anchor(std::span<const AnchorRecord> anchors, const Anc
 }
 
 void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt,
-                    std::span<Vec3> impulses) {
+                    std::span<Vec3> impulses, const Tolerances& tolerances) {
   std::ranges::fill(impulses, Vec3::Zero());
   auto record = records.begin();
   for (std::size_t first = 0, last = 0; first < rows.size(); first = last) {
@@ -64,7 +65,8 @@ void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> re
     while (record != records.end() && slave_of(record->key) < slave) ++record;
     const auto begin = record;
     while (record != records.end() && slave_of(record->key) == slave) ++record;
-    start_slave(rows.subspan(first, last - first), {begin, record}, dt, impulses.subspan(first, last - first));
+    start_slave(rows.subspan(first, last - first), {begin, record}, dt, tolerances.aligned,
+                impulses.subspan(first, last - first));
   }
 }
 

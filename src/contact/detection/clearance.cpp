@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "edge_scene.hpp"
 
 namespace brunt::contact {
@@ -56,7 +57,7 @@ double clearance_of_walls(std::span<const WallCandidate> candidates, std::span<c
     const NodeMotion& node = motion[static_cast<std::size_t>(candidate.node)];
     const double gap = (node.position - wall.point).dot(wall.normal);
     const double next = gap + dt * (node.predicted - wall.velocity).dot(wall.normal);
-    least = std::min(least, std::min(gap, next) - settings.encounter.capture * settings.wall_size);
+    least = std::min(least, std::min(gap, next) - settings.tolerances->capture * settings.wall_size);
   }
   return least;
 }

@@ -5,12 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/detection/detection.hpp"
 
 namespace brunt::contact {
 namespace {
-
-constexpr double looks = 0.5, lies = 0.94;  // cosines of 60 and 20 degrees
 
 std::span<const LocalIndex> corners_of(const MasterFace& face) {
   return {face.nodes.data(), static_cast<std::size_t>(face.corner_count)};
@@ -37,14 +36,16 @@ double opposition(const NodeOnSurface& node, LocalIndex facet, const Vec3& norma
 struct Around {
   Vec3 normals = Vec3::Zero(), corners = Vec3::Zero();  ///< sums: of normals, of corners from the node
   int count = 0;
-  [[nodiscard]] bool are_sharp_corner() const { return normals.norm() < lies * count && corners.dot(normals) < 0; }
+  [[nodiscard]] bool are_sharp_corner(const Tolerances& tolerances) const {
+    return normals.norm() < tolerances.coplanar * count && corners.dot(normals) < 0;
+  }
 };
 
 /// Are both surfaces flat there and on each other, as around nearly all coincident nodes? What is said to be so here
 /// the thorough look below finds too: every face lies on the first facet, and every facet on the first face.
 bool surfaces_coincide(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-                       LocalIndex other) {
-  constexpr double clearly = 0.95 * 0.95;  // squared cosine
+                       LocalIndex other, const Tolerances& tolerances) {
+  const double clearly = tolerances.clearly_coplanar * tolerances.clearly_coplanar;
   const auto faces_each_other = [&](LocalIndex facet, const Vec3& area) {
     const double along = -node.facet_normal[static_cast<std::size_t>(facet)].dot(area);
     return (along > 0 || node.two_sided) && along * along > clearly * area.squaredNorm();
@@ -62,7 +63,7 @@ bool surfaces_coincide(const FacesInMotion& scene, const NodeOnSurface& node, st
 
 /// Does one row hold the node and `other`, a corner of some of the faces?
 bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-                       LocalIndex other) {
+                       LocalIndex other, const Tolerances& tolerances) {
   constexpr std::size_t most = 32;  // facets of a node; of more the rest is not asked
   std::array<double, most> facet_lies{};
   const std::size_t facets = std::min(most, node.facets.size());
@@ -82,22 +83,24 @@ bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, st
       face_lies = std::max(face_lies, cosine);
       facet_lies[i] = std::max(facet_lies[i], cosine);
     }
-    fit = fit && (face_lies <= looks || face_lies >= lies);
+    fit = fit && (face_lies <= tolerances.facing || face_lies >= tolerances.coplanar);
   }
   fit = fit && std::none_of(facet_lies.begin(), facet_lies.end(),
-                            [](double cosine) { return cosine > looks && cosine < lies; });
-  return fit || around.are_sharp_corner();
+                            [&](double cosine) { return cosine > tolerances.facing && cosine < tolerances.coplanar; });
+  return fit || around.are_sharp_corner(tolerances);
 }
 
 }  // namespace
 
 bool is_held_by_coincident_node(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-                                std::span<const CoincidentCandidate> possible, double distance) {
+                                std::span<const CoincidentCandidate> possible, double distance,
+                                const Tolerances& tolerances) {
   const std::int32_t body = scene.faces[static_cast<std::size_t>(near.front())].body;
   for (const CoincidentCandidate& other : possible) {
     const Vec3& there = scene.motion[static_cast<std::size_t>(other.node)].position;
     if (other.body == body && (there - node.motion.position).squaredNorm() < distance * distance)
-      return surfaces_coincide(scene, node, near, other.node) || are_held_together(scene, node, near, other.node);
+      return surfaces_coincide(scene, node, near, other.node, tolerances) ||
+             are_held_together(scene, node, near, other.node, tolerances);
   }
   return false;
 }
@@ -106,8 +109,8 @@ void list_coincident_nodes(std::span<const MasterFace> faces, std::span<const Ve
                            const DetectionSettings& settings, Candidates& candidates) {
   candidates.coincident.clear();
   if (candidates.second.empty()) return;
-  const double within =
-      (settings.coincidence + 2 * motion) * (1 + 1e-6);  // what is later measured is rounded otherwise
+  const double within = (settings.coincidence + 2 * motion) *
+                        (1 + settings.tolerances->rounding);  // what is later measured is rounded otherwise
   const auto place = [&](LocalIndex node) -> const Vec3& { return positions[static_cast<std::size_t>(node)]; };
   for (LocalIndex s = 0; s < candidates.faces.rows(); ++s) {
     const std::span<const LocalIndex> near = std::as_const(candidates.faces).row(s);

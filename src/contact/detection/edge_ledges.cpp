@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/detection/ledges.hpp"
 
 namespace brunt::contact {
 namespace {
-
-constexpr double upright = 0.9;    // cosine between an edge and the normal of what it stands on, at least
-constexpr double parallel = 1e-3;  // sine between edges, at most
-constexpr double level = 0.1;      // of what edges slide along a face they may move so much across it
 
 /// How the edges have moved against each other in the last step, where they meet: see last_displacement in ledges.cpp.
 Vec3 last_displacement(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master,
@@ -32,20 +29,22 @@ bool slide_along_ledge(const EdgeScene& scene, std::span<const Vec3> node_normal
   const double sine = own.along().cross(other.along()).norm();
   if (sine >= scene.full) return false;
   const auto lies_along = [&](const ContactEdge& edge, const Vec3& out) {
-    return std::ranges::all_of(
-        edge.nodes, [&](LocalIndex node) { return node_normal[static_cast<std::size_t>(node)].dot(out) > upright; });
+    return std::ranges::all_of(edge.nodes, [&](LocalIndex node) {
+      return node_normal[static_cast<std::size_t>(node)].dot(out) > scene.tolerances().aligned;
+    });
   };
   const Vec3 apart = (1 - met.s) * own.start + met.s * own.end - (1 - met.t) * other.start - met.t * other.end;
   const auto faces = [&](const ContactEdge& edge, std::size_t i, const Vec3& normal) {
-    return scene.normal(edge, i).dot(normal) < -0.5;
+    return scene.normal(edge, i).dot(normal) < -scene.tolerances().facing;
   };
   // face i of the slave lies on face k of the master, and the others meet
   const auto lies_on = [&](std::size_t i, std::size_t k) {
     const Vec3 top = scene.normal(master, k), side = scene.normal(master, 1 - k);
     const double height = apart.dot(top);
-    if (sine > parallel && !lies_along(slave, top) && !lies_along(master, -top)) return false;
-    return faces(slave, i, top) && faces(slave, 1 - i, side) && std::abs(height) <= ledge * size &&
-           slides_into(motion, side, top, size) && std::abs(motion.dot(top)) < level * std::abs(motion.dot(side));
+    if (sine > scene.tolerances().parallel && !lies_along(slave, top) && !lies_along(master, -top)) return false;
+    return faces(slave, i, top) && faces(slave, 1 - i, side) && std::abs(height) <= scene.tolerances().ledge * size &&
+           slides_into(motion, side, top, size, scene.tolerances()) &&
+           std::abs(motion.dot(top)) < scene.tolerances().slide_across * std::abs(motion.dot(side));
   };
   return lies_on(0, 0) || lies_on(0, 1) || lies_on(1, 0) || lies_on(1, 1);
 }
@@ -53,7 +52,7 @@ bool slide_along_ledge(const EdgeScene& scene, std::span<const Vec3> node_normal
 /// Calls visit(end) for the ends of the edge that are within a ledge of where it is met; at: that, from its first end.
 template <class Visit>
 bool any_end_at_ledge(const EdgeScene& scene, const ContactEdge& edge, double at, double size, Visit&& visit) {
-  const double reach = ledge * size / scene.length(edge);
+  const double reach = scene.tolerances().ledge * size / scene.length(edge);
   return (at <= reach && visit(std::size_t{0})) || (1 - at <= reach && visit(std::size_t{1}));
 }
 
@@ -62,7 +61,8 @@ bool stands_at_ledge(const EdgeScene& scene, std::span<const Vec3> node_normal, 
                      const EdgeMeeting& met, const Vec3& motion) {
   return any_end_at_ledge(scene, slave, met.s, size, [&](std::size_t end) {
     const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];
-    return std::abs(normal.dot(scene.start(slave).along())) > upright && slides_into(motion, met.normal, normal, size);
+    return std::abs(normal.dot(scene.start(slave).along())) > scene.tolerances().aligned &&
+           slides_into(motion, met.normal, normal, size, scene.tolerances());
   });
 }
 
@@ -79,11 +79,12 @@ bool meets_ledge_below(const EdgeScene& scene, const EdgeCandidates& candidates,
       const ContactEdge& other = candidates.masters[static_cast<std::size_t>(m)];
       return other.nodes != master.nodes && std::ranges::find(other.nodes, master.nodes[end]) != other.nodes.end() &&
              geometry::overlaps(scene.reach(other), slave_box) &&
-             std::abs(scene.start(other).along().dot(along)) > upright;
+             std::abs(scene.start(other).along().dot(along)) > scene.tolerances().aligned;
     };
     const auto crosses = [&](std::size_t side) {
       const Vec3 normal = scene.normal(slave, side);
-      return std::abs(normal.dot(along)) > upright && slides_into(motion, met.normal, -normal, size);
+      return std::abs(normal.dot(along)) > scene.tolerances().aligned &&
+             slides_into(motion, met.normal, -normal, size, scene.tolerances());
     };
     return (crosses(0) || crosses(1)) && std::ranges::none_of(near, continues);
   });

@@ -11,7 +11,7 @@ bool between_normals(const EdgeScene& scene, const ContactEdge& edge, const Vec3
   const Vec3 one = scene.normal(edge, 0), other = scene.normal(edge, 1);
   Vec3 turn = one.cross(other);
   const double sine = turn.norm();
-  if (sine < facet_curvature) return false;  // flattened: no edge any more
+  if (sine < scene.tolerances().facet_curvature) return false;  // flattened: no edge any more
   turn /= sine;
   return one.cross(direction).dot(turn) > -beyond && direction.cross(other).dot(turn) > -beyond &&
          direction.dot(one + other) > 0;
@@ -29,7 +29,7 @@ bool is_slow(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge
   for (const LocalIndex own : slave.nodes)
     for (const LocalIndex other : master.nodes)
       fastest = std::max(fastest, (scene.at(own).predicted - scene.at(other).predicted).squaredNorm());
-  return scene.dt * std::sqrt(fastest) <= scene.settings.encounter.slow * size;
+  return scene.dt * std::sqrt(fastest) <= scene.tolerances().slow * size;
 }
 
 }  // namespace brunt::contact

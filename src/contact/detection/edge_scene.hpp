@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/detection/edges.hpp"
 #include "brunt/geometry/box.hpp"
 #include "brunt/geometry/segments.hpp"
@@ -23,8 +24,9 @@ struct EdgeScene {
   std::span<const Vec3> facet_normal, reference;
   double dt;
   const DetectionSettings& settings;
-  double full;  ///< sine of the angle of settings.selection.same_direction
+  double full;  ///< sine of the angle Tolerances::same_direction
 
+  [[nodiscard]] const Tolerances& tolerances() const { return *settings.tolerances; }
   [[nodiscard]] const NodeMotion& at(LocalIndex node) const { return motion[static_cast<std::size_t>(node)]; }
   [[nodiscard]] geometry::Segment start(const ContactEdge& edge) const {
     return {at(edge.nodes[0]).position, at(edge.nodes[1]).position};
@@ -47,12 +49,9 @@ struct EdgeScene {
   }
   /// What is outside of it has nothing to do with this master in this step, whether the lists name it or not.
   [[nodiscard]] geometry::Box reach(const ContactEdge& master) const {
-    return geometry::grown(sweep(master), settings.encounter.reach(length(master), master.element_depth));
+    return geometry::grown(sweep(master), tolerances().reach(length(master), master.element_depth));
   }
 };
-
-constexpr double facet_curvature = 0.02;  // sine of an angle
-constexpr double warp = 0.1;              // sine: by so much a warped face's normal turns along its rim
 
 /// Does `direction` lie between the normals of the two faces of a convex edge, or beyond them by no more than rounding
 /// and the curvature of a facet? beyond: sine of the angle.

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/detection/seams.hpp"
 #include "edge_ledges.hpp"
 #include "flat_edges.hpp"
@@ -14,12 +15,8 @@
 namespace brunt::contact {
 namespace {
 
-constexpr double along_a_face = 5;  // [degrees] from a face's normal: the edge lies in the face
-constexpr double kink = 0.5;        // [radians] between edges of a chain that a node presses in
-constexpr double crosswise = 0.35;  // cosine between directions that lie across each other, at most
-
 bool touches_as_edges(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, const Vec3& normal,
-                      double beyond = facet_curvature) {
+                      double beyond) {
   return between_normals(scene, master, normal, beyond) && between_normals(scene, slave, -normal, beyond);
 }
 
@@ -53,7 +50,7 @@ std::optional<geometry::CommonPerpendicular> crossing(const EdgeScene& scene, co
   if (perpendicular.dot(apart) < 0) perpendicular = -perpendicular;
   const double sine = perpendicular.norm();
   const double full = scene.full;
-  if (sine >= full) return geometry::crossing_along(own, other, perpendicular.normalized(), kink);
+  if (sine >= full) return geometry::crossing_along(own, other, perpendicular.normalized(), scene.tolerances().kink);
   const Vec3 mean = axes_of(own, other).col(0);
   const Vec3 middle = (apart - apart.dot(mean) * mean).normalized();
   const Vec3 between = (sine / full * perpendicular + (full - sine) * middle).normalized();
@@ -65,19 +62,20 @@ std::optional<geometry::CommonPerpendicular> crossing(const EdgeScene& scene, co
 /// In contact or near each other, at the start of the step.
 bool meet_now(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, double size,
               EdgeMeeting& met) {
+  const Tolerances& tolerances = scene.tolerances();
   const auto closest = crossing(scene, slave, master);
   if (!closest) return false;
   met = {closest->s, closest->t, closest->gap, closest->normal};
   // a node that contact holds presses a chain in by little: deep ones pass each other beside the end of one
-  if (closest->past_an_end && -met.gap > scene.settings.encounter.rim * size) return false;
+  if (closest->past_an_end && -met.gap > tolerances.rim * size) return false;
   // edges that hold each other would let go for a step wherever their normal passes the mean normal of a warped face
-  const bool shallow = std::abs(met.gap) <= scene.settings.encounter.rim * size;
+  const bool shallow = std::abs(met.gap) <= tolerances.rim * size;
   // where a chain of edges ends for good, faces and nodes meet, along the normal of a face
-  const double beyond = closest->past_an_end ? -0.1 : (shallow ? warp : facet_curvature);
+  const double beyond =
+      closest->past_an_end ? -tolerances.chain_end : (shallow ? tolerances.warp : tolerances.facet_curvature);
   if (!touches_as_edges(scene, slave, master, met.normal, beyond)) return false;
   if (met.gap <= 0)
-    return -met.gap <=
-           scene.settings.encounter.max_penetration(size, std::min(slave.element_depth, master.element_depth));
+    return -met.gap <= tolerances.max_penetration(size, std::min(slave.element_depth, master.element_depth));
   return is_slow(scene, slave, master, size);
 }
 
@@ -87,7 +85,8 @@ bool meet_in_step(const EdgeScene& scene, const ContactEdge& slave, const Contac
       geometry::edge_crossing({scene.start(slave), scene.end(slave)}, {scene.start(master), scene.end(master)});
   if (!hit) return false;
   const double approach = -hit->normal.dot(relative_displacement(scene, slave, master, hit->s, hit->t));
-  if (!(approach > 0) || !touches_as_edges(scene, slave, master, hit->normal)) return false;
+  if (!(approach > 0) || !touches_as_edges(scene, slave, master, hit->normal, scene.tolerances().facet_curvature))
+    return false;
   met = {hit->s, hit->t, hit->tau * approach, hit->normal};
   return true;
 }
@@ -96,17 +95,17 @@ bool meet_in_step(const EdgeScene& scene, const ContactEdge& slave, const Contac
 /// a face. An end that hangs over the master's rim has none, and one whose face slants is less deep than the edge is at
 /// the rim. Where an end lies deep, its own row gives the penetration. A deep edge of which both ends are held across
 /// that has come in from their side, where it is as deep as they are, over the end of the master's edge.
-bool held_at_ends(const EncounterSettings& settings, std::span<const Vec3> node_normal, const ContactEdge& slave,
+bool held_at_ends(const Tolerances& tolerances, std::span<const Vec3> node_normal, const ContactEdge& slave,
                   double size, const EdgeMeeting& met) {
-  const bool deep = -met.gap > settings.rim * size;
+  const bool deep = -met.gap > tolerances.rim * size;
   const auto held = [&](std::size_t end, double weight) {
     const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];
-    if (deep && weight >= 1 - settings.rim) return !normal.isZero(0);
-    return weight <= settings.rim || same_direction(normal, met.normal, along_a_face);
+    if (deep && weight >= 1 - tolerances.rim) return !normal.isZero(0);
+    return weight <= tolerances.rim || same_direction(normal, met.normal, tolerances.along_face);
   };
   const auto held_across = [&](std::size_t end) {
     const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];
-    return !normal.isZero(0) && std::abs(normal.dot(met.normal)) < crosswise;
+    return !normal.isZero(0) && std::abs(normal.dot(met.normal)) < tolerances.crosswise;
   };
   return (held(0, 1 - met.s) && held(1, met.s)) || (deep && held_across(0) && held_across(1));
 }
@@ -129,7 +128,7 @@ double accepted_overlap(const EdgeScene& scene, const ContactEdge& slave, const 
   };
   const geometry::Segment own = then(slave), other = then(master);
   const Mat3 turned = axes_of(own, other) * axes_of(scene.start(slave), scene.start(master)).transpose();
-  const auto start = geometry::crossing_along(own, other, turned * met.normal, kink);
+  const auto start = geometry::crossing_along(own, other, turned * met.normal, scene.tolerances().kink);
   return start ? std::max(0.0, -start->gap) : 0.0;
 }
 
@@ -155,7 +154,7 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_normal,
                   std::span<const Vec3> node_normal, std::span<const Vec3> reference, double dt,
                   const DetectionSettings& settings, std::vector<Row>& rows) {
-  const double full = std::sin(settings.selection.same_direction * std::numbers::pi / 180);
+  const double full = std::sin(settings.tolerances->same_direction * std::numbers::pi / 180);
   const EdgeScene scene{gid, motion, facet_normal, reference, dt, settings, full};
   for (std::size_t e = 0; e < candidates.slaves.size(); ++e) {
     const ContactEdge& slave = candidates.slaves[e];
@@ -174,12 +173,12 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
             (is_slow(scene, slave, master, size) || !meet_in_step(scene, slave, master, met)))
           continue;
         if (meet_on_ledge(scene, candidates, near, node_normal, slave, master, met)) continue;
-        if (held_at_ends(settings.encounter, node_normal, slave, size, met)) continue;
+        if (held_at_ends(*settings.tolerances, node_normal, slave, size, met)) continue;
       }
       if (meet_at_side_of_seam(scene, slave, master, met)) continue;
       met.gap += accepted_overlap(scene, slave, master, met);
       Row& row = rows.emplace_back(row_of(slave, master, met, gid));
-      row.gap += slave.flat || master.flat ? rim_sag * size : 0;
+      row.gap += slave.flat || master.flat ? settings.tolerances->rim_sag * size : 0;
       row.required = required_rate(row, size, dt, motion, settings);
       row.gap = met.gap;  // the reported gap is the geometric one
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/geometry/first_contact.hpp"
 #include "standing.hpp"
 
@@ -47,11 +48,11 @@ bool has_node(const MasterFace& face, LocalIndex node) {
 
 /// A face whose rim is where the node passes through a neighbour, and that has it in front as well, is hit with it: at
 /// a convex corner it is rounding that decides which one the path crosses.
-void join_hit(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+void join_hit(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
               std::span<const Encounter> encounters, Encounter& met) {
   for (const Encounter& hit : encounters) {
     if (hit.meeting != Meeting::hit || hit.face == met.face) continue;
-    if ((hit.point - met.point).norm() > settings.rim * std::min(hit.size, met.size)) continue;
+    if ((hit.point - met.point).norm() > tolerances.rim * std::min(hit.size, met.size)) continue;
     const double approach = -met.normal.dot(
         scene.dt * relative_velocity(scene, slave, scene.faces[static_cast<std::size_t>(met.face)], met.weights));
     if (!(approach > 0)) continue;
@@ -63,11 +64,10 @@ void join_hit(const FacesInMotion& scene, const EncounterSettings& settings, con
 }
 
 /// May a node that projects beside encounters[i] count as on the face? Every neighbour has its say, in whatever order.
-bool holds_at_rim(const FacesInMotion& scene, const EncounterSettings& settings, double degrees,
-                  std::span<const Encounter> encounters, std::size_t i) {
-  constexpr double level = 1e-4;  // of the size: dented by less, two faces are one to a node that crosses their edge
+bool holds_at_rim(const FacesInMotion& scene, const Tolerances& tolerances, std::span<const Encounter> encounters,
+                  std::size_t i) {
   const Encounter& e = encounters[i];
-  const bool near_rim = e.beside <= settings.rim * e.size;
+  const bool near_rim = e.beside <= tolerances.rim * e.size;
   if (!near_rim && e.height > 0) return false;
   const auto [first, second] = feature_nodes(scene.faces[static_cast<std::size_t>(e.face)], e.region);
   bool has_neighbour = false, behind_all = true;
@@ -79,14 +79,15 @@ bool holds_at_rim(const FacesInMotion& scene, const EncounterSettings& settings,
     if (!has_node(face, first) || !has_node(face, second)) continue;
     // in one plane it is rounding that says which of the two has the node in front
     const auto behind_by_rounding = [&] {
-      return -e.height <= level * e.size && same_direction(other.normal, e.normal, degrees);
+      return -e.height <= tolerances.in_plane * e.size &&
+             same_direction(other.normal, e.normal, tolerances.same_direction);
     };
-    if (in_front && other.opposition >= 0.5 * e.opposition && !behind_by_rounding() &&
-        !concave(scene.faces, scene.motion, e, other))
+    if (in_front && other.opposition >= tolerances.competing_opposition * e.opposition && !behind_by_rounding() &&
+        !concave(scene.faces, scene.motion, e, other, tolerances))
       return false;
     if (near_rim) continue;
     has_neighbour = true;
-    const auto in_one_place = [&] { return (other.point - e.point).norm() <= level * e.size; };
+    const auto in_one_place = [&] { return (other.point - e.point).norm() <= tolerances.in_plane * e.size; };
     behind_all = behind_all && !in_front && (other.region == Region::face || in_one_place());
   }
   return near_rim || (has_neighbour && behind_all);
@@ -94,17 +95,17 @@ bool holds_at_rim(const FacesInMotion& scene, const EncounterSettings& settings,
 
 /// Is a node behind encounters[i] outside of the body all the same? At an edge sharper than a right angle it may be
 /// behind one face, with its foot on it, and in front of the other: that one is what it meets.
-bool is_outside_of_a_sharp_edge(std::span<const MasterFace> faces, double degrees,
+bool is_outside_of_a_sharp_edge(std::span<const MasterFace> faces, const Tolerances& tolerances,
                                 std::span<const Encounter> encounters, std::size_t i) {
-  constexpr double level = 1e-4;  // of the size
   const Encounter& e = encounters[i];
   const MasterFace& face = faces[static_cast<std::size_t>(e.face)];
   return std::ranges::any_of(encounters, [&](const Encounter& other) {
-    if (!(other.height > 0) || other.opposition < 0.5 * e.opposition) return false;
-    if (same_direction(other.normal, e.normal, degrees)) return false;
+    if (!(other.height > 0) || other.opposition < tolerances.competing_opposition * e.opposition) return false;
+    if (same_direction(other.normal, e.normal, tolerances.same_direction)) return false;
     const Vec3 apart = other.point - e.point;
-    const bool as_deep = apart.dot(e.normal) < 0.5 * e.height;       // it has a point as deep as the node
-    const bool convex = -apart.dot(other.normal) <= level * e.size;  // a dent between warped faces is none
+    const bool as_deep = apart.dot(e.normal) < tolerances.half_depth * e.height;  // it has a point as deep as the node
+    const bool convex =
+        -apart.dot(other.normal) <= tolerances.in_plane * e.size;  // a dent between warped faces is none
     // one node is enough: near a node of a ridge, faces meet across it that share no more
     return as_deep && convex && shared_nodes(face, faces[static_cast<std::size_t>(other.face)]) >= 1;
   });
@@ -157,7 +158,7 @@ void find_hit(const FacesInMotion& scene, const NodeMotion& slave, Encounter& me
   met.weights = hit->weights;
 }
 
-Encounter encounter(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+Encounter encounter(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
                     LocalIndex face_index, const Approach& approach) {
   Encounter met{
       .face = face_index, .approach = approach, .size = scene.reach[static_cast<std::size_t>(face_index)].size};
@@ -176,13 +177,12 @@ Encounter encounter(const FacesInMotion& scene, const EncounterSettings& setting
   const Vec3 relative = relative_velocity(scene, slave, face, met.weights);
   classify(stand(geometry::vec_of(slave.position), geometry::vec_of(met.point), geometry::vec_of(met.normal),
                  geometry::vec_of(relative), scene.dt),
-           settings, face.element_depth, met);
+           tolerances, face.element_depth, met);
   return met;
 }
 
 bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const Encounter& a,
-             const Encounter& b) {
-  constexpr double level = 1e-6;  // of the size
+             const Encounter& b, const Tolerances& tolerances) {
   const auto centre = [&](const Encounter& e) {
     const MasterFace& face = faces[static_cast<std::size_t>(e.face)];
     Vec3 sum = Vec3::Zero();
@@ -190,34 +190,37 @@ bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> moti
       sum += motion[static_cast<std::size_t>(face.nodes[i])].position;
     return Vec3(sum / face.corner_count);
   };
-  return (centre(b) - a.point).dot(a.normal) > level * b.size && (centre(a) - b.point).dot(b.normal) > level * a.size;
+  return (centre(b) - a.point).dot(a.normal) > tolerances.rounding * b.size &&
+         (centre(a) - b.point).dot(b.normal) > tolerances.rounding * a.size;
 }
 
-void resolve_rim_projections(const FacesInMotion& scene, const EncounterSettings& settings, double same_direction,
+void resolve_rim_projections(const FacesInMotion& scene, const Tolerances& tolerances,
                              std::span<Encounter> encounters) {
-  const bool smooth = one_direction(encounters, same_direction);
+  const bool smooth = one_direction(encounters, tolerances.same_direction);
   for (std::size_t i = 0; i < encounters.size(); ++i) {
     Encounter& e = encounters[i];
     if (e.meeting != Meeting::inside && e.meeting != Meeting::above) continue;
-    const bool holds = (e.region == Region::face || holds_at_rim(scene, settings, same_direction, encounters, i)) &&
-                       (smooth || e.meeting == Meeting::above ||
-                        !is_outside_of_a_sharp_edge(scene.faces, same_direction, encounters, i));
+    const bool holds =
+        (e.region == Region::face || holds_at_rim(scene, tolerances, encounters, i)) &&
+        (smooth || e.meeting == Meeting::above || !is_outside_of_a_sharp_edge(scene.faces, tolerances, encounters, i));
     if (!holds) e.meeting = Meeting::none;
   }
 }
 
-void detect_path_hits(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+void detect_path_hits(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
                       std::span<Encounter> encounters) {
   double most = 0;
   for (const Encounter& e : encounters)
     if (!std::isnan(e.height)) most = std::max(most, e.opposition);
-  const auto is_opposed = [&](const Encounter& e) { return e.height > 0 && e.opposition >= settings.facing * most; };
+  const auto is_opposed = [&](const Encounter& e) {
+    return e.height > 0 && e.opposition >= tolerances.least_opposition * most;
+  };
   for (Encounter& e : encounters) {
     const bool settled = e.meeting == Meeting::above && e.slow;
     if (is_opposed(e) && !settled) find_hit(scene, slave, e);
   }
   for (Encounter& e : encounters)
-    if (e.meeting == Meeting::none && is_opposed(e)) join_hit(scene, settings, slave, encounters, e);
+    if (e.meeting == Meeting::none && is_opposed(e)) join_hit(scene, tolerances, slave, encounters, e);
 }
 
 }  // namespace brunt::contact

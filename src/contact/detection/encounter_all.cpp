@@ -97,21 +97,20 @@ Region region_at(const Result& from, std::size_t lane) {
   return static_cast<Region>(static_cast<int>(Region::edge0) + edge);
 }
 
-void take(const Result& from, std::size_t lane, const MasterFace& face, const EncounterSettings& settings,
-          Encounter& met) {
+void take(const Result& from, std::size_t lane, const MasterFace& face, const Tolerances& tolerances, Encounter& met) {
   met.region = region_at(from, lane);
   for (int c = 0; c < 3; ++c) {
     met.normal[c] = from.normal[c][lane];
     met.point[c] = from.point[c][lane];
   }
   for (std::size_t i = 0; i < 4; ++i) met.weights[i] = from.weights[i][lane];
-  classify({from.over_middle[lane], from.beside[lane], from.moved[lane]}, settings, face.element_depth, met);
+  classify({from.over_middle[lane], from.beside[lane], from.moved[lane]}, tolerances, face.element_depth, met);
 }
 
 }  // namespace
 
-void encounter_all(const FacesInMotion& scene, const EncounterSettings& settings,
-                   std::span<const NodeMotion* const> slave, std::span<Encounter> met) {
+void encounter_all(const FacesInMotion& scene, const Tolerances& tolerances, std::span<const NodeMotion* const> slave,
+                   std::span<Encounter> met) {
   Batch batch{};
   batch.dt = broadcast(scene.dt);
   Result result;
@@ -130,11 +129,11 @@ void encounter_all(const FacesInMotion& scene, const EncounterSettings& settings
       Encounter& e = met[first + lane];
       const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)];
       if (face.corner_count != 4 || result.known[lane] == 0) {
-        e = encounter(scene, settings, *slave[first + lane], e.face, e.approach);
+        e = encounter(scene, tolerances, *slave[first + lane], e.face, e.approach);
         continue;
       }
       e.size = scene.reach[static_cast<std::size_t>(e.face)].size;
-      take(result, lane, face, settings, e);
+      take(result, lane, face, tolerances, e);
     }
   }
 }

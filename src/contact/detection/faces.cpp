@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/detection/coincident_nodes.hpp"
 #include "brunt/contact/detection/detection.hpp"
 #include "brunt/contact/detection/false_depth.hpp"
@@ -53,7 +54,7 @@ BRUNT_INLINE double size_of(const std::array<Quad, 4>& corners, std::size_t coun
 }
 
 FaceReach reach_of(const MasterFace& face, std::span<const NodeMotion> motion, double dt,
-                   const EncounterSettings& settings) {
+                   const Tolerances& tolerances) {
   const auto count = static_cast<std::size_t>(face.corner_count);
   std::array<Quad, 4> corners{};
   Quad low{}, high{};
@@ -68,15 +69,15 @@ FaceReach reach_of(const MasterFace& face, std::span<const NodeMotion> motion, d
     high = high > corners[i] ? high : corners[i];
   }
   FaceReach reach{.box = {}, .size = size_of(corners, count)};
-  const double margin = settings.reach(reach.size, face.element_depth) + face.half_thickness;
+  const double margin = tolerances.reach(reach.size, face.element_depth) + face.half_thickness;
   reach.box = geometry::grown({Vec3(low[0], low[1], low[2]), Vec3(high[0], high[1], high[2])}, margin);
   return reach;
 }
 
 void measure_reach(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, double dt,
-                   const EncounterSettings& settings, std::vector<FaceReach>& reach) {
+                   const Tolerances& tolerances, std::vector<FaceReach>& reach) {
   reach.clear();
-  for (const MasterFace& face : faces) reach.push_back(reach_of(face, motion, dt, settings));
+  for (const MasterFace& face : faces) reach.push_back(reach_of(face, motion, dt, tolerances));
 }
 
 /// A slave node with what lies around it.
@@ -104,17 +105,13 @@ void measure_opposition(const Slave& slave, std::span<const Vec3> facet_normal, 
   }
 }
 
-/// A face that opposes a flat surface by no more than this cosine stands on it: it is a side of the body whose foot
-/// lies there, and opposes the surface by its tilt alone.
-constexpr double side_on_flat = 0.1;
-
 /// Are all facets around the slave of one direction? Then it meets no side of a body that stands there (a node of a
 /// plate, level with a block's foot and a little beside its corner, is not inside of the block's front).
-bool lies_in_flat_surface(const Slave& slave, std::span<const Vec3> facet_normal) {
-  constexpr double alike = 0.9;  // cosine
+bool lies_in_flat_surface(const Slave& slave, std::span<const Vec3> facet_normal, const Tolerances& tolerances) {
   const auto normal = [&](LocalIndex facet) { return facet_normal[static_cast<std::size_t>(facet)]; };
-  return std::ranges::all_of(slave.facets,
-                             [&](LocalIndex facet) { return normal(slave.facets.front()).dot(normal(facet)) > alike; });
+  return std::ranges::all_of(slave.facets, [&](LocalIndex facet) {
+    return normal(slave.facets.front()).dot(normal(facet)) > tolerances.aligned;
+  });
 }
 
 void fill_row(const Encounter& e, const MasterFace& face, LocalIndex slave, Row& row) {
@@ -141,7 +138,7 @@ void list_faces_of_body(const FacesInMotion& scene, const DetectionSettings& set
   const bool held =
       !slave.coincident.empty() &&
       is_held_by_coincident_node(scene, {slave.motion, slave.facets, facet_normal, slave.half_thickness > 0}, near,
-                                 slave.coincident, settings.coincidence);
+                                 slave.coincident, settings.coincidence, *settings.tolerances);
   const std::size_t first = encounters.size();
   bool two_sided = false;
   for (std::size_t i = 0; i < near.size(); ++i) {
@@ -154,7 +151,7 @@ void list_faces_of_body(const FacesInMotion& scene, const DetectionSettings& set
     two_sided = two_sided || face.two_sided;
   }
   if (two_sided)
-    find_sides(scene, settings.encounter, slave.motion, slave.remembered, std::span(encounters).subspan(first));
+    find_sides(scene, *settings.tolerances, slave.motion, slave.remembered, std::span(encounters).subspan(first));
 }
 
 /// The same of all faces near it, body by body.
@@ -176,19 +173,20 @@ std::span<Encounter> meet_faces(const FacesInMotion& scene, const DetectionSetti
                                 std::span<const Vec3> facet_normal, std::span<Encounter> encounters) {
   const auto body_of = [&](const Encounter& e) { return scene.faces[static_cast<std::size_t>(e.face)].body; };
   measure_opposition(slave, facet_normal, encounters);
-  const auto stands = [](const Encounter& e) { return e.opposition > 0 && e.opposition < side_on_flat; };
-  if (std::ranges::any_of(encounters, stands) && lies_in_flat_surface(slave, facet_normal))
+  const Tolerances& tolerances = *settings.tolerances;
+  const auto stands = [&](const Encounter& e) { return e.opposition > 0 && e.opposition < tolerances.side_on_flat; };
+  if (std::ranges::any_of(encounters, stands) && lies_in_flat_surface(slave, facet_normal, tolerances))
     for (Encounter& e : encounters)
       if (stands(e)) e.opposition = 0;
   for (std::size_t first = 0, last = 0; first < encounters.size(); first = last) {
     while (last < encounters.size() && body_of(encounters[last]) == body_of(encounters[first])) ++last;
     const std::span<Encounter> here = encounters.subspan(first, last - first);
-    resolve_rim_projections(scene, settings.encounter, settings.selection.same_direction, here);
-    if (settings.selection.criterion == Criterion::automatic) reject_false_depths(scene, settings.encounter, here);
-    detect_path_hits(scene, settings.encounter, slave.motion, here);
+    resolve_rim_projections(scene, tolerances, here);
+    if (settings.criterion == Criterion::automatic) reject_false_depths(scene, tolerances, here);
+    detect_path_hits(scene, tolerances, slave.motion, here);
     if (seams_count(settings, slave.body, body_of(here.front())))
-      remove_seam_sides(scene, settings.selection.same_direction, {slave.facets, slave.seam_sag, facet_normal}, here);
-    remove_ledge_sides(scene, settings.selection.same_direction, slave.motion, here);
+      remove_seam_sides(scene, tolerances, {slave.facets, slave.seam_sag, facet_normal}, here);
+    remove_ledge_sides(scene, tolerances, slave.motion, here);
   }
   const auto end = std::remove_if(encounters.begin(), encounters.end(),
                                   [](const Encounter& e) { return e.meeting == Meeting::none; });
@@ -219,7 +217,8 @@ void add_rows(const FacesInMotion& scene, const Candidates& candidates, std::siz
   const LocalIndex node = candidates.slave[s];
   const GlobalIndex slave_gid = gid[static_cast<std::size_t>(node)];
   const NodeMotion& motion = scene.motion[static_cast<std::size_t>(node)];
-  const std::size_t kept = select_rows(scene.faces, scene.motion, motion, scene.dt, settings.selection, encounters);
+  const std::size_t kept =
+      select_rows(scene.faces, scene.motion, motion, scene.dt, settings.criterion, *settings.tolerances, encounters);
   for (const Encounter& e : encounters.first(kept)) {
     const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)];
     Row& row = rows.emplace_back();
@@ -246,21 +245,23 @@ double accepted_penetration(std::span<const AcceptedOverlap> accepted, GlobalInd
   return found != accepted.end() && found->slave == slave && found->body == body ? found->penetration : 0;
 }
 
-double recovery_time(const Row& row, double size, double dt, std::span<const double> sound) {
+double recovery_time(const Row& row, double size, double dt, const DetectionSettings& settings) {
+  const std::vector<double>& sound = settings.sound;
   if (sound.empty()) return dt;
   double slower = sound[static_cast<std::size_t>(row.slave_body)];
   if (!row.is_wall()) slower = std::min(slower, sound[static_cast<std::size_t>(row.master_body)]);
-  return std::max(dt, 0.5 * size / slower);
+  return std::max(dt, settings.tolerances->recovery_time * size / slower);
 }
 
 double required_rate(const Row& row, double size, double dt, std::span<const NodeMotion> motion,
                      const DetectionSettings& settings) {
   if (row.gap >= 0) return -row.gap / dt;
-  const double time = recovery_time(row, size, dt, settings.sound);
-  const double recovery = std::min(-settings.recovery * row.gap, settings.recovery_limit * size) / time;
+  const double time = recovery_time(row, size, dt, settings);
+  const Tolerances& tolerances = *settings.tolerances;
+  const double recovery = std::min(-tolerances.recovery * row.gap, tolerances.recovery_limit * size) / time;
   const bool fitted = are_fitted(settings.fitted, row);
   if (!fitted && (settings.recovery_gives || !row.is_edge())) return recovery;
-  if (-row.gap <= (fitted ? settings.touch : settings.drift) * size) return recovery;
+  if (-row.gap <= (fitted ? tolerances.touching : tolerances.drift) * size) return recovery;
   const Vec3 relative = relative_velocity(
       row, [&](LocalIndex node) -> const Vec3& { return motion[static_cast<std::size_t>(node)].old_velocity; });
   return std::clamp(-row.normal.dot(relative), 0.0, recovery);
@@ -270,7 +271,7 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_area, double dt,
                   const DetectionSettings& settings, std::span<const HistoryRecord> remembered,
                   DetectionScratch& scratch, std::vector<Row>& rows) {
-  measure_reach(faces, motion, dt, settings.encounter, scratch.reach);
+  measure_reach(faces, motion, dt, *settings.tolerances, scratch.reach);
   scratch.facet_normal.clear();
   for (const Vec3& area : facet_area) scratch.facet_normal.push_back(area.normalized());
   scratch.sides.clear();
@@ -308,7 +309,7 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
       list_faces(scene, settings, slave, scratch);
       last_of[s - first] = scratch.encounters.size();
     }
-    encounter_all(scene, settings.encounter, scratch.slave_of, scratch.encounters);
+    encounter_all(scene, *settings.tolerances, scratch.slave_of, scratch.encounters);
     for (std::size_t s = first, begin = 0; s < end; begin = last_of[s++ - first]) {
       if (begin == last_of[s - first]) continue;
       const std::span<Encounter> encounters =

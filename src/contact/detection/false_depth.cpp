@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brunt/contact/data/tolerances.hpp"
+
 namespace brunt::contact {
 namespace {
 
@@ -38,8 +40,7 @@ struct Nearest {
   bool outside = false;
 };
 
-Nearest nearest_of(const FacesInMotion& scene, std::span<const Encounter> encounters) {
-  constexpr double same_point = 1e-9;  // of the size
+Nearest nearest_of(const FacesInMotion& scene, const Tolerances& tolerances, std::span<const Encounter> encounters) {
   Nearest nearest;
   for (const Encounter& e : encounters)
     if (!std::isnan(e.height) && (nearest.face == nullptr || distance_to_face(e) < nearest.distance))
@@ -48,7 +49,7 @@ Nearest nearest_of(const FacesInMotion& scene, std::span<const Encounter> encoun
   nearest.opposition = nearest.face->opposition;
   double height = 0;
   for (const Encounter& e : encounters) {
-    if (std::isnan(e.height) || (e.point - nearest.face->point).norm() > same_point * e.size) continue;
+    if (std::isnan(e.height) || (e.point - nearest.face->point).norm() > tolerances.fine_rounding * e.size) continue;
     height += angle_at_point(scene, e) * e.height;
     nearest.opposition = std::max(nearest.opposition, e.opposition);
   }
@@ -57,32 +58,30 @@ Nearest nearest_of(const FacesInMotion& scene, std::span<const Encounter> encoun
 }
 
 /// Would the surface lie far behind the face there, as it does around a convex edge?
-bool lies_behind(const Vec3& point, const Encounter& face) {
-  return (point - face.point).dot(face.normal) < 0.5 * face.height;
+bool lies_behind(const Vec3& point, const Encounter& face, const Tolerances& tolerances) {
+  return (point - face.point).dot(face.normal) < tolerances.half_depth * face.height;
 }
 
 }  // namespace
 
-void reject_false_depths(const FacesInMotion& scene, const EncounterSettings& settings,
-                         std::span<Encounter> encounters) {
-  constexpr double level = 1e-4;  // of the size: nearer to a face than this, a node may be on either side by rounding
+void reject_false_depths(const FacesInMotion& scene, const Tolerances& tolerances, std::span<Encounter> encounters) {
   const auto is_deep = [&](const Encounter& e, double than) {
     return e.meeting == Meeting::inside && !scene.faces[static_cast<std::size_t>(e.face)].two_sided &&
-           -e.height > than + settings.rim * e.size;
+           -e.height > than + tolerances.rim * e.size;
   };
   if (std::ranges::none_of(encounters, [&](const Encounter& e) { return is_deep(e, 0); })) return;
-  const Nearest nearest = nearest_of(scene, encounters);
+  const Nearest nearest = nearest_of(scene, tolerances, encounters);
   if (nearest.face == nullptr) return;
   double most = 0;
   for (const Encounter& e : encounters)
     if (!std::isnan(e.height)) most = std::max(most, e.opposition);
-  const bool opposed = nearest.opposition >= settings.facing * most;
-  const bool clear = nearest.outside && nearest.distance > level * nearest.face->size;
+  const bool opposed = nearest.opposition >= tolerances.least_opposition * most;
+  const bool clear = nearest.outside && nearest.distance > tolerances.in_plane * nearest.face->size;
   if (!opposed && !clear) return;
   const Vec3 point = nearest.face->point;
   const double reached = nearest.outside ? 0 : nearest.distance;
   for (Encounter& e : encounters)
-    if (is_deep(e, reached) && lies_behind(point, e)) e.meeting = Meeting::none;
+    if (is_deep(e, reached) && lies_behind(point, e, tolerances)) e.meeting = Meeting::none;
 }
 
 }  // namespace brunt::contact

@@ -4,12 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/detection/seams.hpp"
 
 namespace brunt::contact {
 namespace {
-
-constexpr double same_side = 0.5;  // cosine between the normal of a path's crossing and the face's, at least
 
 bool crosses_now(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, const Vec3& normal,
                  double size, EdgeMeeting& met) {
@@ -17,8 +16,7 @@ bool crosses_now(const EdgeScene& scene, const ContactEdge& slave, const Contact
   if (!crossing || crossing->past_an_end) return false;
   met = {crossing->s, crossing->t, crossing->gap, crossing->normal};
   if (met.gap > 0) return is_slow(scene, slave, master, size);
-  return -met.gap <=
-         scene.settings.encounter.max_penetration(size, std::min(slave.element_depth, master.element_depth));
+  return -met.gap <= scene.tolerances().max_penetration(size, std::min(slave.element_depth, master.element_depth));
 }
 
 bool crosses_in_step(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, const Vec3& normal,
@@ -26,7 +24,7 @@ bool crosses_in_step(const EdgeScene& scene, const ContactEdge& slave, const Con
   if (is_slow(scene, slave, master, size)) return false;
   const auto hit =
       geometry::edge_crossing({scene.start(slave), scene.end(slave)}, {scene.start(master), scene.end(master)});
-  if (!hit || hit->normal.dot(normal) < same_side) return false;
+  if (!hit || hit->normal.dot(normal) < scene.tolerances().facing) return false;
   const double approach = -normal.dot(relative_displacement(scene, slave, master, hit->s, hit->t));
   met = {hit->s, hit->t, hit->tau * approach, normal};
   return approach > 0;
@@ -36,7 +34,7 @@ bool crosses_in_step(const EdgeScene& scene, const ContactEdge& slave, const Con
 double rim_at(const EdgeScene& scene, const ContactEdge& flat, const ContactEdge& rim, std::size_t end) {
   const double length = scene.length(flat);
   const bool seam = flat.end_on_seam[end] != 0 && seams_count(scene.settings, rim.body, flat.body);
-  return seam ? seam_sag_limit * extent(length, flat.element_depth) / length : scene.settings.encounter.rim;
+  return seam ? scene.tolerances().seam_sag * extent(length, flat.element_depth) / length : scene.tolerances().rim;
 }
 
 }  // namespace
@@ -46,7 +44,7 @@ bool rim_crosses_flat(const EdgeScene& scene, const ContactEdge& slave, const Co
   const ContactEdge &flat = slave.flat ? slave : master, &rim = slave.flat ? master : slave;
   if (scene.start(slave).along().cross(scene.start(master).along()).norm() < scene.full) return false;
   const Vec3 out = scene.outward(flat).normalized(), normal = slave.flat ? Vec3(-out) : out;
-  if (!between_normals(scene, rim, -out, warp)) return false;
+  if (!between_normals(scene, rim, -out, scene.tolerances().warp)) return false;
   if (!crosses_now(scene, slave, master, normal, size, met) &&
       !crosses_in_step(scene, slave, master, normal, size, met))
     return false;

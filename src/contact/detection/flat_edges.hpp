@@ -7,10 +7,6 @@
 
 namespace brunt::contact {
 
-/// Rims hang over flat edges by so much of the shorter edge: on flat surfaces rows of nodes hold all, and those of rims
-/// are left open. (A row that is there only when a rim has sunk in lets go of it for a step where it has come out.)
-constexpr double rim_sag = 1e-3;
-
 /// Do a rim and an edge that lies within a face of the other body touch, or will within the step? Along the normal of
 /// that face. One of the two is flat. Where the flat edge ends at a rim of its own, rims meet. met: where, if so.
 bool rim_crosses_flat(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, double size,

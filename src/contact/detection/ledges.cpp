@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brunt/contact/data/tolerances.hpp"
+
 namespace brunt::contact {
 namespace {
 
@@ -22,24 +24,27 @@ Vec3 last_displacement(const FacesInMotion& scene, const NodeMotion& slave, cons
 }
 
 /// Is the place where the node meets `side` below the edge of `top` by no more than a ledge?
-bool meets_ledge_side(const FacesInMotion& scene, double same_direction, const Encounter& side, const Encounter& top) {
-  const double height = ledge * std::min(side.size, top.size);
-  if (!(top.height <= 0) || -top.height > height || top.opposition < 0.5 * side.opposition) return false;
-  if (contact::same_direction(side.normal, top.normal, same_direction)) return false;  // as nearly all are
+bool meets_ledge_side(const FacesInMotion& scene, const Tolerances& tolerances, const Encounter& side,
+                      const Encounter& top) {
+  const double height = tolerances.ledge * std::min(side.size, top.size);
+  if (!(top.height <= 0) || -top.height > height || top.opposition < tolerances.competing_opposition * side.opposition)
+    return false;
+  if (contact::same_direction(side.normal, top.normal, tolerances.same_direction)) return false;  // as nearly all are
   return (top.point - side.point).dot(top.normal) <= 2 * height &&
-         shared_nodes(face_of(scene, side), face_of(scene, top)) >= 2 && !concave(scene.faces, scene.motion, side, top);
+         shared_nodes(face_of(scene, side), face_of(scene, top)) >= 2 &&
+         !concave(scene.faces, scene.motion, side, top, tolerances);
 }
 
 }  // namespace
 
-void remove_ledge_sides(const FacesInMotion& scene, double same_direction, const NodeMotion& slave,
+void remove_ledge_sides(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
                         std::span<Encounter> encounters) {
-  if (one_direction(encounters, same_direction)) return;  // nearly always
+  if (one_direction(encounters, tolerances.same_direction)) return;  // nearly always
   for (Encounter& side : encounters) {
     if (side.meeting == Meeting::none) continue;
     const auto is_below = [&](const Encounter& top) {
-      return &top != &side && meets_ledge_side(scene, same_direction, side, top) &&
-             slides_into(last_displacement(scene, slave, side), side.normal, top.normal, side.size);
+      return &top != &side && meets_ledge_side(scene, tolerances, side, top) &&
+             slides_into(last_displacement(scene, slave, side), side.normal, top.normal, side.size, tolerances);
     };
     if (std::ranges::any_of(encounters, is_below)) side.meeting = Meeting::none;
   }

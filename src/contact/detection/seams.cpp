@@ -3,13 +3,11 @@
 
 #include <Eigen/Geometry>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "edge_scene.hpp"
 
 namespace brunt::contact {
 namespace {
-
-constexpr double squarely = 0.5;   // cosine: faces that lie on each other
-constexpr double straight = 0.94;  // cosine of 20 degrees: directions that are one
 
 const MasterFace& face_of(const FacesInMotion& scene, const Encounter& e) {
   return scene.faces[static_cast<std::size_t>(e.face)];
@@ -17,7 +15,8 @@ const MasterFace& face_of(const FacesInMotion& scene, const Encounter& e) {
 
 /// Does another face go on from `top` beyond an edge that `side` ends in? The one that has the node may be the next one
 /// along the seam: then they have a corner alone in common.
-bool continues_beyond(const FacesInMotion& scene, const Encounter& top, const Encounter& side) {
+bool continues_beyond(const FacesInMotion& scene, const Tolerances& tolerances, const Encounter& top,
+                      const Encounter& side) {
   const MasterFace &above = face_of(scene, top), &below = face_of(scene, side);
   const auto count = static_cast<std::size_t>(above.corner_count);
   const std::span<const LocalIndex> corners(below.nodes.data(), static_cast<std::size_t>(below.corner_count));
@@ -26,38 +25,40 @@ bool continues_beyond(const FacesInMotion& scene, const Encounter& top, const En
   for (std::size_t i = 0; i < count; ++i) {
     const LocalIndex from = above.nodes[i], to = above.nodes[(i + 1) % count];
     if ((above.seams >> i & 1U) == 0 || !(is_corner(from) || is_corner(to))) continue;
-    if ((place(to) - place(from)).cross(top.normal).normalized().dot(side.normal) > squarely) return true;
+    if ((place(to) - place(from)).cross(top.normal).normalized().dot(side.normal) > tolerances.facing) return true;
   }
   return false;
 }
 
 /// Sag of a seam of the slave's own whose face lies on the one with this normal [length]; 0: none.
-double own_sag(const OwnFacets& own, const Vec3& normal) {
+double own_sag(const OwnFacets& own, const Vec3& normal, const Tolerances& tolerances) {
   double sag = 0;
   for (std::size_t i = 0; i < own.seam_sag.size(); ++i)
-    if (own.facet_normal[static_cast<std::size_t>(own.facets[i])].dot(normal) < -squarely)
+    if (own.facet_normal[static_cast<std::size_t>(own.facets[i])].dot(normal) < -tolerances.facing)
       sag = std::max(sag, own.seam_sag[i]);
   return sag;
 }
 
-bool is_side_of_seam(const FacesInMotion& scene, double same_direction, const OwnFacets& own, const Encounter& side,
-                     const Encounter& top) {
+bool is_side_of_seam(const FacesInMotion& scene, const Tolerances& tolerances, const OwnFacets& own,
+                     const Encounter& side, const Encounter& top) {
   const MasterFace &above = face_of(scene, top), &below = face_of(scene, side);
-  double sag = own_sag(own, top.normal);
-  if (continues_beyond(scene, top, side)) sag = std::max(sag, seam_sag_limit * extent(top.size, above.element_depth));
-  if (sag == 0 || !(std::abs(top.height) <= sag) || top.opposition < 0.5 * side.opposition) return false;
-  return !contact::same_direction(side.normal, top.normal, same_direction) && shared_nodes(below, above) >= 1 &&
-         !concave(scene.faces, scene.motion, side, top);
+  double sag = own_sag(own, top.normal, tolerances);
+  if (continues_beyond(scene, tolerances, top, side))
+    sag = std::max(sag, tolerances.seam_sag * extent(top.size, above.element_depth));
+  if (sag == 0 || !(std::abs(top.height) <= sag) || top.opposition < tolerances.competing_opposition * side.opposition)
+    return false;
+  return !contact::same_direction(side.normal, top.normal, tolerances.same_direction) &&
+         shared_nodes(below, above) >= 1 && !concave(scene.faces, scene.motion, side, top, tolerances);
 }
 
 /// out: the meeting's normal, out of the seam's edge.
 bool is_at_side(const EdgeScene& scene, const ContactEdge& seam, const ContactEdge& other, const Vec3& point,
                 const Vec3& out) {
-  const double sag = seam_sag_limit * extent(scene.length(seam), seam.element_depth);
+  const double sag = scene.tolerances().seam_sag * extent(scene.length(seam), seam.element_depth);
   for (std::size_t k = 0; k < 2; ++k) {
     if (!seam.seam[k]) continue;
     const Vec3 top = scene.normal(seam, k);
-    if (out.dot(top) > straight) return false;
+    if (out.dot(top) > scene.tolerances().coplanar) return false;
     const auto reaches_below = [&](LocalIndex node) { return (scene.at(node).position - point).dot(top) < -sag; };
     if (std::ranges::none_of(other.nodes, reaches_below)) return true;
   }
@@ -66,13 +67,13 @@ bool is_at_side(const EdgeScene& scene, const ContactEdge& seam, const ContactEd
 
 }  // namespace
 
-void remove_seam_sides(const FacesInMotion& scene, double same_direction, const OwnFacets& own,
+void remove_seam_sides(const FacesInMotion& scene, const Tolerances& tolerances, const OwnFacets& own,
                        std::span<Encounter> encounters) {
-  if (one_direction(encounters, same_direction)) return;  // nearly always
+  if (one_direction(encounters, tolerances.same_direction)) return;  // nearly always
   for (Encounter& side : encounters) {
     if (side.meeting == Meeting::none) continue;
     const auto is_side = [&](const Encounter& top) {
-      return &top != &side && is_side_of_seam(scene, same_direction, own, side, top);
+      return &top != &side && is_side_of_seam(scene, tolerances, own, side, top);
     };
     if (std::ranges::any_of(encounters, is_side)) side.meeting = Meeting::none;
   }

@@ -5,42 +5,45 @@
 #include <cmath>
 #include <utility>
 
+#include "brunt/contact/data/tolerances.hpp"
+
 namespace brunt::contact {
 namespace {
-
-constexpr double sideways = 1e-6;  // what is left of surfaces at right angles after rounding opposes nothing
 
 struct Selection {
   std::span<const MasterFace> faces;
   std::span<const NodeMotion> motion;
   const NodeMotion& slave;
   double dt;
-  const SelectionSettings& settings;
+  Criterion criterion;
+  const Tolerances& tolerances;
   bool smooth = false;  ///< all normals are surely alike
 
   [[nodiscard]] const MasterFace& face(const Encounter& e) const { return faces[static_cast<std::size_t>(e.face)]; }
   [[nodiscard]] bool same_body(const Encounter& a, const Encounter& b) const { return face(a).body == face(b).body; }
   [[nodiscard]] bool same_direction(const Encounter& a, const Encounter& b) const {
-    return smooth || contact::same_direction(a.normal, b.normal, settings.same_direction);
+    return smooth || contact::same_direction(a.normal, b.normal, tolerances.same_direction);
   }
   [[nodiscard]] bool concave(const Encounter& a, const Encounter& b) const {
-    return contact::concave(faces, motion, a, b);
+    return contact::concave(faces, motion, a, b, tolerances);
   }
 };
 
 /// Those to keep come first; returns how many. In a valley both slopes are met, also the one that a slave's surface
 /// opposes but little; around a convex edge that one is a side along which bodies lie flush.
 std::size_t remove_unopposed(const Selection& selection, std::span<Encounter> encounters) {
-  constexpr double slope = 0.1;
+  const Tolerances& tolerances = selection.tolerances;
   const auto less = [](const Encounter& a, const Encounter& b) {
     return (a.meeting == Meeting::none ? -1 : a.opposition) < (b.meeting == Meeting::none ? -1 : b.opposition);
   };
   const auto found = std::ranges::max_element(encounters, less);
-  if (found == encounters.end() || found->meeting == Meeting::none || found->opposition <= sideways) return 0;
+  if (found == encounters.end() || found->meeting == Meeting::none || found->opposition <= tolerances.rounding)
+    return 0;                     // what rounding leaves of surfaces at right angles opposes nothing
   const Encounter best = *found;  // a copy: the others are moved
   const auto end = std::remove_if(encounters.begin(), encounters.end(), [&](const Encounter& e) {
-    if (e.meeting == Meeting::none || e.opposition < slope * best.opposition) return true;
-    return e.opposition < 0.5 * best.opposition && !(selection.same_body(e, best) && selection.concave(e, best));
+    if (e.meeting == Meeting::none || e.opposition < tolerances.least_opposition * best.opposition) return true;
+    return e.opposition < tolerances.competing_opposition * best.opposition &&
+           !(selection.same_body(e, best) && selection.concave(e, best));
   });
   return static_cast<std::size_t>(end - encounters.begin());
 }
@@ -57,7 +60,8 @@ bool lies_on_neighbour(const Selection& selection, std::span<const Encounter> en
   return std::ranges::any_of(encounters, [&](const Encounter& other) {
     if (other.region != geometry::Region::face || !selection.same_body(other, e)) return false;
     const double apart = (other.point - e.point).norm();
-    return apart <= selection.settings.same_place * std::min(e.size, other.size) && selection.same_direction(other, e);
+    return apart <= selection.tolerances.same_place * std::min(e.size, other.size) &&
+           selection.same_direction(other, e);
   });
 }
 
@@ -65,7 +69,7 @@ bool lies_on_neighbour(const Selection& selection, std::span<const Encounter> en
 class Ranking {
  public:
   Ranking(const Selection& selection, std::span<Encounter> encounters)
-      : selection_(selection), criterion_(selection.settings.criterion) {
+      : selection_(selection), criterion_(selection.criterion) {
     for (Encounter& e : encounters)
       e.order =
           criterion_ == Criterion::strength ? -std::abs(e.gap) * e.opposition : (by_time(e) ? e.time : gap_distance(e));
@@ -111,12 +115,11 @@ void turn(const Selection& selection, const Vec3& normal, Encounter& e) {
 /// at all of them.
 double share_at_convex_edge(const Selection& selection, const Encounter& e, const Encounter& best) {
   if (e.meeting != Meeting::inside) return 1;
-  constexpr double level = 0.1;      // of the zone: so near each other they are equally deep
-  constexpr double rounding = 1e-3;  // of same_place: what a step leaves at the surface
-  const double place = selection.settings.same_place * std::min(e.size, best.size);
-  const double zone = std::min(place, rounding * place + 4 * std::abs(best.gap));
+  const Tolerances& tolerances = selection.tolerances;
+  const double place = selection.tolerances.same_place * std::min(e.size, best.size);
+  const double zone = std::min(place, tolerances.surface_depth * place + 4 * std::abs(best.gap));
   const double deeper = (std::abs(e.gap) - std::abs(best.gap)) / zone;
-  return std::clamp((1 - std::abs(deeper)) / (1 - level), 0.0, 1.0);
+  return std::clamp((1 - std::abs(deeper)) / (1 - tolerances.equal_depth), 0.0, 1.0);
 }
 
 /// Faces that are met in one place by one node push along their mean normal, where they meet in a convex edge or
@@ -128,7 +131,7 @@ void merge_corner(const Selection& selection, std::span<Encounter> encounters) {
   Vec3 sum = best.normal;
   for (const Encounter& e : encounters.subspan(1)) {
     if (!selection.same_body(e, best)) continue;
-    const double place = selection.settings.same_place * std::min(e.size, best.size);
+    const double place = selection.tolerances.same_place * std::min(e.size, best.size);
     const double apart2 = (e.point - best.point).squaredNorm();
     if (apart2 > place * place) continue;
     if (selection.same_direction(e, best))
@@ -137,7 +140,8 @@ void merge_corner(const Selection& selection, std::span<Encounter> encounters) {
       sum += share_at_convex_edge(selection, e, best) * e.normal;
   }
   const double length = sum.norm();
-  if (length > 0.1) turn(selection, sum / length, best);  // else they face each other: a blade without thickness
+  if (length > selection.tolerances.least_normal)
+    turn(selection, sum / length, best);  // else they face each other: a blade without thickness
 }
 
 /// A row of its own beside those kept?
@@ -150,11 +154,11 @@ bool asks_for_a_row(const Selection& selection, std::span<const Encounter> kept,
 }  // namespace
 
 std::size_t select_rows(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const NodeMotion& slave,
-                        double dt, const SelectionSettings& settings, std::span<Encounter> encounters) {
-  Selection selection{faces, motion, slave, dt, settings};
+                        double dt, Criterion criterion, const Tolerances& tolerances, std::span<Encounter> encounters) {
+  Selection selection{faces, motion, slave, dt, criterion, tolerances};
   encounters = encounters.first(remove_unopposed(selection, encounters));
   if (encounters.size() < 2) return encounters.size();
-  selection.smooth = one_direction(encounters, settings.same_direction);
+  selection.smooth = one_direction(encounters, tolerances.same_direction);
   for (Encounter& e : encounters)
     if (lies_on_neighbour(selection, encounters, e)) e.meeting = Meeting::above;
   const Ranking before(selection, encounters);

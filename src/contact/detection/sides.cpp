@@ -40,9 +40,9 @@ double side_across_an_edge(const FacesInMotion& scene, std::span<const HistoryRe
 
 /// The side that the node is on. Beside the face the plane does not decide (behind a convex edge lies the outside):
 /// there it is a path through the face that counts.
-double side_at_first_sight(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+double side_at_first_sight(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
                            const Encounter& e) {
-  Encounter up = encounter(scene, settings, slave, e.face, {1, e.approach.clearance});
+  Encounter up = encounter(scene, tolerances, slave, e.face, {1, e.approach.clearance});
   const double over_middle = up.height + e.approach.clearance;
   if (up.region == geometry::Region::face && over_middle != 0) return over_middle > 0 ? 1 : -1;
   Encounter down = up;
@@ -58,14 +58,14 @@ double side_at_first_sight(const FacesInMotion& scene, const EncounterSettings& 
 
 }  // namespace
 
-void find_sides(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+void find_sides(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
                 std::span<const HistoryRecord> remembered, std::span<Encounter> encounters) {
   for (Encounter& e : encounters) {
     const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)];
     if (!face.two_sided) continue;
     double side = remembered_side(remembered, face.key);
     if (side == unknown) side = side_across_an_edge(scene, remembered, encounters, face);
-    if (side == unknown) side = side_at_first_sight(scene, settings, slave, e);
+    if (side == unknown) side = side_at_first_sight(scene, tolerances, slave, e);
     e.approach.side = side;
   }
 }

@@ -2,6 +2,7 @@
 // The one classifier of encounters: how a node stands to the closest point of a face, of one pair or of a pack of
 // them, and what meeting that is.
 #pragma once
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/detection/encounter.hpp"
 #include "brunt/geometry/vec_of.hpp"
 
@@ -26,18 +27,17 @@ BRUNT_INLINE Standing<T> stand(const geometry::VecOf<T>& node, const geometry::V
 
 /// Fills height, gap, beside, slow and meeting of an encounter with known region, size and clearance; element_depth: of
 /// the face.
-inline void classify(const Standing<double>& at, const EncounterSettings& settings, double element_depth,
-                     Encounter& met) {
+inline void classify(const Standing<double>& at, const Tolerances& tolerances, double element_depth, Encounter& met) {
   met.height = met.gap = at.over_middle - met.approach.clearance;
   met.beside = at.beside;
   if (met.height <= 0) {
-    const double deepest = settings.max_penetration(met.size, element_depth);
+    const double deepest = tolerances.max_penetration(met.size, element_depth);
     if (-at.over_middle <= deepest && met.beside <= deepest) met.meeting = Meeting::inside;
     return;
   }
   const bool over = met.region == geometry::Region::face;
-  if (over || met.beside <= settings.rim * met.size) met.meeting = Meeting::above;
-  met.slow = at.moved <= settings.slow * met.size;
+  if (over || met.beside <= tolerances.rim * met.size) met.meeting = Meeting::above;
+  met.slow = at.moved <= tolerances.slow * met.size;
 }
 
 }  // namespace brunt::contact

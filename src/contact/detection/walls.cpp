@@ -2,6 +2,7 @@
 // Node against rigid wall, and the order of rows.
 #include <algorithm>
 
+#include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/detection/detection.hpp"
 
 namespace brunt::contact {
@@ -16,10 +17,10 @@ void detect_walls(std::span<const WallCandidate> candidates, std::span<const Wal
     const double wall_rate = wall.velocity.dot(wall.normal);
     const double next_gap = gap + dt * (node.predicted.dot(wall.normal) - wall_rate);
     const bool held = wall.bilateral && candidate.held;
-    if (!held && std::min(gap, next_gap) > settings.encounter.capture * settings.wall_size) continue;
+    if (!held && std::min(gap, next_gap) > settings.tolerances->capture * settings.wall_size) continue;
     const bool closed = held || gap < 0;
-    const double limit = settings.recovery_limit * settings.wall_size;
-    const double recovery = std::clamp(-settings.recovery * gap, -limit, limit);
+    const double limit = settings.tolerances->recovery_limit * settings.wall_size;
+    const double recovery = std::clamp(-settings.tolerances->recovery * gap, -limit, limit);
     Row row{.key = {.kind = RowKind::wall,
                     .slave = gid[static_cast<std::size_t>(candidate.node)],
                     .master = candidate.wall}};
@@ -29,8 +30,7 @@ void detect_walls(std::span<const WallCandidate> candidates, std::span<const Wal
     row.slave_body = candidate.body;
     row.normal = wall.normal;
     row.gap = gap;
-    row.required =
-        wall_rate + (closed ? recovery / recovery_time(row, settings.wall_size, dt, settings.sound) : -gap / dt);
+    row.required = wall_rate + (closed ? recovery / recovery_time(row, settings.wall_size, dt, settings) : -gap / dt);
     row.cone = held ? Cone::free : Cone::compression;
     rows.push_back(row);
   }

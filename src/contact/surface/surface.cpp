@@ -5,25 +5,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brunt/contact/data/tolerances.hpp"
+
 namespace brunt::contact {
 
-bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t b) {
+bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t b, const Tolerances& tolerances) {
   const BodyFigures &one = bodies[static_cast<std::size_t>(a)], &other = bodies[static_cast<std::size_t>(b)];
-  constexpr double alike = 0.01;
-  const auto differ = [](double x, double y) {
-    return std::isinf(x) != std::isinf(y) || std::abs(x - y) > alike * std::max(x, y);
+  const auto differ = [&](double x, double y) {
+    return std::isinf(x) != std::isinf(y) || std::abs(x - y) > tolerances.equal_figures * std::max(x, y);
   };
   if (differ(one.mean_area, other.mean_area)) return one.mean_area < other.mean_area;
   if (differ(one.mean_mass, other.mean_mass)) return one.mean_mass < other.mean_mass;
   return a < b;
 }
 
-bool have_similar_meshes(const BodyFigures& one, const BodyFigures& other) {
+bool have_similar_meshes(const BodyFigures& one, const BodyFigures& other, const Tolerances& tolerances) {
   if (std::isinf(one.mean_mass) || std::isinf(other.mean_mass)) return false;
-  // ratio at most. A matter of cost alone: two passes hold meshes of any ratio, but one pass errs less the more they
-  // differ (cases/patch_test: by 14 % at 2 on 3, 4 % at 4 on 7). In cases/stack, 2 on 3, both ways are as deep (6e-6 of
-  // a side) and as still; two passes take 3.0 iterations a step for 1.6, and 1.4 times the time.
-  constexpr double edges = 1.4;
+  const double edges = tolerances.similar_edges;
   const auto near = [](double x, double y, double ratio) { return x <= ratio * y && y <= ratio * x; };
   return near(one.mean_area, other.mean_area, edges * edges) &&
          near(one.mean_mass, other.mean_mass, edges * edges * edges);
@@ -38,8 +36,9 @@ bool in_two_passes(const Specification& specification, std::span<const BodyFigur
   if (pair.passes != Passes::automatic) return pair.passes != Passes::one;
   if (node.on_rim && node.body != other_body && holds_rims(specification)) return true;
   return pair.rule == PairRule::automatic &&
-         (node.body == other_body || have_similar_meshes(bodies[static_cast<std::size_t>(node.body)],
-                                                         bodies[static_cast<std::size_t>(other_body)]));
+         (node.body == other_body ||
+          have_similar_meshes(bodies[static_cast<std::size_t>(node.body)], bodies[static_cast<std::size_t>(other_body)],
+                              *specification.tolerances));
 }
 
 bool bodies_in_two_passes(const Specification& specification, std::span<const BodyFigures> bodies, std::int32_t a,
@@ -73,7 +72,7 @@ Roles roles_of(std::span<const BodyFigures> bodies, const Specification& specifi
       const auto i = static_cast<std::size_t>(a);
       if (roles.slave[i] != 0 && roles.master[i] != 0) break;
       if (a == b && may_meet_itself(bodies[i], specification)) roles.slave[i] = roles.master[i] = 1;
-      if (a != b) (is_slave(bodies, a, b) ? roles.slave : roles.master)[i] = 1;
+      if (a != b) (is_slave(bodies, a, b, *specification.tolerances) ? roles.slave : roles.master)[i] = 1;
       if (a != b && bodies_in_two_passes(specification, bodies, a, b, false)) roles.slave[i] = roles.master[i] = 1;
       if (a != b && bodies_in_two_passes(specification, bodies, a, b, true)) roles.slave_rims[i] = roles.master[i] = 1;
     }
@@ -100,7 +99,8 @@ bool is_primary_slave(const Specification& specification, std::span<const BodyFi
                       std::int32_t face_block, std::int32_t face_body) {
   return std::ranges::any_of(node.blocks, [&](std::int32_t block) {
     const PairRule rule = specification.pairs.at(block, face_block).rule;
-    if (rule == PairRule::automatic) return node.body == face_body || is_slave(bodies, node.body, face_body);
+    if (rule == PairRule::automatic)
+      return node.body == face_body || is_slave(bodies, node.body, face_body, *specification.tolerances);
     return rule == PairRule::slave;
   });
 }

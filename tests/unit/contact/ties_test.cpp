@@ -8,6 +8,8 @@
 #include <limits>
 #include <numeric>
 
+#include "brunt/contact/data/tolerances.hpp"
+
 using namespace brunt;
 using contact::Row;
 using contact::Tie;
@@ -38,7 +40,7 @@ struct TwoSquares {
   }
   [[nodiscard]] std::vector<Tie> ties() const {
     return find_ties(
-        candidates, faces, gid, motion, {}, {}, [](LocalIndex, LocalIndex) { return true; },
+        candidates, faces, gid, motion, {}, contact::standard_tolerances, [](LocalIndex, LocalIndex) { return true; },
         [](LocalIndex, LocalIndex) {});
   }
   /// The rows of these ties; their levers live as long as this.
@@ -91,7 +93,7 @@ TEST_CASE("each node near a face is tied once: to the nearest, of equals to the 
 TEST_CASE("only pairs that may be tied are") {
   const TwoSquares squares({{0.2, 0.5, 0}, {1.4, 0.5, 0}});
   const std::vector<Tie> ties = find_ties(
-      squares.candidates, squares.faces, squares.gid, squares.motion, {}, {},
+      squares.candidates, squares.faces, squares.gid, squares.motion, {}, contact::standard_tolerances,
       [](LocalIndex slave, LocalIndex face) { return slave == 7 || face == 0; }, [](LocalIndex, LocalIndex) {});
   REQUIRE(ties.size() == 1);
   CHECK(ties[0].slave == 107);
@@ -199,7 +201,7 @@ TEST_CASE("the edge of a wedge looks where its two faces look together") {
   squares.candidates.slave_facets.values = {0, 1, 0, 2};
   squares.candidates.slave_facets.offsets = {0, 2, 4};
   const std::vector<Tie> ties = find_ties(
-      squares.candidates, squares.faces, squares.gid, squares.motion, facet_area, {},
+      squares.candidates, squares.faces, squares.gid, squares.motion, facet_area, contact::standard_tolerances,
       [](LocalIndex, LocalIndex) { return true; }, [](LocalIndex, LocalIndex) {});
   REQUIRE(ties.size() == 1);
   CHECK(ties[0].slave == 106);
@@ -215,7 +217,7 @@ TEST_CASE("nodes beside the master, and nodes whose faces do not look at it, are
   }
   std::vector<LocalIndex> beside;
   const std::vector<Tie> ties = find_ties(
-      squares.candidates, squares.faces, squares.gid, squares.motion, facet_area, {},
+      squares.candidates, squares.faces, squares.gid, squares.motion, facet_area, contact::standard_tolerances,
       [](LocalIndex, LocalIndex) { return true; }, [&](LocalIndex slave, LocalIndex) { beside.push_back(slave); });
   REQUIRE(ties.size() == 1);
   CHECK(ties[0].slave == 106);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "brunt/contact/data/constraint.hpp"
+#include "brunt/contact/data/standard_tolerances.hpp"
 #include "brunt/core/record_table.hpp"
 
 namespace brunt::contact {
@@ -74,7 +75,7 @@ const AnchorRecord* find_anchor(std::span<const AnchorRecord> anchors, const Anc
 /// the row that it has no more, if that points along the new normal: nodes that rest on an edge between faces change
 /// sides at every breath. Zero for rows that did not act. Rows in order.
 void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt,
-                    std::span<Vec3> impulses);
+                    std::span<Vec3> impulses, const Tolerances& tolerances = standard_tolerances);
 
 /// The records of a step of length dt: of rows that acted, and of the sides seen (in order of their keys). Allocates
 /// nothing where `records` has room for all rows and sides.

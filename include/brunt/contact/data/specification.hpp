@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brunt/contact/data/options.hpp"
+#include "brunt/contact/data/standard_tolerances.hpp"
 
 namespace brunt::contact {
 
@@ -56,6 +57,7 @@ struct Specification {
   EnforcementSettings enforcement{};  ///< of walls too
   Criterion criterion = Criterion::automatic;
   Rebuild rebuild{};
+  const Tolerances* tolerances = &standard_tolerances;  ///< no scene sets them
 };
 
 /// In one pass that was chosen automatically, are nodes of the master on rims held as well?

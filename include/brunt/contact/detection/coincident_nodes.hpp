@@ -28,6 +28,7 @@ struct CoincidentCandidate {
 /// node there: that node meets one side of the corner, and its row would leave the corner to fall along that side into
 /// the dent. possible: all nodes that may be so near.
 bool is_held_by_coincident_node(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-                                std::span<const CoincidentCandidate> possible, double distance);
+                                std::span<const CoincidentCandidate> possible, double distance,
+                                const Tolerances& tolerances);
 
 }  // namespace brunt::contact

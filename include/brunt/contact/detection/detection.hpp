@@ -60,14 +60,10 @@ struct AcceptedOverlap {
 };
 
 struct DetectionSettings {
-  EncounterSettings encounter;
-  SelectionSettings selection;
-  double recovery = 0.05;        ///< share of a penetration that a step may recover
-  double recovery_limit = 1e-3;  ///< the same limited to this share of the longest edge
+  const Tolerances* tolerances = &standard_tolerances;
+  Criterion criterion = Criterion::automatic;
   bool recovery_gives = true;   ///< recovery may do work on the bodies at any depth: where overlaps of the start are to
-                                ///< part. Else edges deeper than `drift` do not (see required_rate)
-  double drift = 3e-5;          ///< depth that a step may leave by itself, as a share of the longest edge
-  double touch = 1e-4;          ///< of fitted bodies, in place of drift: at the start deeper nodes overlap
+                                ///< part. Else edges deeper than Tolerances::drift do not (see required_rate)
   double coincidence = 0;       ///< nodes of two bodies this near each other are coincident [length]
   double wall_size = 0;         ///< [length] stands for the longest edge where the master is a wall
   std::vector<double> sound{};  ///< speed of sound of each body [velocity]; empty: recovery is as fast as steps are
@@ -106,8 +102,8 @@ double accepted_penetration(std::span<const AcceptedOverlap> accepted, GlobalInd
 
 /// The time that stands for the step where a penetration is recovered [time]: the step, or if that is longer half the
 /// time that sound takes along `size` [length] in the slower of the two bodies, which is about the stable step of a
-/// cube of that size by itself. sound: of each body [velocity], or empty.
-double recovery_time(const Row& row, double size, double dt, std::span<const double> sound);
+/// cube of that size by itself.
+double recovery_time(const Row& row, double size, double dt, const DetectionSettings& settings);
 
 /// Least rate that the row's gap asks for [velocity]: it may close within the step; a penetration is recovered, a
 /// limited share of it a step. Under load recovery does work on the bodies. Where they drifted in, that is little.

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "brunt/contact/data/constraint.hpp"
+#include "brunt/contact/data/standard_tolerances.hpp"
 #include "brunt/geometry/box.hpp"
 #include "brunt/geometry/closest_point.hpp"
 
@@ -69,28 +70,6 @@ struct Encounter {
   std::array<double, 4> weights{};  ///< of the face's corners there
 };
 
-struct EncounterSettings {
-  double capture = 0.25;       ///< a node farther than this share of the longest edge from a face's swept box, or
-                               ///< deeper than this below it, has nothing to do with the face
-  double element_share = 0.5;  ///< nor has one farther or deeper than this share of the face's depth: behind flat
-                               ///< elements lie other bodies that touch the far side, and what a step's impulses move
-                               ///< goes with the thickness of elements, not with their length
-  double rim = 0.02;           ///< a node that projects beside a face by up to this share of the longest edge may
-                               ///< still meet it: rims of equal bodies that slide and bulge
-  double facing = 0.1;         ///< a face opposed by less than this share of the best is not hit
-  double slow = 0.05;          ///< a node above a face that moves against it by less than this share of the longest
-                               ///< edge within the step is judged by its closest point alone
-
-  /// How far behind a face a node is in contact with it. size: the face's longest edge; element_depth: see MasterFace.
-  [[nodiscard]] double max_penetration(double size, double element_depth) const {
-    return std::min(capture * size, element_share * element_depth);
-  }
-  /// What is farther from the swept box of a face (or edge) is not looked at; grows with the size.
-  [[nodiscard]] double reach(double size, double element_depth) const {
-    return std::max(rim * size, max_penetration(size, element_depth));
-  }
-};
-
 /// The faces and nodes that detection looks at.
 struct FacesInMotion {
   std::span<const MasterFace> faces;
@@ -102,13 +81,13 @@ struct FacesInMotion {
 /// The closest point at the start of the step; `opposition` is left to the caller. A node that neither touches nor is
 /// above the face has Meeting::none, with region and height filled all the same (NaN where the face has no area): they
 /// decide whether a node behind a neighbour is inside.
-Encounter encounter(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
-                    LocalIndex face, const Approach& approach = {});
+Encounter encounter(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave, LocalIndex face,
+                    const Approach& approach = {});
 
 /// The same for many pairs, a pack at a time, of slave[k] with met[k], whose face and approach are set. What comes of a
 /// pair does not depend on the others.
-void encounter_all(const FacesInMotion& scene, const EncounterSettings& settings,
-                   std::span<const NodeMotion* const> slave, std::span<Encounter> met);
+void encounter_all(const FacesInMotion& scene, const Tolerances& tolerances, std::span<const NodeMotion* const> slave,
+                   std::span<Encounter> met);
 
 /// How many corners two faces have in common.
 std::ptrdiff_t shared_nodes(const MasterFace& one, const MasterFace& other);
@@ -131,7 +110,7 @@ bool one_direction(std::span<const Encounter> encounters, double degrees);
 
 /// Is each of two faces of one body in front of the other, as on the slopes of a valley or a pit?
 bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const Encounter& a,
-             const Encounter& b);
+             const Encounter& b, const Tolerances& tolerances);
 
 /// A node that projects a little beside a face (by `rim`) still meets it, unless a neighbour that its surface opposes
 /// as well, and whose normal differs by more than `same_direction` degrees, has it in front (around a convex edge: in
@@ -139,14 +118,13 @@ bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> moti
 /// it only where all faces of the body that share that edge or corner have it behind them, over them or nearest there
 /// too (the bottom of a groove: a node beyond the end of a bore is beside its facets). The others become Meeting::none.
 /// encounters: of one slave with the faces of one body, with their opposition.
-void resolve_rim_projections(const FacesInMotion& scene, const EncounterSettings& settings, double same_direction,
-                             std::span<Encounter> encounters);
+void resolve_rim_projections(const FacesInMotion& scene, const Tolerances& tolerances, std::span<Encounter> encounters);
 
 /// Looks along the path of a node that is outside of faces: those that it passes through become Meeting::hit. Nodes
 /// that move slowly above a face are left to their closest point, and faces that the slave's surface opposes by less
-/// than `facing` of the best are passed over (sides of flush bodies, along which nodes slide). encounters: of one slave
-/// with the faces of one body, after resolve_rim_projections.
-void detect_path_hits(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+/// than `least_opposition` of the best are passed over (sides of flush bodies, along which nodes slide). encounters: of
+/// one slave with the faces of one body, after resolve_rim_projections.
+void detect_path_hits(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
                       std::span<Encounter> encounters);
 
 }  // namespace brunt::contact

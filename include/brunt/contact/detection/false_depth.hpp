@@ -12,10 +12,9 @@ namespace brunt::contact {
 /// the distance to a closed surface is that of its nearest point (the normals of faces that share it are added,
 /// weighted with their angles there: Baerentzen and Aanaes, 2005). So a node that is outside there is not deep behind
 /// another face, and one that is inside there came in there: faces around a convex edge that lie deeper by more than
-/// the rim say nothing. A rim is left in doubt (`EncounterSettings::rim`): where sides of bodies are flush, rounding
+/// the rim say nothing. A rim is left in doubt (`Tolerances::rim`): where sides of bodies are flush, rounding
 /// decides which of two faces is nearer, and the slave's surface must oppose the nearest face for it to have a say.
 /// encounters: of one slave with the faces of one body, with their opposition, after resolve_rim_projections.
-void reject_false_depths(const FacesInMotion& scene, const EncounterSettings& settings,
-                         std::span<Encounter> encounters);
+void reject_false_depths(const FacesInMotion& scene, const Tolerances& tolerances, std::span<Encounter> encounters);
 
 }  // namespace brunt::contact

@@ -10,12 +10,6 @@
 
 namespace brunt::contact {
 
-/// Faces of two bodies are flush where one, continued by this share of its extent, comes no farther from the other.
-constexpr double seam_reach = 0.05;
-
-/// So far below a seam a side is not met, as a share of the extent: what flush bodies may sag under load.
-constexpr double seam_sag_limit = 0.1;
-
 /// What lengths across a surface are measured with: the longest edge, or of flat elements twice their depth [length].
 inline double extent(double size, double element_depth) {
   return std::min(size, 2 * element_depth);
@@ -28,10 +22,10 @@ struct OwnFacets {
   std::span<const Vec3> facet_normal;
 };
 
-/// Sides of seams become Meeting::none where the node is no farther than seam_sag_limit from the plane of the face that
-/// goes on: one of the master's, or the one of the slave's own faces that goes on lies on the master's face.
+/// Sides of seams become Meeting::none where the node is no farther than Tolerances::seam_sag from the plane of the
+/// face that goes on: one of the master's, or the one of the slave's own faces that goes on lies on the master's face.
 /// encounters: of one slave with the faces of one body that is flush with others than the slave's.
-void remove_seam_sides(const FacesInMotion& scene, double same_direction, const OwnFacets& own,
+void remove_seam_sides(const FacesInMotion& scene, const Tolerances& tolerances, const OwnFacets& own,
                        std::span<Encounter> encounters);
 
 struct EdgeScene;

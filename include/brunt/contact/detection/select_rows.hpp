@@ -8,18 +8,12 @@
 
 namespace brunt::contact {
 
-struct SelectionSettings {
-  Criterion criterion = Criterion::automatic;
-  double same_direction = 20;  ///< [degrees]: normals closer than this ask for one row only
-  double same_place = 0.02;    ///< of the longest edge: hits nearer than this at a convex edge or corner are one
-};
-
 constexpr std::size_t most_rows_of_a_node = 4;
 
 /// Sorts the encounters (of one slave, all bodies) so that those to keep come first, merges those that are one, and
 /// returns how many are kept, at most most_rows_of_a_node. Faces that the slave's own surface opposes by less than half
 /// of the best are left out.
 std::size_t select_rows(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const NodeMotion& slave,
-                        double dt, const SelectionSettings& settings, std::span<Encounter> encounters);
+                        double dt, Criterion criterion, const Tolerances& tolerances, std::span<Encounter> encounters);
 
 }  // namespace brunt::contact

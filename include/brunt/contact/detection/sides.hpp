@@ -13,7 +13,7 @@ namespace brunt::contact {
 /// the clearance are set): the one remembered; else that of a face across an edge that is remembered, since a node
 /// slides from face to face; else the one that the node is on, or comes from if its path passes through. remembered: of
 /// this slave.
-void find_sides(const FacesInMotion& scene, const EncounterSettings& settings, const NodeMotion& slave,
+void find_sides(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
                 std::span<const HistoryRecord> remembered, std::span<Encounter> encounters);
 
 }  // namespace brunt::contact

@@ -91,13 +91,15 @@ struct Surface {
   }
 };
 
-/// Is body a the slave where it meets body b? The finer (smaller mean face area) is; where these agree within 1 %, the
-/// lighter; else the lower number. (One exact pass with the finer, lighter side as slave converges fastest and leaves
-/// the least error on the other side.)
-bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t b);
+/// Is body a the slave where it meets body b? The finer (smaller mean face area) is; where these agree within
+/// Tolerances::equal_figures, the lighter; else the lower number. (One exact pass with the finer, lighter side as slave
+/// converges fastest and leaves the least error on the other side.)
+bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t b,
+              const Tolerances& tolerances = standard_tolerances);
 
 /// Are their meshes equal where they meet, neither side much finer or lighter? See Passes::automatic.
-bool have_similar_meshes(const BodyFigures& one, const BodyFigures& other);
+bool have_similar_meshes(const BodyFigures& one, const BodyFigures& other,
+                         const Tolerances& tolerances = standard_tolerances);
 
 /// Do a node and a face of this block and body meet in two passes? In one automatic pass nodes on rims do as well: a
 /// rim sags beyond the last node of the slave that holds it, and those that come under it later would be deep in the

@@ -33,7 +33,7 @@ bool coincides(FewFaces& scene, const Vec3& position, const std::vector<Vec3>& f
   std::vector<CoincidentCandidate> corners;
   for (std::size_t i = 0; i + 1 < scene.motion.size(); ++i) corners.push_back({static_cast<LocalIndex>(i), 0});
   return is_held_by_coincident_node({scene.faces, reach, scene.motion, scene.dt}, {node, facets, facet_normal}, near,
-                                    corners, distance);
+                                    corners, distance, standard_tolerances);
 }
 
 /// Normals of the three faces of a cube's lowest corner, which stands upright on it.

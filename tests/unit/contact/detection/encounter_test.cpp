@@ -18,12 +18,11 @@ namespace {
 Encounter meet(FewFaces& scene, const Vec3& position, const Vec3& velocity, LocalIndex face) {
   std::vector<contact::FaceReach> reach(scene.faces.size(), {.box = {}, .size = 1});
   const contact::NodeMotion slave{position, velocity, velocity};
-  return encounter({scene.faces, reach, scene.motion, scene.dt}, scene.settings.encounter, slave, face);
+  return encounter({scene.faces, reach, scene.motion, scene.dt}, *scene.settings.tolerances, slave, face);
 }
 
 void settle(const FewFaces& scene, std::span<Encounter> met) {
-  resolve_rim_projections({scene.faces, {}, scene.motion, scene.dt}, scene.settings.encounter,
-                          scene.settings.selection.same_direction, met);
+  resolve_rim_projections({scene.faces, {}, scene.motion, scene.dt}, *scene.settings.tolerances, met);
 }
 
 constexpr LocalIndex top = 5;
@@ -135,8 +134,9 @@ TEST_CASE("at the bottom of a pit all slopes hold, whichever of them has the nod
       met.back().opposition = met.back().normal.z();
     }
     const auto concave_to_all = [&](const Encounter& a) {
-      return std::ranges::all_of(
-          met, [&](const Encounter& b) { return a.face == b.face || concave(pit.faces, pit.motion, a, b); });
+      return std::ranges::all_of(met, [&](const Encounter& b) {
+        return a.face == b.face || concave(pit.faces, pit.motion, a, b, *pit.settings.tolerances);
+      });
     };
     if (!std::ranges::all_of(met, concave_to_all)) continue;
     ++pits;
@@ -203,11 +203,11 @@ TEST_CASE("many pairs at a time: each as alone, triangles and faces without area
       slave_of.push_back(&slave);
       met.push_back({.face = f, .approach = {.side = f % 3 == 0 ? -1.0 : 1.0, .clearance = 0.01 * f}});
     }
-  encounter_all(faces, scene.settings.encounter, slave_of, met);
+  encounter_all(faces, *scene.settings.tolerances, slave_of, met);
   std::array<int, 4> seen{};
   for (std::size_t k = 0; k < met.size(); ++k) {
     const Encounter& e = met[k];
-    const Encounter alone = encounter(faces, scene.settings.encounter, *slave_of[k], e.face, e.approach);
+    const Encounter alone = encounter(faces, *scene.settings.tolerances, *slave_of[k], e.face, e.approach);
     ++seen[static_cast<std::size_t>(e.meeting)];
     REQUIRE(e.meeting == alone.meeting);
     REQUIRE(e.region == alone.region);

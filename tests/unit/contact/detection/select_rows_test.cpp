@@ -134,7 +134,7 @@ TEST_CASE("criteria at a corner: the nearer face, the one more opposed, the one 
   scene.facets = {Vec3(-0.6, 0, -0.8)};  // opposes the top more than the side
   const Vec3 inside(1 - 0.02, 0.5, 1 - 0.05);
   const auto winner = [&](Criterion criterion) {
-    scene.settings.selection.criterion = criterion;
+    scene.settings.criterion = criterion;
     const auto rows = scene.rows(inside);
     REQUIRE(rows.size() == 1);
     return rows[0].normal;
@@ -150,7 +150,7 @@ TEST_CASE("criteria for a node that comes: automatic and velocity take the face 
   scene.facets = {Vec3(-1, 0, -1).normalized()};
   const Vec3 outside(1.02, 0.5, 0.9);  // beside the side x = 1 and below the top
   for (const Criterion criterion : {Criterion::automatic, Criterion::velocity, Criterion::nearest}) {
-    scene.settings.selection.criterion = criterion;
+    scene.settings.criterion = criterion;
     const auto rows = scene.rows(outside, {-100, 0, 0});
     REQUIRE(rows.size() == 1);
     CHECK((rows[0].normal - Vec3::UnitX()).norm() < 1e-12);

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// The numbers that decide in contact: detection, lists, seams, ties, classes of surfaces, and the geometry of the start
+// (setup). All are dimensionless. "Size" is the longest edge of a face, or the length of the shorter of two edges;
+// "element depth" is MasterFace::element_depth. They are data of a run, so that an experiment can vary one without
+// compiling (tests/hard/sweep_tolerances.py); a scene cannot set them. Numbers that change no decision stay where they
+// are used: widths of batches, limits of iterations, margins of searches.
+#pragma once
+#include <algorithm>
+
+#include "brunt/contact/data/standard_tolerances.hpp"
+
+namespace brunt::contact {
+
+struct Tolerances {
+  // --- Directions ---------------------------------------------------------------------------------------------------
+
+  /// Normals within this angle are one direction: one row holds them [degrees].
+  double same_direction = 20;
+  /// Cosine from which two faces lie on each other: that of `same_direction`, rounded.
+  double coplanar = 0.94;
+  /// Cosine from which that is beyond doubt, so that the thorough look is spared.
+  double clearly_coplanar = 0.95;
+  /// Cosine from which a direction is along another: an edge along a normal, a force of the last step along a new row.
+  double aligned = 0.9;
+  /// Cosine between a normal and the reversed other from which surfaces face each other: 60 degrees.
+  double facing = 0.5;
+  /// Cosine up to which a normal is across the row of an edge.
+  double crosswise = 0.35;
+  /// Share of the best opposition below which a face is a side: bodies that lie flush slide along it.
+  double least_opposition = 0.1;
+  /// Share of the best opposition from which a face competes with it.
+  double competing_opposition = 0.5;
+  /// Cosine up to which a face that opposes a flat surface is a side that stands on it.
+  double side_on_flat = 0.1;
+  /// Sine by which the normal of a warped face turns along its rim.
+  double warp = 0.1;
+  /// Sine by which the normal must lie inside the cone of an edge at which a chain of edges ends.
+  double chain_end = 0.1;
+  /// Sine of the angle between neighbouring facets of a flat surface; below, an edge is none.
+  double facet_curvature = 0.02;
+  /// Sine up to which edges are parallel.
+  double parallel = 1e-3;
+  /// Angle between the row of an edge and that of its end within which the end's row holds the edge [degrees].
+  double along_face = 5;
+  /// Angle between edges of a chain that a node presses in [radians].
+  double kink = 0.5;
+  /// Length of a sum of unit normals below which the faces look away from each other: a blade without thickness.
+  double least_normal = 0.1;
+
+  // --- Edges of the surface, by the angle between the normals of their faces [degrees]
+  // --------------------------------
+
+  /// Edges that are concave by more than this are no edges.
+  double dent_angle = 20;
+  /// Convex edges are blunt from here on. Facets of round bodies differ by 22.5 degrees with 16 around, by 5.6 with 64.
+  /// Edges flatter than 4 slip over a rim between its nodes without harm: a steel peg with 96 around (3.75 degrees)
+  /// that drifts in its hole is given 3e-8 of its energy as it goes in, as with 80 (4.5 degrees).
+  double blunt_angle = 4;
+  /// And sharp from here on.
+  double sharp_angle = 20;
+
+  // --- Reach, as shares of the size
+  // ------------------------------------------------------------------------------------
+
+  /// A node farther from a face's swept box, or deeper below it, has nothing to do with the face.
+  double capture = 0.25;
+  /// The same as a share of the element depth: behind flat elements lie other bodies that touch the far side, and what
+  /// a step's impulses move goes with the thickness of elements, not with their length.
+  double element_share = 0.5;
+  /// A node that projects beside a face by up to this share may still meet it: rims of equal bodies slide and bulge.
+  double rim = 0.02;
+  /// A node above a face that moves less than this within the step is judged by its closest point alone.
+  double slow = 0.05;
+  /// Hits nearer than this at a convex edge or corner are one.
+  double same_place = 0.02;
+  /// Nodes of two bodies nearer than this share of the mean element depth are coincident: one pass is as good as two.
+  double coincidence = 0.01;
+
+  // --- Depth
+  // ----------------------------------------------------------------------------------------------------------
+
+  /// A surface that lies behind a face by less than this share of a node's depth does not hold the node off.
+  double half_depth = 0.5;
+  /// Share of the zone of depths within which two faces at a convex edge are equally deep.
+  double equal_depth = 0.1;
+  /// Share of `same_place`: depth that a step leaves at the surface.
+  double surface_depth = 1e-3;
+  /// Share of the size: distance from a plane up to which a node is in it (dents between faces, rounding).
+  double in_plane = 1e-4;
+  /// Share of the size: nodes deeper inside at the start overlap; shallower ones touch (rounding in mesh files, facets
+  /// of a curved fit). Of fitted bodies it stands for `drift` as well.
+  double touching = 1e-4;
+  /// Share of the size: rims hang over flat edges by so much. On flat surfaces rows of nodes hold all, and those of
+  /// rims are left open. (A row that is there only when a rim has sunk in lets go of it for a step.)
+  double rim_sag = 1e-3;
+
+  // --- Ledges and seams
+  // -------------------------------------------------------------------------------------------------
+
+  /// Share of the size up to which a step between flush bodies is a ledge, which is passed over.
+  double ledge = 1e-3;
+  /// Share of the motion into a side up to which what moves along its top still slides.
+  double slide_into = 0.5;
+  /// Share of the motion along a face up to which an edge may move across it.
+  double slide_across = 0.1;
+  /// Faces of two bodies are flush where one, continued by this share of its extent, comes no farther from the other.
+  double seam_reach = 0.05;
+  /// Where along the side of a face the other one is looked for: at this share from either end.
+  double seam_sample = 0.25;
+  /// So far below a seam a side is not met, as a share of the extent: what flush bodies may sag under load.
+  double seam_sag = 0.1;
+
+  // --- Recovery of penetrations
+  // -------------------------------------------------------------------------------------------
+
+  /// Share of a penetration (of a drift, a slip) that a step may recover.
+  double recovery = 0.05;
+  /// The same limited to this share of the size.
+  double recovery_limit = 1e-3;
+  /// Share of the time that sound takes along the size: the shortest step that recovery is measured with.
+  double recovery_time = 0.5;
+  /// Share of the size: penetration that a step may leave by itself.
+  double drift = 3e-5;
+
+  // --- Rounding
+  // -------------------------------------------------------------------------------------------------------
+
+  /// What is less than this share of what it is compared with is rounding of positions and normals.
+  double rounding = 1e-6;
+  /// The same of quantities that are rounded a few times alone.
+  double fine_rounding = 1e-9;
+  /// The same of the place of a tied node beside its face.
+  double tie_rounding = 1e-12;
+
+  // --- Bodies
+  // -----------------------------------------------------------------------------------------------------------
+
+  /// Mean areas and masses of two bodies that differ by less than this share are equal: the next criterion decides.
+  double equal_figures = 0.01;
+  /// Ratio of edges up to which meshes are similar. A matter of cost alone: two passes hold meshes of any ratio, but
+  /// one pass errs less the more they differ (cases/patch_test: by 14 % at 2 on 3, 4 % at 4 on 7). In cases/stack, 2 on
+  /// 3, both ways are as deep (6e-6 of a side) and as still; two passes take 3.0 iterations a step for 1.6, and 1.4
+  /// times the time.
+  double similar_edges = 1.4;
+
+  // --- Reports
+  // ------------------------------------------------------------------------------------------------------------
+
+  /// Share of the size from which nodes that supports drive into a face are reported: ten times `ledge`.
+  double driven = 0.01;
+  /// Ratio of edges from which a slave that the scene names is reported as coarse. Blocks of rubber that slide on finer
+  /// ones at 5 m/s, with edges 1.5, 1.9, 2.2, 3.3, 6.7 times as long: nodes of the master that are not held (all with
+  /// `one`) sink by 3, 10, 24, 42, 105 % of an edge of theirs. Up to twice that is what one pass leaves anyway.
+  double coarse_slave = 2;
+  /// Share of its volume that an element must keep at each corner where overlaps are moved out.
+  double kept_volume = 0.2;
+
+  /// How far behind a face a node is in contact with it. size: the face's longest edge.
+  [[nodiscard]] double max_penetration(double size, double element_depth) const {
+    return std::min(capture * size, element_share * element_depth);
+  }
+  /// What is farther from the swept box of a face (or edge) is not looked at; grows with the size.
+  [[nodiscard]] double reach(double size, double element_depth) const {
+    return std::max(rim * size, max_penetration(size, element_depth));
+  }
+};
+
+}  // namespace brunt::contact

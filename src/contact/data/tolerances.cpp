@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/data/tolerances.hpp"
+
+namespace brunt::contact {
+
+const Tolerances standard_tolerances{};
+
+}  // namespace brunt::contact
