@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "brunt/contact/detection/clearance.hpp"
+#include "brunt/contact/detection/separation.hpp"
 #include "memory.hpp"
 #include "tied_parts.hpp"
 #include "watch_driven.hpp"
@@ -25,14 +25,15 @@ void detect_crossing_edges(const DetectionSettings& settings, double dt, Contact
                step.nodes.reference, dt, settings, step.rows);
 }
 
-double measured_clearance(const Contact& contact, const StepInput& input) {
+double measured_separation(const Contact& contact, const StepInput& input) {
   const ContactLists& lists = contact.lists;
   const DetectionSettings& settings = contact.derived.detection;
   const std::vector<NodeMotion>& motion = contact.step.nodes.motion;
   double least = contact.tied.ties.empty() ? std::numeric_limits<double>::infinity() : 0.0;
-  least = std::min(least, clearance_of_faces(lists.candidates, contact.step.scratch.detection.reach, motion, input.dt));
-  least = std::min(least, clearance_of_edges(lists.edges, motion, input.dt, settings));
-  least = std::min(least, clearance_of_walls(lists.wall_candidates, input.walls, motion, input.dt, settings));
+  least =
+      std::min(least, separation_of_faces(lists.candidates, contact.step.scratch.detection.reach, motion, input.dt));
+  least = std::min(least, separation_of_edges(lists.edges, motion, input.dt, settings));
+  least = std::min(least, separation_of_walls(lists.wall_candidates, input.walls, motion, input.dt, settings));
   return contact.ranks.min(least);
 }
 
@@ -41,7 +42,7 @@ double measured_clearance(const Contact& contact, const StepInput& input) {
 /// The same on every rank, as the bounds of motion are.
 bool nothing_can_meet(const Contact& contact) {
   const ListState& state = contact.list_state;
-  return !contact.lists.any_rows || (!state.are_new && 3 * state.motion.bound() < state.clearance);
+  return !contact.lists.any_rows || (!state.are_new && 3 * state.motion.bound() < state.separation);
 }
 
 void find_rows(Contact& contact, const StepInput& input) {
@@ -63,7 +64,7 @@ void find_rows(Contact& contact, const StepInput& input) {
 void detect_rows(Contact& contact, const StepInput& input) {
   find_rows(contact, input);
   if (contact.derived.may_be_driven) watch_driven(contact, carriers_of(contact, input), input.dt);
-  if (contact.list_state.are_new) contact.list_state.clearance = measured_clearance(contact, input);
+  if (contact.list_state.are_new) contact.list_state.separation = measured_separation(contact, input);
 }
 
 }  // namespace brunt::contact

@@ -30,7 +30,7 @@ struct GatherPlan {
 struct ListState {
   ListMotion motion;          ///< of surface nodes, then of walls
   double motion_allowed = 0;  ///< [length]
-  double clearance = 0;       ///< between candidates of any rank when the lists were made: see detection/clearance.hpp
+  double separation = 0;      ///< of candidates of any rank when the lists were made: see detection/separation.hpp
   double last_dt = 0;         ///< of the step before [time]
   bool exist = false;
   bool are_new = false;                  ///< of this step

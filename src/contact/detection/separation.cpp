@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/detection/clearance.hpp"
+#include "brunt/contact/detection/separation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,8 +23,8 @@ double apart(const Box& one, const Box& other) {
 
 }  // namespace
 
-double clearance_of_faces(const Candidates& candidates, std::span<const FaceReach> reach,
-                          std::span<const NodeMotion> motion, double dt) {
+double separation_of_faces(const Candidates& candidates, std::span<const FaceReach> reach,
+                           std::span<const NodeMotion> motion, double dt) {
   double least = nowhere;
   for (std::size_t s = 0; s < candidates.slave.size(); ++s) {
     const NodeMotion& node = motion[static_cast<std::size_t>(candidates.slave[s])];
@@ -36,8 +36,8 @@ double clearance_of_faces(const Candidates& candidates, std::span<const FaceReac
   return least;
 }
 
-double clearance_of_edges(const EdgeCandidates& candidates, std::span<const NodeMotion> motion, double dt,
-                          const DetectionSettings& settings) {
+double separation_of_edges(const EdgeCandidates& candidates, std::span<const NodeMotion> motion, double dt,
+                           const DetectionSettings& settings) {
   const EdgeScene scene{{}, motion, {}, {}, dt, settings, 0};
   double least = nowhere;
   for (std::size_t e = 0; e < candidates.slaves.size(); ++e) {
@@ -48,8 +48,8 @@ double clearance_of_edges(const EdgeCandidates& candidates, std::span<const Node
   return least;
 }
 
-double clearance_of_walls(std::span<const WallCandidate> candidates, std::span<const Wall> walls,
-                          std::span<const NodeMotion> motion, double dt, const DetectionSettings& settings) {
+double separation_of_walls(std::span<const WallCandidate> candidates, std::span<const Wall> walls,
+                           std::span<const NodeMotion> motion, double dt, const DetectionSettings& settings) {
   double least = nowhere;
   for (const WallCandidate& candidate : candidates) {
     const Wall& wall = walls[static_cast<std::size_t>(candidate.wall)];

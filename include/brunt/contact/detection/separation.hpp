@@ -12,11 +12,11 @@ namespace brunt::contact {
 /// As long as no node and no wall moves from where it is by more than a third of this [length], the step included, no
 /// candidate of a face, an edge or a wall becomes a row; <= 0 where one may now. Infinite without candidates. reach:
 /// of the faces in this step, as detect_faces leaves it in its scratch.
-double clearance_of_faces(const Candidates& candidates, std::span<const FaceReach> reach,
-                          std::span<const NodeMotion> motion, double dt);
-double clearance_of_edges(const EdgeCandidates& candidates, std::span<const NodeMotion> motion, double dt,
-                          const DetectionSettings& settings);
-double clearance_of_walls(std::span<const WallCandidate> candidates, std::span<const Wall> walls,
-                          std::span<const NodeMotion> motion, double dt, const DetectionSettings& settings);
+double separation_of_faces(const Candidates& candidates, std::span<const FaceReach> reach,
+                           std::span<const NodeMotion> motion, double dt);
+double separation_of_edges(const EdgeCandidates& candidates, std::span<const NodeMotion> motion, double dt,
+                           const DetectionSettings& settings);
+double separation_of_walls(std::span<const WallCandidate> candidates, std::span<const Wall> walls,
+                           std::span<const NodeMotion> motion, double dt, const DetectionSettings& settings);
 
 }  // namespace brunt::contact
