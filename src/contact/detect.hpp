@@ -8,7 +8,7 @@ namespace brunt::contact {
 /// No candidates, or too far from each other for the motion since they were listed; the same on every rank.
 bool nothing_can_meet(const Contact& contact);
 
-/// Fills step.rows, in the order of their keys: faces, edges, walls, ties. Measures the clearance of new lists, and
+/// Fills step.rows, in the order of their keys: faces, edges, walls, ties. Measures the separation of new lists, and
 /// notes what supports drive through others. Collective.
 void detect_rows(Contact& contact, const StepInput& input);
 

@@ -13,6 +13,7 @@
 #include "brunt/time/initialise.hpp"
 #include "brunt/time/removal.hpp"
 #include "partition/distribute.hpp"
+#include "support/tolerances.hpp"
 
 namespace brunt::test {
 namespace {
@@ -47,6 +48,7 @@ Simulation::Simulation(mesh::Mesh mesh, const std::string& scene)
   std::size_t elements = 0;
   for (const mesh::Block& block : whole.mesh.blocks) elements += static_cast<std::size_t>(block.count());
   model = scene::build_model(input, partition::distribute(links.ranks, whole, std::vector<Rank>(elements, 0)));
+  model.contact.tolerances = &tolerances();
   links = time::link_ranks(links.ranks, model);
   time::initialise(model, state, scratch, links, scene::initial_velocities(input, model));
   contact = make_contact(*this, {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Node against rigid wall, and the order of rows.
+// Node against rigid wall.
 #include <algorithm>
 
 #include "brunt/contact/data/tolerances.hpp"

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "support/tolerances.hpp"
+
 using namespace brunt;
 using namespace brunt::contact;
 
@@ -18,7 +20,7 @@ struct CubeAndNode {
   std::vector<NodeMotion> motion;
   std::vector<Vec3> facets;
   Candidates candidates;
-  DetectionSettings settings;
+  DetectionSettings settings{.tolerances = &brunt::test::tolerances()};
 
   CubeAndNode() {
     constexpr std::array<std::array<LocalIndex, 4>, 6> sides{
@@ -217,7 +219,7 @@ TEST_CASE("rigid walls") {
   motion[1] = {Vec3(3, 1, -0.01), Vec3::Zero(), Vec3::Zero()};
   std::vector<Wall> walls{{.velocity = Vec3(7, 0, 2)}};
   std::vector<WallCandidate> candidates{{0, 0, 0, false}, {1, 0, 0, false}};
-  DetectionSettings settings;
+  DetectionSettings settings{.tolerances = &brunt::test::tolerances()};
   settings.wall_size = 1;
   std::vector<Row> rows;
 

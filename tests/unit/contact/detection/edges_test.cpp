@@ -6,6 +6,8 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
+#include "support/tolerances.hpp"
+
 using namespace brunt;
 using namespace brunt::contact;
 
@@ -19,7 +21,7 @@ struct TwoEdges {
   std::vector<Vec3> facets, node_normal{4, Vec3::Zero()};
   std::vector<Vec3> reference;
   EdgeCandidates candidates;
-  DetectionSettings settings;
+  DetectionSettings settings{.tolerances = &brunt::test::tolerances()};
   double dt = 1e-3;
 
   explicit TwoEdges(double degrees, double gap, double speed = 0) {
@@ -216,7 +218,7 @@ struct UprightAtLedge {
   std::vector<NodeMotion> motion{5};
   std::vector<Vec3> facets{Vec3(0, 0, 1), Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, node_normal{5, Vec3::Zero()};
   EdgeCandidates candidates;
-  DetectionSettings settings;
+  DetectionSettings settings{.tolerances = &brunt::test::tolerances()};
 
   UprightAtLedge(double far, double below) {
     motion[0].position = {0, -0.5, 0};

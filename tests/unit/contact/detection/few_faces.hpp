@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brunt/contact/detection/detection.hpp"
+#include "support/tolerances.hpp"
 
 namespace brunt::support {
 
@@ -15,7 +16,7 @@ struct FewFaces {
   std::vector<GlobalIndex> gid;
   std::vector<contact::NodeMotion> motion;   ///< of the corners; the slave is the last
   std::vector<Vec3> facets{Vec3(0, 0, -1)};  ///< area vectors of the slave's own surface
-  contact::DetectionSettings settings;
+  contact::DetectionSettings settings{.tolerances = &brunt::test::tolerances()};
   std::vector<contact::HistoryRecord> history;  ///< what `rows` has left, taken up by the next
   double slave_thickness = 0;
   double dt = 1e-3;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "brunt/contact/detection/edges.hpp"
+#include "support/tolerances.hpp"
 
 using namespace brunt;
 using namespace brunt::contact;
@@ -17,7 +18,7 @@ struct RimOnPlate {
   std::vector<NodeMotion> motion{4};
   std::vector<Vec3> facets, node_normal{4, Vec3::Zero()};
   EdgeCandidates candidates;
-  DetectionSettings settings;
+  DetectionSettings settings{.tolerances = &brunt::test::tolerances()};
   double dt = 1e-3;
 
   /// at: where the rim crosses the flat edge, from -0.5 to 0.5.

@@ -11,7 +11,7 @@ using support::FewFaces;
 
 namespace {
 
-const double ledge = contact::standard_tolerances.ledge;
+const double ledge = test::tolerances().ledge;
 
 FewFaces cube_met_by_a_corner() {
   FewFaces scene = support::cube();

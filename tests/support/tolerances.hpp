@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// The numbers of contact, of which an experiment may set some: BRUNT_TOLERANCES="name=value,name=value" in the
+// environment of a test (see tests/hard/sweep_tolerances.py).
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "brunt/contact/data/tolerances.hpp"
+
+namespace brunt::test {
+
+using contact::Tolerances;
+
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 49> tolerance_fields{{
+    {"same_direction", &Tolerances::same_direction},
+    {"coplanar", &Tolerances::coplanar},
+    {"clearly_coplanar", &Tolerances::clearly_coplanar},
+    {"aligned", &Tolerances::aligned},
+    {"facing", &Tolerances::facing},
+    {"crosswise", &Tolerances::crosswise},
+    {"least_opposition", &Tolerances::least_opposition},
+    {"competing_opposition", &Tolerances::competing_opposition},
+    {"side_on_flat", &Tolerances::side_on_flat},
+    {"warp", &Tolerances::warp},
+    {"chain_end", &Tolerances::chain_end},
+    {"facet_curvature", &Tolerances::facet_curvature},
+    {"parallel", &Tolerances::parallel},
+    {"along_face", &Tolerances::along_face},
+    {"kink", &Tolerances::kink},
+    {"least_normal", &Tolerances::least_normal},
+    {"dent_angle", &Tolerances::dent_angle},
+    {"blunt_angle", &Tolerances::blunt_angle},
+    {"sharp_angle", &Tolerances::sharp_angle},
+    {"capture", &Tolerances::capture},
+    {"element_share", &Tolerances::element_share},
+    {"rim", &Tolerances::rim},
+    {"slow", &Tolerances::slow},
+    {"same_place", &Tolerances::same_place},
+    {"coincidence", &Tolerances::coincidence},
+    {"half_depth", &Tolerances::half_depth},
+    {"equal_depth", &Tolerances::equal_depth},
+    {"surface_depth", &Tolerances::surface_depth},
+    {"in_plane", &Tolerances::in_plane},
+    {"touching", &Tolerances::touching},
+    {"rim_sag", &Tolerances::rim_sag},
+    {"ledge", &Tolerances::ledge},
+    {"slide_into", &Tolerances::slide_into},
+    {"slide_across", &Tolerances::slide_across},
+    {"seam_reach", &Tolerances::seam_reach},
+    {"seam_sample", &Tolerances::seam_sample},
+    {"seam_sag", &Tolerances::seam_sag},
+    {"recovery", &Tolerances::recovery},
+    {"recovery_limit", &Tolerances::recovery_limit},
+    {"recovery_time", &Tolerances::recovery_time},
+    {"drift", &Tolerances::drift},
+    {"rounding", &Tolerances::rounding},
+    {"fine_rounding", &Tolerances::fine_rounding},
+    {"tie_rounding", &Tolerances::tie_rounding},
+    {"equal_figures", &Tolerances::equal_figures},
+    {"similar_edges", &Tolerances::similar_edges},
+    {"driven", &Tolerances::driven},
+    {"coarse_slave", &Tolerances::coarse_slave},
+    {"kept_volume", &Tolerances::kept_volume},
+}};
+static_assert(sizeof(Tolerances) == tolerance_fields.size() * sizeof(double), "every number has its name here");
+
+/// Of "name=value,name=value". Throws where a name is unknown or a value is no number.
+inline Tolerances tolerances_from(const std::string& text) {
+  Tolerances tolerances;
+  std::istringstream entries(text);
+  for (std::string entry; std::getline(entries, entry, ',');) {
+    const std::size_t equals = entry.find('=');
+    const std::string_view name = std::string_view(entry).substr(0, equals);
+    const auto* const field =
+        std::ranges::find(tolerance_fields, name, &std::pair<std::string_view, double Tolerances::*>::first);
+    if (equals == std::string::npos || field == tolerance_fields.end())
+      throw std::invalid_argument("BRUNT_TOLERANCES: unknown name in '" + entry + "'; expected name=value");
+    tolerances.*(field->second) = std::stod(entry.substr(equals + 1));
+  }
+  return tolerances;
+}
+
+/// Of the environment, the same for all of a run.
+inline const Tolerances& tolerances() {
+  const char* const text = std::getenv("BRUNT_TOLERANCES");
+  static const Tolerances chosen = tolerances_from(text == nullptr ? "" : text);
+  return chosen;
+}
+
+}  // namespace brunt::test
