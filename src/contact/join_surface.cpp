@@ -20,9 +20,9 @@ namespace {
 
 EdgeAngles edge_angles(const Tolerances& tolerances) {
   constexpr double degree = std::numbers::pi / 180;
-  return {.least = -tolerances.dent_angle * degree,
+  return {.least = -tolerances.same_direction * degree,
           .blunt = tolerances.blunt_angle * degree,
-          .sharp = tolerances.sharp_angle * degree};
+          .sharp = tolerances.same_direction * degree};
 }
 
 /// A face reports to the owner of each of its nodes.

@@ -17,7 +17,7 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 49> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 47> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
     {"coplanar", &Tolerances::coplanar},
     {"clearly_coplanar", &Tolerances::clearly_coplanar},
@@ -34,9 +34,7 @@ constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 49> tole
     {"along_face", &Tolerances::along_face},
     {"kink", &Tolerances::kink},
     {"least_normal", &Tolerances::least_normal},
-    {"dent_angle", &Tolerances::dent_angle},
     {"blunt_angle", &Tolerances::blunt_angle},
-    {"sharp_angle", &Tolerances::sharp_angle},
     {"capture", &Tolerances::capture},
     {"element_share", &Tolerances::element_share},
     {"rim", &Tolerances::rim},

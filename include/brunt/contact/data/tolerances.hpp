@@ -14,7 +14,7 @@ namespace brunt::contact {
 struct Tolerances {
   // --- Directions ---------------------------------------------------------------------------------------------------
 
-  /// Normals within this angle are one direction: one row holds them [degrees].
+  /// Normals within this angle are one direction: one row holds them, and an edge between them is not sharp [degrees].
   double same_direction = 20;
   /// Cosine from which two faces lie on each other: that of `same_direction`, rounded.
   double coplanar = 0.94;
@@ -50,14 +50,11 @@ struct Tolerances {
   // --- Edges of the surface, by the angle between the normals of their faces [degrees]
   // --------------------------------
 
-  /// Edges that are concave by more than this are no edges.
-  double dent_angle = 20;
-  /// Convex edges are blunt from here on. Facets of round bodies differ by 22.5 degrees with 16 around, by 5.6 with 64.
-  /// Edges flatter than 4 slip over a rim between its nodes without harm: a steel peg with 96 around (3.75 degrees)
-  /// that drifts in its hole is given 3e-8 of its energy as it goes in, as with 80 (4.5 degrees).
+  /// Convex edges are blunt from this angle between the normals of their faces on, and sharp from `same_direction` on
+  /// [degrees]. Facets of round bodies differ by 22.5 degrees with 16 around, by 5.6 with 64. Edges flatter than 4 slip
+  /// over a rim between its nodes without harm: a steel peg with 96 around (3.75 degrees) that drifts in its hole is
+  /// given 3e-8 of its energy as it goes in, as with 80 (4.5 degrees).
   double blunt_angle = 4;
-  /// And sharp from here on.
-  double sharp_angle = 20;
 
   // --- Reach, as shares of the size
   // ------------------------------------------------------------------------------------
