@@ -17,7 +17,7 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 47> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 46> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
     {"coplanar", &Tolerances::coplanar},
     {"clearly_coplanar", &Tolerances::clearly_coplanar},
@@ -39,7 +39,6 @@ constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 47> tole
     {"element_share", &Tolerances::element_share},
     {"rim", &Tolerances::rim},
     {"slow", &Tolerances::slow},
-    {"same_place", &Tolerances::same_place},
     {"coincidence", &Tolerances::coincidence},
     {"half_depth", &Tolerances::half_depth},
     {"equal_depth", &Tolerances::equal_depth},

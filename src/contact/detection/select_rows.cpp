@@ -60,8 +60,7 @@ bool lies_on_neighbour(const Selection& selection, std::span<const Encounter> en
   return std::ranges::any_of(encounters, [&](const Encounter& other) {
     if (other.region != geometry::Region::face || !selection.same_body(other, e)) return false;
     const double apart = (other.point - e.point).norm();
-    return apart <= selection.tolerances.same_place * std::min(e.size, other.size) &&
-           selection.same_direction(other, e);
+    return apart <= selection.tolerances.rim * std::min(e.size, other.size) && selection.same_direction(other, e);
   });
 }
 
@@ -108,15 +107,15 @@ void turn(const Selection& selection, const Vec3& normal, Encounter& e) {
 }
 
 /// What a face that is met in one place with the best adds to its normal, behind a convex edge or corner: as much as
-/// the best where they are equally deep, nothing where it is five times as deep or same_place deeper, so that the
-/// normal turns without a jump where a node slides along the inside. (A node that the best holds at its surface is as
-/// good as outside of it: the other face has no say. Else where a fine mesh slid out under a coarse one, whose
-/// same_place is wide, its nodes were let in at 0.1 of an element from the rim.) What comes into contact there arrives
-/// at all of them.
+/// the best where they are equally deep, nothing where it is five times as deep or the rim tolerance deeper, so that
+/// the normal turns without a jump where a node slides along the inside. (A node that the best holds at its surface is
+/// as good as outside of it: the other face has no say. Else where a fine mesh slid out under a coarse one, whose the
+/// rim tolerance is wide, its nodes were let in at 0.1 of an element from the rim.) What comes into contact there
+/// arrives at all of them.
 double share_at_convex_edge(const Selection& selection, const Encounter& e, const Encounter& best) {
   if (e.meeting != Meeting::inside) return 1;
   const Tolerances& tolerances = selection.tolerances;
-  const double place = selection.tolerances.same_place * std::min(e.size, best.size);
+  const double place = selection.tolerances.rim * std::min(e.size, best.size);
   const double zone = std::min(place, tolerances.surface_depth * place + 4 * std::abs(best.gap));
   const double deeper = (std::abs(e.gap) - std::abs(best.gap)) / zone;
   return std::clamp((1 - std::abs(deeper)) / (1 - tolerances.equal_depth), 0.0, 1.0);
@@ -124,14 +123,14 @@ double share_at_convex_edge(const Selection& selection, const Encounter& e, cons
 
 /// Faces that are met in one place by one node push along their mean normal, where they meet in a convex edge or
 /// corner: which of them is met first is decided by rounding. Where the surface is bent but little, the normal turns
-/// from one face's to the other's within same_place of their common edge, so that a node may slide over it without a
-/// jump.
+/// from one face's to the other's within the rim tolerance of their common edge, so that a node may slide over it
+/// without a jump.
 void merge_corner(const Selection& selection, std::span<Encounter> encounters) {
   Encounter& best = encounters.front();
   Vec3 sum = best.normal;
   for (const Encounter& e : encounters.subspan(1)) {
     if (!selection.same_body(e, best)) continue;
-    const double place = selection.tolerances.same_place * std::min(e.size, best.size);
+    const double place = selection.tolerances.rim * std::min(e.size, best.size);
     const double apart2 = (e.point - best.point).squaredNorm();
     if (apart2 > place * place) continue;
     if (selection.same_direction(e, best))

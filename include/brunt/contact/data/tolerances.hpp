@@ -64,12 +64,11 @@ struct Tolerances {
   /// The same as a share of the element depth: behind flat elements lie other bodies that touch the far side, and what
   /// a step's impulses move goes with the thickness of elements, not with their length.
   double element_share = 0.5;
-  /// A node that projects beside a face by up to this share may still meet it: rims of equal bodies slide and bulge.
+  /// A place is exact to this share: a node that projects beside a face by less may still meet it (rims of equal bodies
+  /// slide and bulge), and hits nearer to each other at a convex edge or corner are one.
   double rim = 0.02;
   /// A node above a face that moves less than this within the step is judged by its closest point alone.
   double slow = 0.05;
-  /// Hits nearer than this at a convex edge or corner are one.
-  double same_place = 0.02;
   /// Nodes of two bodies nearer than this share of the mean element depth are coincident: one pass is as good as two.
   double coincidence = 0.01;
 
@@ -80,7 +79,7 @@ struct Tolerances {
   double half_depth = 0.5;
   /// Share of the zone of depths within which two faces at a convex edge are equally deep.
   double equal_depth = 0.1;
-  /// Share of `same_place`: depth that a step leaves at the surface.
+  /// Share of `rim`: depth that a step leaves at the surface.
   double surface_depth = 1e-3;
   /// Share of the size: distance from a plane up to which a node is in it (dents between faces, rounding).
   double in_plane = 1e-4;
