@@ -17,7 +17,7 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 46> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 45> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
     {"coplanar", &Tolerances::coplanar},
     {"clearly_coplanar", &Tolerances::clearly_coplanar},
@@ -43,7 +43,6 @@ constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 46> tole
     {"half_depth", &Tolerances::half_depth},
     {"equal_depth", &Tolerances::equal_depth},
     {"surface_depth", &Tolerances::surface_depth},
-    {"in_plane", &Tolerances::in_plane},
     {"touching", &Tolerances::touching},
     {"rim_sag", &Tolerances::rim_sag},
     {"ledge", &Tolerances::ledge},

@@ -79,7 +79,7 @@ bool holds_at_rim(const FacesInMotion& scene, const Tolerances& tolerances, std:
     if (!has_node(face, first) || !has_node(face, second)) continue;
     // in one plane it is rounding that says which of the two has the node in front
     const auto behind_by_rounding = [&] {
-      return -e.height <= tolerances.in_plane * e.size &&
+      return -e.height <= tolerances.touching * e.size &&
              same_direction(other.normal, e.normal, tolerances.same_direction);
     };
     if (in_front && other.opposition >= tolerances.competing_opposition * e.opposition && !behind_by_rounding() &&
@@ -87,7 +87,7 @@ bool holds_at_rim(const FacesInMotion& scene, const Tolerances& tolerances, std:
       return false;
     if (near_rim) continue;
     has_neighbour = true;
-    const auto in_one_place = [&] { return (other.point - e.point).norm() <= tolerances.in_plane * e.size; };
+    const auto in_one_place = [&] { return (other.point - e.point).norm() <= tolerances.touching * e.size; };
     behind_all = behind_all && !in_front && (other.region == Region::face || in_one_place());
   }
   return near_rim || (has_neighbour && behind_all);
@@ -105,7 +105,7 @@ bool is_outside_of_a_sharp_edge(std::span<const MasterFace> faces, const Toleran
     const Vec3 apart = other.point - e.point;
     const bool as_deep = apart.dot(e.normal) < tolerances.half_depth * e.height;  // it has a point as deep as the node
     const bool convex =
-        -apart.dot(other.normal) <= tolerances.in_plane * e.size;  // a dent between warped faces is none
+        -apart.dot(other.normal) <= tolerances.touching * e.size;  // a dent between warped faces is none
     // one node is enough: near a node of a ridge, faces meet across it that share no more
     return as_deep && convex && shared_nodes(face, faces[static_cast<std::size_t>(other.face)]) >= 1;
   });

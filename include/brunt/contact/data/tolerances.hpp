@@ -81,10 +81,8 @@ struct Tolerances {
   double equal_depth = 0.1;
   /// Share of `rim`: depth that a step leaves at the surface.
   double surface_depth = 1e-3;
-  /// Share of the size: distance from a plane up to which a node is in it (dents between faces, rounding).
-  double in_plane = 1e-4;
-  /// Share of the size: nodes deeper inside at the start overlap; shallower ones touch (rounding in mesh files, facets
-  /// of a curved fit). Of fitted bodies it stands for `drift` as well.
+  /// Share of the size: a node that is no farther from a plane is in it (dents between faces, rounding in mesh files,
+  /// facets of a curved fit). Nodes deeper inside at the start overlap. Of fitted bodies it stands for `drift` as well.
   double touching = 1e-4;
   /// Share of the size: rims hang over flat edges by so much. On flat surfaces rows of nodes hold all, and those of
   /// rims are left open. (A row that is there only when a rim has sunk in lets go of it for a step.)
