@@ -17,7 +17,7 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 45> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 44> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
     {"coplanar", &Tolerances::coplanar},
     {"clearly_coplanar", &Tolerances::clearly_coplanar},
@@ -44,7 +44,6 @@ constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 45> tole
     {"equal_depth", &Tolerances::equal_depth},
     {"surface_depth", &Tolerances::surface_depth},
     {"touching", &Tolerances::touching},
-    {"rim_sag", &Tolerances::rim_sag},
     {"ledge", &Tolerances::ledge},
     {"slide_into", &Tolerances::slide_into},
     {"slide_across", &Tolerances::slide_across},

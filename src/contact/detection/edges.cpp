@@ -178,7 +178,7 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
       if (meet_at_side_of_seam(scene, slave, master, met)) continue;
       met.gap += accepted_overlap(scene, slave, master, met);
       Row& row = rows.emplace_back(row_of(slave, master, met, gid));
-      row.gap += slave.flat || master.flat ? settings.tolerances->rim_sag * size : 0;
+      row.gap += slave.flat || master.flat ? settings.tolerances->ledge * size : 0;
       row.required = required_rate(row, size, dt, motion, settings);
       row.gap = met.gap;  // the reported gap is the geometric one
     }

@@ -84,14 +84,13 @@ struct Tolerances {
   /// Share of the size: a node that is no farther from a plane is in it (dents between faces, rounding in mesh files,
   /// facets of a curved fit). Nodes deeper inside at the start overlap. Of fitted bodies it stands for `drift` as well.
   double touching = 1e-4;
-  /// Share of the size: rims hang over flat edges by so much. On flat surfaces rows of nodes hold all, and those of
-  /// rims are left open. (A row that is there only when a rim has sunk in lets go of it for a step.)
-  double rim_sag = 1e-3;
 
   // --- Ledges and seams
   // -------------------------------------------------------------------------------------------------
 
-  /// Share of the size up to which a step between flush bodies is a ledge, which is passed over.
+  /// Share of the size: what flush bodies settle under load. Steps up to this height are ledges, which are passed over;
+  /// rims hang over flat edges by so much: on flat surfaces rows of nodes hold all, and those of rims are left open. (A
+  /// row that is there only when a rim has sunk in lets go of it for a step.)
   double ledge = 1e-3;
   /// Share of the motion into a side up to which what moves along its top still slides.
   double slide_into = 0.5;
