@@ -17,7 +17,7 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 44> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 42> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
     {"coplanar", &Tolerances::coplanar},
     {"clearly_coplanar", &Tolerances::clearly_coplanar},
@@ -25,7 +25,7 @@ constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 44> tole
     {"facing", &Tolerances::facing},
     {"crosswise", &Tolerances::crosswise},
     {"least_opposition", &Tolerances::least_opposition},
-    {"competing_opposition", &Tolerances::competing_opposition},
+    {"competing", &Tolerances::competing},
     {"side_on_flat", &Tolerances::side_on_flat},
     {"warp", &Tolerances::warp},
     {"chain_end", &Tolerances::chain_end},
@@ -40,12 +40,10 @@ constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 44> tole
     {"rim", &Tolerances::rim},
     {"slow", &Tolerances::slow},
     {"coincidence", &Tolerances::coincidence},
-    {"half_depth", &Tolerances::half_depth},
     {"equal_depth", &Tolerances::equal_depth},
     {"surface_depth", &Tolerances::surface_depth},
     {"touching", &Tolerances::touching},
     {"ledge", &Tolerances::ledge},
-    {"slide_into", &Tolerances::slide_into},
     {"slide_across", &Tolerances::slide_across},
     {"seam_reach", &Tolerances::seam_reach},
     {"seam_sample", &Tolerances::seam_sample},

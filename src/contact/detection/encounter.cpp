@@ -82,7 +82,7 @@ bool holds_at_rim(const FacesInMotion& scene, const Tolerances& tolerances, std:
       return -e.height <= tolerances.touching * e.size &&
              same_direction(other.normal, e.normal, tolerances.same_direction);
     };
-    if (in_front && other.opposition >= tolerances.competing_opposition * e.opposition && !behind_by_rounding() &&
+    if (in_front && other.opposition >= tolerances.competing * e.opposition && !behind_by_rounding() &&
         !concave(scene.faces, scene.motion, e, other, tolerances))
       return false;
     if (near_rim) continue;
@@ -100,10 +100,10 @@ bool is_outside_of_a_sharp_edge(std::span<const MasterFace> faces, const Toleran
   const Encounter& e = encounters[i];
   const MasterFace& face = faces[static_cast<std::size_t>(e.face)];
   return std::ranges::any_of(encounters, [&](const Encounter& other) {
-    if (!(other.height > 0) || other.opposition < tolerances.competing_opposition * e.opposition) return false;
+    if (!(other.height > 0) || other.opposition < tolerances.competing * e.opposition) return false;
     if (same_direction(other.normal, e.normal, tolerances.same_direction)) return false;
     const Vec3 apart = other.point - e.point;
-    const bool as_deep = apart.dot(e.normal) < tolerances.half_depth * e.height;  // it has a point as deep as the node
+    const bool as_deep = apart.dot(e.normal) < tolerances.competing * e.height;  // it has a point as deep as the node
     const bool convex =
         -apart.dot(other.normal) <= tolerances.touching * e.size;  // a dent between warped faces is none
     // one node is enough: near a node of a ridge, faces meet across it that share no more

@@ -59,7 +59,7 @@ Nearest nearest_of(const FacesInMotion& scene, const Tolerances& tolerances, std
 
 /// Would the surface lie far behind the face there, as it does around a convex edge?
 bool lies_behind(const Vec3& point, const Encounter& face, const Tolerances& tolerances) {
-  return (point - face.point).dot(face.normal) < tolerances.half_depth * face.height;
+  return (point - face.point).dot(face.normal) < tolerances.competing * face.height;
 }
 
 }  // namespace

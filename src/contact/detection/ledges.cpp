@@ -27,7 +27,7 @@ Vec3 last_displacement(const FacesInMotion& scene, const NodeMotion& slave, cons
 bool meets_ledge_side(const FacesInMotion& scene, const Tolerances& tolerances, const Encounter& side,
                       const Encounter& top) {
   const double height = tolerances.ledge * std::min(side.size, top.size);
-  if (!(top.height <= 0) || -top.height > height || top.opposition < tolerances.competing_opposition * side.opposition)
+  if (!(top.height <= 0) || -top.height > height || top.opposition < tolerances.competing * side.opposition)
     return false;
   if (contact::same_direction(side.normal, top.normal, tolerances.same_direction)) return false;  // as nearly all are
   return (top.point - side.point).dot(top.normal) <= 2 * height &&

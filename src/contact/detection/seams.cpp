@@ -45,7 +45,7 @@ bool is_side_of_seam(const FacesInMotion& scene, const Tolerances& tolerances, c
   double sag = own_sag(own, top.normal, tolerances);
   if (continues_beyond(scene, tolerances, top, side))
     sag = std::max(sag, tolerances.seam_sag * extent(top.size, above.element_depth));
-  if (sag == 0 || !(std::abs(top.height) <= sag) || top.opposition < tolerances.competing_opposition * side.opposition)
+  if (sag == 0 || !(std::abs(top.height) <= sag) || top.opposition < tolerances.competing * side.opposition)
     return false;
   return !contact::same_direction(side.normal, top.normal, tolerances.same_direction) &&
          shared_nodes(below, above) >= 1 && !concave(scene.faces, scene.motion, side, top, tolerances);

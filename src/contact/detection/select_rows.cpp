@@ -42,7 +42,7 @@ std::size_t remove_unopposed(const Selection& selection, std::span<Encounter> en
   const Encounter best = *found;  // a copy: the others are moved
   const auto end = std::remove_if(encounters.begin(), encounters.end(), [&](const Encounter& e) {
     if (e.meeting == Meeting::none || e.opposition < tolerances.least_opposition * best.opposition) return true;
-    return e.opposition < tolerances.competing_opposition * best.opposition &&
+    return e.opposition < tolerances.competing * best.opposition &&
            !(selection.same_body(e, best) && selection.concave(e, best));
   });
   return static_cast<std::size_t>(end - encounters.begin());

@@ -28,8 +28,9 @@ struct Tolerances {
   double crosswise = 0.35;
   /// Share of the best opposition below which a face is a side: bodies that lie flush slide along it.
   double least_opposition = 0.1;
-  /// Share of the best opposition from which a face competes with it.
-  double competing_opposition = 0.5;
+  /// Share of a quantity from which a second one competes with it: a lesser opposition with the best; the depth of a
+  /// surface behind a face with a node's; motion along a ledge with that into its side.
+  double competing = 0.5;
   /// Cosine up to which a face that opposes a flat surface is a side that stands on it.
   double side_on_flat = 0.1;
   /// Sine by which the normal of a warped face turns along its rim.
@@ -75,8 +76,6 @@ struct Tolerances {
   // --- Depth
   // ----------------------------------------------------------------------------------------------------------
 
-  /// A surface that lies behind a face by less than this share of a node's depth does not hold the node off.
-  double half_depth = 0.5;
   /// Share of the zone of depths within which two faces at a convex edge are equally deep.
   double equal_depth = 0.1;
   /// Share of `rim`: depth that a step leaves at the surface.
@@ -92,8 +91,6 @@ struct Tolerances {
   /// rims hang over flat edges by so much: on flat surfaces rows of nodes hold all, and those of rims are left open. (A
   /// row that is there only when a rim has sunk in lets go of it for a step.)
   double ledge = 1e-3;
-  /// Share of the motion into a side up to which what moves along its top still slides.
-  double slide_into = 0.5;
   /// Share of the motion along a face up to which an edge may move across it.
   double slide_across = 0.1;
   /// Faces of two bodies are flush where one, continued by this share of its extent, comes no farther from the other.

@@ -22,7 +22,7 @@ void remove_ledge_sides(const FacesInMotion& scene, const Tolerances& tolerances
 inline bool slides_into(const Vec3& motion, const Vec3& normal, const Vec3& along, double size,
                         const Tolerances& tolerances) {
   const double into = -motion.dot(normal);
-  return into > tolerances.rounding * size && -motion.dot(along) < tolerances.slide_into * into;
+  return into > tolerances.rounding * size && -motion.dot(along) < tolerances.competing * into;
 }
 
 }  // namespace brunt::contact
