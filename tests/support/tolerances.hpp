@@ -17,7 +17,7 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 42> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 40> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
     {"coplanar", &Tolerances::coplanar},
     {"clearly_coplanar", &Tolerances::clearly_coplanar},
@@ -26,7 +26,6 @@ constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 42> tole
     {"crosswise", &Tolerances::crosswise},
     {"least_opposition", &Tolerances::least_opposition},
     {"competing", &Tolerances::competing},
-    {"side_on_flat", &Tolerances::side_on_flat},
     {"warp", &Tolerances::warp},
     {"chain_end", &Tolerances::chain_end},
     {"facet_curvature", &Tolerances::facet_curvature},
@@ -44,7 +43,6 @@ constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 42> tole
     {"surface_depth", &Tolerances::surface_depth},
     {"touching", &Tolerances::touching},
     {"ledge", &Tolerances::ledge},
-    {"slide_across", &Tolerances::slide_across},
     {"seam_reach", &Tolerances::seam_reach},
     {"seam_sample", &Tolerances::seam_sample},
     {"seam_sag", &Tolerances::seam_sag},

@@ -26,13 +26,13 @@ struct Tolerances {
   double facing = 0.5;
   /// Cosine up to which a normal is across the row of an edge.
   double crosswise = 0.35;
-  /// Share of the best opposition below which a face is a side: bodies that lie flush slide along it.
+  /// Share (of the best opposition, of a motion) or cosine below which a direction is that of a side: a face opposed by
+  /// less is not hit, since bodies that lie flush slide along it; a side that stands on a flat surface opposes it by
+  /// its tilt alone; an edge slides along a face though it moves across it by so much.
   double least_opposition = 0.1;
   /// Share of a quantity from which a second one competes with it: a lesser opposition with the best; the depth of a
   /// surface behind a face with a node's; motion along a ledge with that into its side.
   double competing = 0.5;
-  /// Cosine up to which a face that opposes a flat surface is a side that stands on it.
-  double side_on_flat = 0.1;
   /// Sine by which the normal of a warped face turns along its rim.
   double warp = 0.1;
   /// Sine by which the normal must lie inside the cone of an edge at which a chain of edges ends.
@@ -91,8 +91,6 @@ struct Tolerances {
   /// rims hang over flat edges by so much: on flat surfaces rows of nodes hold all, and those of rims are left open. (A
   /// row that is there only when a rim has sunk in lets go of it for a step.)
   double ledge = 1e-3;
-  /// Share of the motion along a face up to which an edge may move across it.
-  double slide_across = 0.1;
   /// Faces of two bodies are flush where one, continued by this share of its extent, comes no farther from the other.
   double seam_reach = 0.05;
   /// Where along the side of a face the other one is looked for: at this share from either end.
