@@ -17,7 +17,7 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 40> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 39> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
     {"coplanar", &Tolerances::coplanar},
     {"clearly_coplanar", &Tolerances::clearly_coplanar},
@@ -27,7 +27,6 @@ constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 40> tole
     {"least_opposition", &Tolerances::least_opposition},
     {"competing", &Tolerances::competing},
     {"warp", &Tolerances::warp},
-    {"chain_end", &Tolerances::chain_end},
     {"facet_curvature", &Tolerances::facet_curvature},
     {"parallel", &Tolerances::parallel},
     {"along_face", &Tolerances::along_face},

@@ -72,7 +72,7 @@ bool meet_now(const EdgeScene& scene, const ContactEdge& slave, const ContactEdg
   const bool shallow = std::abs(met.gap) <= tolerances.rim * size;
   // where a chain of edges ends for good, faces and nodes meet, along the normal of a face
   const double beyond =
-      closest->past_an_end ? -tolerances.chain_end : (shallow ? tolerances.warp : tolerances.facet_curvature);
+      closest->past_an_end ? -tolerances.warp : (shallow ? tolerances.warp : tolerances.facet_curvature);
   if (!touches_as_edges(scene, slave, master, met.normal, beyond)) return false;
   if (met.gap <= 0)
     return -met.gap <= tolerances.max_penetration(size, std::min(slave.element_depth, master.element_depth));

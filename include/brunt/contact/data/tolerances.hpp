@@ -33,10 +33,9 @@ struct Tolerances {
   /// Share of a quantity from which a second one competes with it: a lesser opposition with the best; the depth of a
   /// surface behind a face with a node's; motion along a ledge with that into its side.
   double competing = 0.5;
-  /// Sine by which the normal of a warped face turns along its rim.
+  /// Sine by which the normal of a warped face turns along its rim: normals of rows may lie so far outside of the cone
+  /// of an edge, and must lie so far inside of it where a chain of edges ends.
   double warp = 0.1;
-  /// Sine by which the normal must lie inside the cone of an edge at which a chain of edges ends.
-  double chain_end = 0.1;
   /// Sine of the angle between neighbouring facets of a flat surface; below, an edge is none.
   double facet_curvature = 0.02;
   /// Sine up to which edges are parallel.
