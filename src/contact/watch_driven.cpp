@@ -59,6 +59,7 @@ DrivenMeeting meeting_of(const Contact& contact, const Row& row, std::int32_t sl
 /// The rows are in the order of their slaves, so that the first of a step has the lowest gid.
 void watch_driven(Contact& contact, const Carriers& carriers, double dt) {
   std::vector<DrivenMeeting>& driven = contact.driven;
+  const double ten_ledges = 10 * contact.derived.detection.tolerances->ledge;  // flush bodies settle by one
   for (const Row& row : contact.step.rows) {
     if (row.gap >= 0 || row.is_edge() || row.cone != Cone::compression || !is_driven(row, contact.step.nodes, carriers))
       continue;
@@ -67,7 +68,7 @@ void watch_driven(Contact& contact, const Carriers& carriers, double dt) {
     auto known = std::ranges::find_if(
         driven, [&](const DrivenMeeting& meeting) { return meeting.is_of(slave_block, master_block); });
     if (known == driven.end()) {
-      if (-row.gap <= contact.derived.detection.tolerances->driven * size_of_master(contact, row)) continue;
+      if (-row.gap <= ten_ledges * size_of_master(contact, row)) continue;
       driven.push_back(meeting_of(contact, row, slave_block, master_block));
       driven.back().since = contact.ledger.clock - dt;
       known = driven.end() - 1;

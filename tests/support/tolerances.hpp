@@ -17,7 +17,7 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 39> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 38> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
     {"coplanar", &Tolerances::coplanar},
     {"clearly_coplanar", &Tolerances::clearly_coplanar},
@@ -54,7 +54,6 @@ constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 39> tole
     {"tie_rounding", &Tolerances::tie_rounding},
     {"equal_figures", &Tolerances::equal_figures},
     {"similar_edges", &Tolerances::similar_edges},
-    {"driven", &Tolerances::driven},
     {"coarse_slave", &Tolerances::coarse_slave},
     {"kept_volume", &Tolerances::kept_volume},
 }};

@@ -133,8 +133,6 @@ struct Tolerances {
   // --- Reports
   // ------------------------------------------------------------------------------------------------------------
 
-  /// Share of the size from which nodes that supports drive into a face are reported: ten times `ledge`.
-  double driven = 0.01;
   /// Ratio of edges from which a slave that the scene names is reported as coarse. Blocks of rubber that slide on finer
   /// ones at 5 m/s, with edges 1.5, 1.9, 2.2, 3.3, 6.7 times as long: nodes of the master that are not held (all with
   /// `one`) sink by 3, 10, 24, 42, 105 % of an edge of theirs. Up to twice that is what one pass leaves anyway.
