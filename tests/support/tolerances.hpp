@@ -17,28 +17,26 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 38> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 36> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
     {"coplanar", &Tolerances::coplanar},
     {"clearly_coplanar", &Tolerances::clearly_coplanar},
     {"aligned", &Tolerances::aligned},
     {"facing", &Tolerances::facing},
     {"crosswise", &Tolerances::crosswise},
-    {"least_opposition", &Tolerances::least_opposition},
+    {"slight", &Tolerances::slight},
     {"competing", &Tolerances::competing},
     {"warp", &Tolerances::warp},
     {"facet_curvature", &Tolerances::facet_curvature},
     {"parallel", &Tolerances::parallel},
     {"along_face", &Tolerances::along_face},
     {"kink", &Tolerances::kink},
-    {"least_normal", &Tolerances::least_normal},
     {"blunt_angle", &Tolerances::blunt_angle},
     {"capture", &Tolerances::capture},
     {"element_share", &Tolerances::element_share},
     {"rim", &Tolerances::rim},
     {"slow", &Tolerances::slow},
     {"coincidence", &Tolerances::coincidence},
-    {"equal_depth", &Tolerances::equal_depth},
     {"surface_depth", &Tolerances::surface_depth},
     {"touching", &Tolerances::touching},
     {"ledge", &Tolerances::ledge},

@@ -44,7 +44,7 @@ bool slide_along_ledge(const EdgeScene& scene, std::span<const Vec3> node_normal
     if (sine > scene.tolerances().parallel && !lies_along(slave, top) && !lies_along(master, -top)) return false;
     return faces(slave, i, top) && faces(slave, 1 - i, side) && std::abs(height) <= scene.tolerances().ledge * size &&
            slides_into(motion, side, top, size, scene.tolerances()) &&
-           std::abs(motion.dot(top)) < scene.tolerances().least_opposition * std::abs(motion.dot(side));
+           std::abs(motion.dot(top)) < scene.tolerances().slight * std::abs(motion.dot(side));
   };
   return lies_on(0, 0) || lies_on(0, 1) || lies_on(1, 0) || lies_on(1, 1);
 }

@@ -212,9 +212,7 @@ void detect_path_hits(const FacesInMotion& scene, const Tolerances& tolerances, 
   double most = 0;
   for (const Encounter& e : encounters)
     if (!std::isnan(e.height)) most = std::max(most, e.opposition);
-  const auto is_opposed = [&](const Encounter& e) {
-    return e.height > 0 && e.opposition >= tolerances.least_opposition * most;
-  };
+  const auto is_opposed = [&](const Encounter& e) { return e.height > 0 && e.opposition >= tolerances.slight * most; };
   for (Encounter& e : encounters) {
     const bool settled = e.meeting == Meeting::above && e.slow;
     if (is_opposed(e) && !settled) find_hit(scene, slave, e);

@@ -174,9 +174,7 @@ std::span<Encounter> meet_faces(const FacesInMotion& scene, const DetectionSetti
   const auto body_of = [&](const Encounter& e) { return scene.faces[static_cast<std::size_t>(e.face)].body; };
   measure_opposition(slave, facet_normal, encounters);
   const Tolerances& tolerances = *settings.tolerances;
-  const auto stands = [&](const Encounter& e) {
-    return e.opposition > 0 && e.opposition < tolerances.least_opposition;
-  };
+  const auto stands = [&](const Encounter& e) { return e.opposition > 0 && e.opposition < tolerances.slight; };
   if (std::ranges::any_of(encounters, stands) && lies_in_flat_surface(slave, facet_normal, tolerances))
     for (Encounter& e : encounters)
       if (stands(e)) e.opposition = 0;

@@ -75,7 +75,7 @@ void reject_false_depths(const FacesInMotion& scene, const Tolerances& tolerance
   double most = 0;
   for (const Encounter& e : encounters)
     if (!std::isnan(e.height)) most = std::max(most, e.opposition);
-  const bool opposed = nearest.opposition >= tolerances.least_opposition * most;
+  const bool opposed = nearest.opposition >= tolerances.slight * most;
   const bool clear = nearest.outside && nearest.distance > tolerances.touching * nearest.face->size;
   if (!opposed && !clear) return;
   const Vec3 point = nearest.face->point;

@@ -41,7 +41,7 @@ std::size_t remove_unopposed(const Selection& selection, std::span<Encounter> en
     return 0;                     // what rounding leaves of surfaces at right angles opposes nothing
   const Encounter best = *found;  // a copy: the others are moved
   const auto end = std::remove_if(encounters.begin(), encounters.end(), [&](const Encounter& e) {
-    if (e.meeting == Meeting::none || e.opposition < tolerances.least_opposition * best.opposition) return true;
+    if (e.meeting == Meeting::none || e.opposition < tolerances.slight * best.opposition) return true;
     return e.opposition < tolerances.competing * best.opposition &&
            !(selection.same_body(e, best) && selection.concave(e, best));
   });
@@ -118,7 +118,7 @@ double share_at_convex_edge(const Selection& selection, const Encounter& e, cons
   const double place = selection.tolerances.rim * std::min(e.size, best.size);
   const double zone = std::min(place, tolerances.surface_depth * place + 4 * std::abs(best.gap));
   const double deeper = (std::abs(e.gap) - std::abs(best.gap)) / zone;
-  return std::clamp((1 - std::abs(deeper)) / (1 - tolerances.equal_depth), 0.0, 1.0);
+  return std::clamp((1 - std::abs(deeper)) / (1 - tolerances.slight), 0.0, 1.0);
 }
 
 /// Faces that are met in one place by one node push along their mean normal, where they meet in a convex edge or
@@ -139,7 +139,7 @@ void merge_corner(const Selection& selection, std::span<Encounter> encounters) {
       sum += share_at_convex_edge(selection, e, best) * e.normal;
   }
   const double length = sum.norm();
-  if (length > selection.tolerances.least_normal)
+  if (length > selection.tolerances.slight)
     turn(selection, sum / length, best);  // else they face each other: a blade without thickness
 }
 

@@ -26,10 +26,11 @@ struct Tolerances {
   double facing = 0.5;
   /// Cosine up to which a normal is across the row of an edge.
   double crosswise = 0.35;
-  /// Share (of the best opposition, of a motion) or cosine below which a direction is that of a side: a face opposed by
-  /// less is not hit, since bodies that lie flush slide along it; a side that stands on a flat surface opposes it by
-  /// its tilt alone; an edge slides along a face though it moves across it by so much.
-  double least_opposition = 0.1;
+  /// Share or cosine below which something is slight: a face opposed by less than this share of the best is a side,
+  /// along which flush bodies slide; a side that stands on a flat surface opposes it by its tilt alone; an edge slides
+  /// along a face though it moves across it by so much; depths that differ by so much of their zone are equal; normals
+  /// whose sum is shorter look away from each other (a blade without thickness).
+  double slight = 0.1;
   /// Share of a quantity from which a second one competes with it: a lesser opposition with the best; the depth of a
   /// surface behind a face with a node's; motion along a ledge with that into its side.
   double competing = 0.5;
@@ -44,8 +45,6 @@ struct Tolerances {
   double along_face = 5;
   /// Angle between edges of a chain that a node presses in [radians].
   double kink = 0.5;
-  /// Length of a sum of unit normals below which the faces look away from each other: a blade without thickness.
-  double least_normal = 0.1;
 
   // --- Edges of the surface, by the angle between the normals of their faces [degrees]
   // --------------------------------
@@ -75,8 +74,6 @@ struct Tolerances {
   // --- Depth
   // ----------------------------------------------------------------------------------------------------------
 
-  /// Share of the zone of depths within which two faces at a convex edge are equally deep.
-  double equal_depth = 0.1;
   /// Share of `rim`: depth that a step leaves at the surface.
   double surface_depth = 1e-3;
   /// Share of the size: a node that is no farther from a plane is in it (dents between faces, rounding in mesh files,

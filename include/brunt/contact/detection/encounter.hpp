@@ -122,7 +122,7 @@ void resolve_rim_projections(const FacesInMotion& scene, const Tolerances& toler
 
 /// Looks along the path of a node that is outside of faces: those that it passes through become Meeting::hit. Nodes
 /// that move slowly above a face are left to their closest point, and faces that the slave's surface opposes by less
-/// than `least_opposition` of the best are passed over (sides of flush bodies, along which nodes slide). encounters: of
+/// than `slight` of the best are passed over (sides of flush bodies, along which nodes slide). encounters: of
 /// one slave with the faces of one body, after resolve_rim_projections.
 void detect_path_hits(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
                       std::span<Encounter> encounters);
