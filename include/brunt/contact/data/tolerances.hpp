@@ -12,7 +12,7 @@
 namespace brunt::contact {
 
 struct Tolerances {
-  // --- Directions ---------------------------------------------------------------------------------------------------
+  // Directions.
 
   /// Normals within this angle are one direction: one row holds them, and an edge between them is not sharp [degrees].
   double same_direction = 20;
@@ -46,8 +46,7 @@ struct Tolerances {
   /// Angle between edges of a chain that a node presses in [radians].
   double kink = 0.5;
 
-  // --- Edges of the surface, by the angle between the normals of their faces [degrees]
-  // --------------------------------
+  // Edges of the surface, by the angle between the normals of their faces [degrees].
 
   /// Convex edges are blunt from this angle between the normals of their faces on, and sharp from `same_direction` on
   /// [degrees]. Facets of round bodies differ by 22.5 degrees with 16 around, by 5.6 with 64. Edges flatter than 4 slip
@@ -55,8 +54,7 @@ struct Tolerances {
   /// given 3e-8 of its energy as it goes in, as with 80 (4.5 degrees).
   double blunt_angle = 4;
 
-  // --- Reach, as shares of the size
-  // ------------------------------------------------------------------------------------
+  // Reach, as shares of the size.
 
   /// A node farther from a face's swept box, or deeper below it, has nothing to do with the face.
   double capture = 0.25;
@@ -71,8 +69,7 @@ struct Tolerances {
   /// Nodes of two bodies nearer than this share of the mean element depth are coincident: one pass is as good as two.
   double coincidence = 0.01;
 
-  // --- Depth
-  // ----------------------------------------------------------------------------------------------------------
+  // Depth.
 
   /// Share of `rim`: depth that a step leaves at the surface.
   double surface_depth = 1e-3;
@@ -80,8 +77,7 @@ struct Tolerances {
   /// facets of a curved fit). Nodes deeper inside at the start overlap. Of fitted bodies it stands for `drift` as well.
   double touching = 1e-4;
 
-  // --- Ledges and seams
-  // -------------------------------------------------------------------------------------------------
+  // Ledges and seams.
 
   /// Share of the size: what flush bodies settle under load. Steps up to this height are ledges, which are passed over;
   /// rims hang over flat edges by so much: on flat surfaces rows of nodes hold all, and those of rims are left open. (A
@@ -94,8 +90,7 @@ struct Tolerances {
   /// So far below a seam a side is not met, as a share of the extent: what flush bodies may sag under load.
   double seam_sag = 0.1;
 
-  // --- Recovery of penetrations
-  // -------------------------------------------------------------------------------------------
+  // Recovery of penetrations.
 
   /// Share of a penetration (of a drift, a slip) that a step may recover.
   double recovery = 0.05;
@@ -106,8 +101,7 @@ struct Tolerances {
   /// Share of the size: penetration that a step may leave by itself.
   double drift = 3e-5;
 
-  // --- Rounding
-  // -------------------------------------------------------------------------------------------------------
+  // Rounding.
 
   /// What is less than this share of what it is compared with is rounding of positions and normals.
   double rounding = 1e-6;
@@ -116,8 +110,7 @@ struct Tolerances {
   /// The same of the place of a tied node beside its face.
   double tie_rounding = 1e-12;
 
-  // --- Bodies
-  // -----------------------------------------------------------------------------------------------------------
+  // Bodies.
 
   /// Mean areas and masses of two bodies that differ by less than this share are equal: the next criterion decides.
   double equal_figures = 0.01;
@@ -127,8 +120,7 @@ struct Tolerances {
   /// times the time.
   double similar_edges = 1.4;
 
-  // --- Reports
-  // ------------------------------------------------------------------------------------------------------------
+  // Start of a run.
 
   /// Ratio of edges from which a slave that the scene names is reported as coarse. Blocks of rubber that slide on finer
   /// ones at 5 m/s, with edges 1.5, 1.9, 2.2, 3.3, 6.7 times as long: nodes of the master that are not held (all with
