@@ -17,10 +17,8 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 36> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 34> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
-    {"coplanar", &Tolerances::coplanar},
-    {"clearly_coplanar", &Tolerances::clearly_coplanar},
     {"aligned", &Tolerances::aligned},
     {"facing", &Tolerances::facing},
     {"crosswise", &Tolerances::crosswise},

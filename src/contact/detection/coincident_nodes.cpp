@@ -37,7 +37,7 @@ struct Around {
   Vec3 normals = Vec3::Zero(), corners = Vec3::Zero();  ///< sums: of normals, of corners from the node
   int count = 0;
   [[nodiscard]] bool are_sharp_corner(const Tolerances& tolerances) const {
-    return normals.norm() < tolerances.coplanar * count && corners.dot(normals) < 0;
+    return normals.norm() < tolerances.aligned * count && corners.dot(normals) < 0;
   }
 };
 
@@ -45,7 +45,7 @@ struct Around {
 /// the thorough look below finds too: every face lies on the first facet, and every facet on the first face.
 bool surfaces_coincide(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
                        LocalIndex other, const Tolerances& tolerances) {
-  const double clearly = tolerances.clearly_coplanar * tolerances.clearly_coplanar;
+  const double clearly = tolerances.aligned * tolerances.aligned;
   const auto faces_each_other = [&](LocalIndex facet, const Vec3& area) {
     const double along = -node.facet_normal[static_cast<std::size_t>(facet)].dot(area);
     return (along > 0 || node.two_sided) && along * along > clearly * area.squaredNorm();
@@ -83,10 +83,10 @@ bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, st
       face_lies = std::max(face_lies, cosine);
       facet_lies[i] = std::max(facet_lies[i], cosine);
     }
-    fit = fit && (face_lies <= tolerances.facing || face_lies >= tolerances.coplanar);
+    fit = fit && (face_lies <= tolerances.facing || face_lies >= tolerances.aligned);
   }
   fit = fit && std::none_of(facet_lies.begin(), facet_lies.end(),
-                            [&](double cosine) { return cosine > tolerances.facing && cosine < tolerances.coplanar; });
+                            [&](double cosine) { return cosine > tolerances.facing && cosine < tolerances.aligned; });
   return fit || around.are_sharp_corner(tolerances);
 }
 

@@ -58,7 +58,7 @@ bool is_at_side(const EdgeScene& scene, const ContactEdge& seam, const ContactEd
   for (std::size_t k = 0; k < 2; ++k) {
     if (!seam.seam[k]) continue;
     const Vec3 top = scene.normal(seam, k);
-    if (out.dot(top) > scene.tolerances().coplanar) return false;
+    if (out.dot(top) > scene.tolerances().aligned) return false;
     const auto reaches_below = [&](LocalIndex node) { return (scene.at(node).position - point).dot(top) < -sag; };
     if (std::ranges::none_of(other.nodes, reaches_below)) return true;
   }

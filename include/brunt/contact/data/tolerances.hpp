@@ -16,12 +16,9 @@ struct Tolerances {
 
   /// Normals within this angle are one direction: one row holds them, and an edge between them is not sharp [degrees].
   double same_direction = 20;
-  /// Cosine from which two faces lie on each other: that of `same_direction`, rounded.
-  double coplanar = 0.94;
-  /// Cosine from which that is beyond doubt, so that the thorough look is spared.
-  double clearly_coplanar = 0.95;
-  /// Cosine from which a direction is along another: an edge along a normal, a force of the last step along a new row.
-  double aligned = 0.9;
+  /// Cosine from which directions are one: `same_direction`, rounded. Of faces that lie on each other, of an edge along
+  /// a normal, of a force of the last step along a new row.
+  double aligned = 0.94;
   /// Cosine between a normal and the reversed other from which surfaces face each other: 60 degrees.
   double facing = 0.5;
   /// Cosine up to which a normal is across the row of an edge.
