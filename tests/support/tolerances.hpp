@@ -17,11 +17,10 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 34> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 33> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
     {"aligned", &Tolerances::aligned},
     {"facing", &Tolerances::facing},
-    {"crosswise", &Tolerances::crosswise},
     {"slight", &Tolerances::slight},
     {"competing", &Tolerances::competing},
     {"warp", &Tolerances::warp},

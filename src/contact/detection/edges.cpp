@@ -105,7 +105,7 @@ bool held_at_ends(const Tolerances& tolerances, std::span<const Vec3> node_norma
   };
   const auto held_across = [&](std::size_t end) {
     const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];
-    return !normal.isZero(0) && std::abs(normal.dot(met.normal)) < tolerances.crosswise;
+    return !normal.isZero(0) && std::abs(normal.dot(met.normal)) < tolerances.facing;
   };
   return (held(0, 1 - met.s) && held(1, met.s)) || (deep && held_across(0) && held_across(1));
 }

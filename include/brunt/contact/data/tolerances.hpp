@@ -19,10 +19,9 @@ struct Tolerances {
   /// Cosine from which directions are one: `same_direction`, rounded. Of faces that lie on each other, of an edge along
   /// a normal, of a force of the last step along a new row.
   double aligned = 0.94;
-  /// Cosine between a normal and the reversed other from which surfaces face each other: 60 degrees.
+  /// Cosine between a normal and the reversed other from which surfaces face each other: 60 degrees. Below, a row does
+  /// not hold along the other's normal.
   double facing = 0.5;
-  /// Cosine up to which a normal is across the row of an edge.
-  double crosswise = 0.35;
   /// Share or cosine below which something is slight: a face opposed by less than this share of the best is a side,
   /// along which flush bodies slide; a side that stands on a flat surface opposes it by its tilt alone; an edge slides
   /// along a face though it moves across it by so much; depths that differ by so much of their zone are equal; normals
