@@ -17,7 +17,7 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 33> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 32> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
     {"aligned", &Tolerances::aligned},
     {"facing", &Tolerances::facing},
@@ -26,7 +26,6 @@ constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 33> tole
     {"warp", &Tolerances::warp},
     {"facet_curvature", &Tolerances::facet_curvature},
     {"parallel", &Tolerances::parallel},
-    {"along_face", &Tolerances::along_face},
     {"kink", &Tolerances::kink},
     {"blunt_angle", &Tolerances::blunt_angle},
     {"capture", &Tolerances::capture},

@@ -101,7 +101,7 @@ bool held_at_ends(const Tolerances& tolerances, std::span<const Vec3> node_norma
   const auto held = [&](std::size_t end, double weight) {
     const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];
     if (deep && weight >= 1 - tolerances.rim) return !normal.isZero(0);
-    return weight <= tolerances.rim || same_direction(normal, met.normal, tolerances.along_face);
+    return weight <= tolerances.rim || same_direction(normal, met.normal, tolerances.blunt_angle);
   };
   const auto held_across = [&](std::size_t end) {
     const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];

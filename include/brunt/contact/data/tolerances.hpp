@@ -37,8 +37,6 @@ struct Tolerances {
   double facet_curvature = 0.02;
   /// Sine up to which edges are parallel.
   double parallel = 1e-3;
-  /// Angle between the row of an edge and that of its end within which the end's row holds the edge [degrees].
-  double along_face = 5;
   /// Angle between edges of a chain that a node presses in [radians].
   double kink = 0.5;
 
@@ -48,6 +46,7 @@ struct Tolerances {
   /// [degrees]. Facets of round bodies differ by 22.5 degrees with 16 around, by 5.6 with 64. Edges flatter than 4 slip
   /// over a rim between its nodes without harm: a steel peg with 96 around (3.75 degrees) that drifts in its hole is
   /// given 3e-8 of its energy as it goes in, as with 80 (4.5 degrees).
+  /// A row within this angle of an edge's holds the edge.
   double blunt_angle = 4;
 
   // Reach, as shares of the size.
