@@ -77,7 +77,7 @@ Seen look_at(const MasterFace& face, std::span<const NodeMotion> motion, const V
   if (across.norm() > tolerances.rim * size) return distance <= reach ? Seen::beside : Seen::nothing;
   if (distance > best.distance || (distance == best.distance && face.key > best.face)) return Seen::over;
   best = {distance, face.key, {.face = face.key, .body = face.body, .block = face.block, .weights = closest->weights}};
-  if (across.norm() > tolerances.tie_rounding * size)
+  if (across.norm() > tolerances.fine_rounding * size)
     geometry::shift_weights(corners, normal, across, best.tie.weights);
   const double height = normal.dot(offset_of(slave, corners, best.tie.weights));
   // the moment of a height that is rounding is nothing

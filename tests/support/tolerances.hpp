@@ -17,7 +17,7 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 32> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 31> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
     {"aligned", &Tolerances::aligned},
     {"facing", &Tolerances::facing},
@@ -45,7 +45,6 @@ constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 32> tole
     {"drift", &Tolerances::drift},
     {"rounding", &Tolerances::rounding},
     {"fine_rounding", &Tolerances::fine_rounding},
-    {"tie_rounding", &Tolerances::tie_rounding},
     {"equal_figures", &Tolerances::equal_figures},
     {"similar_edges", &Tolerances::similar_edges},
     {"coarse_slave", &Tolerances::coarse_slave},

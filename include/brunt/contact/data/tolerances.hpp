@@ -102,8 +102,6 @@ struct Tolerances {
   double rounding = 1e-6;
   /// The same of quantities that are rounded a few times alone.
   double fine_rounding = 1e-9;
-  /// The same of the place of a tied node beside its face.
-  double tie_rounding = 1e-12;
 
   // Bodies.
 
