@@ -17,7 +17,7 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 31> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 30> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
     {"aligned", &Tolerances::aligned},
     {"facing", &Tolerances::facing},
@@ -33,7 +33,6 @@ constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 31> tole
     {"rim", &Tolerances::rim},
     {"slow", &Tolerances::slow},
     {"coincidence", &Tolerances::coincidence},
-    {"surface_depth", &Tolerances::surface_depth},
     {"touching", &Tolerances::touching},
     {"ledge", &Tolerances::ledge},
     {"seam_reach", &Tolerances::seam_reach},

@@ -116,7 +116,7 @@ double share_at_convex_edge(const Selection& selection, const Encounter& e, cons
   if (e.meeting != Meeting::inside) return 1;
   const Tolerances& tolerances = selection.tolerances;
   const double place = selection.tolerances.rim * std::min(e.size, best.size);
-  const double zone = std::min(place, tolerances.surface_depth * place + 4 * std::abs(best.gap));
+  const double zone = std::min(place, tolerances.drift * std::min(e.size, best.size) + 4 * std::abs(best.gap));
   const double deeper = (std::abs(e.gap) - std::abs(best.gap)) / zone;
   return std::clamp((1 - std::abs(deeper)) / (1 - tolerances.slight), 0.0, 1.0);
 }

@@ -66,8 +66,6 @@ struct Tolerances {
 
   // Depth.
 
-  /// Share of `rim`: depth that a step leaves at the surface.
-  double surface_depth = 1e-3;
   /// Share of the size: a node that is no farther from a plane is in it (dents between faces, rounding in mesh files,
   /// facets of a curved fit). Nodes deeper inside at the start overlap. Of fitted bodies it stands for `drift` as well.
   double touching = 1e-4;
@@ -93,7 +91,7 @@ struct Tolerances {
   double recovery_limit = 1e-3;
   /// Share of the time that sound takes along the size: the shortest step that recovery is measured with.
   double recovery_time = 0.5;
-  /// Share of the size: penetration that a step may leave by itself.
+  /// Share of the size: penetration that a step leaves at a surface by itself.
   double drift = 3e-5;
 
   // Rounding.
