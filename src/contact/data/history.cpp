@@ -21,7 +21,7 @@ bool acted(const HistoryRecord& record) {
 }
 
 /// Rows and records of one slave: those of the same keys belong together, then, each once, those that point alike.
-/// aligned: Tolerances::aligned; friction may tilt a force by 26 degrees.
+/// aligned: Tolerances::aligned; friction may tilt a force by 20 degrees.
 void start_slave(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt, double aligned,
                  std::span<Vec3> impulses) {
   const auto has_record = [&](const Row& row) {
