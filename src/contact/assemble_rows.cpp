@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "brunt/contact/data/tolerances.hpp"
@@ -31,6 +32,13 @@ bool has_coincident_node(const Row& row, std::span<const NodeMotion> motion_of, 
                      [&](LocalIndex node) { return are_coincident(motion(row.nodes[0]), motion(node), settings); });
 }
 
+GlobalIndex lowest_gid_of_master(const Contact& contact, const Row& row) {
+  GlobalIndex lowest = std::numeric_limits<GlobalIndex>::max();
+  for (std::size_t i = 1; i < static_cast<std::size_t>(row.node_count); ++i)
+    lowest = std::min(lowest, contact.lists.nodes.gid[static_cast<std::size_t>(row.nodes[i])]);
+  return lowest;
+}
+
 /// Of rows that can be: they go on from the impulses of the last step.
 double softness_of(const DerivedSettings& derived) {
   const bool remembers_impulses = derived.enforcement.warm_start && !derived.enforcement.averaged;
@@ -50,8 +58,8 @@ void assign_passes(const Contact& contact, double dt, std::span<Row> rows) {
   const double softness = softness_of(derived);
   for (Row& row : rows) {
     if (row.is_wall() || row.is_edge() || row.cone != Cone::compression) continue;  // ties hold in both
-    row.pass = pass_of(row, contact.surface.node(surface_slave(contact, row)), contact.settings.specification,
-                       contact.surface.bodies);
+    row.pass = pass_of(row, contact.surface.node(surface_slave(contact, row)), lowest_gid_of_master(contact, row),
+                       contact.settings.specification, contact.surface.bodies);
     if (row.pass == Pass::first && row.slave_body != row.master_body &&
         has_coincident_node(row, contact.step.nodes.motion, derived.detection))
       row.pass = Pass::both;

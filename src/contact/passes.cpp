@@ -3,14 +3,13 @@
 
 namespace brunt::contact {
 
-Pass pass_of(const Row& row, const SurfaceNode& node, const Specification& specification,
+Pass pass_of(const Row& row, const SurfaceNode& node, GlobalIndex master_gid, const Specification& specification,
              std::span<const BodyFigures> bodies) {
   if (!meet_in_two_passes(specification, bodies, node, row.master_block, row.master_body)) return Pass::both;
   if (row.slave_body != row.master_body)
     return is_primary_slave(specification, bodies, node, row.master_block, row.master_body) ? Pass::first
                                                                                             : Pass::second;
-  const Vec3 askew(0.81, 0.47, 0.35);  // no face of a body that was meshed along the axes looks across it
-  return row.normal.dot(askew) > 0 ? Pass::first : Pass::second;
+  return row.key.slave < master_gid ? Pass::first : Pass::second;
 }
 
 }  // namespace brunt::contact

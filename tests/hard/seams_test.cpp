@@ -142,7 +142,7 @@ TEST_CASE("a block slides over the seam of two beds of which one sags under it")
   check_all({0.005, 0.05}, {0.01}, {7.0});
 }
 
-TEST_CASE("a block slides over the seam of two beds of which one sags under it: all gaps", "[long]") {
+TEST_CASE("a block slides over the seam of two beds of which one sags under it: all gaps", "[.][long]") {
   check_all({0.002, 0.005, 0.02, 0.05}, {0.0, 0.005, 0.02}, {0.0, 7.0, 20.0, 45.0});
 }
 

@@ -6,8 +6,9 @@
 
 #include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/detection/coincident_nodes.hpp"
+#include "brunt/contact/detection/cones.hpp"
 #include "brunt/contact/detection/detection.hpp"
-#include "brunt/contact/detection/false_depth.hpp"
+#include "brunt/contact/detection/features.hpp"
 #include "brunt/contact/detection/ledges.hpp"
 #include "brunt/contact/detection/seams.hpp"
 #include "brunt/contact/detection/sides.hpp"
@@ -92,26 +93,13 @@ struct Slave {
   std::span<const double> seam_sag{};  ///< of facets, see Candidates; empty: none
 };
 
-/// How much the facets around the slave oppose each face that it meets; a point without any opposes all of them.
-void measure_opposition(const Slave& slave, std::span<const Vec3> facet_normal, std::span<Encounter> encounters) {
-  const bool sheet = slave.half_thickness > 0;
-  for (Encounter& e : encounters) e.opposition = slave.facets.empty() ? 1 : -1;
-  for (const LocalIndex facet : slave.facets) {
-    const Vec3& out = facet_normal[static_cast<std::size_t>(facet)];
-    for (Encounter& e : encounters) {
-      const double cosine = out.dot(e.normal);
-      e.opposition = std::max(e.opposition, sheet ? std::abs(cosine) : -cosine);
-    }
+/// Faces that the slave's cone hardly admits are sides, along which it slides: they oppose it by nothing.
+void measure_opposition(const NormalCone& cone, const Tolerances& tolerances, std::span<Encounter> encounters) {
+  const bool smooth = is_smooth(cone, tolerances.aligned);
+  for (Encounter& e : encounters) {
+    const double cosine = admission(cone, e.normal, smooth);
+    e.opposition = cosine < tolerances.slight ? 0 : cosine;
   }
-}
-
-/// Are all facets around the slave of one direction? Then it meets no side of a body that stands there (a node of a
-/// plate, level with a block's foot and a little beside its corner, is not inside of the block's front).
-bool lies_in_flat_surface(const Slave& slave, std::span<const Vec3> facet_normal, const Tolerances& tolerances) {
-  const auto normal = [&](LocalIndex facet) { return facet_normal[static_cast<std::size_t>(facet)]; };
-  return std::ranges::all_of(slave.facets, [&](LocalIndex facet) {
-    return normal(slave.facets.front()).dot(normal(facet)) > tolerances.aligned;
-  });
 }
 
 void fill_row(const Encounter& e, const MasterFace& face, LocalIndex slave, Row& row) {
@@ -172,17 +160,12 @@ void list_faces(const FacesInMotion& scene, const DetectionSettings& settings, c
 std::span<Encounter> meet_faces(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
                                 std::span<const Vec3> facet_normal, std::span<Encounter> encounters) {
   const auto body_of = [&](const Encounter& e) { return scene.faces[static_cast<std::size_t>(e.face)].body; };
-  measure_opposition(slave, facet_normal, encounters);
   const Tolerances& tolerances = *settings.tolerances;
-  const auto stands = [&](const Encounter& e) { return e.opposition > 0 && e.opposition < tolerances.slight; };
-  if (std::ranges::any_of(encounters, stands) && lies_in_flat_surface(slave, facet_normal, tolerances))
-    for (Encounter& e : encounters)
-      if (stands(e)) e.opposition = 0;
+  measure_opposition({slave.facets, facet_normal, slave.half_thickness > 0}, tolerances, encounters);
   for (std::size_t first = 0, last = 0; first < encounters.size(); first = last) {
     while (last < encounters.size() && body_of(encounters[last]) == body_of(encounters[first])) ++last;
     const std::span<Encounter> here = encounters.subspan(first, last - first);
-    resolve_rim_projections(scene, tolerances, here);
-    if (settings.criterion == Criterion::automatic) reject_false_depths(scene, tolerances, here);
+    resolve_features(scene, tolerances, settings.criterion, here);
     detect_path_hits(scene, tolerances, slave.motion, here);
     if (seams_count(settings, slave.body, body_of(here.front())))
       remove_seam_sides(scene, tolerances, {slave.facets, slave.seam_sag, facet_normal}, here);

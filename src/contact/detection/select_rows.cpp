@@ -53,17 +53,6 @@ double gap_distance(const Encounter& e) {
   return e.meeting == Meeting::hit ? std::abs(e.gap) : std::sqrt(e.gap * e.gap + e.beside * e.beside);
 }
 
-/// Is the node behind the plane of a face beside it, but over the neighbour? Its position then decides which
-/// of the two it lies on: behind a ridge's plane it would be lifted off the other slope, and fall back on it, for ever.
-bool lies_on_neighbour(const Selection& selection, std::span<const Encounter> encounters, const Encounter& e) {
-  if (e.meeting != Meeting::inside || e.region == geometry::Region::face) return false;
-  return std::ranges::any_of(encounters, [&](const Encounter& other) {
-    if (other.region != geometry::Region::face || !selection.same_body(other, e)) return false;
-    const double apart = (other.point - e.point).norm();
-    return apart <= selection.tolerances.rim * std::min(e.size, other.size) && selection.same_direction(other, e);
-  });
-}
-
 /// Who of a slave's encounters goes before whom; their order is set with it.
 class Ranking {
  public:
@@ -158,8 +147,6 @@ std::size_t select_rows(std::span<const MasterFace> faces, std::span<const NodeM
   encounters = encounters.first(remove_unopposed(selection, encounters));
   if (encounters.size() < 2) return encounters.size();
   selection.smooth = one_direction(encounters, tolerances.same_direction);
-  for (Encounter& e : encounters)
-    if (lies_on_neighbour(selection, encounters, e)) e.meeting = Meeting::above;
   const Ranking before(selection, encounters);
   if (const auto best = std::ranges::min_element(encounters, before); best != encounters.begin())
     std::swap(encounters.front(), *best);

@@ -89,6 +89,11 @@ Encounter encounter(const FacesInMotion& scene, const Tolerances& tolerances, co
 void encounter_all(const FacesInMotion& scene, const Tolerances& tolerances, std::span<const NodeMotion* const> slave,
                    std::span<Encounter> met);
 
+/// Corners of the face on which a point of this region lies: the two of an edge, one (twice) of a vertex.
+std::array<LocalIndex, 2> nodes_of_feature(const MasterFace& face, geometry::Region region);
+
+bool has_node(const MasterFace& face, LocalIndex node);
+
 /// How many corners two faces have in common.
 std::ptrdiff_t shared_nodes(const MasterFace& one, const MasterFace& other);
 
@@ -112,18 +117,10 @@ bool one_direction(std::span<const Encounter> encounters, double degrees);
 bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const Encounter& a,
              const Encounter& b, const Tolerances& tolerances);
 
-/// A node that projects a little beside a face (by `rim`) still meets it, unless a neighbour that its surface opposes
-/// as well, and whose normal differs by more than `same_direction` degrees, has it in front (around a convex edge: in
-/// a pit all slopes hold, whichever of them has the node in front by a little); one farther beside meets
-/// it only where all faces of the body that share that edge or corner have it behind them, over them or nearest there
-/// too (the bottom of a groove: a node beyond the end of a bore is beside its facets). The others become Meeting::none.
-/// encounters: of one slave with the faces of one body, with their opposition.
-void resolve_rim_projections(const FacesInMotion& scene, const Tolerances& tolerances, std::span<Encounter> encounters);
-
 /// Looks along the path of a node that is outside of faces: those that it passes through become Meeting::hit. Nodes
 /// that move slowly above a face are left to their closest point, and faces that the slave's surface opposes by less
 /// than `slight` of the best are passed over (sides of flush bodies, along which nodes slide). encounters: of
-/// one slave with the faces of one body, after resolve_rim_projections.
+/// one slave with the faces of one body, after resolve_features.
 void detect_path_hits(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
                       std::span<Encounter> encounters);
 

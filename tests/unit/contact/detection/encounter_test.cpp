@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "brunt/contact/detection/features.hpp"
 #include "few_faces.hpp"
 
 using namespace brunt;
@@ -22,7 +23,8 @@ Encounter meet(FewFaces& scene, const Vec3& position, const Vec3& velocity, Loca
 }
 
 void settle(const FewFaces& scene, std::span<Encounter> met) {
-  resolve_rim_projections({scene.faces, {}, scene.motion, scene.dt}, *scene.settings.tolerances, met);
+  resolve_features({scene.faces, {}, scene.motion, scene.dt}, *scene.settings.tolerances, scene.settings.criterion,
+                   met);
 }
 
 constexpr LocalIndex top = 5;

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/detection/features.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "brunt/contact/data/tolerances.hpp"
+
+namespace brunt::contact {
+namespace {
+
+using geometry::Region;
+
+double distance_to_face(const Encounter& e) {
+  return std::sqrt(e.height * e.height + e.beside * e.beside);
+}
+
+/// The encounters of one slave with the faces of one body.
+class Neighbourhood {
+ public:
+  Neighbourhood(const FacesInMotion& scene, const Tolerances& tolerances, Criterion criterion,
+                std::span<const Encounter> encounters)
+      : scene_(scene), tolerances_(tolerances), criterion_(criterion), encounters_(encounters) {
+    for (const Encounter& e : encounters)
+      if (!std::isnan(e.height)) best_ = std::max(best_, e.opposition);
+  }
+
+  [[nodiscard]] Meeting meeting(const Encounter& e) const {
+    if (e.meeting != Meeting::inside && e.meeting != Meeting::above) return e.meeting;
+    const bool at_rim = e.beside <= tolerances_.rim * e.size;
+    if (e.height > 0)
+      return e.region == Region::face || (at_rim && !has_neighbour_in_front(e)) ? Meeting::above : Meeting::none;
+    if (e.region == Region::face) return meeting_behind(e);
+    if (!at_rim && !lies_in_a_pit(e)) return Meeting::none;
+    const Meeting meeting = meeting_behind(e);
+    return meeting == Meeting::inside && has_foot_on_smooth_neighbour(e) ? Meeting::above : meeting;
+  }
+
+ private:
+  struct Nearest {
+    const Encounter* face = nullptr;  ///< one of those that share the feature; null: there is none
+    double distance = 0;              ///< > 0 outside of the body [length]
+  };
+
+  [[nodiscard]] const MasterFace& face_of(const Encounter& e) const {
+    return scene_.faces[static_cast<std::size_t>(e.face)];
+  }
+  [[nodiscard]] bool competes(const Encounter& other, const Encounter& e) const {
+    return other.opposition >= tolerances_.slight * e.opposition;
+  }
+  [[nodiscard]] bool in_one_direction(const Encounter& one, const Encounter& other) const {
+    return same_direction(one.normal, other.normal, tolerances_.same_direction);
+  }
+
+  /// Calls visit(encounter) for the other faces around the feature on which e has its point, until one says no. Did all
+  /// say yes?
+  template <class Visit>
+  [[nodiscard]] bool all_around(const Encounter& e, Visit&& visit) const {
+    const auto [first, second] = nodes_of_feature(face_of(e), e.region);
+    return std::ranges::all_of(encounters_, [&](const Encounter& other) {
+      if (&other == &e || std::isnan(other.height)) return true;
+      return !has_node(face_of(other), first) || !has_node(face_of(other), second) || visit(other);
+    });
+  }
+
+  /// Is the node in the cone of a convex edge or vertex, of which this face is but one?
+  [[nodiscard]] bool has_neighbour_in_front(const Encounter& e) const {
+    return !all_around(e, [&](const Encounter& other) {
+      return !(other.height > 0) || !competes(other, e) || in_one_direction(other, e) ||
+             concave(scene_.faces, scene_.motion, e, other, tolerances_);
+    });
+  }
+
+  /// A concave edge or vertex: the node is behind all faces around it, and over them or nearest to them there.
+  [[nodiscard]] bool lies_in_a_pit(const Encounter& e) const {
+    bool any = false;
+    const bool behind_all = all_around(e, [&](const Encounter& other) {
+      any = true;
+      const auto in_one_place = [&] { return (other.point - e.point).norm() <= tolerances_.touching * e.size; };
+      return other.height <= 0 && (other.region == Region::face || in_one_place());
+    });
+    return any && behind_all;
+  }
+
+  /// Beside e, but on a face that goes on from it smoothly? Then the foot there tells the gap, not the plane of e.
+  [[nodiscard]] bool has_foot_on_smooth_neighbour(const Encounter& e) const {
+    return std::ranges::any_of(encounters_, [&](const Encounter& other) {
+      return other.region == Region::face && !std::isnan(other.height) && in_one_direction(other, e) &&
+             (other.point - e.point).norm() <= tolerances_.rim * std::min(e.size, other.size);
+    });
+  }
+
+  /// Of the faces around the encounter's point [rad]: the whole angle within a face, half of it at an edge.
+  [[nodiscard]] double angle_at_point(const Encounter& e) const {
+    if (e.region == Region::face) return 2 * std::numbers::pi;
+    if (e.region < Region::vertex0) return std::numbers::pi;
+    const MasterFace& face = face_of(e);
+    const auto count = static_cast<std::size_t>(face.corner_count);
+    const auto corner = static_cast<std::size_t>(static_cast<int>(e.region) - static_cast<int>(Region::vertex0));
+    const auto at = [&](std::size_t i) -> const Vec3& {
+      return scene_.motion[static_cast<std::size_t>(face.nodes[i % count])].position;
+    };
+    const Vec3 next = at(corner + 1) - at(corner), last = at(corner + count - 1) - at(corner);
+    return std::atan2(next.cross(last).norm(), next.dot(last));
+  }
+
+  /// The nearest feature of the faces that count, with the sign of its angle-weighted normal.
+  template <class Counts>
+  [[nodiscard]] Nearest nearest(const Counts& counts) const {
+    Nearest nearest;
+    for (const Encounter& e : encounters_) {
+      if (std::isnan(e.height)) continue;
+      const double distance = distance_to_face(e);
+      if ((nearest.face == nullptr || distance < nearest.distance) && counts(e)) nearest = {&e, distance};
+    }
+    if (nearest.face == nullptr) return nearest;
+    double height = 0;
+    for (const Encounter& e : encounters_) {
+      if (std::isnan(e.height) || (e.point - nearest.face->point).norm() > geometry::face_tolerance * e.size) continue;
+      height += angle_at_point(e) * e.height;
+    }
+    if (height <= 0) nearest.distance = -nearest.distance;
+    return nearest;
+  }
+
+  /// Does the surface fall away from e to where the node is nearest to `other`, as it does around a convex edge? Where
+  /// the penetration is no deeper than the rim, a dent between warped faces may look like one.
+  [[nodiscard]] bool falls_away(const Encounter& e, const Encounter& other, bool deep) const {
+    const Vec3 apart = other.point - e.point;
+    return apart.dot(e.normal) < tolerances_.competing * e.height &&
+           (deep || -apart.dot(other.normal) <= tolerances_.touching * e.size);
+  }
+
+  [[nodiscard]] Meeting meeting_behind(const Encounter& e) const {
+    const double rim = tolerances_.rim * e.size;
+    const bool deep = -e.height > rim;
+    if (!deep && std::ranges::none_of(encounters_, [](const Encounter& other) { return other.height > 0; }))
+      return Meeting::inside;  // nearly always
+    const Nearest found = nearest([&](const Encounter& other) {
+      const auto is_clear = [&] {
+        return other.height > 0 && distance_to_face(other) > tolerances_.touching * other.size;
+      };
+      if (deep) return other.opposition >= tolerances_.slight * best_ || is_clear();
+      return competes(other, e);
+    });
+    if (found.face == nullptr || found.face == &e || !falls_away(e, *found.face, deep)) return Meeting::inside;
+    const bool came_in_there = criterion_ == Criterion::automatic && deep && -e.height > rim - found.distance;
+    if (!(found.distance > 0) && !came_in_there) return Meeting::inside;
+    return in_one_direction(*found.face, e) ? Meeting::above : Meeting::none;
+  }
+
+  const FacesInMotion& scene_;
+  const Tolerances& tolerances_;
+  Criterion criterion_;
+  std::span<const Encounter> encounters_;
+  double best_ = 0;  ///< opposition of any face
+};
+
+}  // namespace
+
+void resolve_features(const FacesInMotion& scene, const Tolerances& tolerances, Criterion criterion,
+                      std::span<Encounter> encounters) {
+  const Neighbourhood neighbourhood(scene, tolerances, criterion, encounters);
+  // decided by heights and places, which stay, so that the order of the faces means nothing
+  for (Encounter& e : encounters) e.meeting = neighbourhood.meeting(e);
+}
+
+}  // namespace brunt::contact
