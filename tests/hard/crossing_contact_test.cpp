@@ -47,7 +47,7 @@ double height_at_crossing(const Simulation& scene, GlobalIndex first, GlobalInde
 
 }  // namespace
 
-TEST_CASE("crossed bars meet in time where no node is near a face, at 90 degrees and at 1 degree") {
+TEST_CASE("crossed bars meet in time where no node is near a face, at 90 degrees and at 1 degree", "[law]") {
   constexpr GlobalIndex nodes = 4 * (length + 1);
   constexpr double speed = 10, gap = 0.03 * h;
   for (const double degrees : {90.0, 30.0, 1.0}) {
@@ -129,7 +129,8 @@ Collision cross_short_bars(double degrees, int across, int low_along, int top_al
 
 }  // namespace
 
-TEST_CASE("crossed bars that part again: the impulse is that of a finer mesh with nodes on the other bar's edge") {
+TEST_CASE("crossed bars that part again: the impulse is that of a finer mesh with nodes on the other bar's edge",
+          "[oracle]") {
   const double degrees = GENERATE(90.0, 30.0, 5.0, 1.0);
   constexpr double gap = 5e-4, mesh_size = 0.1 / 4;
   constexpr double kinetic = 0.5 * 8000 * 0.1 * 0.1 * 0.3 * 100;
@@ -147,7 +148,8 @@ TEST_CASE("crossed bars that part again: the impulse is that of a finer mesh wit
 
 // The load presses a dent into either chain of edges. Where it has a node, the crossing slides over that from edge to
 // edge; near parallel, nodes touch faces as well.
-TEST_CASE("crossed bars at small angles: contact gives nothing, wherever the nodes of one lie against the other's") {
+TEST_CASE("crossed bars at small angles: contact gives nothing, wherever the nodes of one lie against the other's",
+          "[law]") {
   constexpr double kinetic = 0.5 * 8000 * 0.1 * 0.1 * 0.3 * 100;
   struct Elements {
     int across, low, top;
@@ -165,8 +167,8 @@ TEST_CASE("crossed bars at small angles: contact gives nothing, wherever the nod
 }
 
 // Mass points stand for bodies here, so that nothing but contact acts however fast they are.
-TEST_CASE(
-    "a thin plate and a body at three thicknesses a step: nothing passes, from either side, straight or grazing") {
+TEST_CASE("a thin plate and a body at three thicknesses a step: nothing passes, from either side, straight or grazing",
+          "[law]") {
   constexpr double thickness = 5e-4, dt = 1e-7, speed = 3 * thickness / dt;
   const comm::Communicator self = comm::Communicator::self();
   for (const double side : {1.0, -1.0})

@@ -59,14 +59,14 @@ Swing swing(int cycles) {
 
 }  // namespace
 
-TEST_CASE("a load along the plane that swings to 99 % of the limit does not make a block walk") {
+TEST_CASE("a load along the plane that swings to 99 % of the limit does not make a block walk", "[law]") {
   const Swing found = swing(100);
   CAPTURE(found.creep, found.travel);
   CHECK(found.travel > 1e-6);
   CHECK(std::abs(found.creep) <= 1e-9);
 }
 
-TEST_CASE("nor in ten thousand cycles", "[.][long]") {
+TEST_CASE("nor in ten thousand cycles", "[.][long][law]") {
   const Swing found = swing(10000);
   CAPTURE(found.creep, found.travel);
   CHECK(std::abs(found.creep) <= 1e-9);

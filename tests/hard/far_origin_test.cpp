@@ -29,7 +29,7 @@ Simulation impact(const Vec3& at) {
 
 }  // namespace
 
-TEST_CASE("an impact 1e6 m from the origin ends as at the origin") {
+TEST_CASE("an impact 1e6 m from the origin ends as at the origin", "[law]") {
   Simulation near = impact({0, 0, 0}), far = impact({1e6, -1e6, 1e6});
   for (const double until : {4e-6, 1.2e-5}) {  // in the middle of contact, and after it
     while (near.state.time < until) near.step();
@@ -80,7 +80,7 @@ Simulation patch(const Vec3& at) {
 
 // Blocks whose coordinates are not exact there (1e-10 m, 1e-7 of an element) differ by what these gaps are to the
 // displacements: 1e-3 at this load.
-TEST_CASE("blocks pressed together 1e6 m from the origin are stressed as at the origin") {
+TEST_CASE("blocks pressed together 1e6 m from the origin are stressed as at the origin", "[law]") {
   Simulation near = patch({0, 0, 0}), far = patch({1e6, -1e6, 1e6});
   while (near.state.time < 0.15) near.step();
   while (far.state.time < 0.15) far.step();

@@ -61,13 +61,13 @@ Crush crush_ring(const contact::Rebuild& rebuild) {
 
 }  // namespace
 
-TEST_CASE("a body of flat elements is no candidate for contact with itself where it is straight") {
+TEST_CASE("a body of flat elements is no candidate for contact with itself where it is straight", "[law]") {
   const GlobalIndex between_them = pairs_of_flat_bars("[left, right]");
   CHECK(between_them >= 4);  // the corners of one end with the face of the other
   CHECK(pairs_of_flat_bars("all") == between_them);
 }
 
-TEST_CASE("a body of flat elements that folds is held off itself, and lists that last lose nothing") {
+TEST_CASE("a body of flat elements that folds is held off itself, and lists that last lose nothing", "[law]") {
   const Crush crush = crush_ring({});
   CAPTURE(crush.searches, crush.most_active, crush.kinetic_at_start, crush.taken);
   CHECK(crush.most_active > 0);

@@ -39,7 +39,7 @@ Vec3 momentum_of(const Simulation& scene, GlobalIndex first, GlobalIndex last) {
 
 }  // namespace
 
-TEST_CASE("flat on flat: gaps at rounding give one total force, and every node has exactly one face") {
+TEST_CASE("flat on flat: gaps at rounding give one total force, and every node has exactly one face", "[law]") {
   constexpr GlobalIndex low_nodes = 6 * 6 * 3, top_nodes = 4 * 4 * 3;
   struct Place {
     Vec3 shift;
@@ -110,8 +110,8 @@ Blow corner_on_corner(const Vec3& offset, double turn) {
 
 }  // namespace
 
-TEST_CASE(
-    "corner on corner: the same blow for offsets of 0, 1e-12, 1e-9, 1e-6 of the side, none far beyond a flat one") {
+TEST_CASE("corner on corner: the same blow for offsets of 0, 1e-12, 1e-9, 1e-6 of the side, none far beyond a flat one",
+          "[law]") {
   // a flat blow: two cubes face to face exchange all momentum, 0.5, at the force rho c v A / 2
   const double flat_force = 0.5 * std::sqrt(100 * 0.7 / (1.3 * 0.4)) * 0.5;
   for (const double turn : {0.0, 25.0}) {
@@ -127,7 +127,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("bodies that share one node, and a T of plates that share one line: no pair with themselves, no crash") {
+TEST_CASE("bodies that share one node, and a T of plates that share one line: no pair with themselves, no crash",
+          "[law]") {
   mesh::Mesh corners;
   support::append_box(corners, {0, 0, 0}, {1, 1, 1}, {2, 2, 2});
   support::append_box(corners, {1, 1, 1}, {1, 1, 1}, {2, 2, 2});

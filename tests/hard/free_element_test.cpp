@@ -47,7 +47,7 @@ double largest_speed(Simulation& cube, int steps) {
 
 }  // namespace
 
-TEST_CASE("a free cube: the program's step is below the exact limit, and 1e5 steps bring no growth") {
+TEST_CASE("a free cube: the program's step is below the exact limit, and 1e5 steps bring no growth", "[oracle]") {
   // limits: exact eigenvalues of the free one-point cube
   for (const FreeCube& known : {FreeCube{0.3, 0.7337993857053424}, FreeCube{0.45, 0.6158817620514397}}) {
     for (const std::string options :
@@ -67,7 +67,8 @@ TEST_CASE("a free cube: the program's step is below the exact limit, and 1e5 ste
   }
 }
 
-TEST_CASE("a free cube without any damping vibrates for ever at 0.999 of the exact step, and grows at 1.01") {
+TEST_CASE("a free cube without any damping vibrates for ever at 0.999 of the exact step, and grows at 1.01",
+          "[oracle]") {
   for (const FreeCube& known : {FreeCube{0.3, 0.7337993857053424}, FreeCube{0.45, 0.6158817620514397}}) {
     const auto growth = [&](double share) {
       Simulation cube = free_cube(known.poisson, ", hourglass: {kind: none}, bulk: {linear: 0, quadratic: 0}");
@@ -86,7 +87,7 @@ TEST_CASE("a free cube without any damping vibrates for ever at 0.999 of the exa
 
 // With nu = 0 all strain modes of a cube share one frequency, at the limit: the step's own bound swings in time with
 // them, and a step that followed it would feed them (R. D. Skeel, BIT 33 (1993) 172-175).
-TEST_CASE("a free cube with nu = 0 and no viscosity, 1e-3 of the wave speed: 1e5 steps bring no growth") {
+TEST_CASE("a free cube with nu = 0 and no viscosity, 1e-3 of the wave speed: 1e5 steps bring no growth", "[law]") {
   struct Known {
     std::string law;
     double growth;  ///< elastic is a rate law: its stress does some work around a closed path of strain
@@ -106,7 +107,7 @@ TEST_CASE("a free cube with nu = 0 and no viscosity, 1e-3 of the wave speed: 1e5
   }
 }
 
-TEST_CASE("a free cube with nu = 0: a step that follows the bound of the moment makes it grow without limit") {
+TEST_CASE("a free cube with nu = 0: a step that follows the bound of the moment makes it grow without limit", "[law]") {
   Simulation cube = free_cube(0, ", bulk: {linear: 0, quadratic: 0}", "neo_hookean", 1e-3 * dilatational_speed(0));
   cube.step();
   const double early = largest_speed(cube, 100);

@@ -65,14 +65,14 @@ void check_parting(Simulation run) {
 
 }  // namespace
 
-TEST_CASE("E5: a flat patch that overlaps by a tenth of an element parts slowly") {
+TEST_CASE("E5: a flat patch that overlaps by a tenth of an element parts slowly", "[law]") {
   for (const std::string passes : {"one", "two"}) {
     check_parting(cubes({0, 0, 1 - overlap}, 4, passes));        // nodes on nodes
     check_parting(cubes({0.06, 0.03, 1 - overlap}, 5, passes));  // and beside them
   }
 }
 
-TEST_CASE("E5: two corners that overlap by a tenth of an element part slowly") {
+TEST_CASE("E5: two corners that overlap by a tenth of an element part slowly", "[law]") {
   const double edge = 1 - overlap;
   for (const std::string passes : {"one", "two"}) {
     check_parting(cubes({edge, edge, edge}, 4, passes));

@@ -100,7 +100,7 @@ void judge(const Bodies& b, const Meeting& m) {
 
 }  // namespace
 
-TEST_CASE("equal cubes of densities 1 and 1e6 meet at 1 m/s") {
+TEST_CASE("equal cubes of densities 1 and 1e6 meet at 1 m/s", "[law]") {
   for (const bool heavy_moves : {true, false})
     for (const Vec3& at : {Vec3(0, 0, 1e-4), Vec3(0.13, -0.21, 1e-4)}) {
       const Bodies bodies{1, 1e6, 3, 1, 1, 3, 1e10, at, 1, heavy_moves};
@@ -109,7 +109,7 @@ TEST_CASE("equal cubes of densities 1 and 1e6 meet at 1 m/s") {
 }
 
 // 1.4007 m/s: from a height of 0.1 m
-TEST_CASE("a steel cube of 1 m meets one of 1 cm at the speed of a fall of 0.1 m") {
+TEST_CASE("a steel cube of 1 m meets one of 1 cm at the speed of a fall of 0.1 m", "[law]") {
   for (const bool heavy_moves : {true, false})
     for (const Vec3& at : {Vec3(0.37, 0.41, 1e-5), Vec3(0.245, 0.245, 1e-5), Vec3(0.3, 0.245, 1e-5)}) {
       const Bodies bodies{1, 7800, 4, 0.01, 7800, 2, 2e11, at, std::sqrt(2 * 9.81 * 0.1), heavy_moves};

@@ -59,7 +59,7 @@ Landing land(int along, double size, const std::string& rule, bool plate_moves, 
 
 }  // namespace
 
-TEST_CASE("elements a hundred times smaller than those they meet, whichever body moves") {
+TEST_CASE("elements a hundred times smaller than those they meet, whichever body moves", "[law]") {
   const Landing uniform = land(24, fine, "", true, 0.01);
   CHECK(uniform.active >= 400);
   for (const bool plate_moves : {true, false})
@@ -77,7 +77,7 @@ TEST_CASE("elements a hundred times smaller than those they meet, whichever body
 // unless the scene asks for `one`). Over a coarse node the plate is 3.5 % of a coarse element deep at this time (0.27 %
 // at that node), over a face without one it passes through. So the finer side is the slave unless a scene says
 // otherwise.
-TEST_CASE("the coarse side as slave by order of the scene: its nodes are held, nothing between them") {
+TEST_CASE("the coarse side as slave by order of the scene: its nodes are held, nothing between them", "[law]") {
   const std::string one_pass = ", slave: first, passes: one";
   const Landing at_node = land(2, 1, one_pass, true, 0.05), at_face = land(1, 1, one_pass, true, 0.05);
   CHECK(at_node.active > 0);
@@ -86,7 +86,7 @@ TEST_CASE("the coarse side as slave by order of the scene: its nodes are held, n
   CHECK(at_face.active == 0);
 }
 
-TEST_CASE("the coarse side as slave, but in two passes: the fine side's nodes are held as well") {
+TEST_CASE("the coarse side as slave, but in two passes: the fine side's nodes are held as well", "[law]") {
   for (const int along : {1, 2}) {
     const Landing landing = land(along, 1, ", slave: first, passes: two", true, 0.05);
     CAPTURE(along, landing.rows, landing.nodes);

@@ -45,14 +45,14 @@ double unrest(const std::string& passes) {
 
 // Under load such an edge is bent by 1e-5: a ridge, on both sides of which a node is behind the other side's plane.
 // E10 asks for 1e-9.
-TEST_CASE("five cubes, every other one turned a little, stay at rest where nodes lie beside edges of faces") {
+TEST_CASE("five cubes, every other one turned a little, stay at rest where nodes lie beside edges of faces", "[law]") {
   CHECK(unrest("one") < 1e-11);  // 4e-9 and growing where the row changed to and fro
   CHECK(unrest("two") < 1e-11);  // 6e-10 to 1.5e-9 where it was the mean of two solutions
 }
 
 // Whatever stirs them: a residual that jumps from step to step, a soft spring that lags, nodes on the line between two
 // faces that change sides.
-TEST_CASE("turned cubes stay at rest on each other, wherever their rims cross") {
+TEST_CASE("turned cubes stay at rest on each other, wherever their rims cross", "[law]") {
   struct Pair {
     int lower, upper;
     double degrees, x, y;

@@ -43,7 +43,7 @@ const std::string soft = "materials: {m: {model: elastic, density: 1, young: 100
 
 }  // namespace
 
-TEST_CASE("a wedge of 30 degrees falls into a groove of 60 degrees and settles at its bottom") {
+TEST_CASE("a wedge of 30 degrees falls into a groove of 60 degrees and settles at its bottom", "[oracle]") {
   const double slope = std::tan(std::numbers::pi / 6), sharp = std::tan(std::numbers::pi / 12);
   constexpr double size = 0.2;  // of the wedge: its element's longest edge
   for (const double aside : {0.0, 1e-9, 0.02, -0.05}) {
@@ -112,7 +112,7 @@ TEST_CASE("a wedge of 30 degrees falls into a groove of 60 degrees and settles a
   }
 }
 
-TEST_CASE("small bodies slide over a faceted valley of facets ten times their size") {
+TEST_CASE("small bodies slide over a faceted valley of facets ten times their size", "[oracle]") {
   // 20 facets, bent by 3 degrees from one to the next; unit length each; the small cube is 0.1
   mesh::Mesh mesh;
   support::append_box(mesh, {0, 0, 0}, {20, 1, 1}, {20, 1, 1});
@@ -181,7 +181,7 @@ TEST_CASE("small bodies slide over a faceted valley of facets ten times their si
   }
 }
 
-TEST_CASE("a C whose arms are thrown at each other closes and does not pass through itself") {
+TEST_CASE("a C whose arms are thrown at each other closes and does not pass through itself", "[law]") {
   mesh::Mesh mesh;
   support::append_box(mesh, {0, 0, 0}, {6, 2, 5}, {6, 2, 5});
   std::vector<LocalIndex> kept;

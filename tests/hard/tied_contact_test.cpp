@@ -91,7 +91,7 @@ Pulled pull_lap_joint(const std::string& held) {
 
 // A node that is held along the normal of a tie counted as one that takes nothing of it: it was solved with too small
 // an H where one side was held, which blew up within 60 steps, and left out where both were.
-TEST_CASE("tied strips hold each other across the normal whoever is held along it") {
+TEST_CASE("tied strips hold each other across the normal whoever is held along it", "[law]") {
   const Pulled loose = pull_lap_joint("");
   CHECK(loose.end > 4e-5);
   for (const char* held : {", {part: upper, dofs: [z]}", ", {part: lower, dofs: [z]}",
@@ -105,7 +105,7 @@ TEST_CASE("tied strips hold each other across the normal whoever is held along i
   }
 }
 
-TEST_CASE("nodes that are not tied make contact under general contact, and none where it excludes the pair") {
+TEST_CASE("nodes that are not tied make contact under general contact, and none where it excludes the pair", "[law]") {
   Simulation held = swinging_plate("{between: all}");
   const Seen contact = swing(held);
   CHECK(contact.pushes >= 9);                                  // the far edge of the plate at least

@@ -67,7 +67,7 @@ Kept watch(Simulation& pair, int turns) {
 
 }  // namespace
 
-TEST_CASE("E20: a tied pair at 1e4 rad/s keeps its angular momentum and stays together: 20 turns") {
+TEST_CASE("E20: a tied pair at 1e4 rad/s keeps its angular momentum and stays together: 20 turns", "[law]") {
   Simulation pair = spinning_pair();
   pair.step();
   const Vec3 before = pair.angular_momentum();
@@ -84,7 +84,7 @@ TEST_CASE("E20: a tied pair at 1e4 rad/s keeps its angular momentum and stays to
   CHECK(crept <= 1e-6 * 0.01);
 }
 
-TEST_CASE("a tie across a gap or an overlap keeps energy, angular momentum and the gap: 10 turns") {
+TEST_CASE("a tie across a gap or an overlap keeps energy, angular momentum and the gap: 10 turns", "[law]") {
   struct Pair {
     double gap;
     int coarse, fine;
@@ -105,7 +105,7 @@ TEST_CASE("a tie across a gap or an overlap keeps energy, angular momentum and t
   }
 }
 
-TEST_CASE("tubes of chords tied in each other, here apart and there inside, spin on: 10 turns") {
+TEST_CASE("tubes of chords tied in each other, here apart and there inside, spin on: 10 turns", "[law]") {
   mesh::Mesh mesh = mesh::tube("outer", 0.01, 0.012, 0.004, {1, 16, 2});
   mesh::append(mesh, mesh::tube("inner", 0.008, 0.01, 0.004, {1, 28, 3}));
   Simulation tubes(std::move(mesh),
@@ -125,7 +125,7 @@ TEST_CASE("tubes of chords tied in each other, here apart and there inside, spin
 
 // A pin that is a little longer whenever it pulls does work, step by step: what its turning leaves must be asked back
 // beforehand, not when it has been lost.
-TEST_CASE("a tie across a gap gives vibrating parts no energy") {
+TEST_CASE("a tie across a gap gives vibrating parts no energy", "[law]") {
   mesh::Mesh mesh = mesh::box("left", {0.01, 0.01, 0.01}, {2, 2, 2});
   mesh::Mesh right = mesh::box("right", {0.01, 0.01, 0.01}, {3, 3, 3});
   for (Vec3& x : right.coordinates) x.x() += 0.01 + 0.18 * 0.005;

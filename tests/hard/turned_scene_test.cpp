@@ -38,7 +38,7 @@ Simulation impact(const std::string& method, const Vec3& axis, double degrees) {
 
 }  // namespace
 
-TEST_CASE("a scene that is turned as a whole moves as it did, by every method") {
+TEST_CASE("a scene that is turned as a whole moves as it did, by every method", "[law]") {
   const std::string method = GENERATE("rate", "row_sum", "kinematic", "gap_penalty", "penalty");
   const Vec3 axis(1, 2, 3);
   constexpr double degrees = 37;

@@ -7,7 +7,9 @@ import unittest
 
 import budget
 import includes
+import kinds
 import text
+import unit_folders
 
 LAYERS = "core:\nmesh:\ncontact: mesh\ncontact/search: contact\napp: *\nvendor mpi.h: src/comm\n"
 
@@ -68,6 +70,30 @@ class Walls(unittest.TestCase):
         faults = "\n".join(budget.check(self.root)[0])
         self.assertIn("a.cpp:2: f has 83 lines", faults)
         self.assertIn("b.cpp: 401 lines", faults)
+
+    def test_case_without_a_kind(self):
+        self.write("tests/hard/a_test.cpp", 'TEST_CASE("falls [law] of a name") {\n}\n'
+                   'TEST_CASE(\n    "two "\n    "lines", "[.][long]"\n    "[law]") {\n}\n')
+        faults = kinds.check(self.root)[0]
+        self.assertEqual(len(faults), 1)
+        self.assertIn("a_test.cpp:1: 'falls [law] of a name' has none of the tags", faults[0])
+
+    def test_regression_out_of_its_folder_and_without_a_figure(self):
+        self.write("tests/verification/a_test.cpp", 'TEMPLATE_TEST_CASE("a", "[regression]", int) {\n}\n')
+        self.write("tests/regression/b_test.cpp", 'TEST_CASE("b", "[law]") {\n  // ours: 1, margin 2\n}\n'
+                   'TEST_CASE("c", "[regression]") {\n}\n')
+        faults = "\n".join(kinds.check(self.root)[0])
+        self.assertIn("'a' belongs to tests/regression", faults)
+        self.assertIn("'b' is in tests/regression, and no [regression]", faults)
+        self.assertIn("'c' has no line 'ours:'", faults)
+
+    def test_room_without_unit_tests(self):
+        for room in ("mesh", "contact", "contact/search"):
+            self.write(f"include/brunt/{room}/a.hpp", "")
+        self.write("tests/unit/mesh/a_test.cpp", "")
+        self.write("tests/unit/contact/search/a_test.cpp", "")
+        faults = unit_folders.check(self.root)[0]
+        self.assertEqual(faults, ["contact: the room has no tests in tests/unit/contact"])
 
     def test_licence_and_leftovers(self):
         self.write("src/mesh/a.cpp", "int x;  // TO" + "DO later\n")

@@ -31,7 +31,8 @@ void check_quiet_steps(test::Simulation& run, int steps) {
 
 }  // namespace
 
-TEST_CASE("a step with loads, damping, given motion, pressure and every kind of hexahedron allocates nothing") {
+TEST_CASE("a step with loads, damping, given motion, pressure and every kind of hexahedron allocates nothing",
+          "[law]") {
   mesh::Mesh mesh;
   const char* kinds[] = {"hex8", "hex8_full", "hex8_bbar"};
   std::string parts = "parts:\n";
@@ -57,7 +58,7 @@ TEST_CASE("a step with loads, damping, given motion, pressure and every kind of 
   CHECK(start > 0);
 }
 
-TEST_CASE("a step with contact and a wall allocates nothing between rebuilds of its lists") {
+TEST_CASE("a step with contact and a wall allocates nothing between rebuilds of its lists", "[law]") {
   mesh::Mesh mesh = mesh::box("below", {4, 4, 1}, {4, 4, 1}), above = mesh::box("above", {3, 3, 1}, {5, 5, 2});
   mesh::place(above, 1, {0, 0, 1}, 0, {0.4, 0.3, 1.001});
   mesh::append(mesh, std::move(above));
@@ -71,7 +72,8 @@ TEST_CASE("a step with contact and a wall allocates nothing between rebuilds of 
 }
 
 TEST_CASE(
-    "a step with rigid bodies allocates nothing: free, driven, tied, joined, with a soft part on them, in contact") {
+    "a step with rigid bodies allocates nothing: free, driven, tied, joined, with a soft part on them, in contact",
+    "[law]") {
   mesh::Mesh mesh = mesh::box("plate", {4, 4, 1}, {4, 4, 1});
   const auto add = [&](const char* part, const Vec3& size, const std::array<int, 3>& elements, const Vec3& at) {
     mesh::Mesh box = mesh::box(part, size, elements);

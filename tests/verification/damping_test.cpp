@@ -86,7 +86,8 @@ Carried carried(Simulation& s, double alpha, bool off) {
 
 }  // namespace
 
-TEST_CASE("damping lets a velocity decay by (1 - a) / (1 + a) a step, of second order, and books the loss") {
+TEST_CASE("damping lets a velocity decay by (1 - a) / (1 + a) a step, of second order, and books the loss",
+          "[oracle]") {
   const double alpha = 50, end = 0.02;
   double error[3];
   for (int i = 0; i < 3; ++i) {
@@ -107,7 +108,7 @@ TEST_CASE("damping lets a velocity decay by (1 - a) / (1 + a) a step, of second 
   CHECK(std::log2(error[1] / error[2]) == Approx(2).margin(0.1));
 }
 
-TEST_CASE("alpha dt < 2 bounds the step before and while damping acts, and no velocity changes its sign") {
+TEST_CASE("alpha dt < 2 bounds the step before and while damping acts, and no velocity changes its sign", "[law]") {
   for (const double alpha : {10.0, 1e4, 4.5e5, 1e8}) {
     CAPTURE(alpha);
     const double from = 5e-3, to = 3e-2;
@@ -137,7 +138,7 @@ TEST_CASE("alpha dt < 2 bounds the step before and while damping acts, and no ve
   }
 }
 
-TEST_CASE("a resting contact carries the weight whatever the damping") {
+TEST_CASE("a resting contact carries the weight whatever the damping", "[oracle]") {
   struct Case {
     std::string below, method;
     Vec3 size;
@@ -160,7 +161,7 @@ TEST_CASE("a resting contact carries the weight whatever the damping") {
   }
 }
 
-TEST_CASE("energy and momentum are kept through damped impacts, begun and ended in them") {
+TEST_CASE("energy and momentum are kept through damped impacts, begun and ended in them", "[law]") {
   for (const std::string method : {"rate", "row_sum", "gap_penalty"})
     for (const double alpha : {100.0, 1e4, 1e6})
       for (const std::string passes : {"one", "two"}) {

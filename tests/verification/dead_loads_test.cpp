@@ -33,7 +33,7 @@ void check_momentum(const time::Ledger& ledger) {
 
 }  // namespace
 
-TEST_CASE("a dead force acts on each node, a total on all together, a traction on the area of the start") {
+TEST_CASE("a dead force acts on each node, a total on all together, a traction on the area of the start", "[oracle]") {
   const int n = GENERATE(1, 2, 5);
   const Vec3 value(3, -2, 7);
   const auto forces_of = [&](const std::string& load) {
@@ -53,7 +53,7 @@ TEST_CASE("a dead force acts on each node, a total on all together, a traction o
   for (const auto* s : {each.get(), total.get(), traction.get()}) check_momentum(s->ledger());
 }
 
-TEST_CASE("a total over a set of nodes finds the faces that it has all nodes of") {
+TEST_CASE("a total over a set of nodes finds the faces that it has all nodes of", "[oracle]") {
   Simulation s(mesh::box("block", {2, 1, 1}, {2, 2, 2}), steel +
                                                              "sets: {end: {part: block, box: [[2, 0, 0], [2, 1, 1]]}}\n"
                                                              "forces: [{set: end, total: [0, 0, -8]}]\n");
@@ -63,7 +63,8 @@ TEST_CASE("a total over a set of nodes finds the faces that it has all nodes of"
     if (s.position(i)[0] < 1.5) CHECK(s.force(i).norm() < 1e-6);
 }
 
-TEST_CASE("dead loads keep their direction while the body turns, follow their curve, and their work is booked") {
+TEST_CASE("dead loads keep their direction while the body turns, follow their curve, and their work is booked",
+          "[law]") {
   Simulation s(mesh::box("block", {1, 1, 1}, {2, 2, 2}),
                steel +
                    "curves: {ramp: [[0, 0], [1.0e-3, 1]]}\n"
@@ -82,7 +83,7 @@ TEST_CASE("dead loads keep their direction while the body turns, follow their cu
   CHECK(std::abs(ledger.impulse_given[1]) < 1e-12 * impulse.norm());
 }
 
-TEST_CASE("a displacement is what its curve says at the times of all steps") {
+TEST_CASE("a displacement is what its curve says at the times of all steps", "[oracle]") {
   const double scale = GENERATE(1.0, -2.5);
   Simulation s(mesh::box("block", {1, 0.2, 0.2}, {5, 1, 1}),
                steel +
@@ -105,7 +106,8 @@ TEST_CASE("a displacement is what its curve says at the times of all steps") {
   check_momentum(ledger);
 }
 
-TEST_CASE("an acceleration changes the initial velocity by its integral, exactly for a curve of straight pieces") {
+TEST_CASE("an acceleration changes the initial velocity by its integral, exactly for a curve of straight pieces",
+          "[oracle]") {
   const double start = GENERATE(0.0, 12.0);
   Simulation s(mesh::box("block", {1, 0.2, 0.2}, {5, 1, 1}),
                steel +

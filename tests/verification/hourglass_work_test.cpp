@@ -50,7 +50,7 @@ double stored_energy(const Simulation& block) {
 
 // The viscous force of t_n, formed with v_{n-1/2}, acts on v_{n+1/2} as well: viscosity, rate squared and step give
 // more than it takes (a fifth of the energy here, missing from the internal one).
-TEST_CASE("a cube in an hourglass mode: viscous control takes all of its energy, and no more") {
+TEST_CASE("a cube in an hourglass mode: viscous control takes all of its energy, and no more", "[law]") {
   Simulation cube = block(1, "{kind: viscous, coefficient: 0.1}");
   cube.control.cfl = 0.3;  // else the mode is gone in three steps
   give_velocities(cube, [](const Vec3& x) { return Vec3(x[1] * x[2], 0, 0); });
@@ -69,7 +69,7 @@ TEST_CASE("a cube in an hourglass mode: viscous control takes all of its energy,
   CHECK(cube.ledger().hourglass - start.hourglass == Approx(start.kinetic).epsilon(1e-6));
 }
 
-TEST_CASE("a block that vibrates: internal energy is that of its stresses, whatever hourglass control takes") {
+TEST_CASE("a block that vibrates: internal energy is that of its stresses, whatever hourglass control takes", "[law]") {
   for (const std::string control :
        {"{kind: none}", "{kind: stiffness, coefficient: 0.05}", "{kind: viscous, coefficient: 0.1}"}) {
     CAPTURE(control);

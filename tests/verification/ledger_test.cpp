@@ -72,7 +72,7 @@ void check_conservation(Simulation& block, int steps) {
 
 }  // namespace
 
-TEST_CASE("a free block that tumbles and flows keeps momentum, angular momentum and the ledger's sum") {
+TEST_CASE("a free block that tumbles and flows keeps momentum, angular momentum and the ledger's sum", "[law]") {
   for (const std::string element : {"hex8", "hex8_full", "hex8_bbar"}) {
     CAPTURE(element);
     Simulation block = shaken(plastic, element, 20, 150);
@@ -88,7 +88,7 @@ TEST_CASE("a free block that tumbles and flows keeps momentum, angular momentum 
   }
 }
 
-TEST_CASE("a free block of rubber that tumbles at large strain keeps them too") {
+TEST_CASE("a free block of rubber that tumbles at large strain keeps them too", "[law]") {
   for (const std::string element : {"hex8", "hex8_full", "hex8_bbar"}) {
     CAPTURE(element);
     Simulation block = shaken(rubber, element, 3, 8);
@@ -96,7 +96,8 @@ TEST_CASE("a free block of rubber that tumbles at large strain keeps them too") 
   }
 }
 
-TEST_CASE("what the ledger calls internal energy is the stored energy of rubber, of second order in the step") {
+TEST_CASE("what the ledger calls internal energy is the stored energy of rubber, of second order in the step",
+          "[oracle]") {
   const double young = 1e6, poisson = 0.4;
   const double lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson)), mu = young / (2 * (1 + poisson));
   const double end = 0.05;  // at about 30 m/s of sound in bars: several transits

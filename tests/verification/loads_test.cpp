@@ -24,7 +24,7 @@ mesh::Mesh distorted_block(double shift) {
 
 }  // namespace
 
-TEST_CASE("free fall is exact in any step, and gravity's work and impulse are booked") {
+TEST_CASE("free fall is exact in any step, and gravity's work and impulse are booked", "[oracle]") {
   const Vec3 gravity(0.3, 0, -9.81), start(2, 0, 5);
   Simulation block(distorted_block(0.2), steel +
                                              "parts: {block: {material: m}}\n"
@@ -45,7 +45,7 @@ TEST_CASE("free fall is exact in any step, and gravity's work and impulse are bo
   CHECK(std::abs(ledger.internal) < 1e-12 * ledger.kinetic);
 }
 
-TEST_CASE("pressure on a closed surface of warped faces has no resultant") {
+TEST_CASE("pressure on a closed surface of warped faces has no resultant", "[law]") {
   Simulation block(distorted_block(0.3), steel +
                                              "parts: {block: {material: m}}\n"
                                              "pressure:\n"
@@ -68,7 +68,7 @@ TEST_CASE("pressure on a closed surface of warped faces has no resultant") {
   CHECK(block.ledger().impulse_given.norm() < 1e-14 * 1e-6 * scale);
 }
 
-TEST_CASE("pressure on one face pushes inwards with value times area") {
+TEST_CASE("pressure on one face pushes inwards with value times area", "[oracle]") {
   Simulation block(mesh::box("block", {3, 2, 2}, {3, 2, 2}), steel +
                                                                  "parts: {block: {material: m}}\n"
                                                                  "pressure: [{set: block_xmax, value: 1.0e6}]\n");
@@ -79,7 +79,8 @@ TEST_CASE("pressure on one face pushes inwards with value times area") {
 }
 
 // A laterally free bar of nu = 0: behind the front all moves with the given velocity, the end force is rho c A v.
-TEST_CASE("a prescribed velocity drives the end of a bar exactly, and its work is what the bar has gained") {
+TEST_CASE("a prescribed velocity drives the end of a bar exactly, and its work is what the bar has gained",
+          "[oracle]") {
   const double speed = 10, area = 1e-4, wave_speed = 5000;
   Simulation bar(mesh::box("bar", {1, 0.01, 0.01}, {100, 1, 1}),
                  "materials: {m: {model: elastic, density: 8000, young: 2.0e11, poisson: 0}}\n"

@@ -82,7 +82,7 @@ Corners<Kernel::nodes> shape_of() {
 }  // namespace
 
 // reference/cases A8: the table of closed forms, 2 ln V for mu = 1.
-TEST_CASE("simple shear with the logarithmic rate gives 2 ln V, of second order in the step") {
+TEST_CASE("simple shear with the logarithmic rate gives 2 ln V, of second order in the step", "[oracle]") {
   struct Known {
     double g, s12, s11;
   };
@@ -106,7 +106,8 @@ TEST_CASE("simple shear with the logarithmic rate gives 2 ln V, of second order 
   }
 }
 
-TEST_CASE("the logarithmic rate: stretch, shear and turns at once give the stress of ln V, of second order") {
+TEST_CASE("the logarithmic rate: stretch, shear and turns at once give the stress of ln V, of second order",
+          "[oracle]") {
   std::mt19937 engine(1);
   for (int sample = 0; sample < 10; ++sample) {
     const Matrix G = test::random_matrix(engine, 0.6), H = test::random_matrix(engine, 0.3);
@@ -120,7 +121,7 @@ TEST_CASE("the logarithmic rate: stretch, shear and turns at once give the stres
 }
 
 // What no other corotational rate does (M. Kojic, K. J. Bathe, Int. J. Numer. Meth. Eng. 24 (1987) 1531).
-TEST_CASE("a closed path of large strain leaves no stress with the logarithmic rate; with Jaumann's it does") {
+TEST_CASE("a closed path of large strain leaves no stress with the logarithmic rate; with Jaumann's it does", "[law]") {
   const auto path = [](double s) -> Matrix {
     const double turn = 2 * std::numbers::pi * s;
     Matrix F = shear(0.7 * std::sin(turn));
@@ -140,7 +141,7 @@ TEST_CASE("a closed path of large strain leaves no stress with the logarithmic r
   CHECK(jaumann.cauchy().norm() > 0.1);
 }
 
-TEST_CASE("the logarithmic rate: rigid rotation carries the stress of a strained body with it") {
+TEST_CASE("the logarithmic rate: rigid rotation carries the stress of a strained body with it", "[law]") {
   RatePoint<Elastic> point{unit_shear};
   const int steps = 500;
   for (int i = 1; i <= steps; ++i) point.deform(shear(1.0 * (i - 1) / steps), shear(1.0 * i / steps));
@@ -152,7 +153,7 @@ TEST_CASE("the logarithmic rate: rigid rotation carries the stress of a strained
   }
 }
 
-TEMPLATE_TEST_CASE("every kind of element takes the logarithmic rate: shear to 1 while it turns", "",
+TEMPLATE_TEST_CASE("every kind of element takes the logarithmic rate: shear to 1 while it turns", "[oracle]",
                    (element::Hex8<Elastic, HourglassKind::stiffness>), (element::Hex8<Elastic, HourglassKind::viscous>),
                    (element::Hex8Full<Elastic, false>), (element::Hex8Full<Elastic, true>), (element::Tet4<Elastic>)) {
   const auto X = shape_of<TestType>();
@@ -173,7 +174,7 @@ TEMPLATE_TEST_CASE("every kind of element takes the logarithmic rate: shear to 1
   CHECK(std::log2(error(100) / error(200)) == Approx(2).margin(0.1));
 }
 
-TEMPLATE_TEST_CASE("the step bound holds for a free element with the logarithmic rate, strained and turned", "",
+TEMPLATE_TEST_CASE("the step bound holds for a free element with the logarithmic rate, strained and turned", "[law]",
                    (element::Hex8<Elastic, HourglassKind::none>), (element::Hex8Full<Elastic, false>),
                    (element::Tet4<Elastic>)) {
   std::mt19937 engine(2);
@@ -194,7 +195,8 @@ TEMPLATE_TEST_CASE("the step bound holds for a free element with the logarithmic
 
 // J. C. Nagtegaal, J. E. de Jong 1982: with Jaumann's rate the back stress of kinematic hardening swings in large
 // shear.
-TEST_CASE("kinematic hardening in large shear: the stress swings with Jaumann's rate, and does not with this one") {
+TEST_CASE("kinematic hardening in large shear: the stress swings with Jaumann's rate, and does not with this one",
+          "[law]") {
   const material::J2 constants{1, 2600, 0.3, 1, 20, {}, 1};  // mu = 1000
   using Law = material::J2Response<false, true>;
   RatePoint<Law> jaumann{Law(constants)};

@@ -40,7 +40,7 @@ Matrix rotation(double angle) {
 }  // namespace
 
 // J. K. Dienes, Acta Mechanica 32 (1979) 217: Jaumann rate, mu = 1: s12 = sin g, s11 = -s22 = 1 - cos g.
-TEST_CASE("simple shear follows the Jaumann rate, of second order in the step") {
+TEST_CASE("simple shear follows the Jaumann rate, of second order in the step", "[oracle]") {
   for (const double g : {0.1, 0.5, 1.0, 4.0}) {
     CHECK(shear_error(g, 2000) < 1e-6 * g * g);
     const double order = std::log2(shear_error(g, 20) / shear_error(g, 40));
@@ -51,7 +51,7 @@ TEST_CASE("simple shear follows the Jaumann rate, of second order in the step") 
   CHECK(s(2, 2) == 0);
 }
 
-TEST_CASE("rigid rotation carries the stress with it: 360 degrees about (1,1,1) in 1000 steps") {
+TEST_CASE("rigid rotation carries the stress with it: 360 degrees about (1,1,1) in 1000 steps", "[law]") {
   RatePoint<material::ElasticResponse> point{material::ElasticResponse({7800, 200e9, 0.3})};
   const Matrix prestress = Eigen::Vector3d(1e9, 0, 0).asDiagonal().toDenseMatrix();
   test::set_symmetric(prestress, point.stress);
@@ -65,7 +65,7 @@ TEST_CASE("rigid rotation carries the stress with it: 360 degrees about (1,1,1) 
   CHECK(worst < 1e-10);
 }
 
-TEST_CASE("plastic flow of a body that also turns is the turned flow, back stress included") {
+TEST_CASE("plastic flow of a body that also turns is the turned flow, back stress included", "[law]") {
   const material::J2 constants{7800, 200e9, 0.3, 400e6, 2e9, {}, 0.6};
   RatePoint<material::J2Response<false, true>> still{material::J2Response<false, true>(constants)}, turning = still;
   const int steps = 4000;

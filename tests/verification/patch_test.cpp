@@ -103,7 +103,7 @@ const Patch patches[] = {{"hex8", "elastic", 1},          {"hex8", "neo_hookean"
 
 }  // namespace
 
-TEST_CASE("patch test: one stress in all elements, no force on inner nodes") {
+TEST_CASE("patch test: one stress in all elements, no force on inner nodes", "[law]") {
   for (const Patch& kind : patches) {
     CAPTURE(kind.element, kind.law);
     const Simulation patch = kind.displaced(1);
@@ -125,7 +125,7 @@ TEST_CASE("patch test: one stress in all elements, no force on inner nodes") {
   }
 }
 
-TEST_CASE("patch test: the printed level of stress in the limit of small strain") {
+TEST_CASE("patch test: the printed level of stress in the limit of small strain", "[oracle]") {
   for (const Patch& kind : patches) {
     CAPTURE(kind.element, kind.law);
     const Simulation patch = kind.displaced(1e-6);

@@ -40,7 +40,7 @@ const std::string soft = "materials: {m: {model: elastic, density: 1000, young: 
 
 // u(L) = rho g L^2 / 2E; with masses lumped at the nodes linear elements are exact at the nodes, so what is left is the
 // large deformation, of relative size u/L = 5e-5 here, and the tolerance.
-TEST_CASE("a hanging bar comes to rest at rho g L^2 / 2E and stays there") {
+TEST_CASE("a hanging bar comes to rest at rho g L^2 / 2E and stays there", "[oracle]") {
   const int n = GENERATE(4, 10, 30);
   Simulation bar(mesh::box("bar", {1, 0.1, 0.1}, {n, 1, 1}),
                  soft +
@@ -69,7 +69,7 @@ TEST_CASE("a hanging bar comes to rest at rho g L^2 / 2E and stays there") {
 }
 
 // Euler-Bernoulli with Timoshenko's shear: F L^3 / 3EI + F L / (5/6 G A).
-TEST_CASE("a cantilever under a dead force at its tip bends as beam theory says") {
+TEST_CASE("a cantilever under a dead force at its tip bends as beam theory says", "[oracle]") {
   const int n = GENERATE(2, 4);
   const double L = 1, h = 0.1, E = 1e7, F = 1e-3;
   Simulation beam(mesh::box("beam", {L, h, h}, {10 * n, n, n}),
@@ -83,7 +83,7 @@ TEST_CASE("a cantilever under a dead force at its tip bends as beam theory says"
   CHECK(-beam.displacement(tip)[2] == Approx(exact).epsilon(n == 2 ? 0.30 : 0.10));
 }
 
-TEST_CASE("an end that is driven stands still until the run begins") {
+TEST_CASE("an end that is driven stands still until the run begins", "[law]") {
   Simulation bar(mesh::box("bar", {1, 0.1, 0.1}, {8, 1, 1}), soft +
                                                                  "parts: {bar: {material: m}}\n"
                                                                  "prescribed: [{set: bar_xmin, dof: x, velocity: 3}]\n"
@@ -95,7 +95,8 @@ TEST_CASE("an end that is driven stands still until the run begins") {
 }
 
 TEST_CASE(
-    "a block that rests on another under gravity begins at rest, with its weight between them from the first step") {
+    "a block that rests on another under gravity begins at rest, with its weight between them from the first step",
+    "[law]") {
   const std::string law = GENERATE("elastic, density: 1000, young: 1.0e7, poisson: 0.3",
                                    "j2, density: 1000, young: 1.0e7, poisson: 0.3, yield: 1.0e5, hardening: 1.0e6");
   const bool tied = GENERATE(false, true);

@@ -60,7 +60,7 @@ GlobalIndex dead(const Simulation& bar) {
 
 }  // namespace
 
-TEST_CASE("a free bar that loses its half in flight keeps its energy, momentum and mass", "[removal]") {
+TEST_CASE("a free bar that loses its half in flight keeps its energy, momentum and mass", "[removal][law]") {
   for (const std::string element : {"hex8", "hex8_full", "hex8_bbar"}) {
     CAPTURE(element);
     Simulation bar = shaken_bar(element, "remove: [{set: upper, at: 1.5e-3}]\n");
@@ -73,7 +73,7 @@ TEST_CASE("a free bar that loses its half in flight keeps its energy, momentum a
 }
 
 TEST_CASE("what leaves is booked as eroded: with everything gone nothing is left but the motion of mass points",
-          "[removal]") {
+          "[removal][law]") {
   for (const std::string element : {"hex8", "hex8_full", "hex8_bbar"}) {
     CAPTURE(element);
     Simulation bar = shaken_bar(element, "remove: [{set: upper, at: 1.5e-3}, {part: bar, at: 2.5e-3}]\n");
@@ -104,7 +104,7 @@ TEST_CASE("what leaves is booked as eroded: with everything gone nothing is left
   }
 }
 
-TEST_CASE("elements removed at t = 0 act in the first step alone, by viscosity", "[removal]") {
+TEST_CASE("elements removed at t = 0 act in the first step alone, by viscosity", "[removal][law]") {
   Simulation bar = shaken_bar("hex8", "remove: [{part: bar, at: 0}]\n");
   bar.steps(2);
   const std::vector<Vec3> v = velocities(bar);
@@ -144,7 +144,8 @@ bool is_in_other(const Simulation& boxes, LocalIndex node) {
 
 }  // namespace
 
-TEST_CASE("removed elements change no bit of others in their batch, whatever becomes of their nodes", "[removal]") {
+TEST_CASE("removed elements change no bit of others in their batch, whatever becomes of their nodes",
+          "[removal][law]") {
   for (const std::string element : {"hex8", "hex8_full"}) {
     CAPTURE(element);
     Simulation kept = two_boxes(element, "");
@@ -169,7 +170,7 @@ TEST_CASE("removed elements change no bit of others in their batch, whatever bec
   }
 }
 
-TEST_CASE("a pressure ends with the elements of its faces", "[removal]") {
+TEST_CASE("a pressure ends with the elements of its faces", "[removal][law]") {
   Simulation block(mesh::box("b", {1, 1, 2}, {2, 2, 4}), steel +
                                                              "parts: {b: {material: m}}\n"
                                                              "sets: {top: {part: b, box: [[0, 0, 1.5], [1, 1, 2]]}}\n"
@@ -185,7 +186,7 @@ TEST_CASE("a pressure ends with the elements of its faces", "[removal]") {
   CHECK(std::abs(block.ledger().total()) < 1e-12 * block.ledger().kinetic);  // it began at rest
 }
 
-TEST_CASE("the step follows the elements that are left", "[removal]") {
+TEST_CASE("the step follows the elements that are left", "[removal][law]") {
   Simulation pair(
       [] {
         mesh::Mesh whole;
@@ -202,7 +203,7 @@ TEST_CASE("the step follows the elements that are left", "[removal]") {
   CHECK(pair.state.dt == Approx(4 * fine).epsilon(0.01));
 }
 
-TEST_CASE("dropped nodes take their energy, momentum and mass along, and no load finds them", "[removal]") {
+TEST_CASE("dropped nodes take their energy, momentum and mass along, and no load finds them", "[removal][law]") {
   Simulation bar =
       shaken_bar("hex8", "gravity: {vector: [0, 0, -1000]}\nremove: [{set: upper, at: 1.0e-3, nodes: drop}]\n");
   bar.step();

@@ -63,7 +63,8 @@ double measured_frequency(Simulation& bar, double dt, double expected, int perio
 
 }  // namespace
 
-TEST_CASE("discrete wave: three modes of a fixed-free bar have the frequencies of central differences to 1e-8") {
+TEST_CASE("discrete wave: three modes of a fixed-free bar have the frequencies of central differences to 1e-8",
+          "[oracle]") {
   const double dt = 0.9 * h / wave_speed;
   // the same by hand: omega of the difference equations in space, and of those in time at this step
   const double table[3][2] = {{7845.909572784494, 7852.4444877019605},
@@ -78,7 +79,7 @@ TEST_CASE("discrete wave: three modes of a fixed-free bar have the frequencies o
   }
 }
 
-TEST_CASE("a smooth vibration converges with order 2 in the step, for every hexahedron") {
+TEST_CASE("a smooth vibration converges with order 2 in the step, for every hexahedron", "[oracle]") {
   const double omega = exact_frequency(1), end = 2.3 / omega, speed = 1e-7 * wave_speed;
   for (const std::string element : {"hex8", "hex8_full", "hex8_bbar"}) {
     double error[3];

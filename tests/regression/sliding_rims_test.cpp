@@ -8,7 +8,7 @@
 
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/primitives.hpp"
-#include "given_back.hpp"
+#include "support/given_back.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;
@@ -61,13 +61,16 @@ Slid slide(const Slide& scene_of) {
 // In one pass the rim sags beyond the last node of the floor that holds it, and the next ones are deep in the block
 // when they are first seen: pushed out they gave 0.06 of the energy within this way, more on a longer one, and lifted
 // the block (`passes: one` does so still). Nodes on rims of the master are held as well.
-TEST_CASE("a soft block slides on finer floors: its rims do not sink in, contact gives none of the energy") {
+TEST_CASE("a soft block slides on finer floors: its rims do not sink in, contact gives none of the energy",
+          "[regression]") {
   for (const double stiffer : {1.0, 10.0})
     for (const double friction : {0.0, 0.3})
       for (const auto& [pressure, given, deepest] : {std::array{1e5, 1e-3, 0.02}, std::array{5e5, 1e-2, 0.1}}) {
         const Slid slid = slide({.stiffer = stiffer, .pressure = pressure, .friction = friction});
         CAPTURE(stiffer, friction, pressure);
-        CHECK(slid.given <= given);  // at 5 % of the modulus for pressure the folds at the rims are large
+        // ours: 1.8e-4; at 5 % of the modulus for pressure, where the folds at the rims are large, 5.2e-3 (criterion:
+        // 1e-3, missed)
+        CHECK(slid.given <= given);
         CHECK(slid.deepest <= deepest * side / 4);  // shares of an element
       }
 }
@@ -75,7 +78,7 @@ TEST_CASE("a soft block slides on finer floors: its rims do not sink in, contact
 // The edges between facets of a peg with 24 around (15 degrees) are not sharp, but they cross the hole's rim between
 // its nodes: nodes of the peg that came later were 0.13 mm inside and were pushed out, which gave 0.47 of the energy.
 // (With 16 around, 22.5 degrees, 0.012 with a hole of 16.) Facets of 4 degrees and more meet sharp edges as edges.
-TEST_CASE("a round steel peg that drifts is driven through a hole: contact gives none of the energy") {
+TEST_CASE("a round steel peg that drifts is driven through a hole: contact gives none of the energy", "[regression]") {
   const int across = GENERATE(5, 6, 8);
   mesh::Mesh mesh = mesh::tube("hole", 0.0104, 0.016, 0.02, {2, 16, 3}),
              peg = mesh::cylinder("peg", 0.01, 0.03, {across, 8});
@@ -91,7 +94,7 @@ TEST_CASE("a round steel peg that drifts is driven through a hole: contact gives
   const double energy = scene.ledger().total();
   const GivenBack contact = test::run_until(scene, 2e-3);
   CAPTURE(across, contact.given / energy, contact.most / energy);
-  CHECK(contact.given <= 1e-2 * energy);  // seen: 5e-6, 4e-3, 9e-6; without 0.16 to 0.47
+  CHECK(contact.given <= 1e-2 * energy);  // ours: 5e-6, 4e-3, 9e-6 (criterion: 1e-3, missed)
   CHECK(contact.most > 1e-5 * energy);    // they met
   CHECK(contact::collect(*scene.contact).penetration <= 2e-5);
 }

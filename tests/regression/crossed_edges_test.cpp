@@ -6,14 +6,14 @@
 
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/primitives.hpp"
-#include "given_back.hpp"
+#include "support/given_back.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;
 using test::GivenBack, test::Simulation;
 
 // Without taking steps back where rows begin to pull: 121 iterations in the first, 197 (of 200) in one alike.
-TEST_CASE("elastic bars that meet edge on edge: the iteration finds the rows that let go") {
+TEST_CASE("elastic bars that meet edge on edge: the iteration finds the rows that let go", "[regression]") {
   const auto [fine, across] = GENERATE(table<int, int>({{5, 2}, {3, 4}}));
   mesh::Mesh mesh = mesh::box("below", {0.3, 1, 0.3}, {fine, 2 * fine, fine}),
              above = mesh::box("above", {1, 0.3, 0.3}, {7, 4, across});
@@ -37,7 +37,7 @@ TEST_CASE("elastic bars that meet edge on edge: the iteration finds the rows tha
   CAPTURE(fine, across, mean, found.most_iterations, contact.given / energy);
   CHECK(found.solved_steps > 20);
   CHECK(found.steps_at_limit == 0);
-  CHECK(found.most_iterations <= 60);  // 28 and 26 seen
-  CHECK(mean <= 16);                   // 9 and 10 seen
-  CHECK(contact.given <= 2e-3 * energy);
+  CHECK(found.most_iterations <= 60);     // ours: 28 and 26
+  CHECK(mean <= 16);                      // ours: 9 and 10
+  CHECK(contact.given <= 1e-3 * energy);  // the criterion of tests/hard; ours: 7.7e-4 and 3.0e-4
 }

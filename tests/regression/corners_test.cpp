@@ -6,7 +6,7 @@
 
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/primitives.hpp"
-#include "given_back.hpp"
+#include "support/given_back.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;
@@ -14,7 +14,7 @@ using test::GivenBack, test::run_until, test::Simulation;
 
 // A plate's node level with the block's foot, a little beside its front corner, was taken for inside of its front,
 // which opposes the plate by its tilt: contact gave a third of the work of gravity, 0.37 mm deep.
-TEST_CASE("a block slides on a plate whose nodes pass beside its corners") {
+TEST_CASE("a block slides on a plate whose nodes pass beside its corners", "[regression]") {
   mesh::Mesh mesh = mesh::box("plate", {0.6, 0.1, 0.02}, {36, 6, 1}),
              block = mesh::box("block", {0.1, 0.07, 0.02}, {7, 5, 1});
   mesh::place(mesh, 1, {0, 0, 1}, 0, {0, 0, -0.02});
@@ -31,13 +31,13 @@ TEST_CASE("a block slides on a plate whose nodes pass beside its corners") {
   const double work = scene.ledger().external;
   CAPTURE(work, contact.given);
   CHECK(work > 0.01);
-  CHECK(contact.given <= 1e-6 * work);                                    // seen: 1e-9
+  CHECK(contact.given <= 1e-6 * work);                                    // ours: 1e-9
   CHECK(contact::collect(*scene.contact).penetration <= 1e-4 * 0.1 / 7);  // of an edge
 }
 
 // Where the face was warped, its neighbour across a dent was taken for the other side of a sharp edge, and the corner
 // for outside of the body: it fell through the face, 16 % of an element, and was pushed out under load.
-TEST_CASE("a rubber cube falls on its corner upon a face of another one") {
+TEST_CASE("a rubber cube falls on its corner upon a face of another one", "[regression]") {
   const double degrees = GENERATE(50, 54.7, 58);
   mesh::Mesh mesh = mesh::box("a", {1, 1, 1}, {5, 5, 5}), upper = mesh::box("b", {1, 1, 1}, {6, 6, 6});
   mesh::place(upper, 1, Vec3(1, -1, 0).normalized(), degrees, {0.4, 0.45, 1.72});
@@ -51,17 +51,17 @@ TEST_CASE("a rubber cube falls on its corner upon a face of another one") {
   const GivenBack contact = run_until(scene, 20);
   CAPTURE(degrees, contact.most / energy, contact.given / energy);
   CHECK(contact.most > 1e-3 * energy);
-  CHECK(contact.given <= 5e-4 * energy);  // seen: 1.2e-4
-  // of an edge; seen: 9e-3. The corner, an eighth of an element's mass, bears all on a soft row, which lets it sink by
-  // softness times force dt^2 over that mass, and returns what that took; with softness: 0 it sinks by 1e-3, and rims
-  // that cross the face's edges by 5e-3
+  CHECK(contact.given <= 5e-4 * energy);  // ours: 3.0e-4
+  // of an edge; ours: 8.8e-3. The corner, an eighth of an element's mass, bears all on a soft row, which lets it sink
+  // by softness times force dt^2 over that mass, and returns what that took; with softness: 0 it sinks by 1e-3, and
+  // rims that cross the face's edges by 5e-3
   CHECK(contact::collect(*scene.contact).penetration <= 1e-2 * 0.2);
 }
 
 // The corner comes down beside a node of the face. Nodes that lie on each other had one row, which holds the dent's
 // node off one side of the corner, not the corner off all sides of the dent: it fell through, 8 % of an element in one
 // step, and was pushed out under load.
-TEST_CASE("a rubber cube falls on its corner upon a node of another one") {
+TEST_CASE("a rubber cube falls on its corner upon a node of another one", "[regression]") {
   const Vec3 aside = GENERATE(Vec3(0.002, -0.01, 0), Vec3(0.02, 0.01, 0), Vec3(-0.03, 0.02, 0));
   mesh::Mesh mesh = mesh::box("a", {1, 1, 1}, {4, 4, 4}), upper = mesh::box("b", {1, 1, 1}, {4, 4, 4});
   mesh::place(upper, 1, {0, 0, 1}, 10, {0, 0, 0});
@@ -78,13 +78,14 @@ TEST_CASE("a rubber cube falls on its corner upon a node of another one") {
   const GivenBack contact = run_until(scene, 8);
   CAPTURE(aside.transpose(), contact.most / energy, contact.given / energy);
   CHECK(contact.most > 1e-3 * energy);
-  CHECK(contact.given <= 5e-3 * energy);                               // seen: 2e-3; 1e-2 .. 3e-2 before
-  CHECK(contact::collect(*scene.contact).penetration <= 0.01 * 0.25);  // of an edge; seen: 4e-3; 6e-2 .. 8e-2 before
+  CHECK(contact.given <= 5e-3 * energy);                               // ours: 2.2e-3 (criterion: 1e-3, missed)
+  CHECK(contact::collect(*scene.contact).penetration <= 0.01 * 0.25);  // of an edge; ours: 5.8e-3
 }
 
 // Without friction the corner makes a pit whose faces it leaves and meets in turn: it fell through one that was dropped
 // since its neighbour had the corner in front by a millionth, by 4 to 40 % of an edge, and contact gave up to 0.7 %.
-TEST_CASE("a cube falls on its corner upon another one without friction: the pit that it makes holds it") {
+TEST_CASE("a cube falls on its corner upon another one without friction: the pit that it makes holds it",
+          "[regression]") {
   const auto [model, element, degrees, speed] =
       GENERATE(table<std::string, std::string, double, double>({{"elastic", "hex8_full", 54.7, 0.1},
                                                                 {"elastic", "hex8_full", 58, 0.1},
@@ -105,12 +106,12 @@ TEST_CASE("a cube falls on its corner upon another one without friction: the pit
   CAPTURE(model, element, degrees, speed, contact.most / energy, contact.given / energy,
           contact::collect(*scene.contact).penetration / 0.2);
   CHECK(contact.most > 1e-3 * energy);
-  // The criterion is 1e-3. hex8 of rubber misses it since its forces come from a potential: 1.4e-3 here, where it was
+  // The criterion is 1e-3. hex8 of rubber misses it since its forces come from a potential: ours: 1.6e-3, where it was
   // met before. Runs of the program at eight angles from 52 to 62 degrees give 1e-4 to 1.3e-3, 3.5e-4 on average
   // (before 1.6e-4 to 5.7e-4, 2.8e-4).
   const double gate = model == "neo_hookean" && element == "hex8" ? 2e-3 : 1e-3;
   CHECK(contact.given <= gate * energy);
-  // of an edge; nodes sink by 0.08 at most, rims across edges of the pit by 0.16 (at 0.3 of the speed of sound): see
-  // above
+  // of an edge; ours: nodes sink by 0.08 at most, rims across edges of the pit by 0.14 (at 0.3 of the speed of sound):
+  // see above
   CHECK(contact::collect(*scene.contact).penetration <= 0.2 * 0.2);
 }

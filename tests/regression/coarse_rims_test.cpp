@@ -11,7 +11,7 @@
 
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/primitives.hpp"
-#include "given_back.hpp"
+#include "support/given_back.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;
@@ -58,8 +58,9 @@ double least_height(const Simulation& scene, const std::vector<Edge>& rims, cons
 
 // The rim lay between the block's nodes, none of its own near: 0.46 of an element deep when the punch had gone in by
 // 1.2 elements (without friction 0.2 to 0.6), of which `max_penetration` told nothing.
-TEST_CASE("a coarse punch, tilted a little, is pressed into a finer block: its rims do not sink in between the nodes") {
-  // without friction nodes slip out under the rim, in jerks: where one has, it is 0.1 of an element deep (seen: 0.02 to
+TEST_CASE("a coarse punch, tilted a little, is pressed into a finer block: its rims do not sink in between the nodes",
+          "[regression]") {
+  // without friction nodes slip out under the rim, in jerks: where one has, it is 0.1 of an element deep (ours: 0.02 to
   // 0.1; with friction 0.001 to 0.004)
   const auto [across, friction, law, deepest, given] = GENERATE(table<int, double, std::string, double, double>(
       {{9, 0.5, "j2, yield: 3.0e6, hardening: 1.0e7", 0.005, 3e-4}, {12, 0.0, "neo_hookean", 0.15, 3e-3}}));
@@ -96,9 +97,9 @@ TEST_CASE("a coarse punch, tilted a little, is pressed into a finer block: its r
   const double element = size / across, work = scene.ledger().external;
   CAPTURE(across, friction, law, least / element, contact::collect(*scene.contact).penetration / element,
           contact.given / work);
-  CHECK(least >= -deepest * element);
+  CHECK(least >= -deepest * element);  // ours: 0.0019, 0.112 (criterion without friction: 0.02, missed)
   CHECK(contact::collect(*scene.contact).penetration >=
-        -0.8 * least);  // what there is, is told (along normals, not upright)
-  CHECK(contact.given <= given * work);
+        -0.8 * least);                   // what there is, is told (along normals, not upright)
+  CHECK(contact.given <= given * work);  // ours: 5.6e-5, 1.4e-3 (criterion: 1e-3, missed without friction)
   CHECK(contact.most > 0);
 }

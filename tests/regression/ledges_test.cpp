@@ -5,7 +5,7 @@
 
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/primitives.hpp"
-#include "given_back.hpp"
+#include "support/given_back.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;
@@ -56,20 +56,20 @@ Passage slide_over(mesh::Mesh mesh, const std::string& passes) {
 
 // The block's weight presses the first plate down by 3e-5 of an element. Its leading nodes hit the side of the second
 // one, and so did its corners' edges: it was thrown back at 0.8 of its speed.
-TEST_CASE("a block slides without friction over the seam of two plates") {
+TEST_CASE("a block slides without friction over the seam of two plates", "[regression]") {
   const bool fine_plates = GENERATE(false, true);
   const std::string passes = GENERATE("one", "two");
   const Passage block = slide_over(fine_plates ? seam({3, 1, 1}, {8, 4, 1}) : seam({5, 2, 2}, {6, 3, 1}), passes);
   CAPTURE(fine_plates, passes, block.least, block.given);
-  CHECK(block.least > 0.9);    // seen: 0.94, the plates swing
-  CHECK(block.given <= 0.02);  // seen: 3e-3
+  CHECK(block.least > 0.9);    // ours: 0.94, the plates swing
+  CHECK(block.given <= 5e-3);  // ours: 2.3e-3 (criterion: 1e-3, missed)
 }
 
 // Its front edge crosses the ledge; so does, while it passes, each of its sides' lower edges.
-TEST_CASE("a block that is turned a little slides over the seam as well") {
+TEST_CASE("a block that is turned a little slides over the seam as well", "[regression]") {
   const double degrees = GENERATE(0.3, 2.0, 5.0);
   const Passage block = slide_over(seam({5, 2, 2}, {6, 3, 1}, degrees), "auto");
   CAPTURE(degrees, block.least, block.given);
-  CHECK(block.least > 0.9);
-  CHECK(block.given <= 0.02);
+  CHECK(block.least > 0.9);    // ours: 0.955
+  CHECK(block.given <= 3e-3);  // ours: 1.04e-3 (criterion: 1e-3, missed)
 }

@@ -8,7 +8,7 @@
 
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/primitives.hpp"
-#include "given_back.hpp"
+#include "support/given_back.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;
@@ -47,17 +47,17 @@ GivenBack fall_on_rim(const Fall& fall) {
 }  // namespace
 
 // A share of their depth in each step shot them out, the faster the shorter the step: 0.07 of the energy at 0.1.
-TEST_CASE("a cube falls on the rim of another one in short steps: contact gives none of the energy") {
+TEST_CASE("a cube falls on the rim of another one in short steps: contact gives none of the energy", "[regression]") {
   const double cfl = GENERATE(0.9, 0.1, 0.03);
   const GivenBack contact = fall_on_rim({.cfl = cfl});
   CAPTURE(cfl);
-  CHECK(contact.given <= 1e-4);
-  CHECK(contact.most > 1e-3);  // they met
+  CHECK(contact.given <= 1e-4);  // ours: 8.7e-5, 1.0e-5, 3.0e-6 for the three steps
+  CHECK(contact.most > 1e-3);    // they met
 }
 
-// They are pushed out under load, which gives 8e-3 at most. (Left where they are while they are pressed they are given
+// They are pushed out under load. (Left where they are while they are pressed they are given
 // 4e-4, but then each node that comes later over a sagging rim lies deeper than the one before.)
-TEST_CASE("cubes fall askew on the rims of others: contact gives none of the energy") {
+TEST_CASE("cubes fall askew on the rims of others: contact gives none of the energy", "[regression]") {
   std::mt19937 random(1);
   const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
   for (int i = 0; i < 24; ++i) {
@@ -70,7 +70,7 @@ TEST_CASE("cubes fall askew on the rims of others: contact gives none of the ene
                     .speed_x = between(-20, 20)};
     CAPTURE(i, fall.degrees, fall.x, fall.y, fall.speed_x);
     const GivenBack contact = fall_on_rim(fall);
-    CHECK(contact.given <= 1e-2);
+    CHECK(contact.given <= 1e-3);  // the criterion of tests/hard; ours: 1.4e-4 at most
     CHECK(contact.most > 1e-3);
   }
 }

@@ -51,7 +51,7 @@ Simulation tied_boxes(const Setting& setting, const std::string& more = "") {
 
 }  // namespace
 
-TEST_CASE("tied boxes between planes of symmetry are solved in few iterations, at rest and loaded") {
+TEST_CASE("tied boxes between planes of symmetry are solved in few iterations, at rest and loaded", "[regression]") {
   const auto upper = GENERATE(std::array{4, 4, 4}, std::array{3, 5, 4});
   const int lateral = GENERATE(0, 1, 2);
   const double degrees = GENERATE(0.0, 17.0, 90.0);
@@ -60,13 +60,13 @@ TEST_CASE("tied boxes between planes of symmetry are solved in few iterations, a
   CAPTURE(upper[0], lateral, degrees, load);
   Simulation boxes = tied_boxes({upper, lateral, degrees, load});
   boxes.steps(60);
-  CHECK(boxes.contact->ledger.statistics.most_iterations <= 10);
+  CHECK(boxes.contact->ledger.statistics.most_iterations <= 10);  // ours: 6
   CHECK(boxes.contact->ledger.statistics.steps_at_limit == 0);
 }
 
 // More rows than the free side has directions: at rest they ask for the rounding of positions, which contradicts
 // itself.
-TEST_CASE("a finer part that is held and tied to a free one asks for nothing at rest") {
+TEST_CASE("a finer part that is held and tied to a free one asks for nothing at rest", "[regression]") {
   const double degrees = GENERATE(0.0, 17.0);
   const auto upper = GENERATE(std::array{6, 6, 6}, std::array{8, 5, 7});
   mesh::Mesh mesh = mesh::box("a", {1, 1, 1}, {4, 4, 4}), fine = mesh::box("b", {1, 1, 1}, upper);
@@ -80,5 +80,5 @@ TEST_CASE("a finer part that is held and tied to a free one asks for nothing at 
                    "contact: [{between: [a, b], tied: true, slave: b}]\n");
   boxes.steps(60);
   CHECK(boxes.contact->ledger.statistics.steps_at_limit == 0);
-  CHECK(boxes.contact->ledger.statistics.most_iterations <= 10);
+  CHECK(boxes.contact->ledger.statistics.most_iterations <= 2);  // ours: 0
 }
