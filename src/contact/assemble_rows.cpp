@@ -40,9 +40,9 @@ GlobalIndex lowest_gid_of_master(const Contact& contact, const Row& row) {
 }
 
 /// Of rows that can be: they go on from the impulses of the last step.
-double softness_of(const DerivedSettings& derived) {
-  const bool remembers_impulses = derived.enforcement.warm_start && !derived.enforcement.averaged;
-  return remembers_impulses ? derived.enforcement.softness : 0.0;
+double where_remembered(double softness, const EnforcementSettings& settings) {
+  const bool remembers_impulses = settings.warm_start && !settings.averaged;
+  return remembers_impulses ? softness : 0.0;
 }
 
 /// rate: of the master itself, along the normal [velocity].
@@ -55,7 +55,7 @@ void soften(Row& row, double softness, double rate, double dt) {
 /// detect_faces).
 void assign_passes(const Contact& contact, double dt, std::span<Row> rows) {
   const DerivedSettings& derived = contact.derived;
-  const double softness = softness_of(derived);
+  const double softness = where_remembered(derived.enforcement.softness, derived.enforcement);
   for (Row& row : rows) {
     if (row.is_wall() || row.is_edge() || row.cone != Cone::compression) continue;  // ties hold in both
     row.pass = pass_of(row, contact.surface.node(surface_slave(contact, row)), lowest_gid_of_master(contact, row),
@@ -120,7 +120,8 @@ void assign_slabs(const Contact& contact, std::span<Row> rows) {
 void assemble_rows(Contact& contact, const StepInput& input) {
   const DerivedSettings& derived = contact.derived;
   if (derived.two_passes) assign_passes(contact, input.dt, contact.step.rows);
-  soften_rows_of_bodies(input, carriers_of(contact, input), contact.step.nodes, softness_of(derived),
+  soften_rows_of_bodies(input, carriers_of(contact, input), contact.step.nodes,
+                        where_remembered(derived.enforcement.softness_of_bodies, derived.enforcement),
                         contact.step.rows);
   if (derived.friction) assign_friction(contact, input, contact.step.rows);
   if (derived.enforcement.method == Method::printed) assign_slabs(contact, contact.step.rows);

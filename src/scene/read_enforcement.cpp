@@ -59,7 +59,10 @@ void read_figures(Section& from, Enforcement& enforcement) {
   from.optional("method", settings.method, methods);
   from.optional("tolerance", settings.tolerance, below_one);
   from.optional("max_iterations", settings.max_iterations, Count{1});
-  from.optional("softness", settings.softness, share);
+  if (from.has("softness")) {
+    from.optional("softness", settings.softness, share);
+    settings.softness_of_bodies = settings.softness;
+  }
   from.optional("partition", settings.partition, Range{0, 1, false, true, "a number > 0 and <= 1"});
   from.optional("stiffness", settings.stiffness, Range{0, 2, false, true, "a number > 0 and <= 2"});
   from.optional("damping", settings.damping, share);

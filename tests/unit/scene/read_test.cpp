@@ -106,7 +106,8 @@ TEST_CASE("a small scene is read with its defaults", "[scene]") {
   CHECK_FALSE(input.rigid_walls[0].bilateral);
   CHECK(input.enforcement.settings.tolerance == 1e-3);
   CHECK(input.enforcement.settings.max_iterations == 200);
-  CHECK(input.enforcement.settings.softness == 0.05);
+  CHECK(input.enforcement.settings.softness == 0);
+  CHECK(input.enforcement.settings.softness_of_bodies == 0.05);
   CHECK(input.contact[0].initial_overlap == contact::OverlapRule::error);
   CHECK(input.run.end == 1e-3);
   CHECK_FALSE(input.run.steps);
@@ -218,6 +219,7 @@ TEST_CASE("contact, probes and the run are read", "[scene]") {
   CHECK(input.enforcement.settings.tolerance == 1e-4);
   CHECK(input.enforcement.settings.max_iterations == 20);
   CHECK(input.enforcement.settings.softness == 0.1);
+  CHECK(input.enforcement.settings.softness_of_bodies == 0.1);
   CHECK(input.contact[0].initial_overlap == contact::OverlapRule::warn);
   CHECK(input.contact[1].slave == Slave::second);
   CHECK(input.contact[2].slave == Slave::first);

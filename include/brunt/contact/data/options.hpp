@@ -90,11 +90,12 @@ struct EnforcementSettings {
   /// cubes at rest on each other up to 1e-8 of m g h. A warm one leaves a share of what has changed since the last
   /// step, which is nothing at rest (1e-20), and takes a fifth of the iterations there.
   bool warm_start = true;
-  /// Of rows of one of two passes and of rows between rigid bodies: see enforcement/softness.hpp. Only where impulses
-  /// are remembered (rate and row_sum with warm_start, no pair averaged). 0: rigid. Blocks of 10:8, 20:16, 40:32
-  /// elements that meet askew, most iterations in a step, and the greatest error of even pressure from 5 to 7 columns:
-  /// 0: 76, 95, 107, exact; 0.03: 41, 51, 48, 0.9 %; 0.05: 40, 40, 37, 1.2 %; 0.1: 25, 26, 28, 1.6 %.
-  double softness = 0.05;
+  /// Of rows of one of two passes: see enforcement/softness.hpp. Only where impulses are remembered (rate and row_sum
+  /// with warm_start, no pair averaged). 0: rigid, which passes even pressure on exactly, in the same time as 0.05,
+  /// whose error is 1 to 2.4 % (table in cases/README.md, "Softness of contact").
+  double softness = 0;
+  /// The same of rows between rigid bodies, which are redundant: a stack of six takes 5 times the iterations with 0.
+  double softness_of_bodies = 0.05;
   bool averaged = false;   ///< of two passes: see Passes::averaged; penalty, kinematic and printed methods always
   double partition = 1;    ///< beta of (24): share of the gap that a pass closes
   double stiffness = 0.1;  ///< of penalties, in units of 1 / (H dt^2); at most 2

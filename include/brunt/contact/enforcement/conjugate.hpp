@@ -12,7 +12,7 @@
 // Nesterov's, of NNCG, or Barzilai-Borwein steps chosen by their ratio. Other diagonals, coarse spaces of polynomials
 // and pairs of rows scale no better; inverses of small overlapping patches of rows do (5 to 9 with the set known), but
 // take a second exchange in each iteration, and by count of operations cost more to set up than they save. Soft rows
-// (softness.hpp; the default) lift the weak end: as many iterations on fine patches as on coarse ones. Figures here are
+// (softness.hpp; by choice) lift the weak end: as many iterations on fine patches as on coarse ones. Figures here are
 // of rigid rows. Each
 // iteration is one product with G W G^T and one reduction, of two kinds:
 // - a sweep p <- admitted(p + alpha missing / H), which chooses the rows anew: those that push after it;
