@@ -41,7 +41,7 @@ BRUNT_INLINE PackVec predictions(const MotionOfLane& motion) {
 
 /// What `encounter` finds, lane by lane.
 struct Result {
-  alignas(64) double over_middle[lanes], beside[lanes], moved[lanes], edge[lanes], along[lanes];
+  alignas(64) double over_middle[lanes], beside[lanes], moved[lanes], risen[lanes], edge[lanes], along[lanes];
   alignas(64) double normal[3][lanes], point[3][lanes], weights[4][lanes];
   alignas(64) std::int64_t known[lanes], on_face[lanes];
 };
@@ -79,6 +79,7 @@ void measure(const Batch& batch, Result& result) {
   keep(at.over_middle, result.over_middle);
   keep(at.beside, result.beside);
   keep(at.moved, result.moved);
+  keep(at.risen, result.risen);
   keep(place.edge, result.edge);
   keep(place.along, result.along);
   keep(normal, result.normal);
@@ -104,7 +105,8 @@ void take(const Result& from, std::size_t lane, const MasterFace& face, const To
     met.point[c] = from.point[c][lane];
   }
   for (std::size_t i = 0; i < 4; ++i) met.weights[i] = from.weights[i][lane];
-  classify({from.over_middle[lane], from.beside[lane], from.moved[lane]}, tolerances, face.element_depth, met);
+  classify({from.over_middle[lane], from.beside[lane], from.moved[lane], from.risen[lane]}, tolerances,
+           face.element_depth, met);
 }
 
 }  // namespace

@@ -22,10 +22,7 @@ class Neighbourhood {
  public:
   Neighbourhood(const FacesInMotion& scene, const Tolerances& tolerances, Criterion criterion,
                 std::span<const Encounter> encounters)
-      : scene_(scene), tolerances_(tolerances), criterion_(criterion), encounters_(encounters) {
-    for (const Encounter& e : encounters)
-      if (!std::isnan(e.height)) best_ = std::max(best_, e.opposition);
-  }
+      : scene_(scene), tolerances_(tolerances), criterion_(criterion), encounters_(encounters) {}
 
   [[nodiscard]] Meeting meeting(const Encounter& e) const {
     if (e.meeting != Meeting::inside && e.meeting != Meeting::above) return e.meeting;
@@ -47,6 +44,17 @@ class Neighbourhood {
   [[nodiscard]] const MasterFace& face_of(const Encounter& e) const {
     return scene_.faces[static_cast<std::size_t>(e.face)];
   }
+  /// The boxes that list faces reach farther along some directions of space than along others: what is beyond the reach
+  /// has no say. Nor has a face without area.
+  [[nodiscard]] bool is_near(const Encounter& e) const {
+    return distance_to_face(e) <= tolerances_.reach(e.size, face_of(e).element_depth) + e.approach.clearance;
+  }
+  [[nodiscard]] double best_opposition() const {
+    double best = 0;
+    for (const Encounter& e : encounters_)
+      if (is_near(e)) best = std::max(best, e.opposition);
+    return best;
+  }
   [[nodiscard]] bool competes(const Encounter& other, const Encounter& e) const {
     return other.opposition >= tolerances_.slight * e.opposition;
   }
@@ -60,7 +68,7 @@ class Neighbourhood {
   [[nodiscard]] bool all_around(const Encounter& e, Visit&& visit) const {
     const auto [first, second] = nodes_of_feature(face_of(e), e.region);
     return std::ranges::all_of(encounters_, [&](const Encounter& other) {
-      if (&other == &e || std::isnan(other.height)) return true;
+      if (&other == &e || !is_near(other)) return true;
       return !has_node(face_of(other), first) || !has_node(face_of(other), second) || visit(other);
     });
   }
@@ -87,7 +95,7 @@ class Neighbourhood {
   /// Beside e, but on a face that goes on from it smoothly? Then the foot there tells the gap, not the plane of e.
   [[nodiscard]] bool has_foot_on_smooth_neighbour(const Encounter& e) const {
     return std::ranges::any_of(encounters_, [&](const Encounter& other) {
-      return other.region == Region::face && !std::isnan(other.height) && in_one_direction(other, e) &&
+      return other.region == Region::face && is_near(other) && in_one_direction(other, e) &&
              (other.point - e.point).norm() <= tolerances_.rim * std::min(e.size, other.size);
     });
   }
@@ -111,14 +119,14 @@ class Neighbourhood {
   [[nodiscard]] Nearest nearest(const Counts& counts) const {
     Nearest nearest;
     for (const Encounter& e : encounters_) {
-      if (std::isnan(e.height)) continue;
+      if (!is_near(e)) continue;
       const double distance = distance_to_face(e);
       if ((nearest.face == nullptr || distance < nearest.distance) && counts(e)) nearest = {&e, distance};
     }
     if (nearest.face == nullptr) return nearest;
     double height = 0;
     for (const Encounter& e : encounters_) {
-      if (std::isnan(e.height) || (e.point - nearest.face->point).norm() > geometry::face_tolerance * e.size) continue;
+      if (!is_near(e) || (e.point - nearest.face->point).norm() > geometry::face_tolerance * e.size) continue;
       height += angle_at_point(e) * e.height;
     }
     if (height <= 0) nearest.distance = -nearest.distance;
@@ -138,11 +146,12 @@ class Neighbourhood {
     const bool deep = -e.height > rim;
     if (!deep && std::ranges::none_of(encounters_, [](const Encounter& other) { return other.height > 0; }))
       return Meeting::inside;  // nearly always
+    const double best = deep ? best_opposition() : 0;
     const Nearest found = nearest([&](const Encounter& other) {
       const auto is_clear = [&] {
         return other.height > 0 && distance_to_face(other) > tolerances_.touching * other.size;
       };
-      if (deep) return other.opposition >= tolerances_.slight * best_ || is_clear();
+      if (deep) return other.opposition >= tolerances_.slight * best || is_clear();
       return competes(other, e);
     });
     if (found.face == nullptr || found.face == &e || !falls_away(e, *found.face, deep)) return Meeting::inside;
@@ -155,7 +164,6 @@ class Neighbourhood {
   const Tolerances& tolerances_;
   Criterion criterion_;
   std::span<const Encounter> encounters_;
-  double best_ = 0;  ///< opposition of any face
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 // The one classifier of encounters: how a node stands to the closest point of a face, of one pair or of a pack of
 // them, and what meeting that is.
 #pragma once
+#include <algorithm>
+
 #include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/detection/encounter.hpp"
 #include "brunt/geometry/vec_of.hpp"
@@ -14,6 +16,7 @@ struct Standing {
   T over_middle;  ///< height over the plane at the closest point [length]
   T beside;       ///< distance of the node's foot on that plane from the point [length]
   T moved;        ///< way of the node against the point within the step [length]
+  T risen;        ///< of it, out of the plane [length]
 };
 
 /// normal: unit, on the node's side; relative: the node's predicted velocity against the point's.
@@ -22,7 +25,7 @@ BRUNT_INLINE Standing<T> stand(const geometry::VecOf<T>& node, const geometry::V
                                const geometry::VecOf<T>& normal, const geometry::VecOf<T>& relative, T dt) {
   const geometry::VecOf<T> offset = node - point;
   const T over_middle = dot(offset, normal);
-  return {over_middle, norm(offset - over_middle * normal), dt * norm(relative)};
+  return {over_middle, norm(offset - over_middle * normal), dt * norm(relative), dt * dot(relative, normal)};
 }
 
 /// Fills height, gap, beside, slow and meeting of an encounter with known region, size and clearance; element_depth: of
@@ -32,12 +35,14 @@ inline void classify(const Standing<double>& at, const Tolerances& tolerances, d
   met.beside = at.beside;
   if (met.height <= 0) {
     const double deepest = tolerances.max_penetration(met.size, element_depth);
-    if (-at.over_middle <= deepest && met.beside <= deepest) met.meeting = Meeting::inside;
+    if (at.over_middle * at.over_middle + met.beside * met.beside <= deepest * deepest) met.meeting = Meeting::inside;
     return;
   }
+  met.slow = at.moved <= tolerances.slow * met.size;
+  // the boxes that list faces reach farther along some directions of space than along others
+  if (met.height + std::min(0.0, at.risen) > tolerances.reach(met.size, element_depth)) return;
   const bool over = met.region == geometry::Region::face;
   if (over || met.beside <= tolerances.rim * met.size) met.meeting = Meeting::above;
-  met.slow = at.moved <= tolerances.slow * met.size;
 }
 
 }  // namespace brunt::contact
