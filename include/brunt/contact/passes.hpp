@@ -18,9 +18,9 @@
 namespace brunt::contact {
 
 /// The pass of a row between a node and a face (no edge, no wall). Between bodies those that lead are the first. Within
-/// a body no side is the finer one: it is told by the numbers of the nodes, the slave's and master_gid, the lower of the
-/// face. Where two folds meet, nodes of the one on faces of the other are the first pass and the others the second, as
-/// far as the mesh is numbered fold by fold; no direction of space decides.
+/// a body no side is the finer one: it is told by the numbers of the nodes, the slave's and master_gid, the lower of
+/// the face. Where two folds meet, nodes of the one on faces of the other are the first pass and the others the second,
+/// as far as the mesh is numbered fold by fold; no direction of space decides.
 Pass pass_of(const Row& row, const SurfaceNode& node, GlobalIndex master_gid, const Specification& specification,
              std::span<const BodyFigures> bodies);
 
