@@ -58,15 +58,15 @@ struct Encounter {
   Approach approach{};
   double height = std::numeric_limits<double>::quiet_NaN();  ///< over the plane at the closest point, less the
                                                              ///< clearance, at the start [length]
-  double beside = 0;           ///< distance of the node's foot on that plane from the point
-  double gap = 0;              ///< that the row closes [length]
-  double time = 0;             ///< of a hit, as a share of the step
-  double size = 0;             ///< longest edge of the face [length]
-  double order = 0;            ///< what ranks it among the slave's, the least first: see `select_rows`
-  bool slow = false;           ///< moves little against the face within the step
-  double opposition = 0;       ///< cosine between the master's normal and the reversed normal of the most opposed facet
-  Vec3 normal = Vec3::Zero();  ///< of the row, unit, out of the face on the node's side
-  Vec3 point = Vec3::Zero();   ///< on the face (on its middle), where they meet
+  double beside = 0;                ///< distance of the node's foot on that plane from the point
+  double gap = 0;                   ///< that the row closes [length]
+  double time = 0;                  ///< of a hit, as a share of the step
+  double size = 0;                  ///< longest edge of the face [length]
+  double order = 0;                 ///< what ranks it among the slave's, the least first: see `select_rows`
+  bool slow = false;                ///< moves little against the face within the step
+  double opposition = 0;            ///< cosine of the reversed normal to the slave's normal cone, 0 where it is slight
+  Vec3 normal = Vec3::Zero();       ///< of the row, unit, out of the face on the node's side
+  Vec3 point = Vec3::Zero();        ///< on the face (on its middle), where they meet
   std::array<double, 4> weights{};  ///< of the face's corners there
 };
 
