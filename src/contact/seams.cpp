@@ -24,6 +24,7 @@ struct StartFace {
   std::array<std::array<double, 3>, 4> corners{};
   std::int32_t corner_count = 4, body = 0;
   double margin = 0;  ///< how far from the face a point may be to lie on it [length]
+  double sag = 0;     ///< of a seam at one of its sides [length]
   PlainBox capture{};
 
   [[nodiscard]] std::array<Vec3, 4> places() const {
@@ -47,7 +48,9 @@ StartFace start_face(const mesh::LocalMesh& mesh, const Surface& surface, const 
     face.gid[i] = surface.gid[node];
   }
   const geometry::Corners view(corners.data(), count);
-  face.margin = tolerances.seam_reach * extent(geometry::longest_edge(view), from.element_depth);
+  const double edge = geometry::longest_edge(view);
+  face.sag = tolerances.max_penetration(edge, from.element_depth);
+  face.margin = tolerances.seam_reach * std::min(edge, 2 * from.element_depth);
   face.capture = PlainBox(geometry::grown(geometry::bounding_box(view), face.margin));
   return face;
 }
@@ -169,8 +172,7 @@ ReceivedSeams report_to_owners(const comm::Communicator& ranks, const mesh::Loca
       const SurfaceFace& face = surface.faces[f];
       if ((face.seams >> side & 1U) == 0) continue;
       const auto corners = static_cast<std::size_t>(face.corner_count);
-      const double sag =
-          tolerances.seam_sag / tolerances.seam_reach * start_face(mesh, surface, face, tolerances).margin;
+      const double sag = start_face(mesh, surface, face, tolerances).sag;
       LocalIndex low = face.nodes[side], high = face.nodes[(side + 1) % corners];
       if (surface.gid[static_cast<std::size_t>(high)] < surface.gid[static_cast<std::size_t>(low)])
         std::swap(low, high);

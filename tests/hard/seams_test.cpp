@@ -152,18 +152,27 @@ TEST_CASE("a step of a tenth of an element in the reference configuration is no 
       check({.sag = 0.002, .step = 0.1, .speed = 0.1, .degrees = degrees, .tets = tets});
 }
 
-// Missed: in one pass the block's front hangs over the edge of the sagging bed, and comes to the seam more than a tenth
-// of an element low: with a sag of 5 % it stops at 0.01 of sound, on tetrahedra at 0.1 too. Up to 0.5 % it passes, but
-// contact gives up to 8 times load times sag on tetrahedra: 1e-3 of the energy or less, as on beds without a seam.
-TEST_CASE("a block slides over a seam in one pass where the sag is small", "[law]") {
-  for (const bool tets : {false, true})
-    for (const double speed : {0.05, 0.1})
-      for (const double degrees : {0.0, 45.0}) {
-        const Seam seam{.sag = 0.005, .speed = speed, .degrees = degrees, .tets = tets, .passes = "one"};
-        const Passage block = slide(seam);
-        CAPTURE(speed, degrees, tets, block.least, block.lift);
-        CHECK(block.over);
-        CHECK(block.least >= 0.98);
-        CHECK(block.lift <= seam.sag);
-      }
+TEST_CASE("a block slides over a seam in one pass", "[law]") {
+  for (const double speed : {0.01, 0.1})
+    for (const double degrees : {0.0, 45.0}) check({.sag = 0.05, .speed = speed, .degrees = degrees, .passes = "one"});
+}
+
+// Missed: on tetrahedra contact gives up to 8 times load times sag: 1e-3 of the energy or less, as on beds without a
+// seam.
+TEST_CASE("a block slides over a seam of tetrahedra in one pass where the sag is small", "[law]") {
+  for (const double speed : {0.05, 0.1})
+    for (const double degrees : {0.0, 45.0}) {
+      const Seam seam{.sag = 0.005, .speed = speed, .degrees = degrees, .tets = true, .passes = "one"};
+      const Passage block = slide(seam);
+      CAPTURE(speed, degrees, block.least, block.lift);
+      CHECK(block.over);
+      CHECK(block.least >= 0.98);
+      CHECK(block.lift <= seam.sag);
+    }
+}
+
+// Missed: no seam stops it. Nodes of the coarse bed that the block presses beside stand up in front of it by more than
+// the sag, and come in by its front: 2.5 elements before the seam at 0.01 of sound.
+TEST_CASE("a block slides on tetrahedra in one pass where the sag is large", "[.][missed][law]") {
+  for (const double speed : {0.01, 0.1}) check({.sag = 0.05, .speed = speed, .tets = true, .passes = "one"});
 }

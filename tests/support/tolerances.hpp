@@ -17,7 +17,7 @@ namespace brunt::test {
 
 using contact::Tolerances;
 
-constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 30> tolerance_fields{{
+constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 29> tolerance_fields{{
     {"same_direction", &Tolerances::same_direction},
     {"aligned", &Tolerances::aligned},
     {"facing", &Tolerances::facing},
@@ -37,7 +37,6 @@ constexpr std::array<std::pair<std::string_view, double Tolerances::*>, 30> tole
     {"ledge", &Tolerances::ledge},
     {"seam_reach", &Tolerances::seam_reach},
     {"seam_sample", &Tolerances::seam_sample},
-    {"seam_sag", &Tolerances::seam_sag},
     {"recovery", &Tolerances::recovery},
     {"recovery_limit", &Tolerances::recovery_limit},
     {"recovery_time", &Tolerances::recovery_time},

@@ -34,7 +34,7 @@ bool crosses_in_step(const EdgeScene& scene, const ContactEdge& slave, const Con
 double rim_at(const EdgeScene& scene, const ContactEdge& flat, const ContactEdge& rim, std::size_t end) {
   const double length = scene.length(flat);
   const bool seam = flat.end_on_seam[end] != 0 && seams_count(scene.settings, rim.body, flat.body);
-  return seam ? scene.tolerances().seam_sag * extent(length, flat.element_depth) / length : scene.tolerances().rim;
+  return seam ? scene.tolerances().max_penetration(length, flat.element_depth) / length : scene.tolerances().rim;
 }
 
 }  // namespace

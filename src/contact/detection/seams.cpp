@@ -44,7 +44,7 @@ bool is_side_of_seam(const FacesInMotion& scene, const Tolerances& tolerances, c
   const MasterFace &above = face_of(scene, top), &below = face_of(scene, side);
   double sag = own_sag(own, top.normal, tolerances);
   if (continues_beyond(scene, tolerances, top, side))
-    sag = std::max(sag, tolerances.seam_sag * extent(top.size, above.element_depth));
+    sag = std::max(sag, tolerances.max_penetration(top.size, above.element_depth));
   if (sag == 0 || !(std::abs(top.height) <= sag) || top.opposition < tolerances.competing * side.opposition)
     return false;
   return !contact::same_direction(side.normal, top.normal, tolerances.same_direction) &&
@@ -54,7 +54,7 @@ bool is_side_of_seam(const FacesInMotion& scene, const Tolerances& tolerances, c
 /// out: the meeting's normal, out of the seam's edge.
 bool is_at_side(const EdgeScene& scene, const ContactEdge& seam, const ContactEdge& other, const Vec3& point,
                 const Vec3& out) {
-  const double sag = scene.tolerances().seam_sag * extent(scene.length(seam), seam.element_depth);
+  const double sag = scene.tolerances().max_penetration(scene.length(seam), seam.element_depth);
   for (std::size_t k = 0; k < 2; ++k) {
     if (!seam.seam[k]) continue;
     const Vec3 top = scene.normal(seam, k);

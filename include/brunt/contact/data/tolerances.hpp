@@ -76,12 +76,11 @@ struct Tolerances {
   /// rims hang over flat edges by so much: on flat surfaces rows of nodes hold all, and those of rims are left open. (A
   /// row that is there only when a rim has sunk in lets go of it for a step.)
   double ledge = 1e-3;
-  /// Faces of two bodies are flush where one, continued by this share of its extent, comes no farther from the other.
+  /// Faces of two bodies are flush where one, continued by this share of its size (of a flat element, of twice its
+  /// depth), comes no farther from the other.
   double seam_reach = 0.05;
   /// Where along the side of a face the other one is looked for: at this share from either end.
   double seam_sample = 0.25;
-  /// So far below a seam a side is not met, as a share of the extent: what flush bodies may sag under load.
-  double seam_sag = 0.1;
 
   // Recovery of penetrations.
 
@@ -120,7 +119,8 @@ struct Tolerances {
   /// Share of its volume that an element must keep at each corner where overlaps are moved out.
   double kept_volume = 0.2;
 
-  /// How far behind a face a node is in contact with it. size: the face's longest edge.
+  /// How far behind a face a node is in contact with it; so far below a seam its side is not met, however far flush
+  /// bodies sag under load: a step at the start is no seam (`seam_reach`). size: the face's longest edge.
   [[nodiscard]] double max_penetration(double size, double element_depth) const {
     return std::min(capture * size, element_share * element_depth);
   }

@@ -2,18 +2,12 @@
 // Seams between bodies that were flush at the start (contact/seams.hpp). The normal cone of an edge there is that of
 // the face that goes on: to other bodies its side begins where flush bodies may have sagged to.
 #pragma once
-#include <algorithm>
 #include <span>
 
 #include "brunt/contact/detection/edges.hpp"
 #include "brunt/contact/detection/encounter.hpp"
 
 namespace brunt::contact {
-
-/// What lengths across a surface are measured with: the longest edge, or of flat elements twice their depth [length].
-inline double extent(double size, double element_depth) {
-  return std::min(size, 2 * element_depth);
-}
 
 /// The faces of a slave's own body around it.
 struct OwnFacets {
@@ -22,9 +16,9 @@ struct OwnFacets {
   std::span<const Vec3> facet_normal;
 };
 
-/// Sides of seams become Meeting::none where the node is no farther than Tolerances::seam_sag from the plane of the
-/// face that goes on: one of the master's, or the one of the slave's own faces that goes on lies on the master's face.
-/// encounters: of one slave with the faces of one body that is flush with others than the slave's.
+/// Sides of seams become Meeting::none where the node is no farther than Tolerances::max_penetration from the plane of
+/// the face that goes on: one of the master's, or the one of the slave's own faces that goes on lies on the master's
+/// face. encounters: of one slave with the faces of one body that is flush with others than the slave's.
 void remove_seam_sides(const FacesInMotion& scene, const Tolerances& tolerances, const OwnFacets& own,
                        std::span<Encounter> encounters);
 
