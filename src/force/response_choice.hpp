@@ -7,8 +7,10 @@
 
 #include "brunt/core/error.hpp"
 #include "brunt/material/elastic.hpp"
+#include "brunt/material/foam.hpp"
 #include "brunt/material/j2.hpp"
 #include "brunt/material/law.hpp"
+#include "brunt/material/metal.hpp"
 #include "brunt/material/neo_hookean.hpp"
 
 namespace brunt::force {
@@ -35,6 +37,11 @@ auto with_response(const material::Law& law, Use&& use) {
           if (table) return with_rate<material::J2Response<true, false>>(constants, use);
           if (kinematic) return with_rate<material::J2Response<false, true>>(constants, use);
           return with_rate<material::J2Response<false, false>>(constants, use);
+        } else if constexpr (std::is_same_v<Constants, material::Metal>) {
+          if (constants.eos) return use(material::MetalResponse<true>(constants));
+          return use(material::MetalResponse<false>(constants));
+        } else if constexpr (std::is_same_v<Constants, material::Foam>) {
+          return use(material::FoamResponse(constants));
         } else if constexpr (std::is_same_v<Constants, material::Rigid>) {
           demand(false, "rigid elements have no kernel");
           return decltype(use(std::declval<material::ElasticResponse>()))();

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "brunt/core/dual.hpp"
+#include "brunt/core/error.hpp"
 #include "brunt/element/batch.hpp"
+#include "brunt/element/memory.hpp"
 #include "brunt/force/tangent.hpp"
 
 namespace brunt::force {
@@ -76,7 +78,12 @@ void run_tangents(const Kernel& kernel, const model::ElementBlock& block, const 
 template <class Choice>
 constexpr Tangents tangents_of() {
   return [](const model::ElementBlock& block, const TangentPass& pass) {
-    Choice::with_kernel(block, pass.motion.viscous, [&](const auto& kernel) { run_tangents(kernel, block, pass); });
+    Choice::with_kernel(block, pass.motion.viscous, [&](const auto& kernel) {
+      if constexpr (element::Thermodynamic<std::decay_t<decltype(kernel.law)>>)
+        throw InputError("part " + block.part + ": its material has no tangent; accepted: elastic, j2, neo_hookean");
+      else
+        run_tangents(kernel, block, pass);
+    });
   };
 }
 

@@ -18,6 +18,12 @@ ElasticModuli moduli_of(const J2& law) {
 ElasticModuli moduli_of(const NeoHookean& law) {
   return {law.density, law.lambda, law.mu};
 }
+ElasticModuli moduli_of(const Metal& law) {
+  return {law.density, law.bulk - 2.0 / 3.0 * law.shear, law.shear};
+}
+ElasticModuli moduli_of(const Foam& law) {
+  return {law.density, 0, 0.5 * law.young};
+}
 ElasticModuli moduli_of(const Rigid& law) {
   return {law.density, 0, 0};
 }

@@ -62,18 +62,18 @@ double YieldCurve::at(double plastic_strain) const {
   return piece.yield + piece.slope * (plastic_strain - piece.strain);
 }
 
-double YieldCurve::plastic_increment(double plastic_strain, double excess) const {
+double YieldCurve::plastic_increment(double plastic_strain, double excess, double three_shear) const {
   std::size_t k = piece_of(plastic_strain);
   double increment = 0;
   for (; k + 1 < pieces_.size(); ++k) {
     // what the return takes up from here to the end of the piece; it rises along the curve since slope > -3 G
-    const double stiffness = three_shear_ + pieces_[k].slope;
+    const double stiffness = three_shear + pieces_[k].slope;
     const double room = pieces_[k + 1].strain - (plastic_strain + increment);
     if (stiffness * room >= excess) return increment + excess / stiffness;
     excess -= stiffness * room;
     increment = pieces_[k + 1].strain - plastic_strain;
   }
-  return increment + excess / (three_shear_ + pieces_[k].slope);
+  return increment + excess / (three_shear + pieces_[k].slope);
 }
 
 }  // namespace brunt::material

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include "brunt/scene/sections.hpp"
+#include "read_metals.hpp"
 
 namespace brunt::scene {
 namespace {
 
-enum class Model { elastic, j2, neo_hookean, rigid };
+enum class Model { elastic, j2, neo_hookean, johnson_cook, piecewise_linear, hydrodynamic, crushable_foam, rigid };
 
 material::Elastic read_elastic(Section& material) {
   material::Elastic law;
@@ -18,26 +19,6 @@ material::Elastic read_elastic(Section& material) {
       {{"jaumann", material::StressRate::jaumann}, {"logarithmic", material::StressRate::logarithmic}}, {}};
   material.optional("stress_rate", law.stress_rate, rates);
   return law;
-}
-
-void read_hardening_table(const Key& key, material::J2& law) {
-  constexpr std::string_view accepted = "a list of [plastic strain, yield stress], the first at strain 0";
-  for (const Key& row : items(key, accepted)) {
-    std::array<double, 2> point{};
-    if (!read(row, point, not_negative, "[plastic strain, yield stress]")) return;
-    const bool first = law.table.empty();
-    if (first && point[0] != 0) return fault(row, "the first plastic strain is not 0; accepted: 0");
-    if (point[1] <= 0) return fault(row, "the yield stress is not positive; accepted: a number > 0");
-    if (!first && point[0] <= law.table.back()[0]) {
-      return fault(row, "the plastic strain does not increase; accepted: strictly increasing strains");
-    }
-    if (!first && point[1] < law.table.back()[1]) {
-      return fault(row, "the yield stress falls (softening); accepted: stresses that do not decrease");
-    }
-    law.table.push_back(point);
-  }
-  if (law.table.empty() && key.tree->kind == Tree::Kind::list && key.tree->children.empty()) wrong(key, accepted);
-  if (!law.table.empty()) law.yield = law.table.front()[1];
 }
 
 material::J2 read_j2(Section& material) {
@@ -54,7 +35,8 @@ material::J2 read_j2(Section& material) {
     }
   }
   if (has_table) {
-    read_hardening_table(material.at("hardening_table"), law);
+    read_hardening_table(material.at("hardening_table"), law.table);
+    if (!law.table.empty()) law.yield = law.table.front()[1];
   } else {
     material.required("yield", law.yield, positive);
     material.optional("hardening", law.hardening, not_negative);
@@ -94,14 +76,20 @@ material::Rigid read_rigid(Section& material) {
 
 material::Law read_law(Section& material) {
   static const Choices<Model> models{
-      {{"elastic", Model::elastic}, {"j2", Model::j2}, {"neo_hookean", Model::neo_hookean}, {"rigid", Model::rigid}},
-      {"johnson_cook", "foam", "crushable_foam"}};
+      {{"elastic", Model::elastic},
+       {"j2", Model::j2},
+       {"neo_hookean", Model::neo_hookean},
+       {"johnson_cook", Model::johnson_cook},
+       {"piecewise_linear", Model::piecewise_linear},
+       {"hydrodynamic", Model::hydrodynamic},
+       {"crushable_foam", Model::crushable_foam},
+       {"rigid", Model::rigid}},
+      {}};
   Model model{};
   if (!material.required("model", model, models)) {
     for (const std::string& name : material.key().tree->keys) material.has(name);  // whose keys, nobody knows
     return material::Elastic{};
   }
-  for (const char* name : {"damage", "failure", "erosion", "eos"}) material.not_yet(name, "a law without it");
   switch (model) {
     case Model::elastic:
       return read_elastic(material);
@@ -109,6 +97,14 @@ material::Law read_law(Section& material) {
       return read_j2(material);
     case Model::rigid:
       return read_rigid(material);
+    case Model::johnson_cook:
+      return read_johnson_cook(material);
+    case Model::piecewise_linear:
+      return read_piecewise_linear(material);
+    case Model::hydrodynamic:
+      return read_hydrodynamic(material);
+    case Model::crushable_foam:
+      return read_foam(material);
     default:
       return read_neo_hookean(material);
   }
@@ -118,7 +114,7 @@ material::Law read_law(Section& material) {
 
 void read_materials(Section& scene, Input& input) {
   for (const auto& [name, key] : entries(scene.at("materials"), "a map of names, each {model: ..., density: ...}")) {
-    Section material(key, "a map {model: elastic, j2, neo_hookean or rigid, density: ...}");
+    Section material(key, "a map {model: elastic, j2, neo_hookean, johnson_cook ... or rigid, density: ...}");
     input.materials[name] = material.is_map() ? read_law(material) : material::Elastic{};
     warn_of_units(material, input.materials[name], input);
   }

@@ -14,12 +14,17 @@ void size_histories(model::Model& model, model::State& state) {
   for (model::ElementBlock& block : model.blocks) {
     block.history.clear();
     block.history_size = 0;
-    for (const element::HistoryField& field : force::history_fields(block)) {
+    const std::vector<element::HistoryField> fields = force::history_fields(block);
+    for (const element::HistoryField& field : fields) {
       block.history.push_back({field.name, block.history_size, field.components});
       block.history_size += field.components;
     }
-    state.history.emplace_back(static_cast<std::size_t>(block.batches()) *
-                               static_cast<std::size_t>(block.history_size) * pack_width);
+    AlignedVector<double>& history = state.history.emplace_back();
+    history.reserve(static_cast<std::size_t>(block.batches()) * static_cast<std::size_t>(block.history_size) *
+                    pack_width);
+    for (LocalIndex batch = 0; batch < block.batches(); ++batch)
+      for (const element::HistoryField& field : fields)
+        history.insert(history.end(), static_cast<std::size_t>(field.components) * pack_width, field.start);
   }
 }
 

@@ -21,6 +21,7 @@ namespace brunt::element {
 struct HistoryField {
   std::string name;  ///< "stress", "plastic_strain", "hourglass_force" ...
   int components = 1;
+  double start = 0;  ///< of all components
 };
 
 template <int nodes, class Number = Pack>

@@ -53,8 +53,8 @@ struct Hex8 {
   static constexpr bool remembers_force = hourglass != HourglassKind::none && !from_potential;
   static constexpr int history_size = at_hourglass_force + (remembers_force ? 12 : 0);
 
-  static std::vector<HistoryField> history() {
-    std::vector<HistoryField> fields = Memory::fields();
+  [[nodiscard]] std::vector<HistoryField> history() const {
+    std::vector<HistoryField> fields = Memory::fields(law);
     if (hourglass != HourglassKind::none) fields.push_back({"hourglass_energy", 1});
     if (remembers_force) fields.push_back({"hourglass_force", 12});
     return fields;
@@ -78,6 +78,11 @@ struct Hex8 {
     Pack lambda, mu;
     Pack left = broadcast(1.0);
   };
+  /// Bulk viscosity, which some laws must know before their stress, and what it is made of.
+  struct Viscous {
+    Pack viscosity, stress, work;
+    Pack largest, over_mass;  ///< bound of the eigenvalues of S
+  };
   /// Forces that act through B as a stress (row major) and through the hourglass shapes, and bounds of the step.
   struct Resistance {
     Pack stress[9], Q[4][3];
@@ -87,9 +92,11 @@ struct Hex8 {
 
   BRUNT_INLINE void move(const BatchMotion<8>& in, Kinematics& k) const;
   BRUNT_INLINE void move_from_reference(const BatchMotion<8>& in, Kinematics& k) const;
-  BRUNT_INLINE Tangent update(const Kinematics& k, const Pack* committed, Pack* trial, Pack (&s)[6]) const;
-  BRUNT_INLINE void resist(const Kinematics& k, const Tangent& tangent, const Pack (&s)[6], double dt,
-                           const Pack* committed, Pack* trial, Resistance& r) const;
+  BRUNT_INLINE Viscous damp(const Kinematics& k, double dt, const Pack* committed, Pack* trial) const;
+  BRUNT_INLINE Tangent update(const Kinematics& k, const Viscous& viscous, double dt, const Pack* committed,
+                              Pack* trial, Pack (&s)[6]) const;
+  BRUNT_INLINE void resist(const Kinematics& k, const Viscous& viscous, const Tangent& tangent, const Pack (&s)[6],
+                           double dt, const Pack* committed, Pack* trial, Resistance& r) const;
   BRUNT_INLINE void resist_hourglass(const Kinematics& k, [[maybe_unused]] Pack left, double dt, Pack over_mass,
                                      Pack mass, Pack trace, Pack largest, const Pack* committed, Pack* trial,
                                      Resistance& r) const;
@@ -193,6 +200,7 @@ void Hex8<Response, hourglass>::move_from_reference(const BatchMotion<8>& in, Ki
 
 template <class Response, HourglassKind hourglass>
 typename Hex8<Response, hourglass>::Tangent Hex8<Response, hourglass>::update(const Kinematics& k,
+                                                                              const Viscous& viscous, double dt,
                                                                               const Pack* committed, Pack* trial,
                                                                               Pack (&s)[6]) const {
   Tangent tangent;
@@ -200,6 +208,10 @@ typename Hex8<Response, hourglass>::Tangent Hex8<Response, hourglass>::update(co
     law.stress(k.F, s);
     law.tangent(k.F, tangent.lambda, tangent.mu);
     for (int c = 0; c < 6; ++c) trial[Memory::at_stress + c] = s[c];
+  } else if constexpr (Thermodynamic<Response>) {
+    const Pack over_reference = law.density / committed[Memory::at_mass];
+    tangent.left = update_stress(law, k.strain, {dt, k.volume * over_reference, viscous.work * over_reference},
+                                 Memory::point(committed), Memory::point(trial), s, tangent.lambda, tangent.mu);
   } else {
     tangent.left = update_stress(law, k.strain, Memory::point(committed), Memory::point(trial), s);
     law.tangent(s, tangent.lambda, tangent.mu);
@@ -207,29 +219,36 @@ typename Hex8<Response, hourglass>::Tangent Hex8<Response, hourglass>::update(co
   return tangent;
 }
 
+/// rho L^2 = m V / (2 s_max): L is the thickness of the element in its thinnest direction.
 template <class Response, HourglassKind hourglass>
-void Hex8<Response, hourglass>::resist(const Kinematics& k, const Tangent& tangent, const Pack (&s)[6], double dt,
-                                       const Pack* committed, Pack* trial, Resistance& r) const {
-  const Pack trace = k.S[0] + k.S[1] + k.S[2];
-  const Pack largest = largest_eigenvalue_bound(k.S);
-  const Pack mass = committed[Memory::at_mass];
-  const Pack over_both = 1.0 / (mass * largest);  // one division for 1/mass and 1/s_max
-  const Pack over_mass = largest * over_both;
-
-  // rho L^2 = m V / (2 s_max): L is the thickness of the element in its thinnest direction
-  const Pack volume_rate = k.L[0] + k.L[4] + k.L[8];
+typename Hex8<Response, hourglass>::Viscous Hex8<Response, hourglass>::damp(const Kinematics& k, double dt,
+                                                                            const Pack* committed, Pack* trial) const {
+  const Pack mass = committed[Memory::at_mass], volume_rate = k.L[0] + k.L[4] + k.L[8];
+  Viscous viscous;
+  viscous.largest = largest_eigenvalue_bound(k.S);
+  const Pack over_both = 1.0 / (mass * viscous.largest);  // one division for 1/mass and 1/s_max
+  viscous.over_mass = viscous.largest * over_both;
   const Pack rho_length2 = 0.5 * mass * mass * k.volume * over_both;
-  const Pack viscosity = bulk_viscosity(bulk, law.lambda + 2.0 * law.mu, rho_length2, volume_rate);
-  const Pack viscous = viscosity * volume_rate;
-  book_bulk_work(committed + Memory::at_bulk_energy, trial + Memory::at_bulk_energy, viscous, k.volume, volume_rate,
-                 dt);
+  viscous.viscosity = bulk_viscosity(bulk, wave_modulus(law, Memory::point(committed)), rho_length2, volume_rate);
+  viscous.stress = viscous.viscosity * volume_rate;
+  viscous.work = book_bulk_work(committed + Memory::at_bulk_energy, trial + Memory::at_bulk_energy, viscous.stress,
+                                k.volume, volume_rate, dt);
+  return viscous;
+}
 
+template <class Response, HourglassKind hourglass>
+void Hex8<Response, hourglass>::resist(const Kinematics& k, const Viscous& viscous, const Tangent& tangent,
+                                       const Pack (&s)[6], double dt, const Pack* committed, Pack* trial,
+                                       Resistance& r) const {
+  const Pack trace = k.S[0] + k.S[1] + k.S[2];
+  const Pack largest = viscous.largest, over_mass = viscous.over_mass;
+  const Pack mass = committed[Memory::at_mass];
   const Pack frequency_factor = 8.0 * k.over_volume * over_mass;
   r.omega2 = frequency_factor * (tangent.lambda * trace + 2.0 * tangent.mu * largest);
-  r.damping = frequency_factor * trace * viscosity;
+  r.damping = frequency_factor * trace * viscous.viscosity;
   constexpr int place[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};
   for (int c = 0; c < 9; ++c) r.stress[c] = s[place[c]];
-  for (int c = 0; c < 9; c += 4) r.stress[c] += viscous;
+  for (int c = 0; c < 9; c += 4) r.stress[c] += viscous.stress;
   if constexpr (from_potential)
     resist_from_potential(k, over_mass, trial, r);
   else if constexpr (hourglass != HourglassKind::none)
@@ -326,8 +345,9 @@ void Hex8<Response, hourglass>::operator()(const BatchMotion<8>& in, const Pack*
     k.strain = strain_step_of<Response>(k.L, in.dt, Memory::point(committed), Memory::point(trial));
   }
   Pack s[6];
-  const Tangent tangent = update(k, committed, trial, s);
-  resist(k, tangent, s, in.dt, committed, trial, r);
+  const Viscous viscous = damp(k, in.dt, committed, trial);
+  const Tangent tangent = update(k, viscous, in.dt, committed, trial, s);
+  resist(k, viscous, tangent, s, in.dt, committed, trial, r);
   for (int i = 0; i < 3; ++i) {
     Pack force[hex_modes];
     for (int m = 0; m < 6; ++m)

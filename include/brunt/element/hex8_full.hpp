@@ -117,7 +117,7 @@ struct Hex8Full {
   using Memory = SolidMemory<Response, hex_points>;
   static constexpr int history_size = Memory::size;
 
-  static std::vector<HistoryField> history() { return Memory::fields(); }
+  [[nodiscard]] std::vector<HistoryField> history() const { return Memory::fields(law); }
 
   template <class Number>
   void operator()(const BatchMotion<8, Number>& in, const Pack* committed, Number* trial,
@@ -130,6 +130,7 @@ struct Hex8Full {
     Number x[hex_modes][3], v[hex_modes][3], x_mid[hex_modes][3];
     Pack X[hex_modes][3];  // of hyperelastic laws, as theta
     Number volume, volume_rate, theta;
+    Pack relative_volume, viscous_work;  // of laws that are told of circumstances
     Number g[6][3];
     double dt;
   };
@@ -142,13 +143,17 @@ struct Hex8Full {
   BRUNT_INLINE Weight<Number> stress(const HexPoint& point, const Motion<Number>& motion,
                                      const PointMemory<const Pack>& committed, const PointMemory<Number>& trial,
                                      Number (&s)[6], hex8_full_detail::BoundSums& bounds) const;
+  template <class Number>
+  BRUNT_INLINE Number damp(const Motion<Number>& motion, const Number (&S)[6], const Pack* committed,
+                           Number* trial, Number& work) const;
+  BRUNT_INLINE auto mean_modulus(const Pack* committed) const;
 };
 
 template <class Response, bool bbar>
 template <class Number>
 void Hex8Full<Response, bbar>::move(const BatchMotion<8, Number>& in, Motion<Number>& motion) {
   using namespace hex8_full_detail;
-  auto& [x, v, x_mid, X, volume, volume_rate, theta, g, dt] = motion;
+  auto& [x, v, x_mid, X, volume, volume_rate, theta, relative_volume, viscous_work, g, dt] = motion;
   Number g_mid[6][3];
   dt = in.dt;
   coordinate_modes(in.x, x);
@@ -198,14 +203,45 @@ auto Hex8Full<Response, bbar>::stress(const HexPoint& point, const Motion<Number
       for (int i = 0; i < 3; ++i) L[4 * i] += correction;
     }
     const StrainStep<Number> strain = strain_step_of<Response>(L, motion.dt, committed, trial);
-    update_stress(law, strain, committed, trial, s);
-    if constexpr (bounds_step<Number>) law.tangent(s, lambda, mu);
+    if constexpr (Thermodynamic<Response>) {
+      Pack relative = motion.relative_volume;
+      if constexpr (!bbar && Response::at_volume >= 0)
+        relative = committed.scalars[Response::at_volume * committed.stride] * volume_ratio(L, motion.dt);
+      update_stress(law, strain, {motion.dt, relative, motion.viscous_work}, committed, trial, s, lambda, mu);
+    } else {
+      update_stress(law, strain, committed, trial, s);
+      if constexpr (bounds_step<Number>) law.tangent(s, lambda, mu);
+    }
   }
   if constexpr (bounds_step<Number>) {
     bounds.lambda = pack_max(weight * lambda, bounds.lambda);
     bounds.mu = pack_max(weight * mu, bounds.mu);
   }
   return weight;
+}
+
+/// Viscosity of the element; `work`: what it did in the step.
+template <class Response, bool bbar>
+template <class Number>
+Number Hex8Full<Response, bbar>::damp(const Motion<Number>& motion, const Number (&S)[6], const Pack* committed,
+                                      Number* trial, Number& work) const {
+  const Number rho_length2 = committed[Memory::at_mass] * motion.volume / (2.0 * largest_eigenvalue_bound(S));
+  const Number viscosity = bulk_viscosity(bulk, mean_modulus(committed), rho_length2, motion.volume_rate);
+  work = book_bulk_work(committed + Memory::at_bulk_energy, trial + Memory::at_bulk_energy,
+                        viscosity * motion.volume_rate, motion.volume, motion.volume_rate, motion.dt);
+  return viscosity;
+}
+
+/// rho c^2 of pressure waves, mean of the points where it changes.
+template <class Response, bool bbar>
+auto Hex8Full<Response, bbar>::mean_modulus(const Pack* committed) const {
+  if constexpr (Thermodynamic<Response>) {
+    Pack sum{};
+    for (int p = 0; p < hex_points; ++p) sum += wave_modulus(law, Memory::point(committed, p));
+    return sum * (1.0 / hex_points);
+  } else {
+    return law.lambda + 2.0 * law.mu;
+  }
 }
 
 template <class Response, bool bbar>
@@ -215,7 +251,16 @@ void Hex8Full<Response, bbar>::operator()(const BatchMotion<8, Number>& in, cons
   using namespace hex8_full_detail;
   Motion<Number> motion;
   move(in, motion);
-  const auto& [x, v, x_mid, X, volume, volume_rate, theta, g, dt] = motion;
+  const auto& [x, v, x_mid, X, volume, volume_rate, theta, relative_volume, viscous_work, g, dt] = motion;
+  Number S[6], work;
+  gradient_gram(g, S);
+  const Pack mass = committed[Memory::at_mass];
+  const Number viscosity = damp(motion, S, committed, trial, work);
+  if constexpr (Thermodynamic<Response>) {
+    const Pack over_reference = law.density / mass;
+    motion.relative_volume = volume * over_reference;
+    motion.viscous_work = work * over_reference;
+  }
 
   ForceSums<Number> sums;
   BoundSums bounds;
@@ -226,13 +271,6 @@ void Hex8Full<Response, bbar>::operator()(const BatchMotion<8, Number>& in, cons
     add_point<bbar>(point, x, s, weight, sums, bounds);
   }
 
-  Number S[6];
-  gradient_gram(g, S);
-  const Pack mass = committed[Memory::at_mass];
-  const Number rho_length2 = mass * volume / (2.0 * largest_eigenvalue_bound(S));
-  const Number viscosity = bulk_viscosity(bulk, law.lambda + 2.0 * law.mu, rho_length2, volume_rate);
-  book_bulk_work(committed + Memory::at_bulk_energy, trial + Memory::at_bulk_energy, viscosity * volume_rate, volume,
-                 volume_rate, in.dt);
   const Number through_mean = viscosity * volume_rate + sums.pressure / volume;
   for (int i = 0; i < 3; ++i) {
     for (int m = 0; m < 6; ++m) sums.force[i][m] -= through_mean * g[m][i];

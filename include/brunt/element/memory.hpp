@@ -7,14 +7,19 @@
 
 namespace brunt::element {
 
+/// Laws with rates or an equation of state: they are told of circumstances (material/circumstances.hpp).
+template <class Response>
+concept Thermodynamic = requires { requires Response::thermodynamic; };
+
 /// Where one integration point's part of a memory begins.
 template <class Number>
 struct PointMemory {
   Number *stress, *tensors, *scalars, *log_strain;
+  int stride = 1;  ///< between scalars of a point
 };
 
 /// Doubles of one element with `points` integration points, in this order: mass (set once by the model), all stresses
-/// (xx,yy,zz,xy,yz,zx a point), all tensors of the law, all its scalars, then energy and last force of bulk viscosity,
+/// (xx,yy,zz,xy,yz,zx a point), all tensors of the law, all its scalars (a name after the other, its points together), then energy and last force of bulk viscosity,
 /// and ln V of all points where the law follows the logarithmic rate.
 template <class Response, int points>
 struct SolidMemory {
@@ -29,13 +34,16 @@ struct SolidMemory {
   template <class Number>
   static PointMemory<Number> point(Number* history, int p = 0) {
     return {history + at_stress + 6 * p, history + at_tensors + 6 * Response::tensors * p,
-            history + at_scalars + Response::scalars * p, history + at_log_strain + 6 * p};
+            history + at_scalars + p, history + at_log_strain + 6 * p, points};
   }
 
-  static std::vector<HistoryField> fields() {
+  static std::vector<HistoryField> fields([[maybe_unused]] const Response& law) {
     std::vector<HistoryField> fields{{"mass", 1}, {"stress", 6 * points}};
     if (Response::tensors > 0) fields.push_back({"back_stress", 6 * Response::tensors * points});
-    if (Response::scalars > 0) fields.push_back({"plastic_strain", Response::scalars * points});
+    if constexpr (Thermodynamic<Response>) {
+      for (const auto& scalar : law.fields()) fields.push_back({scalar.name, points, scalar.start});
+    } else if (Response::scalars > 0)
+      fields.push_back({"plastic_strain", Response::scalars * points});
     fields.push_back({"bulk_energy", 1});
     fields.push_back({"bulk_force", 1});
     if (Response::logarithmic) fields.push_back({"log_strain", 6 * points});

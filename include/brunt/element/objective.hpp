@@ -49,6 +49,16 @@ BRUNT_INLINE void stretch_and_spin(const Number (&L)[9], double dt, Number (&d)[
   spin[2] = half * (L[3] - L[1]);
 }
 
+/// Volume at the end of a step over that at its start: the step's gradient is (1 - D/2)^-1 (1 + D/2), D = L dt.
+BRUNT_INLINE Pack volume_ratio(const Pack (&L)[9], double dt) {
+  const auto determinant = [&](double half) {
+    Pack F[9];
+    for (int c = 0; c < 9; ++c) F[c] = half * L[c] + (c % 4 == 0 ? 1.0 : 0.0);
+    return F[0] * (F[4] * F[8] - F[5] * F[7]) + F[1] * (F[5] * F[6] - F[3] * F[8]) + F[2] * (F[3] * F[7] - F[4] * F[6]);
+  };
+  return determinant(0.5 * dt) / determinant(-0.5 * dt);
+}
+
 /// Of the Jaumann rate: everything turns with the spin of the material.
 template <class Number>
 BRUNT_INLINE StrainStep<Number> strain_step(const Number (&L)[9], double dt) {
@@ -59,23 +69,58 @@ BRUNT_INLINE StrainStep<Number> strain_step(const Number (&L)[9], double dt) {
 
 /// Stress, history tensors and scalars of a rate law from the start of a step to its end; the stress in `s` too.
 /// Returns what the law's update does: the share of the elastic trial stress's deviator that is left after plastic
-/// flow.
-template <class Response, class Number>
-BRUNT_INLINE Number update_stress(const Response& law, const StrainStep<Number>& step,
-                                  const PointMemory<const Pack>& committed, const PointMemory<Number>& trial,
-                                  Number (&s)[6]) {
+/// flow. update(s, tensors, scalars): of what has been rotated to its end.
+template <class Response, class Number, class Update>
+BRUNT_INLINE Number follow_stress(const StrainStep<Number>& step, const PointMemory<const Pack>& committed,
+                                  const PointMemory<Number>& trial, Number (&s)[6], const Update& update) {
   constexpr int tensor_entries = 6 * Response::tensors;
   Number tensors[std::max(tensor_entries, 1)], scalars[std::max(Response::scalars, 1)];
   for (int c = 0; c < 6; ++c) s[c] = committed.stress[c];
   for (int c = 0; c < tensor_entries; ++c) tensors[c] = committed.tensors[c];
-  for (int k = 0; k < Response::scalars; ++k) scalars[k] = committed.scalars[k];
+  for (int k = 0; k < Response::scalars; ++k) scalars[k] = committed.scalars[k * committed.stride];
   geometry::rotate_tensor(step.rotation, s);
   for (int t = 0; t < Response::tensors; ++t) geometry::rotate_tensor(step.rotation, tensors + 6 * t);
-  const Number left = law.update(step.strain, s, tensors, scalars);
+  const Number left = update(s, tensors, scalars);
   for (int c = 0; c < 6; ++c) trial.stress[c] = s[c];
   for (int c = 0; c < tensor_entries; ++c) trial.tensors[c] = tensors[c];
-  for (int k = 0; k < Response::scalars; ++k) trial.scalars[k] = scalars[k];
+  for (int k = 0; k < Response::scalars; ++k) trial.scalars[k * trial.stride] = scalars[k];
   return left;
+}
+
+template <class Response, class Number>
+BRUNT_INLINE Number update_stress(const Response& law, const StrainStep<Number>& step,
+                                  const PointMemory<const Pack>& committed, const PointMemory<Number>& trial,
+                                  Number (&s)[6]) {
+  return follow_stress<Response>(step, committed, trial, s, [&](Number(&stress)[6], Number* tensors, Number* scalars) {
+    return law.update(step.strain, stress, tensors, scalars);
+  });
+}
+
+/// Of a law that is told of circumstances, with its tangent at the end of the step.
+template <class Response>
+BRUNT_INLINE Pack update_stress(const Response& law, const StrainStep<Pack>& step,
+                                const typename Response::Step& circumstances,
+                                const PointMemory<const Pack>& committed, const PointMemory<Pack>& trial, Pack (&s)[6],
+                                Pack& lambda, Pack& mu) {
+  return follow_stress<Response>(step, committed, trial, s, [&](Pack(&stress)[6], Pack*, Pack* scalars) {
+    const Pack left = law.update(step.strain, circumstances, stress, scalars);
+    law.tangent(stress, scalars, lambda, mu);
+    return left;
+  });
+}
+
+/// rho c^2 of pressure waves: of the virgin material, or at the start of the step where the law is told of
+/// circumstances.
+template <class Response>
+BRUNT_INLINE auto wave_modulus(const Response& law, const PointMemory<const Pack>& committed) {
+  if constexpr (Thermodynamic<Response>) {
+    Pack s[6], scalars[Response::scalars];
+    for (int c = 0; c < 6; ++c) s[c] = committed.stress[c];
+    for (int k = 0; k < Response::scalars; ++k) scalars[k] = committed.scalars[k * committed.stride];
+    return law.modulus(s, scalars);
+  } else {
+    return law.lambda + 2.0 * law.mu;
+  }
 }
 
 }  // namespace brunt::element

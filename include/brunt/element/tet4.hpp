@@ -26,7 +26,7 @@ struct Tet4 {
   using Memory = SolidMemory<Response, 1>;
   static constexpr int history_size = Memory::size;
 
-  static std::vector<HistoryField> history() { return Memory::fields(); }
+  [[nodiscard]] std::vector<HistoryField> history() const { return Memory::fields(law); }
 
   template <class Number>
   void operator()(const BatchMotion<4, Number>& in, const Pack* committed, Number* trial,
@@ -79,6 +79,22 @@ void Tet4<Response>::operator()(const BatchMotion<4, Number>& in, const Pack* co
   gradient(v, B_mid, volume_mid, L);
   const Number volume = gradients(x, B);
 
+  constexpr int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
+  Number first[3], S[6];  // B of node 0
+  for (int i = 0; i < 3; ++i) first[i] = -(B[0][i] + B[1][i] + B[2][i]);
+  for (int c = 0; c < 6; ++c) {
+    S[c] = first[row[c]] * first[column[c]];
+    for (int k = 0; k < 3; ++k) S[c] += B[k][row[c]] * B[k][column[c]];
+  }
+  const Number trace = S[0] + S[1] + S[2], largest = largest_eigenvalue_bound(S);
+  const Pack mass = committed[Memory::at_mass];
+  const Number volume_rate = L[0] + L[4] + L[8];
+  const Number viscosity =
+      bulk_viscosity(bulk, wave_modulus(law, Memory::point(committed)), mass * volume / largest, volume_rate);
+  [[maybe_unused]] const Number viscous_work = book_bulk_work(
+      committed + Memory::at_bulk_energy, trial + Memory::at_bulk_energy, viscosity * volume_rate, volume,
+                 volume_rate, in.dt);
+
   Number s[6];
   [[maybe_unused]] Pack lambda, mu;
   if constexpr (Response::hyperelastic) {
@@ -94,23 +110,15 @@ void Tet4<Response>::operator()(const BatchMotion<4, Number>& in, const Pack* co
     const PointMemory<const Pack> before = Memory::point(committed);
     const PointMemory<Number> after = Memory::point(trial);
     const StrainStep<Number> strain = strain_step_of<Response>(L, in.dt, before, after);
-    update_stress(law, strain, before, after, s);
-    if constexpr (bounds_step<Number>) law.tangent(s, lambda, mu);
+    if constexpr (Thermodynamic<Response>) {
+      const Pack over_reference = law.density / mass;
+      update_stress(law, strain, {in.dt, volume * over_reference, viscous_work * over_reference}, before, after, s,
+                    lambda, mu);
+    } else {
+      update_stress(law, strain, before, after, s);
+      if constexpr (bounds_step<Number>) law.tangent(s, lambda, mu);
+    }
   }
-
-  constexpr int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
-  Number first[3], S[6];  // B of node 0
-  for (int i = 0; i < 3; ++i) first[i] = -(B[0][i] + B[1][i] + B[2][i]);
-  for (int c = 0; c < 6; ++c) {
-    S[c] = first[row[c]] * first[column[c]];
-    for (int k = 0; k < 3; ++k) S[c] += B[k][row[c]] * B[k][column[c]];
-  }
-  const Number trace = S[0] + S[1] + S[2], largest = largest_eigenvalue_bound(S);
-  const Pack mass = committed[Memory::at_mass];
-  const Number volume_rate = L[0] + L[4] + L[8];
-  const Number viscosity = bulk_viscosity(bulk, law.lambda + 2.0 * law.mu, mass * volume / largest, volume_rate);
-  book_bulk_work(committed + Memory::at_bulk_energy, trial + Memory::at_bulk_energy, viscosity * volume_rate, volume,
-                 volume_rate, in.dt);
 
   for (int i = 0; i < 3; ++i) s[i] += viscosity * volume_rate;
   const Number full[9] = {s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2]};

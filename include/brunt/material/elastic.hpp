@@ -28,7 +28,8 @@ namespace brunt::material {
 /// difference is at most sqrt(2) of the Frobenius norm, sqrt(3) |dev|. `spin` is half of it: 0 for the Jaumann rate,
 /// logarithmic_share for the logarithmic one.
 constexpr double logarithmic_share = 0.86602540378443864676;  ///< sqrt(3)/2
-BRUNT_INLINE void rate_law_tangent(double elastic_lambda, double elastic_mu, const Pack (&stress)[6], Pack& lambda,
+template <class Lambda, class Mu>
+BRUNT_INLINE void rate_law_tangent(Lambda elastic_lambda, Mu elastic_mu, const Pack (&stress)[6], Pack& lambda,
                                    Pack& mu, double spin = 0) {
   const Pack mean = (stress[0] + stress[1] + stress[2]) * (1.0 / 3.0);
   Pack norm2 = 2.0 * (stress[3] * stress[3] + stress[4] * stress[4] + stress[5] * stress[5]);

@@ -26,7 +26,11 @@ class YieldCurve {
 
   /// The increment d >= 0 that solves 3 G d + Y(p + d) - Y(p) = excess, p the plastic strain before the step and
   /// excess >= 0 the trial equivalent stress above yield. Exact: one division in the piece where the return ends.
-  [[nodiscard]] double plastic_increment(double plastic_strain, double excess) const;
+  [[nodiscard]] double plastic_increment(double plastic_strain, double excess) const {
+    return plastic_increment(plastic_strain, excess, three_shear_);
+  }
+  /// The same with another 3 G, which must be above three times the softening of every piece.
+  [[nodiscard]] double plastic_increment(double plastic_strain, double excess, double three_shear) const;
 
  private:
   struct Piece {
