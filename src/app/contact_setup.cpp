@@ -131,6 +131,7 @@ void make_contact(Prepared& run) {
 
   const std::vector<contact::Wall> walls = time::walls_at(model, run.state, 0.0);
   settings.rigid = rigid_bodies(model);
+  settings.erodes = model.loses_elements();
   run.contact = std::make_unique<contact::Contact>(
       contact::make_contact(run.links.ranks, model.mesh, model.in_symmetry_plane, inverse_masses(run.state),
                             held_nodes(model), walls, settings));

@@ -80,7 +80,7 @@ std::vector<io::StateField> state_fields(const Prepared& run) {
     else
       fields.push_back(elemental(run, name, name == "stress" ? 6 : 1));
   }
-  if (!run.model.removals.empty()) fields.push_back(alive(run));
+  if (run.model.loses_elements()) fields.push_back(alive(run));
   return fields;
 }
 

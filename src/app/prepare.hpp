@@ -12,6 +12,7 @@
 #include "brunt/model/model.hpp"
 #include "brunt/model/registry.hpp"
 #include "brunt/scene/input.hpp"
+#include "brunt/time/erosion.hpp"
 #include "brunt/time/links.hpp"
 #include "driven_parts.hpp"
 #include "guards.hpp"
@@ -21,6 +22,13 @@ namespace brunt::app {
 
 /// Of each probe in Prepared::contact_memory.
 constexpr std::size_t contact_memory_width = 5;
+
+/// What has eroded since this program began.
+struct ErosionAccount {
+  bool any = false;                          ///< does any part erode?
+  std::vector<time::ErosionCount> counts{};  ///< by block
+  GlobalIndex steps = 0;                     ///< in which elements went
+};
 
 struct Prepared {
   scene::Input input;
@@ -43,6 +51,8 @@ struct Prepared {
       left_out{};  ///< on the root: blocks of mesh files that are ignored, and what sets lost by it
   std::vector<double> contact_memory{};  ///< of contact probes: friction (3), sizes (2); empty without such
   DrivenParts driven{};                  ///< parts that supports move through each other
+
+  ErosionAccount erosion{};
 
   std::string scene_values{};  ///< what the fingerprint is made of, so that a restart can say what differs
   std::string scene_yaml{};    ///< the whole scene after its overrides

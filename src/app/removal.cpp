@@ -7,11 +7,25 @@
 #include <array>
 
 #include "brunt/scene/build.hpp"
+#include "brunt/time/erosion.hpp"
 #include "brunt/time/removal.hpp"
 #include "contact_setup.hpp"
 
 namespace brunt::app {
 namespace {
+
+std::string reasons(const time::ErosionCount& count) {
+  std::string text;
+  const auto add = [&](GlobalIndex elements, const char* by) {
+    if (elements > 0) text += fmt::format("{}{} by {}", text.empty() ? "" : ", ", elements, by);
+  };
+  add(count.damage, "damage");
+  add(count.plastic_strain, "plastic strain");
+  add(count.pressure, "pressure");
+  add(count.volume, "volume");
+  add(count.step, "step");
+  return text;
+}
 
 std::string reported(const Prepared& run, const std::vector<GlobalIndex>& lost) {
   std::string parts;
@@ -20,6 +34,23 @@ std::string reported(const Prepared& run, const std::vector<GlobalIndex>& lost) 
       parts += fmt::format("{}{} element{} of {}", parts.empty() ? "" : ", ", lost[b], lost[b] == 1 ? "" : "s",
                            run.model.blocks[b].part);
   return parts;
+}
+
+/// Elements that meet a criterion leave; true if any did. The first of each part is told, the rest are counted.
+bool erode(Prepared& run, Log& log) {
+  const std::vector<time::ErosionCount> now = time::erode(run.links.ranks, run.model, run.state, run.scratch);
+  bool any = false;
+  for (std::size_t b = 0; b < now.size(); ++b) {
+    if (now[b].all() == 0) continue;
+    any = true;
+    time::ErosionCount& all = run.erosion.counts[b];
+    if (all.all() == 0)
+      log.line(fmt::format("erosion of {} begins at t = {:g}, step {}: {}", run.model.blocks[b].part, run.state.time,
+                           static_cast<GlobalIndex>(run.state.step), reasons(now[b])));
+    all += now[b];
+  }
+  if (any) ++run.erosion.steps;
+  return any;
 }
 
 /// What becomes of nodes without an element, on all ranks.
@@ -46,12 +77,29 @@ void expose(const scene::Input& input, const model::Model& model, const model::S
 }
 
 void remove_due(Prepared& run, Log& log) {
-  if (!time::removal_is_due(run.model, run.state)) return;
-  const std::vector<GlobalIndex> lost = time::remove_elements(run.links.ranks, run.model, run.state);
-  if (std::ranges::all_of(lost, [](GlobalIndex count) { return count == 0; })) return;  // all were gone before
-  if (run.contact) expose(run.input, run.model, run.state, run.links, *run.contact);
-  log.line(fmt::format("removed at t = {:g}, step {}: {}{}", run.state.time, static_cast<GlobalIndex>(run.state.step),
-                       reported(run, lost), reported_of_nodes(run)));
+  const time::Links& links = run.links;
+  const bool due = time::removal_is_due(run.model, run.state);
+  if (!due && !run.erosion.any) return;
+  std::vector<GlobalIndex> lost(run.model.blocks.size(), 0);
+  if (due) lost = time::remove_elements(links.ranks, run.model, run.state);
+  const bool removed = std::ranges::any_of(lost, [](GlobalIndex count) { return count > 0; });
+  const bool eroded = run.erosion.any && erode(run, log);
+  if (!removed && !eroded) return;  // all were gone before
+  if (run.contact) {
+    const auto timed = run.links.timers.measure(Phase::search);
+    expose(run.input, run.model, run.state, links, *run.contact);
+    run.contact->births_due = true;
+  }
+  if (removed)
+    log.line(fmt::format("removed at t = {:g}, step {}: {}{}", run.state.time, static_cast<GlobalIndex>(run.state.step),
+                         reported(run, lost), reported_of_nodes(run)));
+}
+
+void report_erosion(const Prepared& run, Log& log) {
+  for (std::size_t b = 0; b < run.erosion.counts.size(); ++b)
+    if (const time::ErosionCount& count = run.erosion.counts[b]; count.all() > 0)
+      log.line(
+          fmt::format("eroded of {} in {} steps: {}", run.model.blocks[b].part, run.erosion.steps, reasons(count)));
 }
 
 void follow_alive(Prepared& run) {

@@ -9,6 +9,9 @@ namespace brunt::app {
 /// Between evaluate and advance: takes out the elements whose time has come, and tells of it. Collective.
 void remove_due(Prepared& run, Log& log);
 
+/// The elements eroded since this program began, by part and criterion.
+void report_erosion(const Prepared& run, Log& log);
+
 /// Gives contact the surface of what is left of the bodies. Collective.
 void expose(const scene::Input& input, const model::Model& model, const model::State& state, const time::Links& links,
             contact::Contact& contact);

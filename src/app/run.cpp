@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "failure.hpp"
 #include "prepare.hpp"
+#include "removal.hpp"
 #include "restart.hpp"
 #include "results.hpp"
 #include "run_loop.hpp"
@@ -55,6 +56,7 @@ void announce(const Prepared& run, Log& log) {
 }
 
 void report_iterations(const Prepared& run, Log& log) {
+  report_erosion(run, log);
   if (!run.contact) return;
   const contact::ContactStatistics& contact = run.contact->ledger.statistics;
   if (contact.steps_at_limit > 0)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "births.hpp"
 #include "brunt/contact/detection/separation.hpp"
 #include "memory.hpp"
 #include "tied_parts.hpp"
@@ -51,7 +52,10 @@ void find_rows(Contact& contact, const StepInput& input) {
   ContactLists& lists = contact.lists;
   StepData& step = contact.step;
   detect_faces(lists.candidates, lists.faces, lists.nodes.gid, step.nodes.motion, step.facet_area, dt, settings,
-               contact.history.pairs, step.scratch.detection, step.rows);
+               contact.history.pairs, step.scratch.detection, step.rows, contact.history.births);
+  if (contact.births_due) begin_births(contact.history.pairs, step.rows, contact.history.births);
+  contact.births_due = false;
+  fade_births(step.rows, contact.history.births);
   if (lists.any_edges) detect_crossing_edges(settings, dt, lists, step);
   if (contact.derived.tied) drop_tied_rows(contact, step.rows);
   detect_walls(lists.wall_candidates, input.walls, lists.nodes.gid, step.nodes.motion, dt, settings, step.rows);

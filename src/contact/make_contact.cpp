@@ -62,7 +62,7 @@ DerivedSettings derive(const ContactSettings& settings, const Surface& surface, 
   derived.may_be_driven =
       settings.rigid.supported ||
       ranks.any(std::ranges::any_of(mobility, [](const Mobility& node) { return !node.is_free(); }));
-  derived.remembers = derived.enforcement.warm_start || derived.friction || derived.sheets;
+  derived.remembers = derived.enforcement.warm_start || derived.friction || derived.sheets || settings.erodes;
   return derived;
 }
 

@@ -64,6 +64,7 @@ void restore_history(const HistoryTables& tables, Contact& contact) {
   history.pairs = fetch(contact.ranks, loose.pairs, slaves);
   history.anchors = fetch(contact.ranks, loose.anchors, slaves);
   history.limits = fetch(contact.ranks, loose.limits, slaves);
+  history.births = fetch(contact.ranks, loose.births, slaves);
   const auto owns = [&](GlobalIndex gid) {
     const auto found = std::ranges::lower_bound(surface.gid, gid);
     return found != surface.gid.end() && *found == gid &&
@@ -82,9 +83,11 @@ void restore_history(const HistoryTables& tables, Contact& contact) {
   std::erase_if(history.pairs, belongs_elsewhere);
   std::erase_if(history.anchors, belongs_elsewhere);
   std::erase_if(history.limits, belongs_elsewhere);
+  std::erase_if(history.births, belongs_elsewhere);
   std::ranges::sort(history.pairs, {}, &HistoryRecord::key);
   std::ranges::sort(history.anchors, {}, &AnchorRecord::key);
   std::ranges::sort(history.limits, {}, &LimitRecord::key);
+  std::ranges::sort(history.births, {}, &BirthRecord::key);
 }
 
 }  // namespace brunt::contact

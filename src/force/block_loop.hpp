@@ -75,6 +75,7 @@ void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalInde
   Quad* slots = reinterpret_cast<Quad*>(scratch.slots.data());
   const std::span<const std::uint8_t> of_block = lanes_of(moved.living, block_index);
   const KeptForces kept = kept_forces(scratch, block_index);
+  const Collapse collapse = Collapse::of(block);
   RepeatedLane<nodes, Kernel::history_size> repeated;
   Pack largest = broadcast(report.rate);
   for (LocalIndex batch = 0; batch < block.batches(); ++batch) {
@@ -96,6 +97,7 @@ void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalInde
     if constexpr (std::decay_t<decltype(kernel.law)>::hyperelastic)
       gather_reference<nodes>(seen, model.reference.data(), motion);
     kernel(motion, remembered, after + memory, out);
+    if (kept.bounds != nullptr) keep_bounds<nodes>(collapse, batch, Kernel::history_size, kept, after + memory, out);
     if (living != every_lane) repeated.take_off(living, after + memory);
     if (kept.force != nullptr) keep_forces<nodes>(out.f, motion.v, living, batch, kept);
     const int lanes = std::min(pack_width, block.count - batch * pack_width);

@@ -7,10 +7,12 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "brunt/core/simd.hpp"
+#include "brunt/element/batch.hpp"
 #include "brunt/model/model.hpp"
 
 namespace brunt::force {
@@ -61,13 +63,45 @@ struct RepeatedLane {
 /// Where the forces of a block's elements are kept (see Scratch::element_force); null where they are not.
 struct KeptForces {
   Pack *force = nullptr, *power = nullptr;
+  Pack* bounds = nullptr;  ///< rate and volume, of blocks that erode
 };
 
 inline KeptForces kept_forces(model::Scratch& scratch, LocalIndex block) {
   const auto b = static_cast<std::size_t>(block);
   if (b >= scratch.element_force.size() || scratch.element_force[b].empty()) return {};
   return {reinterpret_cast<Pack*>(scratch.element_force[b].data()),
-          reinterpret_cast<Pack*>(scratch.element_power[b].data())};
+          reinterpret_cast<Pack*>(scratch.element_power[b].data()),
+          scratch.element_bounds[b].empty() ? nullptr : reinterpret_cast<Pack*>(scratch.element_bounds[b].data())};
+}
+
+/// What happens to elements of a block that erodes and that have collapsed.
+struct Collapse {
+  bool is_taken = false;    ///< they are deleted: none stops the run or controls the step
+  double largest_rate = 0;  ///< [1/time] beyond it an element has collapsed
+  static Collapse of(const model::ElementBlock& block) {
+    if (!block.erosion || !block.erosion->takes_collapsed()) return {};
+    const double step = block.erosion->step.value_or(0);
+    return {true, step > 0 ? 1 / step : std::numeric_limits<double>::infinity()};
+  }
+};
+
+/// Keeps rate and volume of a batch. Lanes without volume have no forces and forget all but their mass; they and those
+/// that are too quick leave the bounds of the step.
+template <int nodes>
+BRUNT_INLINE void keep_bounds(const Collapse& collapse, LocalIndex batch, int history_size, const KeptForces& kept,
+                              Pack* history, element::BatchForce<nodes>& out) {
+  kept.bounds[2 * batch] = out.rate;
+  kept.bounds[2 * batch + 1] = out.volume;
+  if (!collapse.is_taken) return;
+  const PackMask folded = ~(out.volume > 0.0);
+  const PackMask gone = folded | ~(out.rate <= collapse.largest_rate);
+  if (!any(gone)) return;
+  out.rate = select(gone, Pack{}, out.rate);
+  if (!any(folded)) return;
+  for (auto& component : out.f)
+    for (Pack& force : component) force = select(folded, Pack{}, force);
+  for (int entry = 1; entry < history_size; ++entry) history[entry] = select(folded, Pack{}, history[entry]);
+  out.volume = select(folded, broadcast(1.0), out.volume);
 }
 
 /// Keeps the forces of a batch, none of removed elements, and their power with the velocities before the step.

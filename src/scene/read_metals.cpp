@@ -17,10 +17,11 @@ constexpr double least_yield = 1e-6, largest_yield = 0.2;
 
 void check_yield(Section& material, const char* name, double yield, double young) {
   if (!(yield > 0) || !(young > 0) || (yield >= least_yield * young && yield <= largest_yield * young)) return;
-  fault(material.at(name),
-        fmt::format("a yield stress of {:g} is {:.2g} of Young's modulus {:g}; accepted: {:g} to {:g} of it, both in the "
-                    "same units",
-                    yield, yield / young, young, least_yield, largest_yield));
+  fault(
+      material.at(name),
+      fmt::format("a yield stress of {:g} is {:.2g} of Young's modulus {:g}; accepted: {:g} to {:g} of it, both in the "
+                  "same units",
+                  yield, yield / young, young, least_yield, largest_yield));
 }
 
 double young_of(const material::Metal& law) {
@@ -45,8 +46,8 @@ void read_moduli(Section& material, const Range& shear, material::Metal& law) {
   }
   if (!law.eos) return;
   const material::EquationOfState& eos = *law.eos;
-  law.bulk = eos.model == material::EquationOfState::Model::mie_gruneisen ? law.density * eos.c * eos.c
-                                                                          : eos.polynomial[1];
+  law.bulk =
+      eos.model == material::EquationOfState::Model::mie_gruneisen ? law.density * eos.c * eos.c : eos.polynomial[1];
 }
 
 /// Where temperature matters: heat_capacity, taylor_quinney, temperature (at the start; of itself `room`).
@@ -101,8 +102,8 @@ material::Metal read_johnson_cook(Section& material) {
     material.required("m", jc.m, positive);
     const bool whole = material.required("melt", jc.melt, any_number);
     if (material.required("room", jc.room, any_number) && whole && jc.melt <= jc.room)
-      fault(material.at("melt"), fmt::format("melts at {:g}, not above room, {:g}; accepted: a temperature above it",
-                                             jc.melt, jc.room));
+      fault(material.at("melt"),
+            fmt::format("melts at {:g}, not above room, {:g}; accepted: a temperature above it", jc.melt, jc.room));
   }
   read_heat(material, jc.room, law.heat);
   law.strength = jc;

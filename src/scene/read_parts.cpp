@@ -80,6 +80,7 @@ Part read_part(const std::string& name, Section& section) {
   if (section.has("bulk")) read_bulk(section.at("bulk"), part.bulk);
   section.not_yet("thickness", "solid elements without it");
   if (section.has("rigid")) part.rigid = read_rigid(section.at("rigid"));
+  if (section.has("erosion")) part.erosion = read_erosion(section.at("erosion"));
   return part;
 }
 
@@ -145,6 +146,7 @@ void read_parts(Section& scene, Input& input) {
   for (const auto& [name, key] : entries(scene.at("parts"), "a map of names, each {material: name, ...}")) {
     Section section(key, "a map {material: name, ...}");
     input.parts.push_back(read_part(name, section));
+    if (section.has("erosion")) check_erosion(input, input.parts.back(), section.at("erosion"));
   }
 }
 

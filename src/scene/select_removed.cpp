@@ -41,9 +41,13 @@ bool holds_element(const Input& input, const mesh::Mesh& mesh, std::span<const s
 
 std::vector<std::string> select_removed(const Input& input, mesh::CanonicalMesh& whole) {
   std::vector<std::string> faults, part_of_block;
-  if (input.remove.empty()) return faults;
+  const auto erodes = [](const Part& part) { return part.erosion.has_value(); };
+  if (input.remove.empty() && std::ranges::none_of(input.parts, erodes)) return faults;
   for (const std::size_t part : parts_of_blocks(input, whole.mesh)) part_of_block.push_back(input.parts[part].name);
   std::vector<char> removed(whole.mesh.coordinates.size(), 0);
+  for (std::size_t b = 0; b < whole.mesh.blocks.size(); ++b)
+    if (erodes(*std::ranges::find(input.parts, part_of_block[b], &Part::name)))
+      for (const GlobalIndex node : whole.mesh.blocks[b].nodes) removed[static_cast<std::size_t>(node)] = 1;
   for (std::size_t k = 0; k < input.remove.size(); ++k) {
     const std::string &where = input.remove[k].where, part = fmt::format("remove.{}.part", k);
     const std::string key = input.at(input.places.has(part) ? part : fmt::format("remove.{}.set", k));
@@ -77,6 +81,10 @@ void build_removals(const Input& input, model::Model& model) {
     }
     model.removals.push_back(std::move(removal));
   }
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    if (model.blocks[b].erosion)
+      model.uncovered.insert(model.uncovered.end(), model.mesh.blocks[b].nodes.begin(),
+                             model.mesh.blocks[b].nodes.end());
   std::ranges::stable_sort(model.removals, {}, &model::Removal::at);
   std::ranges::sort(model.uncovered);
   model.uncovered.erase(std::unique(model.uncovered.begin(), model.uncovered.end()), model.uncovered.end());

@@ -34,7 +34,9 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
   state.nodes.assign(n, model::NodeLine{});
   scratch.force.resize(n);
   const bool may_drop =
-      std::ranges::any_of(model.removals, [](const model::Removal& removal) { return !removal.keeps_nodes; });
+      std::ranges::any_of(model.removals, [](const model::Removal& removal) { return !removal.keeps_nodes; }) ||
+      std::ranges::any_of(
+          model.blocks, [](const model::ElementBlock& block) { return block.erosion && !block.erosion->keeps_nodes; });
   const bool keeps_before = !model.deferred.empty() || model.damped() || !model.bodies.empty() || may_drop;
   scratch.before.assign(keeps_before ? n : 0, Vec3::Zero());
   scratch.reaction.resize(model.constrained.size());
@@ -67,10 +69,10 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
 
 /// Flags, works and kept forces of blocks that may lose elements.
 void size_removals(const model::Model& model, model::State& state, model::Scratch& scratch) {
-  if (model.removals.empty()) return;
+  if (!model.loses_elements()) return;
   const std::size_t n = model.blocks.size();
   for (auto* arrays : {&state.alive, &state.element_work, &scratch.last_work}) arrays->resize(n);
-  for (auto* arrays : {&scratch.element_force, &scratch.element_power}) arrays->resize(n);
+  for (auto* arrays : {&scratch.element_force, &scratch.element_power, &scratch.element_bounds}) arrays->resize(n);
   for (std::size_t b = 0; b < n; ++b) {
     if (model.erodes[b] == 0) continue;
     const auto count = static_cast<std::size_t>(model.blocks[b].count);
@@ -80,6 +82,7 @@ void size_removals(const model::Model& model, model::State& state, model::Scratc
     scratch.last_work[b].assign(count, 0.0);
     scratch.element_force[b].assign(batches * 3 * static_cast<std::size_t>(model.blocks[b].corners) * pack_width, 0.0);
     scratch.element_power[b].assign(batches * pack_width, 0.0);
+    if (model.blocks[b].erosion) scratch.element_bounds[b].assign(2 * batches * pack_width, 0.0);
   }
 }
 
@@ -122,6 +125,8 @@ void initialise(model::Model& model, model::State& state, model::Scratch& scratc
   for (const model::Removal& removal : model.removals)
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
       if (links.ranks.any(!removal.elements[b].empty())) model.erodes[b] = 1;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    if (model.blocks[b].erosion) model.erodes[b] = 1;
   size_histories(model, state);
   size_removals(model, state, scratch);
   size_nodes(model, state, scratch);

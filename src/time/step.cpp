@@ -137,7 +137,7 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
   report.stop = reduced[1] > 0;
   report.rate = reduced[0];
   const double largest = std::max({report.rate, state.rate_now, state.rate_before});
-  const bool all_gone = !(largest > 0) && !model.removals.empty();  // then the step stays as it is
+  const bool all_gone = !(largest > 0) && model.loses_elements();  // then the step stays as it is
   report.stable_dt = std::min(all_gone ? state.dt : control.cfl / largest, control.largest);
   report.dt = bounded_by_damping(model, state, control, next_dt(state, control, report.stable_dt));
   report.dt_mean = 0.5 * (state.dt + report.dt);

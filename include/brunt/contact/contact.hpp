@@ -37,6 +37,7 @@ struct Contact {
   TiedParts tied{};
   std::vector<DrivenMeeting> driven{};  ///< found on this rank
   ContactLedger ledger{};
+  bool births_due = false;  ///< the surface has changed since rows were last found, see births.hpp
 };
 
 /// excluded: one flag for each of mesh.faces (faces in a symmetry plane). inverse_mass: of the mesh's local nodes.

@@ -46,6 +46,7 @@ struct ContactSettings {
   double motion_share = 0.3;    ///< of Surface::mean_element_depth: how far nodes may move before lists are rebuilt
   RigidBodies rigid{};
   std::vector<TrackedContact> tracked;
+  bool erodes = false;          ///< elements may go: nodes may be born inside
   bool wall_pressures = false;  ///< `pressures` are asked for on walls: areas around nodes near walls are kept
 };
 

@@ -66,8 +66,8 @@ class PressureLaw {
     const Pack left = pack_max(1.0 - constants_.s * compression, broadcast(1e-3));
     const Pack over = 1.0 / left, over2 = over * over;
     const Pack half = 1.0 - 0.5 * constants_.gamma * compression;
-    const Pack slope =
-        stiffness_ * over2 * (half * (1.0 + 2.0 * constants_.s * compression * over) - 0.5 * constants_.gamma * compression);
+    const Pack slope = stiffness_ * over2 *
+                       (half * (1.0 + 2.0 * constants_.s * compression * over) - 0.5 * constants_.gamma * compression);
     return {stiffness_ * h * over2 * half, -slope, broadcast(constants_.gamma), Pack{}};
   }
 

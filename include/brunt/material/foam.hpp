@@ -71,8 +71,8 @@ struct FoamResponse {
   [[nodiscard]] Pack yield(Pack lost) const {
     Pack value;
     for (int lane = 0; lane < pack_width; ++lane)
-      value[lane] = lost[lane] > locking ? locked + young * (lost[lane] - locking)
-                                         : curve.at(lost[lane] > 0 ? lost[lane] : 0.0);
+      value[lane] =
+          lost[lane] > locking ? locked + young * (lost[lane] - locking) : curve.at(lost[lane] > 0 ? lost[lane] : 0.0);
     return value;
   }
 };

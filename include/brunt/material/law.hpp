@@ -53,9 +53,9 @@ struct RateFactor {
 
 /// Y = (A + B p^n) (rate factor) (1 - T*^m), T* = (T - room) / (melt - room) within 0 .. 1.
 struct JohnsonCook {
-  double a = 0, b = 0;           ///< [stress] > 0, >= 0
-  double n = 1, m = 1;           ///< > 0
-  double room = 0, melt = 0;     ///< [temperature]; melt <= room: temperature has no influence
+  double a = 0, b = 0;        ///< [stress] > 0, >= 0
+  double n = 1, m = 1;        ///< > 0
+  double room = 0, melt = 0;  ///< [temperature]; melt <= room: temperature has no influence
 };
 
 /// Y over the plastic strain by table, first at 0, flat beyond the last.
@@ -88,7 +88,7 @@ struct Fracture {
 /// Pressure from relative volume J = density / (current density) and energy e per reference volume.
 struct EquationOfState {
   enum class Model { mie_gruneisen, linear_polynomial } model = Model::mie_gruneisen;
-  double c = 0, s = 0, gamma = 0;    ///< shock velocity U = c + s u; Gamma rho = gamma density
+  double c = 0, s = 0, gamma = 0;      ///< shock velocity U = c + s u; Gamma rho = gamma density
   std::array<double, 7> polynomial{};  ///< C0 .. C6
   double start_energy = 0;             ///< [energy/volume] e at the start
   double minimum_pressure = 0;         ///< [stress] <= 0; the least that tension can make it; 0: none is set
@@ -108,9 +108,9 @@ struct Metal {
 
 /// Foam whose principal stresses know nothing of each other: elastic up to a yield stress over the volume lost.
 struct Foam {
-  double density = 0, young = 0;                ///< [mass/length^3], [stress] > 0
-  std::vector<std::array<double, 2>> table;     ///< (1 - J, yield stress), first at 0; beyond the last it is elastic
-  double tension = 0;                           ///< [stress] >= 0: tensile strength
+  double density = 0, young = 0;             ///< [mass/length^3], [stress] > 0
+  std::vector<std::array<double, 2>> table;  ///< (1 - J, yield stress), first at 0; beyond the last it is elastic
+  double tension = 0;                        ///< [stress] >= 0: tensile strength
 };
 
 /// A part of it is a rigid body: its elements give mass and inertia, and have neither strain nor stress.

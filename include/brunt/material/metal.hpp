@@ -81,8 +81,7 @@ struct MetalResponse {
     if constexpr (with_eos) {
       const Pack change = step.volume - state[relative_volume];
       const Pack shear = 0.5 * (step.volume + state[relative_volume]) * work(old, now, strain);
-      const auto answer =
-          pressure_law.close(step.volume, change, pressure, state[energy] + shear + step.viscous_work);
+      const auto answer = pressure_law.close(step.volume, change, pressure, state[energy] + shear + step.viscous_work);
       next = answer.pressure;
       state[energy] = answer.energy;
       state[relative_volume] = step.volume;
@@ -119,8 +118,7 @@ struct MetalResponse {
   /// Of the mean stress, by current volume.
   static Pack work(const Pack (&old)[6], const Pack (&now)[6], const Pack (&strain)[6]) {
     Pack sum{};
-    for (int i = 0; i < 3; ++i)
-      sum += 0.5 * (old[i] + now[i]) * strain[i] + (old[i + 3] + now[i + 3]) * strain[i + 3];
+    for (int i = 0; i < 3; ++i) sum += 0.5 * (old[i] + now[i]) * strain[i] + (old[i + 3] + now[i + 3]) * strain[i + 3];
     return sum;
   }
 
@@ -162,11 +160,11 @@ struct MetalResponse {
     constexpr double most = 700;  // of the exponent; beyond, the strain at fracture is as good as infinite or nothing
     const Pack exponent = pack_min(pack_max(c.d3 * triaxiality, broadcast(-most)), broadcast(most));
     const Pack at_rest = c.d1 + c.d2 * pack_exp(exponent);
-    const Pack strain = at_rest * rate_factor(c.rate, state[strain_rate]) *
-                        (1.0 + c.d5 * strength.homologous(state[temperature]));
+    const Pack strain =
+        at_rest * rate_factor(c.rate, state[strain_rate]) * (1.0 + c.d5 * strength.homologous(state[temperature]));
     const Pack share = select(strain > 0.0, increment / pack_max(strain, increment), broadcast(1.0));
-    state[damage] = pack_min(state[damage] + select(increment > 0.0, c.critical * share, Pack{}),
-                             broadcast(c.critical));
+    state[damage] =
+        pack_min(state[damage] + select(increment > 0.0, c.critical * share, Pack{}), broadcast(c.critical));
   }
 };
 

@@ -134,8 +134,7 @@ class LinearFlow {
   LinearFlow(const LinearStrength& constants, double three_shear) : c_(constants), three_shear_(three_shear) {}
 
   [[nodiscard]] Pack yield(const FlowStart& at) const {
-    return at.scale *
-           (c_.yield + c_.hardening * at.plastic_strain + c_.pressure_yield * pack_max(at.pressure, Pack{}));
+    return at.scale * (c_.yield + c_.hardening * at.plastic_strain + c_.pressure_yield * pack_max(at.pressure, Pack{}));
   }
 
   [[nodiscard]] FlowEnd close(const FlowStart& start) const {

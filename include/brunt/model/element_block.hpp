@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The elements of one part on this rank, in batches of eight, in canonical order.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "brunt/core/simd.hpp"
 #include "brunt/element/options.hpp"
 #include "brunt/material/law.hpp"
+#include "brunt/model/erosion.hpp"
 
 namespace brunt::model {
 
@@ -30,6 +32,7 @@ struct ElementBlock {
   material::Law law;
   element::Hourglass hourglass;
   element::BulkViscosity bulk;
+  std::optional<Erosion> erosion;
 
   LocalIndex count = 0;               ///< elements here; the last batch is padded with copies of the last element
   int corners = 8;                    ///< nodes an element

@@ -115,6 +115,13 @@ struct Model {
   [[nodiscard]] LocalIndex nodes() const { return static_cast<LocalIndex>(mesh.node_gid.size()); }
   [[nodiscard]] bool has_gravity() const { return gravity.squaredNorm() > 0; }
   [[nodiscard]] bool damped() const { return damping > 0; }
+  /// May elements leave the model, by the scene's removals or by what becomes of them?
+  [[nodiscard]] bool any_erosion() const {
+    for (const ElementBlock& block : blocks)
+      if (block.erosion) return true;
+    return false;
+  }
+  [[nodiscard]] bool loses_elements() const { return !removals.empty() || any_erosion(); }
   /// Are there accounts of loads? The search for a static state asks for them also where the loads are nothing.
   [[nodiscard]] bool loaded() const {
     return has_gravity() || damped() || relaxes || !pressure.empty() || !dead_loads.empty();
@@ -186,6 +193,8 @@ struct Scratch {
   /// was done with v_{n+1/2}.
   std::vector<AlignedVector<double>> element_force, element_power;
   std::vector<std::vector<double>> last_work;
+  /// Of blocks that erode, else empty: of each element 1 / (stable step) and volume at t_n, [batch][2][lane].
+  std::vector<AlignedVector<double>> element_bounds;
   std::vector<Vec3> before;           ///< v_{n-1/2} of the deferred nodes (with damping: of all), by node; or empty
   std::vector<Vec3> reaction;         ///< impulse of each constrained node in this step
   std::vector<BodyStep> bodies;       ///< of Model::bodies

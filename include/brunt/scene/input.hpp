@@ -13,6 +13,7 @@
 #include "brunt/core/types.hpp"
 #include "brunt/element/options.hpp"
 #include "brunt/material/law.hpp"
+#include "brunt/model/erosion.hpp"
 #include "brunt/scene/places.hpp"
 
 namespace brunt::scene {
@@ -89,6 +90,7 @@ struct Part {
   Hourglass hourglass;
   BulkViscosity bulk;
   std::optional<RigidGiven> rigid;
+  std::optional<model::Erosion> erosion;
 };
 
 /// A named set made from others in the scene.

@@ -28,6 +28,11 @@ bool read_selection(Section& entry, std::string& where);
 /// The key `friction`, if there: a coefficient, or a map of static, kinetic, decay and lag.
 void read_friction(Section& entry, contact::FrictionLaw& friction);
 
+/// The map `erosion` of a part.
+model::Erosion read_erosion(const Key& key);
+/// Has the part's material what its erosion asks for? Once materials are known.
+void check_erosion(const Input& input, const Part& part, const Key& key);
+
 /// Warns of a density or a speed of waves that no matter has, where the scene names its units.
 void warn_of_units(Section& material, const material::Law& law, Input& input);
 

@@ -55,6 +55,11 @@ const AnchorRecord* find_anchor(std::span<const AnchorRecord> anchors, const Anc
   return found != anchors.end() && found->key == key ? &*found : nullptr;
 }
 
+const BirthRecord* find_birth(std::span<const BirthRecord> births, const AnchorKey& key) {
+  const auto found = std::ranges::lower_bound(births, key, {}, &BirthRecord::key);
+  return found != births.end() && found->key == key ? &*found : nullptr;
+}
+
 void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt,
                     std::span<Vec3> impulses, const Tolerances& tolerances) {
   std::ranges::fill(impulses, Vec3::Zero());
@@ -108,14 +113,21 @@ void to_tables(const History& history, HistoryTables& tables) {
     tables[2].keys.insert(tables[2].keys.end(), numbers.begin(), numbers.end());
     tables[2].values.push_back(record.limit);
   }
+  tables[3] = {.name = "contact_births", .key_width = 4, .value_width = 1};
+  for (const BirthRecord& record : history.births) {
+    const SavedKey numbers = saved(record.key);
+    tables[3].keys.insert(tables[3].keys.end(), numbers.begin(), numbers.end());
+    tables[3].values.push_back(record.penetration);
+  }
 }
 
 History from_tables(const HistoryTables& tables) {
   History history;
-  const auto& [pairs, anchors, limits] = tables;
+  const auto& [pairs, anchors, limits, births] = tables;
   demand(pairs.values.size() == 4 * static_cast<std::size_t>(pairs.rows()) &&
              anchors.values.size() == 7 * static_cast<std::size_t>(anchors.rows()) &&
-             limits.values.size() == static_cast<std::size_t>(limits.rows()),
+             limits.values.size() == static_cast<std::size_t>(limits.rows()) &&
+             births.values.size() == static_cast<std::size_t>(births.rows()),
          "the tables of contact's history are complete");
   const double* value = pairs.values.data();
   for (auto key = pairs.keys.begin(); key != pairs.keys.end(); key += 4, value += 4)
@@ -131,6 +143,10 @@ History from_tables(const HistoryTables& tables) {
   value = limits.values.data();
   for (auto key = limits.keys.begin(); key != limits.keys.end(); key += 4)
     history.limits.push_back({.key = anchor_key_from({key[0], key[1], key[2], key[3]}), .limit = *value++});
+  value = births.values.data();
+  for (auto key = births.keys.begin(); key != births.keys.end(); key += 4)
+    history.births.push_back({anchor_key_from({key[0], key[1], key[2], key[3]}), *value++});
+  std::ranges::sort(history.births, {}, &BirthRecord::key);
   std::ranges::sort(history.pairs, {}, &HistoryRecord::key);
   std::ranges::sort(history.anchors, {}, &AnchorRecord::key);
   std::ranges::sort(history.limits, {}, &LimitRecord::key);

@@ -196,7 +196,8 @@ void keep_sides(const FacesInMotion& scene, GlobalIndex slave, std::span<const E
 
 /// The rows of one slave, from what it meets.
 void add_rows(const FacesInMotion& scene, const Candidates& candidates, std::size_t s, std::span<const GlobalIndex> gid,
-              const DetectionSettings& settings, std::span<Encounter> encounters, std::vector<Row>& rows) {
+              const DetectionSettings& settings, std::span<const BirthRecord> births, std::span<Encounter> encounters,
+              std::vector<Row>& rows) {
   const LocalIndex node = candidates.slave[s];
   const GlobalIndex slave_gid = gid[static_cast<std::size_t>(node)];
   const NodeMotion& motion = scene.motion[static_cast<std::size_t>(node)];
@@ -209,6 +210,10 @@ void add_rows(const FacesInMotion& scene, const Candidates& candidates, std::siz
     row.key.slave = slave_gid;
     row.slave_body = candidates.body[s];
     row.gap += accepted_penetration(settings.accepted, slave_gid, face.body);
+    if (!births.empty())
+      if (const BirthRecord* birth =
+              find_birth(births, {.kind = RowKind::face, .slave = slave_gid, .master = face.body}))
+        row.gap += birth->penetration;
     row.required = required_rate(row, e.size, scene.dt, scene.motion, settings);
   }
 }
@@ -253,7 +258,7 @@ double required_rate(const Row& row, double size, double dt, std::span<const Nod
 void detect_faces(const Candidates& candidates, std::span<const MasterFace> faces, std::span<const GlobalIndex> gid,
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_area, double dt,
                   const DetectionSettings& settings, std::span<const HistoryRecord> remembered,
-                  DetectionScratch& scratch, std::vector<Row>& rows) {
+                  DetectionScratch& scratch, std::vector<Row>& rows, std::span<const BirthRecord> births) {
   measure_reach(faces, motion, dt, *settings.tolerances, scratch.reach);
   scratch.facet_normal.clear();
   for (const Vec3& area : facet_area) scratch.facet_normal.push_back(area.normalized());
@@ -299,7 +304,7 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
           meet_faces(scene, settings, slave_at(s), scratch.facet_normal,
                      std::span(scratch.encounters).subspan(begin, last_of[s - first] - begin));
       if (sheets) keep_sides(scene, gid[static_cast<std::size_t>(candidates.slave[s])], encounters, scratch);
-      add_rows(scene, candidates, s, gid, settings, encounters, rows);
+      add_rows(scene, candidates, s, gid, settings, births, encounters, rows);
     }
   }
 }

@@ -28,7 +28,7 @@ void crush_to(Point& point, double& lost, double end) {
 }  // namespace
 
 TEST_CASE("foam that is crushed follows its table, and is elastic beyond it", "[oracle]") {
-  const double table[][2] = {{0.005, 0.25},          {0.02, 1},  {0.1, 1.03333333333}, {0.3, 1.1},
+  const double table[][2] = {{0.005, 0.25},        {0.02, 1},  {0.1, 1.03333333333}, {0.3, 1.1},
                              {0.5, 1.16666666667}, {0.6, 1.2}, {0.65, 3.7}};  // a9_foam.csv, MPa
   Point point{material::FoamResponse(foam)};
   double lost = 0;

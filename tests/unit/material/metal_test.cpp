@@ -53,14 +53,20 @@ void shear_to(Point& point, double rate, double end, double step) {
 
 TEST_CASE("Johnson-Cook flow follows the table of four metals at three rates, isothermal and adiabatic", "[oracle]") {
   // metal, rate [1/s], plastic strain, isothermal [MPa], T [K; C], adiabatic [MPa]
-  const double table[][6] = {
-      {0, 1, 0.5, 325.539393693, 328.967572171, 317.655818756},   {0, 1, 1, 382, 373.702350853, 359.291357529},
-      {0, 1e3, 1, 447.969062914, 386.954650621, 416.477963496},   {0, 1e5, 0.1, 300.082642956, 300.714072613, 298.879880316},
-      {0, 1e5, 1, 491.94843819, 395.704031748, 453.803012337},    {1, 1, 0.5, 479.406553484, 340.26599744, 409.09026191},
-      {1, 1e3, 1, 785.02825079, 430.108731076, 576.588517707},    {1, 1e5, 1, 938.380417984, 453.419453973, 666.589718423},
-      {2, 1, 1, 1302, 557.902102637, 1084.41876456},              {2, 1e3, 0.5, 1335.67571195, 436.687986672, 1217.19589368},
-      {2, 1e5, 1, 1511.85760538, 596.034493778, 1221.52658011},   {3, 1, 1, 1420, 324.786552768, 1177.53124652},
-      {3, 1e3, 1, 1507.30021122, 341.6441525, 1234.2232637},      {3, 1e5, 1, 1565.50035203, 352.764499415, 1271.07452098}};
+  const double table[][6] = {{0, 1, 0.5, 325.539393693, 328.967572171, 317.655818756},
+                             {0, 1, 1, 382, 373.702350853, 359.291357529},
+                             {0, 1e3, 1, 447.969062914, 386.954650621, 416.477963496},
+                             {0, 1e5, 0.1, 300.082642956, 300.714072613, 298.879880316},
+                             {0, 1e5, 1, 491.94843819, 395.704031748, 453.803012337},
+                             {1, 1, 0.5, 479.406553484, 340.26599744, 409.09026191},
+                             {1, 1e3, 1, 785.02825079, 430.108731076, 576.588517707},
+                             {1, 1e5, 1, 938.380417984, 453.419453973, 666.589718423},
+                             {2, 1, 1, 1302, 557.902102637, 1084.41876456},
+                             {2, 1e3, 0.5, 1335.67571195, 436.687986672, 1217.19589368},
+                             {2, 1e5, 1, 1511.85760538, 596.034493778, 1221.52658011},
+                             {3, 1, 1, 1420, 324.786552768, 1177.53124652},
+                             {3, 1e3, 1, 1507.30021122, 341.6441525, 1234.2232637},
+                             {3, 1e5, 1, 1565.50035203, 352.764499415, 1271.07452098}};
   for (const auto& [metal, rate, strain, isothermal, temperature, adiabatic] : table) {
     Metal law = metals[static_cast<std::size_t>(metal)];
     CAPTURE(metal, rate, strain);
@@ -110,7 +116,8 @@ TEST_CASE("damage grows with the strain at fracture of the triaxiality", "[oracl
   Metal law = metals[2];
   law.heat.capacity = 0;
   law.rate.form = material::RateFactor::Form::none;
-  law.fracture = material::Fracture{0.05, 3.44, -2.12, 0.61, {material::RateFactor::Form::logarithm, 0.002, 1}, 1, false};
+  law.fracture =
+      material::Fracture{0.05, 3.44, -2.12, 0.61, {material::RateFactor::Form::logarithm, 0.002, 1}, 1, false};
   Point point{material::MetalResponse<false>(law)};
   shear_to(point, 1000, 0.5, 1e-3);  // no mean stress: e_f = D1 + D2
   const double fracture = (0.05 + 3.44) * (1 + 0.002 * std::log(1000));
@@ -132,8 +139,12 @@ TEST_CASE("no lane of a return depends on the others", "[law]") {
   start.scale = broadcast(1);
   const material::FlowEnd all = strength.close(start);
   for (int lane = 0; lane < pack_width; ++lane) {
-    material::FlowStart one{broadcast(start.equivalent[lane]), broadcast(start.plastic_strain[lane]), broadcast(300),
-                            Pack{}, broadcast(1), Pack{}};
+    material::FlowStart one{broadcast(start.equivalent[lane]),
+                            broadcast(start.plastic_strain[lane]),
+                            broadcast(300),
+                            Pack{},
+                            broadcast(1),
+                            Pack{}};
     const material::FlowEnd alone = strength.close(one);
     CHECK(alone.increment[0] == all.increment[lane]);
     CHECK(alone.yield[0] == all.yield[lane]);
@@ -153,7 +164,9 @@ Metal shocked(double density, double c, double s, double gamma) {
   return law;
 }
 
-Matrix ball(double volume) { return std::cbrt(volume) * Matrix::Identity(); }
+Matrix ball(double volume) {
+  return std::cbrt(volume) * Matrix::Identity();
+}
 
 }  // namespace
 
@@ -210,8 +223,9 @@ TEST_CASE("the bulk modulus is the slope of the isentrope", "[oracle]") {
     for (const double J : {0.75, 0.95, 1.05}) {
       const double e = 2e9, dJ = 1e-6;
       const auto after = [&](double change) {
-        return eos.close(broadcast(J + change), broadcast(change), eos.pressure_at(broadcast(J), broadcast(e)),
-                         broadcast(e)).pressure[0];
+        return eos
+            .close(broadcast(J + change), broadcast(change), eos.pressure_at(broadcast(J), broadcast(e)), broadcast(e))
+            .pressure[0];
       };
       const double slope = -J * (after(dJ) - after(-dJ)) / (2 * dJ);
       const Pack pressure = eos.pressure_at(broadcast(J), broadcast(e));

@@ -35,6 +35,13 @@ struct LimitRecord {
   bool pressed = false;  ///< was its row, in the step that wrote it? Asked only there: not in checkpoints
 };
 
+/// How deep a node lay behind a face that came to the surface in front of it (see contact/births.hpp). The key is that
+/// of anchors: node and body of the master.
+struct BirthRecord {
+  AnchorKey key{};
+  double penetration = 0;  ///< [length] > 0
+};
+
 inline AnchorKey anchor_key_of(const Row& row) {
   const RowKey& key = row.key;
   if (row.is_edge()) return {RowKind::edge, key.slave, key.master, key.slave_second, key.master_second};
@@ -47,11 +54,13 @@ struct History {
   std::vector<HistoryRecord> pairs;
   std::vector<AnchorRecord> anchors;
   std::vector<LimitRecord> limits;
+  std::vector<BirthRecord> births;
 
   void clear() {
     pairs.clear();
     anchors.clear();
     limits.clear();
+    births.clear();
   }
 };
 
@@ -70,6 +79,9 @@ void for_each_remembered(std::span<const Row> rows, std::span<const HistoryRecor
 /// The anchor of a row's slave on its master, or null.
 const AnchorRecord* find_anchor(std::span<const AnchorRecord> anchors, const AnchorKey& key);
 
+/// The birth of a node in front of a body, or null.
+const BirthRecord* find_birth(std::span<const BirthRecord> births, const AnchorKey& key);
+
 /// Impulses to start the iteration from [momentum]: what the rows, as they are now, admit of the forces of the last
 /// step, over a step of length dt. Where a slave has gone over to the next face, its row there starts from the force of
 /// the row that it has no more, if that points along the new normal: nodes that rest on an edge between faces change
@@ -83,7 +95,7 @@ void write_pairs(std::span<const Row> rows, std::span<const Vec3> impulses, doub
                  std::span<const HistoryRecord> sides, std::vector<HistoryRecord>& records);
 
 /// The history as tables for checkpoints and the state hash, and back.
-using HistoryTables = std::array<RecordTable, 3>;
+using HistoryTables = std::array<RecordTable, 4>;
 void to_tables(const History& history, HistoryTables& tables);
 History from_tables(const HistoryTables& tables);
 

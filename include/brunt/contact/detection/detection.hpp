@@ -139,7 +139,7 @@ void list_coincident_nodes(std::span<const MasterFace> faces, std::span<const Ve
 void detect_faces(const Candidates& candidates, std::span<const MasterFace> faces, std::span<const GlobalIndex> gid,
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_area, double dt,
                   const DetectionSettings& settings, std::span<const HistoryRecord> remembered,
-                  DetectionScratch& scratch, std::vector<Row>& rows);
+                  DetectionScratch& scratch, std::vector<Row>& rows, std::span<const BirthRecord> births = {});
 
 /// Candidates of walls: node, wall, and whether the node started in a bilateral wall's plane (it is always a row).
 struct WallCandidate {

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// When elements of a part are deleted.
+#include <fmt/format.h>
+
+#include "brunt/scene/sections.hpp"
+
+namespace brunt::scene {
+
+model::Erosion read_erosion(const Key& key) {
+  model::Erosion erosion;
+  Section section(key, "a map with damage, plastic_strain, pressure, volume or step");
+  section.optional("damage", erosion.damage, positive);
+  section.optional("plastic_strain", erosion.plastic_strain, positive);
+  section.optional("pressure", erosion.pressure, any_number);
+  section.optional("volume", erosion.volume, below_one);
+  section.optional("step", erosion.step, positive);
+  if (erosion.pressure && *erosion.pressure == 0)
+    fault(section.at("pressure"), "0 deletes everything; accepted: a number > 0 (pressure) or < 0 (tension)");
+  static const Choices<model::Erosion::Points> points{
+      {{"any", model::Erosion::Points::any}, {"mean", model::Erosion::Points::mean}}, {}};
+  section.optional("points", erosion.points, points);
+  static const Choices<bool> nodes{{{"keep", true}, {"drop", false}}, {}};
+  section.optional("nodes", erosion.keeps_nodes, nodes);
+  if (section.is_map() && !erosion.damage && !erosion.plastic_strain && !erosion.pressure && !erosion.volume &&
+      !erosion.step)
+    lacking(key, {"damage", "plastic_strain", "pressure", "volume", "step"},
+            "no criterion; accepted: at least one of damage, plastic_strain, pressure, volume, step");
+  return erosion;
+}
+
+void check_erosion(const Input& input, const Part& part, const Key& key) {
+  const auto found = input.materials.find(part.material);
+  if (!part.erosion || found == input.materials.end()) return;
+  const material::Law& law = found->second;
+  const auto* metal = std::get_if<material::Metal>(&law);
+  Section section(key, "a map");
+  for (const char* name : {"damage", "plastic_strain", "pressure", "volume", "step", "points", "nodes"})
+    section.has(name);
+  if (material::is_rigid(law)) return fault(key, "of a rigid part, which stays whole; accepted: deformable parts");
+  if (part.erosion->damage && (metal == nullptr || !metal->fracture))
+    fault(section.at("damage"),
+          fmt::format("material '{}' has no damage; accepted: materials with damage: {{...}}", part.material));
+  else if (part.erosion->damage && *part.erosion->damage > metal->fracture->critical)
+    fault(section.at("damage"),
+          fmt::format("{:g} is never reached: damage ends at critical, {:g}; accepted: at most that",
+                      *part.erosion->damage, metal->fracture->critical));
+  if (part.erosion->plastic_strain && metal == nullptr && !std::holds_alternative<material::J2>(law))
+    fault(
+        section.at("plastic_strain"),
+        fmt::format("material '{}' has no plastic strain; accepted: j2, johnson_cook and other metals", part.material));
+}
+
+}  // namespace brunt::scene
