@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "births.hpp"
+#include "brunt/contact/births.hpp"
 
 #include <algorithm>
 

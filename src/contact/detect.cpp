@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "births.hpp"
+#include "brunt/contact/births.hpp"
 #include "brunt/contact/detection/separation.hpp"
 #include "memory.hpp"
 #include "tied_parts.hpp"

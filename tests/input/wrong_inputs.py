@@ -50,6 +50,56 @@ exo, msh = mesh.exodus(), mesh.gmsh()
 flat = [(x, y, 0) for x, y, _ in mesh.CUBE]
 not_finite = [(float("nan"), 0, 0)] + mesh.CUBE[1:]
 
+COPPER = ("{model: elastic, density: 7800, young: 2.0e11, poisson: 0.3}",
+          "{model: johnson_cook, density: 8960, young: 1.24e11, poisson: 0.34, A: 9.0e7, B: 2.92e8, n: 0.31, C: 0.025, m: 1.09, "
+          "melt: 1356, room: 294, heat_capacity: 383, damage: {D1: 0.54, D2: 4.89, D3: -3.03, D4: 0.014, D5: 1.12}, "
+          "eos: {model: mie_gruneisen, c: 3940, s: 1.489, gamma: 1.99}}")
+
+
+def copper(name, old, new, *says):
+    """A fault in the constants of a metal."""
+    return Wrong(name, list(says), (COPPER[0], COPPER[1].replace(old, new)))
+
+
+def eroding(name, erosion, *says, metal=True):
+    part = "material: steel, element: hex8"
+    scene = GOOD.replace(part, f"{part}, erosion: {erosion}")
+    return Wrong(name, list(says), scene=scene.replace(*COPPER) if metal else scene)
+
+
+METALS = [
+    copper("a constant of Johnson-Cook is missing", "n: 0.31, ", "", "materials.steel.n", "accepted: a number > 0"),
+    copper("melts below room temperature", "melt: 1356", "melt: 290", "materials.steel.melt", "not above room, 294"),
+    copper("temperature without melting point", "melt: 1356, ", "", "materials.steel.melt"),
+    copper("negative D2", "D2: 4.89", "D2: -4.89", "materials.steel.damage.D2", "a number >= 0"),
+    copper("strain at fracture below zero", "D1: 0.54", "D1: -5", "materials.steel.damage", "D1 + D2 = -0.11"),
+    copper("D3 above zero", "D3: -3.03", "D3: 3.03", "materials.steel.damage.D3", "<= 0"),
+    copper("yield stress in MPa beside Pa", "A: 9.0e7", "A: 90", "materials.steel.A", "7.2e-10 of Young's modulus",
+           "same units"),
+    copper("critical damage of 2", "D1: 0.54", "critical: 2, D1: 0.54", "damage.critical", "<= 1"),
+    copper("an unknown equation of state", "model: mie_gruneisen", "model: jwl", "eos.model", "mie_gruneisen"),
+    copper("equation of state without c", "c: 3940, ", "", "materials.steel.eos.c"),
+    copper("a positive minimum pressure", "gamma: 1.99", "gamma: 1.99, minimum_pressure: 1.0e9", "eos.minimum_pressure",
+           "<= 0"),
+    copper("shear beside young", "A: 9.0e7", "shear: 4.6e10, A: 9.0e7", "materials.steel.young", "beside shear"),
+    copper("a wrong key of damage", "D5: 1.12", "D6: 1.12", "damage.D6", "unknown key"),
+    eroding("erosion without criterion", "{nodes: keep}", "parts.bar.erosion", "no criterion"),
+    eroding("erosion of a criterion nobody knows", "{strain: 0.3}", "parts.bar.erosion.strain", "unknown key"),
+    eroding("erosion by damage of what has none", "{damage: 1.0}", "parts.bar.erosion.damage", "has no damage",
+            metal=False),
+    eroding("erosion by plastic strain of what is elastic", "{plastic_strain: 0.3}", "parts.bar.erosion.plastic_strain",
+            metal=False),
+    eroding("erosion beyond the critical damage", "{damage: 1.5}", "parts.bar.erosion.damage", "never reached"),
+    eroding("erosion at no pressure", "{pressure: 0}", "parts.bar.erosion.pressure", "accepted: a number > 0"),
+    eroding("erosion at more than all volume", "{volume: 1.5}", "parts.bar.erosion.volume", "< 1"),
+    Wrong("foam without table", ["materials.steel", "yield_table"], (COPPER[0],
+          "{model: crushable_foam, density: 200, young: 5.0e7}")),
+    Wrong("foam that loses all volume", ["materials.steel.yield_table", "below 1"], (COPPER[0],
+          "{model: crushable_foam, density: 200, young: 5.0e7, yield_table: [[0, 1.0e6], [1.2, 2.0e6]]}")),
+    Wrong("hydrodynamic without equation of state", ["materials.steel", "eos"], (COPPER[0],
+          "{model: hydrodynamic, density: 8930, shear: 4.8e10, yield: 1.2e8}")),
+]
+
 FILES = [
     Wrong("scene is not there", ["nowhere.yaml"], target="nowhere.yaml"),
     Wrong("scene in a folder that is not there", ["no/such/folder"], target="no/such/folder/scene.yaml"),
@@ -323,4 +373,4 @@ STUDIES = [
 ]
 SCRIPTS += STUDIES
 
-ALL = FILES + SCENES + OPTIONS + YAML_LIMITS + MESHES
+ALL = FILES + METALS + SCENES + OPTIONS + YAML_LIMITS + MESHES

@@ -10,6 +10,7 @@
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/read.hpp"
 #include "brunt/scene/select.hpp"
+#include "brunt/time/erosion.hpp"
 #include "brunt/time/initialise.hpp"
 #include "brunt/time/removal.hpp"
 #include "partition/distribute.hpp"
@@ -26,6 +27,7 @@ std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation, con
   settings.specification.rebuild = rebuild;
   settings.blocks = app::block_properties(model);
   settings.rigid = app::rigid_bodies(model);
+  settings.erodes = model.loses_elements();
   settings.detection.recovery_gives = std::ranges::any_of(
       simulation.input.contact, [](const auto& entry) { return entry.initial_overlap == contact::OverlapRule::warn; });
   std::vector<double> inverse_mass;
@@ -64,9 +66,14 @@ void Simulation::step(std::optional<double> dt) {
     report.dt = *dt;
     report.dt_mean = 0.5 * (state.dt + *dt);
   }
-  if (time::removal_is_due(model, state)) {
-    time::remove_elements(links.ranks, model, state);
-    if (contact) app::expose(input, model, state, links, *contact);
+  const auto gone = [](GlobalIndex count) { return count > 0; };
+  bool changed = time::removal_is_due(model, state) &&
+                 std::ranges::any_of(time::remove_elements(links.ranks, model, state), gone);
+  for (const time::ErosionCount& count : time::erode(links.ranks, model, state, scratch))
+    changed = changed || gone(count.all());
+  if (changed && contact) {
+    app::expose(input, model, state, links, *contact);
+    contact->births_due = true;
   }
   time::advance(model, state, scratch, links, contact.get(), report);
 }

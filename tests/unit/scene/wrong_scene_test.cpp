@@ -215,8 +215,6 @@ TEST_CASE("what later versions bring is recognised and refused", "[scene]") {
       {"title: small", "space: axisymmetric", "bar.yaml:1: space", {not_yet, "accepted: 3d"}},
       {"material: steel", "material: steel\n    element: shell4", "bar.yaml:23: parts.left.element", {not_yet, "hex8"}},
       {"material: steel", "material: steel\n    thickness: 0.1", "bar.yaml:23: parts.left.thickness", {not_yet}},
-      {"model: j2", "model: johnson_cook", "bar.yaml:15: materials.steel.model", {not_yet, "elastic, j2, neo_hookean"}},
-      {"model: j2", "model: foam", "bar.yaml:15: materials.steel.model", {not_yet}},
       {"friction: 0", "friction: -0.1", "bar.yaml:33: rigid_walls.0.friction", {">= 0"}},
       {"slave: auto",
        "friction: {static: 0.2, kinetic: 0.3}",

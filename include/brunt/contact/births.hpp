@@ -3,9 +3,11 @@
 // node with faces of that body are measured from it, and as the node comes out the measure goes with it, so that it
 // never is deeper again.
 #pragma once
+#include <span>
 #include <vector>
 
-#include "brunt/contact/contact.hpp"
+#include "brunt/contact/data/constraint.hpp"
+#include "brunt/contact/data/history.hpp"
 
 namespace brunt::contact {
 
