@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 #include "brunt/comm/rendezvous.hpp"
@@ -20,8 +21,9 @@ struct Together {
   friend auto operator<=>(const Together&, const Together&) = default;
 };
 
+/// Ascending, each once; lists of one rank come in that order.
 void keep_different(std::vector<Together>& list) {
-  std::sort(list.begin(), list.end());
+  if (!std::is_sorted(list.begin(), list.end())) std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
@@ -30,12 +32,13 @@ bool has_element(const mesh::LocalMesh& mesh, const SurfaceFace& face) {
   return block < mesh.blocks.size() && !mesh.blocks[block].gid.empty();
 }
 
-/// The surface nodes that this rank's elements contain, each with the nodes of those elements; of a surface without
-/// elements the faces stand for them.
-std::vector<Together> seen_here(const mesh::LocalMesh& mesh, const Surface& surface, surface::Alive alive) {
-  std::vector<char> on_surface(mesh.node_gid.size(), 0);
-  for (const LocalIndex node : surface.model_node) on_surface[static_cast<std::size_t>(node)] = 1;
-  std::vector<Together> seen;
+/// Calls use(surface node, gid of a node) for the nodes of this rank's living elements around its surface nodes; of a
+/// surface without elements the faces stand for them. A pair comes as often as elements hold both.
+template <class Use>
+void for_each_together(const mesh::LocalMesh& mesh, const Surface& surface, surface::Alive alive, const Use& use) {
+  std::vector<LocalIndex> surface_node(mesh.node_gid.size(), no_index);
+  for (std::size_t s = 0; s < surface.model_node.size(); ++s)
+    surface_node[static_cast<std::size_t>(surface.model_node[s])] = static_cast<LocalIndex>(s);
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     const mesh::LocalBlock& block = mesh.blocks[b];
     const std::vector<double>* flags = b < alive.size() && !alive[b].empty() ? &alive[b] : nullptr;
@@ -44,10 +47,9 @@ std::vector<Together> seen_here(const mesh::LocalMesh& mesh, const Surface& surf
       if (flags != nullptr && (*flags)[first / width] <= 0) continue;
       const std::span<const LocalIndex> nodes(&block.nodes[first], width);
       for (const LocalIndex node : nodes) {
-        if (on_surface[static_cast<std::size_t>(node)] == 0) continue;
-        for (const LocalIndex other : nodes)
-          seen.push_back(
-              {mesh.node_gid[static_cast<std::size_t>(node)], mesh.node_gid[static_cast<std::size_t>(other)]});
+        const LocalIndex at = surface_node[static_cast<std::size_t>(node)];
+        if (at == no_index) continue;
+        for (const LocalIndex other : nodes) use(at, mesh.node_gid[static_cast<std::size_t>(other)]);
       }
     }
   }
@@ -55,9 +57,30 @@ std::vector<Together> seen_here(const mesh::LocalMesh& mesh, const Surface& surf
     if (has_element(mesh, face)) continue;
     for (const LocalIndex node : std::span(face.nodes).first(static_cast<std::size_t>(face.corner_count)))
       for (const GlobalIndex other : face.element)
-        if (other != no_index) seen.push_back({surface.gid[static_cast<std::size_t>(node)], other});
+        if (other != no_index) use(node, other);
   }
-  keep_different(seen);
+}
+
+/// The surface nodes that this rank's elements contain, each with the nodes of those elements: ascending, each once.
+/// Sorted node by node, since this is made anew whenever elements go.
+std::vector<Together> seen_here(const mesh::LocalMesh& mesh, const Surface& surface, surface::Alive alive) {
+  std::vector<std::size_t> end(surface.gid.size() + 1, 0);
+  for_each_together(mesh, surface, alive,
+                    [&](LocalIndex node, GlobalIndex) { ++end[static_cast<std::size_t>(node) + 1]; });
+  for (std::size_t s = 1; s < end.size(); ++s) end[s] += end[s - 1];
+  std::vector<GlobalIndex> others(end.back());
+  std::vector<std::size_t> next(end.begin(), end.end() - 1);
+  for_each_together(mesh, surface, alive, [&](LocalIndex node, GlobalIndex other) {
+    others[next[static_cast<std::size_t>(node)]++] = other;
+  });
+  std::vector<Together> seen;
+  for (std::size_t s = 0; s < surface.gid.size(); ++s) {
+    const auto first = others.begin() + static_cast<std::ptrdiff_t>(end[s]);
+    const auto last = others.begin() + static_cast<std::ptrdiff_t>(end[s + 1]);
+    std::sort(first, last);
+    const auto different = std::unique(first, last);
+    for (auto other = first; other != different; ++other) seen.push_back({surface.gid[s], *other});
+  }
   return seen;
 }
 
@@ -120,10 +143,16 @@ std::vector<EdgeUse> uses_at_home(const comm::Communicator& ranks, const mesh::L
       to_home[static_cast<std::size_t>(low) % to_home.size()].push_back(use);
     }
   }
-  std::vector<EdgeUse> uses = comm::exchange(ranks, to_home).values;
-  std::sort(uses.begin(), uses.end(),
-            [](const EdgeUse& a, const EdgeUse& b) { return std::tie(a.gid, a.key) < std::tie(b.gid, b.key); });
-  return uses;
+  const std::vector<EdgeUse> uses = comm::exchange(ranks, to_home).values;
+  std::vector<std::size_t> order(uses.size());  // the records are large: their numbers are sorted in their place
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::tie(uses[a].gid, uses[a].key) < std::tie(uses[b].gid, uses[b].key);
+  });
+  std::vector<EdgeUse> sorted;
+  sorted.reserve(uses.size());
+  for (const std::size_t use : order) sorted.push_back(uses[use]);
+  return sorted;
 }
 
 /// Between the normals [radians]; > 0: convex.

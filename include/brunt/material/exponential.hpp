@@ -38,4 +38,31 @@ inline Pack pack_power(Pack a, double b) {
   return select(is_positive, power, Pack{});
 }
 
+/// a -> a^b near an a whose power is known: (a (1 + x))^b = a^b (1 + b x + b (b - 1)/2 x^2 + ...), six terms where
+/// |x| <= 0.01 (the seventh is below 1e-14), by logarithm and exponential elsewhere.
+class NearPower {
+ public:
+  explicit NearPower(double exponent) : exponent_(exponent) {
+    double factor = 1;
+    for (int k = 0; k < terms; ++k) coefficient_[k] = factor *= (exponent - k) / (k + 1);
+  }
+
+  [[nodiscard]] double exponent() const { return exponent_; }
+
+  /// power = base^b, base > 0 or power = 0.
+  [[nodiscard]] Pack operator()(Pack base, Pack power, Pack now) const {
+    const Pack x = now / pack_max(base, broadcast(std::numeric_limits<double>::min())) - 1.0;
+    Pack series = broadcast(coefficient_[terms - 1]);
+    for (int k = terms - 2; k >= 0; --k) series = coefficient_[k] + x * series;
+    const PackMask far = ~(pack_abs(x) <= 0.01);
+    const Pack near = power * (1.0 + x * series);
+    return any(far) ? select(far, pack_power(now, exponent_), near) : near;
+  }
+
+ private:
+  static constexpr int terms = 6;
+  double exponent_;
+  double coefficient_[terms];
+};
+
 }  // namespace brunt::material

@@ -142,14 +142,15 @@ struct MetalResponse {
   FlowEnd flow(Pack trial, Pack pressure, const Circumstances& step, Pack* state, PackMask failed) const {
     Pack scale = rate_factor(constants.rate, state[strain_rate]);
     if (constants.fracture && constants.fracture->softens) scale *= pack_max(1.0 - state[damage], Pack{});
-    FlowStart start{trial, state[plastic_strain], state[temperature], Pack{}, scale, pressure};
-    const Pack before = strength.yield(start);
-    const Pack heat = with_eos ? heat_of_work * step.volume : broadcast(heat_of_work);
-    start.heating = heat * before;
-    FlowEnd end = strength.close(start);
+    const FlowStart start{trial, state[plastic_strain], state[temperature], scale, pressure, heat_of_work};
+    const Yield before = strength.yield(start);
+    FlowEnd end{Pack{}, before.value};
+    if (!any(trial > before.value)) return end;
+    end = strength.close(start, before);
     end.increment = select(failed, Pack{}, end.increment);
     state[plastic_strain] += end.increment;
-    state[temperature] += 0.5 * heat * (before + end.yield) * end.increment;
+    const Pack heat = with_eos ? heat_of_work * step.volume : broadcast(heat_of_work);
+    state[temperature] += 0.5 * heat * (before.value + end.yield) * end.increment;
     return end;
   }
 

@@ -16,9 +16,15 @@ struct FlowStart {
   Pack equivalent;      ///< of the trial stress [stress]
   Pack plastic_strain;  ///< p
   Pack temperature;     ///< T
-  Pack heating;         ///< dT/dp with the yield stress at the start
   Pack scale;
-  Pack pressure;  ///< [stress]
+  Pack pressure;   ///< [stress]
+  double warming;  ///< rise of temperature by plastic work, dT = warming Y dp
+};
+
+/// The yield stress at the start and its slope by the plastic strain, heat left aside.
+struct Yield {
+  Pack value, slope;
+  Pack hardened{}, lost{};  ///< what Johnson-Cook's law knows of it: p^n and T*^m
 };
 
 /// Plastic increment dp >= 0 with q = 3 G dp + scale Y(p + dp, T + heating dp), and the yield stress there.
@@ -32,68 +38,77 @@ class JohnsonCookFlow {
   JohnsonCookFlow(const JohnsonCook& constants, double three_shear)
       : c_(constants),
         three_shear_(three_shear),
-        over_melt_(constants.melt > constants.room ? 1 / (constants.melt - constants.room) : 0) {}
+        over_melt_(constants.melt > constants.room ? 1 / (constants.melt - constants.room) : 0),
+        hardening_(constants.n),
+        softening_(constants.m) {}
 
   [[nodiscard]] Pack homologous(Pack temperature) const {
     return pack_min(pack_max((temperature - c_.room) * over_melt_, Pack{}), broadcast(1.0));
   }
 
-  [[nodiscard]] Pack yield(const FlowStart& at) const {
-    return at.scale * (c_.a + c_.b * pack_power(at.plastic_strain, c_.n)) * left_by_heat(homologous(at.temperature));
+  [[nodiscard]] Yield yield(const FlowStart& at) const {
+    Yield yield;
+    yield.hardened = pack_power(at.plastic_strain, c_.n);
+    yield.lost = over_melt_ > 0 ? pack_power(homologous(at.temperature), c_.m) : Pack{};
+    set(at.plastic_strain, at.scale * (1.0 - yield.lost), yield);
+    return yield;
   }
 
   /// Newton's method within a bracket: the left side less q is negative at dp = 0, where the trial stress is beyond
-  /// yield, and positive at q / 3 G. Each lane stops by itself, so that no lane depends on others.
-  [[nodiscard]] FlowEnd close(const FlowStart& start) const {
-    const Pack before = yield(start);
-    PackMask open = start.equivalent > before;
-    FlowEnd end{Pack{}, before};
-    if (!any(open)) return end;
+  /// yield, and positive at q / 3 G. It ends with the step from where the sides agree to `near`, which brings them to
+  /// rounding, and the yield stress is then what the left side says. Each lane stops by itself, so that none depends on
+  /// others.
+  [[nodiscard]] FlowEnd close(const FlowStart& start, const Yield& before) const {
+    PackMask open = start.equivalent > before.value;
+    const Pack heating = start.warming * before.value;
     Pack low{}, high = start.equivalent * (1 / three_shear_);
-    Pack guess = select(open, (start.equivalent - before) * (1 / three_shear_), Pack{});
+    Pack increment = select(open, (start.equivalent - before.value) / (three_shear_ + before.slope), Pack{});
     for (int iteration = 0; iteration < most_iterations && any(open); ++iteration) {
-      const Yield at = at_end(start, guess);
-      const Pack excess = start.equivalent - three_shear_ * guess - at.value;
-      low = select(excess > 0.0, guess, low);
-      high = select(excess > 0.0, high, guess);
-      Pack next = guess + excess / (three_shear_ + at.slope);
-      next = select((next > low) & (next < high), next, 0.5 * (low + high));
-      const PackMask moves = pack_abs(excess) > tolerance * start.equivalent;
-      end.increment = select(open, guess, end.increment);
-      end.yield = select(open, at.value, end.yield);
-      open &= moves;
-      guess = select(open, next, guess);
+      const Yield at = at_end(start, before, heating, increment);
+      const Pack excess = start.equivalent - three_shear_ * increment - at.value;
+      low = select(excess > 0.0, increment, low);
+      high = select(excess > 0.0, high, increment);
+      Pack next = increment + excess / (three_shear_ + at.slope);
+      next = select((next >= low) & (next <= high), next, 0.5 * (low + high));
+      increment = select(open, next, increment);
+      open &= pack_abs(excess) > near * start.equivalent;
     }
-    return end;
+    const PackMask flows = start.equivalent > before.value;
+    return {increment, select(flows, start.equivalent - three_shear_ * increment, before.value)};
   }
 
  private:
-  struct Yield {
-    Pack value, slope;  ///< by dp
-  };
   static constexpr int most_iterations = 60;  ///< halving alone ends below rounding by then
-  static constexpr double tolerance = 1e-13;  ///< of the trial stress: rounding of the left side
+  static constexpr double near = 1e-7;        ///< of the trial stress: its square is rounding
 
-  [[nodiscard]] Pack left_by_heat(Pack homologous) const {
-    return over_melt_ > 0 ? 1.0 - pack_power(homologous, c_.m) : broadcast(1.0);
+  /// Value and slope from (A + B p^n) times a factor.
+  void set(Pack p, Pack factor, Yield& yield) const {
+    const Pack floor = broadcast(std::numeric_limits<double>::min());
+    yield.value = factor * (c_.a + c_.b * yield.hardened);
+    yield.slope = factor * (c_.b * c_.n * yield.hardened / pack_max(p, floor));
   }
 
-  [[nodiscard]] Yield at_end(const FlowStart& start, Pack increment) const {
+  [[nodiscard]] Yield at_end(const FlowStart& start, const Yield& before, Pack heating, Pack increment) const {
     const Pack p = start.plastic_strain + increment;
-    const Pack power = pack_power(p, c_.n);
-    const Pack hard = c_.a + c_.b * power;
+    Yield yield;
+    yield.hardened = hardening_(start.plastic_strain, before.hardened, p);
+    if (over_melt_ == 0) {
+      set(p, start.scale, yield);
+      return yield;
+    }
     const Pack floor = broadcast(std::numeric_limits<double>::min());
-    const Pack hardening = c_.b * c_.n * power / pack_max(p, floor);
-    if (over_melt_ == 0) return {start.scale * hard, start.scale * hardening};
-    const Pack hot = homologous(start.temperature + start.heating * increment);
-    const Pack lost = pack_power(hot, c_.m);
+    const Pack hot = homologous(start.temperature + heating * increment);
+    const Pack lost = softening_(homologous(start.temperature), before.lost, hot);
     const Pack softening = select((hot > 0.0) & (hot < 1.0), c_.m * lost / pack_max(hot, floor), Pack{});
-    return {start.scale * hard * (1.0 - lost),
-            start.scale * (hardening * (1.0 - lost) - hard * softening * start.heating * over_melt_)};
+    set(p, start.scale, yield);
+    yield.slope = yield.slope * (1.0 - lost) - yield.value * softening * heating * over_melt_;
+    yield.value *= 1.0 - lost;
+    return yield;
   }
 
   JohnsonCook c_;
   double three_shear_, over_melt_;
+  NearPower hardening_, softening_;
 };
 
 /// Yield stress by table, lane by lane where one yields.
@@ -102,14 +117,14 @@ class TableFlow {
   TableFlow(const TableStrength& constants, double three_shear)
       : curve_(constants.table, three_shear / 3), three_shear_(three_shear) {}
 
-  [[nodiscard]] Pack yield(const FlowStart& at) const {
+  [[nodiscard]] Yield yield(const FlowStart& at) const {
     Pack value;
     for (int lane = 0; lane < pack_width; ++lane) value[lane] = curve_.at(at.plastic_strain[lane]);
-    return at.scale * value;
+    return {at.scale * value, Pack{}};
   }
 
-  [[nodiscard]] FlowEnd close(const FlowStart& start) const {
-    FlowEnd end{Pack{}, yield(start)};
+  [[nodiscard]] FlowEnd close(const FlowStart& start, const Yield& before) const {
+    FlowEnd end{Pack{}, before.value};
     for (int lane = 0; lane < pack_width; ++lane) {
       const double excess = start.equivalent[lane] - end.yield[lane], scale = start.scale[lane];
       if (!(excess > 0)) continue;
@@ -133,15 +148,15 @@ class LinearFlow {
  public:
   LinearFlow(const LinearStrength& constants, double three_shear) : c_(constants), three_shear_(three_shear) {}
 
-  [[nodiscard]] Pack yield(const FlowStart& at) const {
-    return at.scale * (c_.yield + c_.hardening * at.plastic_strain + c_.pressure_yield * pack_max(at.pressure, Pack{}));
+  [[nodiscard]] Yield yield(const FlowStart& at) const {
+    const Pack hard = c_.yield + c_.hardening * at.plastic_strain;
+    return {at.scale * (hard + c_.pressure_yield * pack_max(at.pressure, Pack{})), at.scale * c_.hardening};
   }
 
-  [[nodiscard]] FlowEnd close(const FlowStart& start) const {
-    const Pack before = yield(start), slope = start.scale * c_.hardening;
-    if (three_shear_ == 0) return {Pack{}, before};  // a fluid
-    const Pack increment = pack_max(start.equivalent - before, Pack{}) / (three_shear_ + slope);
-    return {increment, before + slope * increment};
+  [[nodiscard]] FlowEnd close(const FlowStart& start, const Yield& before) const {
+    if (three_shear_ == 0) return {Pack{}, before.value};  // a fluid
+    const Pack increment = pack_max(start.equivalent - before.value, Pack{}) / (three_shear_ + before.slope);
+    return {increment, before.value + before.slope * increment};
   }
 
  private:
@@ -156,11 +171,11 @@ class Strength {
       : flow_(std::visit([&](const auto& strength) { return flow_of(strength, 3 * constants.shear); },
                          constants.strength)) {}
 
-  [[nodiscard]] Pack yield(const FlowStart& at) const {
+  [[nodiscard]] Yield yield(const FlowStart& at) const {
     return std::visit([&](const auto& flow) { return flow.yield(at); }, flow_);
   }
-  [[nodiscard]] FlowEnd close(const FlowStart& start) const {
-    return std::visit([&](const auto& flow) { return flow.close(start); }, flow_);
+  [[nodiscard]] FlowEnd close(const FlowStart& start, const Yield& before) const {
+    return std::visit([&](const auto& flow) { return flow.close(start, before); }, flow_);
   }
   /// T* where the law has one, else 0.
   [[nodiscard]] Pack homologous(Pack temperature) const {

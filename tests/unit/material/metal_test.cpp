@@ -137,19 +137,22 @@ TEST_CASE("no lane of a return depends on the others", "[law]") {
   }
   start.temperature = broadcast(300);
   start.scale = broadcast(1);
-  const material::FlowEnd all = strength.close(start);
+  const material::FlowEnd all = strength.close(start, strength.yield(start));
   for (int lane = 0; lane < pack_width; ++lane) {
-    material::FlowStart one{broadcast(start.equivalent[lane]),
-                            broadcast(start.plastic_strain[lane]),
-                            broadcast(300),
-                            Pack{},
-                            broadcast(1),
-                            Pack{}};
-    const material::FlowEnd alone = strength.close(one);
+    const material::FlowStart one{broadcast(start.equivalent[lane]),
+                                  broadcast(start.plastic_strain[lane]),
+                                  broadcast(300),
+                                  broadcast(1),
+                                  Pack{},
+                                  0};
+    const material::FlowEnd alone = strength.close(one, strength.yield(one));
     CHECK(alone.increment[0] == all.increment[lane]);
     CHECK(alone.yield[0] == all.yield[lane]);
     const double rest = start.equivalent[lane] - 3 * metals[2].shear * alone.increment[0] - alone.yield[0];
     if (alone.increment[0] > 0) CHECK(std::abs(rest) < 2e-13 * start.equivalent[lane]);
+    material::FlowStart after = one;
+    after.plastic_strain += alone.increment;
+    CHECK(alone.yield[0] == Approx(strength.yield(after).value[0]).epsilon(1e-11));
   }
 }
 
