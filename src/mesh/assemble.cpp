@@ -15,25 +15,6 @@
 namespace brunt::mesh {
 namespace {
 
-/// Cosine and sine, exact at multiples of 90 degrees.
-std::array<double, 2> cosine_sine(double degrees) {
-  const double turn = std::remainder(degrees, 360.0);
-  if (turn == 0) return {1, 0};
-  if (std::abs(turn) == 90) return {0, std::copysign(1.0, turn)};
-  if (std::abs(turn) == 180) return {-1, 0};
-  const double angle = turn * std::numbers::pi / 180;
-  return {std::cos(angle), std::sin(angle)};
-}
-
-/// Rodrigues' formula.
-Mat3 rotation(const Vec3& axis, double degrees) {
-  const Vec3 k = axis / axis.norm();
-  const auto [c, s] = cosine_sine(degrees);
-  Mat3 cross;
-  cross << 0, -k[2], k[1], k[2], 0, -k[0], -k[1], k[0], 0;
-  return c * Mat3::Identity() + s * cross + (1 - c) * k * k.transpose();
-}
-
 std::string shown(const Block& block) {
   return block.name.empty() ? fmt::format("{}", block.id) : block.name;
 }
@@ -82,6 +63,23 @@ void shift(std::vector<GlobalIndex>& ids, GlobalIndex by) {
 }
 
 }  // namespace
+
+std::array<double, 2> cosine_sine(double degrees) {
+  const double turn = std::remainder(degrees, 360.0);
+  if (turn == 0) return {1, 0};
+  if (std::abs(turn) == 90) return {0, std::copysign(1.0, turn)};
+  if (std::abs(turn) == 180) return {-1, 0};
+  const double angle = turn * std::numbers::pi / 180;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+Mat3 rotation(const Vec3& axis, double degrees) {
+  const Vec3 k = axis / axis.norm();
+  const auto [c, s] = cosine_sine(degrees);
+  Mat3 cross;
+  cross << 0, -k[2], k[1], k[2], 0, -k[0], -k[1], k[0], 0;
+  return c * Mat3::Identity() + s * cross + (1 - c) * k * k.transpose();
+}
 
 void place(Mesh& mesh, double scale, const Vec3& axis, double degrees, const Vec3& at) {
   if (!(scale > 0) || !std::isfinite(scale))

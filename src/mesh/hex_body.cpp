@@ -22,6 +22,12 @@ void ParameterCheck::at_least(const char* name, int value, int least) {
   holds(value >= least, fmt::format("{} must be at least {}, got {}", name, least, value));
 }
 
+void ParameterCheck::divided(const char* name, const Division& division, int least) {
+  at_least(name, division.cells, least);
+  holds(std::isfinite(division.bias) && division.bias > 0,
+        fmt::format("bias of {} must be positive, got {}", name, division.bias));
+}
+
 void ParameterCheck::holds(bool condition, const std::string& fault) {
   if (!condition) faults_.push_back(fmt::format("{}: {}", body_, fault));
 }
@@ -35,30 +41,30 @@ void ParameterCheck::finish() const {
   if (!faults_.empty()) throw InputError(faults_);
 }
 
-Mesh hex_body(const std::string& part, std::vector<Vec3> coordinates, std::vector<LocalIndex> nodes) {
+Mesh hex_body(const std::string& part, Hexahedra cells) {
   Mesh mesh;
-  mesh.node_id.resize(coordinates.size());
+  mesh.node_id.resize(cells.coordinates.size());
   std::iota(mesh.node_id.begin(), mesh.node_id.end(), 1);
-  mesh.coordinates = std::move(coordinates);
-  Block& block = mesh.blocks.emplace_back(Block{part, 1, Shape::hex8, std::move(nodes), {}});
+  mesh.coordinates = std::move(cells.coordinates);
+  Block& block = mesh.blocks.emplace_back(Block{part, 1, Shape::hex8, std::move(cells.nodes), {}});
   block.element_id.resize(static_cast<std::size_t>(block.count()));
   std::iota(block.element_id.begin(), block.element_id.end(), 1);
   return mesh;
 }
 
-Mesh extrude(const std::string& part, const Section& section, double length, int layers) {
+Hexahedra extrude(const Section& section, const std::vector<double>& heights) {
   const auto layer_nodes = static_cast<LocalIndex>(section.points.size());
-  std::vector<Vec3> coordinates;
-  coordinates.reserve(section.points.size() * static_cast<std::size_t>(layers + 1));
-  for (int k = 0; k <= layers; ++k)
-    for (const auto& p : section.points) coordinates.emplace_back(p[0], p[1], length * k / layers);
-  std::vector<LocalIndex> nodes;
-  nodes.reserve(8 * section.quads.size() * static_cast<std::size_t>(layers));
+  Hexahedra cells;
+  cells.coordinates.reserve(section.points.size() * heights.size());
+  for (const double height : heights)
+    for (const auto& p : section.points) cells.coordinates.emplace_back(p[0], p[1], height);
+  const int layers = static_cast<int>(heights.size()) - 1;
+  cells.nodes.reserve(8 * section.quads.size() * static_cast<std::size_t>(layers));
   for (int k = 0; k < layers; ++k)
     for (const auto& quad : section.quads)
       for (const int level : {k, k + 1})
-        for (const LocalIndex corner : quad) nodes.push_back(corner + level * layer_nodes);
-  return hex_body(part, std::move(coordinates), std::move(nodes));
+        for (const LocalIndex corner : quad) cells.nodes.push_back(corner + level * layer_nodes);
+  return cells;
 }
 
 void add_cut_planes(const Mesh& mesh, const std::string& part, const Half& half, std::vector<SurfaceSet>& sets) {

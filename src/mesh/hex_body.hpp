@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "brunt/mesh/mesh.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "brunt/mesh/round_form.hpp"
+#include "section.hpp"
 
 namespace brunt::mesh {
 
-/// Quadrilaterals in the x-y plane, each counter-clockwise seen from z+.
-struct Section {
-  std::vector<std::array<double, 2>> points;
-  std::vector<std::array<LocalIndex, 4>> quads;
+struct Hexahedra {
+  std::vector<Vec3> coordinates;
+  std::vector<LocalIndex> nodes;  ///< eight an element
 };
 
 /// Collects faults of one body's parameters; `finish` throws them together.
@@ -22,6 +22,7 @@ class ParameterCheck {
  public:
   explicit ParameterCheck(std::string body) : body_(std::move(body)) {}
   void positive(const char* name, double value);
+  void divided(const char* name, const Division& division, int least);
   void at_least(const char* name, int value, int least);
   void holds(bool condition, const std::string& fault);
   void fits(double nodes);
@@ -32,11 +33,11 @@ class ParameterCheck {
   std::vector<std::string> faults_;
 };
 
-/// One block, ids from 1; `nodes` eight a row.
-Mesh hex_body(const std::string& part, std::vector<Vec3> coordinates, std::vector<LocalIndex> nodes);
+/// One block, ids from 1.
+Mesh hex_body(const std::string& part, Hexahedra cells);
 
-/// Layers of the section from z = 0 to `length`, the section's order within each.
-Mesh extrude(const std::string& part, const Section& section, double length, int layers);
+/// Layers of the section between these heights, ascending; the section's order within each.
+Hexahedra extrude(const Section& section, const std::vector<double>& heights);
 
 /// Adds the nodes for which `on_surface(node)` holds as a node set, and the exterior sides that have only such nodes as
 /// a side set of the same name.

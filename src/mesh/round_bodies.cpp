@@ -5,8 +5,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "brunt/core/cells.hpp"
+#include "brunt/mesh/assemble.hpp"
+#include "outline.hpp"
 
 namespace brunt::mesh {
 namespace {
@@ -37,6 +40,27 @@ double kept_share(const Half& half) {
   return share;
 }
 
+/// Integrals over the height of a body of revolution: of r^2 - i^2, r^3 - i^3 and z (r^2 - i^2), where r is its radius
+/// and i that of its bore. Simpson's rule is exact for slices of cones.
+struct Slices {
+  explicit Slices(double inner) : inner_(inner) {}
+  double squares = 0, cubes = 0, heights = 0;
+
+  void add(const std::array<double, 2>& low, const std::array<double, 2>& high) {
+    const std::array<double, 2> middle{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2};
+    for (const auto& [place, weight] : {std::pair{low, 1.0}, {middle, 4.0}, {high, 1.0}}) {
+      const auto [r, z] = place;
+      const double height = weight * (high[1] - low[1]) / 6, square = r * r - inner_ * inner_;
+      squares += height * square;
+      cubes += height * (r * r * r - inner_ * inner_ * inner_);
+      heights += height * z * square;
+    }
+  }
+
+ private:
+  double inner_;
+};
+
 }  // namespace
 
 Moments moments(const Mesh& mesh) {
@@ -60,11 +84,29 @@ Moments exact_sphere(double radius, const Half& half) {
   return exact;
 }
 
-Moments exact_tube(double inner_radius, double outer_radius, double length, const Half& half) {
-  const double i2 = inner_radius * inner_radius, o2 = outer_radius * outer_radius;
-  const double offset = 4 / (3 * std::numbers::pi) * (o2 * outer_radius - i2 * inner_radius) / (o2 - i2);
-  return {kept_share(half) * std::numbers::pi * (o2 - i2) * length,
-          Vec3(half[0] * offset, half[1] * offset, length / 2)};
+Moments exact_tube(double inner_radius, double outer_radius, double length, const RoundForm& form) {
+  const auto& [half, sector, nose] = form;
+  const double angle = sector.cuts() ? std::numbers::pi / 180 * (sector.to - sector.from)
+                                     : 2 * std::numbers::pi * kept_share({half[0], half[1], 0});
+  const auto from = cosine_sine(sector.from), to = cosine_sine(sector.to);
+  // of the cosine and of the sine over the angle
+  const std::array<double, 2> mean_direction =
+      sector.cuts() ? std::array{to[1] - from[1], from[0] - to[0]}
+                    : std::array{half[0] * (half[1] != 0 ? 1.0 : 2.0), half[1] * (half[0] != 0 ? 1.0 : 2.0)};
+  Slices sum(inner_radius);
+  sum.add({outer_radius, 0}, {outer_radius, length});
+  if (nose.shape != Nose::Shape::none) {
+    const Outline outline(nose, outer_radius, inner_radius);
+    constexpr int slices = 4096;
+    const auto at = [&](int i) {
+      const auto [r, z] = outline.at(i == slices ? 1.0 : static_cast<double>(i) / slices);
+      return std::array{r, length + z};
+    };
+    for (int i = 0; i < slices; ++i) sum.add(at(i), at(i + 1));
+  }
+  const double volume = angle / 2 * sum.squares;
+  const double off = sum.cubes / 3 / volume;
+  return {volume, Vec3(mean_direction[0] * off, mean_direction[1] * off, angle / 2 * sum.heights / volume)};
 }
 
 }  // namespace brunt::mesh

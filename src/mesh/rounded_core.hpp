@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "brunt/core/types.hpp"
 
@@ -13,33 +15,71 @@ namespace brunt::mesh {
 /// Core cells (i, j, l) lie in |i|, |j|, |l| <= half_cells; l = 0 for a disk. The core is a blend of a cube and a ball:
 /// the ball's share opens the right angles at the cube's edges, where three elements meet. The core's size and share
 /// were chosen by a scan for the best product of smallest scaled Jacobian and smallest edge (disk: 0.85, 0.75 R/n).
+///
+/// Elements across the radius may be uneven. The first `round_from` of them are what an even body of that many would
+/// be, with its lines moved; beyond, shells are circles (spheres).
 class RoundedCore {
  public:
-  RoundedCore(double radius, int elements)
-      : radius_(radius),
-        elements_(elements),
-        half_cells_(std::clamp(static_cast<int>(std::lround(0.6 * elements)), 1, elements - 1)) {}
+  static constexpr double usual_width = 0.92;  ///< of a core cell, in elements across the radius
 
+  RoundedCore(double radius, int elements) : RoundedCore(even(radius, elements), elements) {}
+
+  /// `places`: from 0 to the radius; 1 <= round_from < their number.
+  RoundedCore(std::vector<double> places, int round_from, double width = usual_width)
+      : places_(std::move(places)),
+        width_(width),
+        round_from_(round_from),
+        half_cells_(half_cells_of(places_, round_from)) {
+    const double radius = places_[static_cast<std::size_t>(round_from)];
+    for (int i = 0; i <= round_from; ++i) {
+      const double even_place = radius * i / round_from, place = places_[static_cast<std::size_t>(i)];
+      level_.push_back(place == even_place ? i : place / radius * round_from);
+    }
+  }
+
+  /// The core ends at the place nearest to 0.6 of the first circle's radius: uneven elements must leave its corners,
+  /// which reach 1.25 times as far, within that circle.
+  [[nodiscard]] static int half_cells_of(const std::vector<double>& places, int round_from) {
+    const double wanted = 0.6 * places[static_cast<std::size_t>(round_from)];
+    int best = 1;
+    for (int i = 2; i < round_from; ++i)
+      if (std::abs(places[static_cast<std::size_t>(i)] - wanted) <
+          std::abs(places[static_cast<std::size_t>(best)] - wanted))
+        best = i;
+    return best;
+  }
   [[nodiscard]] int half_cells() const { return half_cells_; }
+  [[nodiscard]] int shells() const { return static_cast<int>(places_.size()) - 1 - half_cells_; }
+  [[nodiscard]] double radius() const { return places_.back(); }
 
   [[nodiscard]] Vec3 inside(const std::array<int, 3>& cell) const {
     const int layer = std::max({std::abs(cell[0]), std::abs(cell[1]), std::abs(cell[2])});
     if (layer == 0) return Vec3::Zero();
-    const double step = 0.92 * radius_ / elements_, ball_share = 0.4;
-    const Vec3 cube(cell[0], cell[1], cell[2]);
-    return step * ((1 - ball_share) * cube + ball_share * layer * direction(cell, layer));
+    const double step = width_ * places_[static_cast<std::size_t>(round_from_)] / round_from_, ball_share = 0.4;
+    const Vec3 cube(level(cell[0]), level(cell[1]), level(cell[2]));
+    return step * ((1 - ball_share) * cube + ball_share * level(layer) * direction(cell, layer));
   }
 
-  /// `shell` 0 is the core's surface, elements - half_cells the circle or sphere; `cell` lies on the core's surface.
+  /// `shell` 0 is the core's surface, `shells` the circle or sphere; `cell` lies on the core's surface.
   [[nodiscard]] Vec3 outside(const std::array<int, 3>& cell, int shell) const {
-    const int shells = elements_ - half_cells_;
-    Vec3 outer = radius_ * direction(cell, half_cells_);
-    if (shell == shells) return outer;
-    const Vec3 inner = inside(cell);
-    return inner + (outer - inner) * shell / shells;
+    const int place = half_cells_ + shell;
+    const Vec3 unit = direction(cell, half_cells_);
+    if (place >= round_from_) return places_[static_cast<std::size_t>(place)] * unit;
+    const Vec3 inner = inside(cell), outer = places_[static_cast<std::size_t>(round_from_)] * unit;
+    return inner + (outer - inner) * (level(place) - level(half_cells_)) / (level(round_from_) - level(half_cells_));
   }
 
  private:
+  static std::vector<double> even(double radius, int elements) {
+    std::vector<double> places;
+    for (int i = 0; i < elements; ++i) places.push_back(radius * i / elements);
+    places.push_back(radius);
+    return places;
+  }
+
+  /// A place in units of the mean element of the first `round_from_`.
+  [[nodiscard]] double level(int i) const { return std::copysign(level_[static_cast<std::size_t>(std::abs(i))], i); }
+
   /// Equal angles between neighbours along each axis.
   static Vec3 direction(const std::array<int, 3>& cell, int layer) {
     const auto slope = [layer](int i) {
@@ -48,8 +88,9 @@ class RoundedCore {
     return Vec3(slope(cell[0]), slope(cell[1]), slope(cell[2])).normalized();
   }
 
-  double radius_;
-  int elements_, half_cells_;
+  std::vector<double> places_, level_;
+  double width_;
+  int round_from_, half_cells_;
 };
 
 }  // namespace brunt::mesh

@@ -1,33 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// A solid sphere: a rounded cube of cells within shells that grow from its six faces.
+// A solid sphere: a ball of cells, drawn towards its lowest point.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "ball.hpp"
 #include "brunt/mesh/primitives.hpp"
-#include "brunt/mesh/topology.hpp"
 #include "hex_body.hpp"
-#include "rounded_core.hpp"
 
 namespace brunt::mesh {
 namespace {
-
-struct Core {
-  Mesh mesh;
-  std::vector<std::array<int, 3>> cell;  // of each node, from -k to k
-};
-
-Core core_cells(const std::string& part, const RoundedCore& shape) {
-  const int k = shape.half_cells(), cells = 2 * k, row = cells + 1;
-  Core core{box(part, Vec3::Ones(), {cells, cells, cells}), {}};
-  for (LocalIndex n = 0; n < static_cast<LocalIndex>(core.mesh.coordinates.size()); ++n) {
-    const auto& cell = core.cell.emplace_back(std::array<int, 3>{n % row - k, n / row % row - k, n / (row * row) - k});
-    core.mesh.coordinates[static_cast<std::size_t>(n)] = shape.inside(cell);
-  }
-  return core;
-}
 
 /// The conformal map of the ball of this radius onto itself that shrinks what is at the lowest point by `finer`, and
 /// widens as much what is at the highest (a translation of hyperbolic space). Planes x = 0, y = 0 stay.
@@ -48,29 +32,6 @@ Vec3 draw_down_half(const Vec3& x, double radius, double finer) {
   return draw_down(x, radius, finer / (1 + (finer - 1) * t2));
 }
 
-/// The elements all of whose nodes are on the sides that are kept; of those all nodes they use.
-/// `kept[node]`: its new number, or none.
-std::vector<LocalIndex> cut(std::vector<Vec3>& coordinates, std::vector<LocalIndex>& nodes, const Half& half) {
-  const auto inside = [&](LocalIndex n) {
-    const Vec3& x = coordinates[static_cast<std::size_t>(n)];
-    return half[0] * x[0] >= 0 && half[1] * x[1] >= 0 && half[2] * x[2] >= 0;
-  };
-  std::vector<LocalIndex> kept(coordinates.size(), no_index), left;
-  for (auto element = nodes.begin(); element != nodes.end(); element += 8)
-    if (std::all_of(element, element + 8, inside)) left.insert(left.end(), element, element + 8);
-  for (const LocalIndex n : left) kept[static_cast<std::size_t>(n)] = 0;
-  std::vector<Vec3> of_kept;
-  for (std::size_t n = 0; n < kept.size(); ++n) {
-    if (kept[n] == no_index) continue;
-    kept[n] = static_cast<LocalIndex>(of_kept.size());
-    of_kept.push_back(coordinates[n]);
-  }
-  for (LocalIndex& n : left) n = kept[static_cast<std::size_t>(n)];
-  coordinates = std::move(of_kept);
-  nodes = std::move(left);
-  return kept;
-}
-
 }  // namespace
 
 Mesh sphere(const std::string& part, double radius, int elements, const SphereForm& form) {
@@ -83,40 +44,10 @@ Mesh sphere(const std::string& part, double radius, int elements, const SphereFo
   check.fits(24.0 * elements * elements * elements);
   check.finish();
 
-  const RoundedCore shape(radius, elements);
-  const Core core = core_cells(part, shape);
-  std::vector<Vec3> coordinates = core.mesh.coordinates;
-  std::vector<LocalIndex> nodes = core.mesh.blocks[0].nodes;
-  const auto skin = exterior_sides(core.mesh);
-  const auto face = [&](const Side& s) {
-    return face_nodes(Shape::hex8, core.mesh.blocks[0].element(s.element), s.face);
-  };
-
-  std::vector<LocalIndex> below(core.cell.size()), surface;  // nodes on the last shell made, by core node
-  for (std::size_t n = 0; n < core.cell.size(); ++n) {
-    below[n] = static_cast<LocalIndex>(n);
-    const auto& [i, j, l] = core.cell[n];
-    if (std::max({std::abs(i), std::abs(j), std::abs(l)}) == shape.half_cells())
-      surface.push_back(static_cast<LocalIndex>(n));
-  }
-  for (int shell = 1; shell <= elements - shape.half_cells(); ++shell) {
-    std::vector<LocalIndex> above(below.size(), no_index);
-    for (const LocalIndex n : surface) {
-      above[static_cast<std::size_t>(n)] = static_cast<LocalIndex>(coordinates.size());
-      coordinates.push_back(shape.outside(core.cell[static_cast<std::size_t>(n)], shell));
-    }
-    for (const Side& side : skin)
-      for (const auto* level : {&below, &above})
-        for (const LocalIndex n : face(side)) nodes.push_back((*level)[static_cast<std::size_t>(n)]);
-    below = std::move(above);
-  }
-  const std::size_t first_outer = coordinates.size() - surface.size();
-  const std::vector<LocalIndex> kept = cut(coordinates, nodes, form.half);
-  const auto inner =
-      static_cast<LocalIndex>(std::count_if(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first_outer),
-                                            [](LocalIndex n) { return n != no_index; }));
+  Ball solid = ball(RoundedCore(radius, elements), form.half);
+  const LocalIndex inner = solid.inner;
   std::vector<SurfaceSet> sets{{part + "_surface", [=](LocalIndex n) { return n >= inner; }}};
-  Mesh mesh = hex_body(part, std::move(coordinates), std::move(nodes));
+  Mesh mesh = hex_body(part, std::move(solid.cells));
   add_cut_planes(mesh, part, form.half, sets);  // before the map, which keeps these planes to rounding
   if (form.finer > 1)
     for (Vec3& x : mesh.coordinates)

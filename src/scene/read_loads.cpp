@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "brunt/mesh/assemble.hpp"
 #include "brunt/scene/sections.hpp"
 
 namespace brunt::scene {
@@ -153,6 +154,13 @@ void read_supports(Section& scene, Input& input) {
     Symmetry plane{Vec3::Zero(), Vec3::UnitX()};
     entry.required("point", plane.point, Vector::any);
     entry.required("normal", plane.normal, Vector::direction);
+    if (entry.has("rotate")) {
+      Section rotate(entry.at("rotate"), "a map {axis: [x, y, z], degrees: number}");
+      Rotation turn;
+      rotate.required("axis", turn.axis, Vector::direction);
+      rotate.required("degrees", turn.degrees, any_number);
+      plane.normal = mesh::rotation(turn.axis, turn.degrees) * plane.normal;
+    }
     input.symmetry.push_back(plane);
   });
   read_list(scene, "prescribed", "{set: name, dof: x, y or z, velocity: curve}",

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bodies put in their places and gathered into one mesh.
 #pragma once
+#include <array>
 #include <string>
 
 #include "brunt/mesh/mesh.hpp"
 
 namespace brunt::mesh {
+
+/// Cosine and sine, exact at multiples of 90 degrees.
+std::array<double, 2> cosine_sine(double degrees);
+
+/// About an axis of any length, right-handed; exact for multiples of 90 degrees about a coordinate axis.
+Mat3 rotation(const Vec3& axis, double degrees);
 
 /// x -> R(axis, degrees) (scale x) + at: scaled, then turned about the coordinate origin (right-handed), then moved.
 /// Multiples of 90 degrees about a coordinate axis are exact. Throws InputError for a scale <= 0 (it would mirror the

@@ -8,38 +8,39 @@
 #include <array>
 #include <string>
 
+#include "brunt/mesh/division.hpp"
 #include "brunt/mesh/mesh.hpp"
+#include "brunt/mesh/round_form.hpp"
 
 namespace brunt::mesh {
 
 /// From the origin to `size`; nodes and elements in lexicographic order, x fastest.
 /// Sets PART_xmin, _xmax, _ymin, _ymax, _zmin, _zmax.
-Mesh box(const std::string& part, const Vec3& size, const std::array<int, 3>& elements);
+Mesh box(const std::string& part, const Vec3& size, const Divisions<3>& elements);
 
 /// In the x-y plane, centre of the lower face at the origin; order and sets as in `box`.
-Mesh plate(const std::string& part, const std::array<double, 2>& size, double thickness,
-           const std::array<int, 3>& elements);
+Mesh plate(const std::string& part, const std::array<double, 2>& size, double thickness, const Divisions<3>& elements);
 
 /// Elements around a cylinder, and around a great circle of a sphere, that has so many across its radius: 8 for each
-/// half cell of the core, which takes 0.6 of the radius.
-int elements_around(int across_radius);
-
-/// Of x, y, z: 1 keeps what lies at or above 0, -1 what lies at or below, 0 both. Two make a quarter. The cut planes
-/// are sets, PART_xmin where x >= 0 is kept, PART_xmax where x <= 0 is; their nodes have the coordinate 0 exactly.
-using Half = std::array<int, 3>;
+/// half cell of the core, which takes 0.6 of the radius; where sizes at places say how the radius is divided, 0.6 of
+/// the first place above 0.
+int elements_around(const Division& across_radius);
 
 /// Solid, axis z, foot centre at the origin. elements: across the radius (>= 2), along the axis; around the whole there
 /// are `elements_around`. The section is a butterfly: a rounded square core within rings; all its outer nodes lie on
-/// the circle. A half (of x, y) has the nodes and elements of the whole on its side.
-/// Sets PART_bottom, _top, _side.
-Mesh cylinder(const std::string& part, double radius, double length, const std::array<int, 2>& elements,
-              const Half& half = {});
+/// the circle. Where sizes at places divide the radius, rings are circles from the first place above 0 on. A half (of
+/// x, y) has the nodes and elements of the whole on its side. A sector of a solid cylinder is a tube's.
+/// Sets PART_bottom, _top, _side; with a nose PART_nose, and PART_top if its tip is flat.
+Mesh cylinder(const std::string& part, double radius, double length, const Divisions<2>& elements,
+              const RoundForm& form = {});
 
 /// Axis z, foot centre at the origin. elements: through the wall, around the whole (>= 3), along. A half (of x, y)
-/// needs an even number around, a quarter a multiple of 4; its elements begin at a cut plane.
-/// Sets PART_bottom, _top, _side (outside), _inner.
+/// needs an even number around, a quarter a multiple of 4; its elements begin at a cut plane. Of a sector the elements
+/// around are those within it; its inner radius may be 0: the elements at the axis are prisms, hexahedra with repeated
+/// nodes, whose axis nodes lie in both cut planes.
+/// Sets PART_bottom, _top, _side (outside), _inner (unless solid); with a nose as of a cylinder.
 Mesh tube(const std::string& part, double inner_radius, double outer_radius, double length,
-          const std::array<int, 3>& elements, const Half& half = {});
+          const Divisions<3>& elements, const RoundForm& form = {});
 
 /// What makes of a whole, even sphere another one.
 struct SphereForm {

@@ -19,7 +19,7 @@ Moments moments(const Mesh& mesh);
 Moments exact_sphere(double radius, const Half& half);
 
 /// Axis z, foot at the origin; a solid cylinder has inner_radius 0. The centre of half a disk lies 4 radius / (3 pi)
-/// off each cut plane.
-Moments exact_tube(double inner_radius, double outer_radius, double length, const Half& half);
+/// off each cut plane. Noses are summed over 4096 slices, conical ones each: to 1e-7.
+Moments exact_tube(double inner_radius, double outer_radius, double length, const RoundForm& form);
 
 }  // namespace brunt::mesh

@@ -13,6 +13,8 @@
 #include "brunt/core/types.hpp"
 #include "brunt/element/options.hpp"
 #include "brunt/material/law.hpp"
+#include "brunt/mesh/division.hpp"
+#include "brunt/mesh/round_form.hpp"
 #include "brunt/model/erosion.hpp"
 #include "brunt/scene/places.hpp"
 
@@ -38,32 +40,32 @@ struct MeshFile {
 struct BoxMesh {
   std::string part;
   Vec3 size;  ///< from the corner `at`
-  std::array<int, 3> elements;
+  mesh::Divisions<3> elements;
 };
 struct CylinderMesh {  ///< solid, butterfly section, axis z, foot centre at the origin
   std::string part;
   double radius = 0, length = 0;
-  std::array<int, 2> elements;  ///< across the radius, along the axis
-  std::array<int, 3> half{};    ///< of x, y, z: 1 keeps what is >= 0, -1 what is <= 0, 0 both
+  mesh::Divisions<2> elements;  ///< across the radius, along the axis
+  mesh::RoundForm half;         ///< the half that is kept, and the nose
 };
 struct SphereMesh {  ///< solid, centre at the origin
   std::string part;
   double radius = 0;
-  int elements = 0;           ///< across the radius
-  double finer = 1;           ///< elements at the lowest point so many times smaller
-  std::array<int, 3> half{};  ///< as of a cylinder
+  int elements = 0;   ///< across the radius
+  double finer = 1;   ///< elements at the lowest point so many times smaller
+  mesh::Half half{};  ///< of x, y, z: 1 keeps what is >= 0, -1 what is <= 0, 0 both
 };
 struct TubeMesh {  ///< axis z, foot centre at the origin
   std::string part;
   double inner_radius = 0, outer_radius = 0, length = 0;
-  std::array<int, 3> elements;  ///< through the wall, around the whole, along
-  std::array<int, 3> half{};    ///< as of a cylinder
+  mesh::Divisions<3> elements;  ///< through the wall, around the whole or the sector, along
+  mesh::RoundForm half;         ///< the half or the sector that is kept, and the nose
 };
 struct PlateMesh {  ///< in the x-y plane, centre of the lower face at the origin
   std::string part;
   std::array<double, 2> size;
   double thickness = 0;
-  std::array<int, 3> elements;
+  mesh::Divisions<3> elements;
 };
 struct MeshEntry {
   std::variant<MeshFile, BoxMesh, CylinderMesh, SphereMesh, TubeMesh, PlateMesh> body;

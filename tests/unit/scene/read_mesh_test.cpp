@@ -26,9 +26,9 @@ const std::array<std::string, 3> bodies{
     "tube: {{part: a, inner_radius: 1, outer_radius: 2, length: 1, elements: [1, 8, 1], {}}}"};
 
 std::array<int, 3> half_of(const MeshEntry& entry) {
-  if (const auto* body = std::get_if<CylinderMesh>(&entry.body)) return body->half;
+  if (const auto* body = std::get_if<CylinderMesh>(&entry.body)) return body->half.half;
   if (const auto* body = std::get_if<SphereMesh>(&entry.body)) return body->half;
-  return std::get<TubeMesh>(entry.body).half;
+  return std::get<TubeMesh>(entry.body).half.half;
 }
 
 }  // namespace

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a direction of a generated body is divided into elements: evenly, with growth, or by sizes at places.
+#pragma once
+#include <fmt/core.h>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace brunt::mesh {
+
+/// Elements at `place` have this size; between places the size changes linearly, beyond them it is constant.
+struct SizeAt {
+  double place = 0, size = 0;  ///< [length]
+  friend bool operator==(const SizeAt&, const SizeAt&) = default;
+};
+
+/// Counts as the number of its elements wherever a number is wanted.
+struct Division {
+  int cells = 1;
+  double bias = 1;            ///< size of the last element over that of the first, which grow in geometric progression
+  std::vector<SizeAt> sizes;  ///< if any: these say where the elements end, and `cells` is what they give
+
+  Division() = default;
+  Division(int count) : cells(count) {}   // NOLINT: a number of even elements
+  operator int() const { return cells; }  // NOLINT
+  [[nodiscard]] bool is_even() const { return bias == 1 && sizes.empty(); }
+  friend bool operator==(const Division&, const Division&) = default;
+};
+
+/// One for each direction of a body.
+template <std::size_t N>
+struct Divisions : std::array<Division, N> {
+  Divisions() = default;
+  Divisions(const std::array<int, N>& counts) {  // NOLINT: numbers of even elements
+    for (std::size_t i = 0; i < N; ++i) (*this)[i] = Division(counts[i]);
+  }
+  template <std::convertible_to<int>... Counts>
+  requires(sizeof...(Counts) == N && N > 1) Divisions(Counts... counts)
+      : std::array<Division, N>{Division(static_cast<int>(counts))...} {}  // NOLINT
+  friend bool operator==(const Divisions& a, const std::array<int, N>& counts) { return a == Divisions(counts); }
+  friend bool operator==(const Divisions&, const Divisions&) = default;
+};
+
+/// The division from `low` to `high` by sizes: ascending places within them, positive sizes. Each interval between
+/// places has a whole number of elements, so that each place is one of nodes. Throws InputError beyond `most`.
+Division by_sizes(const std::vector<SizeAt>& sizes, double low, double high);
+constexpr int most_by_sizes = 10'000'000;
+
+/// Ends of the elements, from `low` to `high`; even ones are low + (high - low) i / cells.
+std::vector<double> places(const Division& division, double low, double high);
+
+/// Elements from `low` to `place`, one of `sizes`.
+int cells_below(const Division& division, double low, double place);
+
+}  // namespace brunt::mesh
+
+template <>
+struct fmt::formatter<brunt::mesh::Division> {
+  constexpr auto parse(fmt::format_parse_context& context) { return context.begin(); }
+  template <class Context>
+  auto format(const brunt::mesh::Division& division, Context& context) const {
+    return fmt::format_to(context.out(), "{}", division.cells);
+  }
+};

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Generated bodies: how their directions are divided into elements, and the round ones.
+#pragma once
+#include <array>
+#include <string_view>
+
+#include "brunt/mesh/division.hpp"
+#include "brunt/scene/input.hpp"
+#include "brunt/scene/reader.hpp"
+
+namespace brunt::scene {
+
+/// Where a direction begins and ends; nothing is divided by sizes where `high` is not above `low`.
+struct Extent {
+  double low = 0, high = 0;
+  std::string_view what;   ///< the name of the direction, for messages
+  bool even_only = false;  ///< no growth and no sizes
+};
+
+/// The keys `elements` and `bias`; a fault where something is wrong, and an even division stays.
+bool read_divisions(Section& body, std::span<const Extent> extents, std::span<mesh::Division> divisions,
+                    std::string_view accepted);
+
+/// A mesh is held with 32-bit indices, and its numbers of nodes and corners must fit.
+void demand_countable(Section& body, double nodes, double elements);
+
+CylinderMesh read_cylinder(Section& body);
+SphereMesh read_sphere(Section& body);
+TubeMesh read_tube(Section& body);
+
+constexpr std::string_view part_name = "a name for the part";
+constexpr Count at_least_one{1};
+
+}  // namespace brunt::scene

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cylinders, spheres and tubes: what is kept of them, and their noses.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "read_bodies.hpp"
+
+namespace brunt::scene {
+namespace {
+
+/// An axis from 1, with the sign of the side that is kept.
+const Choices<int> sides_of_section{{{"x", 1}, {"-x", -1}, {"y", 2}, {"-y", -2}}, {}};
+const Choices<int> sides{{{"x", 1}, {"-x", -1}, {"y", 2}, {"-y", -2}, {"z", 3}, {"-z", -3}}, {}};
+
+constexpr double widest_element = 30;  ///< [degrees] around a sector: its area is 5 % less than the sector's
+
+/// `half`, a list of sides that are kept, at most one of an axis; `quarter` is the same with two of them.
+void read_half(Section& body, std::array<int, 3>& half, const Choices<int>& choices) {
+  const bool quarter = body.has("quarter");
+  if (body.has("half") && quarter)
+    return fault(body.at("quarter"), "half is given as well; accepted: one of them, such as quarter: [x, y]");
+  if (!body.has("half") && !quarter) return;
+  std::string words;
+  for (const auto& choice : choices.now) words += (words.empty() ? "" : ", ") + choice.first;
+  const std::string accepted = fmt::format("a list of {}{}", quarter ? "two of " : "", words);
+  const Key key = body.at(quarter ? "quarter" : "half");
+  const std::vector<Key> named = items(key, accepted, quarter ? 2 : 0);
+  if (named.empty() && key.tree->kind == Tree::Kind::list && key.tree->children.empty() && !quarter)
+    wrong(key, accepted);
+  for (const Key& one : named) {
+    int side = 0;
+    if (!read(one, side, choices)) continue;
+    int& kept = half[static_cast<std::size_t>(std::abs(side) - 1)];
+    if (kept != 0)
+      fault(one,
+            fmt::format("'{}': {} stands twice; accepted: each axis once", one.tree->text, "xyz"[std::abs(side) - 1]));
+    kept = side > 0 ? 1 : -1;
+  }
+}
+
+/// `sector: [from, to]`.
+void read_sector(Section& body, mesh::RoundForm& form) {
+  if (!body.has("sector")) return;
+  constexpr std::string_view accepted = "two angles in degrees [from, to], less than 360 apart";
+  const Key key = body.at("sector");
+  for (const char* other : {"half", "quarter"})
+    if (body.has(other)) return fault(key, fmt::format("{} is given as well; accepted: one of them", other));
+  std::array<double, 2> angles{};
+  if (!read(key, angles, any_number, accepted)) return;
+  const auto& [from, to] = angles;
+  if (!(to > from && to - from < 360 && std::abs(from) <= 360))
+    return fault(
+        key, fmt::format("from {} to {} is no sector; accepted: {}, from -360 to 360 at first", from, to, accepted));
+  form.sector = {from, to};
+}
+
+/// The length of a cone follows from its half angle, that from the axis to its side.
+void read_cone(Section& nose, mesh::Nose& form, double radius) {
+  const bool by_length = nose.has("length"), by_angle = nose.has("half_angle");
+  constexpr std::string_view accepted = "length or half_angle, one of them";
+  if (by_length && by_angle)
+    return fault(nose.at("half_angle"), fmt::format("length is given as well; accepted: {}", accepted));
+  if (by_length) {
+    nose.required("length", form.length, positive);
+  } else if (by_angle) {
+    double angle = 45;
+    nose.required("half_angle", angle, Range{0, 90, false, false, "an angle > 0 and < 90 degrees"});
+    form.length = (radius - form.tip_radius) / std::tan(angle * std::numbers::pi / 180);
+  } else {
+    lacking(nose.key(), {"length", "half_angle"}, fmt::format("a cone has no length; accepted: {}", accepted));
+  }
+}
+
+/// A blunt end with its edge cut off at 45 degrees is a short cone.
+void read_chamfer(Section& nose, mesh::Nose& form, double radius) {
+  double chamfer = 0;
+  if (!nose.optional("chamfer", chamfer, positive)) return;
+  if (chamfer >= radius)
+    return fault(nose.at("chamfer"),
+                 fmt::format("{} is not below the radius {}; accepted: a smaller one", chamfer, radius));
+  form = {.shape = mesh::Nose::Shape::cone, .length = chamfer, .tip_radius = radius - chamfer};
+}
+
+void read_flat_tip(Section& nose, mesh::Nose& form, double radius, double inner) {
+  if (!nose.optional("tip_radius", form.tip_radius, positive)) return;
+  if (form.tip_radius > inner && form.tip_radius < radius) return;
+  fault(nose.at("tip_radius"),
+        fmt::format("{} is out of range; accepted: a number > {} and < {}", form.tip_radius, inner, radius));
+  form.tip_radius = 0;
+}
+
+void read_nose(Section& body, mesh::Nose& form, double radius, double inner, int through) {
+  if (!body.has("nose")) return;
+  using Shape = mesh::Nose::Shape;
+  Section nose(body.at("nose"), "a map {shape: blunt, hemisphere, cone or ogive, ...}");
+  if (!nose.is_map() || radius <= inner) return;
+  if (!nose.required("shape", form.shape,
+                     Choices<Shape>{{{"blunt", Shape::none},
+                                     {"hemisphere", Shape::hemisphere},
+                                     {"cone", Shape::cone},
+                                     {"ogive", Shape::ogive}},
+                                    {}}))
+    return;
+  if (form.shape == Shape::none)
+    read_chamfer(nose, form, radius);
+  else if (form.shape != Shape::hemisphere)
+    read_flat_tip(nose, form, radius, inner);
+  if (form.shape == Shape::cone && form.length == 0) read_cone(nose, form, radius);
+  if (form.shape == Shape::ogive)
+    nose.required("crh", form.crh,
+                  Range{0.5, infinity, true, false, "a number >= 0.5, the radius of its arc over the diameter"});
+  if (form.tip_radius > 0)
+    nose.optional("elements", form.elements, at_least_one);
+  else if (form.shape != Shape::none && through < 2)
+    fault(body.at("elements"),
+          fmt::format("{} across the wall leaves no room for a pointed nose; accepted: at least 2", through));
+}
+
+void check_around(Section& body, const TubeMesh& tube) {
+  const int around = tube.elements[1];
+  const auto& [half, sector, nose] = tube.half;
+  if (sector.cuts()) {
+    const int least = static_cast<int>(std::ceil((sector.to - sector.from) / widest_element));
+    if (around < least)
+      fault(body.at("elements"), fmt::format("{} around makes elements of {:g} degrees; accepted: at least {} around",
+                                             around, (sector.to - sector.from) / around, least));
+    return;
+  }
+  if (around < 3) {
+    fault(body.at("elements"), fmt::format("{} around do not close; accepted: at least 3 around", around));
+    return;
+  }
+  const int parts = (half[0] != 0 ? 2 : 1) * (half[1] != 0 ? 2 : 1);
+  if (around % parts != 0)
+    fault(body.at("elements"),
+          fmt::format("{} elements around the whole cannot be cut into {} equal parts; accepted: a "
+                      "multiple of {} around",
+                      around, parts, parts));
+}
+
+}  // namespace
+
+CylinderMesh read_cylinder(Section& body) {
+  CylinderMesh cylinder{.part = {}, .elements = {1, 1}, .half = {}};
+  body.required("part", cylinder.part, part_name);
+  body.required("radius", cylinder.radius, positive);
+  body.required("length", cylinder.length, positive);
+  const std::array<Extent, 2> extents{
+      {{0, cylinder.radius, "across the radius"}, {0, cylinder.length, "along the axis"}}};
+  read_divisions(body, extents, cylinder.elements, "two integers >= 1 [across the radius, along the axis]");
+  read_half(body, cylinder.half.half, sides_of_section);
+  if (body.has("sector"))
+    fault(body.at("sector"), "a cylinder has halves and quarters; accepted: a tube with inner_radius: 0 for a sector");
+  read_nose(body, cylinder.half.nose, cylinder.radius, 0, 2);
+  const double across = cylinder.elements[0], along = cylinder.elements[1];
+  demand_countable(body, 4 * (across + 1) * (across + 1) * (along + 1), 4 * across * across * along);
+  return cylinder;
+}
+
+SphereMesh read_sphere(Section& body) {
+  SphereMesh sphere{.part = {}, .elements = 1};
+  body.required("part", sphere.part, part_name);
+  body.required("radius", sphere.radius, positive);
+  body.required("elements", sphere.elements, at_least_one);
+  body.optional("finer", sphere.finer, Range{1, infinity, true, false, "a number >= 1"});
+  read_half(body, sphere.half, sides);
+  if (sphere.finer > 1 && sphere.half[2] > 0)
+    fault(body.at(body.has("half") ? "half" : "quarter"),
+          "z keeps the pole that finer does not refine; accepted: -z, or no half along z");
+  const double across = sphere.elements;
+  demand_countable(body, 8 * (across + 1) * (across + 1) * (across + 1), 8 * across * across * across);
+  return sphere;
+}
+
+TubeMesh read_tube(Section& body) {
+  TubeMesh tube{.part = {}, .elements = {1, 3, 1}, .half = {}};
+  body.required("part", tube.part, part_name);
+  read_sector(body, tube.half);
+  const bool sector = tube.half.sector.cuts();
+  const bool inner = body.required("inner_radius", tube.inner_radius, sector ? not_negative : positive);
+  const bool outer = body.required("outer_radius", tube.outer_radius, positive);
+  if (inner && outer && tube.outer_radius <= tube.inner_radius) {
+    fault(body.at("outer_radius"), fmt::format("{} is not larger than inner_radius {}; accepted: a larger one",
+                                               tube.outer_radius, tube.inner_radius));
+  }
+  body.required("length", tube.length, positive);
+  const std::array<Extent, 3> extents{{{tube.inner_radius, inner && outer ? tube.outer_radius : 0, "through the wall"},
+                                       {0, 0, "around", true},
+                                       {0, tube.length, "along the axis"}}};
+  read_divisions(body, extents, tube.elements, "three integers >= 1 [through the wall, around, along]");
+  read_half(body, tube.half.half, sides_of_section);
+  check_around(body, tube);
+  read_nose(body, tube.half.nose, inner && outer ? tube.outer_radius : 0, tube.inner_radius, tube.elements[0]);
+  const double through = tube.elements[0], around = tube.elements[1], along = tube.elements[2];
+  demand_countable(body, (through + 1) * around * (along + 1), through * around * along);
+  return tube;
+}
+
+}  // namespace brunt::scene
