@@ -97,7 +97,8 @@ void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalInde
     if constexpr (std::decay_t<decltype(kernel.law)>::hyperelastic)
       gather_reference<nodes>(seen, model.reference.data(), motion);
     kernel(motion, remembered, after + memory, out);
-    if (kept.bounds != nullptr) keep_bounds<nodes>(collapse, batch, Kernel::history_size, kept, after + memory, out);
+    if (kept.bounds != nullptr)
+      keep_bounds<nodes>(collapse, kernel.law.density, batch, Kernel::history_size, kept, after + memory, out);
     if (living != every_lane) repeated.take_off(living, after + memory);
     if (kept.force != nullptr) keep_forces<nodes>(out.f, motion.v, living, batch, kept);
     const int lanes = std::min(pack_width, block.count - batch * pack_width);

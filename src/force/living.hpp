@@ -85,13 +85,14 @@ struct Collapse {
   }
 };
 
-/// Keeps rate and volume of a batch. Lanes without volume have no forces and forget all but their mass; they and those
-/// that are too quick leave the bounds of the step.
+/// Keeps rate and volume of a batch, the volume over that of the reference. Lanes without volume have no forces and
+/// forget all but their mass; they and those that are too quick leave the bounds of the step.
 template <int nodes>
-BRUNT_INLINE void keep_bounds(const Collapse& collapse, LocalIndex batch, int history_size, const KeptForces& kept,
-                              Pack* history, element::BatchForce<nodes>& out) {
+BRUNT_INLINE void keep_bounds(const Collapse& collapse, double density, LocalIndex batch, int history_size,
+                              const KeptForces& kept, Pack* history, element::BatchForce<nodes>& out) {
+  const Pack mass = history[0];
   kept.bounds[2 * batch] = out.rate;
-  kept.bounds[2 * batch + 1] = out.volume;
+  kept.bounds[2 * batch + 1] = out.volume * density / mass;
   if (!collapse.is_taken) return;
   const PackMask folded = ~(out.volume > 0.0);
   const PackMask gone = folded | ~(out.rate <= collapse.largest_rate);

@@ -75,16 +75,15 @@ material::Rigid read_rigid(Section& material) {
 }
 
 material::Law read_law(Section& material) {
-  static const Choices<Model> models{
-      {{"elastic", Model::elastic},
-       {"j2", Model::j2},
-       {"neo_hookean", Model::neo_hookean},
-       {"johnson_cook", Model::johnson_cook},
-       {"piecewise_linear", Model::piecewise_linear},
-       {"hydrodynamic", Model::hydrodynamic},
-       {"crushable_foam", Model::crushable_foam},
-       {"rigid", Model::rigid}},
-      {}};
+  static const Choices<Model> models{{{"elastic", Model::elastic},
+                                      {"j2", Model::j2},
+                                      {"neo_hookean", Model::neo_hookean},
+                                      {"johnson_cook", Model::johnson_cook},
+                                      {"piecewise_linear", Model::piecewise_linear},
+                                      {"hydrodynamic", Model::hydrodynamic},
+                                      {"crushable_foam", Model::crushable_foam},
+                                      {"rigid", Model::rigid}},
+                                     {}};
   Model model{};
   if (!material.required("model", model, models)) {
     for (const std::string& name : material.key().tree->keys) material.has(name);  // whose keys, nobody knows

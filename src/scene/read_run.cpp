@@ -21,9 +21,9 @@ void read_wall_limit(const Key& key, Run& run) {
 }
 
 void read_fields(const Key& key, Output& output) {
-  static const std::vector<std::string> fields{"displacement",     "velocity", "stress", "plastic_strain",
-                                               "contact_pressure", "gap",      "mass",   "temperature",
-                                               "damage",           "strain_rate", "relative_volume", "energy"};
+  static const std::vector<std::string> fields{
+      "displacement", "velocity",    "stress", "plastic_strain", "contact_pressure", "gap",
+      "mass",         "temperature", "damage", "strain_rate",    "relative_volume",  "energy"};
   output.fields.clear();
   for (const Key& entry : items(key, "a list of fields, such as [displacement, velocity, stress]")) {
     const std::size_t chosen = read_choice(entry, fields, {});

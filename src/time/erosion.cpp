@@ -5,7 +5,6 @@
 #include <cmath>
 #include <span>
 
-#include "brunt/material/law.hpp"
 #include "brunt/time/removal.hpp"
 
 namespace brunt::time {
@@ -46,7 +45,6 @@ class Histories {
     return counted(rule == Erosion::Points::any ? largest : sum / points);
   }
 
-  [[nodiscard]] double mass(LocalIndex e) const { return at(0, e); }
   [[nodiscard]] double rate(LocalIndex e) const { return bound(0, e); }
   [[nodiscard]] double volume(LocalIndex e) const { return bound(1, e); }
 
@@ -81,9 +79,7 @@ GlobalIndex* met(const model::ElementBlock& block, const Histories& histories, L
       return &count.pressure;
   }
   if (!erosion.takes_collapsed()) return nullptr;
-  const double density = material::initial_moduli(block.law).density;
-  const double relative = histories.volume(e) * density / histories.mass(e);
-  if (!(relative > erosion.volume.value_or(0))) return &count.volume;
+  if (!(histories.volume(e) > erosion.volume.value_or(0))) return &count.volume;
   if (!(histories.rate(e) * erosion.step.value_or(0) <= 1)) return &count.step;
   return nullptr;
 }

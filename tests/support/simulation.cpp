@@ -67,8 +67,8 @@ void Simulation::step(std::optional<double> dt) {
     report.dt_mean = 0.5 * (state.dt + *dt);
   }
   const auto gone = [](GlobalIndex count) { return count > 0; };
-  bool changed = time::removal_is_due(model, state) &&
-                 std::ranges::any_of(time::remove_elements(links.ranks, model, state), gone);
+  bool changed =
+      time::removal_is_due(model, state) && std::ranges::any_of(time::remove_elements(links.ranks, model, state), gone);
   for (const time::ErosionCount& count : time::erode(links.ranks, model, state, scratch))
     changed = changed || gone(count.all());
   if (changed && contact) {

@@ -19,7 +19,7 @@ BRUNT_INLINE Number bulk_viscosity(const BulkViscosity& bulk, Modulus modulus, N
 /// Accounts: energy, then the viscous stress times volume at the end of the step. Returns the work [energy].
 template <class Number>
 BRUNT_INLINE Number book_bulk_work(const Pack* committed, Number* trial, Number viscous_stress, Number volume,
-                                 Number volume_rate, double dt) {
+                                   Number volume_rate, double dt) {
   const Number now = viscous_stress * volume;
   const Number work = (0.5 * dt) * (committed[1] + now) * volume_rate;
   trial[0] = committed[0] + work;

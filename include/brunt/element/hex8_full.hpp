@@ -144,8 +144,8 @@ struct Hex8Full {
                                      const PointMemory<const Pack>& committed, const PointMemory<Number>& trial,
                                      Number (&s)[6], hex8_full_detail::BoundSums& bounds) const;
   template <class Number>
-  BRUNT_INLINE Number damp(const Motion<Number>& motion, const Number (&S)[6], const Pack* committed,
-                           Number* trial, Number& work) const;
+  BRUNT_INLINE Number damp(const Motion<Number>& motion, const Number (&S)[6], const Pack* committed, Number* trial,
+                           Number& work) const;
   BRUNT_INLINE auto mean_modulus(const Pack* committed) const;
 };
 

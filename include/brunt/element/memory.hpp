@@ -9,7 +9,9 @@ namespace brunt::element {
 
 /// Laws with rates or an equation of state: they are told of circumstances (material/circumstances.hpp).
 template <class Response>
-concept Thermodynamic = requires { requires Response::thermodynamic; };
+concept Thermodynamic = requires {
+  requires Response::thermodynamic;
+};
 
 /// Where one integration point's part of a memory begins.
 template <class Number>
@@ -19,8 +21,8 @@ struct PointMemory {
 };
 
 /// Doubles of one element with `points` integration points, in this order: mass (set once by the model), all stresses
-/// (xx,yy,zz,xy,yz,zx a point), all tensors of the law, all its scalars (a name after the other, its points together), then energy and last force of bulk viscosity,
-/// and ln V of all points where the law follows the logarithmic rate.
+/// (xx,yy,zz,xy,yz,zx a point), all tensors of the law, all its scalars (a name after the other, its points together),
+/// then energy and last force of bulk viscosity, and ln V of all points where the law follows the logarithmic rate.
 template <class Response, int points>
 struct SolidMemory {
   static constexpr int at_mass = 0;
@@ -33,8 +35,8 @@ struct SolidMemory {
 
   template <class Number>
   static PointMemory<Number> point(Number* history, int p = 0) {
-    return {history + at_stress + 6 * p, history + at_tensors + 6 * Response::tensors * p,
-            history + at_scalars + p, history + at_log_strain + 6 * p, points};
+    return {history + at_stress + 6 * p, history + at_tensors + 6 * Response::tensors * p, history + at_scalars + p,
+            history + at_log_strain + 6 * p, points};
   }
 
   static std::vector<HistoryField> fields([[maybe_unused]] const Response& law) {

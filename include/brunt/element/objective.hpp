@@ -99,9 +99,8 @@ BRUNT_INLINE Number update_stress(const Response& law, const StrainStep<Number>&
 /// Of a law that is told of circumstances, with its tangent at the end of the step.
 template <class Response>
 BRUNT_INLINE Pack update_stress(const Response& law, const StrainStep<Pack>& step,
-                                const typename Response::Step& circumstances,
-                                const PointMemory<const Pack>& committed, const PointMemory<Pack>& trial, Pack (&s)[6],
-                                Pack& lambda, Pack& mu) {
+                                const typename Response::Step& circumstances, const PointMemory<const Pack>& committed,
+                                const PointMemory<Pack>& trial, Pack (&s)[6], Pack& lambda, Pack& mu) {
   return follow_stress<Response>(step, committed, trial, s, [&](Pack(&stress)[6], Pack*, Pack* scalars) {
     const Pack left = law.update(step.strain, circumstances, stress, scalars);
     law.tangent(stress, scalars, lambda, mu);

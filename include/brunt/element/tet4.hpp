@@ -91,9 +91,9 @@ void Tet4<Response>::operator()(const BatchMotion<4, Number>& in, const Pack* co
   const Number volume_rate = L[0] + L[4] + L[8];
   const Number viscosity =
       bulk_viscosity(bulk, wave_modulus(law, Memory::point(committed)), mass * volume / largest, volume_rate);
-  [[maybe_unused]] const Number viscous_work = book_bulk_work(
-      committed + Memory::at_bulk_energy, trial + Memory::at_bulk_energy, viscosity * volume_rate, volume,
-                 volume_rate, in.dt);
+  [[maybe_unused]] const Number viscous_work =
+      book_bulk_work(committed + Memory::at_bulk_energy, trial + Memory::at_bulk_energy, viscosity * volume_rate,
+                     volume, volume_rate, in.dt);
 
   Number s[6];
   [[maybe_unused]] Pack lambda, mu;

@@ -193,7 +193,8 @@ struct Scratch {
   /// was done with v_{n+1/2}.
   std::vector<AlignedVector<double>> element_force, element_power;
   std::vector<std::vector<double>> last_work;
-  /// Of blocks that erode, else empty: of each element 1 / (stable step) and volume at t_n, [batch][2][lane].
+  /// Of blocks that erode, else empty: of each element at t_n 1 / (stable step), and volume over that of the reference,
+  /// [batch][2][lane].
   std::vector<AlignedVector<double>> element_bounds;
   std::vector<Vec3> before;           ///< v_{n-1/2} of the deferred nodes (with damping: of all), by node; or empty
   std::vector<Vec3> reaction;         ///< impulse of each constrained node in this step

@@ -163,10 +163,11 @@ TEST_CASE("the history goes home: on all ranks, on one, and the run goes on to t
   MassPoints amnesiac = pressed_plates(self);
   contact::Contact fresh = amnesiac.make_contact(settings);
   press(amnesiac, fresh, 20);
-  contact::restore_history(
-      contact::HistoryTables{
-          {{.name = "", .key_width = 4}, {.name = "", .key_width = 5}, {.name = "", .key_width = 4}}},
-      fresh);
+  contact::restore_history(contact::HistoryTables{{{.name = "", .key_width = 4},
+                                                   {.name = "", .key_width = 5},
+                                                   {.name = "", .key_width = 4},
+                                                   {.name = "", .key_width = 4}}},
+                           fresh);
   press(amnesiac, fresh, 10);
   CHECK(amnesiac.all_velocities() != expected);
 }
