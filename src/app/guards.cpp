@@ -26,11 +26,14 @@ void observe(const time::Ledger& ledger, Extremes& seen) {
   seen.largest_energy = std::max({seen.largest_energy, bodies, std::abs(ledger.external)});
   seen.largest_internal = std::max(seen.largest_internal, ledger.internal);
   seen.momentum_scale = std::max(seen.momentum_scale, ledger.momentum_scale);
-  if (seen.largest_energy > 0)
-    seen.error_ratio = std::max(seen.error_ratio, std::abs(ledger.total() - seen.start_total) / seen.largest_energy);
+  seen.largest_error = std::max(seen.largest_error, std::abs(ledger.total() - seen.start_total));
   const Vec3 start(seen.start_momentum[0], seen.start_momentum[1], seen.start_momentum[2]);
   if (seen.momentum_scale > 0)
     seen.momentum_error = std::max(seen.momentum_error, (own_momentum - start).norm() / seen.momentum_scale);
+}
+
+double error_ratio(const Extremes& seen) {
+  return seen.largest_energy > 0 ? seen.largest_error / seen.largest_energy : 0.0;
 }
 
 double rounding_energy(double mass, double extent, double edge, double dt) {

@@ -17,12 +17,16 @@ struct Extremes {
   double largest_energy = 0;    ///< largest of start_total, kinetic + internal, |external|: the scale of errors
   double largest_bodies = 0;    ///< largest of start_total, kinetic + internal
   double largest_internal = 0;  ///< [energy]
-  double error_ratio = 0;       ///< largest |total - start| over largest_energy as it was then
+  double largest_error = 0;     ///< largest |total - start_total| [energy]
   double start_momentum[3] = {0, 0, 0};  ///< less what was given [momentum]
   double momentum_error = 0;             ///< largest |p - p0 - impulses given| over the largest sum of m |v|
   double momentum_scale = 0;             ///< largest sum of m |v|, and |p0| [momentum]
 };
 constexpr int extremes_width = sizeof(Extremes) / sizeof(double);
+
+/// Largest change of the total over the largest energy, both of the run so far. Of each step by itself the first ones
+/// of a run from rest would divide rounding by no energy.
+double error_ratio(const Extremes& seen);
 
 /// Takes a ledger into account.
 void observe(const time::Ledger& ledger, Extremes& seen);

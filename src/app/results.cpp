@@ -223,7 +223,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   summary["energy"] = {{"kinetic", e.kinetic},   {"internal", e.internal}, {"hourglass", e.hourglass},
                        {"bulk", e.bulk},         {"damping", e.damping},   {"contact", e.contact},
                        {"friction", e.friction}, {"walls", e.walls},       {"external", e.external},
-                       {"eroded", e.eroded},     {"total", e.total()},     {"error_ratio", run_.extremes.error_ratio}};
+                       {"eroded", e.eroded},     {"total", e.total()},     {"error_ratio", error_ratio(run_.extremes)}};
   summary["momentum_error"] = run_.extremes.momentum_error;
   // of bodies at rest the momentum is nothing, while their impulses sum up with time, and with them what rounding
   // leaves

@@ -32,7 +32,7 @@ DetectionSettings derived_detection(const ContactSettings& settings, const Surfa
   detection.criterion = settings.specification.criterion;
   detection.sound = sound_of(surface.bodies, settings.blocks.sound);
   detection.flush = surface.flush;
-  detection.coincidence = detection.tolerances->coincidence * surface.mean_element_depth;
+  detection.coincidence_distance = detection.tolerances->coincidence * surface.mean_element_depth;
   return detection;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace brunt::scene {
 namespace {
@@ -44,8 +45,12 @@ void read_rebuild(const Key& key, Rebuild& rebuild) {
     rebuild = {key.tree->text == "auto" ? Rebuild::When::motion_used_up : Rebuild::When::random};
     return;
   }
-  rebuild = {Rebuild::When::every};
-  read(key, rebuild.steps, Count{1});
+  static const Range steps{1, 1e9, true, true, "auto, random or an integer from 1 to 1000000000"};
+  double number = 1;
+  if (!read(key, number, steps)) return;
+  if (std::trunc(number) != number)
+    fault(key, fmt::format("{} is no integer; accepted: {}", key.tree->text, steps.words));
+  rebuild = {Rebuild::When::every, static_cast<int>(number)};
 }
 
 void read_figures(Section& from, Enforcement& enforcement) {
@@ -80,6 +85,7 @@ EnforcementReader::EnforcementReader(Section& scene, Input& input) : input_(inpu
   if (!scene.has("enforcement")) return;
   section_.emplace(scene.at("enforcement"), "a map {method: rate, tolerance: 1.0e-3, ...}");
   read_figures(*section_, input.enforcement);
+  if (section_->has("softness")) softness_ = section_->at("softness");
 }
 
 void EnforcementReader::read_entry(const Key& whole, Section& entry) {
@@ -90,12 +96,17 @@ void EnforcementReader::read_entry(const Key& whole, Section& entry) {
       fault(entry.at(figure.name),
             fmt::format("{}, but enforcement.{} is {}; accepted: one of the two, or the same value",
                         entry.at(figure.name).tree->text, figure.name, section_->at(figure.name).tree->text));
+  if (entry.has("softness")) softness_ = entry.at("softness");
   judge_figures(entry);
   if (input_.enforcement.settings.method == Method::printed && !section_has("method"))
     warn(whole, "method printed over-corrects: it rebounds and may not converge; for comparisons", input_);
 }
 
 void EnforcementReader::judge() {
+  if (softness_ && input_.enforcement.settings.softness > 0 &&
+      std::ranges::any_of(input_.contact,
+                          [](const ContactEntry& entry) { return entry.passes == contact::Passes::averaged; }))
+    warn(*softness_, "does nothing where some contact has passes: averaged", input_);
   if (!section_) return;
   if (input_.contact.empty() && input_.rigid_walls.empty())
     warn(section_->key(), "does nothing without contact or rigid_walls", input_);

@@ -26,6 +26,7 @@ class EnforcementReader {
 
   Input& input_;
   std::optional<Section> section_;
+  std::optional<Key> softness_;  ///< where it is given last
 };
 
 }  // namespace brunt::scene

@@ -136,8 +136,9 @@ std::vector<InitialOverlap> push_all_out(mesh::Mesh& mesh, const StartRules& rul
     const bool slaves_first = std::ranges::any_of(gaps.overlaps, is_slave);
     std::erase_if(gaps.overlaps,
                   [&](const InitialOverlap& o) { return is_slave(o) != slaves_first || o.face[0] == no_index; });
+    const contact::Tolerances& tolerances = *rules.contact.tolerances;
     double deepest = 1;  // nodes behind one face push the same corners: they agree in some rounds
-    for (int round = 0; round < most_rounds && deepest > 0.1 * rules.contact.tolerances->touching; ++round) {
+    for (int round = 0; round < most_rounds && deepest > tolerances.slight * tolerances.touching; ++round) {
       deepest = 0;
       for (const InitialOverlap& overlap : gaps.overlaps)
         deepest = std::max(deepest, push_out(overlap, slaves_first, mesh.coordinates));

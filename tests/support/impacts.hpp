@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bodies of random shape, mesh, material, attitude and speed that run into each other, and what is seen of it.
 #pragma once
+#include <array>
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -40,10 +42,19 @@ ImpactFigures run_impact(unsigned seed, const std::string& passes);
 enum class Criterion {
   depth,    ///< held nodes 1e-2 of an edge deep at most, in the middle of faces, and no more than 1e-2 unreported
   reports,  ///< rows are no deeper than twice what is there, and 0.02 of an edge
-  energy    ///< contact gives back 1e-3 of the energy at most
+  energy,   ///< contact gives back 1e-3 of the energy at most
+  given,    ///< on the whole it gives 1e-4 of the energy at most at any time
+  edges     ///< points on edges, and nodes of a side that is not held, 0.05 of an edge deep at most
 };
+constexpr std::array criteria{Criterion::depth, Criterion::reports, Criterion::energy, Criterion::given,
+                              Criterion::edges};
 constexpr double limit_of(Criterion criterion) {
-  return criterion == Criterion::depth ? 1e-2 : criterion == Criterion::reports ? 0.02 : 1e-3;
+  constexpr std::array limits{1e-2, 0.02, 1e-3, 1e-4, 0.05};
+  return limits[static_cast<std::size_t>(criterion)];
+}
+/// One pass holds the nodes of one side alone: what that leaves of edges and of the other side is not judged.
+inline bool is_judged(Criterion criterion, const std::string& passes) {
+  return criterion != Criterion::edges || passes != "one";
 }
 /// What is judged by it.
 double figure_of(const ImpactFigures& figures, Criterion criterion);

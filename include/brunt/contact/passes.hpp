@@ -6,9 +6,12 @@
 // (Taylor and Papadopoulos 1991), which neither one pass nor the mean of two does; and contact does no work but that of
 // recovery, while a mean of two solutions pushes open in one what the other closes. What tells the rows of the two
 // sides apart are weak eigenvalues, 1e-5 of the largest on fine meshes: rigid rows take iterations that grow with the
-// patch. Rows of one pass are therefore soft by default (EnforcementSettings::softness, enforcement/softness.hpp),
-// which bounds them from below; even pressure then passes to 0.7 .. 2.4 %. Penalties, the kinematic predictor and the
-// printed method, which would push twice, take the mean of both passes (see enforcement/averaged.hpp).
+// patch. By default rows between deformable bodies are rigid all the same (EnforcementSettings::softness = 0), and rows
+// between rigid bodies have a softness of 0.05 (softness_of_bodies). Where a scene gives a `softness`, rows that hold
+// in one of the two passes alone have it too: that bounds the eigenvalues from below (enforcement/softness.hpp), and
+// even pressure errs by 1 to 2.4 % with 0.05 (table in cases/README.md, "Softness of contact"). Penalties, the
+// kinematic predictor and the printed method, which would push twice, take the mean of both passes (see
+// enforcement/averaged.hpp).
 #pragma once
 #include <span>
 

@@ -27,7 +27,7 @@ bool has_corner(const MasterFace& face, LocalIndex node) {
 }
 
 /// Cosine between the normal and the reversed one of a facet [-1, 1].
-double opposition(const NodeOnSurface& node, LocalIndex facet, const Vec3& normal) {
+double facing(const NodeOnSurface& node, LocalIndex facet, const Vec3& normal) {
   const double cosine = -node.facet_normal[static_cast<std::size_t>(facet)].dot(normal);
   return node.two_sided ? std::abs(cosine) : cosine;
 }
@@ -79,7 +79,7 @@ bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, st
       around.corners += scene.motion[static_cast<std::size_t>(corner)].position - node.motion.position;
     double face_lies = 0;
     for (std::size_t i = 0; i < facets; ++i) {
-      const double cosine = opposition(node, node.facets[i], normal);
+      const double cosine = facing(node, node.facets[i], normal);
       face_lies = std::max(face_lies, cosine);
       facet_lies[i] = std::max(facet_lies[i], cosine);
     }
@@ -109,7 +109,7 @@ void list_coincident_nodes(std::span<const MasterFace> faces, std::span<const Ve
                            const DetectionSettings& settings, Candidates& candidates) {
   candidates.coincident.clear();
   if (candidates.second.empty()) return;
-  const double within = (settings.coincidence + 2 * motion) *
+  const double within = (settings.coincidence_distance + 2 * motion) *
                         (1 + settings.tolerances->rounding);  // what is later measured is rounded otherwise
   const auto place = [&](LocalIndex node) -> const Vec3& { return positions[static_cast<std::size_t>(node)]; };
   for (LocalIndex s = 0; s < candidates.faces.rows(); ++s) {

@@ -146,12 +146,7 @@ bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> moti
 
 void detect_path_hits(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
                       std::span<Encounter> encounters) {
-  double most = 0;
-  for (const Encounter& e : encounters)
-    if (!std::isnan(e.height)) most = std::max(most, e.opposition);
-  const auto is_opposed = [&](const Encounter& e) {
-    return e.height > 0 && e.opposition > 0 && e.opposition >= tolerances.slight * most;
-  };
+  const auto is_opposed = [](const Encounter& e) { return e.height > 0 && is_admissible(e); };
   for (Encounter& e : encounters) {
     const bool settled = e.meeting == Meeting::above && e.slow;
     if (is_opposed(e) && !settled) find_hit(scene, slave, e);

@@ -126,7 +126,7 @@ void list_faces_of_body(const FacesInMotion& scene, const DetectionSettings& set
   const bool held =
       !slave.coincident.empty() &&
       is_held_by_coincident_node(scene, {slave.motion, slave.facets, facet_normal, slave.half_thickness > 0}, near,
-                                 slave.coincident, settings.coincidence, *settings.tolerances);
+                                 slave.coincident, settings.coincidence_distance, *settings.tolerances);
   const std::size_t first = encounters.size();
   bool two_sided = false;
   for (std::size_t i = 0; i < near.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -49,14 +50,12 @@ class Neighbourhood {
   [[nodiscard]] bool is_near(const Encounter& e) const {
     return distance_to_face(e) <= tolerances_.reach(e.size, face_of(e).element_depth) + e.approach.clearance;
   }
-  [[nodiscard]] double best_opposition() const {
-    double best = 0;
-    for (const Encounter& e : encounters_)
-      if (is_near(e)) best = std::max(best, e.opposition);
-    return best;
+  [[nodiscard]] bool any_is_admissible() const {
+    return std::ranges::any_of(encounters_, [&](const Encounter& e) { return is_near(e) && is_admissible(e); });
   }
-  [[nodiscard]] bool competes(const Encounter& other, const Encounter& e) const {
-    return other.opposition >= tolerances_.slight * e.opposition;
+  /// A side has no say against an admissible face.
+  [[nodiscard]] static bool competes(const Encounter& other, const Encounter& e) {
+    return is_admissible(other) || !is_admissible(e);
   }
   [[nodiscard]] bool in_one_direction(const Encounter& one, const Encounter& other) const {
     return same_direction(one.normal, other.normal, tolerances_.same_direction);
@@ -66,10 +65,10 @@ class Neighbourhood {
   /// say yes?
   template <class Visit>
   [[nodiscard]] bool all_around(const Encounter& e, Visit&& visit) const {
-    const auto [first, second] = nodes_of_feature(face_of(e), e.region);
+    const std::array<LocalIndex, 2> nodes = nodes_of_feature(face_of(e), e.region);
     return std::ranges::all_of(encounters_, [&](const Encounter& other) {
       if (&other == &e || !is_near(other)) return true;
-      return !has_node(face_of(other), first) || !has_node(face_of(other), second) || visit(other);
+      return !has_node(face_of(other), nodes[0]) || !has_node(face_of(other), nodes[1]) || visit(other);
     });
   }
 
@@ -126,7 +125,7 @@ class Neighbourhood {
     if (nearest.face == nullptr) return nearest;
     double height = 0;
     for (const Encounter& e : encounters_) {
-      if (!is_near(e) || (e.point - nearest.face->point).norm() > geometry::face_tolerance * e.size) continue;
+      if (!is_near(e) || (e.point - nearest.face->point).norm() > tolerances_.rounding * e.size) continue;
       height += angle_at_point(e) * e.height;
     }
     if (height <= 0) nearest.distance = -nearest.distance;
@@ -146,12 +145,12 @@ class Neighbourhood {
     const bool deep = -e.height > rim;
     if (!deep && std::ranges::none_of(encounters_, [](const Encounter& other) { return other.height > 0; }))
       return Meeting::inside;  // nearly always
-    const double best = deep ? best_opposition() : 0;
+    const bool sides_count = deep && !any_is_admissible();
     const Nearest found = nearest([&](const Encounter& other) {
       const auto is_clear = [&] {
         return other.height > 0 && distance_to_face(other) > tolerances_.touching * other.size;
       };
-      if (deep) return other.opposition >= tolerances_.slight * best || is_clear();
+      if (deep) return is_admissible(other) || sides_count || is_clear();
       return competes(other, e);
     });
     if (found.face == nullptr || found.face == &e || !falls_away(e, *found.face, deep)) return Meeting::inside;

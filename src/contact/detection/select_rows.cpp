@@ -32,17 +32,15 @@ struct Selection {
 /// Those to keep come first; returns how many. In a valley both slopes are met, also the one that a slave's surface
 /// opposes but little; around a convex edge that one is a side along which bodies lie flush.
 std::size_t remove_unopposed(const Selection& selection, std::span<Encounter> encounters) {
-  const Tolerances& tolerances = selection.tolerances;
   const auto less = [](const Encounter& a, const Encounter& b) {
     return (a.meeting == Meeting::none ? -1 : a.opposition) < (b.meeting == Meeting::none ? -1 : b.opposition);
   };
   const auto found = std::ranges::max_element(encounters, less);
-  if (found == encounters.end() || found->meeting == Meeting::none || found->opposition <= tolerances.rounding)
-    return 0;                     // what rounding leaves of surfaces at right angles opposes nothing
+  if (found == encounters.end() || found->meeting == Meeting::none || !is_admissible(*found)) return 0;
   const Encounter best = *found;  // a copy: the others are moved
   const auto end = std::remove_if(encounters.begin(), encounters.end(), [&](const Encounter& e) {
-    if (e.meeting == Meeting::none || e.opposition < tolerances.slight * best.opposition) return true;
-    return e.opposition < tolerances.competing * best.opposition &&
+    if (e.meeting == Meeting::none || !is_admissible(e)) return true;
+    return e.opposition < selection.tolerances.competing * best.opposition &&
            !(selection.same_body(e, best) && selection.concave(e, best));
   });
   return static_cast<std::size_t>(end - encounters.begin());

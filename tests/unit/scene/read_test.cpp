@@ -361,6 +361,16 @@ TEST_CASE("enforcement is a section of its own; entries of contact may say the s
   CHECK_THAT(useless.warnings[1], Catch::Contains("enforcement.damping: does nothing but with method penalty"));
 }
 
+TEST_CASE("softness does nothing where passes are averaged, and a warning says so", "[scene]") {
+  const Input averaged = read_with({"contact.0.slave=auto", "contact.0.passes=averaged", "contact.0.softness=0.1"});
+  REQUIRE(averaged.warnings.size() == 1);
+  CHECK_THAT(averaged.warnings[0], Catch::Contains("contact.0.softness: does nothing where some contact has passes"));
+  CHECK(read_with({"contact.0.slave=auto", "contact.0.passes=two", "contact.0.softness=0.1"}).warnings.empty());
+  CHECK(read_with({"contact.0.slave=auto", "contact.0.passes=averaged", "contact.0.softness=0"}).warnings.empty());
+  CHECK(read_with({"contact.0.slave=auto", "contact.0.passes=averaged", "enforcement.softness=0.1"}).warnings.size() ==
+        1);
+}
+
 TEST_CASE("keys of deformable elements on a rigid part draw a warning", "[scene]") {
   const Input input = read_with({"materials.hard={model: rigid, density: 7800}",
                                  "parts.right={material: hard, element: tet4, bulk: {linear: 0}}"});

@@ -22,10 +22,10 @@ struct Tolerances {
   /// Cosine between a normal and the reversed other from which surfaces face each other: 60 degrees. Below, a row does
   /// not hold along the other's normal.
   double facing = 0.5;
-  /// Share or cosine below which something is slight: a face farther than this cosine from the slave's normal cone (see
-  /// detection/cones.hpp), or opposed by less than this share of the best, is a side, along which bodies slide; an edge
-  /// slides along a face though it moves across it by so much; depths that differ by so much of their zone are equal;
-  /// normals whose sum is shorter look away from each other (a blade without thickness).
+  /// Share or cosine below which something is slight: a face whose reversed normal has a lesser cosine with the slave's
+  /// normal cone (see detection/cones.hpp) is a side, along which bodies slide; an edge slides along a face though it
+  /// moves across it by so much; depths that differ by so much of their zone are equal; normals whose sum is shorter
+  /// look away from each other (a blade without thickness). Iterations end at so much of what is wanted.
   double slight = 0.1;
   /// Share of a quantity from which a second one competes with it: a lesser opposition with the best; the depth of a
   /// surface behind a face with a node's; motion along a ledge with that into its side.

@@ -62,11 +62,11 @@ struct AcceptedOverlap {
 struct DetectionSettings {
   const Tolerances* tolerances = &standard_tolerances;
   Criterion criterion = Criterion::automatic;
-  bool recovery_gives = true;   ///< recovery may do work on the bodies at any depth: where overlaps of the start are to
-                                ///< part. Else edges deeper than Tolerances::drift do not (see required_rate)
-  double coincidence = 0;       ///< nodes of two bodies this near each other are coincident [length]
-  double wall_size = 0;         ///< [length] stands for the longest edge where the master is a wall
-  std::vector<double> sound{};  ///< speed of sound of each body [velocity]; empty: recovery is as fast as steps are
+  bool recovery_gives = true;  ///< recovery may do work on the bodies at any depth: where overlaps of the start are to
+                               ///< part. Else edges deeper than Tolerances::drift do not (see required_rate)
+  double coincidence_distance = 0;  ///< nodes of two bodies this near each other are coincident [length]
+  double wall_size = 0;             ///< [length] stands for the longest edge where the master is a wall
+  std::vector<double> sound{};      ///< speed of sound of each body [velocity]; empty: recovery is as fast as steps are
   std::vector<AcceptedOverlap> accepted{};  ///< ordered by (slave, body), each pair once
   std::vector<BodyPair> flush{};            ///< ascending: bodies between which there is a seam; it is none to them
   std::vector<BodyPair> fitted{};           ///< ascending: bodies of which some overlap was accepted, or moved away
@@ -123,7 +123,7 @@ double required_rate(const Row& row, double size, double dt, std::span<const Nod
 
 /// Are the nodes so near each other that each lies where the other does? The same seen from either.
 inline bool are_coincident(const NodeMotion& one, const NodeMotion& other, const DetectionSettings& settings) {
-  return (one.position - other.position).squaredNorm() < settings.coincidence * settings.coincidence;
+  return (one.position - other.position).squaredNorm() < settings.coincidence_distance * settings.coincidence_distance;
 }
 
 /// Fills candidates.coincident, where there are second passes. positions: of the contact nodes where lists are made,

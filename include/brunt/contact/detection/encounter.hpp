@@ -64,11 +64,16 @@ struct Encounter {
   double size = 0;                  ///< longest edge of the face [length]
   double order = 0;                 ///< what ranks it among the slave's, the least first: see `select_rows`
   bool slow = false;                ///< moves little against the face within the step
-  double opposition = 0;            ///< cosine of the reversed normal to the slave's normal cone, 0 where it is slight
+  double opposition = 0;            ///< cosine of the reversed normal to the slave's normal cone; 0 of a side
   Vec3 normal = Vec3::Zero();       ///< of the row, unit, out of the face on the node's side
   Vec3 point = Vec3::Zero();        ///< on the face (on its middle), where they meet
   std::array<double, 4> weights{};  ///< of the face's corners there
 };
+
+/// Does the slave's normal cone admit the face? Else it is a side, along which the node slides.
+inline bool is_admissible(const Encounter& e) {
+  return e.opposition > 0;
+}
 
 /// The faces and nodes that detection looks at.
 struct FacesInMotion {
@@ -118,9 +123,9 @@ bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> moti
              const Encounter& b, const Tolerances& tolerances);
 
 /// Looks along the path of a node that is outside of faces: those that it passes through become Meeting::hit. Nodes
-/// that move slowly above a face are left to their closest point, and faces that the slave's surface opposes by less
-/// than `slight` of the best are passed over (sides of flush bodies, along which nodes slide). encounters: of
-/// one slave with the faces of one body, after resolve_features.
+/// that move slowly above a face are left to their closest point, and faces that are not admissible are passed over
+/// (sides of flush bodies, along which nodes slide). encounters: of one slave with the faces of one body, after
+/// resolve_features.
 void detect_path_hits(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
                       std::span<Encounter> encounters);
 
