@@ -27,7 +27,10 @@ constexpr std::size_t contact_memory_width = 5;
 struct ErosionAccount {
   bool any = false;                          ///< does any part erode?
   std::vector<time::ErosionCount> counts{};  ///< by block
+  std::vector<time::ErosionCount> now{};     ///< likewise, of the last step
   GlobalIndex steps = 0;                     ///< in which elements went
+};                                           ///< by block
+GlobalIndex steps = 0;                       ///< in which elements went
 };
 
 struct Prepared {

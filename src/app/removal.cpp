@@ -38,19 +38,17 @@ std::string reported(const Prepared& run, const std::vector<GlobalIndex>& lost) 
 
 /// Elements that meet a criterion leave; true if any did. The first of each part is told, the rest are counted.
 bool erode(Prepared& run, Log& log) {
-  const std::vector<time::ErosionCount> now = time::erode(run.links.ranks, run.model, run.state, run.scratch);
-  bool any = false;
-  for (std::size_t b = 0; b < now.size(); ++b) {
-    if (now[b].all() == 0) continue;
-    any = true;
-    time::ErosionCount& all = run.erosion.counts[b];
-    if (all.all() == 0)
+  ErosionAccount& account = run.erosion;
+  if (!time::erode(run.links.ranks, run.model, run.state, run.scratch, account.now)) return false;
+  for (std::size_t b = 0; b < account.now.size(); ++b) {
+    if (account.now[b].all() == 0) continue;
+    if (account.counts[b].all() == 0)
       log.line(fmt::format("erosion of {} begins at t = {:g}, step {}: {}", run.model.blocks[b].part, run.state.time,
-                           static_cast<GlobalIndex>(run.state.step), reasons(now[b])));
-    all += now[b];
+                           static_cast<GlobalIndex>(run.state.step), reasons(account.now[b])));
+    account.counts[b] += account.now[b];
   }
-  if (any) ++run.erosion.steps;
-  return any;
+  ++account.steps;
+  return true;
 }
 
 /// What becomes of nodes without an element, on all ranks.

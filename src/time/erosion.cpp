@@ -86,10 +86,10 @@ GlobalIndex* met(const model::ElementBlock& block, const Histories& histories, L
 
 }  // namespace
 
-std::vector<ErosionCount> erode(const comm::Communicator& ranks, const model::Model& model, model::State& state,
-                                const model::Scratch& scratch) {
-  std::vector<ErosionCount> counts(model.blocks.size());
-  if (!model.any_erosion()) return counts;
+bool erode(const comm::Communicator& ranks, const model::Model& model, model::State& state,
+           const model::Scratch& scratch, std::vector<ErosionCount>& counts) {
+  if (!model.any_erosion()) return false;
+  counts.assign(model.blocks.size(), {});
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const model::ElementBlock& block = model.blocks[b];
     if (!block.erosion) continue;
@@ -107,7 +107,7 @@ std::vector<ErosionCount> erode(const comm::Communicator& ranks, const model::Mo
   ranks.sum(std::span(reinterpret_cast<GlobalIndex*>(counts.data()), 5 * counts.size()));
   const bool any = std::ranges::any_of(counts, [](const ErosionCount& count) { return count.all() > 0; });
   if (any) follow_alive(ranks, model, state);
-  return counts;
+  return any;
 }
 
 }  // namespace brunt::time

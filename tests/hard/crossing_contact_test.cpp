@@ -130,7 +130,7 @@ Collision cross_short_bars(double degrees, int across, int low_along, int top_al
 }  // namespace
 
 TEST_CASE("crossed bars that part again: the impulse is that of a finer mesh with nodes on the other bar's edge",
-          "[oracle]") {
+          "[law]") {
   const double degrees = GENERATE(90.0, 30.0, 5.0, 1.0);
   constexpr double gap = 5e-4, mesh_size = 0.1 / 4;
   constexpr double kinetic = 0.5 * 8000 * 0.1 * 0.1 * 0.3 * 100;

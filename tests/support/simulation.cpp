@@ -69,8 +69,8 @@ void Simulation::step(std::optional<double> dt) {
   const auto gone = [](GlobalIndex count) { return count > 0; };
   bool changed =
       time::removal_is_due(model, state) && std::ranges::any_of(time::remove_elements(links.ranks, model, state), gone);
-  for (const time::ErosionCount& count : time::erode(links.ranks, model, state, scratch))
-    changed = changed || gone(count.all());
+  std::vector<time::ErosionCount> counts;
+  if (time::erode(links.ranks, model, state, scratch, counts)) changed = true;
   if (changed && contact) {
     app::expose(input, model, state, links, *contact);
     contact->births_due = true;

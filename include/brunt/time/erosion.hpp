@@ -24,9 +24,9 @@ struct ErosionCount {
 };
 
 /// Sets the flags of the elements that meet a criterion of their block's erosion, with the histories of t_n, and what
-/// follows from them. An element is judged on its rank by its own state, so the answer does not depend on the ranks.
-/// Collective, where any block erodes; else nothing.
-std::vector<ErosionCount> erode(const comm::Communicator& ranks, const model::Model& model, model::State& state,
-                                const model::Scratch& scratch);
+/// follows from them; counts: of each block, those of this step. An element is judged on its rank by its own state, so
+/// the answer does not depend on the ranks. Returns whether any went. Collective, where any block erodes; else nothing.
+bool erode(const comm::Communicator& ranks, const model::Model& model, model::State& state,
+           const model::Scratch& scratch, std::vector<ErosionCount>& counts);
 
 }  // namespace brunt::time
