@@ -148,7 +148,8 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   prepared->links = time::link_ranks(ranks, prepared->model);
   time::initialise(prepared->model, prepared->state, prepared->scratch, prepared->links,
                    scene::initial_velocities(prepared->input, prepared->model));
-  prepared->erosion = {prepared->model.any_erosion(), std::vector<time::ErosionCount>(prepared->model.blocks.size())};
+  prepared->erosion = {
+      prepared->model.any_erosion(), std::vector<time::ErosionCount>(prepared->model.blocks.size()), {}, 0};
   make_contact(*prepared);
   prepared->driven.prepare(prepared->contact.get());
   prepared->force_memory.assign(4 * prepared->input.probes.size(), 0.0);

@@ -29,8 +29,6 @@ struct ErosionAccount {
   std::vector<time::ErosionCount> counts{};  ///< by block
   std::vector<time::ErosionCount> now{};     ///< likewise, of the last step
   GlobalIndex steps = 0;                     ///< in which elements went
-};                                           ///< by block
-GlobalIndex steps = 0;                       ///< in which elements went
 };
 
 struct Prepared {
