@@ -2,7 +2,11 @@
 // Two soft beds lie flush, one of them sags under a loaded block, and the block slides over the seam. The edge of
 // the other bed is no edge of what both form: nothing stops or throws the block. A step in the reference configuration
 // does. Criteria of the issue that asked for it: sag up to 0.5 % of an element, velocity within 2 %; up to 5 %, no
-// stop, no lift above the sag, energy given at most load times sag; a step of 10 % stops.
+// stop, no lift above the sag, energy given at most load times sag; a step of 10 % and more stops. Of a block on a sag
+// of more than 0.5 % the velocity has an upper bound by energy: the load F sinks by the sag s at most, which makes v <=
+// v0 sqrt(1 + 2 F s / (m v0^2)). At 0.01 c and 5 % that is 3.05 v0; seen are 1.36 (hexahedra) and 1.34: the bed is
+// softer towards its end, and the load sinks as the block slides there (1.22), then contact gives 0.1 F s while the
+// front crosses the seam. Within two elements of travel behind the seam 1.2 are left.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -38,13 +42,13 @@ struct Seam {
 };
 
 struct Passage {
-  double least = 0;   ///< speed along the way, of the first
-  double most = 0;    ///< the largest
-  double last = 0;    ///< at the end
+  double least = 0;   ///< least speed along the way, of the first
+  double most = 0;    ///< largest one, likewise
+  double last = 0;    ///< the same where the run ends
   double lift = 0;    ///< of the middle of the block above where it was under the whole load [h]
   double given = 0;   ///< energy that contact gave, of load times sag
   double work = 0;    ///< that the load does on its way down, load times sag, of the block's kinetic energy
-  bool over = false;  ///< has the block passed the seam?
+  bool over = false;  ///< has the middle of the block passed the seam?
 };
 
 mesh::Mesh bed(const std::string& name, bool tets, double x, double z, int width) {
@@ -55,14 +59,15 @@ mesh::Mesh bed(const std::string& name, bool tets, double x, double z, int width
 }
 
 Passage slide(const Seam& seam) {
-  const int width = seam.degrees > 20 ? 20 : 8;
+  const bool wide = seam.degrees > 10;  // else the block slides off the side of the beds
+  const int width = wide ? 20 : 8;
   mesh::Mesh mesh = bed("first", seam.tets, 0, 0, width);
   mesh::append(mesh, bed("second", seam.tets, (12 + seam.gap) * h, seam.step * h, width));
   mesh::Mesh block = mesh::box("block", {4 * h, 3 * h, 2 * h}, {seam.fine + 1, seam.fine, 2});
   mesh::place(block, 1, {0, 0, 1}, seam.degrees, {0, 0, 0});
   const double turn = seam.degrees * std::numbers::pi / 180;
   const Vec3 along(std::cos(turn), std::sin(turn), 0), across(-along.y(), along.x(), 0);
-  const Vec3 middle(4.5 * h, (seam.degrees > 20 ? 4.2 : 3.8) * h, 0);
+  const Vec3 middle(4.5 * h, (wide ? 4.2 : 3.8) * h, 0);
   mesh::place(block, 1, {0, 0, 1}, 0, middle - 2 * h * along - 1.5 * h * across);
   mesh::append(mesh, std::move(block));
   const double speed = seam.speed * sound, pressure = seam.sag * h / (3 * h) * modulus;
@@ -93,9 +98,11 @@ Passage slide(const Seam& seam) {
   };
   Passage passage{.least = 1};
   GivenBack contact;
-  double start = std::nan(""), highest = -1;
-  while (run.state.time < 1.15 * way / speed) {
+  double start = std::nan(""), highest = -1, travelled = 0;
+  // a fast block is looked at no farther than a slow one: beyond, it slides off the side of the second bed
+  while (run.state.time < 1.15 * way / speed && travelled < way) {
     run.step();
+    travelled = mean([&](LocalIndex n) { return run.position(n).dot(along); }) - middle.dot(along);
     contact.look(test::lost_in_contact(run));
     const double now = mean([&](LocalIndex n) { return run.velocity(n).dot(along); }) / speed;
     passage.least = std::min(passage.least, now);
@@ -105,7 +112,7 @@ Passage slide(const Seam& seam) {
     const double z = mean([&](LocalIndex n) { return run.position(n).z(); });
     if (std::isnan(start)) start = z;
     highest = std::max(highest, z);
-    passage.over = mean([&](LocalIndex n) { return run.position(n).x(); }) > 12 * h;
+    passage.over = passage.over || mean([&](LocalIndex n) { return run.position(n).x(); }) > 12 * h;
   }
   const double load = pressure * 12 * h * h, sag = seam.sag * h;
   passage.lift = (highest - start) / h;
@@ -117,15 +124,15 @@ Passage slide(const Seam& seam) {
 /// Criteria set in advance; `sag` and `step` of the seam say which.
 void check(const Seam& seam) {
   const Passage block = slide(seam);
-  CAPTURE(seam.sag, seam.gap, seam.step, seam.speed, seam.degrees, seam.tets, seam.passes, block.least, block.last,
-          block.lift, block.given);
+  CAPTURE(seam.sag, seam.gap, seam.step, seam.speed, seam.degrees, seam.tets, seam.passes, block.least, block.most,
+          block.last, block.work, block.lift, block.given);
   if (seam.step >= 0.1) {
     CHECK(!block.over);
     return;
   }
   CHECK(block.over);
   CHECK(block.least >= (seam.sag <= 0.005 ? 0.98 : 0.5));
-  CHECK(block.most <= 1.02 * std::sqrt(1 + block.work));  // the load sinks with the bed, and may push on its slope
+  CHECK(block.most <= (seam.sag <= 0.005 ? 1.02 : std::sqrt(1 + block.work)));
   CHECK(block.lift <= seam.sag);
   CHECK(block.given <= 1);
 }
@@ -150,12 +157,24 @@ TEST_CASE("a block slides over the seam of two beds of which one sags under it: 
   check_all({0.002, 0.005, 0.02, 0.05}, {0.0, 0.005, 0.02}, {0.0, 7.0, 20.0, 45.0});
 }
 
-// Missed: at 45 degrees the block climbs over the step (0.78 of its speed is left on hexahedra, 0.89 on tetrahedra),
-// and on tetrahedra at 0 degrees too (0.35).
+// Speed along the way that is left, and lift, at 0.1 of sound: hexahedra 0.17 and 2.0 h at 0 degrees, 0.20 and 1.9 h at
+// 7; tetrahedra 0.09 and 2.2 h at 7. At 0.01 of sound, where the load counts, the block is thrown back (-0.86, -0.79 on
+// hexahedra, -0.84, -0.80 on tetrahedra) or slides along the step (0.14 and 0.09 at 45 degrees).
 TEST_CASE("a step of a tenth of an element in the reference configuration is no seam", "[law]") {
+  for (const bool tets : {false, true})
+    for (const double degrees : {0.0, 7.0, 45.0})
+      check({.sag = 0.002, .step = 0.1, .speed = 0.01, .degrees = degrees, .tets = tets});
   for (const double degrees : {0.0, 7.0}) check({.sag = 0.002, .step = 0.1, .speed = 0.1, .degrees = degrees});
-  check({.sag = 0.002, .step = 0.1, .speed = 0.01});
   check({.sag = 0.002, .step = 0.1, .speed = 0.1, .degrees = 7, .tets = true});
+}
+
+// Missed: it climbs over the step. Speed left and lift: 0.78 and 0.41 h on hexahedra at 45 degrees, 0.35 and 1.9 h on
+// tetrahedra at 0, 0.89 and 0.28 h on tetrahedra at 45; a step of a fifth is passed at 45 degrees on hexahedra alone,
+// with 0.67 of the speed.
+TEST_CASE("a step of a tenth of an element that a fast block climbs over", "[.][missed][law]") {
+  check({.sag = 0.002, .step = 0.1, .speed = 0.1, .degrees = 45});
+  check({.sag = 0.002, .step = 0.1, .speed = 0.1, .tets = true});
+  check({.sag = 0.002, .step = 0.1, .speed = 0.1, .degrees = 45, .tets = true});
 }
 
 TEST_CASE("a block slides over a seam in one pass", "[law]") {
@@ -170,9 +189,10 @@ TEST_CASE("a block slides over a seam of tetrahedra in one pass where the sag is
     for (const double degrees : {0.0, 45.0}) {
       const Seam seam{.sag = 0.005, .speed = speed, .degrees = degrees, .tets = true, .passes = "one"};
       const Passage block = slide(seam);
-      CAPTURE(speed, degrees, block.least, block.lift);
+      CAPTURE(speed, degrees, block.least, block.most, block.lift);
       CHECK(block.over);
       CHECK(block.least >= 0.98);
+      CHECK(block.most <= 1.02);
       CHECK(block.lift <= seam.sag);
     }
 }

@@ -99,9 +99,9 @@ TEST_CASE("a coarse punch, tilted a little, is pressed into a finer block: its r
   const double element = size / across, work = scene.ledger().external;
   CAPTURE(across, friction, law, least / element, contact::collect(*scene.contact).penetration / element,
           contact.given / work);
-  CHECK(least >= -deepest * element);  // ours: 0.0019, 0.112 (criterion without friction: 0.02, missed)
+  CHECK(least >= -deepest * element);  // ours: 0.0018, 0.104 or 0.158 (criterion without friction: 0.02, missed)
   CHECK(contact::collect(*scene.contact).penetration >=
         -0.8 * least);                   // what there is, is told (along normals, not upright)
-  CHECK(contact.given <= given * work);  // ours: 5.6e-5, 1.4e-3 (criterion: 1e-3, missed without friction)
+  CHECK(contact.given <= given * work);  // ours: 5.4e-5, 1.3e-3 (criterion: 1e-3, missed without friction)
   CHECK(contact.most > 0);
 }

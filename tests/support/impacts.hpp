@@ -46,8 +46,8 @@ enum class Criterion {
   given,    ///< on the whole it gives 1e-4 of the energy at most at any time
   edges     ///< points on edges, and nodes of a side that is not held, 0.05 of an edge deep at most
 };
-constexpr std::array criteria{Criterion::depth, Criterion::reports, Criterion::energy, Criterion::given,
-                              Criterion::edges};
+inline constexpr std::array criteria{Criterion::depth, Criterion::reports, Criterion::energy, Criterion::given,
+                                     Criterion::edges};
 constexpr double limit_of(Criterion criterion) {
   constexpr std::array limits{1e-2, 0.02, 1e-3, 1e-4, 0.05};
   return limits[static_cast<std::size_t>(criterion)];
