@@ -90,7 +90,7 @@ std::vector<GhostEdge> own_edges(const ListBuild& build, std::span<const LocalIn
     master.element_depth = edge.element_depth;
     master.kind = edge.kind;
     master.seam = edge.seam;
-    master.end_on_seam = edge.end_on_seam;
+    master.end_at_side = edge.end_at_side;
     for (std::size_t i = 0; i < 2; ++i) {
       master.end_on_rim[i] = build.surface.on_rim[static_cast<std::size_t>(edge.nodes[i])];
       master.gid[i] = build.surface.gid[static_cast<std::size_t>(edge.nodes[i])];

@@ -201,7 +201,7 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
                              .flat = from.kind == EdgeKind::flat,
                              .seam = from.seam,
                              .end_on_rim = from.end_on_rim,
-                             .end_on_seam = from.end_on_seam});
+                             .end_at_side = from.end_at_side});
     facets.insert(facets.end(), from.facets.begin(), from.facets.end());
   }
   for_each_slave(found.pairs, [&](LocalIndex slave, std::span<const CandidatePair> pairs) {
@@ -217,7 +217,7 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
                             .flat = from.kind == EdgeKind::flat,
                             .seam = from.seam,
                             .end_on_rim = {on_rim(from.nodes[0]), on_rim(from.nodes[1])},
-                            .end_on_seam = from.end_on_seam});
+                            .end_at_side = from.end_at_side});
     facets.insert(facets.end(), from.facets.begin(), from.facets.end());
     for (const CandidatePair& pair : pairs) edges.near.values.push_back(place[static_cast<std::size_t>(pair.master)]);
     edges.near.close_row();

@@ -32,6 +32,18 @@ struct StartFace {
     for (std::size_t i = 0; i < 4; ++i) places[i] = Vec3(corners[i].data());
     return places;
   }
+  [[nodiscard]] std::size_t next(std::size_t corner) const {
+    return (corner + 1) % static_cast<std::size_t>(corner_count);
+  }
+  [[nodiscard]] Vec3 normal() const {
+    const std::array<Vec3, 4> at = places();
+    return geometry::area_vector({at.data(), static_cast<std::size_t>(corner_count)}).normalized();
+  }
+  [[nodiscard]] Vec3 along(std::size_t side) const {
+    return (Vec3(corners[next(side)].data()) - Vec3(corners[side].data())).normalized();
+  }
+  /// Out of the face across one of its sides.
+  [[nodiscard]] Vec3 out(std::size_t side) const { return along(side).cross(normal()).normalized(); }
   friend bool operator<(const StartFace& a, const StartFace& b) { return a.key < b.key; }
 };
 
@@ -55,6 +67,12 @@ StartFace start_face(const mesh::LocalMesh& mesh, const Surface& surface, const 
   return face;
 }
 
+std::vector<StartFace> start_faces(const mesh::LocalMesh& mesh, const Surface& surface, const Tolerances& tolerances) {
+  std::vector<StartFace> faces;
+  for (const SurfaceFace& face : surface.faces) faces.push_back(start_face(mesh, surface, face, tolerances));
+  return faces;
+}
+
 /// A point beyond a side of a face.
 struct Beyond {
   std::size_t face = 0, side = 0;  ///< of surface.faces
@@ -67,9 +85,9 @@ void look_beyond(const Surface& surface, std::span<const StartFace> faces, const
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto count = static_cast<std::size_t>(faces[f].corner_count);
     const std::array<Vec3, 4> corners = faces[f].places();
-    const Vec3 normal = geometry::area_vector({corners.data(), count}).normalized();
+    const Vec3 normal = faces[f].normal();
     for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t next = (i + 1) % count;
+      const std::size_t next = faces[f].next(i);
       const auto on_rim = [&](std::size_t c) {
         return surface.on_rim[static_cast<std::size_t>(surface.faces[f].nodes[c])] != 0;
       };
@@ -90,8 +108,7 @@ bool continues(const StartFace& own, const Beyond& side, const Vec3& point, cons
   const auto count = static_cast<std::size_t>(other.corner_count);
   const std::array<Vec3, 4> corners = other.places();
   const geometry::Corners view(corners.data(), count);
-  const Vec3 normal = geometry::area_vector(view).normalized();
-  if (!same_direction(normal, side.normal, tolerances.same_direction)) return false;
+  if (!same_direction(other.normal(), side.normal, tolerances.same_direction)) return false;
   const auto closest = geometry::closest_point(point, view);
   return closest && (point - closest->point).norm() <= std::min(own.margin, other.margin);
 }
@@ -99,8 +116,7 @@ bool continues(const StartFace& own, const Beyond& side, const Vec3& point, cons
 /// Marks sides of this rank's faces; returns the pairs of bodies that meet there. Collective.
 std::vector<BodyPair> mark_sides(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
                                  const Tolerances& tolerances, Surface& surface) {
-  std::vector<StartFace> faces;
-  for (const SurfaceFace& face : surface.faces) faces.push_back(start_face(mesh, surface, face, tolerances));
+  std::vector<StartFace> faces = start_faces(mesh, surface, tolerances);
   std::vector<Beyond> sides;
   std::vector<Vec3> points;
   look_beyond(surface, faces, tolerances, sides, points);
@@ -128,83 +144,133 @@ void sort_unique(std::vector<BodyPair>& pairs) {
   pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
 }
 
-/// A face beyond whose edge another one goes on. The edge by its nodes, the lower gid first.
-struct SeamOfFace {
-  std::array<GlobalIndex, 2> edge{};
-  Place face;
-  friend auto operator<=>(const SeamOfFace&, const SeamOfFace&) = default;
-};
-
 /// A face that goes on beyond a side that ends in the node; the face is of the rank that says so.
 struct SeamOfNode {
   LocalIndex node = 0, face = 0;
-  double sag = 0;  ///< [length]
-  std::array<double, 3> normal{};
+  double sag = 0;                         ///< [length]
+  std::array<double, 3> normal{}, out{};  ///< of the face; where it goes on, in its plane
 };
 
-/// Is it in the side of a seam that something with this normal ends in the node?
+/// A side of a face that ends in a node.
 struct EndAtNode {
-  LocalIndex node = 0;  ///< of its owner
-  std::array<double, 3> normal{};
+  LocalIndex node = 0;                      ///< of its owner
+  std::array<double, 3> normal{}, along{};  ///< of the face; of the side, away from the node
 };
 
-/// What the faces of all ranks say, at the owners of nodes: those of the node, and those of which it is the lower end.
-struct ReceivedSeams {
-  Ragged<SeamOfNode> nodes;
-  std::vector<SeamOfFace> edges;  ///< ascending
+/// An edge, the lower gid first, as a side of one of its faces.
+struct SideOfFace {
+  std::array<GlobalIndex, 2> edge{};
+  Place face;
+  friend auto operator<=>(const SideOfFace&, const SideOfFace&) = default;
 };
 
-std::array<double, 3> normal_of(const mesh::LocalMesh& mesh, const Surface& surface, const SurfaceFace& face,
-                                const Tolerances& tolerances) {
-  const std::array<Vec3, 4> corners = start_face(mesh, surface, face, tolerances).places();
-  const Vec3 normal = geometry::area_vector({corners.data(), static_cast<std::size_t>(face.corner_count)}).normalized();
-  return {normal[0], normal[1], normal[2]};
+/// What seams make of it.
+struct SideAtSeam {
+  SideOfFace side;
+  bool seam = false;                  ///< another face goes on beyond it
+  std::array<bool, 2> end_at_side{};  ///< the face is there the side of a seam that goes by, see SurfaceEdge
+};
+
+std::array<double, 3> as_array(const Vec3& v) {
+  return {v[0], v[1], v[2]};
 }
 
-/// Collective.
-ReceivedSeams report_to_owners(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Surface& surface,
-                               const Tolerances& tolerances) {
-  const auto count = static_cast<std::size_t>(ranks.size());
-  std::vector<std::vector<SeamOfNode>> nodes(count);
-  std::vector<std::vector<SeamOfFace>> edges(count);
-  for (std::size_t f = 0; f < surface.faces.size(); ++f)
+/// The owners of nodes learn which faces go on beyond sides that end there. Collective.
+Ragged<SeamOfNode> report_seams(const comm::Communicator& ranks, const Surface& surface,
+                                std::span<const StartFace> faces) {
+  std::vector<std::vector<SeamOfNode>> nodes(static_cast<std::size_t>(ranks.size()));
+  for (std::size_t f = 0; f < faces.size(); ++f)
     for (std::size_t side = 0; side < 4; ++side) {
-      const SurfaceFace& face = surface.faces[f];
-      if ((face.seams >> side & 1U) == 0) continue;
-      const auto corners = static_cast<std::size_t>(face.corner_count);
-      const double sag = start_face(mesh, surface, face, tolerances).sag;
-      LocalIndex low = face.nodes[side], high = face.nodes[(side + 1) % corners];
-      if (surface.gid[static_cast<std::size_t>(high)] < surface.gid[static_cast<std::size_t>(low)])
-        std::swap(low, high);
-      const std::array<double, 3> normal = normal_of(mesh, surface, face, tolerances);
-      for (const LocalIndex node : {low, high}) {
-        const Place& home = surface.home[static_cast<std::size_t>(node)];
-        nodes[static_cast<std::size_t>(home.rank)].push_back({home.index, static_cast<LocalIndex>(f), sag, normal});
+      if ((surface.faces[f].seams >> side & 1U) == 0) continue;
+      for (const std::size_t end : {side, faces[f].next(side)}) {
+        const Place& home = surface.home[static_cast<std::size_t>(surface.faces[f].nodes[end])];
+        nodes[static_cast<std::size_t>(home.rank)].push_back({home.index, static_cast<LocalIndex>(f), faces[f].sag,
+                                                              as_array(faces[f].normal()),
+                                                              as_array(faces[f].out(side))});
       }
-      edges[static_cast<std::size_t>(surface.home[static_cast<std::size_t>(low)].rank)].push_back(
-          {{surface.gid[static_cast<std::size_t>(low)], surface.gid[static_cast<std::size_t>(high)]},
-           {ranks.rank(), static_cast<LocalIndex>(f)}});
     }
-  ReceivedSeams received{comm::exchange(ranks, nodes), comm::exchange(ranks, edges).values};
-  std::ranges::sort(received.edges);
-  return received;
+  return comm::exchange(ranks, nodes);
 }
 
 void mark_nodes(const Ragged<SeamOfNode>& received, Surface& surface) {
   surface.seam_sag.assign(surface.facets.values.size(), 0);
   for (Rank rank = 0; rank < received.rows(); ++rank)
-    for (const auto& [node, face, sag, normal] : received.row(rank)) {
-      const std::span<const Place> facets = std::as_const(surface.facets).row(node);
-      const auto at = std::ranges::find(facets, Place{rank, face});
+    for (const SeamOfNode& seam : received.row(rank)) {
+      const std::span<const Place> facets = std::as_const(surface.facets).row(seam.node);
+      const auto at = std::ranges::find(facets, Place{rank, seam.face});
       demand(at != facets.end(), "a node's owner knows its faces");
-      surface.seam_sag[static_cast<std::size_t>(&*at - surface.facets.values.data())] = sag;
+      surface.seam_sag[static_cast<std::size_t>(&*at - surface.facets.values.data())] = seam.sag;
     }
 }
 
-/// Edges ask the owner of their lower node. Collective.
-void mark_edges(const comm::Communicator& ranks, std::span<const SeamOfFace> known, Surface& surface) {
+/// Does the seam go by, and go on over the face whose side ends there?
+bool ends_at_side(const SeamOfNode& seam, const EndAtNode& end, const Tolerances& tolerances) {
+  return Vec3(seam.out.data()).dot(Vec3(end.normal.data())) > tolerances.facing &&
+         Vec3(seam.normal.data()).dot(Vec3(end.along.data())) < -tolerances.slight;
+}
+
+/// Sides of this rank's faces that are at seams, or end there: for that they ask the owners of their ends. For each
+/// rank, those of which the lower node is its own. Collective.
+std::vector<std::vector<SideAtSeam>> find_sides_at_seams(const comm::Communicator& ranks, const Surface& surface,
+                                                         std::span<const StartFace> faces,
+                                                         const Ragged<SeamOfNode>& received,
+                                                         const Tolerances& tolerances) {
   const auto count = static_cast<std::size_t>(ranks.size());
-  std::vector<std::vector<SeamOfFace>> asked(count);
+  const auto each_end = [&](auto&& visit) {
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (std::size_t side = 0; side < static_cast<std::size_t>(faces[f].corner_count); ++side)
+        for (const bool second : {false, true}) {
+          const LocalIndex node = surface.faces[f].nodes[second ? faces[f].next(side) : side];
+          if (surface.on_rim[static_cast<std::size_t>(node)] != 0)
+            visit(f, side, second, surface.home[static_cast<std::size_t>(node)]);
+        }
+  };
+  std::vector<std::vector<EndAtNode>> asked(count);
+  each_end([&](std::size_t f, std::size_t side, bool second, const Place& home) {
+    const Vec3 along = (second ? -1 : 1) * faces[f].along(side);
+    asked[static_cast<std::size_t>(home.rank)].push_back({home.index, as_array(faces[f].normal()), as_array(along)});
+  });
+  const Ragged<EndAtNode> questions = comm::exchange(ranks, asked);
+  std::vector<SeamOfNode> known(received.values);
+  std::ranges::stable_sort(known, {}, &SeamOfNode::node);
+  std::vector<std::vector<char>> answers(count);
+  for (std::size_t r = 0; r < count; ++r)
+    for (const EndAtNode& end : questions.row(static_cast<LocalIndex>(r))) {
+      const auto here = std::ranges::equal_range(known, end.node, {}, &SeamOfNode::node);
+      const auto is_side = [&](const SeamOfNode& seam) { return ends_at_side(seam, end, tolerances); };
+      answers[r].push_back(std::ranges::any_of(here, is_side) ? 1 : 0);
+    }
+  const Ragged<char> replies = comm::exchange(ranks, answers);
+  std::vector<std::array<std::array<bool, 2>, 4>> at_side(faces.size());
+  std::vector<std::size_t> next(count, 0);
+  each_end([&](std::size_t f, std::size_t side, bool second, const Place& home) {
+    at_side[f][side][second ? 1 : 0] = replies.row(home.rank)[next[static_cast<std::size_t>(home.rank)]++] != 0;
+  });
+  std::vector<std::vector<SideAtSeam>> sides(count);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t side = 0; side < static_cast<std::size_t>(faces[f].corner_count); ++side) {
+      SideAtSeam found;
+      found.seam = (surface.faces[f].seams >> side & 1U) != 0;
+      found.end_at_side = at_side[f][side];
+      if (!found.seam && !found.end_at_side[0] && !found.end_at_side[1]) continue;
+      std::size_t low = side, high = faces[f].next(side);
+      if (faces[f].gid[high] < faces[f].gid[low]) {
+        std::swap(low, high);
+        std::swap(found.end_at_side[0], found.end_at_side[1]);
+      }
+      found.side = {{faces[f].gid[low], faces[f].gid[high]}, {ranks.rank(), static_cast<LocalIndex>(f)}};
+      const Place& home = surface.home[static_cast<std::size_t>(surface.faces[f].nodes[low])];
+      sides[static_cast<std::size_t>(home.rank)].push_back(found);
+    }
+  return sides;
+}
+
+/// Faces tell the owners of the lower nodes of their sides, edges ask there. Collective.
+void mark_edges(const comm::Communicator& ranks, const std::vector<std::vector<SideAtSeam>>& sides, Surface& surface) {
+  const auto count = static_cast<std::size_t>(ranks.size());
+  std::vector<SideAtSeam> known = comm::exchange(ranks, sides).values;
+  std::ranges::sort(known, {}, &SideAtSeam::side);
+  std::vector<std::vector<SideOfFace>> asked(count);
   const auto asks = [&](const SurfaceEdge& edge) {
     return static_cast<std::size_t>(surface.home[static_cast<std::size_t>(edge.nodes[0])].rank);
   };
@@ -213,49 +279,21 @@ void mark_edges(const comm::Communicator& ranks, std::span<const SeamOfFace> kno
       asked[asks(edge)].push_back(
           {{surface.gid[static_cast<std::size_t>(edge.nodes[0])], surface.gid[static_cast<std::size_t>(edge.nodes[1])]},
            facet});
-  const Ragged<SeamOfFace> questions = comm::exchange(ranks, asked);
-  std::vector<std::vector<char>> answers(count);
+  const Ragged<SideOfFace> questions = comm::exchange(ranks, asked);
+  std::vector<std::vector<SideAtSeam>> answers(count);
   for (std::size_t r = 0; r < count; ++r)
-    for (const SeamOfFace& question : questions.row(static_cast<LocalIndex>(r)))
-      answers[r].push_back(std::ranges::binary_search(known, question) ? 1 : 0);
-  const Ragged<char> received = comm::exchange(ranks, answers);
+    for (const SideOfFace& question : questions.row(static_cast<LocalIndex>(r))) {
+      const auto found = std::ranges::lower_bound(known, question, {}, &SideAtSeam::side);
+      answers[r].push_back(found != known.end() && found->side == question ? *found : SideAtSeam{});
+    }
+  const Ragged<SideAtSeam> received = comm::exchange(ranks, answers);
   std::vector<std::size_t> next(count, 0);
   for (SurfaceEdge& edge : surface.edges)
-    for (bool& seam : edge.seam) seam = received.row(static_cast<LocalIndex>(asks(edge)))[next[asks(edge)]++] != 0;
-}
-
-/// Flat edges ask the owners of their ends: they lie in the side of a seam where one goes by there, but not along the
-/// edge's own faces. Collective.
-void mark_ends(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Ragged<SeamOfNode>& received,
-               const Tolerances& tolerances, Surface& surface) {
-  const auto count = static_cast<std::size_t>(ranks.size());
-  std::vector<std::vector<EndAtNode>> asked(count);
-  const auto each_end = [&](auto&& visit) {
-    for (SurfaceEdge& edge : surface.edges)
-      for (std::size_t i = 0; edge.kind == EdgeKind::flat && i < 2; ++i)
-        visit(edge, i, surface.home[static_cast<std::size_t>(edge.nodes[i])]);
-  };
-  each_end([&](const SurfaceEdge& edge, std::size_t, const Place& home) {
-    const SurfaceFace& face = surface.faces[static_cast<std::size_t>(edge.facets[0].index)];
-    asked[static_cast<std::size_t>(home.rank)].push_back({home.index, normal_of(mesh, surface, face, tolerances)});
-  });
-  const Ragged<EndAtNode> questions = comm::exchange(ranks, asked);
-  std::vector<SeamOfNode> known(received.values);
-  std::ranges::stable_sort(known, {}, &SeamOfNode::node);
-  std::vector<std::vector<char>> answers(count);
-  for (std::size_t r = 0; r < count; ++r)
-    for (const auto& [node, normal] : questions.row(static_cast<LocalIndex>(r))) {
-      const auto tops = std::ranges::equal_range(known, node, {}, &SeamOfNode::node);
-      const bool along = std::ranges::any_of(tops, [&](const SeamOfNode& top) {
-        return same_direction(Vec3(normal.data()), Vec3(top.normal.data()), tolerances.same_direction);
-      });
-      answers[r].push_back(!tops.empty() && !along ? 1 : 0);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const SideAtSeam& side = received.row(static_cast<LocalIndex>(asks(edge)))[next[asks(edge)]++];
+      edge.seam[k] = side.seam;
+      for (std::size_t end = 0; end < 2; ++end) edge.end_at_side[end][k] = side.end_at_side[end];
     }
-  const Ragged<char> replies = comm::exchange(ranks, answers);
-  std::vector<std::size_t> next(count, 0);
-  each_end([&](SurfaceEdge& edge, std::size_t i, const Place& home) {
-    edge.end_on_seam[i] = replies.row(home.rank)[next[static_cast<std::size_t>(home.rank)]++];
-  });
 }
 
 }  // namespace
@@ -270,10 +308,10 @@ void find_seams(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, co
   for (const auto& [one, other] : comm::exchange(ranks, to_all).values) surface.flush.emplace_back(one, other);
   sort_unique(surface.flush);
   if (surface.flush.empty()) return;
-  const ReceivedSeams received = report_to_owners(ranks, mesh, surface, tolerances);
-  mark_nodes(received.nodes, surface);
-  mark_edges(ranks, received.edges, surface);
-  mark_ends(ranks, mesh, received.nodes, tolerances, surface);
+  const std::vector<StartFace> faces = start_faces(mesh, surface, tolerances);
+  const Ragged<SeamOfNode> received = report_seams(ranks, surface, faces);
+  mark_nodes(received, surface);
+  mark_edges(ranks, find_sides_at_seams(ranks, surface, faces, received, tolerances), surface);
 }
 
 }  // namespace brunt::contact

@@ -49,8 +49,9 @@ struct GhostEdge {
   std::int32_t body = 0, block = 0;
   EdgeKind kind = EdgeKind::sharp;
   std::array<bool, 2> seam{};
-  std::array<char, 2> end_on_rim{}, end_on_seam{};  ///< 1: that end stands on a sharp edge, at a seam
-  PlainBox capture{};                               ///< capture box
+  std::array<char, 2> end_on_rim{};  ///< 1: that end stands on a sharp edge
+  std::array<std::array<bool, 2>, 2> end_at_side{};
+  PlainBox capture{};  ///< capture box
 
   friend bool operator<(const GhostEdge& a, const GhostEdge& b) { return a.gid < b.gid; }
 };

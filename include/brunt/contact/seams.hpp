@@ -10,10 +10,10 @@
 
 namespace brunt::contact {
 
-/// Sets `seams` of faces, `seam` of edges, `seam_sag` of nodes and `flush`, from the reference mesh. A side of a face
-/// is a seam where a point a little beyond it in the face's plane, at a quarter or at three quarters of the side, lies
-/// on another face that looks the same way and has no node in common with it (detection/tolerances.hpp: seam).
-/// Collective.
+/// Sets `seams` of faces, `seam` and `end_at_side` of edges, `seam_sag` of nodes and `flush`, from the reference mesh.
+/// A side of a face is a seam where a point a little beyond it in the face's plane, at a quarter or at three quarters
+/// of the side, lies on another face that looks the same way and has no node in common with it
+/// (detection/tolerances.hpp: seam). Collective.
 void find_seams(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Tolerances& tolerances,
                 Surface& surface);
 

@@ -33,7 +33,8 @@ bool crosses_in_step(const EdgeScene& scene, const ContactEdge& slave, const Con
 /// How far from its end at a rim a flat edge is met as that, as a share of its length.
 double rim_at(const EdgeScene& scene, const ContactEdge& flat, const ContactEdge& rim, std::size_t end) {
   const double length = scene.length(flat);
-  const bool seam = flat.end_on_seam[end] != 0 && seams_count(scene.settings, rim.body, flat.body);
+  const auto [one, other] = flat.end_at_side[end];
+  const bool seam = (one || other) && seams_count(scene.settings, rim.body, flat.body);
   return seam ? scene.tolerances().max_penetration(length, flat.element_depth) / length : scene.tolerances().rim;
 }
 

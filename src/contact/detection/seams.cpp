@@ -51,6 +51,24 @@ bool is_side_of_seam(const FacesInMotion& scene, const Tolerances& tolerances, c
          shared_nodes(below, above) >= 1 && !concave(scene.faces, scene.motion, side, top, tolerances);
 }
 
+/// Of an edge that ends below a seam, the faces that are its sides begin where `other` is too deep below the end: up to
+/// there its normal cone is what of it is left without them. out: the meeting's normal, out of the edge.
+bool is_at_end_below_seam(const EdgeScene& scene, const ContactEdge& edge, const ContactEdge& other, const Vec3& out) {
+  const double sag = scene.tolerances().max_penetration(scene.length(edge), edge.element_depth);
+  for (std::size_t end = 0; end < 2; ++end) {
+    const std::array<bool, 2>& at_side = edge.end_at_side[end];
+    if (!at_side[0] && !at_side[1]) continue;
+    const Vec3& top = scene.at(edge.nodes[end]).position;
+    const Vec3 down = (scene.at(edge.nodes[1 - end]).position - top).normalized();
+    const auto reaches_below = [&](LocalIndex node) { return (scene.at(node).position - top).dot(down) > sag; };
+    const auto is_left = [&](std::size_t k) {
+      return !at_side[k] && out.dot(scene.normal(edge, k)) > scene.tolerances().aligned;
+    };
+    if (!is_left(0) && !is_left(1) && std::ranges::none_of(other.nodes, reaches_below)) return true;
+  }
+  return false;
+}
+
 /// out: the meeting's normal, out of the seam's edge.
 bool is_at_side(const EdgeScene& scene, const ContactEdge& seam, const ContactEdge& other, const Vec3& point,
                 const Vec3& out) {
@@ -83,6 +101,8 @@ bool meet_at_side_of_seam(const EdgeScene& scene, const ContactEdge& slave, cons
                           const EdgeMeeting& met) {
   if (!seams_count(scene.settings, slave.body, master.body)) return false;
   const geometry::Segment own = scene.start(slave), other = scene.start(master);
+  if (is_at_end_below_seam(scene, master, slave, met.normal) || is_at_end_below_seam(scene, slave, master, -met.normal))
+    return true;
   return is_at_side(scene, master, slave, (1 - met.t) * other.start + met.t * other.end, met.normal) ||
          is_at_side(scene, slave, master, (1 - met.s) * own.start + met.s * own.end, -met.normal);
 }

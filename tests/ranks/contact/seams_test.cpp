@@ -35,7 +35,12 @@ Counts count(const comm::Communicator& ranks, const contact::Surface& surface) {
   Counts found;
   for (const contact::SurfaceFace& face : surface.faces) found.sides += std::popcount(face.seams);
   for (const contact::SurfaceEdge& edge : surface.edges) found.facets_of_edges += std::ranges::count(edge.seam, true);
-  for (const contact::SurfaceEdge& edge : surface.edges) found.ends += std::ranges::count(edge.end_on_seam, char{1});
+  for (const contact::SurfaceEdge& edge : surface.edges)
+    for (const std::array<bool, 2>& end : edge.end_at_side) {
+      found.ends += end[0] || end[1] ? 1 : 0;
+      if (edge.kind == contact::EdgeKind::flat) CHECK(end[0] == end[1]);
+      if (edge.kind == contact::EdgeKind::sharp) CHECK_FALSE((end[0] && end[1]));
+    }
   return {ranks.sum(found.sides), ranks.sum(found.facets_of_edges), ranks.sum(found.ends)};
 }
 
@@ -48,7 +53,7 @@ TEST_CASE("seams: sides, edges and ends of edges between flush boxes of unequal 
   CHECK(surface.flush == std::vector<contact::BodyPair>{{0, 1}});
   CHECK(found.sides == 8 + 10);  // above, below and on both sides: 2 + 2 + 2 + 2 faces of the one, 4 + 4 + 1 + 1
   CHECK(found.facets_of_edges == 8 + 10);
-  CHECK(found.ends == 4 + 2 * 3);  // of flat edges in the faces that look at each other
+  CHECK(found.ends == 4 + 2 * 3 + 4 * 2 * 2);  // of flat edges in the faces that look at each other, and of their rims
   for (const contact::SurfaceEdge& edge : surface.edges) CHECK_FALSE((edge.seam[0] && edge.seam[1]));
 }
 

@@ -20,8 +20,8 @@ struct ContactEdge {
   double element_depth = std::numeric_limits<double>::infinity();  ///< the smaller one of its two faces [length]
   bool flat = false;                                               ///< lies within a face of its body: see EdgeKind
   std::array<bool, 2> seam{};                                      ///< of each facet, see SurfaceEdge
-  std::array<char, 2> end_on_rim{};   ///< of a flat one: 1 where that end stands on a sharp edge
-  std::array<char, 2> end_on_seam{};  ///< the same of seams
+  std::array<char, 2> end_on_rim{};                  ///< of a flat one: 1 where that end stands on a sharp edge
+  std::array<std::array<bool, 2>, 2> end_at_side{};  ///< of each end, of each facet, see SurfaceEdge
 };
 
 /// Candidate pairs, slave edge by slave edge in ascending (gid, gid).

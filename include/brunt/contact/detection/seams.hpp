@@ -25,7 +25,8 @@ void remove_seam_sides(const FacesInMotion& scene, const Tolerances& tolerances,
 struct EdgeScene;
 struct EdgeMeeting;
 
-/// Do the edges meet at the side of a seam that one of them is, where the other reaches no farther below it?
+/// Do the edges meet at the side of a seam that one of them is, or below which one of them ends, where the other
+/// reaches no farther below it?
 bool meet_at_side_of_seam(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master,
                           const EdgeMeeting& met);
 

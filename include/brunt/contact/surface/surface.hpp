@@ -44,8 +44,9 @@ struct SurfaceEdge {
   std::int32_t body = 0, block = 0;        ///< of the first
   double element_depth = 0;                ///< the smaller one of the two faces [length]
   EdgeKind kind = EdgeKind::sharp;
-  std::array<bool, 2> seam{};         ///< of each of its two faces: does another one go on beyond it? See seams.hpp
-  std::array<char, 2> end_on_seam{};  ///< 1: a flat one that lies in the side of a seam ends there at its edge
+  std::array<bool, 2> seam{};  ///< of each of its two faces: does another one go on beyond it? See seams.hpp
+  /// Of each end, of each face: does the edge end below a seam of which the face is the side?
+  std::array<std::array<bool, 2>, 2> end_at_side{};
 };
 
 /// What decides who is slave; the same on every rank.
