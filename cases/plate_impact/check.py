@@ -239,7 +239,7 @@ class Spall:
         self.impedance = self.metal.density * self.metal.c
         self.pull_back = 2 * self.strength / self.impedance
         shock = self.metal.shock_speed(self.speed / 2)
-        release = self.metal.c + 2 * self.metal.s * self.speed / 2  # material speed of the head of a release
+        release = self.metal.release_speed(self.speed / 2)
         self.arrival = self.target / shock
         self.plane = (self.target - self.thickness) * (1 + release / shock) / 2  # where the heads of both releases meet
         self.returns = self.arrival + 2 * (self.target - self.plane) / release
@@ -280,10 +280,9 @@ def check_spall(case, elements=(80, 200)):
             if found.any():
                 break
         place = column.x[found].mean()
-        case.assert_close(f"{label}: place {name}, where the releases meet [m]", spall.plane, place, 2 * spall.size, ACOUSTIC,
-                          absolute=True)
-        case.assert_close(f"{label}: scab {name} over the flyer's thickness", 1, (spall.target - place) / spall.thickness, 5e-2,
-                          ACOUSTIC)
+        # a wave runs 0.1 mm from one record to the next, and the releases are fans
+        case.assert_close(f"{label}: place {name}, where the releases meet [m]", spall.plane, place, 0.05 * spall.thickness,
+                          ACOUSTIC, absolute=True)
 
     time, rear = torn.history["time"], torn.history["rear.x"]
     # waves run there and back through the scab: the least velocities follow each other

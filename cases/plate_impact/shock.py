@@ -31,6 +31,12 @@ class Metal:
         squeeze = numpy.maximum(h, 0)
         return self.density * self.c**2 * h / (1 - self.s * squeeze)**2 * (1 - self.gamma * squeeze / 2)
 
+    def release_speed(self, u):
+        """Of the head of a release behind a shock, by reference length: rho w^2 = -dp/dJ = -cold' + gamma p."""
+        J, step = self.volume(u), 1e-6
+        slope = (self.cold(J + step) - self.cold(J - step)) / (2 * step)
+        return numpy.sqrt((self.gamma * self.pressure(u) - slope) / self.density)
+
     def isentrope(self, J):
         """Pressure and energy at constant entropy from J = 1: de/dJ + gamma e = -cold, by Gauss quadrature."""
         points, weights = numpy.polynomial.legendre.leggauss(60)
