@@ -179,7 +179,7 @@ TubeMesh read_tube(Section& body) {
   TubeMesh tube{.part = {}, .elements = {1, 3, 1}, .half = {}};
   body.required("part", tube.part, part_name);
   read_sector(body, tube.half);
-  const bool sector = tube.half.sector.cuts();
+  const bool sector = body.has("sector");  // a wrong one is a fault already
   const bool inner = body.required("inner_radius", tube.inner_radius, sector ? not_negative : positive);
   const bool outer = body.required("outer_radius", tube.outer_radius, positive);
   if (inner && outer && tube.outer_radius <= tube.inner_radius) {
