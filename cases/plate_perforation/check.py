@@ -1,0 +1,68 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""A blunt projectile shears a plug out of a steel plate: balances, plug, residual velocity beside the measured ones."""
+import os
+import sys
+
+import h5py
+import numpy
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from case_check import Case  # noqa: E402
+
+# Measured (impact, residual) [m/s], blunt; limit 184.5 (T. Borvik et al. 2002, as quoted in README.md).
+MEASURED = ((303.5, 199.7), (285.4, 181.1), (244.2, 132.6), (224.7, 113.7), (200.4, 71.4))
+PLUG = 29.6e-3  # kg, of a cylinder of the projectile's diameter
+WHOLE = 360 / 6  # sectors in the plate
+
+
+def velocity_of(result):
+    """Mean over the last tenth of the run: the projectile rings."""
+    time, velocity = result.history["time"], -result.history["shot.z"]
+    return velocity[time > 0.9 * time[-1]].mean()
+
+
+def plug_of(result):
+    """Mass of the plate [kg] that flies off, and its mean velocity: of living elements below the plate."""
+    with h5py.File(os.path.join(result.folder, "state.h5"), "r") as state:
+        record = state[max(key for key in state if key.startswith("record"))]
+        start, moved = state["mesh/coordinates"][:], record["node/displacement"][:]
+        velocity = record["node/velocity"][:]
+        corners, alive = state["mesh/connectivity"][:], record["element/alive"][:].ravel() > 0
+    at = start[:, 2] + moved[:, 2]
+    plate = (start[corners][:, :, 2].max(axis=1) <= 6.0e-3 + 1e-9) & alive
+    gone = plate & (at[corners].mean(axis=1) < -8.0e-3) & (start[corners][:, :, 0].mean(axis=1) < 12e-3)
+    x = start[corners[gone]]
+    ring = [1, 2, 3, 7, 4, 5, 1]
+    diagonal = x[:, 6] - x[:, 0]
+    volume = sum(numpy.einsum("ei,ei->e", diagonal, numpy.cross(x[:, i] - x[:, 0], x[:, j] - x[:, 0]))
+                 for i, j in zip(ring, ring[1:])) / 6
+    mass = abs(volume) * 7850
+    speed = -velocity[corners[gone]].mean(axis=1)[:, 2]
+    return WHOLE * mass.sum(), (mass * speed).sum() / mass.sum() if mass.sum() > 0 else 0.0
+
+
+def main():
+    case = Case(__file__)
+    result = case.run()
+    impact = -case.scene()["initial"][0]["velocity"][2]
+    residual, (mass, speed) = velocity_of(result), plug_of(result)
+    case.assert_energy(result, energy_gate=1e-10, momentum_gate=1e-10)
+    case.assert_within("residual velocity [m/s]", 170, impact, residual, "measured 199.7 at 303.5: see README")
+    case.assert_within("mass of the plug [kg]", 15.1e-3, 36.0e-3, mass, "measured plugs")
+    case.assert_within("velocity of the plug / projectile's", 0.95, 1.5, speed / residual, "it flies ahead")
+    case.assert_below("deepest penetration / element", result.summary["max_penetration"] / 0.5e-3, 0.01, "none")
+    short = {"run.end": 12.0e-6}
+    case.assert_same_on_ranks((1, 2, 3, 4), overrides=short)
+    middle = case.run(overrides={**short, "checkpoint.every": 6.0e-6}, name="middle")
+    case.assert_same_after_restart(middle, 6.0e-6, overrides=short)
+    if case.long:
+        for speed, measured in MEASURED[1:]:
+            run = case.run(overrides={"initial.0.velocity": [0, 0, -speed], "run.end": 300e-6}, name=f"v{speed:.0f}")
+            case.assert_within(f"residual velocity at {speed} m/s [m/s]", 0.9 * measured, speed, velocity_of(run),
+                               f"measured {measured}")
+    case.finish()
+
+
+if __name__ == "__main__":
+    main()
