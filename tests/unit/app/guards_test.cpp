@@ -190,7 +190,7 @@ TEST_CASE("guards: rounding of the first steps of a run from rest is judged by t
   ledger.kinetic = 1e-29;  // of nothing: 40000 times the energy that there is
   ledger.internal = -4e-25;
   observe(ledger, seen);
-  ledger.external = -100;
+  ledger.external = 100;
   ledger.internal = 100 - 3e-14;
   ledger.kinetic = 0;
   observe(ledger, seen);
