@@ -95,6 +95,7 @@ bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, st
 bool is_held_by_coincident_node(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
                                 std::span<const CoincidentCandidate> possible, double distance,
                                 const Tolerances& tolerances) {
+  if (node.facets.empty()) return false;  // a mass point: the other node has no face of it to meet
   const std::int32_t body = scene.faces[static_cast<std::size_t>(near.front())].body;
   for (const CoincidentCandidate& other : possible) {
     const Vec3& there = scene.motion[static_cast<std::size_t>(other.node)].position;

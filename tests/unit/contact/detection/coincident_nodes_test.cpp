@@ -90,3 +90,8 @@ TEST_CASE(
   fitting.push_back(Vec3(0.9, 0, -std::sqrt(1 - 0.81)));
   CHECK_FALSE(coincides(dent, Vec3(0, 0, 1e-3), fitting));
 }
+
+TEST_CASE("a mass point on a node of a face is held by its own row: the node of the face has no face of it to meet") {
+  FewFaces flat = around_a_node(0);
+  CHECK_FALSE(coincides(flat, Vec3(0, 0, 1e-6), {}));
+}
