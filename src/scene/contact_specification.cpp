@@ -37,10 +37,23 @@ bool never_meets_itself(const Input& input, const ContactEntry& entry, const std
   return (entry.between.empty() && !entry.self) || names_rigid_part(input, part);
 }
 
+/// Faces behind eroded elements have other sizes than those that told the slave, and a hole is finer where it is torn.
+bool erodes(const Input& input, const std::string& part) {
+  return std::ranges::any_of(input.parts, [&](const Part& p) { return p.name == part && p.erosion.has_value(); });
+}
+
+contact::Passes passes_of(const Input& input, const ContactEntry& entry, const std::string& a, const std::string& b) {
+  using contact::Passes;
+  if (entry.tied) return Passes::one;
+  if (entry.passes != Passes::automatic) return entry.passes;
+  if (entry.friction.lag > 0) return Passes::one;
+  return erodes(input, a) || erodes(input, b) ? Passes::two : Passes::automatic;
+}
+
 /// What an entry says of two blocks (one twice, or two) of parts a and b; whether it says anything.
 bool apply(const Input& input, const ContactEntry& entry, const std::string& a, const std::string& b, bool itself,
            contact::PairSpecification& pair) {
-  using contact::Passes, contact::Tied;
+  using contact::Tied;
   const bool straight = names_pair(entry, a, b);
   if (!straight && !names_pair(entry, b, a)) return false;
   if (are_one_body(input, a, b) && !itself) {
@@ -53,8 +66,7 @@ bool apply(const Input& input, const ContactEntry& entry, const std::string& a, 
     return true;
   }
   pair.tied = entry.tied ? Tied::yes : Tied::no;
-  const bool lags = entry.friction.lag > 0 && entry.passes == Passes::automatic;
-  pair.passes = entry.tied || lags ? Passes::one : entry.passes;
+  pair.passes = passes_of(input, entry, a, b);
   const bool apart = excludes(entry, a, b) || (itself && never_meets_itself(input, entry, a));
   pair.rule = apart ? contact::PairRule::apart : rule_of(entry, straight);
   return true;

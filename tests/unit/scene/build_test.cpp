@@ -87,3 +87,20 @@ TEST_CASE("pairs that no entry lets meet stay apart, a named slave is one seen f
   CHECK(rule(all, 1, 0) == PairRule::automatic);
   CHECK(rule(all, 1, 1) == PairRule::apart);
 }
+
+TEST_CASE("contact with a part that erodes has two passes, unless its entry says otherwise or lets friction lag",
+          "[scene]") {
+  const auto passes = [](const std::string& contact, const std::string& erosion) {
+    std::vector<std::string> overrides{"contact=" + contact};
+    if (!erosion.empty()) overrides.push_back("parts.right.erosion=" + erosion);
+    const Input input = read_scene(std::string(small_scene), "small.yaml", overrides);
+    return contact_specification(input, std::vector<std::string>{"left", "right"}).pairs.at(0, 1).passes;
+  };
+  using contact::Passes;
+  const std::string erodes = "{plastic_strain: 0.5}", all = "[{between: all}]";
+  CHECK(passes(all, "") == Passes::automatic);
+  CHECK(passes(all, erodes) == Passes::two);
+  CHECK(passes("[{between: all, passes: one}]", erodes) == Passes::one);
+  CHECK(passes("[{between: [left, right], tied: true}]", erodes) == Passes::one);
+  CHECK(passes("[{between: all, friction: {static: 0.3, lag: 1.0e-6}}]", erodes) == Passes::one);
+}
