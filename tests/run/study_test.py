@@ -29,6 +29,16 @@ runs:
 columns: [steps, energy.error_ratio, last striker.x]
 """
 
+# All is linear: what is left of the striker's velocity after some steps is a share of it.
+BISECT = f"""\
+scene: {CASES}/bar_impact/scene.yaml
+runs:
+  short: {{run.steps: 5}}
+  shorter: {{run.steps: 3, ranks: 2}}
+columns: [steps, last striker.x]
+bisect: {{key: initial.0.velocity.0, between: [1, 9], column: last striker.x, threshold: 3.3, within: 0.5}}
+"""
+
 
 class Studies(unittest.TestCase):
     def setUp(self):
@@ -120,6 +130,37 @@ class Studies(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([(row["scene"], row["run"], row["steps"]) for row in self.table()],
                          [("one", "short", "5"), ("one", "long", "9"), ("other", "short", "5"), ("other", "long", "9")])
+
+    def test_study_bisects(self):
+        done = self.run_study("study", BISECT)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = self.table()
+        self.assertEqual([row["initial.0.velocity.0"] for row in rows[:5]], ["1", "9", "5", "3", "4"])
+        with open(os.path.join(self.folder, "s.out", "brackets.csv"), encoding="utf-8") as stream:
+            brackets = list(csv.DictReader(stream))
+        self.assertEqual([bracket["run"] for bracket in brackets], ["short", "shorter"])
+        for bracket in brackets:
+            share = next(float(row["last striker.x"]) for row in rows if row["run"] == bracket["run"])
+            low, high = float(bracket["initial.0.velocity.0 from"]), float(bracket["to"])
+            self.assertEqual(high - low, 0.5)
+            self.assertLess(low, 3.3 / share)
+            self.assertGreater(high, 3.3 / share)
+
+    def test_study_without_a_bracket(self):
+        done = self.run_study("study", BISECT.replace("threshold: 3.3", "threshold: 33"))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual(len(self.table()), 4)
+        self.assertIn("| short | no bracket |", done.stdout)
+
+    def test_study_says_what_is_wrong_with_a_bisection(self):
+        for change, phrases in ((("within: 0.5", "width: 0.5"), ("bisect.width", "unknown key")),
+                                ((", within: 0.5", ""), ("bisect.within", "missing")),
+                                (("within: 0.5", "within: 0"), ("bisect.within", "> 0")),
+                                (("[1, 9]", "[1, 1]"), ("bisect.between", "two different numbers")),
+                                (("[1, 9]", "[1, fast]"), ("bisect.between", "fast")),
+                                (("column: last striker.x", "column: last striker.y2"), ("bisect.column", "'striker.y2'"))):
+            with self.subTest(change=change):
+                self.assert_refused("study", BISECT.replace(*change), *phrases)
 
     def test_study_says_what_is_wrong(self):
         for change, phrases in ((("scene: ", "scen: "), ("scen", "unknown key")),
