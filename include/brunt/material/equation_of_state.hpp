@@ -31,12 +31,12 @@ class PressureLaw {
   };
 
   /// The end of a step. energy: at its start, plus the work of viscosity and shear; pressure: at its start; change of
-  /// the relative volume to `volume`.
-  [[nodiscard]] Answer close(Pack volume, Pack change, Pack pressure, Pack energy) const {
+  /// the relative volume to `volume`; failed: bears no tension, so that opening it takes no work.
+  [[nodiscard]] Answer close(Pack volume, Pack change, Pack pressure, Pack energy, PackMask failed) const {
     const Parts now = parts(volume);
     const Pack known = energy - 0.5 * change * pressure;
     Pack next = (now.cold + now.share * known) / (1.0 + 0.5 * change * now.share);
-    next = pack_max(next, broadcast(least_));
+    next = pack_max(next, select(failed, Pack{}, broadcast(least_)));
     return {next, known - 0.5 * change * next};
   }
 

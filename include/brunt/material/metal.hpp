@@ -8,7 +8,8 @@
 // what crash codes use by default; it needs no iteration, and in plastic flow the two differ by dY/dt / (3 G).
 // Temperature, adiabatic: density capacity dT = taylor_quinney q dp J, q the mean of the yield stresses before and
 // after. The volume's change alone heats nothing here (the energy of the equation of state knows of it).
-// Damage: D grows by critical dp / e_f (Fracture). A point that has failed has no deviator and bears no tension.
+// Damage: D grows by critical dp / e_f (Fracture). A point that has failed has no deviator and bears no tension: what
+// has opened bears pressure again when its volume is that of the reference, -K ln J without an equation of state.
 // With an equation of state its energy takes the work of the deviator, taken with the mean stress, and that of bulk
 // viscosity.
 #pragma once
@@ -20,6 +21,7 @@
 #include "brunt/material/circumstances.hpp"
 #include "brunt/material/elastic.hpp"
 #include "brunt/material/equation_of_state.hpp"
+#include "brunt/material/logarithm.hpp"
 #include "brunt/material/rate_factor.hpp"
 #include "brunt/material/strength.hpp"
 
@@ -81,12 +83,14 @@ struct MetalResponse {
     if constexpr (with_eos) {
       const Pack change = step.volume - state[relative_volume];
       const Pack shear = 0.5 * (step.volume + state[relative_volume]) * work(old, now, strain);
-      const auto answer = pressure_law.close(step.volume, change, pressure, state[energy] + shear + step.viscous_work);
+      const auto answer =
+          pressure_law.close(step.volume, change, pressure, state[energy] + shear + step.viscous_work, failed);
       next = answer.pressure;
       state[energy] = answer.energy;
       state[relative_volume] = step.volume;
     }
-    next = select(failed, pack_max(next, Pack{}), next);
+    if constexpr (!with_eos)
+      if (any(failed)) next = select(failed, pack_max(-constants.bulk * pack_log(step.volume), Pack{}), next);
     damage_by(end.increment, next, left * trial, state);
     for (int i = 0; i < 3; ++i) {
       stress[i] = now[i] - next;

@@ -227,7 +227,8 @@ TEST_CASE("the bulk modulus is the slope of the isentrope", "[oracle]") {
       const double e = 2e9, dJ = 1e-6;
       const auto after = [&](double change) {
         return eos
-            .close(broadcast(J + change), broadcast(change), eos.pressure_at(broadcast(J), broadcast(e)), broadcast(e))
+            .close(broadcast(J + change), broadcast(change), eos.pressure_at(broadcast(J), broadcast(e)), broadcast(e),
+                   PackMask{})
             .pressure[0];
       };
       const double slope = -J * (after(dJ) - after(-dJ)) / (2 * dJ);
@@ -265,4 +266,34 @@ TEST_CASE("pressure raises the yield stress of the hydrodynamic law", "[oracle]"
   }
   const double q = test::equivalent(point.cauchy());
   CHECK(q == Approx(100e6 + 50e6 * point.scalar(0) + 0.02 * pressure).epsilon(1e-10));
+}
+
+TEST_CASE("what has failed opens without work and bears pressure only below the volume of the reference", "[law]") {
+  const auto check = [](auto point, double bulk) {
+    point.scalars[2] = broadcast(1.0);  // damage
+    const int energy = std::tuple_size_v<decltype(point.law.fields())> == 6 ? 5 : -1;
+    const auto ball = [](double J) { return Matrix(std::cbrt(J) * Matrix::Identity()); };
+    const auto go = [&](double from, double to) {
+      constexpr int steps = 400;
+      for (int k = 0; k < steps; ++k)
+        point.deform(ball(from + (to - from) * k / steps), ball(from + (to - from) * (k + 1) / steps), 1e-6);
+    };
+    for (int cycle = 0; cycle < 3; ++cycle) {
+      go(1, 1.25);
+      CHECK(point.pressure() == 0);
+      if (energy >= 0) CHECK(std::abs(point.scalar(energy)) < 1e-9 * bulk);
+      go(1.25, 1);
+      CHECK(std::abs(point.pressure()) < 1e-9 * bulk);
+    }
+    go(1, 0.98);
+    CHECK(point.pressure() > 0.02 * bulk);
+    CHECK(point.pressure() < 0.022 * bulk);  // a shocked metal stiffens
+  };
+  Metal law = metals[2];
+  law.fracture =
+      material::Fracture{0.05, 3.44, -2.12, 0.61, {material::RateFactor::Form::logarithm, 0.002, 1}, 1, false};
+  check(Point{material::MetalResponse<false>(law)}, law.bulk);
+  Metal hot = shocked(7850, 4569, 1.49, 2.17);
+  hot.fracture = law.fracture;
+  check(ShockPoint{material::MetalResponse<true>(hot)}, 7850 * 4569.0 * 4569.0);
 }
