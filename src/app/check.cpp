@@ -222,6 +222,10 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   const std::vector<Extent> extents = part_extents(*run);
   const time::StepReport step = time::evaluate(run->model, run->state, run->scratch, run->links, step_control(*run));
   if (ranks.any(step.stop)) throw InputError(options.scene + ": an element has no volume in its initial position");
+  if (!std::isfinite(step.dt))
+    throw InputError(options.scene +
+                     ": all elements that could give a step meet a criterion of erosion at the start; "
+                     "accepted: criteria that they do not meet, or run.step");
   const StepCost cost = measure_steps(*run, step);
   if (!ranks.is_root()) return 0;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "brunt/contact/contact.hpp"
 #include "brunt/force/dead_loads.hpp"
@@ -137,8 +138,9 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
   report.stop = reduced[1] > 0;
   report.rate = reduced[0];
   const double largest = std::max({report.rate, state.rate_now, state.rate_before});
-  const bool all_gone = !(largest > 0) && model.loses_elements();  // then the step stays as it is
-  report.stable_dt = std::min(all_gone ? state.dt : control.cfl / largest, control.largest);
+  const bool all_gone = !(largest > 0) && model.loses_elements();  // then the step stays as it is, if there was one
+  const double kept = state.dt > 0 ? state.dt : std::numeric_limits<double>::infinity();
+  report.stable_dt = std::min(all_gone ? kept : control.cfl / largest, control.largest);
   report.dt = bounded_by_damping(model, state, control, next_dt(state, control, report.stable_dt));
   report.dt_mean = 0.5 * (state.dt + report.dt);
   report.alpha = force::damping_rate(model, state.time);
