@@ -2,6 +2,9 @@
 // When elements of a part are deleted.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "brunt/scene/sections.hpp"
 
 namespace brunt::scene {
@@ -21,8 +24,8 @@ model::Erosion read_erosion(const Key& key) {
   section.optional("points", erosion.points, points);
   static const Choices<bool> nodes{{{"keep", true}, {"drop", false}}, {}};
   section.optional("nodes", erosion.keeps_nodes, nodes);
-  if (section.is_map() && !erosion.damage && !erosion.plastic_strain && !erosion.pressure && !erosion.volume &&
-      !erosion.step)
+  constexpr std::array criteria{"damage", "plastic_strain", "pressure", "volume", "step"};
+  if (section.is_map() && std::ranges::none_of(criteria, [&](const char* name) { return section.has(name); }))
     lacking(key, {"damage", "plastic_strain", "pressure", "volume", "step"},
             "no criterion; accepted: at least one of damage, plastic_strain, pressure, volume, step");
   return erosion;

@@ -91,6 +91,7 @@ material::Metal read_johnson_cook(Section& material) {
   material.required("A", jc.a, positive);
   check_yield(material, "A", jc.a, young_of(law));
   material.required("B", jc.b, not_negative);
+  if (jc.b > largest_yield * young_of(law)) check_yield(material, "B", jc.b, young_of(law));
   material.required("n", jc.n, positive);
   law.rate.form = RateFactor::Form::logarithm;
   material.required("C", law.rate.c, not_negative);
@@ -120,6 +121,7 @@ material::Metal read_piecewise_linear(Section& material) {
       if (material.has(name))
         fault(material.at(name), "given beside hardening_table; accepted: yield and hardening, or the table alone");
     read_hardening_table(material.at("hardening_table"), strength.table);
+    if (!strength.table.empty()) check_yield(material, "hardening_table", strength.table[0][1], young_of(law));
   } else {
     double yield = 0, hardening = 0;
     material.required("yield", yield, positive);
@@ -169,6 +171,7 @@ material::Foam read_foam(Section& material) {
     read_hardening_table(material.at("yield_table"), law.table);
     for (const auto& [lost, yield] : law.table)
       if (lost >= 1) fault(material.at("yield_table"), "a volume lost of 1 or more; accepted: shares below 1");
+    if (!law.table.empty()) check_yield(material, "yield_table", law.table[0][1], law.young);
   } else {
     lacking(material.key(), {"yield_table"}, fmt::format("has no yield_table; accepted: {}", accepted));
   }
@@ -187,6 +190,10 @@ void read_damage(Section& material, material::Metal& law) {
   section.required("D3", fracture.d3, any_number);
   section.optional("D4", fracture.rate.c, any_number);
   section.optional("D5", fracture.d5, any_number);
+  if (fracture.d5 <= -1)
+    fault(section.at("D5"),
+          fmt::format("{:g}: the strain at fracture is negative before the metal melts; accepted: a number > -1",
+                      fracture.d5));
   if (section.is_map() && fracture.d1 + fracture.d2 <= 0)
     fault(section.key(), fmt::format("D1 + D2 = {:g}: the strain at fracture is negative in shear; accepted: a sum > 0",
                                      fracture.d1 + fracture.d2));
