@@ -260,6 +260,7 @@ void Comparison::measure_near() {
 void Comparison::find_inside(const mesh::Mesh& mesh) {
   inside_.assign(node_.size(), 0);
   std::vector<geometry::Box> boxes;
+  boxes.reserve(static_cast<std::size_t>(block_.count()));
   for (LocalIndex e = 0; e < block_.count(); ++e) boxes.push_back(box_of_element(mesh, block_, e));
   contact::SearchScratch scratch;
   Ragged<LocalIndex> pairs;
