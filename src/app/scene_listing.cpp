@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 #include "brunt/mesh/primitives.hpp"
 #include "brunt/scene/select.hpp"
@@ -65,6 +68,8 @@ class Listing {
     each(input.forces, &Listing::add_force);
     each(input.traction, &Listing::add_traction);
     each(input.remove, &Listing::add_removal);
+    each(input.parts, &Listing::add_metal);
+    each(input.parts, &Listing::add_erosion);
     add_fields();
   }
 
@@ -172,6 +177,39 @@ class Listing {
   void add_removal(const scene::Removal& removal, std::size_t /*k*/) {
     add("remove", fmt::format("{}: at t = {:g} {}{}", removal.where, removal.at, units_.time,
                               removal.keeps_nodes ? "" : ", nodes too"));
+  }
+
+  /// What a metal has besides its strength.
+  void add_metal(const scene::Part& part, std::size_t /*k*/) {
+    const auto* metal = std::get_if<material::Metal>(&run_.input.materials.at(part.material));
+    if (metal == nullptr) return;
+    std::vector<std::string> has;
+    using Model = material::EquationOfState::Model;
+    if (metal->eos) has.push_back(metal->eos->model == Model::mie_gruneisen ? "mie_gruneisen" : "linear_polynomial");
+    if (metal->heat.capacity > 0) has.push_back(fmt::format("heats from {:g}", metal->heat.start));
+    if (metal->rate.form != material::RateFactor::Form::none)
+      has.push_back(fmt::format("rates over {:g} 1/{}", metal->rate.reference, units_.time));
+    if (metal->fracture)
+      has.push_back(fmt::format("fails at damage {:g}{}", metal->fracture->critical,
+                                metal->fracture->softens ? ", softens" : ""));
+    if (!has.empty()) add("metal", fmt::format("{}: {}", part.name, fmt::join(has, ", ")));
+  }
+
+  void add_erosion(const scene::Part& part, std::size_t /*k*/) {
+    if (!part.erosion) return;
+    const model::Erosion& erosion = *part.erosion;
+    std::vector<std::string> criteria;
+    const auto tell = [&](const char* name, const std::optional<double>& value, const std::string& unit) {
+      if (value) criteria.push_back(fmt::format("{} {:g}{}{}", name, *value, unit.empty() ? "" : " ", unit));
+    };
+    tell("damage", erosion.damage, "");
+    tell("plastic strain", erosion.plastic_strain, "");
+    tell("pressure", erosion.pressure, units_.stress);
+    tell("volume", erosion.volume, "");
+    tell("step", erosion.step, units_.time);
+    add("erosion", fmt::format("{}: {}, {}; nodes {}", part.name, fmt::join(criteria, ", "),
+                               erosion.points == model::Erosion::Points::any ? "any point" : "mean of points",
+                               erosion.keeps_nodes ? "stay" : "go too"));
   }
 
   void add_fields() {

@@ -192,6 +192,21 @@ run: {steps: 1}
         listing = lambda text: [line for line in text.splitlines() if " nodes" in line]
         self.assertEqual(listing(two.stdout), listing(done.stdout))
 
+    def test_check_lists_what_metals_do_and_when_elements_go(self):
+        self.write("plate.yaml", """units: SI
+mesh: {box: {part: plate, size: [1, 1, 1], elements: [2, 2, 2]}}
+materials:
+  copper: {model: johnson_cook, density: 8960, young: 1.24e11, poisson: 0.34, A: 9.0e7, B: 2.92e8, n: 0.31, C: 0.025, m: 1.09, melt: 1356,
+           room: 294, heat_capacity: 383, damage: {D1: 0.54, D2: 4.89, D3: -3.03}, eos: {model: mie_gruneisen, c: 3940, s: 1.49, gamma: 2}}
+parts: {plate: {material: copper, erosion: {damage: 1, pressure: -2.0e9, nodes: drop}}}
+run: {end: 1.0e-5}
+""")
+        done = self.brunt("check", "plate.yaml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for line in ("metal            plate: mie_gruneisen, heats from 294, rates over 1 1/s, fails at damage 1",
+                     "erosion          plate: damage 1, pressure -2e+09 Pa, any point; nodes go too"):
+            self.assertIn(line + "\n", done.stdout)
+
     def test_cost_is_measured(self):
         code, output = self.check(1.05)
         self.assertEqual(code, 0)
