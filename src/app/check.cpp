@@ -17,6 +17,7 @@
 #include "contact_setup.hpp"
 #include "part_extents.hpp"
 #include "prepare.hpp"
+#include "removal.hpp"
 #include "scene_listing.hpp"
 
 namespace brunt::app {
@@ -217,15 +218,12 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   const OverlapReport& report = run->overlaps.report;  // on the root
   if (ranks.is_root() && !report.faults.empty()) print_overlaps(report, options.all);
   refuse_overlaps(*run);
+  demand_first_step(*run);
   const std::vector<PartFigures> figures = part_figures(*run);
   const std::vector<std::string> listing = list_scene(*run);
   const std::vector<Extent> extents = part_extents(*run);
   const time::StepReport step = time::evaluate(run->model, run->state, run->scratch, run->links, step_control(*run));
   if (ranks.any(step.stop)) throw InputError(options.scene + ": an element has no volume in its initial position");
-  if (!std::isfinite(step.dt))
-    throw InputError(options.scene +
-                     ": all elements that could give a step meet a criterion of erosion at the start; "
-                     "accepted: criteria that they do not meet, or run.step");
   const StepCost cost = measure_steps(*run, step);
   if (!ranks.is_root()) return 0;
 

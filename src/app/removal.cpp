@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "brunt/core/error.hpp"
 #include "brunt/scene/build.hpp"
 #include "brunt/time/erosion.hpp"
 #include "brunt/time/removal.hpp"
+#include "brunt/time/step.hpp"
 #include "contact_setup.hpp"
 
 namespace brunt::app {
@@ -72,6 +75,16 @@ void expose(const scene::Input& input, const model::Model& model, const model::S
       surface::exposed_surface(links.ranks, model.mesh, links.inner_faces, state.alive), {}, state.alive};
   remains.excluded = scene::in_symmetry_plane(input, model.mesh, remains.outside.faces);
   contact::update_surface(contact, model.mesh, remains, inverse_masses(state), held_nodes(model));
+}
+
+void demand_first_step(Prepared& run) {
+  if (!run.erosion.any) return;
+  const time::StepReport step = time::evaluate(run.model, run.state, run.scratch, run.links, step_control(run));
+  if (std::isfinite(step.dt)) return;
+  const auto part = std::ranges::find_if(run.input.parts, [](const scene::Part& p) { return p.erosion.has_value(); });
+  throw InputError(run.input.at(fmt::format("parts.{}.erosion", part->name)) +
+                   ": all elements that could give a step meet a criterion at the start; accepted: criteria that they "
+                   "do not meet then, or run.step");
 }
 
 void remove_due(Prepared& run, Log& log) {

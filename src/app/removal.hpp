@@ -19,4 +19,8 @@ void expose(const scene::Input& input, const model::Model& model, const model::S
 /// What follows from the flags of the state, as a restart has filled them. Collective.
 void follow_alive(Prepared& run);
 
+/// An InputError where all elements that could give a first step meet a criterion of erosion, and the scene gives none.
+/// The state is that of t = 0. Collective.
+void demand_first_step(Prepared& run);
+
 }  // namespace brunt::app

@@ -73,6 +73,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   Log log(ranks.is_root(), options.quiet);
   const std::unique_ptr<Prepared> prepared = prepare(ranks, options.scene, options.overrides);
   refuse_overlaps(*prepared);
+  demand_first_step(*prepared);
   const std::string checkpoint = options.restart.empty() ? "" : checkpoint_of(ranks, options.restart);
   const std::string folder =
       options.out.empty() ? std::filesystem::path(options.scene).replace_extension(".out").string() : options.out;

@@ -158,10 +158,6 @@ bool Loop::finished(Outcome& outcome) {
 
 void Loop::watch_step(const time::StepReport& step) {
   double& first = run_.extremes.first_dt;
-  if (!std::isfinite(step.dt))
-    throw GuardError(
-        "no step: all elements that could give one met a criterion of erosion in the first; accepted: criteria that "
-        "elements do not meet at the start, or run.step");
   if (first == 0) first = step.stable_dt;
   const double ratio = run_.input.run.min_step_ratio;
   if (step.stable_dt >= ratio * first) return;

@@ -37,17 +37,18 @@ bool never_meets_itself(const Input& input, const ContactEntry& entry, const std
   return (entry.between.empty() && !entry.self) || names_rigid_part(input, part);
 }
 
-/// Faces behind eroded elements have other sizes than those that told the slave, and a hole is finer where it is torn.
 bool erodes(const Input& input, const std::string& part) {
   return std::ranges::any_of(input.parts, [&](const Part& p) { return p.name == part && p.erosion.has_value(); });
 }
 
+/// A part that erodes shows other faces than those of the start, by whose sizes a slave would be chosen.
 contact::Passes passes_of(const Input& input, const ContactEntry& entry, const std::string& a, const std::string& b) {
   using contact::Passes;
   if (entry.tied) return Passes::one;
   if (entry.passes != Passes::automatic) return entry.passes;
   if (entry.friction.lag > 0) return Passes::one;
-  return erodes(input, a) || erodes(input, b) ? Passes::two : Passes::automatic;
+  const bool chosen = !entry.between.empty() && entry.slave != ContactEntry::Slave::automatic;
+  return !chosen && (erodes(input, a) || erodes(input, b)) ? Passes::two : Passes::automatic;
 }
 
 /// What an entry says of two blocks (one twice, or two) of parts a and b; whether it says anything.

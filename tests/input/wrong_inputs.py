@@ -61,10 +61,10 @@ def copper(name, old, new, *says):
     return Wrong(name, list(says), (COPPER[0], COPPER[1].replace(old, new)))
 
 
-def eroding(name, erosion, *says, metal=True):
+def eroding(name, erosion, *says, metal=True, **more):
     part = "material: steel, element: hex8"
     scene = GOOD.replace(part, f"{part}, erosion: {erosion}")
-    return Wrong(name, list(says), scene=scene.replace(*COPPER) if metal else scene)
+    return Wrong(name, list(says), scene=scene.replace(*COPPER) if metal else scene, **more)
 
 
 METALS = [
@@ -92,8 +92,10 @@ METALS = [
     eroding("erosion by plastic strain of what is elastic", "{plastic_strain: 0.3}", "parts.bar.erosion.plastic_strain",
             metal=False),
     eroding("erosion beyond the critical damage", "{damage: 1.5}", "parts.bar.erosion.damage", "never reached"),
+    eroding("erosion that takes all elements at the start", "{step: 1.0}", "parts.bar.erosion", "at the start"),
+    eroding("a run of which erosion takes all elements at the start", "{step: 1.0}", "parts.bar.erosion", "at the start", command="run"),
     eroding("erosion at no pressure", "{pressure: 0}", "parts.bar.erosion.pressure", "accepted: a number > 0"),
-    eroding("erosion at more than all volume", "{volume: 1.5}", "parts.bar.erosion.volume", "< 1"),
+    eroding("erosion at more than all volume", "{volume: 1.5}", "parts.bar.erosion.volume", "< 1", lines=1),
     Wrong("foam without table", ["materials.steel", "yield_table"], (COPPER[0],
           "{model: crushable_foam, density: 200, young: 5.0e7}")),
     Wrong("foam that loses all volume", ["materials.steel.yield_table", "below 1"], (COPPER[0],

@@ -88,8 +88,9 @@ TEST_CASE("pairs that no entry lets meet stay apart, a named slave is one seen f
   CHECK(rule(all, 1, 1) == PairRule::apart);
 }
 
-TEST_CASE("contact with a part that erodes has two passes, unless its entry says otherwise or lets friction lag",
-          "[scene]") {
+TEST_CASE(
+    "contact with a part that erodes has two passes, unless its entry tells them, names a slave or lets friction lag",
+    "[scene]") {
   const auto passes = [](const std::string& contact, const std::string& erosion) {
     std::vector<std::string> overrides{"contact=" + contact};
     if (!erosion.empty()) overrides.push_back("parts.right.erosion=" + erosion);
@@ -101,6 +102,7 @@ TEST_CASE("contact with a part that erodes has two passes, unless its entry says
   CHECK(passes(all, "") == Passes::automatic);
   CHECK(passes(all, erodes) == Passes::two);
   CHECK(passes("[{between: all, passes: one}]", erodes) == Passes::one);
+  CHECK(passes("[{between: [left, right], slave: right}]", erodes) == Passes::automatic);
   CHECK(passes("[{between: [left, right], tied: true}]", erodes) == Passes::one);
   CHECK(passes("[{between: all, friction: {static: 0.3, lag: 1.0e-6}}]", erodes) == Passes::one);
 }
