@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The part `bisect` of a study file: the value of a key at which a column passes a threshold, by halving a bracket."""
+import math
+
 KEYS = ("key", "between", "column", "threshold", "within")
 ACCEPTED = "a map of key, between: [a, b], column, threshold, within"
 
@@ -15,16 +17,18 @@ class Bisection:
                 study.stop(f"bisect.{key}: missing; accepted: {ACCEPTED}")
         self.key, self.column = str(tree["key"]), str(tree["column"])
         ends = tree["between"]
-        if not isinstance(ends, list) or len(ends) != 2 or ends[0] == ends[1]:
+        if not isinstance(ends, list) or len(ends) != 2:
             study.stop("bisect.between: accepted: two different numbers")
         self.ends = tuple(self.number("between", end) for end in ends)
+        if self.ends[0] == self.ends[1]:
+            study.stop("bisect.between: accepted: two different numbers")
         self.threshold, self.within = self.number("threshold", tree["threshold"]), self.number("within", tree["within"])
         if self.within <= 0:
             study.stop(f"bisect.within: {self.within:g} is out of range; accepted: a number > 0")
 
     def number(self, key, value):
-        if isinstance(value, bool) or not isinstance(value, (int, float)):
-            self.study.stop(f"bisect.{key}: accepted: numbers, got {value!r}")
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+            self.study.stop(f"bisect.{key}: accepted: finite numbers, got {value!r}")
         return float(value)
 
     def bracket(self, value_at):
@@ -43,6 +47,8 @@ class Bisection:
             return None
         while abs(high - low) > self.within:
             middle = (low + high) / 2
+            if middle in (low, high):  # no number lies between them
+                break
             side = above(middle)
             if side is None:
                 return None

@@ -158,6 +158,8 @@ class Studies(unittest.TestCase):
                                 (("within: 0.5", "within: 0"), ("bisect.within", "> 0")),
                                 (("[1, 9]", "[1, 1]"), ("bisect.between", "two different numbers")),
                                 (("[1, 9]", "[1, fast]"), ("bisect.between", "fast")),
+                                (("[1, 9]", "[1, .nan]"), ("bisect.between", "finite")),
+                                (("column: last striker.x", "column: state_hash"), ("bisect.column", "no number")),
                                 (("column: last striker.x", "column: last striker.y2"), ("bisect.column", "'striker.y2'"))):
             with self.subTest(change=change):
                 self.assert_refused("study", BISECT.replace(*change), *phrases)
