@@ -15,7 +15,7 @@ from matplotlib.collections import PolyCollection  # noqa: E402
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("results", nargs="+")
 parser.add_argument("-o", "--output", default=os.path.join(os.path.dirname(os.path.abspath(__file__)), "picture.png"))
-parser.add_argument("--times", default="20e-6,60e-6")
+parser.add_argument("--times", default="20e-6,60e-6,100e-6")
 given = parser.parse_args()
 
 FACES = [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7), (0, 3, 2, 1), (4, 5, 6, 7)]
