@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles of one surface that cross other than in corners and edges that they share.
-#include "brunt/geometry/slab_tree.hpp"
+#include <utility>
+
 #include "exact_sign.hpp"
+#include "slab_walk.hpp"
 
 namespace brunt::geometry {
 namespace {
@@ -44,16 +46,16 @@ bool cross_beyond_shared(const Triangle& a, const Triangle& b) {
 
 SelfCrossings self_crossings(const SlabTree& tree) {
   SelfCrossings found;
-  const auto n = static_cast<LocalIndex>(tree.triangles.size());
-  for (LocalIndex i = 0; i < n; ++i)
-    for (LocalIndex j = i + 1; j < n; ++j) {
-      const Triangle &a = tree.triangles[static_cast<std::size_t>(i)], &b = tree.triangles[static_cast<std::size_t>(j)];
-      if (without_area(a) || without_area(b) || !cross_beyond_shared(a, b)) continue;
-      if (found.count++ == 0) {
-        found.first_a = i;
-        found.first_b = j;
-      }
+  auto visit = [&](LocalIndex i, const Triangle& a, LocalIndex j) {
+    const Triangle& b = tree.triangles[static_cast<std::size_t>(j)];
+    if (i >= j || without_area(a) || without_area(b) || !cross_beyond_shared(a, b)) return false;
+    if (found.count++ == 0 || std::pair(i, j) < std::pair(found.first_a, found.first_b)) {
+      found.first_a = i;
+      found.first_b = j;
     }
+    return false;
+  };
+  SlabWalk(tree, tree, Placement(), 0, visit).run();
   return found;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "brunt/geometry/slab_tree.hpp"
+#include "slab_boxes.hpp"
 #include "triangle_point.hpp"
 
 namespace brunt::geometry {
@@ -16,14 +17,67 @@ struct NearestTriangle {
   LocalIndex triangle = no_index;
 };
 
-NearestTriangle nearest_triangle(const SlabTree& tree, const Vec3& x, double at_most2) {
-  NearestTriangle nearest;
-  for (std::size_t i = 0; i < tree.triangles.size(); ++i) {
-    const double distance2 = distance2_to(tree.triangles[i], x);
-    if (distance2 < nearest.distance2) nearest = {distance2, static_cast<LocalIndex>(i)};
+/// Goes down to the triangle nearest to a point, of equally near ones to the one with the least number.
+class Descent {
+ public:
+  /// Ends as soon as a triangle is nearer than `near_enough`.
+  Descent(const SlabTree& tree, const Vec3& x, double at_most2, double near_enough2 = 0)
+      : tree_(tree),
+        x_(x),
+        lanes_{Octet() + x[0], Octet() + x[1], Octet() + x[2]},
+        slack_(box_rounding *
+               (x.cwiseAbs().maxCoeff() + tree.box.low.cwiseAbs().cwiseMax(tree.box.high.cwiseAbs()).maxCoeff())),
+        near_enough2_(near_enough2) {
+    nearest_.distance2 = at_most2;
+    if (!tree.nodes.empty()) below(0);
   }
-  return nearest.distance2 <= at_most2 ? nearest : NearestTriangle();
-}
+  [[nodiscard]] const NearestTriangle& nearest() const { return nearest_; }
+
+ private:
+  void below(std::size_t index) {
+    const SlabNode& node = tree_.nodes[index];
+    if (node.leaf != no_index) {
+      leaf(node);
+      return;
+    }
+    Octet distance2 = Octet();
+    for (int k = 0; k < 3; ++k) {
+      const Octet gap = octet_max(octet_abs(node.middle[k] - x_[k]) - node.half[k] - slack_, Octet());
+      distance2 += gap * gap;
+    }
+    unsigned left = bits_of(distance2 <= nearest_.distance2);
+    while (left != 0) {
+      int first = std::countr_zero(left);
+      for (unsigned rest = left & (left - 1); rest != 0; rest &= rest - 1) {
+        const int lane = std::countr_zero(rest);
+        if (distance2[lane] < distance2[first]) first = lane;
+      }
+      if (!(distance2[first] <= nearest_.distance2) || nearest_.distance2 < near_enough2_) return;
+      left &= ~(1U << first);
+      below(static_cast<std::size_t>(node.child[static_cast<std::size_t>(first)]));
+    }
+  }
+
+  void leaf(const SlabNode& node) {
+    const auto& corner = tree_.leaves[static_cast<std::size_t>(node.leaf)].corner;
+    const auto lanes = [&](std::size_t i) { return VecOf<Octet>{corner[i][0], corner[i][1], corner[i][2]}; };
+    const Octet distance2 = distance2_to_triangle(lanes_, lanes(0), lanes(1), lanes(2));
+    for (unsigned left = bits_of(distance2 <= nearest_.distance2) & ((1U << node.count) - 1); left != 0;
+         left &= left - 1) {
+      const int lane = std::countr_zero(left);
+      const LocalIndex triangle = node.child[static_cast<std::size_t>(lane)];
+      const bool first = nearest_.triangle == no_index || triangle < nearest_.triangle;
+      if (distance2[lane] < nearest_.distance2 || (distance2[lane] == nearest_.distance2 && first))
+        nearest_ = {distance2[lane], triangle};
+    }
+  }
+
+  const SlabTree& tree_;
+  const Vec3& x_;
+  VecOf<Octet> lanes_;
+  double slack_, near_enough2_;
+  NearestTriangle nearest_;
+};
 
 bool inside(const SlabTree& tree, const Vec3& x, const Vec3& away, const Vec3& normal) {
   const double outward = away.dot(normal), distance = away.norm();
@@ -48,14 +102,18 @@ PointDepth point_depth(const SlabTree& tree, const Vec3& x) {
 }
 
 PointDepth point_depth(const SlabTree& tree, const Vec3& x, double at_most) {
-  const NearestTriangle nearest = nearest_triangle(tree, x, at_most * at_most);
+  const NearestTriangle nearest = Descent(tree, x, at_most * at_most).nearest();
   if (nearest.triangle == no_index) return {at_most, x, no_index};
   return depth_at(tree, x, nearest.triangle);
 }
 
 double depth_above(const SlabTree& tree, const Vec3& x, double least) {
-  const double depth = point_depth(tree, x).depth;
-  return depth > least ? depth : -std::numeric_limits<double>::infinity();
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (least >= 0 && !contains(tree.box, x)) return -infinite;
+  const double enough2 = least > 0 ? least * least : 0.0;
+  const NearestTriangle nearest = Descent(tree, x, infinite, enough2).nearest();
+  if (nearest.distance2 < enough2 || nearest.triangle == no_index) return -infinite;
+  return depth_at(tree, x, nearest.triangle).depth;
 }
 
 bool contains(const SlabTree& tree, const Vec3& x) {

@@ -1,47 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
+// Pairs of triangles of two surfaces: the first that cross, all that are near, the nearest.
 #include <algorithm>
+#include <cmath>
 
-#include "brunt/geometry/slab_tree.hpp"
+#include "slab_walk.hpp"
 
 namespace brunt::geometry {
-namespace {
-
-Triangle placed(const Triangle& t, const Placement& placement) {
-  return {placement(t[0]), placement(t[1]), placement(t[2])};
-}
-
-}  // namespace
 
 bool surfaces_cross(const SlabTree& a, const SlabTree& b, const Placement& a_in_b) {
-  for (const Triangle& t : a.triangles) {
-    const Triangle moved = placed(t, a_in_b);
-    for (const Triangle& other : b.triangles)
-      if (triangles_cross(moved, other)) return true;
-  }
-  return false;
+  auto visit = [&](LocalIndex /*of_a*/, const Triangle& corners, LocalIndex j) {
+    return triangles_cross(corners, b.triangles[static_cast<std::size_t>(j)]);
+  };
+  return SlabWalk(a, b, a_in_b, 0, visit).run();
 }
 
 void near_pairs(const SlabTree& a, const SlabTree& b, const Placement& a_in_b, double band,
                 std::vector<NearPair>& out) {
   out.clear();
-  for (std::size_t i = 0; i < a.triangles.size(); ++i) {
-    const Triangle moved = placed(a.triangles[i], a_in_b);
-    for (std::size_t j = 0; j < b.triangles.size(); ++j) {
-      const NearestPoints nearest = nearest_points(moved, b.triangles[j], band);
-      if (nearest.distance < band)
-        out.push_back(
-            {static_cast<LocalIndex>(i), static_cast<LocalIndex>(j), nearest.distance, nearest.on_a, nearest.on_b});
-    }
-  }
+  auto visit = [&](LocalIndex i, const Triangle& corners, LocalIndex j) {
+    const NearestPoints nearest = nearest_points(corners, b.triangles[static_cast<std::size_t>(j)], band);
+    if (nearest.distance < band) out.push_back({i, j, nearest.distance, nearest.on_a, nearest.on_b});
+    return false;
+  };
+  SlabWalk(a, b, a_in_b, band, visit).run();
+  std::sort(out.begin(), out.end(),
+            [](const NearPair& p, const NearPair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
 }
 
 double surface_distance(const SlabTree& a, const SlabTree& b, const Placement& a_in_b, double at_most) {
-  double least = at_most;
-  for (const Triangle& t : a.triangles) {
-    const Triangle moved = placed(t, a_in_b);
-    for (const Triangle& other : b.triangles) least = std::min(least, nearest_points(moved, other, least).distance);
-  }
-  return least;
+  struct Visit {
+    const SlabTree& b;
+    double least;
+    SlabWalk<Visit>* walk = nullptr;
+    bool operator()(LocalIndex /*of_a*/, const Triangle& corners, LocalIndex j) {
+      const double distance = nearest_points(corners, b.triangles[static_cast<std::size_t>(j)], least).distance;
+      if (distance < least) {
+        least = distance;
+        walk->set_limit(least);
+      }
+      return least == 0;
+    }
+  } visit{b, at_most};
+  SlabWalk<Visit> walk(a, b, a_in_b, at_most, visit);
+  visit.walk = &walk;
+  walk.run();
+  return visit.least;
 }
 
 }  // namespace brunt::geometry

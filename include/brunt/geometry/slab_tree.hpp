@@ -110,8 +110,8 @@ struct SelfCrossings {
 };
 
 /// Pairs of triangles of one surface with a common point that is no shared corner or edge: piercing, touching, folded
-/// onto each other, or the same triangle twice. Corners at one place are shared, whatever their numbers. Triangles
-/// without area are left out.
+/// onto each other, a corner on another's edge, or the same triangle twice. Corners at one place are shared, whatever
+/// their numbers. Triangles without area are left out.
 SelfCrossings self_crossings(const SlabTree& tree);
 
 }  // namespace brunt::geometry
