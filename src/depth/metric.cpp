@@ -45,8 +45,10 @@ MetricShape metric_shape(std::span<const Vec3> points, const rigid::MassProperti
 }
 
 Farthest farthest(const MetricShape& shape, const RigidMotion& motion) {
-  const Mat3 D = rotation_less_identity(motion.turn);
-  const Vec3& T = motion.shift;
+  return farthest(shape, rotation_less_identity(motion.turn), motion.shift);
+}
+
+Farthest farthest(const MetricShape& shape, const Mat3& D, const Vec3& T) {
   const double *x = shape.components[0].data(), *y = shape.components[1].data(), *z = shape.components[2].data();
   alignas(64) double most[lanes], block[lanes];
   std::fill_n(most, lanes, -1.0);

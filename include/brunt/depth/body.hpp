@@ -36,8 +36,8 @@ struct BodyOptions {
 /// std::invalid_argument for one without triangles or without a positive volume.
 [[nodiscard]] Body make_body(const TriangleSurface& surface, const BodyOptions& options = {});
 
-/// Points inside with their depths, on a grid of the bounding box, each then moved inwards while the depth grows. A ball
-/// is left out if a greater one that stays holds nine tenths of it. The greatest first.
+/// Points inside with their depths, on a grid of the bounding box, each then moved inwards while the depth grows. A
+/// ball is left out if a greater one that stays holds nine tenths of it. The greatest first.
 [[nodiscard]] std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricShape& shape, int most);
 
 }  // namespace brunt::depth

@@ -14,9 +14,7 @@ struct Encounter {
   Placement start;           ///< q_0: file coordinates of A to those of B
   std::int64_t queries = 0;  ///< collision queries so far
 
-  [[nodiscard]] Placement placement(const RigidMotion& motion) const {
-    return moved(start, motion, a.shape.centroid);
-  }
+  [[nodiscard]] Placement placement(const RigidMotion& motion) const { return moved(start, motion, a.shape.centroid); }
   /// Surfaces cross or touch, or a part of one body lies inside the other.
   [[nodiscard]] bool collides(const RigidMotion& motion) {
     ++queries;

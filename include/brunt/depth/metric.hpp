@@ -43,6 +43,8 @@ struct Farthest {
   std::size_t vertex = 0;
 };
 [[nodiscard]] Farthest farthest(const MetricShape& shape, const RigidMotion& motion);
+/// The same of the affine displacement T + D y.
+[[nodiscard]] Farthest farthest(const MetricShape& shape, const Mat3& D, const Vec3& T);
 
 /// [length]. `translation` leaves the rotation out of account.
 [[nodiscard]] double length_of(const MetricShape& shape, Metric metric, const RigidMotion& motion);

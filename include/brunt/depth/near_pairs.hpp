@@ -4,8 +4,8 @@
 // A pair at the distance d with nearest points p_A, p_B and n = (p_A - p_B)/d keeps apart under the small motion
 // (tau, omega) about the present centroid of A if
 //   n . (tau + omega x (p_A - c)) >= -d + margin.
-// The plane through p_B with normal n separates the two triangles, so the condition is sufficient for a translation; the
-// rotation's second order is left out. At corners the normal turns from step to step, so that no case need be told
+// The plane through p_B with normal n separates the two triangles, so the condition is sufficient for a translation;
+// the rotation's second order is left out. At corners the normal turns from step to step, so that no case need be told
 // apart (README of this room, after section 4 of Zhang, Kim, Manocha 2007).
 #pragma once
 #include <vector>

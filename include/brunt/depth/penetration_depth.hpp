@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Generalized penetration depth of two rigid bodies with closed surfaces: the shortest rigid motion of A, in a metric,
+// after which the interiors have no common point. No path is asked for.
+//
+// L. Zhang, Y. J. Kim, D. Manocha, A fast and practical algorithm for generalized penetration depth computation (2007).
+// The answer is an upper bound (its placement is free) and a proven lower bound. Equal input gives equal bits.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "brunt/depth/body.hpp"
+#include "brunt/depth/encounter.hpp"
+
+namespace brunt::depth {
+
+struct Query {
+  Placement a_in_b;  ///< from file coordinates of A to those of B
+  Metric metric = Metric::displacement;
+  bool careful = false;          ///< many starts, all metrics help each other, contact to 1e-9 of A's radius
+  double clearance = 1e-6;       ///< left between the surfaces by the fast mode, in units of A's radius
+  std::vector<Vec3> along;       ///< directions of admitted translations, axes of B; none: all. For `translation` only
+  std::vector<Placement> tries;  ///< placements to start from as well: the last answer, those of the other metrics
+};
+
+struct ContactPoint {
+  Vec3 point = Vec3::Zero();   ///< at the final placement, in the coordinates of B [length]
+  Vec3 normal = Vec3::Zero();  ///< from B to A
+  double gap = 0;              ///< [length]
+};
+
+struct Answer {
+  bool overlap = false;
+  bool found = true;    ///< false: no free placement (`along` may admit none)
+  double depth = 0;     ///< [length]; 0 without overlap
+  double bound = 0;     ///< nothing shorter is free: proven, up to rounding [length]
+  double distance = 0;  ///< of the surfaces, where they do not overlap [length]
+  Placement placement;  ///< of A after the motion, in the coordinates of B
+  RigidMotion motion;   ///< in the axes of A at the given placement
+  std::vector<ContactPoint> contacts;
+  int walks = 0, steps = 0;
+  std::int64_t queries = 0;  ///< collision queries
+};
+
+[[nodiscard]] Answer penetration_depth(const Body& a, const Body& b, const Query& query);
+
+}  // namespace brunt::depth

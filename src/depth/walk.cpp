@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/depth/walk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace brunt::depth {
+namespace {
+
+constexpr double first_trust = 0.25;  // of the length
+constexpr double most_trust = 0.5;    // of the length
+constexpr double band_share = 0.25;   // of the trust region: wider bands cost ten times more for the same results
+constexpr double least_band = 4;      // of the clearance
+constexpr std::array<double, 2> outward{0.02, 0.08};  // shares of the trust region for a placement that collides
+constexpr double shrink = 0.4, grow = 2;
+constexpr double good = 0.7, poor = 0.2;  // actual decrease over predicted one: grow, shrink
+
+struct Trial {
+  RigidMotion motion;
+  double length = 0;
+  bool accepted = false;
+};
+
+/// The step itself, or moved outwards.
+Trial attempt(Encounter& encounter, const LocalStep& step, Metric metric, double trust, double below) {
+  Trial trial{step.motion, length_of(encounter.a.shape, metric, step.motion), false};
+  if (!(trial.length < below)) return trial;
+  if (!encounter.collides(trial.motion)) {
+    trial.accepted = true;
+    return trial;
+  }
+  const double own = trial.length, curvature = step.turn * step.turn * encounter.a.shape.radius;
+  for (const double push : {std::min(curvature, outward[0] * trust), outward[0] * trust, outward[1] * trust}) {
+    if (!(push > 0)) continue;
+    const RigidMotion moved_out = along_screw(step.motion, 1 + push / own);
+    const double length = length_of(encounter.a.shape, metric, moved_out);
+    if (!(length < below)) return trial;
+    if (encounter.collides(moved_out)) continue;
+    return {moved_out, length, true};
+  }
+  return trial;
+}
+
+}  // namespace
+
+WalkResult Walker::walk(Encounter& encounter, const RigidMotion& start, const WalkOptions& options) {
+  const MetricShape& shape = encounter.a.shape;
+  WalkResult result{start, length_of(shape, options.metric, start), 0, false};
+  LocalProblem problem{options.metric, options.clearance * shape.radius, first_trust * result.length, options.basis};
+  bool fresh = true;  // conditions are of another placement or band
+  for (; result.steps < options.most_steps; ++result.steps) {
+    if (problem.trust < options.least_trust * result.length) break;
+    const double band = std::max(band_share * problem.trust, least_band * problem.margin);
+    if (fresh) near_.find(encounter, result.motion, band);
+    const LocalStep step = solver_.solve(shape, result.motion, near_.conditions, problem);
+    const double predicted = result.length - step.predicted;
+    if (step.solved && predicted <= options.slope * problem.trust) {
+      result.stationary = true;
+      break;
+    }
+    const Trial trial = step.solved ? attempt(encounter, step, options.metric, problem.trust, result.length) : Trial{};
+    if (!trial.accepted) {
+      problem.trust *= shrink;
+      fresh = false;  // the band was wide enough
+      continue;
+    }
+    const double gain = (result.length - trial.length) / predicted;
+    if (gain > good) problem.trust = std::min(grow * problem.trust, most_trust * trial.length);
+    if (gain < poor) problem.trust *= shrink;
+    result.motion = trial.motion;
+    result.length = trial.length;
+    fresh = true;
+  }
+  return result;
+}
+
+RigidMotion pulled(Encounter& encounter, Metric metric, const RigidMotion& motion, double accuracy) {
+  const double length = length_of(encounter.a.shape, metric, motion);
+  if (!(length > accuracy)) return motion;
+  double free = 1, collides = 0, step = std::min(0.5, 4 * accuracy / length);
+  const double end = accuracy / length;
+  while (free - collides > end) {
+    const double s = collides > 0 ? 0.5 * (free + collides) : std::max(0.0, free - step);
+    if (s <= 0 || encounter.collides(along_screw(motion, s))) {
+      if (s <= 0) break;
+      collides = s;
+    } else {
+      free = s;
+      step *= 4;
+    }
+  }
+  return along_screw(motion, free);
+}
+
+}  // namespace brunt::depth
