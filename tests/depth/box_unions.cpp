@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/box_unions.hpp"
+#include "tests/depth/box_unions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -93,7 +93,9 @@ TriangleSurface surface_of_boxes(const std::vector<geometry::Box>& boxes) {
   return surface_of_boxes(boxes, none);
 }
 
-geometry::Box box_between(const Vec3& low, const Vec3& high) { return {low, high}; }
+geometry::Box box_between(const Vec3& low, const Vec3& high) {
+  return {low, high};
+}
 
 std::vector<std::vector<Vec3>> corners_of(const std::vector<geometry::Box>& boxes) {
   std::vector<std::vector<Vec3>> pieces;
