@@ -9,7 +9,6 @@ namespace {
 
 constexpr double feasible = 1e-12;        // of the trust region: violation of a row that counts as none
 constexpr double proximal = 1e-3;         // eps
-constexpr double cut_accuracy = 1e-8;     // of the length: cuts end when no vertex moves farther than s by more
 constexpr int most_cuts = 80;             // of one step
 constexpr double least_curvature = 1e-9;  // of the object norm in rotations, relative: at phi = pi it has none
 
@@ -108,7 +107,7 @@ LocalStep LocalSolver::in_displacement(const MetricShape& shape, const RigidMoti
     const Vec3 T = motion.shift + tau;
     const Farthest worst = farthest(shape, slope, T);
     most = worst.distance;
-    if (cut > 0 && most <= program.x()[6] + cut_accuracy * most) break;
+    if (cut > 0 && most <= program.x()[6] + problem.accuracy) break;
     const Vec3& y = shape.extremes[worst.vertex];
     const Vec3 e = (T + slope * y).normalized(), arm = R * y;
     Row<7> row;

@@ -120,8 +120,8 @@ std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options
       for (const double sign : {1.0, -1.0})
         marcher.march({sign * axes_b.col(i), true}, options.march, std::numbers::pi);
   }
-  std::stable_sort(marcher.found.begin(), marcher.found.end(),
-                   [](const Start& x, const Start& y) { return x.length < y.length; });
+  std::sort(marcher.found.begin(), marcher.found.end(),
+            [](const Start& x, const Start& y) { return x.length < y.length; });
   return marcher.found;
 }
 

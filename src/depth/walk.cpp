@@ -11,6 +11,7 @@ namespace {
 constexpr double first_trust = 0.25;  // of the length
 constexpr double most_trust = 0.5;    // of the length
 constexpr double band_share = 0.25;   // of the trust region: wider bands cost ten times more for the same results
+constexpr double cut_share = 0.1;        // of the decrease that ends a walk: accuracy of the least DISP
 constexpr double least_band = 4;      // of the clearance
 constexpr std::array<double, 2> outward{0.02, 0.08};  // shares of the trust region for a placement that collides
 constexpr double shrink = 0.4, grow = 2;
@@ -47,12 +48,17 @@ Trial attempt(Encounter& encounter, const LocalStep& step, Metric metric, double
 WalkResult Walker::walk(Encounter& encounter, const RigidMotion& start, const WalkOptions& options) {
   const MetricShape& shape = encounter.a.shape;
   WalkResult result{start, length_of(shape, options.metric, start), 0, false};
-  LocalProblem problem{options.metric, options.clearance * shape.radius, first_trust * result.length, options.basis};
+  LocalProblem problem;
+  problem.metric = options.metric;
+  problem.margin = options.clearance * shape.radius;
+  problem.trust = first_trust * result.length;
+  problem.basis = options.basis;
   bool fresh = true;  // conditions are of another placement or band
   for (; result.steps < options.most_steps; ++result.steps) {
     if (problem.trust < options.least_trust * result.length) break;
     const double band = std::max(band_share * problem.trust, least_band * problem.margin);
     if (fresh) near_.find(encounter, result.motion, band);
+    problem.accuracy = cut_share * options.slope * problem.trust;
     const LocalStep step = solver_.solve(shape, result.motion, near_.conditions, problem);
     const double predicted = result.length - step.predicted;
     if (step.solved && predicted <= options.slope * problem.trust) {

@@ -21,6 +21,7 @@ struct LocalProblem {
   Metric metric = Metric::displacement;
   double margin = 0;              ///< clearance to keep [length]
   double trust = 0;               ///< [length]
+  double accuracy = 1e-9;         ///< of the least DISP in the model [length]
   Mat3 basis = Mat3::Identity();  ///< of admitted translations: orthonormal columns, zero ones for those forbidden
 };
 
