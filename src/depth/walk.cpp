@@ -10,8 +10,10 @@ namespace {
 
 constexpr double first_trust = 0.25;  // of the length
 constexpr double most_trust = 0.5;    // of the length
-constexpr double band_share = 0.25;   // of the trust region: wider bands cost ten times more for the same results
-constexpr double cut_share = 0.1;        // of the decrease that ends a walk: accuracy of the least DISP
+constexpr double band_share = 0.1;    // of the trust region: wider bands cost ten times more for the same results
+constexpr double widen = 3;           // of the band, where the step collides with what lies beyond it
+constexpr double wide_band = 0.25;    // of the trust region: no wider ones
+constexpr double cut_share = 0.1;     // of the decrease that ends a walk: accuracy of the least DISP
 constexpr double least_band = 4;      // of the clearance
 constexpr std::array<double, 2> outward{0.02, 0.08};  // shares of the trust region for a placement that collides
 constexpr double shrink = 0.4, grow = 2;
@@ -53,11 +55,14 @@ WalkResult Walker::walk(Encounter& encounter, const RigidMotion& start, const Wa
   problem.margin = options.clearance * shape.radius;
   problem.trust = first_trust * result.length;
   problem.basis = options.basis;
-  bool fresh = true;  // conditions are of another placement or band
+  double band = 0, share = band_share;
+  bool fresh = true;  // conditions are of another placement or a narrower band
   for (; result.steps < options.most_steps; ++result.steps) {
     if (problem.trust < options.least_trust * result.length) break;
-    const double band = std::max(band_share * problem.trust, least_band * problem.margin);
-    if (fresh) near_.find(encounter, result.motion, band);
+    if (fresh) {
+      band = std::max(share * problem.trust, least_band * problem.margin);
+      near_.find(encounter, result.motion, band);
+    }
     problem.accuracy = cut_share * options.slope * problem.trust;
     const LocalStep step = solver_.solve(shape, result.motion, near_.conditions, problem);
     const double predicted = result.length - step.predicted;
@@ -67,8 +72,11 @@ WalkResult Walker::walk(Encounter& encounter, const RigidMotion& start, const Wa
     }
     const Trial trial = step.solved ? attempt(encounter, step, options.metric, problem.trust, result.length) : Trial{};
     if (!trial.accepted) {
-      problem.trust *= shrink;
-      fresh = false;  // the band was wide enough
+      fresh = band < wide_band * problem.trust;
+      if (fresh)
+        share *= widen;
+      else
+        problem.trust *= shrink;
       continue;
     }
     const double gain = (result.length - trial.length) / predicted;
@@ -77,6 +85,7 @@ WalkResult Walker::walk(Encounter& encounter, const RigidMotion& start, const Wa
     result.motion = trial.motion;
     result.length = trial.length;
     fresh = true;
+    share = band_share;
   }
   return result;
 }

@@ -29,3 +29,16 @@ TEST_CASE("debug", "[.][table]") {
                depth::rotation_vector(r.motion.turn).norm(), r.steps, r.stationary, w.conditions().size());
   }
 }
+
+TEST_CASE("profile", "[.][table]") {
+  const auto cases = test::mesh_pairs();
+  const auto& c = cases[static_cast<std::size_t>(atoi(getenv("CASE")))];
+  const depth::Body a = depth::make_body(c.a.surface), b = depth::make_body(c.b.surface);
+  for (int i = 0; i < 10; ++i) {
+    depth::Query q;
+    q.a_in_b = c.a_in_b;
+    q.metric = static_cast<depth::Metric>(atoi(getenv("METRIC")));
+    q.careful = getenv("CAREFUL") != nullptr;
+    CHECK(depth::penetration_depth(a, b, q).depth > 0);
+  }
+}

@@ -3,9 +3,11 @@
 
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <cstdlib>
 
 #include "brunt/depth/penetration_depth.hpp"
 #include "tests/depth/cases.hpp"
+#include "tests/support/depth_bodies.hpp"
 
 using namespace brunt;
 
@@ -41,5 +43,61 @@ TEST_CASE("table of values", "[.][table]") {
     fmt::print("{}\n", careful ? "careful" : "fast");
     for (const auto& set : {test::closed_forms(), test::interlocked_boxes(), test::mesh_pairs()})
       for (const test::DepthCase& c : set) print(c, careful);
+  }
+}
+
+namespace {
+
+/// Random overlapping poses of a pair.
+std::vector<Placement> random_poses(const TriangleSurface& a, const TriangleSurface& b, const depth::Body& body_a,
+                                    const depth::Body& body_b, int count) {
+  std::mt19937_64 random(7);
+  std::vector<Placement> poses;
+  while (static_cast<int>(poses.size()) < count) {
+    const Placement pose = test::random_placement(a, b, random);
+    if (geometry::surfaces_cross(body_a.tree, body_b.tree, pose)) poses.push_back(pose);
+  }
+  return poses;
+}
+
+}  // namespace
+
+TEST_CASE("table of random poses", "[.][table]") {
+  const char* pairs[] = {"L/knot", "pawn/hub", "mallet/bumpy"};
+  const TriangleSurface as[] = {test::l_shape(), test::pawn(), test::mallet()};
+  const TriangleSurface bs[] = {test::knot(), test::hub(), test::bumpy_sphere()};
+  const int count = std::getenv("POSES") ? std::atoi(std::getenv("POSES")) : 40;
+  for (int p = 0; p < 3; ++p) {
+    const depth::Body a = depth::make_body(as[p]), b = depth::make_body(bs[p]);
+    const auto poses = random_poses(as[p], bs[p], a, b, count);
+    for (std::size_t m = 0; m < 3; ++m) {
+      std::array<std::vector<double>, 2> excess, ms;
+      for (const Placement& pose : poses) {
+        std::array<double, 2> depths{};
+        for (const int careful : {0, 1}) {
+          depth::Query query;
+          query.a_in_b = pose;
+          query.metric = metrics[m];
+          query.careful = careful == 1;
+          const auto before = std::chrono::steady_clock::now();
+          depths[static_cast<std::size_t>(careful)] = depth::penetration_depth(a, b, query).depth;
+          ms[static_cast<std::size_t>(careful)].push_back(
+              std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
+        }
+        excess[0].push_back(depths[0] / depths[1] - 1);
+      }
+      const auto quantile = [](std::vector<double> v, double q) {
+        std::sort(v.begin(), v.end());
+        return v[static_cast<std::size_t>(q * static_cast<double>(v.size() - 1))];
+      };
+      double mean = 0;
+      int bad = 0;
+      for (const double e : excess[0]) {
+        mean += 100 * e / count;
+        bad += e > .05;
+      }
+      fmt::print("{:13} {:4} fast/careful mean {:6.2f} % >5%: {:3} of {} | fast ms {:.2f} {:.2f} {:.2f} | careful {:.1f} {:.1f}\n", pairs[p],
+                 names[m], mean, bad, count, quantile(ms[0], .5), quantile(ms[0], .99), quantile(ms[0], 1), quantile(ms[1], .5), quantile(ms[1], 1));
+    }
   }
 }
