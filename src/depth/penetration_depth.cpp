@@ -120,7 +120,7 @@ class Search {
 
 void list_contacts(const Encounter& encounter, Answer& answer) {
   NearPairs near;
-  near.find(encounter, answer.motion, contact_band * encounter.a.shape.radius);
+  near.find(encounter, answer.motion, contact_band * encounter.a.shape.radius, 0);
   const Mat3& out = encounter.start.rotation;
   const Vec3 centre = answer.placement(encounter.a.shape.centroid);
   for (const NearCondition& condition : near.conditions) {

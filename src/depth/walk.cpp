@@ -16,43 +16,44 @@ constexpr double wide_band = 0.25;    // of the trust region: no wider ones
 constexpr double cut_share = 0.1;     // of the decrease that ends a walk: accuracy of the least DISP
 constexpr double least_band = 4;      // of the clearance
 constexpr std::array<double, 2> outward{0.02, 0.08};  // shares of the trust region for a placement that collides
+constexpr int corrections = 2;                        // of second order, of one step
 constexpr double shrink = 0.4, grow = 2;
 constexpr double good = 0.7, poor = 0.2;  // actual decrease over predicted one: grow, shrink
 
-struct Trial {
-  RigidMotion motion;
-  double length = 0;
-  bool accepted = false;
-};
+}  // namespace
 
-/// The step itself, or moved outwards.
-Trial attempt(Encounter& encounter, const LocalStep& step, Metric metric, double trust, double below) {
-  Trial trial{step.motion, length_of(encounter.a.shape, metric, step.motion), false};
-  if (!(trial.length < below)) return trial;
-  if (!encounter.collides(trial.motion)) {
-    trial.accepted = true;
-    return trial;
+/// The step itself, or corrected to second order, or moved outwards.
+Walker::Trial Walker::attempt(Encounter& encounter, const RigidMotion& from, LocalStep step,
+                              const LocalProblem& problem, double margin, double below) {
+  const MetricShape& shape = encounter.a.shape;
+  Trial trial{step.motion, length_of(shape, problem.metric, step.motion), false};
+  for (int i = 0;; ++i) {
+    if (!(trial.length < below)) return trial;
+    if (!encounter.collides(trial.motion)) {
+      trial.accepted = true;
+      return trial;
+    }
+    if (i == corrections || !correct_bounds(encounter, step.motion, step.tau, step.omega, margin, near_.conditions))
+      break;
+    step = solver_.solve(shape, from, near_.conditions, problem);
+    if (!step.solved) break;
+    trial = {step.motion, length_of(shape, problem.metric, step.motion), false};
   }
-  const double own = trial.length, curvature = step.turn * step.turn * encounter.a.shape.radius;
-  for (const double push : {std::min(curvature, outward[0] * trust), outward[0] * trust, outward[1] * trust}) {
-    if (!(push > 0)) continue;
-    const RigidMotion moved_out = along_screw(step.motion, 1 + push / own);
-    const double length = length_of(encounter.a.shape, metric, moved_out);
-    if (!(length < below)) return trial;
-    if (encounter.collides(moved_out)) continue;
-    return {moved_out, length, true};
+  for (const double push : outward) {
+    const RigidMotion out = along_screw(trial.motion, 1 + push * problem.trust / trial.length);
+    const double length = length_of(shape, problem.metric, out);
+    if (!(length < below)) break;
+    if (!encounter.collides(out)) return {out, length, true};
   }
   return trial;
 }
-
-}  // namespace
 
 WalkResult Walker::walk(Encounter& encounter, const RigidMotion& start, const WalkOptions& options) {
   const MetricShape& shape = encounter.a.shape;
   WalkResult result{start, length_of(shape, options.metric, start), 0, false};
   LocalProblem problem;
   problem.metric = options.metric;
-  problem.margin = options.clearance * shape.radius;
+  const double margin = options.clearance * shape.radius;
   problem.trust = first_trust * result.length;
   problem.basis = options.basis;
   double band = 0, share = band_share;
@@ -60,8 +61,10 @@ WalkResult Walker::walk(Encounter& encounter, const RigidMotion& start, const Wa
   for (; result.steps < options.most_steps; ++result.steps) {
     if (problem.trust < options.least_trust * result.length) break;
     if (fresh) {
-      band = std::max(share * problem.trust, least_band * problem.margin);
-      near_.find(encounter, result.motion, band);
+      band = std::max(share * problem.trust, least_band * margin);
+      near_.find(encounter, result.motion, band, margin);
+    } else {
+      near_.forget_corrections(margin);
     }
     problem.accuracy = cut_share * options.slope * problem.trust;
     const LocalStep step = solver_.solve(shape, result.motion, near_.conditions, problem);
@@ -70,13 +73,13 @@ WalkResult Walker::walk(Encounter& encounter, const RigidMotion& start, const Wa
       result.stationary = true;
       break;
     }
-    const Trial trial = step.solved ? attempt(encounter, step, options.metric, problem.trust, result.length) : Trial{};
+    const Trial trial = step.solved ? attempt(encounter, result.motion, step, problem, margin, result.length) : Trial{};
     if (!trial.accepted) {
       fresh = band < wide_band * problem.trust;
       if (fresh)
         share *= widen;
       else
-        problem.trust *= shrink;
+        problem.trust = shrink * (step.solved ? std::min(problem.trust, step.size) : problem.trust);
       continue;
     }
     const double gain = (result.length - trial.length) / predicted;

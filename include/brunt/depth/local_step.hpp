@@ -19,16 +19,16 @@ namespace brunt::depth {
 
 struct LocalProblem {
   Metric metric = Metric::displacement;
-  double margin = 0;              ///< clearance to keep [length]
   double trust = 0;               ///< [length]
   double accuracy = 1e-9;         ///< of the least DISP in the model [length]
   Mat3 basis = Mat3::Identity();  ///< of admitted translations: orthonormal columns, zero ones for those forbidden
 };
 
 struct LocalStep {
-  RigidMotion motion;    ///< after the step, its rotation exact
-  double predicted = 0;  ///< length of the linearised motion
-  double turn = 0;       ///< |omega| [rad]
+  RigidMotion motion;                             ///< after the step, its rotation exact
+  Vec3 tau = Vec3::Zero(), omega = Vec3::Zero();  ///< [length], [rad]
+  double size = 0;                                ///< the greatest |xi_i| [length]
+  double predicted = 0;                           ///< length of the linearised motion
   bool solved = false;
 };
 

@@ -8,6 +8,7 @@
 // the rotation's second order is left out. At corners the normal turns from step to step, so that no case need be told
 // apart (README of this room, after section 4 of Zhang, Kim, Manocha 2007).
 #pragma once
+#include <span>
 #include <vector>
 
 #include "brunt/depth/encounter.hpp"
@@ -18,6 +19,8 @@ struct NearCondition {
   Vec3 normal = Vec3::Zero();  ///< n, from B to A
   Vec3 arm = Vec3::Zero();     ///< p_A - c [length]
   double distance = 0;         ///< d [length]
+  double bound = 0;  ///< of n . (tau + omega x arm): min(0, margin - d), or more after `correct_bounds` [length]
+  LocalIndex a = no_index, b = no_index;  ///< triangles
 };
 
 /// Buffers that keep their capacity.
@@ -27,7 +30,16 @@ struct NearPairs {
 
   /// Of all pairs of triangles nearer than `band` [length] where the motion takes A. Pairs whose nearest points are the
   /// same within 1e-9 of A's size give one condition. Ordered by position, not by numbers of triangles.
-  void find(const Encounter& encounter, const RigidMotion& motion, double band);
+  void find(const Encounter& encounter, const RigidMotion& motion, double band, double margin);
+  /// Bounds as `find` gave them.
+  void forget_corrections(double margin);
 };
+
+/// Second-order correction: where the triangles of a condition are nearer than `margin` after the small motion (tau,
+/// omega) that led to `motion`, its bound grows by what is missing. The gap of two triangles is the greatest over the
+/// separating axes (two face normals, nine products of edges) that point the same way as n within 60 degrees; it is
+/// negative where they cross. Whether any bound grew.
+bool correct_bounds(const Encounter& encounter, const RigidMotion& motion, const Vec3& tau, const Vec3& omega,
+                    double margin, std::span<NearCondition> conditions);
 
 }  // namespace brunt::depth

@@ -35,6 +35,13 @@ class Walker {
   [[nodiscard]] std::span<const NearCondition> conditions() const { return near_.conditions; }
 
  private:
+  struct Trial {
+    RigidMotion motion;
+    double length = 0;
+    bool accepted = false;
+  };
+  Trial attempt(Encounter& encounter, const RigidMotion& from, LocalStep step, const LocalProblem& problem,
+                double margin, double below);
   NearPairs near_;
   LocalSolver solver_;
 };
