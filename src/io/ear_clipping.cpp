@@ -3,7 +3,7 @@
 //
 // Only corners that are not convex can lie in an ear first: of all corners inside, the one nearest to its tip is
 // concave. For the same reason a corner becomes an ear only when a neighbour has been clipped, so that each clipped
-// corner costs two tests more, and a polygon of n corners at most 6 n tests against the concave ones.
+// corner costs two tests more, and a polygon of n corners at most 5 n tests against the concave ones.
 #include "ear_clipping.hpp"
 
 #include <Eigen/Geometry>

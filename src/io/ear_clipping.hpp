@@ -28,7 +28,7 @@ class EarClipping {
   Split split(std::span<const Vec3> corners, std::vector<std::array<LocalIndex, 3>>& triangles);
 
   /// Tests of a point in a triangle, on average over the corners of a polygon: it bounds the time of a file by its size
-  /// (about 10 microseconds a corner). Polygons of up to about 680 concave corners never reach it.
+  /// (about 10 microseconds a corner). Polygons of up to about 800 concave corners never reach it.
   static constexpr std::size_t tests_per_corner = 4096;
 
  private:
