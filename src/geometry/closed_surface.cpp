@@ -57,15 +57,16 @@ void add(EdgeFaults& faults, const Side& side) {
 /// Counts the faults of edges, and joins the triangles at each edge to shells.
 void check_edges(const TriangleSurface& surface, DisjointSets& shells, SurfaceFaults& faults) {
   const std::vector<Side> sides = sorted_sides(surface);
-  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
-    while (end < sides.size() && sides[end].same_edge(sides[begin])) ++end;
-    for (std::size_t k = begin + 1; k < end; ++k) shells.join(sides[begin].triangle, sides[k].triangle);
+  for (auto begin = sides.begin(); begin != sides.end();) {
+    const auto end = std::find_if_not(begin, sides.end(), [&](const Side& side) { return side.same_edge(*begin); });
+    for (auto side = begin; side != end; ++side) shells.join(begin->triangle, side->triangle);
     if (end - begin == 1)
-      add(faults.open, sides[begin]);
+      add(faults.open, *begin);
     else if (end - begin > 2)
-      add(faults.non_manifold, sides[begin]);
-    else if (sides[begin].forward == sides[begin + 1].forward)
-      add(faults.reversed, sides[begin]);
+      add(faults.non_manifold, *begin);
+    else if (begin->forward == std::next(begin)->forward)
+      add(faults.reversed, *begin);
+    begin = end;
   }
 }
 

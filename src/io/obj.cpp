@@ -53,7 +53,8 @@ class ObjParser {
     int more = 0;
     for (std::string_view word = in_.word(); !word.empty(); word = in_.word(), ++more) {
       double unused = 0;
-      if (!parse_number(word, unused)) in_.fail(fmt::format("invalid number '{}' of a point", shown(word)));
+      if (!parse_number(word, unused))
+        in_.fail(fmt::format("invalid weight or colour '{}'; expected a number", shown(word)));
     }
     if (more > 4) in_.fail(fmt::format("{} numbers of a point; expected 3, 4, 6 or 7", more + 3));
   }
@@ -76,7 +77,8 @@ class ObjParser {
       in_.fail(fmt::format("invalid corner '{}'; expected a, a/b, a//c or a/b/c of integers", shown(word)));
     const auto count = static_cast<std::int64_t>(surface_.points.size());
     if (index == 0 || index < -count || index > std::numeric_limits<LocalIndex>::max())
-      in_.fail(fmt::format("index {} of a point is out of range; there are {} points so far", index, count));
+      in_.fail(fmt::format("index {} of a point is out of range; expected one of {} points so far, or a later one",
+                           index, count));
     return static_cast<LocalIndex>(index > 0 ? index - 1 : count + index);
   }
 
@@ -96,7 +98,7 @@ class ObjParser {
     for (std::size_t face = 0, k = 0; face < faces_.ends.size(); ++face)
       for (; k < faces_.ends[face]; ++k)
         if (static_cast<std::size_t>(faces_.corners[k]) >= count)
-          throw InputError(fmt::format("{}:{}: index {} of a point is out of range; the file has {} points", name_,
+          throw InputError(fmt::format("{}:{}: index {} of a point is out of range; expected {} at most", name_,
                                        faces_.places[face], std::int64_t{faces_.corners[k]} + 1, count));
   }
 

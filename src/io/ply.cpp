@@ -144,8 +144,7 @@ class PlyParser {
     for (std::int64_t k = 0; k < length; ++k) {
       const std::int64_t index = body_.integer(list.type, "index of a point");
       if (index < 0 || index >= vertex_.count)
-        body_.fail(
-            fmt::format("index {} of a point is out of range; the file has {} points, from 0", index, vertex_.count));
+        body_.fail(fmt::format("index {} of a point is out of range; expected 0 to {}", index, vertex_.count - 1));
       faces_.corners.push_back(static_cast<LocalIndex>(index));
     }
   }

@@ -37,7 +37,7 @@ double PlyAsciiBody::real(PlyType /*type*/, std::string_view what) {
 
 void PlyAsciiBody::skip(PlyType /*type*/, std::int64_t count) {
   for (std::int64_t k = 0; k < count; ++k)
-    if (in_.word().empty()) in_.fail("the line ends before the last property of the entry");
+    if (in_.word().empty()) in_.fail("the line ends before the last property of the entry; expected its value");
 }
 
 /// Lists end with their line at the latest.

@@ -121,7 +121,7 @@ class HeaderParser {
 
   std::string need(std::string_view what) {
     const std::string_view word = in_.word();
-    if (word.empty()) in_.fail(fmt::format("missing {}", what));
+    if (word.empty()) in_.fail(fmt::format("missing {}; expected a word", what));
     return std::string(word);
   }
 
@@ -143,8 +143,9 @@ class HeaderParser {
       if (least == 0) continue;
       const auto count = static_cast<std::uint64_t>(element.count);
       if (count > left / least)
-        throw InputError(fmt::format("{}:{}: {} entries of {} are announced; the rest of the file can hold {} at most",
-                                     name_, element.line, count, shown(element.name), left / least));
+        throw InputError(
+            fmt::format("{}:{}: {} entries of {} are announced; expected {} at most in the rest of the file", name_,
+                        element.line, count, shown(element.name), left / least));
       left -= count * least;
     }
   }

@@ -14,10 +14,14 @@ enum class LineSyntax { plain, obj };
 
 class TextCursor {
  public:
-  /// `lines`: of the file, before the text.
+  /// `lines`: of the file, before the text. A byte order mark at the beginning of a file is passed over.
   TextCursor(std::string_view text, const std::string& name, LineSyntax syntax = LineSyntax::plain,
              std::int64_t lines = 0)
-      : text_(text), name_(name), syntax_(syntax), line_(lines) {}
+      : text_(text),
+        name_(name),
+        syntax_(syntax),
+        next_(lines == 0 && text.starts_with("\xEF\xBB\xBF") ? 3 : 0),
+        line_(lines) {}
 
   /// Goes to the next line, blank or not; false at the end of the text.
   bool next_line();
@@ -49,7 +53,8 @@ class TextCursor {
   std::string_view text_;
   const std::string& name_;
   LineSyntax syntax_;
-  std::size_t next_ = 0, at_ = 0, end_ = 0;  // start of the next line; position in and end of this one
+  std::size_t next_;              // start of the next line
+  std::size_t at_ = 0, end_ = 0;  // position in this line, and its end
   std::int64_t line_;
 };
 
