@@ -9,6 +9,7 @@
 
 #include "pseudo_normals.hpp"
 #include "slab_boxes.hpp"
+#include "triangle_point.hpp"
 
 namespace brunt::geometry {
 namespace {
@@ -114,6 +115,14 @@ class Builder {
       for (std::size_t i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) leaf.corner[i][k][static_cast<int>(lane)] = corners[i][k];
     }
+    const auto lanes = [&](std::size_t i) {
+      return VecOf<Octet>{leaf.corner[i][0], leaf.corner[i][1], leaf.corner[i][2]};
+    };
+    const TriangleOf<Octet> all = triangle_of(lanes(0), lanes(1), lanes(2));
+    const Octet normal[3] = {all.normal.x, all.normal.y, all.normal.z};
+    const Octet inverse2[4] = {all.edge0, all.edge1, all.edge2, all.face};
+    std::copy(normal, normal + 3, leaf.normal);
+    std::copy(inverse2, inverse2 + 4, leaf.inverse2);
     return static_cast<LocalIndex>(tree_.leaves.size() - 1);
   }
 
