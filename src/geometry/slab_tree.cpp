@@ -172,6 +172,9 @@ SlabTree build_slab_tree(const TriangleSurface& surface, std::span<const Vec3> d
   SlabTree tree;
   for (const Vec3& direction : directions) tree.directions.push_back(direction.normalized());
   std::vector<Item> items;
+  items.reserve(surface.triangles.size());
+  tree.triangles.reserve(surface.triangles.size());
+  tree.leaves.reserve(surface.triangles.size() / 8 + 1);
   for (const auto& corners : surface.triangles) {
     Triangle& triangle = tree.triangles.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) triangle[i] = surface.points[static_cast<std::size_t>(corners[i])];
