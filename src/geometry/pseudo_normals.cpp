@@ -3,34 +3,36 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <compare>
 
 #include "triangle_point.hpp"
 
 namespace brunt::geometry {
 namespace {
 
-struct ByCoordinates {
-  bool operator()(const Vec3& a, const Vec3& b) const {
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+struct Corner {
+  Vec3 at;
+  std::size_t triangle, corner;
+  friend bool operator<(const Corner& a, const Corner& b) {
+    return std::lexicographical_compare(a.at.data(), a.at.data() + 3, b.at.data(), b.at.data() + 3);
   }
 };
 
 /// A number for each place that holds corners, in the order of the coordinates.
 std::vector<std::array<std::size_t, 3>> corner_places(std::span<const Triangle> triangles, std::size_t& count) {
-  std::vector<Vec3> places;
-  for (const Triangle& t : triangles) places.insert(places.end(), t.begin(), t.end());
-  std::sort(places.begin(), places.end(), ByCoordinates());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  std::vector<std::array<std::size_t, 3>> result;
-  for (const Triangle& t : triangles) {
-    auto& corners = result.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i)
-      corners[i] = static_cast<std::size_t>(std::lower_bound(places.begin(), places.end(), t[i], ByCoordinates()) -
-                                            places.begin());
+  std::vector<Corner> corners;
+  corners.reserve(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) corners.push_back({triangles[t][i], t, i});
+  std::sort(corners.begin(), corners.end());
+  std::vector<std::array<std::size_t, 3>> places(triangles.size());
+  count = 0;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    if (k > 0 && corners[k].at != corners[k - 1].at) ++count;
+    places[corners[k].triangle][corners[k].corner] = count;
   }
-  count = places.size();
-  return result;
+  ++count;
+  return places;
 }
 
 /// Unit, or zero where it is not clear.
@@ -64,27 +66,34 @@ struct NormalSum {
 }  // namespace
 
 std::vector<TriangleNormals> pseudo_normals(std::span<const Triangle> triangles) {
+  struct Edge {
+    std::size_t low, high, triangle, edge;
+    auto operator<=>(const Edge&) const = default;
+  };
   std::size_t count = 0;
   const auto places = corner_places(triangles, count);
   std::vector<TriangleNormals> normals(triangles.size());
   std::vector<NormalSum> at_corner(count);
-  std::map<std::pair<std::size_t, std::size_t>, NormalSum> at_edge;
-  const auto edge_key = [&](std::size_t t, std::size_t i) {
-    return std::minmax({places[t][i], places[t][(i + 1) % 3]});
-  };
+  std::vector<Edge> edges;
+  edges.reserve(3 * triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const Vec3 normal = clear_normal(triangles[t]);
-    normals[t][0] = normal;
+    normals[t][0] = clear_normal(triangles[t]);
     for (std::size_t i = 0; i < 3; ++i) {
-      at_edge[edge_key(t, i)].add(normal, 1);
-      at_corner[places[t][i]].add(normal, angle_at(triangles[t], i));
+      const auto [low, high] = std::minmax({places[t][i], places[t][(i + 1) % 3]});
+      edges.push_back({low, high, t, i});
+      at_corner[places[t][i]].add(normals[t][0], angle_at(triangles[t], i));
     }
   }
+  std::sort(edges.begin(), edges.end());
+  for (auto first = edges.begin(); first != edges.end();) {
+    NormalSum sum;
+    auto last = first;
+    for (; last != edges.end() && last->low == first->low && last->high == first->high; ++last)
+      sum.add(normals[last->triangle][0], 1);
+    for (; first != last; ++first) normals[first->triangle][1 + first->edge] = sum.result();
+  }
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      normals[t][1 + i] = at_edge[edge_key(t, i)].result();
-      normals[t][4 + i] = at_corner[places[t][i]].result();
-    }
+    for (std::size_t i = 0; i < 3; ++i) normals[t][4 + i] = at_corner[places[t][i]].result();
   return normals;
 }
 

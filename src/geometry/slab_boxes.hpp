@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "brunt/geometry/slab_tree.hpp"
+#include "octets.hpp"
 
 namespace brunt::geometry {
 
@@ -62,20 +63,6 @@ struct PlacedBox {
     half = placed.half.array() + relative.slack;
   }
 };
-
-BRUNT_INLINE Octet octet_abs(Octet a) {
-  return a < 0.0 ? -a : a;
-}
-BRUNT_INLINE Octet octet_max(Octet a, Octet b) {
-  return a > b ? a : b;
-}
-
-/// Lanes where the mask is true, as bits.
-BRUNT_INLINE unsigned bits_of(OctetMask mask) {
-  unsigned bits = 0;
-  for (unsigned lane = 0; lane < 8; ++lane) bits |= static_cast<unsigned>(mask[static_cast<int>(lane)] & 1) << lane;
-  return bits;
-}
 
 /// Of a box and the children of a node.
 struct Gaps {

@@ -9,6 +9,7 @@
 
 #include "pseudo_normals.hpp"
 #include "slab_boxes.hpp"
+#include "triangle_point.hpp"
 
 namespace brunt::geometry {
 namespace {
@@ -114,6 +115,14 @@ class Builder {
       for (std::size_t i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) leaf.corner[i][k][static_cast<int>(lane)] = corners[i][k];
     }
+    const auto lanes = [&](std::size_t i) {
+      return VecOf<Octet>{leaf.corner[i][0], leaf.corner[i][1], leaf.corner[i][2]};
+    };
+    const TriangleOf<Octet> all = triangle_of(lanes(0), lanes(1), lanes(2));
+    const Octet normal[3] = {all.normal.x, all.normal.y, all.normal.z};
+    const Octet inverse2[4] = {all.edge0, all.edge1, all.edge2, all.face};
+    std::copy(normal, normal + 3, leaf.normal);
+    std::copy(inverse2, inverse2 + 4, leaf.inverse2);
     return static_cast<LocalIndex>(tree_.leaves.size() - 1);
   }
 
@@ -163,6 +172,9 @@ SlabTree build_slab_tree(const TriangleSurface& surface, std::span<const Vec3> d
   SlabTree tree;
   for (const Vec3& direction : directions) tree.directions.push_back(direction.normalized());
   std::vector<Item> items;
+  items.reserve(surface.triangles.size());
+  tree.triangles.reserve(surface.triangles.size());
+  tree.leaves.reserve(surface.triangles.size() / 8 + 1);
   for (const auto& corners : surface.triangles) {
     Triangle& triangle = tree.triangles.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) triangle[i] = surface.points[static_cast<std::size_t>(corners[i])];

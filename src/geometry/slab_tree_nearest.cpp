@@ -45,7 +45,7 @@ class Descent {
       const Octet gap = octet_max(octet_abs(node.middle[k] - x_[k]) - node.half[k] - slack_, Octet());
       distance2 += gap * gap;
     }
-    unsigned left = bits_of(distance2 <= nearest_.distance2);
+    unsigned left = lanes_up_to(distance2, Octet() + nearest_.distance2);
     while (left != 0) {
       int first = std::countr_zero(left);
       for (unsigned rest = left & (left - 1); rest != 0; rest &= rest - 1) {
@@ -59,10 +59,12 @@ class Descent {
   }
 
   void leaf(const SlabNode& node) {
-    const auto& corner = tree_.leaves[static_cast<std::size_t>(node.leaf)].corner;
-    const auto lanes = [&](std::size_t i) { return VecOf<Octet>{corner[i][0], corner[i][1], corner[i][2]}; };
-    const Octet distance2 = distance2_to_triangle(lanes_, lanes(0), lanes(1), lanes(2));
-    for (unsigned left = bits_of(distance2 <= nearest_.distance2) & ((1U << node.count) - 1); left != 0;
+    const SlabLeaf& l = tree_.leaves[static_cast<std::size_t>(node.leaf)];
+    const auto vector = [](const Octet(&of)[3]) { return VecOf<Octet>{of[0], of[1], of[2]}; };
+    const Octet distance2 = distance2_to_triangle<Octet>(
+        lanes_, {vector(l.corner[0]), vector(l.corner[1]), vector(l.corner[2]), vector(l.normal), l.inverse2[0],
+                 l.inverse2[1], l.inverse2[2], l.inverse2[3]});
+    for (unsigned left = lanes_up_to(distance2, Octet() + nearest_.distance2) & ((1U << node.count) - 1); left != 0;
          left &= left - 1) {
       const int lane = std::countr_zero(left);
       const LocalIndex triangle = node.child[static_cast<std::size_t>(lane)];

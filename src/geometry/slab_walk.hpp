@@ -44,7 +44,7 @@ class SlabWalk {
   /// Calls work(lane) for children within the limit, those that overlap most first.
   template <class Work>
   bool by_nearness(const Gaps& gaps, const Work& work) {
-    unsigned left = bits_of(gaps.distance2 <= limit2_);
+    unsigned left = lanes_up_to(gaps.distance2, Octet() + limit2_);
     while (left != 0) {
       int nearest = std::countr_zero(left);
       for (unsigned rest = left & (left - 1); rest != 0; rest &= rest - 1) {

@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "triangle_point.hpp"
 
-#include <cmath>
-
 namespace brunt::geometry {
 namespace {
-
-/// a b - c d
-double difference_of_products(double a, double b, double c, double d) {
-  const double second = c * d, second_error = std::fma(-c, d, second);
-  return std::fma(a, b, -second) + second_error;
-}
 
 TriangleFeature edge_feature(std::size_t edge, double along) {
   constexpr int first_edge = static_cast<int>(TriangleFeature::edge0);
@@ -21,11 +13,6 @@ TriangleFeature edge_feature(std::size_t edge, double along) {
 }
 
 }  // namespace
-
-Vec3 accurate_cross(const Vec3& u, const Vec3& v) {
-  return {difference_of_products(u[1], v[2], u[2], v[1]), difference_of_products(u[2], v[0], u[0], v[2]),
-          difference_of_products(u[0], v[1], u[1], v[0])};
-}
 
 OnTriangle nearest_on(const Triangle& t, const Vec3& p) {
   OnTriangle nearest{t[0], TriangleFeature::corner0};

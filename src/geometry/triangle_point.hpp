@@ -2,6 +2,8 @@
 // The point of a triangle nearest to a point: as a number in lanes, for searches, and with all that belongs to it.
 #pragma once
 #include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
 
 #include "brunt/geometry/slab_tree.hpp"
 #include "brunt/geometry/vec_of.hpp"
@@ -24,8 +26,9 @@ struct NearestEdge {
 };
 
 template <class T>
-BRUNT_INLINE void consider_edge(const VecOf<T>& edge, const VecOf<T>& from_corner, NearestEdge<T>& nearest) {
-  const T t = clamp_to_unit<T>(dot(from_corner, edge) / dot(edge, edge));
+BRUNT_INLINE void consider_edge(const VecOf<T>& edge, T inverse2, const VecOf<T>& from_corner,
+                                NearestEdge<T>& nearest) {
+  const T t = clamp_to_unit<T>(dot(from_corner, edge) * inverse2);
   const VecOf<T> away = from_corner - t * edge;
   const T distance2 = dot(away, away);
   const auto nearer = distance2 < nearest.distance2;
@@ -33,26 +36,45 @@ BRUNT_INLINE void consider_edge(const VecOf<T>& edge, const VecOf<T>& from_corne
   nearest.away = {nearer ? away.x : nearest.away.x, nearer ? away.y : nearest.away.y, nearer ? away.z : nearest.away.z};
 }
 
-/// Squared distance of the point p to the triangle a, b, c: of all that is finite a number. In a sliver the height over
-/// its plane is measured from the nearest edge, so that the direction of the plane need not be exact.
+/// A triangle as searches want it: corners, the normal (b - a) x (c - a), and one over the squared lengths of the edges
+/// and of the normal (infinite where there is no length).
 template <class T>
-BRUNT_INLINE T distance2_to_triangle(const VecOf<T>& p, const VecOf<T>& a, const VecOf<T>& b, const VecOf<T>& c) {
-  const VecOf<T> ab = b - a, bc = c - b, ca = a - c, pa = p - a, pb = p - b, pc = p - c;
-  const T infinite = T() + std::numeric_limits<double>::infinity();
+struct TriangleOf {
+  VecOf<T> a, b, c, normal;
+  T edge0, edge1, edge2, face;
+};
+
+template <class T>
+BRUNT_INLINE TriangleOf<T> triangle_of(const VecOf<T>& a, const VecOf<T>& b, const VecOf<T>& c) {
+  const VecOf<T> ab = b - a, bc = c - b, ac = c - a, normal = cross(ab, ac);
+  const T one = T() + 1.0;
+  return {a, b, c, normal, one / dot(ab, ab), one / dot(bc, bc), one / dot(ac, ac), one / dot(normal, normal)};
+}
+
+/// Squared distance of the point p to the triangle: of all that is finite a number. In a sliver the height over its
+/// plane is measured from the nearest edge, so that the direction of the plane need not be exact.
+template <class T>
+BRUNT_INLINE T distance2_to_triangle(const VecOf<T>& p, const TriangleOf<T>& t) {
+  const VecOf<T> ab = t.b - t.a, bc = t.c - t.b, ca = t.a - t.c, pa = p - t.a, pb = p - t.b, pc = p - t.c;
+  const T infinite = T() + std::numeric_limits<double>::infinity(), zero = T();
   NearestEdge<T> nearest{pa, infinite};
-  consider_edge(ab, pa, nearest);
-  consider_edge(bc, pb, nearest);
-  consider_edge(ca, pc, nearest);
-  const VecOf<T> normal = cross(ca, ab);
-  const T zero = T();
-  const auto inside = (dot(cross(ab, pa), normal) >= zero) & (dot(cross(bc, pb), normal) >= zero) &
-                      (dot(cross(ca, pc), normal) >= zero);
-  const T height = dot(nearest.away, normal), over_face = height * height / dot(normal, normal);
+  consider_edge(ab, t.edge0, pa, nearest);
+  consider_edge(bc, t.edge1, pb, nearest);
+  consider_edge(ca, t.edge2, pc, nearest);
+  const auto inside = (dot(cross(ab, pa), t.normal) >= zero) & (dot(cross(bc, pb), t.normal) >= zero) &
+                      (dot(cross(ca, pc), t.normal) >= zero);
+  const T height = dot(nearest.away, t.normal), over_face = height * height * t.face;
   return (inside & (over_face < nearest.distance2)) ? over_face : nearest.distance2;
 }
 
 /// The vector product of two vectors, each component with an error of two units in its last place (Kahan).
-Vec3 accurate_cross(const Vec3& u, const Vec3& v);
+inline Vec3 accurate_cross(const Vec3& u, const Vec3& v) {
+  const auto difference = [](double a, double b, double c, double d) {  // a b - c d
+    const double second = c * d, second_error = std::fma(-c, d, second);
+    return std::fma(a, b, -second) + second_error;
+  };
+  return {difference(u[1], v[2], u[2], v[1]), difference(u[2], v[0], u[0], v[2]), difference(u[0], v[1], u[1], v[0])};
+}
 
 struct OnTriangle {
   Vec3 point = Vec3::Zero();
@@ -60,10 +82,5 @@ struct OnTriangle {
 };
 
 OnTriangle nearest_on(const Triangle& triangle, const Vec3& p);
-
-/// What `distance2_to_triangle` finds for p, to the same bits as in a lane.
-inline double distance2_to(const Triangle& t, const Vec3& p) {
-  return distance2_to_triangle(vec_of(p), vec_of(t[0]), vec_of(t[1]), vec_of(t[2]));
-}
 
 }  // namespace brunt::geometry

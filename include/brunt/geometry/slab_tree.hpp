@@ -29,9 +29,11 @@ struct alignas(64) SlabNode {
   LocalIndex leaf = no_index;         ///< index into `leaves`; no_index: the children are nodes
 };
 
-/// The corners of a leaf's triangles, component by component.
+/// The triangles of a leaf, component by component; lanes to spare repeat the first.
 struct alignas(64) SlabLeaf {
-  Octet corner[3][3];  ///< [corner][component]; lanes to spare repeat the first triangle
+  Octet corner[3][3];  ///< [corner][component] [length]
+  Octet normal[3];     ///< (corner 1 - corner 0) x (corner 2 - corner 0) [length^2]
+  Octet inverse2[4];   ///< one over the squared lengths of the edges 0-1, 1-2, 2-0 and of the normal
 };
 
 /// Where on a triangle a point lies, in the order in which `TriangleNormals` has its normals: the face, the edges 0-1,

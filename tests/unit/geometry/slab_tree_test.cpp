@@ -2,8 +2,8 @@
 // Queries of two surfaces against all pairs of triangles: the same pairs, the same doubles.
 #include "brunt/geometry/slab_tree.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
-#include <chrono>
 
 #include "shots.hpp"
 #include "support/allocations.hpp"
@@ -169,4 +169,22 @@ TEST_CASE("results follow the numbers of the triangles, not their order, and bot
                          a_in_b.translation - a_in_b.rotation * moved.rotation.transpose() * moved.translation};
     CHECK(surface_distance(build_slab_tree(elsewhere), b, back) == Approx(distance).margin(1e-12));
   }
+}
+
+TEST_CASE("queries allocate nothing once their output has room") {
+  Random random(14);
+  const TriangleSurface first = test::pawn(), second = test::hub();
+  const SlabTree a = build_slab_tree(first), b = build_slab_tree(second);
+  const Placement a_in_b = test::random_placement(first, second, random, 0.3);
+  std::vector<NearPair> near;
+  near_pairs(a, b, a_in_b, 0.05, near);
+  REQUIRE(near.size() > 10);
+  const long before = test::allocations;
+  near_pairs(a, b, a_in_b, 0.05, near);
+  const bool cross = surfaces_cross(a, b, a_in_b);
+  const double distance = surface_distance(a, b, a_in_b), depth = point_depth(b, a_in_b.translation).depth;
+  const double above = depth_above(b, a_in_b.translation, 0.01);
+  CHECK(test::allocations == before);
+  CHECK((distance == 0) == cross);
+  CHECK((above == depth || above <= 0.01));
 }
