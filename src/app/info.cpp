@@ -30,7 +30,9 @@ int info(const comm::Communicator& ranks) {
   fmt::print("Eigen        {}.{}.{}\n", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
   fmt::print("limits       2^31 - 1 nodes or elements a rank, and in the mesh as the root reads it\n");
   fmt::print("elements     hex8 (one point, hourglass control), hex8_full (2x2x2), hex8_bbar (2x2x2, B-bar), tet4\n");
-  fmt::print("materials    elastic, j2 (linear or tabulated, isotropic to kinematic), neo_hookean\n");
+  fmt::print("materials    elastic, j2 (linear or tabulated, isotropic to kinematic), neo_hookean, rigid\n");
+  fmt::print("             johnson_cook, piecewise_linear, hydrodynamic, crushable_foam; damage and erosion\n");
+  fmt::print("             equations of state mie_gruneisen, linear_polynomial\n");
   fmt::print("stress rates jaumann, logarithmic (elastic, j2)\n");
   fmt::print(
       "contact      node to face and edge to edge, between bodies and of a body with itself, Coulomb friction\n");

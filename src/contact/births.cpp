@@ -14,52 +14,66 @@ bool is_of_face(const Row& row) {
   return row.key.kind == RowKind::face;
 }
 
-}  // namespace
-
-void begin_births(std::span<const HistoryRecord> acted, std::vector<Row>& rows, std::vector<BirthRecord>& births) {
-  std::vector<BirthRecord> born;
-  for (Row& row : rows) {
-    if (!is_of_face(row) || row.gap >= 0) continue;
-    const auto before = std::ranges::lower_bound(acted, row.key, {}, &HistoryRecord::key);
-    if (before != acted.end() && before->key == row.key) continue;
-    born.push_back({key_of(row), -row.gap});
-  }
-  if (born.empty()) return;
-  std::ranges::sort(born, {}, &BirthRecord::key);
-  std::vector<BirthRecord> deepest;  // of the faces of a body, on top of what the node was born with before
-  for (const BirthRecord& record : born)
-    if (!deepest.empty() && deepest.back().key == record.key)
-      deepest.back().penetration = std::max(deepest.back().penetration, record.penetration);
-    else
-      deepest.push_back(record);
-  for (Row& row : rows) {
-    if (!is_of_face(row) || row.gap >= 0) continue;
-    if (const BirthRecord* record = find_birth(deepest, key_of(row))) {
-      row.gap += record->penetration;
-      row.required = 0;
-    }
-  }
-  for (const BirthRecord& record : deepest) {
-    const auto at = std::ranges::lower_bound(births, record.key, {}, &BirthRecord::key);
-    if (at != births.end() && at->key == record.key)
-      at->penetration += record.penetration;
-    else
-      births.insert(at, record);
-  }
+bool has_acted(std::span<const HistoryRecord> acted, const RowKey& key) {
+  const auto record = std::ranges::lower_bound(acted, key, {}, &HistoryRecord::key);
+  return record != acted.end() && record->key == key;
 }
 
-void fade_births(std::span<const Row> rows, std::vector<BirthRecord>& births) {
-  if (births.empty()) return;
-  std::vector<double> depth(births.size(), 0.0);
+/// What of the row's penetration beyond the birth has not come about by motion [length].
+double unexplained(const Row& row, const BirthRecord& before, const BirthScene& scene) {
+  if (row.gap >= 0 || has_acted(scene.acted, row.key)) return 0;
+  if (scene.surface_is_new) return -row.gap;
+  const Vec3 relative = relative_velocity(
+      row, [&](LocalIndex node) -> const Vec3& { return scene.motion[static_cast<std::size_t>(node)].old_velocity; });
+  const double was = std::max(0.0, before.depth - before.penetration);
+  return std::max(0.0, -row.gap - was - scene.dt * relative.norm());
+}
+
+/// One record a node and body: the deepest.
+void join_alike(std::vector<BirthRecord>& records) {
+  std::ranges::sort(records, {}, &BirthRecord::key);
+  std::size_t kept = 0;
+  for (const BirthRecord& record : records) {
+    if (kept == 0 || records[kept - 1].key != record.key) {
+      records[kept++] = record;
+      continue;
+    }
+    BirthRecord& same = records[kept - 1];
+    same.penetration = std::max(same.penetration, record.penetration);
+    same.depth = std::max(same.depth, record.depth);
+  }
+  records.resize(kept);
+}
+
+}  // namespace
+
+void follow_births(const BirthScene& scene, std::vector<Row>& rows, std::vector<BirthRecord>& births,
+                   std::vector<BirthRecord>& scratch) {
+  const auto before = [&](const Row& row) {
+    const BirthRecord* record = find_birth(births, key_of(row));
+    return record != nullptr ? *record : BirthRecord{.key = key_of(row)};
+  };
+  scratch.clear();
   for (const Row& row : rows) {
     if (!is_of_face(row)) continue;
-    const BirthRecord* record = find_birth(births, key_of(row));
-    if (record == nullptr) continue;
-    double& deepest = depth[static_cast<std::size_t>(record - births.data())];
-    deepest = std::max(deepest, record->penetration - row.gap);
+    BirthRecord record = before(row);
+    const double depth = record.penetration - row.gap;
+    if (!(depth > 0)) continue;
+    record.penetration += unexplained(row, record, scene);
+    record.depth = depth;
+    scratch.push_back(record);
   }
-  for (std::size_t k = 0; k < births.size(); ++k) births[k].penetration = std::min(births[k].penetration, depth[k]);
-  std::erase_if(births, [](const BirthRecord& record) { return !(record.penetration > 0); });
+  join_alike(scratch);
+  for (Row& row : rows) {
+    if (!is_of_face(row) || row.gap >= 0) continue;
+    const BirthRecord* now = find_birth(scratch, key_of(row));
+    const double born = now->penetration - before(row).penetration;
+    if (!(born > 0)) continue;
+    row.gap += born;
+    row.required = 0;
+  }
+  for (BirthRecord& record : scratch) record.penetration = std::min(record.penetration, record.depth);
+  births.swap(scratch);
 }
 
 }  // namespace brunt::contact

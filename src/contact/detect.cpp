@@ -53,9 +53,11 @@ void find_rows(Contact& contact, const StepInput& input) {
   StepData& step = contact.step;
   detect_faces(lists.candidates, lists.faces, lists.nodes.gid, step.nodes.motion, step.facet_area, dt, settings,
                contact.history.pairs, step.scratch.detection, step.rows, contact.history.births);
-  if (contact.births_due) begin_births(contact.history.pairs, step.rows, contact.history.births);
+  if (contact.elements_are_gone) {
+    const BirthScene births{contact.history.pairs, step.nodes.motion, dt, contact.births_due};
+    follow_births(births, step.rows, contact.history.births, step.scratch.births);
+  }
   contact.births_due = false;
-  fade_births(step.rows, contact.history.births);
   if (lists.any_edges) detect_crossing_edges(settings, dt, lists, step);
   if (contact.derived.tied) drop_tied_rows(contact, step.rows);
   detect_walls(lists.wall_candidates, input.walls, lists.nodes.gid, step.nodes.motion, dt, settings, step.rows);

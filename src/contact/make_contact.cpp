@@ -136,6 +136,10 @@ void update_surface(Contact& contact, const mesh::LocalMesh& mesh, const Remains
   contact.derived.detection.fitted = std::move(fitted);
   release_ties(contact, remains.outside.faces);
   contact.list_state.exist = false;
+  contact.elements_are_gone =
+      contact.ranks.any(std::ranges::any_of(remains.alive, [](const std::vector<double>& block) {
+        return !std::ranges::all_of(block, [](double alive) { return alive > 0; });
+      }));
 }
 
 }  // namespace brunt::contact

@@ -11,12 +11,20 @@
 
 namespace brunt::contact {
 
-/// The surface is new: of the rows of faces just found, those closed ones that did not act in the last step are born
-/// with their penetration.
-void begin_births(std::span<const HistoryRecord> acted, std::vector<Row>& rows, std::vector<BirthRecord>& births);
+/// What decides about births besides the rows.
+struct BirthScene {
+  std::span<const HistoryRecord> acted;  ///< of the last step
+  std::span<const NodeMotion> motion;
+  double dt = 0;
+  bool surface_is_new = false;  ///< elements have gone since rows were last found
+};
 
-/// What is left of the births after a step with these rows: no more than how deep the node still is; nothing where it
-/// meets the body no more.
-void fade_births(std::span<const Row> rows, std::vector<BirthRecord>& births);
+/// The births of a step with these rows, of which gaps are measured from `births` as they were. Closed rows of faces
+/// that did not act in the last step are born: with their penetration where the surface is new; else with what of it
+/// neither was there in the last step nor has come about by its motion. (At a torn edge a mass point may lie in front
+/// of one face and deep behind the next, and rows of such faces come and go.) A birth is no deeper than the node lies
+/// in the body; nothing is left of it where the node meets the body no more. scratch: any, to save allocations.
+void follow_births(const BirthScene& scene, std::vector<Row>& rows, std::vector<BirthRecord>& births,
+                   std::vector<BirthRecord>& scratch);
 
 }  // namespace brunt::contact

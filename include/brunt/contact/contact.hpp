@@ -37,7 +37,8 @@ struct Contact {
   TiedParts tied{};
   std::vector<DrivenMeeting> driven{};  ///< found on this rank
   ContactLedger ledger{};
-  bool births_due = false;  ///< the surface has changed since rows were last found, see births.hpp
+  bool elements_are_gone = false;  ///< on any rank: then nodes may lie behind faces from the start, see births.hpp
+  bool births_due = false;         ///< the surface has changed since rows were last found
 };
 
 /// excluded: one flag for each of mesh.faces (faces in a symmetry plane). inverse_mass: of the mesh's local nodes.

@@ -52,6 +52,7 @@ struct StepScratch {
   DetectionScratch detection;
   std::vector<Vec3> node_normal;  ///< of each contact node's first row with a face
   RowSortScratch row_sort;
+  std::vector<BirthRecord> births;
   EnforcementScratch enforcement;
   std::vector<HistoryRecord> next_pairs;
   std::vector<AnchorRecord> next_anchors;

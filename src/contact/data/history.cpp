@@ -113,11 +113,11 @@ void to_tables(const History& history, HistoryTables& tables) {
     tables[2].keys.insert(tables[2].keys.end(), numbers.begin(), numbers.end());
     tables[2].values.push_back(record.limit);
   }
-  tables[3] = {.name = "contact_births", .key_width = 4, .value_width = 1};
+  tables[3] = {.name = "contact_births", .key_width = 4, .value_width = 2};
   for (const BirthRecord& record : history.births) {
     const SavedKey numbers = saved(record.key);
     tables[3].keys.insert(tables[3].keys.end(), numbers.begin(), numbers.end());
-    tables[3].values.push_back(record.penetration);
+    tables[3].values.insert(tables[3].values.end(), {record.penetration, record.depth});
   }
 }
 
@@ -127,7 +127,7 @@ History from_tables(const HistoryTables& tables) {
   demand(pairs.values.size() == 4 * static_cast<std::size_t>(pairs.rows()) &&
              anchors.values.size() == 7 * static_cast<std::size_t>(anchors.rows()) &&
              limits.values.size() == static_cast<std::size_t>(limits.rows()) &&
-             births.values.size() == static_cast<std::size_t>(births.rows()),
+             births.values.size() == 2 * static_cast<std::size_t>(births.rows()),
          "the tables of contact's history are complete");
   const double* value = pairs.values.data();
   for (auto key = pairs.keys.begin(); key != pairs.keys.end(); key += 4, value += 4)
@@ -144,8 +144,8 @@ History from_tables(const HistoryTables& tables) {
   for (auto key = limits.keys.begin(); key != limits.keys.end(); key += 4)
     history.limits.push_back({.key = anchor_key_from({key[0], key[1], key[2], key[3]}), .limit = *value++});
   value = births.values.data();
-  for (auto key = births.keys.begin(); key != births.keys.end(); key += 4)
-    history.births.push_back({anchor_key_from({key[0], key[1], key[2], key[3]}), *value++});
+  for (auto key = births.keys.begin(); key != births.keys.end(); key += 4, value += 2)
+    history.births.push_back({anchor_key_from({key[0], key[1], key[2], key[3]}), value[0], value[1]});
   std::ranges::sort(history.births, {}, &BirthRecord::key);
   std::ranges::sort(history.pairs, {}, &HistoryRecord::key);
   std::ranges::sort(history.anchors, {}, &AnchorRecord::key);

@@ -35,11 +35,12 @@ struct LimitRecord {
   bool pressed = false;  ///< was its row, in the step that wrote it? Asked only there: not in checkpoints
 };
 
-/// How deep a node lay behind a face that came to the surface in front of it (see contact/births.hpp). The key is that
-/// of anchors: node and body of the master.
+/// How deep a node lay behind a face that came to the surface in front of it, and how deep it lies now (see
+/// contact/births.hpp). The key is that of anchors: node and body of the master.
 struct BirthRecord {
   AnchorKey key{};
-  double penetration = 0;  ///< [length] > 0
+  double penetration = 0;  ///< from which gaps are measured [length]
+  double depth = 0;        ///< of the node behind the deepest of the body's faces, in the last step [length] > 0
 };
 
 inline AnchorKey anchor_key_of(const Row& row) {
