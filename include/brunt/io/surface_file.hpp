@@ -45,4 +45,7 @@ constexpr double largest_coordinate = 1e60;
 /// The same of the content of a file; `name` stands for it in messages.
 [[nodiscard]] SurfaceFile parse_surface(std::string_view content, const std::string& name, SurfaceFormat format);
 
+/// A binary PLY file in double precision, in place of any of that name. Throws MachineError.
+void write_ply(const std::string& path, const TriangleSurface& surface);
+
 }  // namespace brunt::io
