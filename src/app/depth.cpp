@@ -117,18 +117,23 @@ std::vector<DepthRow> answers_of(const Work& work, std::size_t k, const std::vec
   std::vector<Placement> tries;
   for (const DepthRow& row : before) tries.push_back(row.answer.placement);
   for (const depth::Metric metric : metrics) {
-    depth::Query query{.a_in_b = pose.start, .metric = metric, .careful = options.careful, .tries = tries};
+    depth::Query query;
+    query.a_in_b = pose.start;
+    query.metric = metric;
+    query.careful = options.careful;
+    query.tries = tries;
     if (options.clearance > 0) query.clearance = options.clearance / a.shape.radius;
     if (metric == depth::Metric::translation) query.along = axes_named(options.along);
     const Clock::time_point start = Clock::now();
-    DepthRow row{.pose = static_cast<std::int64_t>(k),
-                 .a = work.surfaces[pose.a].name,
-                 .b = work.surfaces[pose.b].name,
-                 .metric = metric,
-                 .answer = depth::penetration_depth(a, b, query),
-                 .centroid = a.shape.centroid,
-                 .start = pose.start};
+    DepthRow row;
+    row.answer = depth::penetration_depth(a, b, query);
     row.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    row.pose = static_cast<std::int64_t>(k);
+    row.a = work.surfaces[pose.a].name;
+    row.b = work.surfaces[pose.b].name;
+    row.metric = metric;
+    row.centroid = a.shape.centroid;
+    row.start = pose.start;
     if (row.answer.overlap && row.answer.found) tries.push_back(row.answer.placement);
     rows.push_back(std::move(row));
   }

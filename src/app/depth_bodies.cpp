@@ -16,6 +16,8 @@
 #include "brunt/io/surface_file.hpp"
 #include "brunt/io/text_file.hpp"
 #include "brunt/mesh/topology.hpp"
+#include "brunt/scene/build.hpp"
+#include "brunt/scene/select.hpp"
 #include "failure.hpp"
 #include "prepare.hpp"
 
@@ -51,7 +53,7 @@ void note_crossings(NamedSurface& named) {
 }
 
 NamedSurface closed_surface_of(const std::string& path, double merge) {
-  NamedSurface named{.name = path};
+  NamedSurface named{.name = path, .surface = {}, .notes = {}};
   const io::SurfaceFile file = io::read_surface(path);
   const double tolerance = merge >= 0 ? merge : geometry::default_tolerance(file.surface, file.single_precision);
   geometry::MergedSurface merged = geometry::merge_points(file.surface, tolerance);
@@ -110,7 +112,7 @@ const char* name_of(depth::Metric metric) {
 }
 
 NamedSurface read_closed_surface(const comm::Communicator& ranks, const std::string& path, double merge) {
-  NamedSurface named{.name = path};
+  NamedSurface named{.name = path, .surface = {}, .notes = {}};
   on_root(ranks, [&] { named = closed_surface_of(path, merge); });
   share(ranks, named.surface);
   return named;
@@ -161,7 +163,7 @@ std::vector<NamedSurface> surfaces_of_scene(const comm::Communicator& ranks, con
     const mesh::CanonicalMesh whole = whole_mesh(input, warnings);
     const std::vector<std::size_t> part_of = scene::parts_of_blocks(input, whole.mesh);
     for (std::size_t b = 0; b < whole.mesh.blocks.size(); ++b) {
-      NamedSurface named{.name = input.parts[part_of[b]].name};
+      NamedSurface named{.name = input.parts[part_of[b]].name, .surface = {}, .notes = {}};
       named.surface = outer_surface(whole.mesh, b);
       const geometry::SurfaceFaults faults = geometry::check_closed(named.surface);
       if (!faults.sound()) throw InputError(geometry::describe(faults, named.surface, "part '" + named.name + "'"));

@@ -129,7 +129,7 @@ std::vector<std::byte> packed(const std::vector<DepthRow>& rows) {
   out.put(rows.size());
   for (const DepthRow& row : rows) {
     visit_row(row, [&](const auto& value) { out.put(value); });
-    const Eigen::Quaterniond& turn = row.answer.motion.turn;
+    const depth::Turn& turn = row.answer.motion.turn;
     for (const double q : {turn.w(), turn.x(), turn.y(), turn.z()}) out.put(q);
     out.put(row.answer.contacts.size());
     for (const depth::ContactPoint& contact : row.answer.contacts) {
@@ -150,7 +150,7 @@ std::vector<DepthRow> unpacked(std::span<const std::byte> bytes) {
     visit_row(row, [&](auto& value) { in.get(value); });
     double w = 1, x = 0, y = 0, z = 0;
     for (double* q : {&w, &x, &y, &z}) in.get(*q);
-    row.answer.motion.turn = Eigen::Quaterniond(w, x, y, z);
+    row.answer.motion.turn = depth::Turn(w, x, y, z);
     std::size_t contacts = 0;
     in.get(contacts);
     row.answer.contacts.resize(contacts);

@@ -15,9 +15,12 @@
 
 namespace brunt::depth {
 
+/// Without the alignment of vector registers: buffers of std::stable_sort have none (libstdc++ 12).
+using Turn = Eigen::Quaternion<double, Eigen::DontAlign>;
+
 struct RigidMotion {
-  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();  ///< unit
-  Vec3 shift = Vec3::Zero();                                 ///< T, displacement of the centroid [length]
+  Turn turn = Turn::Identity();  ///< unit
+  Vec3 shift = Vec3::Zero();     ///< T, displacement of the centroid [length]
 };
 
 /// Rotation by |w| about w.
