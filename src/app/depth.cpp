@@ -195,7 +195,6 @@ class ResultFolder {
   void finish(const nlohmann::ordered_json& all) const {
     if (folder_.empty()) return;
     io::replace_text(folder_ + "/depth.json", all.dump(1) + "\n");
-    fs::remove(fs::path(folder_) / "depth.asked");
   }
 
  private:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 import tiny_meshes as mesh
+import wrong_depths
 
 GOOD = """\
 title: one cube against a wall
@@ -386,4 +387,4 @@ STUDIES = [
 ]
 SCRIPTS += STUDIES
 
-ALL = FILES + METALS + SCENES + OPTIONS + YAML_LIMITS + MESHES
+ALL = FILES + METALS + SCENES + OPTIONS + YAML_LIMITS + MESHES + wrong_depths.cases(Wrong)
