@@ -40,7 +40,10 @@ struct Relative {
         size(placement.rotation.cwiseAbs()),
         translation(placement.translation),
         turned_back(placement.rotation.transpose() * placement.translation),
-        slack(box_rounding * scale) {}
+        slack((box_rounding + 4 * distortion(placement.rotation)) * scale) {}
+
+  /// How far products of rotations are from one.
+  static double distortion(const Mat3& r) { return (r.transpose() * r - Mat3::Identity()).cwiseAbs().sum(); }
 };
 
 inline Placement inverse(const Placement& p) {

@@ -59,7 +59,8 @@ struct SlabTree {
 /// diagonals) or 13 (both). Other counts throw std::invalid_argument.
 std::vector<Vec3> more_directions(int count);
 
-/// O(n log n). `directions`: beyond the axes, of any length but 0.
+/// O(n log n). The points are finite and the corners of triangles in their range; `directions`: beyond the axes, of any
+/// length but 0.
 SlabTree build_slab_tree(const TriangleSurface& surface, std::span<const Vec3> directions = {});
 
 /// Whether any triangle of a, placed, and any of b have a common point (triangles_cross with the corners placed and
