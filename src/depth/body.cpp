@@ -115,7 +115,12 @@ Body make_body(const TriangleSurface& surface, const BodyOptions& options) {
   body.shape = metric_shape(used, body.mass);
   body.components = component_points(surface);
   body.balls = inner_balls(body.tree, body.shape, options.balls);
-  body.pieces = options.pieces;
+  for (const std::vector<Vec3>& points : options.pieces) {
+    body.pieces.push_back(convex_piece(points));
+    double reach = 0;
+    for (const Vec3& x : points) reach = std::max(reach, (x - body.mass.centre).norm());
+    body.piece_reach.push_back(reach);
+  }
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(body.shape.gyration);
   body.axes = solver.eigenvectors();
   if (body.axes.determinant() < 0) body.axes.col(2) *= -1;

@@ -101,6 +101,10 @@ LowerBound lower_bound(const Encounter& encounter, Metric metric) {
     const Seen top = bound.ascend(bound.look(candidate.y));
     if (top.value > result.value) result = {top.value, top.y};
   }
+  if (!norm)
+    for (const ConvexPiece& a : encounter.a.pieces)
+      for (const ConvexPiece& b : encounter.b.pieces)
+        result.value = std::max(result.value, translation_depth(a, b, encounter.start, result.value));
   return result;
 }
 

@@ -114,11 +114,12 @@ std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options
   for (const Vec3& direction : cube_directions(options.grid)) translate(axes_b * direction);
   for (const Vec3& direction : cube_directions(1)) translate(axes_a * direction);
   if (options.metric != Metric::translation) {
+    const auto rotate = [&](const Vec3& axis) { marcher.march({axis, true}, options.march, std::numbers::pi); };
     for (const Vec3& direction : cube_directions(1))
-      marcher.march({axes_a * direction, true}, options.march, std::numbers::pi);
-    for (int i = 0; i < 3; ++i)
-      for (const double sign : {1.0, -1.0})
-        marcher.march({sign * axes_b.col(i), true}, options.march, std::numbers::pi);
+      if (options.more_rotations || direction.cwiseAbs().minCoeff() > 0 || direction.cwiseAbs().maxCoeff() == 1)
+        rotate(axes_a * direction);
+    for (int i = 0; options.more_rotations && i < 3; ++i)
+      for (const double sign : {1.0, -1.0}) rotate(sign * axes_b.col(i));
   }
   std::sort(marcher.found.begin(), marcher.found.end(),
             [](const Start& x, const Start& y) { return x.length < y.length; });
@@ -126,7 +127,7 @@ std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options
 }
 
 Start freed(Encounter& encounter, Metric metric, const RigidMotion& motion) {
-  for (const double s : {1.0, 1 + 1e-6, 1.0001, 1.001, 1.01, 1.05, 1.25}) {
+  for (const double s : {1.0, 1 + 1e-6, 1.0001, 1.001, 1.01, 1.05, 1.2, 1.5, 2.0, 3.0}) {
     const RigidMotion out = s > 1 ? along_screw(motion, s) : motion;
     if (!encounter.collides(out)) return {out, length_of(encounter.a.shape, metric, out)};
   }

@@ -12,7 +12,10 @@ constexpr double first_trust = 0.25;  // of the length
 constexpr double most_trust = 0.5;    // of the length
 constexpr double band_share = 0.1;    // of the trust region: wider bands cost ten times more for the same results
 constexpr double widen = 3;           // of the band, where the step collides with what lies beyond it
-constexpr double wide_band = 0.25;    // of the trust region: no wider ones
+constexpr double narrow = 0.4;        // of the band, after a step that was taken
+constexpr double wide_band = 0.25;    // of the step: no wider ones, but
+constexpr double enough_pairs = 60;   // conditions: the next band is narrower by what is more
+constexpr double whole_reach = 3;     // of the step, where no pair is in the band
 constexpr double cut_share = 0.1;     // of the decrease that ends a walk: accuracy of the least DISP
 constexpr double least_band = 4;      // of the clearance
 constexpr std::array<double, 2> outward{0.02, 0.08};  // shares of the trust region for a placement that collides
@@ -48,49 +51,56 @@ Walker::Trial Walker::attempt(Encounter& encounter, const RigidMotion& from, Loc
   return trial;
 }
 
-WalkResult Walker::walk(Encounter& encounter, const RigidMotion& start, const WalkOptions& options) {
+Walk Walker::begin(const Encounter& encounter, const RigidMotion& start, const WalkOptions& options) {
+  Walk walk;
+  walk.motion = start;
+  walk.length = length_of(encounter.a.shape, options.metric, start);
+  walk.trust = first_trust * walk.length;
+  walk.band = band_share * walk.trust;
+  return walk;
+}
+
+void Walker::advance(Encounter& encounter, Walk& walk, const WalkOptions& options, int most_steps) {
   const MetricShape& shape = encounter.a.shape;
-  WalkResult result{start, length_of(shape, options.metric, start), 0, false};
+  const double margin = options.clearance * shape.radius;
   LocalProblem problem;
   problem.metric = options.metric;
-  const double margin = options.clearance * shape.radius;
-  problem.trust = first_trust * result.length;
   problem.basis = options.basis;
-  double band = 0, share = band_share;
   bool fresh = true;  // conditions are of another placement or a narrower band
-  for (; result.steps < options.most_steps; ++result.steps) {
-    if (problem.trust < options.least_trust * result.length) break;
+  for (const int end = walk.steps + most_steps; !walk.ended && walk.steps < end; ++walk.steps) {
+    walk.ended = walk.trust < options.least_trust * walk.length;
+    if (walk.ended) return;
     if (fresh) {
-      band = std::max(share * problem.trust, least_band * margin);
-      near_.find(encounter, result.motion, band, margin);
+      walk.band = std::max(walk.band, least_band * margin);
+      near_.find(encounter, walk.motion, walk.band, margin);
+      pairs_ += static_cast<std::int64_t>(near_.pairs.size());
     } else {
       near_.forget_corrections(margin);
     }
-    problem.accuracy = cut_share * options.slope * problem.trust;
-    const LocalStep step = solver_.solve(shape, result.motion, near_.conditions, problem);
-    const double predicted = result.length - step.predicted;
-    if (step.solved && predicted <= options.slope * problem.trust) {
-      result.stationary = true;
-      break;
-    }
-    const Trial trial = step.solved ? attempt(encounter, result.motion, step, problem, margin, result.length) : Trial{};
+    problem.trust = walk.trust;
+    problem.accuracy = cut_share * options.slope * walk.trust;
+    const LocalStep step = solver_.solve(shape, walk.motion, near_.conditions, problem);
+    const double predicted = walk.length - step.predicted;
+    walk.ended = step.solved && predicted <= options.slope * walk.trust;
+    if (walk.ended) return;
+    const Trial trial = step.solved ? attempt(encounter, walk.motion, step, problem, margin, walk.length) : Trial{};
     if (!trial.accepted) {
-      fresh = band < wide_band * problem.trust;
+      fresh = walk.band < (near_.conditions.empty() ? whole_reach : wide_band) * step.size;
       if (fresh)
-        share *= widen;
+        walk.band *= widen;
       else
-        problem.trust = shrink * (step.solved ? std::min(problem.trust, step.size) : problem.trust);
+        walk.trust = shrink * (step.solved ? std::min(walk.trust, step.size) : walk.trust);
       continue;
     }
-    const double gain = (result.length - trial.length) / predicted;
-    if (gain > good) problem.trust = std::min(grow * problem.trust, most_trust * trial.length);
-    if (gain < poor) problem.trust *= shrink;
-    result.motion = trial.motion;
-    result.length = trial.length;
+    const double gain = (walk.length - trial.length) / predicted;
+    if (gain > good) walk.trust = std::min(grow * walk.trust, most_trust * trial.length);
+    if (gain < poor) walk.trust *= shrink;
+    walk.motion = trial.motion;
+    walk.length = trial.length;
     fresh = true;
-    share = band_share;
+    const double crowd = std::max(1.0, static_cast<double>(near_.conditions.size()) / enough_pairs);
+    walk.band = std::max(narrow * walk.band, band_share * walk.trust) / crowd;
   }
-  return result;
 }
 
 RigidMotion pulled(Encounter& encounter, Metric metric, const RigidMotion& motion, double accuracy) {

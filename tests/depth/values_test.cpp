@@ -2,8 +2,8 @@
 #include <fmt/core.h>
 
 #include <catch2/catch.hpp>
-#include <ctime>
 #include <cstdlib>
+#include <ctime>
 
 #include "brunt/depth/penetration_depth.hpp"
 #include "tests/depth/cases.hpp"
@@ -18,7 +18,9 @@ constexpr std::array<depth::Metric, 3> metrics{depth::Metric::translation, depth
 constexpr std::array<const char*, 3> names{"PDt", "DISP", "rms"};
 
 /// CPU time of the process: other programs do not count.
-double cpu_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double cpu_ms() {
+  return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 void print(const test::DepthCase& c, bool careful) {
   const depth::Body a = depth::make_body(c.a.surface, {400, c.a.pieces}),
@@ -32,9 +34,10 @@ void print(const test::DepthCase& c, bool careful) {
     const double before = cpu_ms();
     const depth::Answer answer = depth::penetration_depth(a, b, query);
     const double ms = cpu_ms() - before;
-    fmt::print(" | {:4} {:.6f} {:+8.4f} % (ref {:.6f}) >= {:.4f} {:2} walks {:3} steps {:5} queries {:6.1f} ms",
-               names[m], answer.depth, c.depth[m] > 0 ? 100 * (answer.depth / c.depth[m] - 1) : 0, c.depth[m],
-               answer.bound, answer.walks, answer.steps, answer.queries, ms);
+    fmt::print(
+        " | {:4} {:.6f} {:+8.4f} % (ref {:.6f}) >= {:.4f} {:2} walks {:3} steps {:5} queries {:6} pairs {:6.1f} ms",
+        names[m], answer.depth, c.depth[m] > 0 ? 100 * (answer.depth / c.depth[m] - 1) : 0, c.depth[m], answer.bound,
+        answer.walks, answer.steps, answer.queries, answer.pairs, ms);
   }
   fmt::print("\n");
 }
@@ -65,6 +68,30 @@ std::vector<Placement> random_poses(const TriangleSurface& a, const TriangleSurf
 
 }  // namespace
 
+TEST_CASE("table of certificates", "[.][table]") {
+  const std::int64_t boxes = std::getenv("BOXES") ? std::atoll(std::getenv("BOXES")) : 100000;
+  for (const auto& set : {test::closed_forms(), test::interlocked_boxes(), test::mesh_pairs()})
+    for (const test::DepthCase& c : set) {
+      if (c.name.starts_with("A1")) continue;
+      const depth::Body a = depth::make_body(c.a.surface, {400, c.a.pieces}),
+                        b = depth::make_body(c.b.surface, {400, c.b.pieces});
+      fmt::print("{:24}", c.name);
+      for (std::size_t m = 0; m < 3; ++m) {
+        depth::Query query;
+        query.a_in_b = c.a_in_b;
+        query.metric = metrics[m];
+        query.boxes = boxes;
+        const double before = cpu_ms();
+        const depth::Answer answer = depth::penetration_depth(a, b, query);
+        fmt::print(" | {:4} {:.6f} {:+8.4f} % >= {:.4f} ({:.4f}) {:7} boxes {:6.0f} ms", names[m], answer.depth,
+                   c.depth[m] > 0 ? 100 * (answer.depth / c.depth[m] - 1) : 0, answer.bound, c.bound[m], answer.boxes,
+                   cpu_ms() - before);
+      }
+      fmt::print("\n");
+      std::fflush(stdout);
+    }
+}
+
 TEST_CASE("table of random poses", "[.][table]") {
   const char* pairs[] = {"L/knot", "pawn/hub", "mallet/bumpy"};
   const TriangleSurface as[] = {test::l_shape(), test::pawn(), test::mallet()};
@@ -84,8 +111,7 @@ TEST_CASE("table of random poses", "[.][table]") {
           query.careful = careful == 1;
           const double before = cpu_ms();
           depths[static_cast<std::size_t>(careful)] = depth::penetration_depth(a, b, query).depth;
-          ms[static_cast<std::size_t>(careful)].push_back(
-              cpu_ms() - before);
+          ms[static_cast<std::size_t>(careful)].push_back(cpu_ms() - before);
         }
         excess[0].push_back(depths[0] / depths[1] - 1);
       }
@@ -99,8 +125,11 @@ TEST_CASE("table of random poses", "[.][table]") {
         mean += 100 * e / count;
         bad += e > .05;
       }
-      fmt::print("{:13} {:4} fast/careful mean {:6.2f} % >5%: {:3} of {} | fast ms {:.2f} {:.2f} {:.2f} | careful {:.1f} {:.1f}\n", pairs[p],
-                 names[m], mean, bad, count, quantile(ms[0], .5), quantile(ms[0], .99), quantile(ms[0], 1), quantile(ms[1], .5), quantile(ms[1], 1));
+      fmt::print(
+          "{:13} {:4} fast/careful mean {:6.2f} % >5%: {:3} of {} | fast ms {:.2f} {:.2f} {:.2f} | careful {:.1f} "
+          "{:.1f}\n",
+          pairs[p], names[m], mean, bad, count, quantile(ms[0], .5), quantile(ms[0], .99), quantile(ms[0], 1),
+          quantile(ms[1], .5), quantile(ms[1], 1));
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "brunt/core/triangle_surface.hpp"
+#include "brunt/depth/convex_pair.hpp"
 #include "brunt/depth/metric.hpp"
 #include "brunt/geometry/slab_tree.hpp"
 
@@ -18,18 +19,20 @@ struct InnerBall {
 
 struct Body {
   geometry::SlabTree tree;
-  rigid::MassProperties mass;             ///< at density 1
-  MetricShape shape;                      ///< as the body that moves
-  std::vector<Vec3> components;           ///< a point of each connected part of the surface
-  std::vector<InnerBall> balls;           ///< the greatest first
-  std::vector<std::vector<Vec3>> pieces;  ///< corners of convex pieces, each inside the body
-  Mat3 axes = Mat3::Identity();           ///< columns: principal axes of J by growing moment, right-handed
-  Vec3 moments = Vec3::Zero();            ///< principal moments of J [length^2]
+  rigid::MassProperties mass;       ///< at density 1
+  MetricShape shape;                ///< as the body that moves
+  std::vector<Vec3> components;     ///< a point of each connected part of the surface
+  std::vector<InnerBall> balls;     ///< the greatest first
+  std::vector<ConvexPiece> pieces;  ///< convex parts, each inside the body
+  std::vector<double> piece_reach;  ///< greatest distance of a corner from the centroid [length]
+  Mat3 axes = Mat3::Identity();     ///< columns: principal axes of J by growing moment, right-handed
+  Vec3 moments = Vec3::Zero();      ///< principal moments of J [length^2]
 };
 
 struct BodyOptions {
-  int balls = 400;                        ///< at most
-  std::vector<std::vector<Vec3>> pieces;  ///< the caller vouches for their being convex parts of the body
+  int balls = 400;  ///< at most
+  std::vector<std::vector<Vec3>>
+      pieces;  ///< points of each; the caller vouches for their being convex parts of the body
 };
 
 /// The surface must be closed, oriented outward, and not cross itself; the caller checks that. Throws

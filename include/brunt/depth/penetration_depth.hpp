@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "brunt/depth/body.hpp"
+#include "brunt/depth/cover.hpp"
 #include "brunt/depth/encounter.hpp"
 
 namespace brunt::depth {
@@ -19,7 +20,11 @@ struct Query {
   bool careful = false;          ///< many starts, all metrics help each other, contact to 1e-9 of A's radius
   double clearance = 1e-6;       ///< left between the surfaces by the fast mode, in units of A's radius
   std::vector<Vec3> along;       ///< directions of admitted translations, axes of B; none: all. For `translation` only
-  std::vector<Placement> tries;  ///< placements to start from as well: the last answer, those of the other metrics
+  std::vector<Placement> tries;  ///< placements to start from as well: those of the other metrics, the last answer
+  bool warm = false;             ///< start from `tries` alone if one of them is free or nearly so: coherent motion
+  std::int64_t boxes = 0;        ///< certificate: raise the bound by covering with at most so many boxes (cover.hpp)
+  double gap = 0.02;             ///< ends where the bound is this near to the depth, relative
+  Evaluate evaluate;             ///< judges batches of boxes, for instance on several processes; none: here
 };
 
 struct ContactPoint {
@@ -37,8 +42,11 @@ struct Answer {
   Placement placement;  ///< of A after the motion, in the coordinates of B
   RigidMotion motion;   ///< in the axes of A at the given placement
   std::vector<ContactPoint> contacts;
+  bool certified = false;  ///< the gap asked for was reached
+  std::int64_t boxes = 0;  ///< judged
   int walks = 0, steps = 0;
   std::int64_t queries = 0;  ///< collision queries
+  std::int64_t pairs = 0;    ///< near pairs of triangles found by walks
 };
 
 [[nodiscard]] Answer penetration_depth(const Body& a, const Body& b, const Query& query);

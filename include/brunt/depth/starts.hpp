@@ -21,6 +21,7 @@ struct Start {
 struct StartOptions {
   Metric metric = Metric::displacement;
   int grid = 1;                   ///< directions in B's axes: 24 grid^2 + 2
+  bool more_rotations = false;    ///< 32 instead of 14
   double march = 0.1;             ///< step, in units of A's radius (rotations: of 1 rad)
   double reach = 3;               ///< marches end at this multiple of the shortest exit found so far
   double nothing_below = 0;       ///< placements below this length collide: marches begin there [length]
@@ -33,7 +34,8 @@ struct StartOptions {
 /// Sorted by length; each bisected to an eighth of the march.
 [[nodiscard]] std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options);
 
-/// The motion itself, if it is free, or moved outwards along its own screw by at most a quarter; otherwise length < 0.
+/// The motion itself, if it is free, or moved outwards along its own screw to at most three times; otherwise length <
+/// 0.
 [[nodiscard]] Start freed(Encounter& encounter, Metric metric, const RigidMotion& motion);
 
 }  // namespace brunt::depth

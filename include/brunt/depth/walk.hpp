@@ -14,24 +14,28 @@ namespace brunt::depth {
 
 struct WalkOptions {
   Metric metric = Metric::displacement;
-  double clearance = 1e-6;    ///< kept between the surfaces, in units of A's radius
-  double slope = 3e-3;        ///< ends where the predicted decrease is below this share of the trust region
-  double least_trust = 1e-3;  ///< ends where the trust region is below this share of the length
-  int most_steps = 40;
+  double clearance = 1e-6;        ///< kept between the surfaces, in units of A's radius
+  double slope = 3e-3;            ///< ends where the predicted decrease is below this share of the trust region
+  double least_trust = 1e-3;      ///< ends where the trust region is below this share of the length
   Mat3 basis = Mat3::Identity();  ///< of admitted translations, see LocalProblem
 };
 
-struct WalkResult {
+/// A walk that may be interrupted.
+struct Walk {
   RigidMotion motion;  ///< free
   double length = 0;
+  double trust = 0, band = 0;  ///< [length]
   int steps = 0;
-  bool stationary = false;  ///< ended by slope
+  bool ended = false;
 };
 
 class Walker {
  public:
-  /// `start` must be free.
-  [[nodiscard]] WalkResult walk(Encounter& encounter, const RigidMotion& start, const WalkOptions& options);
+  /// At a free placement.
+  [[nodiscard]] static Walk begin(const Encounter& encounter, const RigidMotion& start, const WalkOptions& options);
+  /// At most so many steps more.
+  void advance(Encounter& encounter, Walk& walk, const WalkOptions& options, int most_steps);
+  [[nodiscard]] std::int64_t pairs() const { return pairs_; }  ///< near pairs found so far: a measure of work
   [[nodiscard]] std::span<const NearCondition> conditions() const { return near_.conditions; }
 
  private:
@@ -42,6 +46,7 @@ class Walker {
   };
   Trial attempt(Encounter& encounter, const RigidMotion& from, LocalStep step, const LocalProblem& problem,
                 double margin, double below);
+  std::int64_t pairs_ = 0;
   NearPairs near_;
   LocalSolver solver_;
 };

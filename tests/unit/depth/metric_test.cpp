@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "brunt/depth/extreme_points.hpp"
 #include "brunt/rigid/surface_moments.hpp"
 #include "tests/support/random_motion.hpp"
 
@@ -166,28 +165,5 @@ TEST_CASE("a point's factor bounds its displacement, and some motion attains it"
     }
     CHECK(attained <= factor * (1 + 1e-6));
     CHECK(attained > 0.98 * factor);
-  }
-}
-
-TEST_CASE("no vertex of the convex hull is lost, and most points inside are") {
-  Random random(5);
-  for (int i = 0; i < 20; ++i) {
-    std::vector<Vec3> points;
-    for (int k = 0; k < 400; ++k) {
-      Vec3 x = random.vector();
-      if (i % 2) x = x.cwiseMax(-1).cwiseMin(1);  // many on the faces of a cube
-      points.push_back(x);
-    }
-    const std::vector<Vec3> kept = extreme_points(points);
-    CHECK(kept.size() < points.size() / 2);
-    for (int k = 0; k < 2000; ++k) {
-      const Vec3 u = random.direction();
-      const auto height = [&](const std::vector<Vec3>& set) {
-        double most = -1e300;
-        for (const Vec3& x : set) most = std::max(most, u.dot(x));
-        return most;
-      };
-      CHECK(height(kept) >= height(points) - 1e-12);
-    }
   }
 }
