@@ -13,10 +13,12 @@
 namespace brunt::depth {
 namespace {
 
-constexpr int grid_cells = 24;          // along the longest side of the box
-constexpr int ascent_steps = 12;        // of a grid point towards greater depth
-constexpr double covered_share = 0.9;   // of a ball's radius
-constexpr double least_volume = 1e-12;  // of the cube on the box's diagonal
+constexpr int grid_cells = 24;            // along the longest side of the box
+constexpr int ascent_steps = 12;          // of a grid point towards greater depth
+constexpr double covered_share = 0.9;     // of a ball's radius
+constexpr std::size_t most_corners = 32;  // of a convex body that is a piece: 5,000 triples
+constexpr double flat = 1e-9;             // of the radius: corners over a face of a convex body by rounding
+constexpr double least_volume = 1e-12;    // of the cube on the box's diagonal
 
 std::vector<Vec3> component_points(const TriangleSurface& surface) {
   std::vector<LocalIndex> root(surface.points.size());
@@ -60,6 +62,20 @@ InnerBall risen(const geometry::SlabTree& tree, const Vec3& start, geometry::Poi
     }
   }
   return ball;
+}
+
+/// The corners of a convex body, which is one piece itself; none of another one, or of one with many corners (a piece
+/// is found by trying all triples of its corners).
+std::vector<Vec3> corners_if_convex(const geometry::SlabTree& tree, const MetricShape& shape) {
+  if (shape.extremes.size() > most_corners) return {};
+  for (const geometry::Triangle& t : tree.triangles) {
+    const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+    for (const Vec3& x : shape.extremes)
+      if (normal.dot(shape.centroid + x - t[0]) > flat * shape.radius) return {};
+  }
+  std::vector<Vec3> corners;
+  for (const Vec3& x : shape.extremes) corners.push_back(shape.centroid + x);
+  return corners;
 }
 
 }  // namespace
@@ -112,10 +128,18 @@ Body make_body(const TriangleSurface& surface, const BodyOptions& options) {
       if (!seen) used.push_back(surface.points[static_cast<std::size_t>(corner)]);
       seen = 1;
     }
+  // by position: what follows does not depend on the order of points and triangles
+  std::sort(used.begin(), used.end(), [](const Vec3& x, const Vec3& y) {
+    return std::lexicographical_compare(x.data(), x.data() + 3, y.data(), y.data() + 3);
+  });
   body.shape = metric_shape(used, body.mass);
   body.components = component_points(surface);
   body.balls = inner_balls(body.tree, body.shape, options.balls);
-  for (const std::vector<Vec3>& points : options.pieces) {
+  std::vector<std::vector<Vec3>> pieces = options.pieces;
+  if (pieces.empty())
+    if (std::vector<Vec3> corners = corners_if_convex(body.tree, body.shape); !corners.empty())
+      pieces.push_back(std::move(corners));
+  for (const std::vector<Vec3>& points : pieces) {
     body.pieces.push_back(convex_piece(points));
     double reach = 0;
     for (const Vec3& x : points) reach = std::max(reach, (x - body.mass.centre).norm());

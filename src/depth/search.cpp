@@ -9,7 +9,7 @@ namespace {
 
 using Rounds = std::array<Round, 3>;
 
-constexpr Rounds fast_rounds{{{14, 4, 3, 3500}, {5, 2, 6, 6000}, {2, 1, 40, 9000}}};
+constexpr Rounds fast_rounds{{{20, 4, 3, 4500}, {6, 2, 6, 7500}, {2, 1, 40, 10000}}};
 constexpr Rounds careful_rounds{{{100, 40, 5, 80000}, {30, 12, 10, 150000}, {12, 4, 100, 250000}}};
 constexpr Rounds helping_rounds{{{30, 10, 5, 15000}, {10, 3, 10, 25000}, {4, 2, 60, 35000}}};
 constexpr std::size_t helpful_ends = 4;      // of a metric, from which the others start
@@ -31,7 +31,8 @@ bool shorter_walk(const Walk& x, const Walk& y) {
 }  // namespace
 
 Effort effort_of(Metric metric, bool careful, double clearance, const Mat3& basis) {
-  Effort effort{careful ? careful_rounds : fast_rounds, careful ? 3 : 1, careful ? 1e-9 : 1e-7, {}};
+  const int grid = metric == Metric::translation ? 2 : 1;  // translations have no other freedom to find a way with
+  Effort effort{careful ? careful_rounds : fast_rounds, careful ? 3 : grid, careful ? 1e-9 : 1e-7, {}};
   effort.walk.metric = metric;
   effort.walk.clearance = clearance;
   effort.walk.basis = basis;

@@ -30,9 +30,9 @@ struct Body {
 };
 
 struct BodyOptions {
-  int balls = 400;  ///< at most
-  std::vector<std::vector<Vec3>>
-      pieces;  ///< points of each; the caller vouches for their being convex parts of the body
+  int balls = 400;                        ///< at most
+  std::vector<std::vector<Vec3>> pieces;  ///< points of each; the caller vouches for their being convex parts of the
+                                          ///< body. None: the body itself where it is convex and has few corners
 };
 
 /// The surface must be closed, oriented outward, and not cross itself; the caller checks that. Throws

@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "brunt/depth/penetration_depth.hpp"
+#include "tests/support/depth_bodies.hpp"
 #include "tests/support/random_motion.hpp"
 
 using namespace brunt;
@@ -69,4 +71,18 @@ TEST_CASE("the depth of random convex pairs is the least overlap of all directio
     CHECK(depth <= sampled + 1e-12);
     CHECK(depth > sampled - 0.02);
   }
+}
+
+TEST_CASE("a convex body with few corners is a piece of itself, so that its bound is exact", "[law]") {
+  const TriangleSurface one = test::box({-.5, -.3, -.2}, {.5, .3, .2}), slab = test::box({-5, -5, -2}, {5, 5, 0});
+  const depth::Body a = depth::make_body(one), b = depth::make_body(slab);
+  depth::Query query;
+  query.a_in_b.rotation = Eigen::AngleAxisd(0.9, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  query.a_in_b.translation = {0, 0, .3};
+  const depth::Answer answer = depth::penetration_depth(a, b, query);
+  double lowest = 0;
+  for (const Vec3& x : one.points) lowest = std::min(lowest, query.a_in_b(x)[2]);
+  CHECK(answer.bound == Approx(-lowest).epsilon(1e-9));
+  CHECK(answer.depth == Approx(-lowest).epsilon(1e-4));
+  CHECK(depth::make_body(test::l_shape()).pieces.empty());
 }
