@@ -62,8 +62,10 @@ def main():
     fast = case.depth(*words, ranks=1, name="np1")
     for row in fast:
         tilt = TILTS[int(row["pose"])]
-        case.assert_close(f"fast: {row['metric']} at {tilt:g} degrees over careful", 1.0, row["depth"] / answer[tilt, row["metric"]], 0.05,
-                          "the careful mode")
+        # few starts: the fast mode may leave the hole by another way, the long one, when it may not turn
+        most = 1.6 if row["metric"] == "translation" else 1.001
+        case.assert_within(f"fast: {row['metric']} at {tilt:g} degrees over careful", 0.999999, most,
+                           row["depth"] / answer[tilt, row["metric"]], "the careful mode")
     one = lines_of(at("np1/depth.csv"))
     for ranks in (2, 3, 4):
         case.depth(*words, ranks=ranks)
