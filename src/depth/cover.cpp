@@ -102,9 +102,10 @@ CoverResult cover(const Encounter& encounter, double upper, const CoverOptions& 
   root.half_shift = upper;
   if (options.metric != Metric::translation)  // rms >= 2 sin(phi/2) sqrt(least moment)
     root.half_turn = std::min(std::numbers::pi, 2 * std::asin(std::min(1.0, 0.5 * upper / slimmest)) * (1 + 1e-12));
+  root.least = options.known;
   std::vector<CoverBox> heap{root}, now;
   std::vector<CoverVerdict> verdicts;
-  CoverResult result{0, upper, 0, false};
+  CoverResult result{options.known, upper, 0, false};
   while (!heap.empty() && result.boxes < options.most_boxes) {
     now.clear();
     while (!heap.empty() && now.size() < batch) {

@@ -121,6 +121,8 @@ std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options
     for (int i = 0; options.more_rotations && i < 3; ++i)
       for (const double sign : {1.0, -1.0}) rotate(sign * axes_b.col(i));
   }
+  // whatever the order of the marches, the same set
+  std::erase_if(marcher.found, [&](const Start& start) { return start.length > options.reach * marcher.shortest; });
   std::sort(marcher.found.begin(), marcher.found.end(),
             [](const Start& x, const Start& y) { return x.length < y.length; });
   return marcher.found;

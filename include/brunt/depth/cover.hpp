@@ -46,6 +46,7 @@ struct CoverOptions {
   Metric metric = Metric::displacement;
   double gap = 0.02;                    ///< ends where the bound is this near to the upper bound, relative
   std::int64_t most_boxes = 1'000'000;  ///< judged
+  double known = 0;                     ///< nothing shorter is free: proven before [length]
   Evaluate evaluate;                    ///< none: one after the other, here
 };
 

