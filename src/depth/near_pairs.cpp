@@ -23,6 +23,8 @@ double gap_along(const geometry::Triangle& a, const geometry::Triangle& b, const
   return low - high;
 }
 
+}  // namespace
+
 double gap_of(const geometry::Triangle& a, const geometry::Triangle& b, const Vec3& n) {
   const std::array<Vec3, 3> ea{a[1] - a[0], a[2] - a[1], a[0] - a[2]}, eb{b[1] - b[0], b[2] - b[1], b[0] - b[2]};
   double gap = std::max(gap_along(a, b, ea[0].cross(ea[1]), n), gap_along(a, b, eb[0].cross(eb[1]), n));
@@ -30,8 +32,6 @@ double gap_of(const geometry::Triangle& a, const geometry::Triangle& b, const Ve
     for (const Vec3& y : eb) gap = std::max(gap, gap_along(a, b, x.cross(y), n));
   return std::max(gap, gap_along(a, b, n, n));
 }
-
-}  // namespace
 
 void NearPairs::find(const Encounter& encounter, const RigidMotion& motion, double band, double margin) {
   const Placement now = encounter.placement(motion);

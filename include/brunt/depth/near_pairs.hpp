@@ -35,6 +35,10 @@ struct NearPairs {
   void forget_corrections(double margin);
 };
 
+/// Gap of two triangles in common axes, as correct_bounds takes it; -infinity if no axis goes the way of the unit
+/// vector n, from b to a [length].
+[[nodiscard]] double gap_of(const geometry::Triangle& a, const geometry::Triangle& b, const Vec3& n);
+
 /// Second-order correction: where the triangles of a condition are nearer than `margin` after the small motion (tau,
 /// omega) that led to `motion`, its bound grows by what is missing. The gap of two triangles is the greatest over the
 /// separating axes (two face normals, nine products of edges) that point the same way as n within 60 degrees; it is
