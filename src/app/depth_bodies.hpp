@@ -6,7 +6,6 @@
 
 #include "brunt/comm/communicator.hpp"
 #include "brunt/core/triangle_surface.hpp"
-#include "brunt/mesh/mesh.hpp"
 #include "brunt/scene/input.hpp"
 #include "depth_options.hpp"
 
@@ -20,10 +19,6 @@ struct NamedSurface {
 
 /// Reads, merges and checks the surface of a file. merge: see DepthOptions. Collective; throws InputError on all ranks.
 [[nodiscard]] NamedSurface read_closed_surface(const comm::Communicator& ranks, const std::string& path, double merge);
-
-/// The surface of one block, in triangles: of the two diagonals of a warped face the one that the body is larger with.
-/// Points are those of the mesh, in its order.
-[[nodiscard]] TriangleSurface outer_surface(const mesh::Mesh& mesh, std::size_t block);
 
 /// Surfaces of all parts of a scene, block by block. Collective; throws InputError on all ranks.
 [[nodiscard]] std::vector<NamedSurface> surfaces_of_scene(const comm::Communicator& ranks, const scene::Input& input);

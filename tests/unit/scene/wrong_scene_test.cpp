@@ -265,7 +265,7 @@ TEST_CASE("what later versions bring is recognised and refused", "[scene]") {
        "initial_overlap: adjust",
        "bar.yaml:36: contact.0.initial_overlap",
        {"'adjust' is unknown", "error, warn, move, offset"}},
-      {"slave: auto", "initial_overlap: 0.1", "bar.yaml:36: contact.0.initial_overlap", {"error, warn, move, offset"}},
+      {"slave: auto", "initial_overlap: 0.1", "bar.yaml:36: contact.0.initial_overlap", {"error, warn, move, place, offset"}},
       {"slave: auto", "slave: middle", "bar.yaml:36: contact.0.slave", {"'middle' is unknown", "first, second, left"}},
       {"[left, right]\n    slave: auto",
        "all\n    slave: first",
