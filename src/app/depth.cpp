@@ -23,6 +23,11 @@ constexpr GlobalIndex chain_length = 32;
 /// Most boxes of --certify: some seconds (2e5 to 1e6 boxes a second).
 constexpr std::int64_t default_boxes = 1'000'000;
 
+/// Then all ranks work on each pose together.
+bool is_certified(const DepthOptions& options) {
+  return options.certify > 0 || options.boxes > 0 || options.limit > 0;
+}
+
 /// A slice of the boxes on each rank; the verdicts on all.
 void judge_on_all(const comm::Communicator& ranks, const depth::Encounter& encounter, depth::Metric metric,
                   double upper, std::span<const depth::CoverBox> boxes, std::span<depth::CoverVerdict> verdicts) {
@@ -50,7 +55,7 @@ std::vector<DepthRow> answers_of(const comm::Communicator& ranks, const DepthWor
     query.metric = metric;
     query.careful = options.careful;
     query.tries = tries;
-    if (options.certify > 0 || options.boxes > 0) {
+    if (is_certified(options)) {
       query.gap = options.certify;
       query.boxes = options.boxes > 0 ? options.boxes : default_boxes;
       query.evaluate = [&](std::span<const depth::CoverBox> boxes, double upper,
@@ -58,12 +63,14 @@ std::vector<DepthRow> answers_of(const comm::Communicator& ranks, const DepthWor
         judge_on_all(ranks, {a, b, depth::rounded(pose.start, a.shape.radius)}, metric, upper, boxes, verdicts);
       };
     }
+    const Clock::time_point start = Clock::now();
+    const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    if (options.limit > 0) query.stop = [&] { return ranks.max(seconds()) > options.limit; };
     if (options.clearance > 0) query.clearance = options.clearance / a.shape.radius;
     if (metric == depth::Metric::translation) query.along = axes_named(options.along);
-    const Clock::time_point start = Clock::now();
     DepthRow row;
     row.answer = depth::penetration_depth(a, b, query);
-    row.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    row.seconds = seconds();
     row.pose = static_cast<std::int64_t>(k);
     row.a = work.surfaces[pose.a].name;
     row.b = work.surfaces[pose.b].name;
@@ -121,7 +128,7 @@ int depth_command(const comm::Communicator& ranks, const DepthOptions& options) 
     return packed(rows);
   };
   // with a certificate all ranks work on each pose, else each on its own
-  const bool together = options.certify > 0 || options.boxes > 0;
+  const bool together = is_certified(options);
   const auto deal = [&](const auto& take) {
     if (!together) return comm::deal_out(ranks, tasks - done, work_on, take);
     for (GlobalIndex task = 0; task < tasks - done; ++task) take(task, work_on(task));

@@ -106,7 +106,7 @@ CoverResult cover(const Encounter& encounter, double upper, const CoverOptions& 
   std::vector<CoverBox> heap{root}, now;
   std::vector<CoverVerdict> verdicts;
   CoverResult result{options.known, upper, 0, false};
-  while (!heap.empty() && result.boxes < options.most_boxes) {
+  while (!heap.empty() && result.boxes < options.most_boxes && !(options.stop && options.stop())) {
     now.clear();
     while (!heap.empty() && now.size() < batch) {
       std::pop_heap(heap.begin(), heap.end(), longer);

@@ -42,7 +42,7 @@ void list_contacts(const Encounter& encounter, Answer& answer) {
 
 /// Covers what is shorter than the answer; free placements found on the way improve it.
 void certify(const Encounter& encounter, const Query& query, Search& search, Answer& answer) {
-  const CoverOptions options{query.metric, query.gap, query.boxes, answer.bound, query.evaluate};
+  const CoverOptions options{query.metric, query.gap, query.boxes, answer.bound, query.evaluate, query.stop};
   const auto improve = [&](const RigidMotion& motion) {
     search.walk_from(motion);
     search.finish(query.careful);

@@ -48,6 +48,7 @@ struct CoverOptions {
   std::int64_t most_boxes = 1'000'000;  ///< judged
   double known = 0;                     ///< nothing shorter is free: proven before [length]
   Evaluate evaluate;                    ///< none: one after the other, here
+  std::function<bool()> stop{};         ///< asked before each batch: true ends the search, as most_boxes does
 };
 
 struct CoverResult {

@@ -25,6 +25,7 @@ struct Query {
   std::int64_t boxes = 0;        ///< certificate: raise the bound by covering with at most so many boxes (cover.hpp)
   double gap = 0.02;             ///< ends where the bound is this near to the depth, relative
   Evaluate evaluate;             ///< judges batches of boxes, for instance on several processes; none: here
+  std::function<bool()> stop;    ///< ends the certificate when true, for instance after some time; none: never
 };
 
 struct ContactPoint {
