@@ -101,6 +101,14 @@ void hold_members(const scene::Input& input, const mesh::Mesh& mesh, const std::
   }
 }
 
+/// What the scene gives of a rigid body: its mass counts; a centre or an inertia is given where the body is drawn.
+void heed_rigid(const scene::Part& part, depth::Member& member) {
+  if (!part.rigid) return;
+  if (part.rigid->mass) member.mass = *part.rigid->mass;
+  if (part.rigid->centre) member.basis.setZero();
+  if (part.rigid->centre || part.rigid->inertia) member.turns = false;
+}
+
 /// Pairs of blocks of different members that must not overlap after the placement.
 bool must_part(const std::optional<OverlapRule>& rule) {
   return rule == OverlapRule::place || rule == OverlapRule::error;
@@ -191,6 +199,7 @@ SceneAssembly scene_assembly(const scene::Input& input, const mesh::Mesh& mesh, 
     member.turns = false;
   }
   hold_members(input, mesh, member_of, result.assembly);
+  for (std::size_t b = 0; b < n; ++b) heed_rigid(input.parts[part_of[b]], result.assembly.members[member_of[b]]);
   return result;
 }
 

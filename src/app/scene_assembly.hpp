@@ -3,7 +3,8 @@
 //
 // Parts are one member where they share nodes, are tied, or are one rigid body. A member may move if one of its parts
 // takes part in a pair with `initial_overlap: place`. A direction in which a node of it is held (fixed, symmetry,
-// prescribed) is held for all of it, and with any held node it does not turn.
+// prescribed) is held for all of it, and with any held node it does not turn. A rigid body whose centre of mass the
+// scene gives stays, one whose inertia it gives does not turn.
 #pragma once
 #include <memory>
 #include <string>

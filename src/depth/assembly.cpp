@@ -23,6 +23,26 @@ double largest(const Standing& standing, const Pose& pose) {
   return most;
 }
 
+/// Back along all screws at once to within `gap` of a pose that overlaps, and out again by that.
+Pose drawn_back(const Standing& standing, const Pose& pose, double gap) {
+  const double end = gap / largest(standing, pose);
+  double free = 1, overlaps = 0, step = end;
+  while (free - overlaps > end) {
+    const double s = overlaps > 0 ? 0.5 * (free + overlaps) : std::max(0.0, free - step);
+    if (s > 0 && standing.free(along_screws(pose, s))) {
+      free = s;
+      step *= 4;
+    } else {
+      overlaps = s;
+      if (s <= 0) break;
+    }
+  }
+  for (const double s : {free + end, free})
+    if (s < 1)
+      if (Pose back = along_screws(pose, s); standing.free(back)) return back;
+  return pose;
+}
+
 void report(const Standing& standing, const Pose& pose, AssemblyAnswer& answer) {
   answer.found = true;
   answer.motions = pose.motions;
@@ -95,6 +115,7 @@ AssemblyAnswer place_apart(const Assembly& assembly, const AssemblyOptions& opti
     }
   }
   best = walker.walk(best, {fine, last_trust * largest(standing, best), options.most_steps});
+  best = drawn_back(standing, best, fine);
   answer.steps = walker.steps();
   report(standing, best, answer);
   return answer;

@@ -101,8 +101,8 @@ class Place(Program):
                 "place}]", "place}, {between: [right, third], tied: true}]")
         code, output, errors = self.check(third)
         self.assertEqual(code, 0, errors)
-        self.assertRegex(output, r"placed +part 'right' with 'third': moved by 0\.0333333 m at most")
-        self.assertRegex(output, r"placed +part 'left': moved by 0\.0666667 m at most")
+        self.assertRegex(output, r"placed +part 'right' with 'third': moved by 0\.03333 m at most")
+        self.assertRegex(output, r"placed +part 'left': moved by 0\.06667 m at most")
 
     def test_large_motions_are_refused(self):
         limited = CUBES.replace("initial_overlap: place", "initial_overlap: place, limit: LIMIT")
@@ -110,7 +110,7 @@ class Place(Program):
         code, _, errors = self.check(limited.replace("LIMIT", "0.04"))
         self.assertEqual(code, 2)
         self.assertEqual(len(errors.splitlines()), 1)
-        self.assertRegex(errors, r"^scene\.yaml:\d+: contact\.0\.limit: initial_overlap: place would move part '\w+' by 0\.05 m; expected at most 0\.04 m$")
+        self.assertRegex(errors, r"^brunt: scene\.yaml:\d+: contact\.0\.limit: initial_overlap: place would move part '\w+' by 0\.05 m; expected at most 0\.04 m$")
 
     def test_no_element_is_distorted_and_nothing_moves_in_the_run(self):
         self.write("scene.yaml", HEAP)
