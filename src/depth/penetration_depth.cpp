@@ -11,6 +11,7 @@ namespace brunt::depth {
 namespace {
 
 constexpr double contact_band = 1e-4;  // of A's radius: gaps of contact points
+constexpr double trusted = 1.3;        // of the lower bound: a warm answer that is longer is searched for anew
 constexpr double independent = 1e-6;   // sine: directions nearer to the span of the others add nothing
 
 /// Orthonormal columns that span the directions, in A's axes at q_0.
@@ -58,7 +59,7 @@ void certify(const Encounter& encounter, const Query& query, Search& search, Ans
 void search_all(Encounter& encounter, const Query& query, const Mat3& basis, Search& search, Answer& answer) {
   for (const Placement& placement : query.tries)
     search.walk_from_placement(motion_between(encounter.start, placement, encounter.a.shape.centroid));
-  if (!query.warm || !search.found()) {
+  if (!query.warm || search.best().length > trusted * answer.bound) {
     StartOptions options;
     options.metric = query.metric;
     options.grid = effort_of(query.metric, query.careful, query.clearance, basis).grid;

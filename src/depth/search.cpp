@@ -9,7 +9,7 @@ namespace {
 
 using Rounds = std::array<Round, 3>;
 
-constexpr Rounds fast_rounds{{{20, 4, 3, 4500}, {6, 2, 6, 7500}, {2, 1, 40, 10000}}};
+constexpr Rounds fast_rounds{{{32, 4, 3, 4500}, {10, 2, 6, 7500}, {3, 1, 40, 10000}}};
 constexpr Rounds careful_rounds{{{100, 40, 5, 80000}, {30, 12, 10, 150000}, {12, 4, 100, 250000}}};
 constexpr Rounds helping_rounds{{{30, 10, 5, 15000}, {10, 3, 10, 25000}, {4, 2, 60, 35000}}};
 constexpr std::size_t helpful_ends = 4;      // of a metric, from which the others start

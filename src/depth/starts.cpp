@@ -53,7 +53,7 @@ struct Marcher {
     }
     for (; t < end + step; t += step) {
       const RigidMotion motion = ray.at(t);
-      if (length(motion) > options.reach * shortest) return;
+      if (length(ray.at(t - step)) > options.reach * shortest) return;  // all that bisection could find is too far
       if (encounter.collides(motion)) continue;
       double inside = t - step, outside = t;
       for (int i = 0; i < bisections; ++i) {

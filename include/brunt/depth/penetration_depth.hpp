@@ -21,7 +21,7 @@ struct Query {
   double clearance = 1e-6;       ///< left between the surfaces by the fast mode, in units of A's radius
   std::vector<Vec3> along;       ///< directions of admitted translations, axes of B; none: all. For `translation` only
   std::vector<Placement> tries;  ///< placements to start from as well: those of the other metrics, the last answer
-  bool warm = false;             ///< start from `tries` alone if one of them is free or nearly so: coherent motion
+  bool warm = false;             ///< start from `tries` alone if that leads to 1.3 times the bound: coherent motion
   std::int64_t boxes = 0;        ///< certificate: raise the bound by covering with at most so many boxes (cover.hpp)
   double gap = 0.02;             ///< ends where the bound is this near to the depth, relative
   Evaluate evaluate;             ///< judges batches of boxes, for instance on several processes; none: here
