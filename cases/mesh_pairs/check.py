@@ -144,7 +144,7 @@ def main():
             stream.write("x,y,z,qw,qx,qy,qz\n")
             for turn, place, _ in poses:
                 stream.write(",".join(repr(float(x)) for x in (*place, *turn)) + "\n")
-    for mode, gate, share in (("fast", 1.05, 0.6), ("careful", 1.02, 0.95))  # wanted of fast: 0.9, see the README:
+    for mode, gate, share in (("fast", 1.05, 0.6), ("careful", 1.02, 0.95)):  # wanted of fast: 0.9, see the README
         ratios = [ratio for pair in POSES for ratio in check_pair(case, pair, mode)]
         good = sum(ratio <= gate for ratio in ratios) / len(ratios)
         case.assert_within(f"{mode}: share of answers within {gate - 1:.0%} of the best known", share, 1, good, "best of many starts")
