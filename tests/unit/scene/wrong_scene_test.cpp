@@ -264,7 +264,7 @@ TEST_CASE("what later versions bring is recognised and refused", "[scene]") {
       {"slave: auto",
        "initial_overlap: adjust",
        "bar.yaml:36: contact.0.initial_overlap",
-       {"'adjust' is unknown", "error, warn, move, offset"}},
+       {"'adjust' is unknown", "error, warn, move, place, offset"}},
       {"slave: auto",
        "initial_overlap: 0.1",
        "bar.yaml:36: contact.0.initial_overlap",
