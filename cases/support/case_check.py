@@ -13,6 +13,7 @@ A check that says `case.answer(errors)` before it runs anything also gives the e
 (cases/NAME/check.py --errors RESULT [--scene FILE] [--set KEY=VALUE]...): scripts/pareto asks so.
 """
 import argparse
+import csv
 import json
 import math
 import os
@@ -129,6 +130,21 @@ class Case:
             print(" ".join(command), run.stdout, run.stderr, sep="\n")
             sys.exit(f"{self.name}: exit code {run.returncode}, expected {expected_code}")
         return Result(out)
+
+    def depth(self, *words, ranks=1, name=None, fresh=True, expected_code=0):
+        """Runs `brunt depth` with these words into work/name; the rows of its depth.csv as dicts of numbers and texts."""
+        out = os.path.join(self.work, name or f"np{ranks}")
+        if fresh:
+            shutil.rmtree(out, ignore_errors=True)
+        os.makedirs(self.work, exist_ok=True)
+        command = [os.path.join(PROJECT, "scripts/run"), "-np", str(ranks), "depth", *map(str, words), "--out", out]
+        run = subprocess.run(command, capture_output=True, text=True, cwd=self.work, env={**os.environ, "BRUNT": self.brunt})
+        if run.returncode != expected_code:
+            print(" ".join(command), run.stdout, run.stderr, sep="\n")
+            sys.exit(f"{self.name}: exit code {run.returncode}, expected {expected_code}")
+        with open(os.path.join(out, "depth.csv"), encoding="utf-8", newline="") as stream:
+            return [{key: value if key in ("a", "b", "metric") else float(value) for key, value in row.items()}
+                    for row in csv.DictReader(stream)]
 
     def assert_close(self, quantity, reference, ours, gate, source="", absolute=False):
         """|ours - reference| <= gate, as a share of |reference| unless absolute."""

@@ -19,6 +19,7 @@
 #include "prepare.hpp"
 #include "removal.hpp"
 #include "scene_listing.hpp"
+#include "smallest_motions.hpp"
 
 namespace brunt::app {
 namespace {
@@ -166,8 +167,10 @@ void print_gaps(const Prepared& run) {
     fmt::print("smallest gap     no two parts are nearer than an element's edge\n");
 }
 
-void print_overlaps(const OverlapReport& report, bool all) {
+void print_overlaps(const scene::Input& input, const OverlapReport& report, bool all) {
   for (const std::string& line : all ? report.list : report.deepest) fmt::print("overlap          {}\n", line);
+  if (report.list.empty()) return;
+  for (const std::string& line : smallest_motions(input)) fmt::print("smallest motion  {}\n", line);
 }
 
 std::string friction_text(const contact::FrictionLaw& law) {
@@ -216,7 +219,7 @@ void print_cost(const Prepared& run, const time::StepReport& step, const StepCos
 int check(const comm::Communicator& ranks, const CheckOptions& options) {
   const std::unique_ptr<Prepared> run = prepare(ranks, options.scene, options.overrides);
   const OverlapReport& report = run->overlaps.report;  // on the root
-  if (ranks.is_root() && !report.faults.empty()) print_overlaps(report, options.all);
+  if (ranks.is_root() && !report.faults.empty()) print_overlaps(run->input, report, options.all);
   refuse_overlaps(*run);
   demand_first_step(*run);
   const std::vector<PartFigures> figures = part_figures(*run);
@@ -234,7 +237,7 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   for (const std::string& warning : round.warnings) fmt::print("warning: {}\n", warning);
   for (const std::string& line : run->left_out) fmt::print("{}\n", line);
   for (const std::string& note : report.notes) fmt::print("{}\n", note);
-  print_overlaps(report, options.all);
+  print_overlaps(run->input, report, options.all);
   print_parts(*run, figures, units);
   print_bodies(*run, units);
   print_extents(*run, extents, units);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brunt/comm/communicator.hpp"
+#include "depth_options.hpp"
 
 namespace brunt::app {
 
@@ -35,6 +36,9 @@ struct SearchOptions {
   bool list = false;
 };
 int search(const comm::Communicator& ranks, const SearchOptions& options);
+
+/// Penetration depth of two surfaces, or of the parts of a scene: see depth_options.hpp.
+int depth_command(const comm::Communicator& ranks, const DepthOptions& options);
 
 int info(const comm::Communicator& ranks);
 std::string version();

@@ -105,6 +105,70 @@ void add_search(CLI::App& program, app::SearchOptions& options, Command& chosen)
   search->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::search(ranks, options); }; });
 }
 
+/// A number >= 0; CLI11 prints the largest number there is with all its digits.
+std::string no_number(const std::string& text) {
+  double value = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc{} && end == text.data() + text.size() && std::isfinite(value) && value >= 0) return {};
+  return fmt::format("invalid number '{}'; expected a finite number >= 0", text);
+}
+
+/// "10s": seconds, with or without the unit.
+std::string no_time(std::string& text) {
+  if (text.ends_with('s')) text.pop_back();
+  return no_number(text).empty() ? std::string{} : fmt::format("invalid time '{}'; expected seconds, as in 10s", text);
+}
+
+void add_depth(CLI::App& program, app::DepthOptions& options, Command& chosen) {
+  CLI::App* depth = program.add_subcommand(
+      "depth", "Penetration depth of two closed surfaces: the smallest rigid motion of A that separates it from B");
+  depth->footer("Surfaces: STL, OBJ, PLY. A turns about the origin of its file, then it is moved. src/depth/README.md");
+  depth->add_option("a", options.a, "Surface of the body that moves, or a scene (YAML): all its overlapping parts")
+      ->required();
+  depth->add_option("b", options.b, "Surface of the body that stays");
+  depth->add_option("--at", options.at, "Where A stands; default 0,0,0")->type_name("X,Y,Z");
+  depth->add_option("--turn", options.turn, "How A is turned first")->type_name("X,Y,Z,DEGREES");
+  depth->add_option("--poses", options.poses, "Poses of A: x,y,z and axis_x,axis_y,axis_z,degrees or qw,qx,qy,qz")
+      ->type_name("FILE.csv")
+      ->check(no_path)
+      ->excludes("--at")
+      ->excludes("--turn");
+  depth
+      ->add_option("--metric", options.metrics,
+                   "Length of a motion: displacement (largest of a point, default), object_norm (root mean square), "
+                   "translation (no turning); repeatable")
+      ->check(CLI::IsMember({"displacement", "object_norm", "translation"}))
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  depth->add_option("--along", options.along, "Axes along which translations are admitted, such as x,y")
+      ->type_name("AXES");
+  depth->add_option("--clearance", options.clearance, "Gap to leave between the surfaces [length]")->check(no_number);
+  depth->add_flag("--careful", options.careful, "More starts: a better answer in more time");
+  depth
+      ->add_option("--certify", options.certify,
+                   "Search all motions until (depth - bound) / depth is no more than this")
+      ->type_name("GAP")
+      ->check(no_number);
+  depth->add_option("--boxes", options.boxes, "End that search after so many boxes (equal bits)")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
+  depth->add_option("--limit", options.limit, "End that search after so many seconds (no equal bits)")
+      ->type_name("TIME")
+      ->transform(CLI::Validator(no_time, "TIME"));
+  depth->add_option("--pieces", options.pieces, "Convex pieces inside A and B, for better bounds (YAML)")
+      ->type_name("FILE")
+      ->check(no_path);
+  depth->add_option("--merge", options.merge, "Points nearer to each other become one [length]")->check(no_number);
+  depth->add_flag("--sequence", options.sequence, "Start each pose from the answer of the one before, in chains of 32");
+  depth->add_flag("--json", options.json, "Print JSON instead of text");
+  depth->add_option("--out", options.out, "Folder for depth.csv, depth.json and surfaces before and after (PLY)")
+      ->type_name("FOLDER")
+      ->check(no_path);
+  depth->add_flag("--force", options.force, "Replace the results of an earlier run");
+  add_overrides(*depth, options.overrides);
+  depth->callback(
+      [&] { chosen = [&](const comm::Communicator& ranks) { return app::depth_command(ranks, options); }; });
+}
+
 /// CLI11 would say only that a command is missing.
 bool names_unknown_command(const CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return false;
@@ -130,11 +194,13 @@ int run_command(const comm::Communicator& ranks, int argc, char** argv) {
   app::PartitionOptions partition;
   app::CompareOptions compare;
   app::SearchOptions search;
+  app::DepthOptions depth;
   add_run(program, run, chosen);
   add_check(program, check, chosen);
   add_partition(program, partition, chosen);
   add_compare(program, compare, chosen);
   add_search(program, search, chosen);
+  add_depth(program, depth, chosen);
   program.add_subcommand("info", "Version, libraries, limits, elements and materials")->callback([&] {
     chosen = app::info;
   });

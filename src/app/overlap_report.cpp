@@ -157,6 +157,7 @@ OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh,
   list_overlaps(reporter, gaps, report);
   bool refused = false, untreatable = false;
   const auto judge = [&](OverlapRule rule, bool treatable, std::string line) {
+    if (rule == OverlapRule::place) return;
     if (rule == OverlapRule::warn) return report.warnings.push_back(std::move(line));
     if (rule != OverlapRule::error && treatable) return;
     (treatable ? refused : untreatable) = true;
@@ -165,7 +166,8 @@ OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh,
   bool moves_itself = false;
   for (const Pair& pair : pairs_of(reporter, gaps)) {
     std::string line = reporter.describe(*pair.deepest, pair.nodes, pair.too_deep);
-    if (pair.itself && pair.deepest->rule == OverlapRule::move) {
+    const OverlapRule rule = pair.deepest->rule;
+    if (pair.itself && (rule == OverlapRule::move || rule == OverlapRule::place)) {
       moves_itself = true;
       report.faults.push_back(std::move(line));
     } else {
@@ -177,15 +179,18 @@ OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh,
   if (refused)
     report.faults.push_back(input.at("contact") +
                             ": accepted: parts that do not overlap, or initial_overlap: warn "
-                            "(recovered slowly), move (nodes moved out before the run) or offset (kept as zero gap)");
+                            "(recovered slowly), place (parts moved apart before the run), move (nodes moved out) or "
+                            "offset (kept as zero gap)");
   if (untreatable)
     report.faults.push_back(input.at("contact") +
                             ": initial_overlap: move and offset treat nodes that are less than a quarter of a "
-                            "face's edge and half an element inside; move the parts apart");
+                            "face's edge and half an element inside; move the parts apart, or accept "
+                            "initial_overlap: place");
   if (moves_itself)
-    report.faults.push_back(input.at("contact") +
-                            ": initial_overlap: move does not part a body from itself; mend its mesh, or accept "
-                            "the overlap with warn (recovered slowly) or offset (kept as zero gap)");
+    report.faults.push_back(
+        input.at("contact") +
+        ": initial_overlap: move and place do not part a body from itself; mend its mesh, or accept "
+        "the overlap with warn (recovered slowly) or offset (kept as zero gap)");
   return report;
 }
 

@@ -21,7 +21,7 @@ struct OverlapReport {
 
 /// One line for each pair of parts that overlap: how many nodes, and the deepest. The pair with the deepest comes
 /// first. Then the parts that pierce others. Overlaps under `move` and `offset` are told only where that cannot be
-/// done: deeper than contact looks, or pierced.
+/// done: deeper than contact looks, or pierced; those under `place` only of a body with itself.
 OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh, const setup::InitialGaps& gaps);
 
 /// A node or face as the user knows it.

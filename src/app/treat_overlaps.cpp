@@ -10,15 +10,45 @@
 #include "brunt/setup/accepted_overlaps.hpp"
 #include "brunt/setup/move_overlaps.hpp"
 #include "move_report.hpp"
+#include "place_parts.hpp"
 #include "start_rules.hpp"
 
 namespace brunt::app {
+namespace {
+
+bool any_to_place(const setup::InitialGaps& gaps) {
+  const auto asks = [](const auto& one) { return one.rule == setup::OverlapRule::place; };
+  return std::ranges::any_of(gaps.overlaps, asks) || std::ranges::any_of(gaps.piercings, asks) ||
+         std::ranges::any_of(gaps.shared, asks);
+}
+
+/// Places parts, and judges anew where they stand then; the list stays that of the mesh as it was.
+void place(const scene::Input& input, mesh::Mesh& mesh, const setup::StartRules& rules, TreatedOverlaps& treated) {
+  const std::vector<Vec3> before = mesh.coordinates;
+  PlacedParts placed = place_parts(input, mesh, rules);
+  OverlapReport& report = treated.report;
+  report.faults = std::move(placed.faults);
+  if (!report.faults.empty()) return;
+  report.notes = std::move(placed.notes);
+  treated.gaps = setup::initial_gaps(mesh, rules);
+  OverlapReport after = report_overlaps(input, mesh, treated.gaps);
+  report.warnings = std::move(after.warnings);
+  report.faults = std::move(after.faults);
+  if (report.faults.empty() && any_to_place(treated.gaps))
+    report.faults.push_back(input.at("contact") + ": initial_overlap: place leaves an overlap: " +
+                            (after.list.empty() ? "of parts that move as one" : after.list.front()) +
+                            "; expected parts whose surfaces do not cross themselves");
+  if (!report.faults.empty()) mesh.coordinates = before;
+}
+
+}  // namespace
 
 TreatedOverlaps treat_overlaps(const scene::Input& input, mesh::CanonicalMesh& whole) {
   mesh::Mesh& mesh = whole.mesh;
   const setup::StartRules rules = start_rules(input, mesh);
   TreatedOverlaps treated{.gaps = setup::initial_gaps(mesh, rules), .report = {}, .accepted = {}, .recovered = false};
   treated.report = report_overlaps(input, mesh, treated.gaps);
+  if (treated.report.faults.empty() && any_to_place(treated.gaps)) place(input, mesh, rules, treated);
   treated.recovered = !treated.report.warnings.empty();
   if (!treated.report.faults.empty()) return treated;
   const auto asked = [&](setup::OverlapRule rule) {

@@ -12,14 +12,15 @@
 namespace brunt::app {
 
 struct TreatedOverlaps {
-  setup::InitialGaps gaps;  ///< of the mesh after nodes were moved
+  setup::InitialGaps gaps;  ///< of the mesh after parts were placed and nodes moved
   OverlapReport report;
   std::vector<contact::AcceptedOverlap> accepted;  ///< what `offset` keeps, as contact wants it
   bool recovered = false;  ///< some are left to contact (`warn`), which gives the bodies energy in parting them
 };
 
-/// Moves nodes of the mesh where the scene says so. What the scene does not allow, or cannot have as it asks, is told
-/// in the report's faults; nothing is moved then. A function of the scene and the mesh, so a restart has the same.
+/// Places parts and moves nodes of the mesh where the scene says so. What the scene does not allow, or cannot have as
+/// it asks, is told in the report's faults; nothing is moved then. A function of the scene and the mesh, so a restart
+/// has the same.
 TreatedOverlaps treat_overlaps(const scene::Input& input, mesh::CanonicalMesh& whole);
 
 }  // namespace brunt::app

@@ -116,8 +116,12 @@ void judge_untied(const Key& whole, Section& entry, const ContactEntry& contact,
 }
 
 ContactEntry read_entry(Section& entry, contact::Passes passes_before) {
-  static const Choices<Overlap> overlaps{
-      {{"error", Overlap::error}, {"warn", Overlap::warn}, {"move", Overlap::move}, {"offset", Overlap::offset}}, {}};
+  static const Choices<Overlap> overlaps{{{"error", Overlap::error},
+                                          {"warn", Overlap::warn},
+                                          {"move", Overlap::move},
+                                          {"place", Overlap::place},
+                                          {"offset", Overlap::offset}},
+                                         {}};
   using contact::Passes;
   static const Choices<Passes> passes{
       {{"auto", Passes::automatic}, {"one", Passes::one}, {"two", Passes::two}, {"averaged", Passes::averaged}}, {}};
@@ -134,6 +138,11 @@ ContactEntry read_entry(Section& entry, contact::Passes passes_before) {
     contact.initial_overlap = Overlap::offset;  // ties hold nodes where they are
   }
   entry.optional("initial_overlap", contact.initial_overlap, overlaps);
+  if (contact.tied && contact.initial_overlap == Overlap::place)
+    fault(entry.at("initial_overlap"), "tied parts are placed as one; accepted: error, warn, move, offset");
+  entry.optional("limit", contact.limit, positive);
+  if (entry.has("limit") && contact.initial_overlap != Overlap::place)
+    fault(entry.at("limit"), "a limit is for initial_overlap: place; accepted: none otherwise");
   read_settled(entry);
   return contact;
 }

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 import tiny_meshes as mesh
+import wrong_depths
 
 GOOD = """\
 title: one cube against a wall
@@ -268,6 +269,14 @@ OPTIONS = [
     Wrong("override of the wrong type", ["run.end", "soon"], arguments=["--set", "run.end=soon"]),
     Wrong("override beyond a list", ["initial.7"], arguments=["--set", "initial.7.part=bar"]),
     Wrong("bodies overlap at the start", ["scene.yaml:7: contact.0", "node", "left", "inside", "right"], scene=TWO_BOXES, command="run"),
+    Wrong("limit without place", ["scene.yaml:7: contact.0.limit", "initial_overlap: place"], lines=1,
+          scene=TWO_BOXES.replace("between: all", "between: all, initial_overlap: move, limit: 0.1")),
+    Wrong("negative limit", ["scene.yaml:7: contact.0.limit", "-1", "> 0"], lines=1,
+          scene=TWO_BOXES.replace("between: all", "between: all, initial_overlap: place, limit: -1")),
+    Wrong("tied parts to be placed", ["scene.yaml:7: contact.0.initial_overlap", "tied"], lines=1,
+          scene=TWO_BOXES.replace("between: all", "between: [left, right], tied: true, initial_overlap: place")),
+    Wrong("parts beyond the limit of place", ["scene.yaml:7: contact.0.limit", "would move part", "at most 0.01 m"], lines=1, command="run",
+          scene=TWO_BOXES.replace("between: all", "between: all, initial_overlap: place, limit: 0.01")),
     Wrong("restart file is not there", ["missing.h5"], command="run", arguments=["--restart", "missing.h5"]),
     Wrong("restart from an empty folder", ["old"], command="run", arguments=["--restart", "old"], files={"old/x": b""}),
     Wrong("result folder where none can be", ["/proc/nope/x", "--out"], command="run", arguments=["--out", "/proc/nope/x"]),
@@ -386,4 +395,4 @@ STUDIES = [
 ]
 SCRIPTS += STUDIES
 
-ALL = FILES + METALS + SCENES + OPTIONS + YAML_LIMITS + MESHES
+ALL = FILES + METALS + SCENES + OPTIONS + YAML_LIMITS + MESHES + wrong_depths.cases(Wrong)

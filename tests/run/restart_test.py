@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every scene of cases/ stopped on two ranks and continued on three is the run on one rank that never stopped.
+"""A scene of every case, stopped on two ranks and continued on three, is the run on one rank that never stopped.
 
-usage: restart_test.py [--whole] [--scene WORD]
+usage: restart_test.py [--all] [--whole] [--scene WORD]
+    --all: all scenes of each case, not just the first
     --whole: scenes to their end, stopped in the middle of contact and again shortly before it ends
     --scene: only those with the word in CASE/FILE
 Needs BRUNT, BRUNT_RUN (scripts/run) and BRUNT_CASES (the folder cases/) in the environment.
@@ -34,7 +35,12 @@ def scenes():
         scene = os.path.relpath(path, CASES)
         if isinstance(tree, dict) and "run" in tree and WORD in scene:
             found[scene] = tree
-    return found
+    if ALL:
+        return found
+    first = {}
+    for scene in sorted(found, key=lambda name: (not name.endswith("/scene.yaml"), name)):
+        first.setdefault(os.path.dirname(scene), scene)
+    return {scene: found[scene] for scene in first.values()}
 
 
 class Restart(unittest.TestCase):
@@ -104,8 +110,9 @@ class Restart(unittest.TestCase):
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--all", action="store_true")
     parser.add_argument("--whole", action="store_true")
     parser.add_argument("--scene", default="")
     given, others = parser.parse_known_args()
-    WHOLE, WORD = given.whole, given.scene
+    WHOLE, WORD, ALL = given.whole, given.scene, given.all or given.whole or given.scene
     unittest.main(argv=[sys.argv[0], *others])

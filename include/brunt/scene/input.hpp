@@ -178,6 +178,7 @@ struct ContactEntry {
   bool self = true;  ///< with `all`: parts meet themselves too
   bool tied = false;
   contact::OverlapRule initial_overlap = contact::OverlapRule::error;
+  std::optional<double> limit;  ///< of `place`: largest displacement of a point of a part [length]
 };
 
 struct Probe {

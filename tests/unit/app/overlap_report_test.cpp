@@ -117,7 +117,7 @@ TEST_CASE("overlap report: a body in itself can be offset but not moved; piercin
   const OverlapReport moved = Parts().report({fold});
   REQUIRE(moved.faults.size() == 2);
   CHECK_THAT(moved.faults[0], Contains("one body, which overlaps itself"));
-  CHECK_THAT(moved.faults[1], Contains("does not part a body from itself"));
+  CHECK_THAT(moved.faults[1], Contains("move and place do not part a body from itself"));
   fold.rule = OverlapRule::offset;
   CHECK(Parts().report({fold}).faults.empty());
   const setup::Piercing piercing{.block = 1,

@@ -57,10 +57,11 @@ enum class Tied : std::int8_t {
 
 /// What becomes of nodes of two parts that lie inside each other at the start.
 enum class OverlapRule : std::int8_t {
-  error,  ///< the scene is refused
-  warn,   ///< they are reported, and recovered slowly
-  move,   ///< nodes are moved out before the run
-  offset  ///< they are kept as zero gap
+  error,   ///< the scene is refused
+  warn,    ///< they are reported, and recovered slowly
+  move,    ///< nodes are moved out before the run
+  offset,  ///< they are kept as zero gap
+  place    ///< whole parts are moved apart before the run
 };
 
 /// What decides among faces that compete for a node at a convex place (Heinstein et al. 2000, section 4.5, Fig. 8).

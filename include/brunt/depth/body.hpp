@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is computed once of each body: tree, mass properties, metric, points inside with their depth, convex pieces.
+#pragma once
+#include <vector>
+
+#include "brunt/core/triangle_surface.hpp"
+#include "brunt/depth/convex_pair.hpp"
+#include "brunt/depth/metric.hpp"
+#include "brunt/geometry/slab_tree.hpp"
+
+namespace brunt::depth {
+
+/// A ball inside the body.
+struct InnerBall {
+  Vec3 centre = Vec3::Zero();  ///< coordinates of the file [length]
+  double depth = 0;            ///< of the centre: exact distance to the surface [length]
+  double factor = 1;           ///< point_factor of the centre
+};
+
+struct Body {
+  geometry::SlabTree tree;
+  rigid::MassProperties mass;       ///< at density 1
+  MetricShape shape;                ///< as the body that moves
+  std::vector<Vec3> components;     ///< a point of each connected part of the surface
+  std::vector<InnerBall> balls;     ///< the greatest first
+  std::vector<ConvexPiece> pieces;  ///< convex parts, each inside the body
+  std::vector<double> piece_reach;  ///< greatest distance of a corner from the centroid [length]
+  Mat3 axes = Mat3::Identity();     ///< columns: principal axes of J by growing moment, right-handed
+  Vec3 moments = Vec3::Zero();      ///< principal moments of J [length^2]
+};
+
+struct BodyOptions {
+  int balls = 400;                        ///< at most
+  std::vector<std::vector<Vec3>> pieces;  ///< points of each; the caller vouches for their being convex parts of the
+                                          ///< body. None: the body itself where it is convex and has few corners
+};
+
+/// The surface must be closed, oriented outward, and not cross itself; the caller checks that. Throws
+/// std::invalid_argument for one without triangles or without a positive volume.
+[[nodiscard]] Body make_body(const TriangleSurface& surface, const BodyOptions& options = {});
+
+/// Points inside with their depths, on a grid of the bounding box, each then moved inwards while the depth grows. A
+/// ball is left out if a greater one that stays holds nine tenths of it. The greatest first.
+[[nodiscard]] std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricShape& shape, int most);
+
+}  // namespace brunt::depth

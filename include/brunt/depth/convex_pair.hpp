@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Translational penetration depth of two convex polytopes, exactly: the least overlap over the normals of the facets of
+// the Minkowski difference, which are face normals of both and products of an edge of each (separating axes).
+//
+// For convex pairs DISP = PDt: the free placement has a separating plane, and a translation along its normal by the
+// displacement of the deepest vertex is free as well and no longer (README of this room).
+#pragma once
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "brunt/core/triangle_surface.hpp"
+
+namespace brunt::depth {
+
+struct ConvexPiece {
+  std::vector<Vec3> corners;  ///< [length]
+  std::vector<Vec3> normals;  ///< unit, of the facets, one of each two opposite ones
+  std::vector<Vec3> edges;    ///< unit directions, one of each two opposite ones
+};
+
+/// Of the convex hull of the points, which need not all be corners. For small sets: all triples are tried. Throws
+/// std::invalid_argument for points in a plane.
+[[nodiscard]] ConvexPiece convex_piece(std::span<const Vec3> points);
+
+/// PDt of the pair [length]; where they are apart minus some gap. Ends with some value not above `least` as soon as the
+/// depth is known to be no greater than that.
+[[nodiscard]] double translation_depth(const ConvexPiece& a, const ConvexPiece& b, const Placement& a_in_b,
+                                       double least = -std::numeric_limits<double>::infinity());
+
+}  // namespace brunt::depth

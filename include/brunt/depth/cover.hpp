@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// A lower bound of penetration depth for the whole space of placements, by branch and bound.
+//
+// A box holds the rotation vectors and displacements of the centroid within half widths h_w, h_T of its middle. Inside
+// it a point x of A moves by at most
+//   m(x) = sqrt3 h_T + 2 sin(sqrt3 h_w/2) |x - c|
+// from where the middle takes it, since exp(w) and exp(w') differ by an angle of at most |w - w'|. A box is dropped if
+// at its middle a ball of A and a point of B, or two convex pieces, are deeper in each other than that: every placement
+// in it collides. Otherwise it is cut in eight along translation or rotation, whichever moves A more. A box that is
+// left has no placement shorter than the length at its middle less its radius (triangle inequality). The least of these
+// is a lower bound at any time. Free middles below the upper bound are handed back as starts of walks.
+//
+// Boxes are judged in batches of a fixed size, each by a pure function: `evaluate` may deal them to other processes,
+// and the result has the same bits.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "brunt/depth/encounter.hpp"
+
+namespace brunt::depth {
+
+struct CoverBox {
+  Vec3 turn = Vec3::Zero(), shift = Vec3::Zero();  ///< middle: rotation vector [rad], displacement [length]
+  double half_turn = 0, half_shift = 0;            ///< [rad], [length]
+  double least = 0;                                ///< no placement in it is shorter [length]
+  std::int32_t hint = 0;                           ///< piece pair or ball that came nearest to a proof in its parent
+  [[nodiscard]] RigidMotion middle() const { return {rotation_of(turn), shift}; }
+};
+
+struct CoverVerdict {
+  bool collides = false;  ///< everywhere in the box: proven
+  bool free = false;      ///< its middle is free
+  double length = 0;      ///< of its middle [length]
+  std::int32_t hint = 0;
+};
+
+/// A pure function. Free middles are looked for only below `upper`.
+[[nodiscard]] CoverVerdict judge(const Encounter& encounter, Metric metric, double upper, const CoverBox& box);
+
+using Evaluate = std::function<void(std::span<const CoverBox>, double upper, std::span<CoverVerdict>)>;
+
+struct CoverOptions {
+  Metric metric = Metric::displacement;
+  double gap = 0.02;                    ///< ends where the bound is this near to the upper bound, relative
+  std::int64_t most_boxes = 1'000'000;  ///< judged
+  double known = 0;                     ///< nothing shorter is free: proven before [length]
+  Evaluate evaluate;                    ///< none: one after the other, here
+  std::function<bool()> stop{};         ///< asked before each batch: true ends the search, as most_boxes does
+};
+
+struct CoverResult {
+  double bound = 0;  ///< [length]
+  double upper = 0;  ///< [length]
+  std::int64_t boxes = 0;
+  bool reached = false;  ///< the gap
+};
+
+/// `improve` gets a free motion below the upper bound and returns the new upper bound (a walk's end).
+[[nodiscard]] CoverResult cover(const Encounter& encounter, double upper, const CoverOptions& options,
+                                const std::function<double(const RigidMotion&)>& improve);
+
+}  // namespace brunt::depth

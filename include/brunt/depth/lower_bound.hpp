@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Proven lower bounds of penetration depth at one placement.
+//
+// With phi_A, phi_B the depths of a point in both bodies (positive inside): a ball of radius phi_A about the material
+// point of A at y and one of radius phi_B about y in B must part, so that this point moves by at least
+//   g(y) = phi_A(y) + phi_B(y).
+// Hence PDt >= PDg >= max g in the displacement metric, and in the object norm g / sqrt(factor of the point), see
+// point_factor. Any point gives a valid bound; g is increased from the best balls by ascent. Convex pieces a in A and b
+// in B give PDg >= PDt(a, b) in the displacement metric: see convex_pair.
+#pragma once
+#include "brunt/depth/encounter.hpp"
+
+namespace brunt::depth {
+
+struct LowerBound {
+  double value = 0;           ///< [length]; 0 where nothing is proven
+  Vec3 point = Vec3::Zero();  ///< y, in the coordinates of B [length]
+};
+
+/// At the given placement. Depths are exact to rounding, so is the bound.
+[[nodiscard]] LowerBound lower_bound(const Encounter& encounter, Metric metric);
+
+}  // namespace brunt::depth

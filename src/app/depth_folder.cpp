@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "depth_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "brunt/core/error.hpp"
+#include "brunt/io/surface_file.hpp"
+#include "brunt/io/text_file.hpp"
+
+namespace brunt::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+TriangleSurface placed(const TriangleSurface& surface, const Placement& placement) {
+  TriangleSurface moved = surface;
+  for (Vec3& x : moved.points) x = placement(x);
+  return moved;
+}
+
+}  // namespace
+
+DepthFolder::DepthFolder(const DepthOptions& options, const std::string& fingerprint) : folder_(options.out) {
+  if (folder_.empty()) return;
+  const fs::path csv = fs::path(folder_) / "depth.csv", finished = fs::path(folder_) / "depth.json",
+                 asked = fs::path(folder_) / "depth.asked";
+  if (options.force)
+    for (const fs::path& path : {csv, finished, asked}) fs::remove(path);
+  if (fs::exists(finished))
+    throw InputError(folder_ +
+                     ": holds results of an earlier run; choose another folder with --out or replace them "
+                     "with --force");
+  fs::create_directories(folder_);
+  if (fs::exists(csv)) {
+    if (!fs::exists(asked) || io::read_text(asked.string()) != fingerprint)
+      throw InputError(folder_ +
+                       ": holds unfinished results of another question; choose another folder with --out or "
+                       "replace them with --force");
+    keep_whole_rows(csv.string());
+  } else {
+    io::replace_text(asked.string(), fingerprint);
+    io::replace_text(csv.string(), csv_header());
+  }
+  rows_.open(csv, std::ios::app | std::ios::binary);
+  if (!rows_) throw MachineError(csv.string() + ": cannot be written");
+}
+
+void DepthFolder::add(const DepthRow& row) {
+  if (folder_.empty()) return;
+  rows_ << csv_row(row) << std::flush;
+  if (!rows_) throw MachineError(folder_ + "/depth.csv: cannot be written");
+}
+
+void DepthFolder::write_surfaces(const DepthWork& work, const std::vector<DepthRow>& rows) const {
+  if (folder_.empty()) return;
+  for (const DepthRow& row : rows) {
+    if (!row.answer.overlap || !row.answer.found) continue;
+    const DepthWork::Pose& pose = work.poses[static_cast<std::size_t>(row.pose)];
+    const std::string stem = fmt::format("{}/pose{}_{}", folder_, row.pose, name_of(row.metric));
+    io::write_ply(stem + "_before.ply", placed(work.surfaces[pose.a].surface, pose.start));
+    io::write_ply(stem + "_after.ply", placed(work.surfaces[pose.a].surface, row.answer.placement));
+    io::write_ply(stem + "_other.ply", work.surfaces[pose.b].surface);
+  }
+}
+
+void DepthFolder::finish(const nlohmann::ordered_json& all) const {
+  if (folder_.empty()) return;
+  io::replace_text(folder_ + "/depth.json", all.dump(1) + "\n");
+}
+
+/// A row that a killed run left unfinished is dropped.
+void DepthFolder::keep_whole_rows(const std::string& path) {
+  std::string text = io::read_text(path);
+  text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
+  if (text.empty()) text = csv_header();
+  kept_ = std::ranges::count(text, '\n') - 1;
+  io::replace_text(path, text);
+}
+
+}  // namespace brunt::app

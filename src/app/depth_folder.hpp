@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// The result folder of `brunt depth`: depth.csv, row by row; depth.json and surfaces at the end. An unfinished one is
+// gone on with.
+#pragma once
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "depth_report.hpp"
+#include "depth_work.hpp"
+
+namespace brunt::app {
+
+/// For the root rank.
+class DepthFolder {
+ public:
+  /// Without `--out` nothing is ever written. fingerprint: of the question; an unfinished folder of another one is
+  /// refused, and so is one with results, unless forced. Throws InputError.
+  DepthFolder(const DepthOptions& options, const std::string& fingerprint);
+
+  [[nodiscard]] GlobalIndex kept() const { return kept_; }  ///< rows of an unfinished run
+  /// Handed to the operating system at once. Throws MachineError.
+  void add(const DepthRow& row);
+  /// Body A before and after each motion, and body B: PLY.
+  void write_surfaces(const DepthWork& work, const std::vector<DepthRow>& rows) const;
+  void finish(const nlohmann::ordered_json& all) const;
+
+ private:
+  void keep_whole_rows(const std::string& path);
+
+  std::string folder_;
+  std::ofstream rows_;
+  GlobalIndex kept_ = 0;
+};
+
+}  // namespace brunt::app

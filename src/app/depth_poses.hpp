@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the moving body of `brunt depth` stands, pose by pose.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "brunt/core/triangle_surface.hpp"
+
+namespace brunt::app {
+
+/// `--at x,y,z` and `--turn x,y,z,degrees`: first turned about the origin of the file, then moved. Empty texts: not at
+/// all. Throws InputError.
+[[nodiscard]] Placement pose_of(const std::string& at, const std::string& turn);
+
+/// A CSV file: columns x, y, z and, where bodies turn, axis_x, axis_y, axis_z, degrees or qw, qx, qy, qz, in any order;
+/// lines that begin with # are comments. Throws InputError with file and line.
+[[nodiscard]] std::vector<Placement> read_poses(const std::string& path);
+
+/// Axes named in `--along x,y`. Throws InputError.
+[[nodiscard]] std::vector<Vec3> axes_named(const std::string& text);
+
+}  // namespace brunt::app

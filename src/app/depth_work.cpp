@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "depth_work.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "brunt/core/error.hpp"
+#include "brunt/depth/encounter.hpp"
+#include "depth_poses.hpp"
+#include "prepare.hpp"
+
+namespace brunt::app {
+namespace {
+
+bool is_scene(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  return extension == ".yaml" || extension == ".yml";
+}
+
+DepthWork work_of_files(const comm::Communicator& ranks, const DepthOptions& options) {
+  DepthWork work;
+  std::vector<std::string> faults;
+  for (const std::string& path : {options.a, options.b}) {
+    try {
+      work.surfaces.push_back(read_closed_surface(ranks, path, options.merge));
+    } catch (const InputError& error) {
+      faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+    }
+  }
+  if (!faults.empty()) throw InputError(faults);
+  const ConvexPieces pieces = options.pieces.empty() ? ConvexPieces{} : read_pieces(options.pieces);
+  work.bodies.push_back(depth::make_body(work.surfaces[0].surface, {.pieces = pieces.a}));
+  work.bodies.push_back(depth::make_body(work.surfaces[1].surface, {.pieces = pieces.b}));
+  const std::vector<Placement> poses =
+      options.poses.empty() ? std::vector<Placement>{pose_of(options.at, options.turn)} : read_poses(options.poses);
+  for (const Placement& pose : poses) work.poses.push_back({0, 1, pose});
+  return work;
+}
+
+/// Parts that share points are one body where they do, and touch there by design.
+bool share_points(const TriangleSurface& a, const TriangleSurface& b) {
+  const auto sorted = [](const TriangleSurface& s) {
+    std::vector<std::array<double, 3>> points;
+    for (const Vec3& x : s.points) points.push_back({x[0], x[1], x[2]});
+    std::ranges::sort(points);
+    return points;
+  };
+  const auto one = sorted(a), other = sorted(b);
+  auto i = one.begin(), j = other.begin();
+  while (i != one.end() && j != other.end()) {
+    if (*i == *j) return true;
+    *i < *j ? ++i : ++j;
+  }
+  return false;
+}
+
+DepthWork work_of_scene(const comm::Communicator& ranks, const DepthOptions& options) {
+  if (!options.at.empty() || !options.turn.empty() || !options.poses.empty() || !options.pieces.empty())
+    throw InputError(options.a + ": a scene places its parts itself; expected no --at, --turn, --poses or --pieces");
+  DepthWork work;
+  work.surfaces = surfaces_of_scene(ranks, read_input(ranks, options.a, options.overrides));
+  for (const NamedSurface& named : work.surfaces) work.bodies.push_back(depth::make_body(named.surface));
+  const Placement here;
+  for (std::size_t a = 0; a < work.bodies.size(); ++a)
+    for (std::size_t b = a + 1; b < work.bodies.size(); ++b) {
+      const depth::Encounter pair{work.bodies[a], work.bodies[b], here};
+      if (!pair.bodies_collide(here) || share_points(work.surfaces[a].surface, work.surfaces[b].surface)) continue;
+      work.poses.push_back({a, b, here});
+    }
+  return work;
+}
+
+}  // namespace
+
+std::vector<depth::Metric> metrics_of(const DepthOptions& options) {
+  std::vector<depth::Metric> metrics;
+  for (const std::string& name : options.metrics) metrics.push_back(metric_named(name));
+  std::ranges::sort(metrics);  // translations first: their answers start the others
+  metrics.erase(std::ranges::unique(metrics).begin(), metrics.end());
+  return metrics;
+}
+
+DepthWork depth_work(const comm::Communicator& ranks, const DepthOptions& options) {
+  if (!options.along.empty() && (options.metrics.size() != 1 || options.metrics[0] != "translation"))
+    throw InputError("--along holds for translations; expected --metric translation with it");
+  if (options.b.empty() != is_scene(options.a))
+    throw InputError(options.b.empty() ? options.a + ": one surface; expected two, A and B, or a scene (.yaml)"
+                                       : options.a + ": a scene stands alone; expected no second file");
+  return options.b.empty() ? work_of_scene(ranks, options) : work_of_files(ranks, options);
+}
+
+std::string fingerprint_of(const DepthOptions& options, const DepthWork& work) {
+  std::uint64_t hash = 1469598103934665603ULL;  // FNV-1a
+  const auto add = [&](const void* from, std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i)
+      hash = (hash ^ static_cast<const unsigned char*>(from)[i]) * 1099511628211ULL;
+  };
+  for (const NamedSurface& named : work.surfaces) {
+    for (const Vec3& x : named.surface.points) add(x.data(), 3 * sizeof(double));
+    for (const auto& triangle : named.surface.triangles) add(triangle.data(), sizeof triangle);
+  }
+  for (const DepthWork::Pose& pose : work.poses) {
+    add(pose.start.rotation.data(), 9 * sizeof(double));
+    add(pose.start.translation.data(), 3 * sizeof(double));
+  }
+  std::string metrics;
+  for (const depth::Metric metric : metrics_of(options)) metrics += std::string(name_of(metric)) + " ";
+  return fmt::format(
+      "bodies and poses {:016x}\nmetrics {}\nclearance {}\nalong {}\ncareful {}\nsequence {}\ncertify {} {}\n", hash,
+      metrics, options.clearance, options.along, options.careful, options.sequence, options.certify, options.boxes);
+}
+
+}  // namespace brunt::app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that `brunt depth` is asked: bodies, and which of them stands where.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "brunt/comm/communicator.hpp"
+#include "brunt/depth/body.hpp"
+#include "depth_bodies.hpp"
+#include "depth_options.hpp"
+
+namespace brunt::app {
+
+struct DepthWork {
+  std::vector<NamedSurface> surfaces;
+  std::vector<depth::Body> bodies;  ///< of these surfaces
+  struct Pose {
+    std::size_t a, b;
+    Placement start;  ///< of a, in the coordinates of b
+  };
+  std::vector<Pose> poses;
+};
+
+/// Translations first: their answers start the others.
+[[nodiscard]] std::vector<depth::Metric> metrics_of(const DepthOptions& options);
+
+/// Of two files and their poses, or of the pairs of a scene's parts that overlap. The same on all ranks. Collective;
+/// throws InputError on all ranks.
+[[nodiscard]] DepthWork depth_work(const comm::Communicator& ranks, const DepthOptions& options);
+
+/// What the rows of a run depend on, but for its number of ranks.
+[[nodiscard]] std::string fingerprint_of(const DepthOptions& options, const DepthWork& work);
+
+}  // namespace brunt::app

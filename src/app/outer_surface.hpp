@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces of parts in triangles, on the outer side of warped faces.
+#pragma once
+#include "brunt/core/triangle_surface.hpp"
+#include "brunt/mesh/mesh.hpp"
+
+namespace brunt::app {
+
+/// The surface of one block, in triangles: of the two diagonals of a warped face the one that the body is larger with.
+/// Points are those of the mesh, in its order.
+[[nodiscard]] TriangleSurface outer_surface(const mesh::Mesh& mesh, std::size_t block);
+
+}  // namespace brunt::app

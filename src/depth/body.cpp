@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/depth/body.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "brunt/rigid/surface_moments.hpp"
+
+namespace brunt::depth {
+namespace {
+
+constexpr int grid_cells = 24;            // along the longest side of the box
+constexpr int ascent_steps = 12;          // of a grid point towards greater depth
+constexpr double covered_share = 0.9;     // of a ball's radius
+constexpr std::size_t most_corners = 32;  // of a convex body that is a piece: 5,000 triples
+constexpr double flat = 1e-9;             // of the radius: corners over a face of a convex body by rounding
+constexpr double least_volume = 1e-12;    // of the cube on the box's diagonal
+
+std::vector<Vec3> component_points(const TriangleSurface& surface) {
+  std::vector<LocalIndex> root(surface.points.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](LocalIndex i) {
+    while (root[static_cast<std::size_t>(i)] != i) {
+      LocalIndex& next = root[static_cast<std::size_t>(i)];
+      next = root[static_cast<std::size_t>(next)];
+      i = next;
+    }
+    return i;
+  };
+  for (const auto& t : surface.triangles)
+    for (std::size_t k = 1; k < 3; ++k) {
+      const LocalIndex one = find(t[0]), other = find(t[k]);
+      root[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
+    }
+  std::vector<Vec3> points;
+  std::vector<char> done(surface.points.size(), 0);
+  for (const auto& t : surface.triangles) {
+    char& seen = done[static_cast<std::size_t>(find(t[0]))];
+    if (!seen) points.push_back(surface.points[static_cast<std::size_t>(t[0])]);
+    seen = 1;
+  }
+  return points;
+}
+
+/// Away from the nearest point of the surface, by shares of the depth that shrink where it does not grow.
+InnerBall risen(const geometry::SlabTree& tree, const Vec3& start, geometry::PointDepth here) {
+  InnerBall ball{start, here.depth, 1};
+  double share = 0.5;
+  for (int i = 0; i < ascent_steps; ++i) {
+    const Vec3 up = ball.centre - here.nearest;
+    const Vec3 next = ball.centre + share * up;
+    const geometry::PointDepth there = point_depth(tree, next);
+    if (there.depth > ball.depth) {
+      ball = {next, there.depth, 1};
+      here = there;
+    } else {
+      share *= 0.4;
+    }
+  }
+  return ball;
+}
+
+/// The corners of a convex body, which is one piece itself; none of another one, or of one with many corners (a piece
+/// is found by trying all triples of its corners).
+std::vector<Vec3> corners_if_convex(const geometry::SlabTree& tree, const MetricShape& shape) {
+  if (shape.extremes.size() > most_corners) return {};
+  for (const geometry::Triangle& t : tree.triangles) {
+    const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+    for (const Vec3& x : shape.extremes)
+      if (normal.dot(shape.centroid + x - t[0]) > flat * shape.radius) return {};
+  }
+  std::vector<Vec3> corners;
+  for (const Vec3& x : shape.extremes) corners.push_back(shape.centroid + x);
+  return corners;
+}
+
+}  // namespace
+
+std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricShape& shape, int most) {
+  const Vec3 extent = tree.box.high - tree.box.low;
+  const double cell = extent.maxCoeff() / grid_cells;
+  std::array<int, 3> counts{};
+  for (int c = 0; c < 3; ++c) counts[static_cast<std::size_t>(c)] = std::max(3, static_cast<int>(extent[c] / cell));
+  std::vector<InnerBall> all;
+  for (int i = 0; i < counts[0]; ++i)
+    for (int j = 0; j < counts[1]; ++j)
+      for (int k = 0; k < counts[2]; ++k) {
+        const Vec3 share((i + 0.5) / counts[0], (j + 0.5) / counts[1], (k + 0.5) / counts[2]);
+        const Vec3 x = tree.box.low + share.cwiseProduct(extent);
+        const geometry::PointDepth here = point_depth(tree, x);
+        if (here.depth > 0) {
+          all.push_back({x, here.depth, 1});
+          all.push_back(risen(tree, x, here));
+        }
+      }
+  std::stable_sort(all.begin(), all.end(), [](const InnerBall& a, const InnerBall& b) { return a.depth > b.depth; });
+  std::vector<InnerBall> kept;
+  for (InnerBall& ball : all) {
+    if (static_cast<int>(kept.size()) >= most) break;
+    const bool covered = std::any_of(kept.begin(), kept.end(), [&](const InnerBall& other) {
+      return (ball.centre - other.centre).norm() + covered_share * ball.depth <= other.depth;
+    });
+    if (covered) continue;
+    ball.factor = point_factor(shape.gyration, ball.centre - shape.centroid);
+    kept.push_back(ball);
+  }
+  return kept;
+}
+
+Body make_body(const TriangleSurface& surface, const BodyOptions& options) {
+  if (surface.triangles.empty()) throw std::invalid_argument("a surface without triangles");
+  Body body;
+  body.tree = geometry::build_slab_tree(surface);
+  body.mass = rigid::surface_properties(surface, 1);
+  const double diagonal = (body.tree.box.high - body.tree.box.low).norm();
+  if (!(body.mass.mass > least_volume * diagonal * diagonal * diagonal))
+    throw std::invalid_argument("a surface without a positive volume");
+  std::vector<Vec3> used;
+  used.reserve(3 * surface.triangles.size());
+  std::vector<char> taken(surface.points.size(), 0);
+  for (const auto& t : surface.triangles)
+    for (const LocalIndex corner : t) {
+      char& seen = taken[static_cast<std::size_t>(corner)];
+      if (!seen) used.push_back(surface.points[static_cast<std::size_t>(corner)]);
+      seen = 1;
+    }
+  // by position: what follows does not depend on the order of points and triangles
+  std::sort(used.begin(), used.end(), [](const Vec3& x, const Vec3& y) {
+    return std::lexicographical_compare(x.data(), x.data() + 3, y.data(), y.data() + 3);
+  });
+  body.shape = metric_shape(used, body.mass);
+  body.components = component_points(surface);
+  body.balls = inner_balls(body.tree, body.shape, options.balls);
+  std::vector<std::vector<Vec3>> pieces = options.pieces;
+  if (pieces.empty())
+    if (std::vector<Vec3> corners = corners_if_convex(body.tree, body.shape); !corners.empty())
+      pieces.push_back(std::move(corners));
+  for (const std::vector<Vec3>& points : pieces) {
+    body.pieces.push_back(convex_piece(points));
+    double reach = 0;
+    for (const Vec3& x : points) reach = std::max(reach, (x - body.mass.centre).norm());
+    body.piece_reach.push_back(reach);
+  }
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(body.shape.gyration);
+  body.axes = solver.eigenvectors();
+  if (body.axes.determinant() < 0) body.axes.col(2) *= -1;
+  body.moments = solver.eigenvalues();
+  return body;
+}
+
+}  // namespace brunt::depth

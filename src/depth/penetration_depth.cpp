@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/depth/penetration_depth.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "brunt/depth/lower_bound.hpp"
+#include "search.hpp"
+
+namespace brunt::depth {
+namespace {
+
+constexpr double contact_band = 1e-4;  // of A's radius: gaps of contact points
+constexpr double trusted = 1.3;        // of the lower bound: a warm answer that is longer is searched for anew
+constexpr double independent = 1e-6;   // sine: directions nearer to the span of the others add nothing
+
+/// Orthonormal columns that span the directions, in A's axes at q_0.
+Mat3 admitted(const Query& query, const Mat3& into) {
+  if (query.along.empty()) return Mat3::Identity();
+  if (query.metric != Metric::translation)
+    throw std::invalid_argument("directions are for the metric translation only");
+  Mat3 basis = Mat3::Zero();
+  int have = 0;
+  for (const Vec3& direction : query.along) {
+    Vec3 v = into * direction.normalized();
+    for (int k = 0; k < have; ++k) v -= basis.col(k).dot(v) * basis.col(k);
+    if (have < 3 && v.norm() > independent) basis.col(have++) = v.normalized();
+  }
+  return basis;
+}
+
+void list_contacts(const Encounter& encounter, Answer& answer) {
+  NearPairs near;
+  near.find(encounter, answer.motion, contact_band * encounter.a.shape.radius, 0);
+  const Mat3& out = encounter.start.rotation;
+  const Vec3 centre = answer.placement(encounter.a.shape.centroid);
+  for (const NearCondition& condition : near.conditions) {
+    const Vec3 normal = out * condition.normal;
+    answer.contacts.push_back(
+        {centre + out * condition.arm - 0.5 * condition.distance * normal, normal, condition.distance});
+  }
+}
+
+/// Covers what is shorter than the answer; free placements found on the way improve it.
+void certify(const Encounter& encounter, const Query& query, Search& search, Answer& answer) {
+  const CoverOptions options{query.metric, query.gap, query.boxes, answer.bound, query.evaluate, query.stop};
+  const auto improve = [&](const RigidMotion& motion) {
+    search.walk_from(motion);
+    search.finish(query.careful);
+    return search.best().length;
+  };
+  const CoverResult result = cover(encounter, search.best().length, options, improve);
+  answer.bound = std::min(std::max(answer.bound, result.bound), search.best().length);
+  answer.certified = result.reached;
+  answer.boxes = result.boxes;
+}
+
+/// Starts, walks, certificate.
+void search_all(Encounter& encounter, const Query& query, const Mat3& basis, Search& search, Answer& answer) {
+  for (const Placement& placement : query.tries)
+    search.walk_from_placement(motion_between(encounter.start, placement, encounter.a.shape.centroid));
+  if (!query.warm || search.best().length > trusted * answer.bound) {
+    StartOptions options;
+    options.metric = query.metric;
+    options.grid = effort_of(query.metric, query.careful, query.clearance, basis).grid;
+    options.more_rotations = query.careful;
+    options.basis = basis;
+    options.nothing_below = answer.bound;
+    const std::vector<Start> starts = find_starts(encounter, options);
+    search.walk_from_all(starts);
+    if (query.careful && !search.done()) search.help_by_other_metrics(starts);
+  }
+  answer.found = search.found();
+  if (!answer.found) return;
+  search.finish(query.careful);
+  if (query.boxes > 0 && query.along.empty()) certify(encounter, query, search, answer);
+  answer.motion = search.best().motion;
+  answer.depth = search.best().length;
+  answer.placement = encounter.placement(answer.motion);
+  answer.bound = std::min(answer.bound, answer.depth);
+  list_contacts(encounter, answer);
+}
+
+}  // namespace
+
+Answer penetration_depth(const Body& a, const Body& b, const Query& query) {
+  Answer answer;
+  Encounter encounter{a, b, rounded(query.a_in_b, a.shape.radius)};
+  answer.placement = encounter.start;
+  answer.overlap = encounter.collides({});
+  if (answer.overlap) {
+    const Mat3 basis = admitted(query, encounter.start.rotation.transpose());
+    answer.bound = lower_bound(encounter, query.metric).value;
+    Search search(encounter, effort_of(query.metric, query.careful, query.clearance, basis), answer.bound);
+    search_all(encounter, query, basis, search, answer);
+    answer.walks = search.walks();
+    answer.steps = search.steps();
+    answer.pairs = search.pairs();
+  } else {
+    answer.distance = geometry::surface_distance(a.tree, b.tree, encounter.start);
+  }
+  answer.queries = encounter.queries;
+  return answer;
+}
+
+}  // namespace brunt::depth

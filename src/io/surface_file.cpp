@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Chooses the reader of a surface file.
+#include "brunt/io/surface_file.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "brunt/core/error.hpp"
+#include "brunt/io/text_file.hpp"
+#include "surface_formats.hpp"
+#include "surface_text.hpp"
+
+namespace brunt::io {
+namespace {
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+SurfaceFile parse(std::string_view content, const std::string& name, SurfaceFormat format) {
+  switch (format) {
+    case SurfaceFormat::stl:
+      return parse_stl(content, name);
+    case SurfaceFormat::obj:
+      return parse_obj(content, name);
+    case SurfaceFormat::ply:
+      break;
+  }
+  return parse_ply(content, name);
+}
+
+}  // namespace
+
+SurfaceFormat surface_format(const std::string& path) {
+  const auto folder = path.find_last_of('/');
+  const std::string file = folder == std::string::npos ? path : path.substr(folder + 1);
+  const auto dot = file.find_last_of('.');
+  std::string extension = dot == std::string::npos ? "" : file.substr(dot);
+  std::ranges::transform(extension, extension.begin(), lower);
+  if (extension == ".stl") return SurfaceFormat::stl;
+  if (extension == ".obj") return SurfaceFormat::obj;
+  if (extension == ".ply") return SurfaceFormat::ply;
+  throw InputError(
+      fmt::format("{}: unknown extension '{}' of a surface file; expected .stl, .obj or .ply", path, shown(extension)));
+}
+
+SurfaceFile read_surface(const std::string& path) {
+  const SurfaceFormat format = surface_format(path);
+  return parse_surface(read_text(path), path, format);
+}
+
+SurfaceFile parse_surface(std::string_view content, const std::string& name, SurfaceFormat format) {
+  if (content.empty()) throw InputError(name + ": the file is empty; expected a surface");
+  if (is_web_page(content)) throw InputError(name + ":1: the file is a web page; expected a surface");
+  SurfaceFile file = parse(content, name, format);
+  if (file.surface.triangles.empty()) throw InputError(name + ": no faces; expected at least one");
+  return file;
+}
+
+void need_index(std::size_t count, const std::string& name, std::string_view what) {
+  constexpr auto most = static_cast<std::size_t>(std::numeric_limits<LocalIndex>::max());
+  if (count > most) throw InputError(fmt::format("{}: {} {}; expected {} at most", name, count, what, most));
+}
+
+}  // namespace brunt::io

@@ -1,0 +1,170 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""initial_overlap: place - whole parts move apart before the run; and the smallest motions that brunt check names."""
+import re
+import subprocess
+import unittest
+
+import h5py
+import numpy
+
+from run_test import BRUNT, PATIENCE, Program
+
+# Two cubes that overlap by 0.1 along x.
+CUBES = """\
+units: SI
+mesh:
+  - {box: {part: left, size: [1, 1, 1], elements: [2, 2, 2]}}
+  - {box: {part: right, size: [1, 1, 1], elements: [3, 3, 3], at: [0.9, 0, 0]}}
+materials:
+  light: {model: elastic, density: 1000, young: 1.0e9, poisson: 0.3}
+  heavy: {model: elastic, density: 3000, young: 1.0e9, poisson: 0.3}
+  stiff: {model: rigid, density: 1000}
+parts: {left: {material: light}, right: {material: light}}
+contact: [{between: all, initial_overlap: place}]
+run: {steps: 20}
+"""
+
+# Three cubes and a ball in a heap, on a floor that is fixed.
+HEAP = """\
+units: SI
+mesh:
+  - {box: {part: floor, size: [4, 4, 0.5], elements: [4, 4, 1], at: [-1, -1, -0.5]}}
+  - {box: {part: low, size: [1, 1, 1], elements: [3, 3, 3], at: [0, 0, -0.05]}}
+  - {box: {part: beside, size: [1, 1, 1], elements: [2, 2, 2], at: [0.93, 0.2, -0.02]}}
+  - {box: {part: top, size: [1, 1, 1], elements: [3, 3, 3], at: [0.5, 0.1, 0.9], rotate: {axis: [0, 0, 1], degrees: 20}}}
+  - {sphere: {part: ball, radius: 0.4, elements: 3, at: [0.5, 1.33, 0.35]}}
+materials: {rubber: {model: elastic, density: 1000, young: 1.0e7, poisson: 0.3}}
+parts: {floor: {material: rubber}, low: {material: rubber}, beside: {material: rubber}, top: {material: rubber}, ball: {material: rubber}}
+fixed: [{part: floor, dofs: [x, y, z]}]
+contact: [{between: all, initial_overlap: place}]
+run: {steps: 60}
+"""
+
+
+class Place(Program):
+    def check(self, scene, *options):
+        self.write("scene.yaml", scene)
+        done = self.brunt("check", "scene.yaml", *options)
+        return done.returncode, done.stdout, done.stderr
+
+    def placed(self, scene, *options):
+        """Translation of each part that moved; the rest of what is told."""
+        code, output, errors = self.check(scene, *options)
+        self.assertEqual(code, 0, errors + output)
+        told = re.findall(r"^placed +part '(\w+)'.*translation \((\S+), (\S+), (\S+)\), (.*)$", output, re.M)
+        return {part: tuple(map(float, x)) for part, *x, _ in told}, {part: rest for part, *_, rest in told}
+
+    def assert_moved(self, found, **wanted):
+        self.assertEqual(set(found), set(wanted))
+        for part, translation in wanted.items():
+            for ours, reference in zip(found[part], translation):
+                self.assertAlmostEqual(ours, reference, delta=2e-7, msg=part)
+
+    def test_equal_cubes_move_by_half_of_the_overlap(self):
+        moved, rest = self.placed(CUBES)
+        self.assert_moved(moved, left=(-0.05, 0, 0), right=(0.05, 0, 0))
+        self.assertEqual(rest["left"], "no turn")
+        _, output, _ = self.check(CUBES)
+        self.assertIn("initial overlaps: 2 parts placed, moved by 0.05 m at most", output)
+        self.assertRegex(output, r"extent +left: x -0\.05 \.\. 0\.95, ")
+        self.assertRegex(output, r"smallest gap +\S+ m between")
+
+    def test_the_heavier_part_moves_less(self):
+        moved, _ = self.placed(CUBES, "--set", "parts.right.material=heavy")
+        self.assert_moved(moved, left=(-0.075, 0, 0), right=(0.025, 0, 0))
+
+    def test_what_is_held_stays(self):
+        moved, _ = self.placed(CUBES + "sets: {end: {part: left, box: [[0, 0, 0], [0, 1, 1]]}}\nfixed: [{set: end, dofs: [x, y, z]}]\n")
+        self.assert_moved(moved, right=(0.1, 0, 0))
+        moved, _ = self.placed(CUBES + "prescribed: [{part: right, dof: x, velocity: 1}]\n")
+        self.assert_moved(moved, left=(-0.1, 0, 0))
+        both = CUBES + "fixed: [{part: left, dofs: [x, y, z]}, {part: right, dofs: [x, y, z]}]\n"
+        code, _, errors = self.check(both)
+        self.assertEqual(code, 2)
+        self.assertRegex(errors, r"scene\.yaml:\d+: contact\.0.*: initial_overlap: place cannot separate parts 'left' and 'right', which are both held")
+
+    def test_symmetry_holds_across_its_plane(self):
+        """The plane x = 0 holds the left cube; planes that both lie on take away the other directions."""
+        moved, rest = self.placed(CUBES + "symmetry: [{point: [0, 0, 0], normal: [1, 0, 0]}]\n")
+        self.assert_moved(moved, right=(0.1, 0, 0))
+        moved, _ = self.placed(CUBES.replace("at: [0.9, 0, 0]", "at: [0.8, 0, 0.9]") + "symmetry: [{point: [0, 0, 0], normal: [0, 0, 1]}, {point: [0, 0, 1.9], normal: [0, 0, 1]}]\n")
+        self.assert_moved(moved, left=(-0.1, 0, 0), right=(0.1, 0, 0))  # 0.1 along z would do
+
+    def test_rigid_parts_move_too(self):
+        moved, _ = self.placed(CUBES, "--set", "parts.right.material=stiff")
+        self.assert_moved(moved, left=(-0.05, 0, 0), right=(0.05, 0, 0))
+
+    def test_tied_parts_move_as_one(self):
+        third = CUBES.replace("materials:", "  - {box: {part: third, size: [1, 1, 1], elements: [2, 2, 2], at: [1.9, 0, 0]}}\nmaterials:").replace(
+            "right: {material: light}}", "right: {material: light}, third: {material: light}}").replace(
+                "place}]", "place}, {between: [right, third], tied: true}]")
+        code, output, errors = self.check(third)
+        self.assertEqual(code, 0, errors)
+        self.assertRegex(output, r"placed +part 'right' with 'third': moved by 0\.03333 m at most")
+        self.assertRegex(output, r"placed +part 'left': moved by 0\.06667 m at most")
+
+    def test_large_motions_are_refused(self):
+        limited = CUBES.replace("initial_overlap: place", "initial_overlap: place, limit: LIMIT")
+        self.assertEqual(len(self.placed(limited.replace("LIMIT", "0.06"))[0]), 2)
+        code, _, errors = self.check(limited.replace("LIMIT", "0.04"))
+        self.assertEqual(code, 2)
+        self.assertEqual(len(errors.splitlines()), 1)
+        self.assertRegex(errors, r"^brunt: scene\.yaml:\d+: contact\.0\.limit: initial_overlap: place would move part '\w+' by 0\.05 m; expected at most 0\.04 m$")
+
+    def test_no_element_is_distorted_and_nothing_moves_in_the_run(self):
+        self.write("scene.yaml", HEAP)
+        self.run_scene(1, "scene.yaml", "--out", "one")
+        done = self.summary("one")
+        self.assertEqual(done["stopped_by"], "steps")
+        self.assertEqual(done["energy"]["kinetic"], 0)
+        self.assertEqual(done["energy"]["contact"], 0)
+        self.assertEqual(done["max_penetration"], 0)
+        log = self.text("one", "log.txt")
+        self.assertRegex(log, r"initial overlaps: 4 parts placed, moved by \S+ m at most")
+        self.assertNotRegex(log, "placed +part 'floor'")
+
+    def test_any_number_of_ranks_and_a_restart(self):
+        self.write("scene.yaml", HEAP)
+        push = ("--set", "initial=[{part: top, velocity: [0, 0, -5]}]")
+        for ranks in (1, 3):
+            self.run_scene(ranks, "scene.yaml", "--out", f"out{ranks}", *push)
+        self.assertEqual(self.summary("out1")["state_hash"], self.summary("out3")["state_hash"])
+        self.run_scene(2, "scene.yaml", "--out", "part", *push, "--set", "run.steps=25")
+        self.run_scene(1, "scene.yaml", "--out", "part", "--restart", "part", *push)
+        self.assertEqual(self.summary("part")["state_hash"], self.summary("out1")["state_hash"])
+
+    def test_distances_between_nodes_stay(self):
+        self.write("scene.yaml", HEAP)
+        for out, rule in (("placed", "place"), ("drawn", "offset")):
+            self.run_scene(1, "scene.yaml", "--out", out, "--set", f"contact.0.initial_overlap={rule}", "--set", "run.steps=1")
+        nodes = []
+        for out in ("placed", "drawn"):
+            with h5py.File(f"{self.folder}/{out}/state.h5") as file:
+                nodes.append(file["mesh/coordinates"][...])
+        moved = numpy.linalg.norm(nodes[0] - nodes[1], axis=1)
+        self.assertGreater(moved.max(), 1e-3)
+        floor = (nodes[1][:, 2] <= 0) & (nodes[1][:, 2] == numpy.round(nodes[1][:, 2], 1)) & (moved == 0)
+        self.assertGreaterEqual(floor.sum(), 2 * 25)
+
+    def test_check_names_the_smallest_motion(self):
+        for rule in ("error", "place", "offset"):
+            _, output, _ = self.check(CUBES, "--set", f"contact.0.initial_overlap={rule}")
+            self.assertRegex(output, r"smallest motion +parts 'left' and 'right' overlap: moving 'left' by 0\.1 m along \(-1, 0, 0\) separates them "
+                                     r"\(translation\); no motion below 0\.1 m does", rule)
+        _, output, _ = self.check(CUBES.replace("at: [0.9, 0, 0]", "at: [1.1, 0, 0]"))
+        self.assertNotIn("smallest motion", output)
+
+    def test_check_on_three_ranks(self):
+        self.write("scene.yaml", HEAP)
+        told = []
+        for ranks in (1, 3):
+            done = subprocess.run(["mpirun", "-np", str(ranks), BRUNT, "check", "scene.yaml"], cwd=self.folder, capture_output=True, text=True,
+                                  timeout=4 * PATIENCE, check=True)
+            told.append(re.findall(r"^(?:placed|smallest motion) .*$", done.stdout, re.M))
+        self.assertGreater(len(told[0]), 6)
+        self.assertEqual(told[0], told[1])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one call: closed forms, disjoint and contained bodies, frames, order, certificates of contact.
+#include "brunt/depth/penetration_depth.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "tests/support/depth_bodies.hpp"
+#include "tests/support/random_motion.hpp"
+
+using namespace brunt;
+using namespace brunt::depth;
+
+namespace {
+
+constexpr Metric metrics[] = {Metric::translation, Metric::displacement, Metric::object_norm};
+
+Query query_of(const Placement& pose, Metric metric, bool careful = false) {
+  Query query;
+  query.a_in_b = pose;
+  query.metric = metric;
+  query.careful = careful;
+  return query;
+}
+
+/// Free, touching, consistent with its own motion, and above its bound.
+void check_answer(const Body& a, const Body& b, const Query& query, const Answer& answer) {
+  Encounter encounter{a, b, rounded(query.a_in_b, a.shape.radius)};
+  CHECK(answer.found);
+  CHECK_FALSE(encounter.bodies_collide(answer.placement));
+  CHECK(answer.bound <= answer.depth);
+  CHECK(answer.depth == Approx(length_of(a.shape, query.metric, answer.motion)).epsilon(1e-14));
+  CHECK(encounter.collides(along_screw(answer.motion, 1 - (query.careful ? 1e-6 : 1e-5))));
+  CHECK_FALSE(answer.contacts.empty());
+}
+
+}  // namespace
+
+TEST_CASE("bodies apart have depth 0 and their distance; a body inside another has a depth") {
+  const Body unit = make_body(test::box({-.5, -.5, -.5}, {.5, .5, .5})),
+             large = make_body(test::box({-2, -2, -2}, {2, 2, 2}));
+  for (const Metric metric : metrics) {
+    const Answer apart = penetration_depth(unit, large, query_of({Mat3::Identity(), {4, 0, 0}}, metric));
+    CHECK_FALSE(apart.overlap);
+    CHECK(apart.depth == 0);
+    CHECK(apart.distance == Approx(1.5).epsilon(1e-12));
+    const Query inside = query_of({}, metric, true);
+    const Answer contained = penetration_depth(unit, large, inside);
+    CHECK(contained.overlap);
+    CHECK(contained.depth == Approx(2.5).epsilon(1e-6));
+    check_answer(unit, large, inside, contained);
+  }
+}
+
+TEST_CASE("cubes, a corner and a beam have the depths of their closed forms") {
+  const Body cube = make_body(test::box({-1, -1, -1}, {1, 1, 1}));
+  for (const double d : {1.9, 1.0}) {
+    const Query query = query_of({Mat3::Identity(), {d, .13, .07}}, Metric::displacement, true);
+    CHECK(penetration_depth(cube, cube, query).depth == Approx(2 - d).epsilon(1e-6));
+  }
+  const Body beam = make_body(test::box({-5, -.5, -.25}, {5, .5, .25})),
+             block = make_body(test::box({4.5, -3, -4}, {7, 3, 0}));
+  const Query query = query_of({Mat3::Identity(), {0, 0, .05}}, Metric::object_norm, true);
+  const Answer answer = penetration_depth(beam, block, query);
+  CHECK(answer.depth == Approx(.108108221).epsilon(1e-6));
+  check_answer(beam, block, query, answer);
+}
+
+TEST_CASE("random poses of the three pairs: free, touching, above the bound, in order, the same bits again") {
+  const TriangleSurface as[] = {test::l_shape(), test::pawn(), test::mallet()};
+  const TriangleSurface bs[] = {test::knot(), test::hub(), test::bumpy_sphere()};
+  for (int pair = 0; pair < 3; ++pair) {
+    const Body a = make_body(as[pair]), b = make_body(bs[pair]);
+    std::mt19937_64 random(17);
+    for (int i = 0; i < 6; ++i) {
+      const Placement pose = test::random_placement(as[pair], bs[pair], random);
+      if (!Encounter{a, b, pose}.bodies_collide(pose)) continue;
+      std::vector<Placement> others;
+      std::array<double, 3> depth{};
+      for (std::size_t m = 0; m < 3; ++m) {
+        Query query = query_of(pose, metrics[m]);
+        query.tries = others;
+        const Answer answer = penetration_depth(a, b, query), again = penetration_depth(a, b, query);
+        check_answer(a, b, query, answer);
+        CHECK(again.depth == answer.depth);
+        CHECK(again.bound == answer.bound);
+        CHECK(again.placement.rotation == answer.placement.rotation);
+        depth[m] = answer.depth;
+        others.push_back(answer.placement);
+      }
+      CHECK(depth[1] <= depth[0] * (1 + 1e-6));
+      CHECK(depth[2] <= depth[1] * (1 + 1e-6));
+    }
+  }
+}
+
+TEST_CASE("a translation along one direction; none where that direction is held") {
+  const Body cube = make_body(test::box({-1, -1, -1}, {1, 1, 1}));
+  Query query = query_of({Mat3::Identity(), {1.5, .3, 0}}, Metric::translation, true);
+  query.along = {Vec3::UnitY()};
+  const Answer answer = penetration_depth(cube, cube, query);
+  CHECK(answer.depth == Approx(1.7).epsilon(1e-6));
+  CHECK(answer.placement.translation[0] == Approx(1.5).epsilon(1e-11));
+  query.metric = Metric::displacement;
+  CHECK_THROWS_AS(penetration_depth(cube, cube, query), std::invalid_argument);
+}
+
+TEST_CASE("a moved world frame, permuted triangles and a scaled pair give the same depth") {
+  TriangleSurface surface_a = test::l_shape(), surface_b = test::hub();
+  const Body a = make_body(surface_a), b = make_body(surface_b);
+  test::Random random(5);
+  const Placement pose{random.rotation().toRotationMatrix(), {.6, .3, .2}};
+  REQUIRE(Encounter{a, b, pose}.bodies_collide(pose));
+  for (const Metric metric : metrics) {
+    const Answer answer = penetration_depth(a, b, query_of(pose, metric));
+    const Placement world = random.placement();
+    const Placement a_in_world{world.rotation * pose.rotation, world(pose.translation)};
+    Placement relative{world.rotation.transpose() * a_in_world.rotation, world.back(a_in_world.translation)};
+    CHECK(penetration_depth(a, b, query_of(relative, metric)).depth == Approx(answer.depth).epsilon(1e-8));
+    TriangleSurface mixed = surface_a;
+    std::reverse(mixed.triangles.begin(), mixed.triangles.end());
+    CHECK(penetration_depth(make_body(mixed), b, query_of(pose, metric)).depth == Approx(answer.depth).epsilon(1e-5));
+    TriangleSurface big_a = surface_a, big_b = surface_b;
+    for (Vec3& x : big_a.points) x *= 4;
+    for (Vec3& x : big_b.points) x *= 4;
+    const Answer scaled =
+        penetration_depth(make_body(big_a), make_body(big_b), query_of({pose.rotation, 4 * pose.translation}, metric));
+    CHECK(scaled.depth == Approx(4 * answer.depth).epsilon(1e-6));
+  }
+}
