@@ -20,6 +20,8 @@ constexpr double cut_share = 0.1;     // of the decrease that ends a walk: accur
 constexpr double least_band = 4;      // of the clearance
 constexpr std::array<double, 2> outward{0.02, 0.08};  // shares of the trust region for a placement that collides
 constexpr int corrections = 2;                        // of second order, of one step
+constexpr std::array<double, 4> grazes{1e-6, 1e-5, 1e-4, 1e-3};  // of the screw: looked for beyond a contact
+constexpr int most_grazes = 8;
 constexpr double shrink = 0.4, grow = 2;
 constexpr double good = 0.7, poor = 0.2;  // actual decrease over predicted one: grow, shrink
 
@@ -103,20 +105,38 @@ void Walker::advance(Encounter& encounter, Walk& walk, const WalkOptions& option
   }
 }
 
-RigidMotion pulled(Encounter& encounter, Metric metric, const RigidMotion& motion, double accuracy) {
-  const double length = length_of(encounter.a.shape, metric, motion);
-  if (!(length > accuracy)) return motion;
-  double free = 1, collides = 0, step = std::min(0.5, 4 * accuracy / length);
-  const double end = accuracy / length;
+namespace {
+
+/// The least s up to `free` that is free and above one that collides within `end`.
+double pulled_share(Encounter& encounter, const RigidMotion& motion, double free, double end) {
+  double collides = 0, step = std::min(0.5, 4 * end);
   while (free - collides > end) {
     const double s = collides > 0 ? 0.5 * (free + collides) : std::max(0.0, free - step);
-    if (s <= 0 || encounter.collides(along_screw(motion, s))) {
-      if (s <= 0) break;
+    if (s <= 0) break;
+    if (encounter.collides(along_screw(motion, s))) {
       collides = s;
     } else {
       free = s;
       step *= 4;
     }
+  }
+  return free;
+}
+
+}  // namespace
+
+RigidMotion pulled(Encounter& encounter, Metric metric, const RigidMotion& motion, double accuracy) {
+  const double length = length_of(encounter.a.shape, metric, motion);
+  if (!(length > accuracy)) return motion;
+  double free = 1;
+  for (int i = 0; i < most_grazes; ++i) {
+    free = pulled_share(encounter, motion, free, accuracy / length);
+    // what is only grazed collides on a short part of the screw
+    const auto* beyond = std::find_if(grazes.begin(), grazes.end(), [&](double share) {
+      return !encounter.collides(along_screw(motion, free * (1 - share)));
+    });
+    if (beyond == grazes.end()) break;
+    free *= 1 - *beyond;
   }
   return along_screw(motion, free);
 }
