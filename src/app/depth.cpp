@@ -11,7 +11,6 @@
 #include "brunt/comm/rendezvous.hpp"
 #include "commands.hpp"
 #include "depth_folder.hpp"
-#include "depth_poses.hpp"
 #include "depth_work.hpp"
 #include "failure.hpp"
 
@@ -20,7 +19,7 @@ namespace {
 
 /// Poses of a sequence that start from each other; the first of a chain starts anew, so that chains may be dealt out.
 constexpr GlobalIndex chain_length = 32;
-/// Most boxes of --certify: some seconds (2e5 to 1e6 boxes a second).
+/// Most boxes of --certify: some seconds to a minute (2e4 to 2.5e5 boxes a second, src/depth/README.md).
 constexpr std::int64_t default_boxes = 1'000'000;
 
 /// Then all ranks work on each pose together.
@@ -67,7 +66,7 @@ std::vector<DepthRow> answers_of(const comm::Communicator& ranks, const DepthWor
     const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
     if (options.limit > 0) query.stop = [&] { return ranks.max(seconds()) > options.limit; };
     if (options.clearance > 0) query.clearance = options.clearance / a.shape.radius;
-    if (metric == depth::Metric::translation) query.along = axes_named(options.along);
+    if (metric == depth::Metric::translation) query.along = work.along;
     DepthRow row;
     row.answer = depth::penetration_depth(a, b, query);
     row.seconds = seconds();

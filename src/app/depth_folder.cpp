@@ -33,7 +33,9 @@ DepthFolder::DepthFolder(const DepthOptions& options, const std::string& fingerp
     throw InputError(folder_ +
                      ": holds results of an earlier run; choose another folder with --out or replace them "
                      "with --force");
-  fs::create_directories(folder_);
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) throw InputError(fmt::format("--out {}: cannot be made: {}; expected a folder", folder_, error.message()));
   if (fs::exists(csv)) {
     if (!fs::exists(asked) || io::read_text(asked.string()) != fingerprint)
       throw InputError(folder_ +

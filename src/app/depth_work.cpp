@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <stdexcept>
 
 #include "brunt/core/error.hpp"
 #include "brunt/depth/encounter.hpp"
@@ -21,6 +22,28 @@ bool is_scene(const std::string& path) {
   return extension == ".yaml" || extension == ".yml";
 }
 
+/// Bounds are proven only if pieces lie in their body, so that at least their corners are looked at. where: of pieces.
+depth::Body body_with(const NamedSurface& named, const std::vector<std::vector<Vec3>>& pieces,
+                      const std::string& where) {
+  constexpr double rounding = 1e-9;  // of the body's radius: corners on the surface, written with ten digits
+  const auto fault = [&](std::size_t k, const char* what) {
+    return InputError(fmt::format("{}: piece {} {}; expected convex pieces inside {}", where, k + 1, what, named.name));
+  };
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    try {
+      (void)depth::convex_piece(pieces[k]);
+    } catch (const std::invalid_argument&) {
+      throw fault(k, "lies in a plane");
+    }
+  }
+  depth::Body body = depth::make_body(named.surface, {.pieces = pieces});
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+    for (const Vec3& x : pieces[k])
+      if (geometry::point_depth(body.tree, x).depth < -rounding * body.shape.radius)
+        throw fault(k, "has a corner outside of the body");
+  return body;
+}
+
 DepthWork work_of_files(const comm::Communicator& ranks, const DepthOptions& options) {
   DepthWork work;
   std::vector<std::string> faults;
@@ -33,8 +56,8 @@ DepthWork work_of_files(const comm::Communicator& ranks, const DepthOptions& opt
   }
   if (!faults.empty()) throw InputError(faults);
   const ConvexPieces pieces = options.pieces.empty() ? ConvexPieces{} : read_pieces(options.pieces);
-  work.bodies.push_back(depth::make_body(work.surfaces[0].surface, {.pieces = pieces.a}));
-  work.bodies.push_back(depth::make_body(work.surfaces[1].surface, {.pieces = pieces.b}));
+  work.bodies.push_back(body_with(work.surfaces[0], pieces.a, options.pieces + ": a"));
+  work.bodies.push_back(body_with(work.surfaces[1], pieces.b, options.pieces + ": b"));
   const std::vector<Placement> poses =
       options.poses.empty() ? std::vector<Placement>{pose_of(options.at, options.turn)} : read_poses(options.poses);
   for (const Placement& pose : poses) work.poses.push_back({0, 1, pose});
@@ -90,7 +113,10 @@ DepthWork depth_work(const comm::Communicator& ranks, const DepthOptions& option
   if (options.b.empty() != is_scene(options.a))
     throw InputError(options.b.empty() ? options.a + ": one surface; expected two, A and B, or a scene (.yaml)"
                                        : options.a + ": a scene stands alone; expected no second file");
-  return options.b.empty() ? work_of_scene(ranks, options) : work_of_files(ranks, options);
+  const std::vector<Vec3> along = axes_named(options.along);
+  DepthWork work = options.b.empty() ? work_of_scene(ranks, options) : work_of_files(ranks, options);
+  work.along = along;
+  return work;
 }
 
 std::string fingerprint_of(const DepthOptions& options, const DepthWork& work) {

@@ -5,20 +5,14 @@
 #include <cmath>
 #include <map>
 
+#include "brunt/core/cross_matrix.hpp"
+
 namespace brunt::depth {
 namespace {
 
 constexpr double feasible = 1e-12;        // of the trust region: violation of a condition that counts as none
 constexpr double least_curvature = 1e-9;  // of the object norm in rotations, relative: at phi = pi it has none
 constexpr int most_rounds = 500;          // of conditions that join: random stacks of ten boxes need at most 40
-
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 matrix;
-  matrix << 0, -a[2], a[1],  //
-      a[2], 0, -a[0],        //
-      -a[1], a[0], 0;
-  return matrix;
-}
 
 }  // namespace
 

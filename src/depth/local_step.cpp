@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brunt/core/cross_matrix.hpp"
+
 namespace brunt::depth {
 namespace {
 
@@ -48,14 +50,6 @@ LocalStep step_from(const RigidMotion& motion, const Vec3& tau, const Vec3& omeg
   step.size = std::max(tau.lpNorm<Eigen::Infinity>(), rho * omega.lpNorm<Eigen::Infinity>());
   step.solved = true;
   return step;
-}
-
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 matrix;
-  matrix << 0, -a[2], a[1],  //
-      a[2], 0, -a[0],        //
-      -a[1], a[0], 0;
-  return matrix;
 }
 
 }  // namespace

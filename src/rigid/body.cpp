@@ -4,16 +4,10 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "brunt/core/cross_matrix.hpp"
+
 namespace brunt::rigid {
 namespace {
-
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 matrix;
-  matrix << 0, -a[2], a[1],  //
-      a[2], 0, -a[0],        //
-      -a[1], a[0], 0;
-  return matrix;
-}
 
 /// The M of P' - P = dt M x J^-1 M, P' = 2 M - P, by Newton's method: its error is squared in each iteration, and the
 /// start is off by the square of the angle of a step.

@@ -70,6 +70,11 @@ def cases(wrong):
         option("no boxes", ["--boxes"], "cube.obj", "--boxes", "0"),
         option("no time", ["--limit", "'soon'"], "cube.obj", "--limit", "soon"),
         option("pieces of three points", ["p.yaml", "piece 1"], "cube.obj", "--pieces", "p.yaml", p_yaml=b"a: [[[0, 0, 0], [1, 0, 0], [0, 1, 0]]]\n"),
+        option("pieces in a plane", ["p.yaml: a", "piece 1", "plane"], "cube.obj", "--pieces", "p.yaml",
+               p_yaml=b"a: [[[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]]\n"),
+        option("pieces outside of their body", ["p.yaml: b", "piece 1", "outside"], "cube.obj", "--pieces", "p.yaml",
+               p_yaml=b"b: [[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 2]]]\n"),
+        option("results where a file is", ["--out", "taken"], "cube.obj", "--out", "taken", taken=b"precious"),
         option("pieces of a third body", ["p.yaml", "'c'"], "cube.obj", "--pieces", "p.yaml", p_yaml=b"c: []\n"),
         option("results of an earlier run", ["old", "--force"], "cube.obj", "--out", "old", **{"old/depth_json": b"precious"}),
     ]
