@@ -21,6 +21,8 @@
 #include "coarse_slave_warnings.hpp"
 #include "contact_setup.hpp"
 #include "failure.hpp"
+#include "implicit_loop.hpp"
+#include "implicit_rules.hpp"
 #include "partition/distribute.hpp"
 #include "partition/dual_graph.hpp"
 #include "partition/split.hpp"
@@ -38,6 +40,15 @@ void share_accepted(const comm::Communicator& ranks, std::vector<contact::Accept
   ranks.broadcast(bytes);
   accepted.resize(bytes.size() / sizeof(contact::AcceptedOverlap));
   if (!bytes.empty()) std::memcpy(accepted.data(), bytes.data(), bytes.size());
+}
+
+/// Refuses what implicit scenes cannot do, and sizes what their steps need. Collective.
+void make_implicit(Prepared& run) {
+  std::vector<std::string> faults = faults_of_implicit(run.input, run.model);
+  if (!faults.empty()) throw InputError(std::move(faults));
+  if (run.links.ranks.is_root())
+    for (std::string& line : warnings_of_implicit(run.input, run.model)) run.warnings.push_back(std::move(line));
+  run.implicit = std::make_unique<implicit::Solver>(implicit::make_solver(implicit_scene(run), *run.input.implicit));
 }
 
 }  // namespace
@@ -66,6 +77,7 @@ mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::strin
 
 model::Registry Prepared::registry() {
   model::Registry registry = time::state_registry(model, state);
+  if (implicit) implicit::add_arrays(model, *implicit, registry);
   if (contact) {
     contact_sums = save_sums(links.ranks, *contact);
     registry.arrays.push_back({"contact_sums", model::StateArray::Entity::global, -1, 1,
@@ -148,6 +160,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   prepared->links = time::link_ranks(ranks, prepared->model);
   time::initialise(prepared->model, prepared->state, prepared->scratch, prepared->links,
                    scene::initial_velocities(prepared->input, prepared->model));
+  if (prepared->input.implicit) make_implicit(*prepared);
   prepared->erosion = {
       prepared->model.any_erosion(), std::vector<time::ErosionCount>(prepared->model.blocks.size()), {}, 0};
   make_contact(*prepared);

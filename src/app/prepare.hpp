@@ -8,6 +8,7 @@
 
 #include "brunt/comm/communicator.hpp"
 #include "brunt/contact/contact.hpp"
+#include "brunt/implicit/solver.hpp"
 #include "brunt/mesh/canonical.hpp"
 #include "brunt/model/model.hpp"
 #include "brunt/model/registry.hpp"
@@ -54,6 +55,8 @@ struct Prepared {
   DrivenParts driven{};                  ///< parts that supports move through each other
 
   ErosionAccount erosion{};
+
+  std::unique_ptr<implicit::Solver> implicit{};  ///< null in explicit scenes
 
   std::string scene_values{};  ///< what the fingerprint is made of, so that a restart can say what differs
   std::string scene_yaml{};    ///< the whole scene after its overrides

@@ -19,6 +19,7 @@
 #include "commands.hpp"
 #include "failure.hpp"
 #include "fields.hpp"
+#include "implicit_loop.hpp"
 
 namespace brunt::app {
 namespace {
@@ -112,11 +113,11 @@ void Results::write_fields(const time::StepReport* step) {
   fields_.clear();
 }
 
-void Results::write_history(const time::Ledger& ledger, const time::StepReport& step) {
+void Results::write_history(const time::Ledger& ledger, const time::StepReport& step, const RecordTime& at) {
   const auto timed = run_.links.timers.measure(Phase::output);
   const std::vector<double> probes = probes_.values(run_, ledger.contact_totals, step.dt_mean);
   if (!history_) return;
-  std::vector<double> row{run_.state.time_before,
+  std::vector<double> row{at.time,
                           step.dt,
                           ledger.kinetic,
                           ledger.internal,
@@ -136,7 +137,7 @@ void Results::write_history(const time::Ledger& ledger, const time::StepReport& 
                           static_cast<double>(ledger.contact_totals.active),
                           ledger.contact_totals.penetration};
   row.insert(row.end(), probes.begin(), probes.end());
-  history_->write(static_cast<GlobalIndex>(run_.state.step) - 1, row);
+  history_->write(at.step, row);
 }
 
 void Results::remember_good() {
@@ -151,7 +152,9 @@ std::string Results::save_last_good() {
   const Extremes seen = run_.extremes;  // the summary is about all that was seen
   last_good_.give_back(run_.registry());
   run_.after_restart();
-  const bool newer = run_.state.step > checkpoint_step_ && run_.state.step < step_of_guard;
+  // an implicit step that fails leaves the state of t_n, which was right
+  const bool before = run_.implicit ? run_.state.step <= step_of_guard : run_.state.step < step_of_guard;
+  const bool newer = run_.state.step > checkpoint_step_ && before;
   const std::string saved = newer ? write_checkpoint() : "";
   run_.extremes = seen;
   return saved;
@@ -240,6 +243,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
                         {"residual_max", contact_.largest_residual},
                         {"steps", contact_.solved_steps},
                         {"steps_at_limit", contact_.steps_at_limit}};
+  if (run_.implicit) summary["implicit"] = implicit_summary(run_);
   summary["state_hash"] = model::hash_digits(hash_);
   summary["stopped_by"] = stopped_by;
   summary["exit_code"] = exit_code;
@@ -254,11 +258,11 @@ void Results::table_header() {
                         units.time, "", units.energy, units.energy, units.energy, "", "", units.length, "h:mm:ss"));
 }
 
-void Results::table_line(const time::Ledger& ledger, const time::StepReport& step, double seconds_left) {
+void Results::table_line(const time::Ledger& ledger, const time::StepReport& step, const RecordTime& at,
+                         double seconds_left) {
   const std::string element = controlling_element(run_, step);
   log_.line(fmt::format("{:>8} {:>11.4e} {:>10.3e} {:>9} {:>11.4e} {:>11.4e} {:>11.4e} {:>9.1e} {:>7} {:>10.2e} {:>8}",
-                        static_cast<GlobalIndex>(run_.state.step) - 1, run_.state.time_before, step.dt, element,
-                        ledger.kinetic, ledger.internal, ledger.total(),
+                        at.step, at.time, step.dt, element, ledger.kinetic, ledger.internal, ledger.total(),
                         (ledger.total() - run_.extremes.start_total) / std::max(run_.extremes.largest_energy, 1e-300),
                         ledger.contact_totals.active, ledger.contact_totals.penetration, clock_text(seconds_left)));
 }

@@ -20,6 +20,12 @@
 
 namespace brunt::app {
 
+/// Which t_n a record is of.
+struct RecordTime {
+  GlobalIndex step = 0;
+  double time = 0;
+};
+
 /// The loop as it ended: what is written after it is not its cost.
 struct LoopCost {
   double seconds = 0, passes = 0;  ///< wall clock [s], output included; steps
@@ -39,8 +45,8 @@ class Results {
   void read_probes() { probes_.read_motion(run_); }
   /// The fields that were read, with those of contact where `step` has been taken. Collective.
   void write_fields(const time::StepReport* step);
-  /// After advance: the row of t_n.
-  void write_history(const time::Ledger& ledger, const time::StepReport& step);
+  /// The row of t_n; in explicit runs after advance.
+  void write_history(const time::Ledger& ledger, const time::StepReport& step, const RecordTime& at);
   /// Keeps account of a ledger; warns where the energy may not be right, throws GuardError where it cannot be.
   /// Collective.
   void watch(const time::Ledger& ledger, double time);
@@ -61,7 +67,7 @@ class Results {
   void write_summary(const std::string& stopped_by, int exit_code, double wall_seconds, const LoopCost& cost);
   void table_header();
   /// `seconds_left`: of the wall clock until the end, as far as can be told; below 0: not yet.
-  void table_line(const time::Ledger& ledger, const time::StepReport& step, double seconds_left);
+  void table_line(const time::Ledger& ledger, const time::StepReport& step, const RecordTime& at, double seconds_left);
   [[nodiscard]] const std::string& folder() const { return folder_; }
   [[nodiscard]] const Extremes& extremes() const { return run_.extremes; }
 

@@ -101,8 +101,9 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   }
   on_root(ranks, [&] { record_scene(*prepared, options, folder); });
   catch_signals();
-  // the step of the checkpoint is evaluated again: its own records come anew
-  Results results(*prepared, folder, restart ? std::optional(restart->step - 1) : std::nullopt, log);
+  // the step of the checkpoint is evaluated again in explicit runs: its own records come anew
+  const GlobalIndex evaluated_again = prepared->implicit ? 0 : 1;
+  Results results(*prepared, folder, restart ? std::optional(restart->step - evaluated_again) : std::nullopt, log);
   if (restart) results.warn_of_missing_rows(*restart);
   Loop loop(*prepared, results, log, start);
   Outcome outcome = loop.go();

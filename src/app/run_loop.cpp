@@ -10,6 +10,7 @@
 #include "brunt/time/relaxation.hpp"
 #include "brunt/time/step.hpp"
 #include "contact_setup.hpp"
+#include "implicit_loop.hpp"
 #include "removal.hpp"
 #include "schedule.hpp"
 #include "signals.hpp"
@@ -43,7 +44,10 @@ Outcome Loop::go() {
 
 void Loop::last_record(Outcome& outcome) {
   try {
-    if (!relaxing()) pass(true);  // before t = 0 there is nothing to tell
+    if (run_.implicit)
+      record_implicit(true);
+    else if (!relaxing())
+      pass(true);  // before t = 0 there is nothing to tell
   } catch (const GuardError& error) {
     outcome = {"guard", ExitCode::guard, error.what()};
   }
@@ -81,8 +85,12 @@ void Loop::report_stage(const model::Relaxation& phase) {
 
 void Loop::go_on(Outcome& outcome) {
   results_.table_header();
+  if (run_.implicit && run_.state.step == 0) record_implicit(false);
   while (!finished(outcome)) {
-    pass(false);
+    if (run_.implicit)
+      pass_implicit();
+    else
+      pass(false);
     if (due_after_step()) results_.write_checkpoint();
   }
 }
@@ -119,15 +127,37 @@ void Loop::pass(bool last) {
   if (fields) results_.write_fields(&step);
   if (row || line || watch) {
     const time::Ledger ledger = energies(step);
-    if (row) results_.write_history(ledger, step);
+    const RecordTime at{static_cast<GlobalIndex>(state.step) - 1, state.time_before};
+    if (row) results_.write_history(ledger, step, at);
     results_.watch(ledger, state.time_before);
     if (watch && !last) results_.remember_good();
     if (line) {
-      results_.table_line(ledger, step, time_left());
+      results_.table_line(ledger, step, at, time_left());
       lines_ = static_cast<int>(progress(state, input.run) * table_lines) + 1;
     }
   }
   if (static_cast<GlobalIndex>(state.step) % 20 == 0) log_.progress(progress(state, input.run), time_left());
+}
+
+void Loop::pass_implicit() {
+  implicit_step(run_);
+  ++passes_;
+  results_.remember_good();
+  record_implicit(false);
+  log_.progress(progress(run_.state, run_.input.run), time_left());
+}
+
+void Loop::record_implicit(bool last) {
+  const scene::Input& input = run_.input;
+  const model::State& state = run_.state;
+  if (last && recorded_step_ == state.step) return;
+  const bool ends = last || at_end(state, input.run, implicit_slack);
+  const ImplicitRecord record{.fields = ends || state.step == 0 || due(state, input.output.every, implicit_slack),
+                              .row = ends || state.step == 0 || implicit_row_due(state, input),
+                              .line = ends || progress(state, input.run) * table_lines >= lines_};
+  write_implicit_record(run_, results_, record, time_left());
+  if (record.line) lines_ = static_cast<int>(progress(state, input.run) * table_lines) + 1;
+  if (ends) recorded_step_ = state.step;
 }
 
 time::Ledger Loop::energies(const time::StepReport& step) {
@@ -136,12 +166,14 @@ time::Ledger Loop::energies(const time::StepReport& step) {
 }
 
 bool Loop::finished(Outcome& outcome) {
-  if (at_end(run_.state, run_.input.run)) {
-    outcome.stopped_by = run_.input.run.end && run_.state.time >= *run_.input.run.end ? "end" : "steps";
+  if (at_end(run_.state, run_.input.run, run_.implicit ? implicit_slack : 0.0)) {
+    outcome.stopped_by =
+        run_.input.run.steps && run_.state.step >= static_cast<double>(*run_.input.run.steps) ? "steps" : "end";
     return true;
   }
   constexpr int steps_between_looks = 10;
-  if (static_cast<GlobalIndex>(run_.state.step + run_.state.relaxation.steps) % steps_between_looks != 0) return false;
+  const auto steps = static_cast<GlobalIndex>(run_.state.step + run_.state.relaxation.steps);
+  if (!run_.implicit && steps % steps_between_looks != 0) return false;  // implicit steps are long
   const Requests asked = take_requests();
   const bool root = run_.links.ranks.is_root();
   const bool late = root && run_.input.run.wall_limit && seconds_since(program_start_) > *run_.input.run.wall_limit;

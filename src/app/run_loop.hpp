@@ -53,9 +53,16 @@ class Loop {
   /// One step, with what is to be written about t_n.
   void pass(bool last);
 
+  /// The same of an implicit run, where records are of the end of the step; `last`: what the end of a run has to write.
+  void pass_implicit();
+  void record_implicit(bool last);
+
   time::Ledger energies(const time::StepReport& step);
 
-  bool due_after_step() { return run_.state.step > 0 && due(run_.state, run_.input.checkpoint_every); }
+  bool due_after_step() {
+    const double slack = run_.implicit ? implicit_slack : 0.0;
+    return run_.state.step > 0 && due(run_.state, run_.input.checkpoint_every, slack);
+  }
 
   /// End, wall limit, signals and the control file; all ranks decide the same.
   bool finished(Outcome& outcome);
@@ -79,6 +86,7 @@ class Loop {
   double passes_ = 0;
   int lines_ = 0;
   double first_step_ = run_.state.step;
+  double recorded_step_ = -1;  ///< of an implicit run: whose last record is written
   double reported_stage_ = 1;
   bool reported_limit_ = false;
 };

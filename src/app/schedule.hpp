@@ -10,12 +10,16 @@
 
 namespace brunt::app {
 
-/// True at the first step at or past each multiple of `every` (t = 0 too).
-inline bool due(const model::State& state, const std::optional<double>& every) {
+/// True at the first step at or past each multiple of `every` (t = 0 too). slack: a share of `every` by which a step
+/// may miss it.
+inline bool due(const model::State& state, const std::optional<double>& every, double slack = 0) {
   if (!every) return false;
   if (state.step == 0) return true;
-  return std::floor(state.time / *every) > std::floor(state.time_before / *every);
+  return std::floor(state.time / *every + slack) > std::floor(state.time_before / *every + slack);
 }
+
+/// Steps of implicit runs are of the user's length: times that they are to meet are met but for rounding.
+constexpr double implicit_slack = 1e-9;
 
 /// True where history is to have a row: as the scene says, else some 200 over the run, but five steps apart at least (a
 /// row of a large model costs as much as a step).
@@ -29,14 +33,20 @@ inline bool history_due(const model::State& state, const scene::Input& input) {
           std::fmod(state.step, std::max(least_steps, std::floor(static_cast<double>(*run.steps) / rows))) == 0);
 }
 
+/// The same in implicit runs, whose steps are long: every one has a row, unless the scene says otherwise.
+inline bool implicit_row_due(const model::State& state, const scene::Input& input) {
+  return !input.history_every || due(state, input.history_every, implicit_slack);
+}
+
 /// How far the run has gone past its end, as a share of it.
 inline double overshoot(const model::State& state, const scene::Run& run) {
   return run.end ? std::max(0.0, state.time / *run.end - 1) : 0;
 }
 
-/// True once the run has reached its end.
-inline bool at_end(const model::State& state, const scene::Run& run) {
-  return (run.end && state.time >= *run.end) || (run.steps && state.step >= static_cast<double>(*run.steps));
+/// True once the run has reached its end. slack: a share of it by which a step may miss it.
+inline bool at_end(const model::State& state, const scene::Run& run, double slack = 0) {
+  return (run.end && state.time >= (1 - slack) * *run.end) ||
+         (run.steps && state.step >= static_cast<double>(*run.steps));
 }
 
 /// Share of the run that is done, 0..1.

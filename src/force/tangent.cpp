@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <variant>
+
 #include "brunt/core/error.hpp"
 #include "tangent_loop.hpp"
 
@@ -27,6 +29,11 @@ Tangents tangents_of(element::ElementKind kind) {
 
 bool gives_tangents(element::ElementKind kind) {
   return tangents_of(kind) != nullptr;
+}
+
+bool gives_tangents(const material::Law& law) {
+  return std::holds_alternative<material::Elastic>(law) || std::holds_alternative<material::J2>(law) ||
+         std::holds_alternative<material::NeoHookean>(law);
 }
 
 void element_tangents(const model::Model& model, LocalIndex block, std::span<const LocalIndex> elements,

@@ -6,40 +6,16 @@
 #include <limits>
 
 #include "brunt/contact/contact.hpp"
-#include "brunt/force/dead_loads.hpp"
 #include "brunt/force/element_work.hpp"
 #include "brunt/force/loads.hpp"
 #include "brunt/force/watched.hpp"
 #include "brunt/model/curve.hpp"
 #include "brunt/time/bodies.hpp"
 #include "brunt/time/motion.hpp"
+#include "brunt/time/sum_forces.hpp"
 
 namespace brunt::time {
 namespace {
-
-/// Sums of corner forces at the border between ranks, with the loads computed while the messages travel.
-void sum_forces(const model::Model& model, const model::State& state, model::Scratch& scratch, Links& links) {
-  links.corner_forces.begin(scratch.slots, 4);
-  if (model.loaded()) force::body_loads(model, state, scratch);
-  if (model.loaded()) clear_body_loads(model, scratch);
-  force::add_dead_loads(model, state.time, scratch);
-  if (model.loaded())
-    for (const LocalIndex node : state.living.dropped) scratch.load[static_cast<std::size_t>(node)] = Quad{};
-  links.corner_forces.end(scratch.slots, 4, {reinterpret_cast<double*>(scratch.force.data()), 4 * scratch.force.size()},
-                          4);
-  if (model.pressure.empty()) return;
-
-  force::pressure_forces(model, state, links.pressure_slots);
-  const std::span<const double> slots{reinterpret_cast<const double*>(links.pressure_slots.data()),
-                                      4 * links.pressure_slots.size()};
-  std::fill(links.pressure_sum.begin(), links.pressure_sum.end(), Quad{});
-  for (std::size_t k = 0; k < links.pressure_corners.size(); ++k)
-    links.pressure_sum[static_cast<std::size_t>(links.pressure_corners[k].node)] += links.pressure_slots[k];
-  links.pressure.begin(slots, 4);
-  links.pressure.end(slots, 4, {reinterpret_cast<double*>(links.pressure_sum.data()), 4 * links.pressure_sum.size()},
-                     4);
-  for (std::size_t i = 0; i < scratch.load.size(); ++i) scratch.load[i] += links.pressure_sum[i];
-}
 
 /// The step to come. stable: cfl times the stable step of the stiffest element anywhere and lately.
 double next_dt(const model::State& state, const StepControl& control, double stable) {

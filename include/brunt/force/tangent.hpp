@@ -10,6 +10,8 @@ namespace brunt::force {
 
 /// One-point hexahedra have none: their hourglass modes stand on control alone.
 bool gives_tangents(element::ElementKind kind);
+/// Laws with an equation of state, a temperature or damage have none.
+bool gives_tangents(const material::Law& law);
 
 /// Derivatives of the internal forces of `elements` of a block at the end of the step, by the positions at its end,
 /// while where it began and what is committed stay. A square matrix of 3 times corners rows for each element, in their

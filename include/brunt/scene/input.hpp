@@ -16,6 +16,7 @@
 #include "brunt/mesh/division.hpp"
 #include "brunt/mesh/round_form.hpp"
 #include "brunt/model/erosion.hpp"
+#include "brunt/model/implicit_solver.hpp"
 #include "brunt/scene/places.hpp"
 
 namespace brunt::scene {
@@ -229,6 +230,7 @@ struct Input {
   std::vector<ContactEntry> contact;
   std::vector<Probe> probes;
   Run run;
+  std::optional<model::ImplicitSolver> implicit;  ///< absent: explicit
   Output output;
   std::optional<double> history_every;
   std::optional<double> checkpoint_every;

@@ -9,6 +9,7 @@
 #include "brunt/core/error.hpp"
 #include "brunt/force/dead_loads.hpp"
 #include "brunt/force/folded.hpp"
+#include "brunt/force/pressure_tangent.hpp"
 #include "support/element_block.hpp"
 
 using namespace brunt;
@@ -139,4 +140,22 @@ TEST_CASE("folded elements: a corner pushed through the opposite face counts, a 
   CHECK(folded.block == 0);
   CHECK(folded.worst < -0.3);
   CHECK(folded.worst >= -1);
+}
+
+TEST_CASE("the tangent of a pressure is the slope of its forces, on warped quadrilaterals and triangles") {
+  const std::array<Vec3, 4> corners{Vec3(0, 0, 0), Vec3(1, 0.1, 0.3), Vec3(1.2, 0.9, -0.2), Vec3(-0.1, 1.1, 0.4)};
+  for (const std::size_t n : {3UL, 4UL}) {
+    const auto force = [&](const std::array<Vec3, 4>& at) {
+      const Vec3 first = n == 3 ? at[1] - at[0] : at[2] - at[0], second = n == 3 ? at[2] - at[0] : at[3] - at[1];
+      return Vec3(-7.0 / static_cast<double>(n) * 0.5 * first.cross(second));
+    };
+    const std::array<Mat3, 4> tangent = force::pressure_tangent(7.0, {corners.data(), n});
+    for (std::size_t k = 0; k < n; ++k)
+      for (int c = 0; c < 3; ++c) {
+        std::array<Vec3, 4> ahead = corners, behind = corners;
+        ahead[k][c] += 0.5;  // the force is bilinear: differences are exact
+        behind[k][c] -= 0.5;
+        CHECK((force(ahead) - force(behind) - tangent[k].col(c)).norm() < 1e-14);
+      }
+  }
 }

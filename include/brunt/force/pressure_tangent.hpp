@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the force of a pressure changes with the face that it acts on.
+#pragma once
+#include <array>
+#include <span>
+
+#include "brunt/core/types.hpp"
+
+namespace brunt::force {
+
+/// Derivatives of the force on one corner of a face under `pressure` [stress] by the places of its three or four
+/// `corners` (counter-clockwise seen from outside), in their order [force/length]. All corners have the same force (see
+/// pressure_forces), so these are the derivatives for each. The matrix of a whole face is not symmetric; summed over a
+/// closed surface it is.
+std::array<Mat3, 4> pressure_tangent(double pressure, std::span<const Vec3> corners);
+
+}  // namespace brunt::force

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// What implicit steps have beside model, state and scratch: memory of t_n, unknowns, matrix, factors. Sized once.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "brunt/comm/linear_system.hpp"
+#include "brunt/force/trial.hpp"
+#include "brunt/implicit/scheme.hpp"
+#include "brunt/implicit/step_length.hpp"
+#include "brunt/implicit/stiffness.hpp"
+#include "brunt/implicit/unknowns.hpp"
+#include "brunt/model/model.hpp"
+#include "brunt/model/registry.hpp"
+#include "brunt/time/links.hpp"
+
+namespace brunt::implicit {
+
+/// What the next step needs of t_n, three a node: saved and hashed.
+struct Memory {
+  std::vector<double> internal_force;  ///< of the elements on the nodes (minus the internal force) [force]
+  std::vector<double> load;            ///< gravity, pressure, dead loads; empty without loads [force]
+  /// Of hht, else empty: now F_n + before F_{n-1} of either, which makes the acceleration [force].
+  std::vector<double> inertial_internal, inertial_load;
+  std::vector<double> acceleration;  ///< of newmark and hht, else empty [length/time^2]
+  StepLength length;
+};
+
+/// Forces out of balance at one iterate.
+struct Balance {
+  double left = 0;   ///< norm over all nodes of the forces that are left, along directions that are free [force]
+  double given = 0;  ///< of those that act: internal, loads, inertia [force]
+  /// Newton's iteration stops below: what the rounding of places alone leaves [force].
+  double rounding = 0;
+};
+
+/// The step under way.
+struct Trial {
+  Rule rule;
+  double time = 0;  ///< t_{n+1}
+  double dt_before = 0, time_before = 0;
+  std::vector<double> displacement;  ///< of all nodes of this rank, three each: u at the iterate
+  std::vector<double> velocity;      ///< likewise v_n
+  std::vector<Vec3> given;           ///< of Model::constrained: Q (u_{n+1} - u_n), Q the directions that are held
+  std::vector<Vec3> given_velocity;  ///< likewise along driven axes, at t_{n+1}
+  Balance balance;
+  std::vector<double> ratios;  ///< balance.left / balance.given, iterate by iterate
+  double energy = 0;           ///< correction . forces left at the last iterate but one [energy]
+};
+
+/// What has been done so far in this program.
+struct Work {
+  GlobalIndex steps = 0, iterations = 0, most_iterations = 0, halved = 0;
+  double factorise_seconds = 0, tangent_seconds = 0, force_seconds = 0, solve_seconds = 0;
+  double factor_bytes = 0;            ///< largest
+  std::vector<double> last_ratios{};  ///< Trial::ratios of the last step
+};
+
+struct Solver {
+  model::ImplicitSolver settings;
+  Unknowns unknowns;
+  Stiffness stiffness;
+  comm::LinearSystem system;
+  comm::SparseRows rows;         ///< of the whole system
+  force::History history;        ///< at the iterate
+  std::vector<double> u;         ///< Newton's unknowns: of Unknowns::node, three each [length]
+  std::vector<LocalIndex> held;  ///< by local node: index into Model::constrained, or no_index
+  double support_stiffness = 0;  ///< of held directions in the system [force/length]
+  Memory memory;
+  Trial trial;
+  Work work;
+};
+
+/// The four that every function of a step sees.
+struct Scene {
+  const model::Model& model;
+  model::State& state;
+  model::Scratch& scratch;
+  time::Links& links;
+};
+
+/// Everything for steps from the state at t = 0, forces and accelerations of which are found. Collective.
+Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings);
+
+/// Arrays of Memory for checkpoint, restart and hash.
+void add_arrays(const model::Model& model, Solver& solver, model::Registry& registry);
+
+}  // namespace brunt::implicit

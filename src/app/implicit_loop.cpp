@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "implicit_loop.hpp"
+
+#include <fmt/format.h>
+
+#include "brunt/implicit/step.hpp"
+
+namespace brunt::app {
+namespace {
+
+/// A node by its number and part: told by the rank that owns it. Collective.
+std::string name_of_node(const Prepared& run, GlobalIndex gid) {
+  const model::Model& model = run.model;
+  GlobalIndex id = -1, part = -1;
+  for (const LocalIndex node : model.owned) {
+    const auto i = static_cast<std::size_t>(node);
+    if (model.mesh.node_gid[i] == gid) id = model.mesh.node_id[i];
+  }
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    for (const LocalIndex node : model.blocks[b].node)
+      if (model.mesh.node_gid[static_cast<std::size_t>(node)] == gid) part = static_cast<GlobalIndex>(b);
+  id = run.links.ranks.max(id);
+  part = run.links.ranks.max(part);
+  if (part < 0) return fmt::format("node {}", id);
+  return fmt::format("part {}, node {}", model.blocks[static_cast<std::size_t>(part)].part, id);
+}
+
+const char* name_of(model::Scheme scheme) {
+  switch (scheme) {
+    case model::Scheme::statics:
+      return "static";
+    case model::Scheme::contact_implicit:
+      return "contact_implicit";
+    case model::Scheme::hht:
+      return "hht";
+    case model::Scheme::newmark:
+      break;
+  }
+  return "newmark";
+}
+
+}  // namespace
+
+implicit::Scene implicit_scene(Prepared& run) {
+  return {run.model, run.state, run.scratch, run.links};
+}
+
+void implicit_step(Prepared& run) {
+  implicit::advance(implicit_scene(run), *run.implicit, [&](GlobalIndex gid) { return name_of_node(run, gid); });
+}
+
+void write_implicit_record(Prepared& run, Results& results, const ImplicitRecord& record, double seconds_left) {
+  const auto timed = run.links.timers.measure(Phase::output);
+  const RecordTime at{static_cast<GlobalIndex>(run.state.step), run.state.time};
+  time::StepReport step;
+  step.dt = run.state.dt;
+  if (record.fields) {
+    results.read_fields();
+    results.write_fields(nullptr);
+  }
+  if (record.row) results.read_probes();
+  const time::Ledger ledger = implicit::ledger(implicit_scene(run), *run.implicit);
+  if (record.row) results.write_history(ledger, step, at);
+  results.watch(ledger, run.state.time);
+  if (record.line) results.table_line(ledger, step, at, seconds_left);
+}
+
+nlohmann::ordered_json implicit_summary(const Prepared& run) {
+  const implicit::Solver& solver = *run.implicit;
+  const implicit::Work& work = solver.work;
+  const bool direct = solver.settings.linear == model::LinearSolver::direct;
+  return {{"scheme", name_of(solver.settings.scheme)},
+          {"linear", direct ? "direct" : "mumps"},
+          {"same_bits_on_any_ranks", direct},
+          {"unknowns", solver.unknowns.total},
+          {"steps", work.steps},
+          {"halved", work.halved},
+          {"iterations", work.iterations},
+          {"iterations_mean",
+           work.steps > 0 ? static_cast<double>(work.iterations) / static_cast<double>(work.steps) : 0.0},
+          {"iterations_max", work.most_iterations},
+          {"residuals_last", work.last_ratios},
+          {"energy_last", solver.trial.energy},
+          {"force_s", work.force_seconds},
+          {"factorise_s", work.factorise_seconds},
+          {"solve_s", work.solve_seconds},
+          {"factor_bytes", work.factor_bytes}};
+}
+
+}  // namespace brunt::app

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The steps of an implicit run, and what is to be written about each t_n.
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "brunt/implicit/ledger.hpp"
+#include "brunt/implicit/solver.hpp"
+#include "prepare.hpp"
+#include "results.hpp"
+
+namespace brunt::app {
+
+/// The four that implicit steps see of a prepared run.
+implicit::Scene implicit_scene(Prepared& run);
+
+/// One step from t_n to t_{n+1}. Throws GuardError where none can be found: the state is that of t_n then. Collective.
+void implicit_step(Prepared& run);
+
+/// Fields, history and table at t_n, between steps.
+struct ImplicitRecord {
+  bool fields = false, row = false, line = false;
+};
+void write_implicit_record(Prepared& run, Results& results, const ImplicitRecord& record, double seconds_left);
+
+/// "implicit" of summary.json. The same on all ranks.
+nlohmann::ordered_json implicit_summary(const Prepared& run);
+
+}  // namespace brunt::app

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "implicit_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "brunt/comm/linear_system.hpp"
+#include "brunt/element/options.hpp"
+#include "brunt/force/tangent.hpp"
+
+namespace brunt::app {
+namespace {
+
+/// Keys of explicit scenes, and why they mean nothing here.
+constexpr std::array<std::pair<const char*, const char*>, 6> explicit_keys{{
+    {"run.cfl", "no stable step bounds an implicit scene; accepted: solver.step"},
+    {"run.step", "the step of an implicit scene is the solver's; accepted: solver.step"},
+    {"run.min_step_ratio", "the least step of an implicit scene is the solver's; accepted: solver.min_step"},
+    {"enforcement", "contact of implicit scenes is not enforced by the rate constraint; accepted: no enforcement"},
+    {"relaxation", "a static state is found directly; accepted: solver.scheme: static"},
+    {"damping", "is for explicit scenes; accepted: solver.scheme: hht, which damps what the step does not resolve"},
+}};
+
+void check_part(const scene::Input& input, const model::ElementBlock& block, std::vector<std::string>& faults) {
+  const std::string key = "parts." + block.part;
+  if (material::is_rigid(block.law))
+    faults.push_back(
+        fmt::format("{}: rigid parts are for explicit scenes as yet; accepted: a material that deforms, "
+                    "with fixed or prescribed nodes",
+                    input.at(key + ".material")));
+  else if (!force::gives_tangents(block.kind))
+    faults.push_back(
+        fmt::format("{}: {} has no stiffness against its hourglass modes; accepted in an implicit scene: hex8_full, "
+                    "hex8_bbar, tet4",
+                    input.at(key + ".element"), element::name_of(block.kind)));
+  else if (!force::gives_tangents(block.law))
+    faults.push_back(fmt::format("{}: {} has no tangent; accepted in an implicit scene: elastic, j2, neo_hookean",
+                                 input.at(key + ".material"), block.material));
+  if (block.erosion)
+    faults.push_back(fmt::format("{}: is for explicit scenes; accepted: no erosion in an implicit scene",
+                                 input.at(key + ".erosion")));
+}
+
+}  // namespace
+
+std::vector<std::string> faults_of_implicit(const scene::Input& input, const model::Model& model) {
+  std::vector<std::string> faults;
+  if (!input.implicit) return faults;
+  for (const auto& [key, why] : explicit_keys)
+    if (input.places.has(key)) faults.push_back(fmt::format("{}: {}", input.at(key), why));
+  for (const model::ElementBlock& block : model.blocks) check_part(input, block, faults);
+  if (!model.removals.empty())
+    faults.push_back(fmt::format("{}: is for explicit scenes; accepted: no removals", input.at("remove")));
+  if (!model.walls.empty())
+    faults.push_back(
+        fmt::format("{}: are for explicit scenes as yet; accepted: no rigid walls", input.at("rigid_walls")));
+  if (model.contact.pairs.any_acts())
+    faults.push_back(fmt::format("{}: is for explicit scenes as yet; accepted: no contact", input.at("contact")));
+  if (model.books_interface)
+    faults.push_back(fmt::format(
+        "{}: energies of parts that share nodes are for explicit scenes; accepted: other probes", input.at("probes")));
+  return faults;
+}
+
+std::vector<std::string> warnings_of_implicit(const scene::Input& input, const model::Model& model) {
+  std::vector<std::string> warnings;
+  const GlobalIndex unknowns = 3 * model.mesh.global_nodes;
+  if (input.implicit && input.implicit->linear == model::LinearSolver::direct &&
+      unknowns > comm::LinearSystem::most_for_direct)
+    warnings.push_back(
+        fmt::format("{}: direct factorises {} unknowns on one rank, which may take minutes and tens of GB a time; "
+                    "mumps uses all ranks (its results have not the same bits on other numbers of ranks)",
+                    input.at("solver.linear"), unknowns));
+  return warnings;
+}
+
+}  // namespace brunt::app

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an implicit scene may not ask for: each a line with its place and what is accepted.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "brunt/model/model.hpp"
+#include "brunt/scene/input.hpp"
+
+namespace brunt::app {
+
+/// Nothing for explicit scenes. The same on all ranks.
+std::vector<std::string> faults_of_implicit(const scene::Input& input, const model::Model& model);
+
+/// What works, but not as well as it could.
+std::vector<std::string> warnings_of_implicit(const scene::Input& input, const model::Model& model);
+
+}  // namespace brunt::app

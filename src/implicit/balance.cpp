@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/implicit/balance.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "brunt/comm/exact_sum.hpp"
+#include "brunt/time/sum_forces.hpp"
+
+namespace brunt::implicit {
+namespace {
+
+Vec3 of(const Quad& q) {
+  return {q[0], q[1], q[2]};
+}
+Vec3 of(const std::vector<double>& nodal, std::size_t node) {
+  return nodal.empty() ? Vec3(Vec3::Zero()) : Vec3(&nodal[3 * node]);
+}
+
+/// What acts on a node but for contact and supports.
+struct NodeForces {
+  Vec3 inertia, now, before;  ///< m M (u - u*), now F_{n+1}, before F_n
+};
+
+NodeForces forces_on(const Scene& scene, const Solver& solver, std::size_t i) {
+  const Trial& trial = solver.trial;
+  const Rule& rule = trial.rule;
+  const Quad& u_before = scene.state.displacement[i];
+  NodeForces forces;
+  forces.now = rule.now * of(scene.scratch.force[i]);
+  if (!scene.scratch.load.empty()) forces.now += rule.now * of(scene.scratch.load[i]);
+  forces.before = rule.before * (of(solver.memory.internal_force, i) + of(solver.memory.load, i));
+  const Vec3 travel = Vec3(&trial.displacement[3 * i]) - of(u_before);
+  const Vec3 free = free_travel(rule, of(trial.velocity, i), of(solver.memory.acceleration, i));
+  forces.inertia = rule.mass * scene.state.nodes[i].mass * (travel - free);
+  return forces;
+}
+
+/// What rounding leaves of the forces on a node, squared: a place is rounded, which strains the elements at it, and so
+/// is a displacement, which inertia multiplies.
+double rounding_at(const Scene& scene, const Solver& solver, std::size_t i) {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();  // of u, of u_n, of their difference, of u*
+  const model::NodeLine& node = scene.state.nodes[i];
+  const double by_place = solver.support_stiffness * Eigen::Map<const Vec3>(node.x).norm();
+  const double by_travel = solver.trial.rule.mass * node.mass * Vec3(&solver.trial.displacement[3 * i]).norm();
+  const double left = rounding * (by_place + by_travel);
+  return left * left;
+}
+
+}  // namespace
+
+bool find_forces(const Scene& scene, Solver& solver, std::span<const double> u) {
+  Trial& trial = solver.trial;
+  for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c)
+      trial.displacement[3 * static_cast<std::size_t>(solver.unknowns.node[k]) + c] = u[3 * k + c];
+  share(solver.unknowns, trial.displacement);
+  const double over_dt = 1 / trial.rule.dt;
+  for (std::size_t i = 0; i < scene.state.nodes.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      scene.state.nodes[i].x[c] = scene.model.reference[i][c] + trial.displacement[3 * i + c];
+      scene.state.nodes[i].v[c] = over_dt * (trial.displacement[3 * i + c] - scene.state.displacement[i][c]);
+    }
+  const force::Motion motion{scene.state.nodes, trial.rule.dt, false};
+  const force::ElementReport report =
+      force::trial_forces(scene.model, motion, scene.state.history, solver.history, scene.scratch);
+  if (scene.links.ranks.any(report.inverted_block >= 0)) return false;
+  time::sum_forces(scene.model, scene.state, scene.scratch, scene.links);
+  return true;
+}
+
+void balance(const Scene& scene, Solver& solver, std::span<double> residual) {
+  Trial& trial = solver.trial;
+  std::array<comm::ExactAccumulator, 3> sums;
+  for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k) {
+    const auto i = static_cast<std::size_t>(solver.unknowns.node[k]);
+    const NodeForces forces = forces_on(scene, solver, i);
+    Vec3 left = forces.inertia - forces.now - forces.before;
+    // a motion that nothing disturbs has momentum all the same, of which rounding leaves something
+    const double momentum = trial.rule.mass * trial.rule.dt * scene.state.nodes[i].mass;
+    sums[1].add(forces.inertia.squaredNorm() + forces.now.squaredNorm() + forces.before.squaredNorm());
+    sums[1].add(momentum * momentum * of(trial.velocity, i).squaredNorm());
+    sums[2].add(rounding_at(scene, solver, i));
+    if (const LocalIndex held = solver.held[i]; held != no_index) {
+      const auto h = static_cast<std::size_t>(held);
+      const Mat3& free = scene.model.constrained[h].free;
+      const Vec3 travel = Vec3(&trial.displacement[3 * i]) - of(scene.state.displacement[i]);
+      const Vec3 missing = (travel - free * travel) - trial.given[h];
+      left = free * left + solver.support_stiffness * missing;
+    }
+    sums[0].add(left.squaredNorm());
+    for (std::size_t c = 0; c < 3; ++c) residual[3 * k + c] = left[static_cast<int>(c)];
+  }
+  std::array<double, 3> value{};
+  comm::exact_sum(scene.links.ranks, sums, value);
+  trial.balance = {std::sqrt(value[0]), std::sqrt(value[1]), std::sqrt(value[2])};
+}
+
+}  // namespace brunt::implicit

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/implicit/commit.hpp"
+
+#include "brunt/implicit/balance.hpp"
+
+namespace brunt::implicit {
+namespace {
+
+Vec3 of(const Quad& q) {
+  return {q[0], q[1], q[2]};
+}
+Vec3 of(const std::vector<double>& nodal, std::size_t node) {
+  return nodal.empty() ? Vec3(Vec3::Zero()) : Vec3(&nodal[3 * node]);
+}
+void put(const Vec3& value, std::vector<double>& nodal, std::size_t node) {
+  for (std::size_t c = 0; c < 3; ++c) nodal[3 * node + c] = value[static_cast<int>(c)];
+}
+
+/// What happened to one node in the step.
+struct NodeStep {
+  Vec3 travel, before, after;           ///< u_{n+1} - u_n; velocities
+  Vec3 internal, load;                  ///< means of the forces at t_n and t_{n+1}, which do the work
+  Vec3 internal_impulse, load_impulse;  ///< what they add to momentum
+  double mass = 0;
+};
+
+/// Along held directions supports give what is missing in the balance of momentum, and of energy.
+void book_support(model::State& state, const Mat3& free, const NodeStep& step, bool moves, std::size_t i) {
+  const Mat3 held = Mat3::Identity() - free;
+  const Vec3 change = moves ? Vec3(step.mass * (step.after - step.before)) : Vec3(Vec3::Zero());
+  const Vec3 impulse = held * (change - step.internal_impulse - step.load_impulse);
+  const double kinetic = moves ? 0.5 * (held * change).dot(step.after + step.before) : 0.0;
+  state.reaction_work[i] += kinetic - (held * (step.internal + step.load)).dot(step.travel);
+  for (std::size_t c = 0; c < 3; ++c) state.reaction_impulse[3 * i + c] += impulse[static_cast<int>(c)];
+}
+
+/// What a force that goes from `before` to `now` adds to momentum in a step of the rule. hht adds to velocities what
+/// its accelerations stand for, forces at t_n and t_{n-1} among them; they stand in `inertial`, which goes to t_{n+1}.
+Vec3 impulse_of(const Rule& rule, const Vec3& before, const Vec3& now, std::vector<double>& inertial, std::size_t i) {
+  if (inertial.empty()) return 0.5 * rule.dt * (before + now);
+  const Vec3 then = of(inertial, i), next = rule.now * now + rule.before * before;
+  put(next, inertial, i);
+  return rule.dt * ((1 - rule.gamma) * then + rule.gamma * next);
+}
+
+void commit_node(const Scene& scene, Solver& solver, std::size_t i) {
+  model::State& state = scene.state;
+  Trial& trial = solver.trial;
+  Memory& memory = solver.memory;
+  const Vec3 force = of(scene.scratch.force[i]);
+  const Vec3 load = scene.scratch.load.empty() ? Vec3(Vec3::Zero()) : of(scene.scratch.load[i]);
+  Vec3 acceleration = of(memory.acceleration, i);
+  NodeStep step;
+  step.travel = Vec3(&trial.displacement[3 * i]) - of(state.displacement[i]);
+  step.before = of(trial.velocity, i);
+  step.after = velocity_after(trial.rule, step.travel, step.before, acceleration);
+  step.internal = 0.5 * (of(memory.internal_force, i) + force);
+  step.load = 0.5 * (of(memory.load, i) + load);
+  step.mass = state.nodes[i].mass;
+  step.internal_impulse = impulse_of(trial.rule, of(memory.internal_force, i), force, memory.inertial_internal, i);
+  step.load_impulse = impulse_of(trial.rule, of(memory.load, i), load, memory.inertial_load, i);
+  if (const LocalIndex held = solver.held[i]; held != no_index) {
+    const auto h = static_cast<std::size_t>(held);
+    const Mat3& free = scene.model.constrained[h].free;
+    if (trial.rule.mass > 0) step.after = free * step.after + trial.given_velocity[h];
+    book_support(state, free, step, trial.rule.mass > 0, i);
+  }
+  state.displacement[i] += Quad{step.travel[0], step.travel[1], step.travel[2], step.internal.dot(step.travel)};
+  if (!state.load_work.empty()) {
+    state.load_work[i] += step.load.dot(step.travel);
+    for (std::size_t c = 0; c < 3; ++c) state.load_impulse[3 * i + c] += step.load_impulse[static_cast<int>(c)];
+  }
+  Eigen::Map<Vec3>(state.nodes[i].v) = step.after;
+  put(force, memory.internal_force, i);
+  if (!memory.load.empty()) put(load, memory.load, i);
+  if (!memory.acceleration.empty()) put(acceleration, memory.acceleration, i);
+}
+
+}  // namespace
+
+void begin_step(const Scene& scene, Solver& solver, double dt, double time) {
+  Trial& trial = solver.trial;
+  model::State& state = scene.state;
+  trial.rule = rule_of(solver.settings, dt);
+  trial.time_before = state.time;
+  trial.dt_before = state.dt;
+  trial.time = time;
+  trial.ratios.clear();
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) put(Eigen::Map<const Vec3>(state.nodes[i].v), trial.velocity, i);
+  state.time = time;
+  prescribe(scene, trial);
+  for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k) {
+    const auto i = static_cast<std::size_t>(solver.unknowns.node[k]);
+    Vec3 travel = trial.rule.mass > 0 ? Vec3(dt * of(trial.velocity, i)) : Vec3(Vec3::Zero());
+    // what is given comes with the first correction, which moves the nodes around with it
+    if (const LocalIndex held = solver.held[i]; held != no_index)
+      travel = scene.model.constrained[static_cast<std::size_t>(held)].free * travel;
+    put(of(state.displacement[i]) + travel, solver.u, k);
+  }
+}
+
+void commit_step(const Scene& scene, Solver& solver) {
+  for (std::size_t i = 0; i < scene.state.nodes.size(); ++i) commit_node(scene, solver, i);
+  force::commit(solver.history, scene.state.history);
+  model::State& state = scene.state;
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+    for (int c = 0; c < 3; ++c) state.nodes[i].x[c] = scene.model.reference[i][c] + state.displacement[i][c];
+  state.time_before = solver.trial.time_before;
+  state.dt = solver.trial.rule.dt;
+  ++state.step;
+}
+
+void give_back(const Scene& scene, Solver& solver) {
+  model::State& state = scene.state;
+  state.time = solver.trial.time_before;
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    Eigen::Map<Vec3>(state.nodes[i].v) = of(solver.trial.velocity, i);
+    for (int c = 0; c < 3; ++c) state.nodes[i].x[c] = scene.model.reference[i][c] + state.displacement[i][c];
+  }
+}
+
+}  // namespace brunt::implicit

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/implicit/solver.hpp"
+
+#include <cmath>
+
+#include "brunt/comm/exact_sum.hpp"
+#include "brunt/force/mass.hpp"
+#include "brunt/implicit/balance.hpp"
+#include "brunt/implicit/commit.hpp"
+#include "brunt/material/law.hpp"
+#include "brunt/time/sum_forces.hpp"
+
+namespace brunt::implicit {
+namespace {
+
+comm::LinearMethod method_of(model::LinearSolver linear) {
+  return linear == model::LinearSolver::direct ? comm::LinearMethod::direct : comm::LinearMethod::mumps;
+}
+
+/// Greatest modulus lambda + 2 mu times a node's share of the model in length: about the stiffness of an element in the
+/// way of one node. Held directions have it in the matrix: of the order of its other entries, whatever units are.
+void scale_supports(const Scene& scene, Solver& solver) {
+  double modulus = 0, volume = 0;
+  std::vector<double> volumes;
+  const auto* reference = scene.model.reference.data();
+  for (const model::ElementBlock& block : scene.model.blocks) {
+    const material::ElasticModuli moduli = material::initial_moduli(block.law);
+    modulus = std::max(modulus, moduli.lambda + 2 * moduli.mu);
+    for (LocalIndex e = 0; e < block.count; ++e) volumes.push_back(force::element_volume(block, reference, e));
+  }
+  volume = comm::exact_sum(scene.links.ranks, volumes);
+  solver.support_stiffness = modulus * std::cbrt(volume / static_cast<double>(scene.model.mesh.global_nodes));
+}
+
+/// What of Memory the scheme needs.
+struct Remembered {
+  bool load = false, acceleration = false, inertial = false;
+};
+Remembered remembered(const model::Model& model, const model::ImplicitSolver& settings) {
+  const Rule rule = rule_of(settings, settings.step);
+  return {model.loaded(), rule.beta > 0, rule.beta > 0 && rule.before > 0};
+}
+
+/// Forces at t = 0 and the accelerations that they give.
+void start_memory(const Scene& scene, Solver& solver) {
+  Memory& memory = solver.memory;
+  const std::size_t n = scene.state.nodes.size();
+  memory.internal_force.assign(3 * n, 0.0);
+  const Remembered kept = remembered(scene.model, solver.settings);
+  if (kept.load) memory.load.assign(3 * n, 0.0);
+  const bool moves = solver.settings.scheme != model::Scheme::statics;
+  if (kept.acceleration) memory.acceleration.assign(3 * n, 0.0);
+  begin_step(scene, solver, solver.settings.step, scene.state.time);
+  for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k)  // at rest where the nodes are
+    for (std::size_t c = 0; c < 3; ++c)
+      solver.u[3 * k + c] =
+          scene.state.displacement[static_cast<std::size_t>(solver.unknowns.node[k])][static_cast<int>(c)];
+  (void)find_forces(scene, solver, solver.u);
+  for (std::size_t i = 0; i < n; ++i)
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t at = 3 * i + static_cast<std::size_t>(c);
+      memory.internal_force[at] = scene.scratch.force[i][c];
+      // a static run begins without loads: its first step brings on those of t = 0 too
+      if (!memory.load.empty() && moves) memory.load[at] = scene.scratch.load[i][c];
+    }
+  for (std::size_t i = 0; kept.acceleration && i < n; ++i) {
+    Vec3 force(&memory.internal_force[3 * i]);
+    if (!memory.load.empty()) force += Vec3(&memory.load[3 * i]);
+    if (const LocalIndex held = solver.held[i]; held != no_index)
+      force = scene.model.constrained[static_cast<std::size_t>(held)].free * force;
+    Eigen::Map<Vec3>(&memory.acceleration[3 * i]) = force / scene.state.nodes[i].mass;
+  }
+  if (kept.inertial) {
+    memory.inertial_internal = memory.internal_force;
+    memory.inertial_load = memory.load;
+  }
+  give_back(scene, solver);
+}
+
+}  // namespace
+
+Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
+  const comm::Communicator& ranks = scene.links.ranks;
+  const model::Model& model = scene.model;
+  Unknowns unknowns = number_unknowns(ranks, model);
+  Stiffness stiffness(ranks, model, unknowns);
+  comm::LinearSystem system(ranks, method_of(settings.linear), unknowns.total, unknowns.row);
+  Solver solver{settings,
+                std::move(unknowns),
+                std::move(stiffness),
+                std::move(system),
+                {},
+                scene.state.history,
+                {},
+                {},
+                0,
+                {},
+                {},
+                {}};
+  solver.u.resize(3 * solver.unknowns.node.size());
+  solver.held.assign(scene.state.nodes.size(), no_index);
+  for (std::size_t k = 0; k < model.constrained.size(); ++k)
+    solver.held[static_cast<std::size_t>(model.constrained[k].node)] = static_cast<LocalIndex>(k);
+  solver.trial.displacement.assign(3 * scene.state.nodes.size(), 0.0);
+  solver.trial.velocity.assign(3 * scene.state.nodes.size(), 0.0);
+  scale_supports(scene, solver);
+  start_memory(scene, solver);
+  return solver;
+}
+
+void add_arrays(const model::Model& model, Solver& solver, model::Registry& registry) {
+  const auto nodal = [&](const char* name, std::vector<double>& values) {
+    registry.arrays.push_back(
+        {name, model::StateArray::Entity::node, -1, model.nodes(), 3, values.data(), 1, 3, 1, 0, true, true});
+  };
+  // the same arrays on every rank, also on one without nodes
+  Memory& memory = solver.memory;
+  const Remembered kept = remembered(model, solver.settings);
+  nodal("internal_force", memory.internal_force);
+  if (kept.load) nodal("load", memory.load);
+  if (kept.inertial) nodal("inertial_internal", memory.inertial_internal);
+  if (kept.inertial && kept.load) nodal("inertial_load", memory.inertial_load);
+  if (kept.acceleration) nodal("acceleration", memory.acceleration);
+  registry.arrays.push_back({"step_length", model::StateArray::Entity::global, -1, 1, step_length_values,
+                             &memory.length.level, 1, step_length_values, 1, 0, true, true});
+}
+
+}  // namespace brunt::implicit

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/implicit/step.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include "brunt/comm/exact_sum.hpp"
+#include "brunt/comm/newton.hpp"
+#include "brunt/core/error.hpp"
+#include "brunt/implicit/balance.hpp"
+#include "brunt/implicit/commit.hpp"
+
+namespace brunt::implicit {
+namespace {
+
+/// Adds the time of its life to an account [s].
+class Measure {
+ public:
+  explicit Measure(double& account) : account_(account) {}
+  Measure(const Measure&) = delete;
+  Measure& operator=(const Measure&) = delete;
+  ~Measure() { account_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& account_;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// The node of this many unknowns with the largest part, the one with the least number of equals. Collective.
+Unbalanced largest_of(const Scene& scene, const Solver& solver, std::span<const double> values) {
+  Unbalanced most;
+  for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k) {
+    const double size = Vec3(&values[3 * k]).norm();
+    if (size > most.force || std::isnan(size))
+      most = {size, scene.model.mesh.node_gid[static_cast<std::size_t>(solver.unknowns.node[k])]};
+  }
+  const double largest = scene.links.ranks.max(most.force);
+  const GlobalIndex mine = most.force == largest && most.gid >= 0 ? -most.gid : -scene.model.mesh.global_nodes;
+  const GlobalIndex gid = -scene.links.ranks.max(mine);
+  return {largest, gid < scene.model.mesh.global_nodes ? gid : -1};
+}
+
+/// Newton's iteration of one step and what it knows when it ends.
+struct Attempt {
+  comm::NewtonResult newton;
+  comm::Factorised factors;
+  Unbalanced worst;
+  std::vector<double> floating;  ///< a direction in which nothing holds the bodies, if the matrix was singular
+};
+
+Attempt iterate(const Scene& scene, Solver& solver) {
+  Attempt attempt;
+  Trial& trial = solver.trial;
+  comm::NewtonProblem problem;
+  problem.residual = [&](std::span<const double> u, std::span<double> residual) {
+    const Measure timed(solver.work.force_seconds);
+    if (!find_forces(scene, solver, u)) return false;
+    balance(scene, solver, residual);
+    return true;
+  };
+  problem.judge = [&](int iteration, std::span<const double>, std::span<const double> residual) {
+    const Balance& now = trial.balance;
+    trial.ratios.push_back(now.given > 0 ? now.left / now.given : 0.0);
+    if (now.left <= std::max(solver.settings.tolerance * now.given, now.rounding))
+      return comm::NewtonVerdict::converged;
+    if (iteration < most_iterations && std::isfinite(now.left)) return comm::NewtonVerdict::go_on;
+    attempt.worst = largest_of(scene, solver, residual);
+    return comm::NewtonVerdict::give_up;
+  };
+  problem.solve = [&](std::span<const double>, std::span<const double> residual, std::span<double> correction) {
+    {
+      const Measure timed(solver.work.factorise_seconds);
+      attempt.factors = factorise_tangent(scene, solver);
+    }
+    solver.work.factor_bytes = std::max(solver.work.factor_bytes, attempt.factors.memory);
+    if (!attempt.factors.ok()) {
+      if (attempt.factors.status == comm::FactorStatus::singular) attempt.floating = solver.system.null_direction();
+      return false;
+    }
+    const Measure timed(solver.work.solve_seconds);
+    (void)solver.system.solve(residual, correction);
+    std::array<comm::ExactAccumulator, 1> sum;
+    for (std::size_t k = 0; k < residual.size(); ++k) sum[0].add(residual[k] * correction[k]);
+    std::array<double, 1> energy{};
+    comm::exact_sum(scene.links.ranks, sum, energy);
+    trial.energy = energy[0];
+    return true;
+  };
+  attempt.newton = comm::newton(scene.links.ranks, solver.u, problem);
+  return attempt;
+}
+
+std::string cause_of(const Attempt& attempt, const Trial& trial) {
+  switch (attempt.newton.reason) {
+    case comm::NewtonReason::inadmissible:
+      return "an element loses its volume at an iterate";
+    case comm::NewtonReason::singular:
+      return "the stiffness is singular: the body has lost its stability, or nothing holds it";
+    default:
+      break;
+  }
+  return fmt::format("forces left are {:.2g} of those that act after {} iterations",
+                     trial.ratios.empty() ? 1.0 : trial.ratios.back(), attempt.newton.iterations);
+}
+
+/// What cannot be mended by a shorter step.
+void refuse_hopeless(const Scene& scene, const Solver& solver, const Attempt& attempt,
+                     const std::function<std::string(GlobalIndex)>& place) {
+  using comm::FactorStatus;
+  const FactorStatus status = attempt.factors.status;
+  if (status == FactorStatus::out_of_memory || status == FactorStatus::failed)
+    throw MachineError("the linear solver failed: " + attempt.factors.message);
+  if (status != FactorStatus::singular || solver.settings.scheme != model::Scheme::statics) return;
+  if (attempt.newton.iterations > 0 || scene.links.ranks.max(static_cast<GlobalIndex>(attempt.floating.size())) == 0)
+    return;
+  const Unbalanced most = largest_of(scene, solver, attempt.floating);
+  throw GuardError(
+      fmt::format("{} is free to float at t = {:g}, step {}: nothing holds it ({} motion{} without resistance). A "
+                  "static state needs "
+                  "supports, symmetry or ties against each rigid motion",
+                  place(most.gid), scene.state.time, static_cast<GlobalIndex>(scene.state.step),
+                  attempt.factors.null_pivots, attempt.factors.null_pivots == 1 ? "" : "s"));
+}
+
+[[noreturn]] void stop(const Scene& scene, const Solver& solver, const Attempt& attempt,
+                       const std::function<std::string(GlobalIndex)>& place) {
+  throw GuardError(fmt::format(
+      "Newton's iteration fails at t = {:g}, step {}, with the least step {:g} (solver.min_step {:g}): {}{}",
+      scene.state.time, static_cast<GlobalIndex>(scene.state.step), solver.trial.rule.dt, solver.settings.min_step,
+      cause_of(attempt, solver.trial),
+      attempt.worst.gid >= 0
+          ? fmt::format("; most is left at {}, {:.3g} [force]", place(attempt.worst.gid), attempt.worst.force)
+          : ""));
+}
+
+}  // namespace
+
+void advance(const Scene& scene, Solver& solver, const std::function<std::string(GlobalIndex gid)>& place) {
+  StepLength& length = solver.memory.length;
+  for (;;) {
+    begin_step(scene, solver, step_of(solver.settings, length), next_time(solver.settings, length));
+    const Attempt attempt = iterate(scene, solver);
+    solver.work.iterations += attempt.newton.iterations;
+    if (attempt.newton.reason == comm::NewtonReason::converged) {
+      commit_step(scene, solver);
+      count_step(solver.settings, attempt.newton.iterations, length);
+      ++solver.work.steps;
+      solver.work.most_iterations = std::max(solver.work.most_iterations, GlobalIndex{attempt.newton.iterations});
+      solver.work.last_ratios = solver.trial.ratios;
+      return;
+    }
+    give_back(scene, solver);
+    refuse_hopeless(scene, solver, attempt, place);
+    if (!halve(solver.settings, length)) stop(scene, solver, attempt, place);
+    ++solver.work.halved;
+  }
+}
+
+}  // namespace brunt::implicit

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Held and driven nodes over one step.
+#include "brunt/implicit/balance.hpp"
+#include "brunt/model/curve.hpp"
+
+namespace brunt::implicit {
+namespace {
+
+struct Given {
+  double travel = 0, velocity = 0;
+};
+
+/// From t_n to t_{n+1}, exact for curves that are linear within the step. The velocity of a displacement that is given
+/// is its mean over the step.
+Given driven(const model::Drive& drive, double velocity_before, double from, double to) {
+  const double dt = to - from;
+  switch (drive.gives) {
+    case model::Drive::Gives::displacement: {
+      const double travel = drive.scale * (model::value_at(drive.curve, to) - model::value_at(drive.curve, from));
+      return {travel, travel / dt};
+    }
+    case model::Drive::Gives::acceleration: {
+      const double a0 = drive.scale * model::value_at(drive.curve, from);
+      const double a1 = drive.scale * model::value_at(drive.curve, to);
+      return {dt * velocity_before + dt * dt / 6 * (2 * a0 + a1),
+              velocity_before + drive.scale * model::integral(drive.curve, from, to)};
+    }
+    case model::Drive::Gives::velocity:
+      break;
+  }
+  return {drive.scale * model::integral(drive.curve, from, to), drive.scale * model::value_at(drive.curve, to)};
+}
+
+}  // namespace
+
+void prescribe(const Scene& scene, Trial& trial) {
+  const model::Model& model = scene.model;
+  trial.given.assign(model.constrained.size(), Vec3::Zero());
+  trial.given_velocity.assign(model.constrained.size(), Vec3::Zero());
+  for (std::size_t k = 0; k < model.constrained.size(); ++k) {
+    const model::ConstrainedNode& node = model.constrained[k];
+    for (int c = 0; c < 3; ++c) {
+      const std::int32_t drive = node.drive[static_cast<std::size_t>(c)];
+      if (drive < 0) continue;
+      const double before = trial.velocity[3 * static_cast<std::size_t>(node.node) + static_cast<std::size_t>(c)];
+      const Given given = driven(model.drives[static_cast<std::size_t>(drive)], before, trial.time_before, trial.time);
+      trial.given[k][c] = given.travel;
+      trial.given_velocity[k][c] = given.velocity;
+    }
+  }
+}
+
+}  // namespace brunt::implicit

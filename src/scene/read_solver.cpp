@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// `solver`: how an implicit scene goes through time. Read after `run`, whose end gives the default of the step.
+#include <cmath>
+
+#include "brunt/scene/sections.hpp"
+
+namespace brunt::scene {
+namespace {
+
+using model::ImplicitSolver;
+using model::LinearSolver;
+using model::Scheme;
+
+constexpr double default_steps = 100;    // of a run whose scene names no step
+constexpr double default_halvings = 10;  // from `step` to `min_step`
+constexpr Range to_a_third{0, 1.0 / 3.0, true, true, "a number from 0 to 1/3"};
+constexpr std::string_view accepted =
+    "implicit, explicit, or a map {scheme, step, min_step, max_step, tolerance, linear, alpha}";
+
+/// The bounds of the step lie on both sides of it.
+void check_bounds(Section& section, const ImplicitSolver& solver) {
+  constexpr double rounding = 1e-9;
+  if (solver.min_step > (1 + rounding) * solver.step)
+    fault(section.at("min_step"), "is above step; accepted: a number > 0, at most step");
+  if (solver.max_step < (1 - rounding) * solver.step)
+    fault(section.at("max_step"), "is below step; accepted: a number, step at least");
+}
+
+void read_map(Section& section, ImplicitSolver& solver) {
+  static const Choices<Scheme> schemes{{{"static", Scheme::statics},
+                                        {"contact_implicit", Scheme::contact_implicit},
+                                        {"hht", Scheme::hht},
+                                        {"newmark", Scheme::newmark}},
+                                       {}};
+  static const Choices<LinearSolver> linears{{{"direct", LinearSolver::direct}, {"mumps", LinearSolver::mumps}}, {}};
+  section.optional("scheme", solver.scheme, schemes);
+  section.optional("step", solver.step, positive);
+  section.optional("tolerance", solver.tolerance, below_one);
+  section.optional("linear", solver.linear, linears);
+  if (section.optional("alpha", solver.alpha, to_a_third) && solver.scheme != Scheme::hht)
+    fault(section.at("alpha"), "only scheme: hht has an alpha; accepted: no alpha, or scheme: hht");
+  section.optional("min_step", solver.min_step, positive);
+  section.optional("max_step", solver.max_step, positive);
+}
+
+/// What the scene does not say.
+bool fill_defaults(const Input& input, ImplicitSolver& solver) {
+  if (solver.step == 0 && input.run.end) solver.step = *input.run.end / default_steps;
+  if (solver.min_step == 0) solver.min_step = solver.step * std::exp2(-default_halvings);
+  if (solver.max_step == 0) solver.max_step = solver.step;
+  return solver.step > 0;
+}
+
+}  // namespace
+
+void read_solver(Section& scene, Input& input) {
+  if (!scene.has("solver")) return;
+  const Key key = scene.at("solver");
+  ImplicitSolver solver;
+  if (key.tree && key.tree->kind == Tree::Kind::value) {
+    static const Choices<bool> words{{{"implicit", true}, {"explicit", false}}, {}};
+    bool implicit = false;
+    if (!read(key, implicit, words) || !implicit) return;
+    if (!fill_defaults(input, solver)) {
+      if (!input.run.steps) return;  // which is a fault of `run`
+      fault(key, "has no step; accepted: a map with step: time, or run.end, a hundredth of which is the step");
+    }
+    input.implicit = solver;
+    return;
+  }
+  Section section(key, accepted);
+  read_map(section, solver);
+  if (fill_defaults(input, solver))
+    check_bounds(section, solver);
+  else if (input.run.steps)
+    lacking(section.key(), {"step"}, "no step is given; accepted: step: time");
+  input.implicit = solver;
+}
+
+}  // namespace brunt::scene

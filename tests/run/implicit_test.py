@@ -1,0 +1,151 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Implicit scenes as a user runs them: the same bits on any number of ranks and after a restart, a parallel solver that agrees, steps that
+are halved, bodies that float, what such scenes may not ask for. Needs BRUNT and BRUNT_RUN (scripts/run) in the environment."""
+import csv
+import glob
+import os
+import unittest
+
+from run_test import Program
+
+# Hexahedra and tetrahedra-free: a block of two parts that share nodes' places only by a gap, under pressure, weight and a drive.
+BENT = """\
+units: none
+mesh: {box: {part: bar, size: [1, 1, 4], elements: [3, 2, 8]}}
+materials: {m: {model: MODEL, density: 2, young: 100, poisson: 0.3YIELD}}
+parts: {bar: {material: m, element: hex8_full}}
+fixed: [{set: bar_zmin, dofs: [x, y, z]}]
+sets: {corner: {part: bar, box: [[0, 0, 4], [0, 0, 4]]}}
+curves: {ramp: [[0, 0], [1, 1]], pull: [[0, 0], [1, 0.3]]}
+pressure: [{set: bar_xmax, value: 0.3, curve: ramp}]
+prescribed: [{set: corner, dof: y, displacement: pull}]
+gravity: {vector: [0, 0, -0.1]}
+solver: {scheme: SCHEME, step: 0.1}
+run: {end: 1}
+output: {every: 0.5, fields: [displacement, velocity, stress]}
+probes: [{name: foot, set: bar_zmin, field: reaction}, {name: tip, near: [1, 1, 4], field: displacement}]
+"""
+
+
+def scene(model="neo_hookean", scheme="contact_implicit", step="0.1"):
+    text = BENT.replace("MODEL", model).replace("SCHEME", scheme).replace("step: 0.1", f"step: {step}")
+    return text.replace("YIELD", ", yield: 3, hardening: 10" if model == "j2" else "")
+
+
+class Implicit(Program):
+    def rows(self, result):
+        return list(csv.DictReader(self.text(result, "history.csv").splitlines()))
+
+    def test_same_bits_on_any_number_of_ranks(self):
+        for model, scheme in (("neo_hookean", "contact_implicit"), ("j2", "static"), ("j2", "hht")):
+            self.write("bent.yaml", scene(model, scheme))
+            for ranks in (1, 2, 3, 4):
+                self.run_scene(ranks, "bent.yaml", "--out", f"out{ranks}", "--force")
+            first = self.summary("out1")
+            self.assertGreaterEqual(first["steps"], 10)
+            self.assertGreater(first["implicit"]["iterations_mean"], 1.5)
+            self.assertLess(first["momentum_error"], 1e-9)
+            for ranks in (2, 3, 4):
+                self.assertEqual(self.summary(f"out{ranks}")["state_hash"], first["state_hash"])
+                self.assertEqual(self.text(f"out{ranks}", "history.csv"), self.text("out1", "history.csv"))
+            if scheme != "hht":
+                self.assertLess(first["energy"]["error_ratio"], 1e-9)
+
+    def test_restart_on_other_ranks_gives_the_same_bits(self):
+        for scheme in ("contact_implicit", "newmark", "hht", "static"):
+            self.write("bent.yaml", scene(scheme=scheme))
+            self.run_scene(1, "bent.yaml", "--out", "whole", "--force")
+            self.run_scene(2, "bent.yaml", "--out", "part", "--force", "--set", "run.end=0.5")
+            self.run_scene(3, "bent.yaml", "--out", "part", "--restart", "part")
+            self.assertEqual(self.summary("part")["state_hash"], self.summary("whole")["state_hash"])
+            self.assertEqual(self.text("part", "history.csv"), self.text("whole", "history.csv"))
+
+    def test_a_rank_without_unknowns(self):
+        self.write("one.yaml", scene().replace("elements: [3, 2, 8]", "elements: [1, 1, 1]"))
+        for ranks in (1, 4):
+            self.run_scene(ranks, "one.yaml", "--out", f"one{ranks}")
+        self.assertEqual(self.summary("one4")["state_hash"], self.summary("one1")["state_hash"])
+
+    def test_records_are_of_the_ends_of_steps_and_the_end_is_met(self):
+        self.write("bent.yaml", scene(scheme="static"))
+        self.run_scene(1, "bent.yaml", "--out", "out")
+        rows = self.rows("out")
+        self.assertEqual([int(row["step"]) for row in rows], list(range(11)))
+        self.assertAlmostEqual(float(rows[-1]["time [1]"]), 1, delta=1e-12)
+        self.assertEqual(self.summary("out")["stopped_by"], "end")
+        self.assertLess(float(rows[-1]["tip.x [1]"]), -0.1)
+        self.assertEqual(float(rows[-1]["kinetic [1]"]), 0)
+
+    def test_the_foot_carries_the_weight(self):
+        self.write("hang.yaml", scene(scheme="static"))
+        self.run_scene(1, "hang.yaml", "--out", "out", "--set", "pressure=null", "--set", "prescribed=null")
+        weight = 0.1 * 2 * 4
+        for row in self.rows("out")[2:]:  # forces are means over steps, and the first begins without loads
+            self.assertAlmostEqual(float(row["foot.z [1]"]), weight, delta=1e-9 * weight)
+
+    def test_a_parallel_solver_agrees(self):
+        self.write("bent.yaml", scene())
+        self.run_scene(1, "bent.yaml", "--out", "direct")
+        for ranks in (1, 2, 3):
+            self.run_scene(ranks, "bent.yaml", "--out", "mumps", "--force", "--set", "solver.linear=mumps")
+            self.assertFalse(self.summary("mumps")["implicit"]["same_bits_on_any_ranks"])
+            # of the history the total is rounding alone
+            told = self.brunt("compare", "direct", "mumps", "--tol", "1e-8").stdout
+            fields = [line.split() for line in told.splitlines() if line.startswith(("node/", "element/"))]
+            self.assertEqual(len(fields), 3)
+            for _, _, relative, *_ in fields:
+                self.assertLess(float(relative), 1e-8)
+
+    def test_steps_are_halved_where_the_iteration_fails(self):
+        # a cube pressed to a third within one step: the first iterate turns elements inside out
+        self.write("press.yaml", scene(scheme="static", step="1").replace("value: 0.3", "value: 0.1").replace(
+            "prescribed: [{set: corner, dof: y, displacement: pull}]",
+            "prescribed: [{set: bar_zmax, dof: z, displacement: down}]").replace("pull: [[0, 0], [1, 0.3]]", "down: [[0, 0], [1, -3.0]]"))
+        self.run_scene(1, "press.yaml", "--out", "out")
+        told = self.summary("out")["implicit"]
+        self.assertGreater(told["halved"], 0)
+        self.assertAlmostEqual(self.summary("out")["end_time"], 1, delta=1e-12)
+        self.run_scene(2, "press.yaml", "--out", "part", "--set", "run.steps=3")
+        self.run_scene(1, "press.yaml", "--out", "part", "--restart", "part", "--set", "run.steps=10000")
+        self.assertEqual(self.summary("part")["state_hash"], self.summary("out")["state_hash"])
+
+    def test_no_step_is_small_enough(self):
+        self.write("crush.yaml", scene(scheme="static").replace("displacement: pull}", "displacement: pull}, {set: bar_zmax, dof: z, displacement: down}").replace(
+            "pull: [[0, 0], [1, 0.3]]", "pull: [[0, 0], [1, 0.3]], down: [[0, 0], [1, -6]]"))
+        for ranks in (1, 2):
+            told = self.run_scene(ranks, "crush.yaml", "--out", f"out{ranks}", code=3)
+            self.assertRegex(told, r"Newton's iteration fails at t = 0\.\d+, step \d+, with the least step \S+ \(solver.min_step \S+\): ")
+            self.assertEqual(self.summary(f"out{ranks}")["stopped_by"], "guard")
+            self.assertEqual(len(glob.glob(os.path.join(self.folder, f"out{ranks}", "checkpoint_*.h5"))), 1)
+        self.assertEqual(self.summary("out1")["state_hash"], self.summary("out2")["state_hash"])
+
+    def test_a_body_that_floats_is_named(self):
+        self.write("float.yaml", scene(scheme="static").replace("mesh: {box: {part: bar", "mesh:\n  - {box: {part: loose, size: [1, 1, 1], elements: [1, 1, 2], at: [5, 0, 0]}}\n  - {box: {part: bar").replace(
+            "parts: {bar:", "parts: {loose: {material: m, element: hex8_full}, bar:"))
+        for ranks in (1, 2):
+            told = self.run_scene(ranks, "float.yaml", "--out", f"out{ranks}", code=3)
+            self.assertIn("part loose, node", told)
+            self.assertIn("is free to float at t = 0, step 0", told)
+
+    def test_what_implicit_scenes_may_not_ask_for(self):
+        wrong = {
+            "element: hex8_full": ("element: hex8", "bar.element: hex8 has no stiffness against its hourglass modes"),
+            "run: {end: 1}": ("run: {end: 1, cfl: 0.5}", "run.cfl: no stable step bounds an implicit scene"),
+            "gravity:": ("damping: {alpha: 1}\ngravity:", "damping: is for explicit scenes"),
+            "solver: {scheme: contact_implicit, step: 0.1}":
+                ("solver: {scheme: contact_implicit, step: 0.1, alpha: 0.1}", "solver.alpha: only scheme: hht has an alpha"),
+            "step: 0.1}": ("step: 0.1, min_step: 0.2}", "solver.min_step: is above step"),
+            "scheme: contact_implicit": ("scheme: implicit", "solver.scheme: 'implicit' is unknown, nearest is 'static'; accepted: static, contact_implicit, hht, newmark"),
+            "fixed:": ("contact: [{between: all}]\nfixed:", "contact: is for explicit scenes as yet"),
+            "probes:": ("rigid_walls: [{point: [0, 0, -1], normal: [0, 0, 1]}]\nprobes:", "rigid_walls: are for explicit scenes as yet"),
+        }
+        for old, (new, message) in wrong.items():
+            self.write("wrong.yaml", scene().replace(old, new))
+            told = self.run_scene(1, "wrong.yaml", "--out", "wrong", code=2)
+            self.assertIn(message, told)
+            self.assertEqual(len(told.strip().splitlines()), 1, told)
+
+
+if __name__ == "__main__":
+    unittest.main()
