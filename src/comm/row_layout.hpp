@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the rows that ranks own become the rows that a solver wants, and vectors with them: all on the root in canonical
+// order, or each rank's own behind those of the ranks below it. Every member is collective.
+#pragma once
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brunt/comm/linear_system.hpp"
+#include "sparse_factors.hpp"
+
+namespace brunt::comm {
+
+class RowLayout {
+ public:
+  virtual ~RowLayout() = default;
+  /// The solver's communicator; on ranks that take no part MPI_COMM_NULL.
+  [[nodiscard]] virtual MPI_Comm solver_ranks() const = 0;
+  /// The rows of this rank in the solver's numbers, and whether their columns are those of the last call (on all
+  /// ranks).
+  virtual bool to_solver(const SparseRows& rows, RowRange& range) = 0;
+  [[nodiscard]] virtual std::vector<double> to_solver(std::span<const double> owned) const = 0;
+  virtual void from_solver(std::span<const double> values, std::span<double> owned) const = 0;
+};
+
+std::unique_ptr<RowLayout> gathered_rows(const Communicator& ranks, GlobalIndex unknowns,
+                                         std::span<const GlobalIndex> owned_rows);
+std::unique_ptr<RowLayout> renumbered_rows(const Communicator& ranks, GlobalIndex unknowns,
+                                           std::span<const GlobalIndex> owned_rows);
+
+}  // namespace brunt::comm
