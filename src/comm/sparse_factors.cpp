@@ -31,6 +31,9 @@ constexpr PetscInt scale_by_values = 7;
 constexpr const char* prefix = "brunt_linear_";
 constexpr const char* ordering = "-brunt_linear_mat_mumps_icntl_7";
 constexpr const char* pord = "4";
+// Null vectors are not to be had with a distributed right-hand side (PETSc's default).
+constexpr const char* right_hand_side = "-brunt_linear_mat_mumps_icntl_20";
+constexpr const char* on_the_root = "0";
 
 // Pivots below this share of the largest entry of the scaled matrix (which is 1) are zero but for rounding. A body that
 // floats leaves some 1e-16 times the growth of the elimination; the least pivot of a held body is about its lowest
@@ -86,7 +89,8 @@ void SparseFactors::make_matrix() {
 void SparseFactors::analyse(PetscInt relaxation) {
   const PetscErrors petsc;
   free_factors();
-  petsc.check(PetscOptionsSetValue(nullptr, ordering, pord));  // PETSc takes the ordering from its options alone
+  petsc.check(PetscOptionsSetValue(nullptr, ordering, pord));  // PETSc takes these two from its options alone
+  petsc.check(PetscOptionsSetValue(nullptr, right_hand_side, on_the_root));
   petsc.check(MatSetOptionsPrefixFactor(matrix_, prefix));
   petsc.check(MatGetFactor(matrix_, MATSOLVERMUMPS, MAT_FACTOR_LU, &factors_));
   petsc.check(MatMumpsSetIcntl(factors_, control::printing, 0));
