@@ -218,15 +218,14 @@ NewtonResult newton(const Communicator& ranks, std::span<double> x, const Newton
   const PetscErrors petsc;
   Objects objects;
   Drive drive{problem, petsc};
-  PetscErrorCode code = 0;
   try {
     set_up(ranks, x, drive, objects);
-    code = SNESSolve(objects.snes, nullptr, objects.x);
-    if (!drive.thrown) petsc.check(code);
+    const PetscErrorCode code = SNESSolve(objects.snes, nullptr, objects.x);
+    if (drive.thrown) std::rethrow_exception(drive.thrown);
+    petsc.check(code);
   } catch (const PetscFailure& failure) {
     throw MachineError(failure.what());
   }
-  if (drive.thrown) std::rethrow_exception(drive.thrown);
   if (!drive.stopped) drive.stop(NewtonReason::inadmissible);  // PETSc stops by itself where a residual is not finite
   return drive.result;
 }

@@ -30,12 +30,21 @@ constexpr PetscInt scale_by_values = 7;
 // PORD: half the operations of the default in three dimensions (20^3 hexahedra: 35 Gflop, approximate minimum fill 68).
 constexpr const char* prefix = "brunt_linear_";
 constexpr const char* ordering = "-brunt_linear_mat_mumps_icntl_7";
-constexpr const char* pord = "5";
+constexpr const char* pord = "4";
+// Null vectors are not to be had with a distributed right-hand side (PETSc's default).
+constexpr const char* right_hand_side = "-brunt_linear_mat_mumps_icntl_20";
+constexpr const char* on_the_root = "0";
 
-// Pivots below this share of the largest entry of the scaled matrix (which is 1) are zero but for rounding. A body that
-// floats leaves some 1e-16 times the growth of the elimination; the least pivot of a held body is about its lowest
-// eigenvalue to its highest.
-constexpr double null_pivot = 1e-13;
+// Pivots below this share of the largest entry of the scaled matrix (which is 1) are zero beyond doubt: rows of zeros,
+// rows that repeat others. Held bodies have larger ones (a strip 10^4 times as long as thick: 1e-11).
+constexpr double surely_null = 1e-13;
+// A body that floats leaves larger ones, too: 1e-12 (a cube of 10 elements an edge) to 1e-8 (a plate 300 times as wide
+// as thick), rounding times what elimination makes of it. They are asked for only where the matrix was found singular.
+constexpr double null_if_singular = 1e-8;
+// Inverse iteration finds it: the smallest value of the equilibrated matrix was seen at 3e-18 to 1e-16 where bodies
+// float, at 3e-11 for a bar 400 times as long as thick, at 4e-13 for a strip 10^4 times as long as thick.
+constexpr double smallest_value = 1e-14;
+constexpr int inverse_iterations = 3, scaling_sweeps = 5;
 
 // Work space beyond the estimate [%]: pivots that are put off (zeros on the diagonal) need it. Tried one by one.
 constexpr std::array<PetscInt, 4> relaxations{50, 200, 800, 3200};
@@ -43,6 +52,11 @@ constexpr PetscInt work_space_too_small = -9, index_space_too_small = -8, no_mem
 
 constexpr int most_refinements = 2;
 constexpr double accurate = 2 * std::numeric_limits<double>::epsilon();
+
+/// A NaN wins, and stays.
+void keep_largest(double& largest, double value) {
+  if (!(value <= largest) && !std::isnan(largest)) largest = value;
+}
 
 double largest_of_ranks(MPI_Comm comm, double value) {
   // a NaN must win: the reduction may lose it
@@ -86,7 +100,8 @@ void SparseFactors::make_matrix() {
 void SparseFactors::analyse(PetscInt relaxation) {
   const PetscErrors petsc;
   free_factors();
-  petsc.check(PetscOptionsSetValue(nullptr, ordering, pord));  // PETSc takes the ordering from its options alone
+  petsc.check(PetscOptionsSetValue(nullptr, ordering, pord));  // PETSc takes these two from its options alone
+  petsc.check(PetscOptionsSetValue(nullptr, right_hand_side, on_the_root));
   petsc.check(MatSetOptionsPrefixFactor(matrix_, prefix));
   petsc.check(MatGetFactor(matrix_, MATSOLVERMUMPS, MAT_FACTOR_LU, &factors_));
   petsc.check(MatMumpsSetIcntl(factors_, control::printing, 0));
@@ -94,7 +109,6 @@ void SparseFactors::analyse(PetscInt relaxation) {
   petsc.check(MatMumpsSetIcntl(factors_, control::scaling, scale_by_values));
   petsc.check(MatMumpsSetIcntl(factors_, control::relaxation, relaxation));
   petsc.check(MatMumpsSetIcntl(factors_, control::detect_null, 1));
-  petsc.check(MatMumpsSetCntl(factors_, control::null_threshold, null_pivot));
   MatFactorInfo fill;
   petsc.check(MatFactorInfoInitialize(&fill));
   petsc.check(MatLUFactorSymbolic(factors_, matrix_, nullptr, nullptr, &fill));
@@ -106,7 +120,7 @@ PetscInt SparseFactors::info(PetscInt which) const {
   return value;
 }
 
-Factorised SparseFactors::factorise_with(PetscInt relaxation) {
+Factorised SparseFactors::factorise_with(PetscInt relaxation, double null_pivot) {
   const PetscErrors petsc;
   Factorised done;
   if (factors_ == nullptr) {
@@ -116,6 +130,7 @@ Factorised SparseFactors::factorise_with(PetscInt relaxation) {
   if (info(result::status) >= 0) {
     MatFactorInfo fill;
     petsc.check(MatFactorInfoInitialize(&fill));
+    petsc.check(MatMumpsSetCntl(factors_, control::null_threshold, null_pivot));
     petsc.check(MatLUFactorNumeric(factors_, matrix_, &fill));
   }
   const PetscInt status = info(result::status);
@@ -131,17 +146,36 @@ Factorised SparseFactors::factorise_with(PetscInt relaxation) {
   return done;
 }
 
+Factorised SparseFactors::factorise_with_room(double null_pivot) {
+  Factorised done;
+  bool analysed = false;
+  for (const PetscInt relaxation : relaxations) {
+    done = factorise_with(relaxation, null_pivot);
+    analysed = analysed || done.analysed;
+    const bool again = done.status == FactorStatus::out_of_memory && info(result::status) != no_memory;
+    if (done.status == FactorStatus::out_of_memory || done.status == FactorStatus::failed) free_factors();
+    if (!again) break;
+  }
+  done.analysed = analysed;
+  return done;
+}
+
 Factorised SparseFactors::factorise(RowRange&& rows, bool same_pattern) {
   Factorised done;
   try {
     rows_ = std::move(rows);
+    floating_.clear();
     make_matrix();
     if (!same_pattern) free_factors();
-    for (const PetscInt relaxation : relaxations) {
-      done = factorise_with(relaxation);
-      const bool again = done.status == FactorStatus::out_of_memory && info(result::status) != no_memory;
-      if (done.status == FactorStatus::out_of_memory || done.status == FactorStatus::failed) free_factors();
-      if (!again) break;
+    done = factorise_with_room(surely_null);
+    if (done.status == FactorStatus::singular || (done.ok() && is_singular())) {
+      const bool analysed = done.analysed;
+      done = factorise_with_room(null_if_singular);
+      done.analysed = analysed || done.analysed;
+      if (done.ok()) {  // no pivot tells, but one direction is known
+        done.status = FactorStatus::singular;
+        done.null_pivots = 1;
+      }
     }
   } catch (const PetscFailure& failure) {
     free_factors();
@@ -153,6 +187,41 @@ Factorised SparseFactors::factorise(RowRange&& rows, bool same_pattern) {
     done.message = "no memory for the rows of the matrix";
   }
   return done;
+}
+
+/// s with entries s_i a_ij s_j of at most some 1: displacements, multipliers and bodies of any stiffness side by side.
+std::vector<double> SparseFactors::equilibration() {
+  std::vector<double> s(static_cast<std::size_t>(rows_.rows()), 1.0), next = s;
+  for (int sweep = 0; sweep < scaling_sweeps; ++sweep) {
+    const std::span<const double> every = of_all_ranks(s);
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      double largest = 0;
+      for (auto k = static_cast<std::size_t>(rows_.begin[i]); k < static_cast<std::size_t>(rows_.begin[i + 1]); ++k)
+        largest = std::max(largest, std::abs(rows_.value[k]) * every[static_cast<std::size_t>(rows_.column[k])]);
+      if (largest > 0) next[i] = std::sqrt(s[i] / largest);
+    }
+    s = next;
+  }
+  return s;
+}
+
+/// Inverse iteration on the equilibrated matrix; the direction that grows is kept in `floating_`.
+bool SparseFactors::is_singular() {
+  const std::vector<double> s = equilibration();
+  std::vector<double> z(s.size()), b(s.size()), y(s.size());
+  for (std::size_t i = 0; i < z.size(); ++i) z[i] = std::sin(static_cast<double>(i + 1));
+  double size = 1;
+  for (int step = 0; step < inverse_iterations; ++step) {
+    for (std::size_t i = 0; i < z.size(); ++i) b[i] = z[i] / s[i];
+    substitute(b, y);
+    size = 0;
+    for (std::size_t i = 0; i < z.size(); ++i) keep_largest(size, std::abs(z[i] = y[i] / s[i]));
+    size = largest_of_ranks(comm_, size);
+    for (double& value : z) value /= size;
+  }
+  if (1 / size > smallest_value) return false;
+  floating_ = std::isfinite(size) ? y : std::vector<double>{};
+  return true;
 }
 
 void SparseFactors::substitute(std::span<const double> b, std::span<double> x) {
@@ -168,21 +237,23 @@ void SparseFactors::substitute(std::span<const double> b, std::span<double> x) {
   petsc.check(VecRestoreArrayRead(solution_, &from));
 }
 
-/// r = b - A x; the largest |r|_i / (|A| |x| + |b|)_i.
-double SparseFactors::residual(std::span<const double> b, std::span<const double> x, std::span<double> r) {
+std::span<const double> SparseFactors::of_all_ranks(std::span<const double> own) {
   int ranks = 1;
   MPI_Comm_size(comm_, &ranks);
-  std::span<const double> every = x;
-  if (ranks > 1) {
-    const PetscInt* first = nullptr;
-    MatGetOwnershipRanges(matrix_, &first);
-    std::vector<int> count(static_cast<std::size_t>(ranks));
-    for (std::size_t k = 0; k < count.size(); ++k) count[k] = first[k + 1] - first[k];
-    every_x_.resize(static_cast<std::size_t>(rows_.unknowns));
-    MPI_Allgatherv(x.data(), static_cast<int>(x.size()), MPI_DOUBLE, every_x_.data(), count.data(), first, MPI_DOUBLE,
-                   comm_);
-    every = every_x_;
-  }
+  if (ranks == 1) return own;
+  const PetscInt* first = nullptr;
+  MatGetOwnershipRanges(matrix_, &first);
+  std::vector<int> count(static_cast<std::size_t>(ranks));
+  for (std::size_t k = 0; k < count.size(); ++k) count[k] = first[k + 1] - first[k];
+  of_all_.resize(static_cast<std::size_t>(rows_.unknowns));
+  MPI_Allgatherv(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, of_all_.data(), count.data(), first, MPI_DOUBLE,
+                 comm_);
+  return of_all_;
+}
+
+/// r = b - A x; the largest |r|_i / (|A| |x| + |b|)_i.
+double SparseFactors::residual(std::span<const double> b, std::span<const double> x, std::span<double> r) {
+  const std::span<const double> every = of_all_ranks(x);
   double worst = 0;
   for (std::size_t i = 0; i < r.size(); ++i) {
     double sum = b[i], size = std::abs(b[i]);
@@ -193,7 +264,7 @@ double SparseFactors::residual(std::span<const double> b, std::span<const double
     }
     r[i] = sum;
     const double share = size == 0 ? 0.0 : std::abs(sum) / size;
-    if (!(share <= worst) && !std::isnan(worst)) worst = share;  // a NaN wins, and stays
+    keep_largest(worst, share);
   }
   return largest_of_ranks(comm_, worst);
 }
@@ -215,13 +286,16 @@ double SparseFactors::solve(std::span<const double> b, std::span<double> x) {
 
 std::vector<double> SparseFactors::null_vector(GlobalIndex which) {
   const PetscErrors petsc;
-  const std::vector<double> nothing(static_cast<std::size_t>(rows_.rows()), 0.0);
-  std::vector<double> direction(nothing.size());
-  petsc.check(MatMumpsSetIcntl(factors_, control::null_vector, static_cast<PetscInt>(which) + 1));
-  substitute(nothing, direction);
-  petsc.check(MatMumpsSetIcntl(factors_, control::null_vector, 0));
+  std::vector<double> direction = floating_;
+  if (info(result::null_pivots) > 0) {
+    const std::vector<double> nothing(static_cast<std::size_t>(rows_.rows()), 0.0);
+    direction.resize(nothing.size());
+    petsc.check(MatMumpsSetIcntl(factors_, control::null_vector, static_cast<PetscInt>(which) + 1));
+    substitute(nothing, direction);
+    petsc.check(MatMumpsSetIcntl(factors_, control::null_vector, 0));
+  }
   double largest = 0;
-  for (const double value : direction) largest = std::max(largest, std::abs(value));
+  for (const double value : direction) keep_largest(largest, std::abs(value));
   largest = largest_of_ranks(comm_, largest);
   if (!(largest > 0 && std::isfinite(largest))) return {};
   for (double& value : direction) value /= largest;

@@ -35,9 +35,13 @@ class SparseFactors {
   std::vector<double> null_vector(GlobalIndex which);
 
  private:
-  Factorised factorise_with(PetscInt relaxation);
+  Factorised factorise_with_room(double null_pivot);
+  Factorised factorise_with(PetscInt relaxation, double null_pivot);
   void analyse(PetscInt relaxation);
   void make_matrix();
+  bool is_singular();
+  std::vector<double> equilibration();
+  std::span<const double> of_all_ranks(std::span<const double> own);
   void free_factors();
   void substitute(std::span<const double> b, std::span<double> x);
   double residual(std::span<const double> b, std::span<const double> x, std::span<double> r);
@@ -49,7 +53,8 @@ class SparseFactors {
   Mat factors_ = nullptr;
   Vec right_ = nullptr;
   Vec solution_ = nullptr;
-  std::vector<double> every_x_;  // of all ranks
+  std::vector<double> of_all_;    // a vector's values of all ranks
+  std::vector<double> floating_;  // a direction without stiffness, of inverse iteration
 };
 
 }  // namespace brunt::comm
