@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fill_order.hpp"
+
+#include <metis.h>
+
+#include <algorithm>
+#include <string>
+
+#include "brunt/core/error.hpp"
+
+namespace brunt::comm {
+namespace {
+
+struct Graph {
+  std::vector<idx_t> begin{0}, neighbour;
+};
+
+/// Neighbours of each unknown in the pattern of A + A^T, itself not among them.
+Graph symmetric_graph(std::span<const PetscInt> begin, std::span<const PetscInt> column) {
+  const std::size_t n = begin.size() - 1;
+  std::vector<std::vector<idx_t>> rows(n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (auto k = static_cast<std::size_t>(begin[i]); k < static_cast<std::size_t>(begin[i + 1]); ++k) {
+      const auto j = static_cast<std::size_t>(column[k]);
+      if (j == i) continue;
+      rows[i].push_back(static_cast<idx_t>(j));
+      rows[j].push_back(static_cast<idx_t>(i));
+    }
+  Graph graph;
+  for (std::vector<idx_t>& row : rows) {
+    std::ranges::sort(row);
+    const auto repeated = std::ranges::unique(row);
+    graph.neighbour.insert(graph.neighbour.end(), row.begin(), repeated.begin());
+    graph.begin.push_back(static_cast<idx_t>(graph.neighbour.size()));
+  }
+  return graph;
+}
+
+}  // namespace
+
+std::vector<PetscInt> elimination_order(std::span<const PetscInt> begin, std::span<const PetscInt> column) {
+  Graph graph = symmetric_graph(begin, column);
+  auto n = static_cast<idx_t>(begin.size() - 1);
+  std::vector<idx_t> order(static_cast<std::size_t>(n)), position(order.size());
+  if (graph.neighbour.empty()) {  // nothing fills in, and METIS takes no graph without edges
+    std::vector<PetscInt> as_given(order.size());
+    for (std::size_t i = 0; i < as_given.size(); ++i) as_given[i] = static_cast<PetscInt>(i);
+    return as_given;
+  }
+  const int status =
+      METIS_NodeND(&n, graph.begin.data(), graph.neighbour.data(), nullptr, nullptr, order.data(), position.data());
+  if (status != METIS_OK) throw MachineError("METIS failed to order a matrix: error " + std::to_string(status));
+  return {position.begin(), position.end()};
+}
+
+}  // namespace brunt::comm
