@@ -68,7 +68,7 @@ double distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 
 }  // namespace
 
-TEST_CASE("a free body of rubber: all schemes converge at second order") {
+TEST_CASE("a free body of rubber: all schemes converge at second order", "[oracle]") {
   constexpr double end = 0.5;
   const std::vector<Vec3> exact = motion_after(Scheme::newmark, end, 3200);
   for (const Scheme scheme : {Scheme::contact_implicit, Scheme::newmark, Scheme::hht}) {
@@ -79,7 +79,7 @@ TEST_CASE("a free body of rubber: all schemes converge at second order") {
   }
 }
 
-TEST_CASE("a free body: the ledger closes, momentum stays to rounding") {
+TEST_CASE("a free body: the ledger closes, momentum stays to rounding", "[law]") {
   for (const Scheme scheme : {Scheme::contact_implicit, Scheme::newmark}) {
     ImplicitBody bar(thrown(), settings_of(scheme, 0.01));
     const time::Ledger start = bar.ledger();
@@ -97,7 +97,7 @@ TEST_CASE("a free body: the ledger closes, momentum stays to rounding") {
   }
 }
 
-TEST_CASE("hht takes energy and gives none") {
+TEST_CASE("hht takes energy and gives none", "[law]") {
   ImplicitBody bar(thrown(), settings_of(Scheme::hht, 0.05, 1.0 / 3));
   const double start = bar.ledger().total();
   bar.steps(200);
@@ -105,7 +105,7 @@ TEST_CASE("hht takes energy and gives none") {
   CHECK((bar.ledger().momentum - Vec3(2, 0, 0)).norm() < 1e-11);
 }
 
-TEST_CASE("a driven foot: what the drive gives is what the body has, by every kind of drive") {
+TEST_CASE("a driven foot: what the drive gives is what the body has, by every kind of drive", "[law]") {
   const std::string given = GENERATE(std::string("velocity"), std::string("displacement"), std::string("acceleration"));
   Simulation bar(mesh::box("b", {1, 1, 2}, {2, 2, 2}),
                  rubber + parts + "curves: {c: [[0, 0], [0.1, 0.2], [0.2, 0.4]]}\nprescribed: [{set: b_zmin, dof: z, " +
@@ -121,7 +121,7 @@ TEST_CASE("a driven foot: what the drive gives is what the body has, by every ki
   CHECK((now.momentum - now.impulse_given).norm() < 1e-11 * now.momentum_scale);
 }
 
-TEST_CASE("a static body under its weight: the sag of a column in one step") {
+TEST_CASE("a static body under its weight: the sag of a column in one step", "[oracle]") {
   // rho g = 1, E = 100, nu = 0: the top of a column of height 2 sinks by rho g h^2 / (2 E) = 0.02 in linear theory; the
   // strain at the foot, 0.02, changes that by its own order
   Simulation column(mesh::box("b", {1, 1, 2}, {1, 1, 8}),
