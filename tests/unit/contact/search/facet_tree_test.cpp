@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
 #include <random>
 
 #include "support/torus_facets.hpp"
@@ -63,6 +65,19 @@ void check_line(const Line& line, const test::Pose& a, const test::Pose& b) {
   CHECK(static_cast<double>(kdops.slave_first) == Approx(static_cast<double>(line.slave_first)).epsilon(0.01));
   CHECK(static_cast<double>(kdops.larger_first) == Approx(static_cast<double>(line.larger_first)).epsilon(0.01));
   CHECK(counts_of<9>(slave, master, by_distance(line.d)).pairs == line.by_distance);
+}
+
+/// Half a ring's surface of radius 10 from an angle on, as a strip of quads between z = 0 and 1. Between the two planes
+/// an 18-DOP has the pairs of the 8-DOP of the plane: the slabs with z in them separate nothing that x or y do not.
+FacetSurface half_ring(int facets, double from, const Vec3& centre) {
+  FacetSurface surface;
+  for (LocalIndex i = 0; i <= facets; ++i) {
+    const double angle = from + std::numbers::pi * i / facets;
+    for (const double z : {0.0, 1.0})
+      surface.positions.push_back(centre + Vec3(10 * std::cos(angle), 10 * std::sin(angle), z));
+    if (i < facets) surface.facets.push_back({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+  }
+  return surface;
 }
 
 /// A wavy strip of quads and triangles with every node displaced at random.
@@ -164,6 +179,26 @@ TEST_CASE("facet trees: counts of pairs and of tests for two tori are those of M
   check_line({40, 1, {234, 234}, 107, 119, 1329, 933}, a, near);
   check_line({80, .5, {531, 531}, 227, 262, 3851, 2099}, a, near);
   check_line({160, .25, {998, 998}, 451, 508, 12273, 4123}, a, near);
+}
+
+TEST_CASE("facet trees: counts of pairs of two half rings are those of M9") {
+  struct Shifted {
+    double by;
+    std::int64_t boxes, kdops;
+  };
+  const std::array<std::pair<int, std::array<Shifted, 3>>, 2> meshes{
+      {{50, {{{0, 3, 0}, {1, 24, 16}, {1.5, 29, 25}}}}, {1000, {{{0, 0, 0}, {1, 100, 78}, {1.5, 30, 18}}}}}};
+  for (const auto& [facets, lines] : meshes)
+    for (const auto& [by, boxes, kdops] : lines) {
+      INFO(facets << " facets, shifted by " << by);
+      const Enlargement quarter = by_distance(0.25 * std::numbers::pi * 10 / facets);
+      const FacetSurface left = half_ring(facets, std::numbers::pi, Vec3(by, 0, 0));
+      const FacetSurface right = half_ring(facets, 0, Vec3(17, -12, 0));
+      CHECK(counts_of<3>(left, right, quarter).pairs == boxes);
+      const Counts found = counts_of<9>(left, right, quarter);
+      CHECK(found.pairs == kdops);
+      if (kdops == 0) CHECK(found.larger_first == 1);
+    }
 }
 
 TEST_CASE("facet trees: 18-DOPs of tori apart are told apart by one test, M9") {
