@@ -32,6 +32,8 @@ mesh::Mesh generate(const scene::MeshEntry& entry) {
           return mesh::sphere(body.part, body.radius, body.elements, {body.finer, body.half});
         else if constexpr (std::is_same_v<Body, scene::TubeMesh>)
           return mesh::tube(body.part, body.inner_radius, body.outer_radius, body.length, body.elements, body.half);
+        else if constexpr (std::is_same_v<Body, scene::TorusMesh>)
+          return mesh::torus(body.part, body.radius, body.tube[0], body.tube[1], body.elements);
         else
           return mesh::plate(body.part, body.size, body.thickness, body.elements);
       },
@@ -42,7 +44,12 @@ mesh::Mesh generate(const scene::MeshEntry& entry) {
 std::string place(mesh::Mesh& piece, const scene::Placement& placement) {
   double farthest = placement.at.cwiseAbs().maxCoeff();
   for (const Vec3& x : piece.coordinates) farthest = std::max(farthest, placement.scale * x.cwiseAbs().maxCoeff());
-  mesh::place(piece, placement.scale, placement.rotate.axis, placement.rotate.degrees, placement.at);
+  const std::vector<scene::Rotation> none(1), &turns = placement.rotate.empty() ? none : placement.rotate;
+  double scale = placement.scale;
+  for (const scene::Rotation& turn : turns) {
+    mesh::place(piece, scale, turn.axis, turn.degrees, &turn == &turns.back() ? placement.at : Vec3::Zero());
+    scale = 1;
+  }
   return mesh::resolution_fault(piece, farthest);
 }
 

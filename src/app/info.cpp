@@ -37,7 +37,8 @@ int info(const comm::Communicator& ranks) {
   fmt::print(
       "contact      node to face and edge to edge, between bodies and of a body with itself, Coulomb friction\n");
   fmt::print("             methods rate, row_sum, printed, kinematic, gap_penalty, penalty, reference\n");
-  fmt::print("meshes       Exodus II, Gmsh 2.2 and 4.1 ASCII, Abaqus .inp; box, cylinder, sphere, tube, plate\n");
+  fmt::print(
+      "meshes       Exodus II, Gmsh 2.2 and 4.1 ASCII, Abaqus .inp; box, cylinder, sphere, tube, torus, plate\n");
   return 0;
 }
 

@@ -96,12 +96,19 @@ void add_compare(CLI::App& program, app::CompareOptions& options, Command& chose
 }
 
 void add_search(CLI::App& program, app::SearchOptions& options, Command& chosen) {
-  CLI::App* search = program.add_subcommand("search", "Contact search alone, on a text scene of nodes and boxes");
-  search->add_option("file", options.file, "Text scene (scene1 NAME n m ...)")->required();
-  search->add_option("--method", options.method, "blocks: the one in use; bucket, binary: those of the paper")
-      ->check(CLI::IsMember({"blocks", "bucket", "binary"}));
+  CLI::App* search =
+      program.add_subcommand("search", "Contact search alone, on a text scene of nodes and boxes or of facets");
+  search
+      ->add_option("file", options.file,
+                   "Text scene: scene1 NAME n m, nodes, boxes; or facets1 NAME n m d, nodes, facets")
+      ->required();
+  search
+      ->add_option(
+          "--method", options.method,
+          "blocks: the one in use; bucket, binary: those of the paper; kdop: trees of 18-DOPs, alone for facets")
+      ->check(CLI::IsMember({"blocks", "bucket", "binary", "kdop"}));
   search->add_option("--repeat", options.repeat, "Time the best of so many runs")->check(CLI::Range(1, 1000));
-  search->add_flag("--list", options.list, "Print the pairs, a line `face node` each");
+  search->add_flag("--list", options.list, "Print the pairs, a line `face node` each, of facets `slave master`");
   search->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::search(ranks, options); }; });
 }
 

@@ -71,6 +71,19 @@ std::string help(const scene::TubeMesh& body, const Difference& found) {
   return fmt::format("about {} elements around would be enough", enough);
 }
 
+std::string help(const scene::TorusMesh& body, const Difference& found) {
+  const int ring = body.elements[0], tube = body.elements[1];
+  const auto around_ring = [&](int around_tube) { return (ring * around_tube + tube - 1) / tube; };
+  const auto with = [&](int around_tube) {
+    return difference(
+        mesh::torus(body.part, body.radius, body.tube[0], body.tube[1], {around_ring(around_tube), around_tube, 1}),
+        mesh::exact_torus(body.radius, body.tube[0], body.tube[1]), body.radius + body.tube[1]);
+  };
+  const int enough = enough_elements(tube, found, with);
+  return fmt::format("about {} elements around the ring and {} around the tube would be enough", around_ring(enough),
+                     enough);
+}
+
 template <class Body>
 void compare(const scene::Input& input, const scene::MeshEntry& entry, const Body& body, double radius,
              const mesh::Mesh& mesh, const mesh::Moments& exact, RoundBodies& result) {
@@ -100,6 +113,10 @@ RoundBodies round_bodies(const scene::Input& input) {
       compare(input, entry, *body, body->outer_radius,
               mesh::tube(body->part, body->inner_radius, body->outer_radius, body->length, body->elements, body->half),
               mesh::exact_tube(body->inner_radius, body->outer_radius, body->length, body->half), result);
+    if (const auto* body = std::get_if<scene::TorusMesh>(&entry.body))
+      compare(input, entry, *body, body->radius + body->tube[1],
+              mesh::torus(body->part, body->radius, body->tube[0], body->tube[1], body->elements),
+              mesh::exact_torus(body->radius, body->tube[0], body->tube[1]), result);
   }
   return result;
 }

@@ -45,6 +45,9 @@ std::string body_text(const scene::MeshEntry& entry) {
         } else if constexpr (std::is_same_v<Body, scene::TubeMesh>) {
           return fmt::format("{}: tube, elements: {} through the wall, {} around, {} along", body.part,
                              body.elements[0], body.elements[1], body.elements[2]);
+        } else if constexpr (std::is_same_v<Body, scene::TorusMesh>) {
+          return fmt::format("{}: torus, elements: {} around the ring, {} around the tube, {} through the wall",
+                             body.part, body.elements[0], body.elements[1], body.elements[2]);
         } else {
           const char* kind = std::is_same_v<Body, scene::BoxMesh> ? "box" : "plate";
           return fmt::format("{}: {}, elements: {} x {} x {}", body.part, kind, body.elements[0], body.elements[1],

@@ -1,25 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // `brunt search`: contact search alone on a text scene of nodes and boxes, dealt out over the ranks; within a rank by
-// the method in use or one of the paper.
+// the method in use, one of the paper, or trees.
 #include "brunt/contact/search/search.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <chrono>
-#include <cstring>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "brunt/comm/rendezvous.hpp"
 #include "brunt/contact/ghosting.hpp"
 #include "brunt/contact/search/binary_sort.hpp"
 #include "brunt/contact/search/bucket_sort.hpp"
 #include "brunt/core/error.hpp"
 #include "commands.hpp"
 #include "failure.hpp"
+#include "search_facets.hpp"
 
 namespace brunt::app {
 namespace {
@@ -68,22 +64,6 @@ TextScene read_text_scene(const std::string& path) {
   return scene;
 }
 
-/// What the ranks told each other of their faces.
-struct Traffic {
-  GlobalIndex ghosts = 0, messages = 0, bytes = 0;  ///< received, sent, sent: the most of a rank
-};
-
-/// Entities 0..total-1 of the root in equal blocks.
-template <class T>
-std::vector<T> deal(const comm::Communicator& ranks, const std::vector<T>& whole, const comm::BlockLayout& layout) {
-  std::vector<std::vector<T>> outgoing(static_cast<std::size_t>(ranks.size()));
-  for (Rank r = 0; ranks.is_root() && r < ranks.size(); ++r) {
-    const auto first = whole.begin() + layout.first(r);
-    outgoing[static_cast<std::size_t>(r)].assign(first, first + layout.count(r));
-  }
-  return comm::exchange(ranks, outgoing).values;
-}
-
 TextScene deal_scene(const comm::Communicator& ranks, const TextScene& whole) {
   const auto total = [&](std::size_t count) { return ranks.max(static_cast<GlobalIndex>(count)); };
   const comm::BlockLayout nodes{total(whole.nodes.size()), ranks.size()};
@@ -126,18 +106,6 @@ Traffic add_ghosts(const comm::Communicator& ranks, TextScene& scene) {
   return {ranks.max(traffic.ghosts), ranks.max(traffic.messages), ranks.max(traffic.bytes)};
 }
 
-std::uint64_t pair_hash(std::uint64_t face, std::uint64_t node) {
-  std::uint64_t z = (face * (std::uint64_t{1} << 32) + node) * 0x9E3779B97F4A7C15ULL;
-  z ^= z >> 29;
-  z *= 0xBF58476D1CE4E5B9ULL;
-  return z ^ (z >> 32);
-}
-
-struct FoundPair {
-  GlobalIndex face = 0, node = 0;
-  friend auto operator<=>(const FoundPair&, const FoundPair&) = default;
-};
-
 /// In the file's numbers; a face is no partner of its own nodes.
 std::vector<FoundPair> named_pairs(const TextScene& scene, const Ragged<LocalIndex>& pairs) {
   std::vector<FoundPair> named;
@@ -150,25 +118,6 @@ std::vector<FoundPair> named_pairs(const TextScene& scene, const Ragged<LocalInd
     }
   }
   return named;
-}
-
-using Clock = std::chrono::steady_clock;
-using Seconds = std::chrono::duration<double>;
-
-struct Timing {
-  double build = 0, query = 0;  ///< [s]
-  std::size_t memory = 0;       ///< [bytes] beside nodes, boxes and pairs
-
-  [[nodiscard]] double total() const { return build + query; }
-};
-
-template <class Build, class Query>
-Timing timed(const Build& build, const Query& query) {
-  const Clock::time_point start = Clock::now();
-  build();
-  const Clock::time_point built = Clock::now();
-  query();
-  return {Seconds(built - start).count(), Seconds(Clock::now() - built).count()};
 }
 
 std::size_t bytes_of(std::initializer_list<const std::vector<LocalIndex>*> vectors) {
@@ -185,6 +134,7 @@ class Searcher {
   Timing find(Ragged<LocalIndex>& pairs) {
     if (method_ == "bucket") return by_buckets(pairs);
     if (method_ == "binary") return by_bisection(pairs);
+    if (method_ == "kdop") return search_boxes_by_trees(scene_.nodes, scene_.boxes, pairs);
     Timing timing = timed([&] { contact::prepare_search(scene_.boxes, scene_.nodes, scratch_); },
                           [&] { contact::find_prepared(scene_.boxes, scene_.nodes, scratch_, pairs); });
     timing.memory = scratch_.memory_bytes();
@@ -217,61 +167,35 @@ class Searcher {
   contact::BinarySort sorted_;
 };
 
-void print_pairs(const comm::Communicator& ranks, const std::vector<FoundPair>& here) {
-  std::vector<FoundPair> all;
-  for (const std::vector<std::byte>& bytes : ranks.gather(std::as_bytes(std::span(here)))) {
-    const std::size_t before = all.size();
-    all.resize(before + bytes.size() / sizeof(FoundPair));
-    if (!bytes.empty()) std::memcpy(&all[before], bytes.data(), bytes.size());
+SearchResult search_boxes(const comm::Communicator& ranks, const SearchOptions& options) {
+  TextScene whole;
+  on_root(ranks, [&] { whole = read_text_scene(options.file); });
+  SearchResult result;
+  result.nodes = ranks.max(static_cast<GlobalIndex>(whole.nodes.size()));
+  result.faces = ranks.max(static_cast<GlobalIndex>(whole.faces.size()));
+  const TextScene dealt = deal_scene(ranks, whole);
+  Ragged<LocalIndex> pairs;
+  for (int k = 0; k < options.repeat; ++k) {
+    TextScene scene = dealt;
+    const Clock::time_point start = Clock::now();
+    result.traffic = add_ghosts(ranks, scene);
+    const double meeting = Seconds(Clock::now() - start).count();
+    Timing timing = Searcher(scene, options.method).find(pairs);
+    timing.build = ranks.max(timing.build + meeting);
+    timing.query = ranks.max(timing.query);
+    if (k == 0 || timing.total() < result.best.total()) result.best = timing;
+    if (k == 0) result.found = named_pairs(scene, pairs);
   }
-  std::ranges::sort(all);
-  for (const FoundPair& pair : all) fmt::print("{} {}\n", pair.face, pair.node);
+  return result;
 }
 
 }  // namespace
 
 int search(const comm::Communicator& ranks, const SearchOptions& options) {
-  TextScene whole;
-  on_root(ranks, [&] { whole = read_text_scene(options.file); });
-  const GlobalIndex nodes = ranks.max(static_cast<GlobalIndex>(whole.nodes.size()));
-  const GlobalIndex faces = ranks.max(static_cast<GlobalIndex>(whole.faces.size()));
-  const TextScene dealt = deal_scene(ranks, whole);
-  Ragged<LocalIndex> pairs;
-  Timing best;
-  Traffic traffic;
-  std::vector<FoundPair> found;
-  for (int k = 0; k < options.repeat; ++k) {
-    TextScene scene = dealt;
-    const Clock::time_point start = Clock::now();
-    traffic = add_ghosts(ranks, scene);
-    const double meeting = Seconds(Clock::now() - start).count();
-    Timing timing = Searcher(scene, options.method).find(pairs);
-    timing.build = ranks.max(timing.build + meeting);
-    timing.query = ranks.max(timing.query);
-    if (k == 0 || timing.total() < best.total()) best = timing;
-    if (k == 0) found = named_pairs(scene, pairs);
-  }
-  std::array<GlobalIndex, 3> sums{static_cast<GlobalIndex>(found.size()), 0, static_cast<GlobalIndex>(best.memory)};
-  std::uint64_t hash = 0;
-  for (const FoundPair& pair : found)
-    hash += pair_hash(static_cast<std::uint64_t>(pair.face), static_cast<std::uint64_t>(pair.node));
-  sums[1] = std::bit_cast<GlobalIndex>(hash);
-  ranks.sum(sums);
-  if (options.list) print_pairs(ranks, found);
-  if (!ranks.is_root()) return 0;
-  const nlohmann::ordered_json result{{"method", options.method},
-                                      {"nodes", nodes},
-                                      {"faces", faces},
-                                      {"pairs", sums[0]},
-                                      {"pairs_hash", fmt::format("{:016x}", std::bit_cast<std::uint64_t>(sums[1]))},
-                                      {"build_s", best.build},
-                                      {"query_s", best.query},
-                                      {"memory_bytes", sums[2]},
-                                      {"ranks", ranks.size()},
-                                      {"most_ghosts", traffic.ghosts},
-                                      {"most_messages", traffic.messages},
-                                      {"most_bytes_sent", traffic.bytes}};
-  fmt::print("{}\n", result.dump());
+  bool facets = false;
+  on_root(ranks, [&] { facets = is_facet_scene(options.file); });
+  const bool on_all = ranks.max(static_cast<GlobalIndex>(facets)) > 0;
+  print_result(ranks, options, on_all ? search_facets(ranks, options) : search_boxes(ranks, options));
   return 0;
 }
 

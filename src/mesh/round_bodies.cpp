@@ -84,6 +84,11 @@ Moments exact_sphere(double radius, const Half& half) {
   return exact;
 }
 
+Moments exact_torus(double radius, double inner_radius, double outer_radius) {
+  const double section = std::numbers::pi * (outer_radius * outer_radius - inner_radius * inner_radius);
+  return {2 * std::numbers::pi * radius * section, Vec3::Zero()};
+}
+
 Moments exact_tube(double inner_radius, double outer_radius, double length, const RoundForm& form) {
   const auto& [half, sector, nose] = form;
   const double angle = sector.cuts() ? std::numbers::pi / 180 * (sector.to - sector.from)

@@ -27,6 +27,7 @@ void demand_countable(Section& body, double nodes, double elements);
 CylinderMesh read_cylinder(Section& body);
 SphereMesh read_sphere(Section& body);
 TubeMesh read_tube(Section& body);
+TorusMesh read_torus(Section& body);
 
 constexpr std::string_view part_name = "a name for the part";
 constexpr Count at_least_one{1};

@@ -11,13 +11,21 @@
 namespace brunt::scene {
 namespace {
 
+constexpr std::string_view rotations = "a map {axis: [x, y, z], degrees: number}, or a list of them";
+
+void read_rotation(const Key& key, Rotation& rotation) {
+  Section rotate(key, rotations);
+  rotate.required("axis", rotation.axis, Vector::direction);
+  rotate.required("degrees", rotation.degrees, any_number);
+}
+
 void read_placement(Section& body, Placement& placement) {
   body.optional("scale", placement.scale, positive);
   body.optional("at", placement.at, Vector::any);
   if (!body.has("rotate")) return;
-  Section rotate(body.at("rotate"), "a map {axis: [x, y, z], degrees: number}");
-  rotate.required("axis", placement.rotate.axis, Vector::direction);
-  rotate.required("degrees", placement.rotate.degrees, any_number);
+  const Key key = body.at("rotate");
+  if (key.tree->kind != Tree::Kind::list) return read_rotation(key, placement.rotate.emplace_back());
+  for (const Key& one : items(key, rotations)) read_rotation(one, placement.rotate.emplace_back());
 }
 
 MeshFile read_file(Section& entry, const std::string& scene_file, Placement& placement) {
@@ -67,7 +75,8 @@ PlateMesh read_plate(Section& body) {
 }
 
 constexpr std::string_view body_words =
-    "one of {file: path}, {box: {...}}, {cylinder: {...}}, {sphere: {...}}, {tube: {...}}, {plate: {...}}";
+    "one of {file: path}, {box: {...}}, {cylinder: {...}}, {sphere: {...}}, {tube: {...}}, {torus: {...}}, {plate: "
+    "{...}}";
 
 template <class Body>
 bool read_body(Section& entry, std::string_view kind, Body (*reader)(Section&), MeshEntry& target) {
@@ -88,13 +97,14 @@ void read_entry(const Key& key, Input& input) {
   bodies += read_body(entry, "cylinder", read_cylinder, mesh) ? 1 : 0;
   bodies += read_body(entry, "sphere", read_sphere, mesh) ? 1 : 0;
   bodies += read_body(entry, "tube", read_tube, mesh) ? 1 : 0;
+  bodies += read_body(entry, "torus", read_torus, mesh) ? 1 : 0;
   bodies += read_body(entry, "plate", read_plate, mesh) ? 1 : 0;
   if (entry.has("file")) {
     ++bodies;
     mesh.body = read_file(entry, input.file, mesh.placement);
   }
   const std::string what = fmt::format("{} bodies in one entry; accepted: {}", bodies, body_words);
-  if (bodies == 0) lacking(key, {"file", "box", "cylinder", "sphere", "tube", "plate"}, what);
+  if (bodies == 0) lacking(key, {"file", "box", "cylinder", "sphere", "tube", "torus", "plate"}, what);
   if (bodies > 1) fault(key, what);
   input.mesh.push_back(std::move(mesh));
 }

@@ -199,4 +199,33 @@ TubeMesh read_tube(Section& body) {
   return tube;
 }
 
+TorusMesh read_torus(Section& body) {
+  TorusMesh torus{.part = {}, .tube = {}, .elements = {3, 3, 1}};
+  auto& [inner, outer] = torus.tube;
+  body.required("part", torus.part, part_name);
+  const bool radius = body.required("radius", torus.radius, positive);
+  const bool tube = body.required("tube", torus.tube, positive, "two lengths > 0 [inner radius, outer radius]");
+  if (tube && outer <= inner)
+    fault(body.at("tube"),
+          fmt::format("the outer radius {} is not larger than the inner radius {}; accepted: a larger one", outer,
+                      inner));
+  if (radius && tube && torus.radius <= outer)
+    fault(body.at("radius"),
+          fmt::format("the ring of radius {} leaves no hole in a tube of outer radius {}; accepted: a "
+                      "number > {}",
+                      torus.radius, outer, outer));
+  const std::array<Extent, 3> extents{{{0, 0, "around the ring", true},
+                                       {0, 0, "around the tube", true},
+                                       {inner, tube ? outer : 0, "through the wall"}}};
+  read_divisions(body, extents, torus.elements,
+                 "three integers >= 1 [around the ring, around the tube, through the wall]");
+  for (const std::size_t i : {0, 1})
+    if (torus.elements[i] < 3)
+      fault(body.at("elements"),
+            fmt::format("{} {} do not close; accepted: at least 3", torus.elements[i].cells, extents[i].what));
+  const double ring = torus.elements[0], around = torus.elements[1], through = torus.elements[2];
+  demand_countable(body, ring * around * (through + 1), ring * around * through);
+  return torus;
+}
+
 }  // namespace brunt::scene

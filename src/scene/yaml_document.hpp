@@ -10,8 +10,8 @@
 
 namespace brunt::scene {
 
-/// Levels of lists and maps within each other. The deepest value of a scene has 6 (mesh.0.box.rotate.axis.0); recursion
-/// over a document of 64 levels takes a few tens of kilobytes of the stack.
+/// Levels of lists and maps within each other. The deepest value of a scene has 7 (mesh.0.box.rotate.0.axis.0);
+/// recursion over a document of 64 levels takes a few tens of kilobytes of the stack.
 constexpr int deepest_document = 64;
 
 /// Values that aliases (`*name`) may repeat: a table of 10,000 points (30,000 values) three times. Each value takes

@@ -358,6 +358,8 @@ YAML_LIMITS = [
 ]
 
 MESHES = [
+    *(changed(f"a torus with {what}", "{file: bar.msh}", f"{{torus: {{part: bar, radius: {radius}, tube: {tube}, elements: [{around}, 20, 2]}}}}", key, "accepted", lines=1)
+      for what, radius, tube, around, key in (("a wall of no thickness", 76, "[24, 24]", 40, "torus.tube"), ("no hole", 24, "[19, 24]", 40, "torus.radius"), ("two elements around", 76, "[19, 24]", 2, "torus.elements"))),
     changed("half of a tube along its axis", RING[0], RING[1] % (8, "half: [z]"), "half.0", "'z'", "x, -x, y, -y", lines=1),
     changed("half of a tube of odd elements", RING[0], RING[1] % (7, "half: [x]"), "elements", "7", "multiple of 2", lines=1),
     changed("quarter of a tube that has none", RING[0], RING[1] % (6, "half: [x, -y]"), "elements", "6", "multiple of 4", lines=1),

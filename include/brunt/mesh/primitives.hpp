@@ -55,4 +55,10 @@ struct SphereForm {
 /// for the halves' planes.
 Mesh sphere(const std::string& part, double radius, int elements, const SphereForm& form = {});
 
+/// Hollow, axis z, centre at the origin; `radius` of the circle on which the centres of the tube lie, > outer_radius.
+/// elements: around the ring (>= 3), around the tube (>= 3), through the wall. Nodes lie on circles of the tube at
+/// equal angles of the ring. Sets PART_side (outside), _inner.
+Mesh torus(const std::string& part, double radius, double inner_radius, double outer_radius,
+           const Divisions<3>& elements);
+
 }  // namespace brunt::mesh

@@ -22,4 +22,7 @@ Moments exact_sphere(double radius, const Half& half);
 /// off each cut plane. Noses are summed over 4096 slices, conical ones each: to 1e-7.
 Moments exact_tube(double inner_radius, double outer_radius, double length, const RoundForm& form);
 
+/// Centre at the origin: 2 pi^2 radius (outer_radius^2 - inner_radius^2), by Pappus.
+Moments exact_torus(double radius, double inner_radius, double outer_radius);
+
 }  // namespace brunt::mesh

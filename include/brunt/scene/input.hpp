@@ -29,7 +29,7 @@ struct Rotation {
 /// Where a generated or read body is put: scaled, then rotated about the scene's origin, then moved.
 struct Placement {
   double scale = 1;
-  Rotation rotate;
+  std::vector<Rotation> rotate;  ///< one after the other
   Vec3 at = Vec3::Zero();
 };
 
@@ -62,6 +62,12 @@ struct TubeMesh {  ///< axis z, foot centre at the origin
   mesh::Divisions<3> elements;  ///< through the wall, around the whole or the sector, along
   mesh::RoundForm half;         ///< the half or the sector that is kept, and the nose
 };
+struct TorusMesh {  ///< hollow, axis z, centre at the origin
+  std::string part;
+  double radius = 0;            ///< of the ring
+  std::array<double, 2> tube;   ///< inner and outer radius of its section
+  mesh::Divisions<3> elements;  ///< around the ring, around the tube, through the wall
+};
 struct PlateMesh {  ///< in the x-y plane, centre of the lower face at the origin
   std::string part;
   std::array<double, 2> size;
@@ -69,7 +75,7 @@ struct PlateMesh {  ///< in the x-y plane, centre of the lower face at the origi
   mesh::Divisions<3> elements;
 };
 struct MeshEntry {
-  std::variant<MeshFile, BoxMesh, CylinderMesh, SphereMesh, TubeMesh, PlateMesh> body;
+  std::variant<MeshFile, BoxMesh, CylinderMesh, SphereMesh, TubeMesh, TorusMesh, PlateMesh> body;
   Placement placement;
   std::string key;  ///< key path for messages, "mesh.0"
 };

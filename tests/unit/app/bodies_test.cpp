@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "brunt/core/error.hpp"
 #include "brunt/scene/read.hpp"
@@ -49,6 +50,10 @@ TEST_CASE("a round body that loses more than a hundredth is warned of", "[bodies
                    "tube: {{part: a, inner_radius: 1, outer_radius: 2, length: 1, elements: [1, {}, 1]}}", around)),
                Contains("about 28 elements around would be enough"));
   CHECK(warning_of("tube: {part: a, inner_radius: 1, outer_radius: 2, length: 1, elements: [1, 28, 1]}").empty());
+  const std::string torus = "torus: {{part: a, radius: 76, tube: [19.5, 24], elements: [{}, {}, 2]}}";
+  CHECK_THAT(warning_of(fmt::format(fmt::runtime(torus), 40, 20)),
+             Contains("97.96 %") && Contains("around the ring and 29 around the tube would be enough"));
+  CHECK(warning_of(fmt::format(fmt::runtime(torus), 80, 40)).empty());
   CHECK(app::round_bodies(with_mesh("{box: {part: a, size: [1, 1, 1], elements: [1, 1, 1]}}")).lines.empty());
 }
 
@@ -71,4 +76,20 @@ TEST_CASE("the same body twice is a fault, bodies apart are none", "[bodies]") {
   CHECK(faults(1).empty());
   CHECK(faults(0.25).empty());
   CHECK_THAT(faults(1e15)[0], Contains("a.yaml:2: mesh.1: ") && Contains("rounding"));
+}
+
+TEST_CASE("a torus turned upright and then about z stands where M8 has it", "[bodies]") {
+  std::vector<std::string> warnings;
+  const mesh::Mesh mesh = app::assemble(
+      with_mesh("{torus: {part: a, radius: 76, tube: [19.5, 24], elements: [40, 20, 2], at: [140, 0, 140], rotate: "
+                "[{axis: [1, 0, 0], degrees: 90}, {axis: [0, 0, 1], degrees: 45}]}}"),
+      warnings);
+  const auto node = [&](int i, int j, int k) {
+    return mesh.coordinates[static_cast<std::size_t>((i * 20 + j) * 3 + k)];
+  };
+  const double s = std::sqrt(0.5);
+  CHECK((node(0, 0, 2) - Vec3(100 * s + 140, 100 * s, 140)).norm() < 1e-12);
+  CHECK((node(0, 5, 2) - Vec3((76 + 24) * s + 140, (76 - 24) * s, 140)).norm() < 1e-12);
+  CHECK((node(10, 0, 0) - Vec3(140, 0, 76 + 19.5 + 140)).norm() < 1e-12);
+  CHECK(warnings.empty());
 }

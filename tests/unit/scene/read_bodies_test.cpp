@@ -31,6 +31,10 @@ Input tube(const std::string& keys) {
   return with_mesh(fmt::format("{{tube: {{part: a, outer_radius: 2, length: 5, {}}}}}", keys));
 }
 
+Input torus(const std::string& keys) {
+  return with_mesh(fmt::format("{{torus: {{part: a, {}}}}}", keys));
+}
+
 const mesh::Nose& nose_of(const Input& input) {
   return std::get<CylinderMesh>(input.mesh[0].body).half.nose;
 }
@@ -129,4 +133,52 @@ TEST_CASE("wrong noses are refused at their key", "[scene]") {
   refuse("{shape: ogive, crh: 0.4}", "nose.crh", "a number >= 0.5");
   refuse("{shape: blunt, chamfer: 2}", "nose.chamfer", "not below the radius");
   require_fault(tube, "inner_radius: 1, elements: [1, 8, 3], nose: {shape: hemisphere}", "elements", "at least 2");
+}
+
+TEST_CASE("tori", "[scene]") {
+  const Input input = torus("radius: 76, tube: [19.5, 24], elements: [40, 20, 2]");
+  const auto& body = std::get<TorusMesh>(input.mesh[0].body);
+  CHECK(body.part == "a");
+  CHECK(body.radius == 76);
+  CHECK(body.tube == std::array{19.5, 24.0});
+  CHECK(body.elements == std::array{40, 20, 2});
+  const auto wrong = [](const std::string& keys, const char* path, const char* what) {
+    require_fault(torus, keys, path, what);
+  };
+  wrong("radius: 76, tube: [24, 19.5], elements: [40, 20, 2]", "tube", "24; accepted: a larger one");
+  wrong("radius: 76, tube: [24, 24], elements: [40, 20, 2]", "tube", "not larger than the inner radius");
+  wrong("radius: 76, tube: [0, 24], elements: [40, 20, 2]", "tube.0", "a number > 0");
+  wrong("radius: 76, tube: 24, elements: [40, 20, 2]", "tube", "two lengths > 0 [inner radius, outer radius]");
+  wrong("radius: 24, tube: [19.5, 24], elements: [40, 20, 2]", "radius", "accepted: a number > 24");
+  wrong("radius: -76, tube: [19.5, 24], elements: [40, 20, 2]", "radius", "a number > 0");
+  wrong("radius: 76, tube: [19.5, 24], elements: [2, 20, 2]", "elements", "2 around the ring do not close");
+  wrong("radius: 76, tube: [19.5, 24], elements: [40, 2, 2]", "elements", "2 around the tube do not close");
+  wrong("radius: 76, tube: [19.5, 24], elements: [40, 20, 0]", "elements.2", "accepted: an integer from 1");
+  wrong("radius: 76, tube: [19.5, 24], elements: [40, 20]", "elements", "around the ring, around the tube, through");
+  wrong("radius: 76, tube: [19.5, 24], elements: [40, 20, 2], bias: [2, 1, 1]", "bias.0", "around the ring are even");
+  wrong("radius: 76, tube: [19.5, 24], elements: [40000, 40000, 9]", "elements", "too many");
+  wrong("radius: 76, elements: [40, 20, 2]", "tube", "missing; accepted: two lengths");
+}
+
+TEST_CASE("bodies are turned once or more than once", "[scene]") {
+  const auto turns = [](const std::string& rotate) {
+    return torus("radius: 76, tube: [19.5, 24], elements: [40, 20, 2], at: [140, 0, 140]" + rotate)
+        .mesh[0]
+        .placement.rotate;
+  };
+  CHECK(turns("").empty());
+  CHECK(turns(", rotate: {axis: [1, 0, 0], degrees: 90}").size() == 1);
+  const auto two = turns(", rotate: [{axis: [1, 0, 0], degrees: 90}, {axis: [0, 0, 1], degrees: 45}]");
+  REQUIRE(two.size() == 2);
+  CHECK(two[0].degrees == 90);
+  CHECK(two[1].axis == Vec3::UnitZ());
+  CHECK(two[1].degrees == 45);
+  const auto wrong = [&](const std::string& rotate, const char* path, const char* what) {
+    CHECK_THROWS_WITH(turns(", rotate: " + rotate), Catch::StartsWith("a.yaml:2: mesh.torus.rotate") &&
+                                                        Catch::Contains(path) && Catch::Contains(what));
+  };
+  wrong("[{axis: [1, 0, 0], degrees: 90}, {axis: [0, 0, 0], degrees: 45}]", "rotate.1.axis: ", "direction");
+  wrong("[{axis: [1, 0, 0]}]", "rotate.0", "degrees");
+  wrong("[90]", "rotate.0: ", "or a list of them");
+  wrong("90", "rotate: ", "or a list of them");
 }

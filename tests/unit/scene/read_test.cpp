@@ -124,13 +124,13 @@ TEST_CASE("every mesh entry is read", "[scene]") {
   CHECK(input.mesh[0].key == "mesh.0");
   CHECK(input.mesh[0].placement.scale == 1e-3);
   CHECK(input.mesh[0].placement.at == Vec3(1, 2, 3));
-  CHECK(input.mesh[0].placement.rotate.axis == Vec3(0, 0, 1));
-  CHECK(input.mesh[0].placement.rotate.degrees == 10);
+  CHECK(input.mesh[0].placement.rotate.at(0).axis == Vec3(0, 0, 1));
+  CHECK(input.mesh[0].placement.rotate.at(0).degrees == 10);
   CHECK(std::get<MeshFile>(input.mesh[1].body).file == "/else/b.msh");
   const auto& box = std::get<BoxMesh>(input.mesh[2].body);
   CHECK(box.size == Vec3(1, 2, 3));
   CHECK(box.elements == std::array{4, 5, 6});
-  CHECK(input.mesh[2].placement.rotate.degrees == -90);
+  CHECK(input.mesh[2].placement.rotate.at(0).degrees == -90);
   const auto& rod = std::get<CylinderMesh>(input.mesh[3].body);
   CHECK(rod.radius == 3.2);
   CHECK(rod.length == 32.4);
