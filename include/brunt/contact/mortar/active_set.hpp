@@ -15,9 +15,6 @@ void normal_tractions(const MortarRows& rows, std::span<const double> z, std::ve
 /// dT_A/dx at fixed z: z_A d normal_A/dx; rows with z = 0 are empty.
 void normal_traction_slopes(const MortarSlopes& slopes, std::span<const double> z, NodeBlocks<Mat3>& traction_slopes);
 
-/// K_xz: dF_K/dz_A = w_AK normal_A.
-void force_directions(const MortarRows& rows, NodeBlocks<Vec3>& directions);
-
 /// The constant c of the rule: Young's modulus (the softer side's) over the mean edge [force/length^3].
 double active_set_scale(double young, const MortarTopology& topology);
 

@@ -47,6 +47,10 @@ template <class Block>
 struct NodeBlocks {
   Ragged<LocalIndex> nodes;
   std::vector<Block> blocks;  ///< an entry each
+  void clear() {
+    nodes.clear();
+    blocks.clear();
+  }
   [[nodiscard]] std::span<const Block> row(LocalIndex i) const {
     const auto begin = static_cast<std::size_t>(nodes.offsets[static_cast<std::size_t>(i)]);
     return {blocks.data() + begin, nodes.row(i).size()};
@@ -105,14 +109,5 @@ void mortar_rows_and_slopes(const MortarSurfaces& surfaces, const MortarTopology
                             const Ragged<LocalIndex>& candidates, std::span<const Vec3> x,
                             std::span<const Vec3> tractions, MortarScratch& scratch, MortarRows& rows,
                             MortarSlopes& slopes);
-
-/// h_A = d(normal_A . G_A)/dx, a row each.
-void gap_gradient(const MortarRows& rows, const MortarSlopes& slopes, NodeBlocks<Vec3>& gradient);
-
-/// forces[K] += w_AK T_A over all rows [force].
-void add_forces(const MortarRows& rows, std::span<const Vec3> tractions, std::span<Vec3> forces);
-
-/// A patch for each row with slopes of its traction: w_AK dT_A/dx_L.
-void add_traction_slopes(const MortarRows& rows, const NodeBlocks<Mat3>& traction_slopes, Patches& patches);
 
 }  // namespace brunt::contact

@@ -5,7 +5,6 @@
 #include <array>
 #include <span>
 
-#include "brunt/core/simd.hpp"
 #include "brunt/core/types.hpp"
 #include "brunt/geometry/clip.hpp"
 

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of two surfaces: sums, gaps at rims, and all derivatives against central differences.
+#include "brunt/contact/mortar/interface.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "brunt/contact/mortar/active_set.hpp"
+#include "brunt/contact/mortar/forces.hpp"
+#include "two_surfaces.hpp"
+
+using namespace brunt;
+using namespace brunt::contact;
+using test::TwoSurfaces;
+
+namespace {
+
+struct Evaluation {
+  MortarTopology topology;
+  MortarRows rows;
+  MortarSlopes slopes;
+  MortarScratchPointer scratch = make_mortar_scratch();
+
+  explicit Evaluation(const TwoSurfaces& two) : topology(make_topology(two.surfaces, two.x)) {
+    mortar_rows(two.surfaces, topology, two.candidates, two.x, *scratch, rows);
+  }
+  void move(const TwoSurfaces& two, std::span<const Vec3> x) {
+    mortar_rows(two.surfaces, topology, two.candidates, x, *scratch, rows);
+  }
+  void differentiate(const TwoSurfaces& two, std::span<const Vec3> tractions) {
+    mortar_rows_and_slopes(two.surfaces, topology, two.candidates, two.x, tractions, *scratch, rows, slopes);
+  }
+};
+
+std::vector<double> some_pressures(std::size_t rows) {
+  std::vector<double> z;
+  for (std::size_t row = 0; row < rows; ++row) z.push_back(row % 5 == 4 ? 0 : 0.5 + 0.1 * static_cast<double>(row % 7));
+  return z;
+}
+
+std::vector<Vec3> forces_at(const TwoSurfaces& two, Evaluation& evaluation, std::span<const Vec3> x,
+                            std::span<const double> z) {
+  evaluation.move(two, x);
+  std::vector<Vec3> tractions, forces(x.size(), Vec3::Zero());
+  normal_tractions(evaluation.rows, z, tractions);
+  add_forces(evaluation.rows, tractions, forces);
+  return forces;
+}
+
+/// Dense matrix of the patches: entry (3 K + i, 3 L + j).
+std::vector<double> assembled(const Patches& patches, std::size_t nodes) {
+  std::vector<double> matrix(9 * nodes * nodes, 0);
+  for (std::size_t p = 0; p < patches.count; ++p) {
+    const Patch& patch = patches.patch[p];
+    const std::size_t columns = 3 * patch.columns.size();
+    for (std::size_t r = 0; r < 3 * patch.rows.size(); ++r)
+      for (std::size_t c = 0; c < columns; ++c)
+        matrix[(3 * static_cast<std::size_t>(patch.rows[r / 3]) + r % 3) * 3 * nodes +
+               3 * static_cast<std::size_t>(patch.columns[c / 3]) + c % 3] += patch.values[r * columns + c];
+  }
+  return matrix;
+}
+
+double weight_at(const MortarRows& rows, LocalIndex row, LocalIndex node) {
+  const auto nodes = rows.weights.nodes.row(row);
+  const auto at = std::find(nodes.begin(), nodes.end(), node);
+  return at == nodes.end() ? 0 : rows.weights.row(row)[static_cast<std::size_t>(at - nodes.begin())];
+}
+
+}  // namespace
+
+TEST_CASE("Weights of a row have sum zero, so that forces have none") {
+  for (const Multiplier multiplier : {Multiplier::dual, Multiplier::standard}) {
+    TwoSurfaces two = test::wavy_surfaces(1);
+    two.surfaces.multiplier = multiplier;
+    Evaluation evaluation(two);
+    CHECK(evaluation.rows.segments > 12);
+    for (LocalIndex row = 0; row < evaluation.rows.weights.nodes.rows(); ++row) {
+      double sum = 0;
+      for (const double weight : evaluation.rows.weights.row(row)) sum += weight;
+      CHECK(std::abs(sum) < 1e-15);
+    }
+    const auto z = some_pressures(two.surfaces.rows.size());
+    Vec3 total = Vec3::Zero();
+    double size = 0;
+    for (const Vec3& force : forces_at(two, evaluation, two.x, z)) {
+      total += force;
+      size += force.norm();
+    }
+    CHECK(size > 0.5);
+    CHECK(total.norm() < 1e-15 * size);
+  }
+}
+
+TEST_CASE("A pressure pushes the slave away from the master") {
+  const auto flat = [](double height) { return [height](double x, double y) { return Vec3(x, y, height); }; };
+  TwoSurfaces two({3, 3, 0, 1, 0, 1, true, false}, flat(0), {4, 4, 0, 1, 0, 1, false, false}, flat(0.01));
+  Evaluation evaluation(two);
+  const std::vector<double> z(16, 2.0);
+  Vec3 on_slave = Vec3::Zero(), on_master = Vec3::Zero();
+  const auto forces = forces_at(two, evaluation, two.x, z);
+  for (std::size_t node = 0; node < two.x.size(); ++node) (node < 16 ? on_slave : on_master) += forces[node];
+  CHECK((on_slave - Vec3(0, 0, -2)).norm() < 1e-14);
+  CHECK((on_master - Vec3(0, 0, 2)).norm() < 1e-14);
+  for (std::size_t row = 0; row < 16; ++row) {
+    CHECK((evaluation.rows.normals[row] - Vec3(0, 0, -1)).norm() < 1e-15);
+    CHECK(evaluation.rows.normalised_gap(evaluation.topology, row) == Approx(0.01).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("At rims a uniform gap gives every covered node that gap") {
+  for (const bool triangles : {false, true})
+    for (const double overhang : {0.37, 0.0, 1e-3, 0.999, 1.5, 2.37}) {
+      const double gap = 0.01, facet = 0.25;
+      const auto flat = [](double height) { return [height](double x, double y) { return Vec3(x, y, height); }; };
+      TwoSurfaces two({4, 2, overhang * facet, 1 + overhang * facet, 0, 0.5, true, triangles}, flat(0),
+                      {3, 3, 0, 1, -0.2, 0.7, false, triangles}, flat(gap));
+      Evaluation evaluation(two);
+      int covered = 0;
+      for (std::size_t row = 0; row < two.surfaces.rows.size(); ++row) {
+        const double share = evaluation.rows.covered[row];
+        if (share == 0) {
+          CHECK(evaluation.rows.gaps[row] == 0);
+          continue;
+        }
+        ++covered;
+        CHECK(std::abs(evaluation.rows.gaps[row] / share - gap) < 1e-12);
+      }
+      CHECK(covered == 3 * (5 - static_cast<int>(overhang)));
+      // The last row of nodes that is covered carries the moment of its hat: (1 - t)^2 / 2 of a facet's length.
+      const double t = overhang - std::floor(overhang);
+      if (triangles || t == 0) continue;
+      const auto last = static_cast<std::size_t>(4 - static_cast<int>(overhang));
+      const double sum =
+          evaluation.rows.covered[last] + evaluation.rows.covered[5 + last] + evaluation.rows.covered[10 + last];
+      CHECK(sum == Approx(0.5 * facet * (1 - t) * (1 - t) / 2).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("Dual weights over the slave's nodes are diagonal") {
+  const TwoSurfaces two = test::wavy_surfaces(2);
+  Evaluation evaluation(two);
+  for (LocalIndex row = 0; row < 12; ++row)
+    for (LocalIndex node = 0; node < 12; ++node)
+      CHECK(weight_at(evaluation.rows, row, node) ==
+            (node == row ? evaluation.rows.covered[static_cast<std::size_t>(row)] : 0));
+}
+
+TEST_CASE("Far from the origin the gaps keep their digits") {
+  TwoSurfaces two = test::wavy_surfaces(3);
+  Evaluation here(two);
+  std::vector<Vec3> x = two.x;
+  for (Vec3& of_node : x) of_node += Vec3(100, -100, 100);
+  Evaluation there(two);
+  there.move(two, x);
+  for (std::size_t row = 0; row < two.surfaces.rows.size(); ++row)
+    CHECK(std::abs(here.rows.gaps[row] - there.rows.gaps[row]) < 1e-13);
+}
+
+TEST_CASE("The force tangent at fixed pressures and the gap gradient agree with central differences") {
+  for (const Multiplier multiplier : {Multiplier::dual, Multiplier::standard})
+    for (int kind = 0; kind < 4; ++kind) {
+      TwoSurfaces two = test::wavy_surfaces(10 + static_cast<unsigned>(kind), kind % 2 == 1, kind / 2 == 1);
+      two.surfaces.multiplier = multiplier;
+      const std::size_t rows = two.surfaces.rows.size(), nodes = two.x.size();
+      for (std::size_t row = 0; row < rows; ++row) {  // one row of nodes lies in a symmetry plane
+        if (row < 4) two.surfaces.mirrors.values.emplace_back(0.6, 0.8, 0);
+        two.surfaces.mirrors.close_row();
+      }
+      const auto z = some_pressures(rows);
+      Evaluation evaluation(two), moved(two);
+      std::vector<Vec3> tractions;
+      normal_tractions(evaluation.rows, z, tractions);
+      evaluation.differentiate(two, tractions);
+      NodeBlocks<Mat3> traction_slopes;
+      NodeBlocks<Vec3> gradient;
+      normal_traction_slopes(evaluation.slopes, z, traction_slopes);
+      add_traction_slopes(evaluation.rows, traction_slopes, evaluation.slopes.weights);
+      gap_gradient(evaluation.rows, evaluation.slopes, gradient);
+      const std::vector<double> tangent = assembled(evaluation.slopes.weights, nodes);
+      double largest = 0, worst = 0, largest_gap = 0, worst_gap = 0;
+      const double step = 1e-6;
+      for (std::size_t direction = 0; direction < 3 * nodes; ++direction) {
+        std::vector<Vec3> x = two.x;
+        double& moving = x[direction / 3][static_cast<Eigen::Index>(direction % 3)];
+        const double at = moving;
+        moving = at + step;
+        const auto plus = forces_at(two, moved, x, z);
+        const auto plus_gaps = moved.rows.gaps;
+        moving = at - step;
+        const auto minus = forces_at(two, moved, x, z);
+        for (std::size_t k = 0; k < 3 * nodes; ++k) {
+          const auto i = static_cast<Eigen::Index>(k % 3);
+          const double difference = (plus[k / 3][i] - minus[k / 3][i]) / (2 * step);
+          largest = std::max(largest, std::abs(difference));
+          worst = std::max(worst, std::abs(difference - tangent[k * 3 * nodes + direction]));
+        }
+        for (std::size_t row = 0; row < rows; ++row) {
+          const auto of_row = gradient.nodes.row(static_cast<LocalIndex>(row));
+          const auto found = std::find(of_row.begin(), of_row.end(), static_cast<LocalIndex>(direction / 3));
+          const double slope =
+              found == of_row.end()
+                  ? 0
+                  : gradient.row(static_cast<LocalIndex>(row))[static_cast<std::size_t>(found - of_row.begin())]
+                                                              [static_cast<Eigen::Index>(direction % 3)];
+          const double difference = (plus_gaps[row] - moved.rows.gaps[row]) / (2 * step);
+          largest_gap = std::max(largest_gap, std::abs(difference));
+          worst_gap = std::max(worst_gap, std::abs(difference - slope));
+        }
+      }
+      CAPTURE(kind, largest, largest_gap);
+      CHECK(worst < 1e-8 * largest);
+      CHECK(worst_gap < 1e-8 * largest_gap);
+    }
+}
