@@ -27,15 +27,15 @@ bool FacetRows::evaluate(const MortarSurfaces& surfaces, std::size_t facet, std:
 
 void FacetRows::find_segments(const MortarSurfaces& surfaces, std::span<const LocalIndex> candidates,
                               std::span<const Vec3> x, bool with_slopes) {
-  segment_slopes_.clear();
   masters_.clear();
   master_corners_.clear();
   SegmentIntegrals integrals;
   for (const LocalIndex master : candidates) {
     const CornersOf corners(surfaces.master[static_cast<std::size_t>(master)], x);
-    if (with_slopes) segment_slopes_.resize(integrals_.size() + 1);
+    const std::size_t next = integrals_.size();
+    if (with_slopes && segment_slopes_.size() == next) segment_slopes_.emplace_back();
     if (!integrate_segment(plane_, corners.span(), surfaces.capture, integrals,
-                           with_slopes ? &segment_slopes_.back() : nullptr))
+                           with_slopes ? &segment_slopes_[next] : nullptr))
       continue;
     integrals_.push_back(integrals);
     masters_.push_back(master);

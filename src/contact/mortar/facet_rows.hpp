@@ -51,7 +51,7 @@ class FacetRows {
   SlavePlane plane_;
   std::size_t corners_ = 0;
   std::vector<SegmentIntegrals> integrals_;
-  std::vector<SegmentSlopes> segment_slopes_;
+  std::vector<SegmentSlopes> segment_slopes_;      ///< of each segment; those beyond are kept for their memory
   std::vector<LocalIndex> masters_;                ///< of each segment
   std::vector<std::array<std::size_t, 4>> local_;  ///< of each segment: places of its master's corners in nodes_
   std::vector<std::size_t> master_corners_;        ///< of each segment

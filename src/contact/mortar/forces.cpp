@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/contact/mortar/forces.hpp"
 
+#include "add_block.hpp"
+
 namespace brunt::contact {
 
 void add_forces(const MortarRows& rows, std::span<const Vec3> tractions, std::span<Vec3> forces) {
@@ -14,12 +16,12 @@ void add_forces(const MortarRows& rows, std::span<const Vec3> tractions, std::sp
   }
 }
 
-void force_directions(const MortarRows& rows, NodeBlocks<Vec3>& directions) {
-  directions.nodes = rows.weights.nodes;
-  directions.blocks.clear();
-  for (std::size_t row = 0; row < rows.normals.size(); ++row)
+void pressure_columns(const MortarRows& rows, std::span<const Vec3> by_pressure, NodeBlocks<Vec3>& columns) {
+  columns.nodes = rows.weights.nodes;
+  columns.blocks.clear();
+  for (std::size_t row = 0; row < by_pressure.size(); ++row)
     for (const double weight : rows.weights.row(static_cast<LocalIndex>(row)))
-      directions.blocks.emplace_back(weight * rows.normals[row]);
+      columns.blocks.emplace_back(weight * by_pressure[row]);
 }
 
 void gap_gradient(const MortarRows& rows, const MortarSlopes& slopes, NodeBlocks<Vec3>& gradient) {
@@ -27,23 +29,13 @@ void gap_gradient(const MortarRows& rows, const MortarSlopes& slopes, NodeBlocks
   for (std::size_t row = 0; row < rows.normals.size(); ++row) {
     const auto index = static_cast<LocalIndex>(row);
     const std::span<const LocalIndex> nodes = slopes.gap_vectors.nodes.row(index);
-    const std::size_t begin = gradient.blocks.size();
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
+    for (std::size_t k = 0; k < nodes.size(); ++k) {  // each node once: nothing to add to
       gradient.nodes.values.push_back(nodes[k]);
       gradient.blocks.emplace_back(slopes.gap_vectors.row(index)[k].transpose() * rows.normals[row]);
     }
     const std::span<const LocalIndex> around = slopes.normals.nodes.row(index);
-    for (std::size_t k = 0; k < around.size() && !nodes.empty(); ++k) {
-      const Vec3 block = slopes.normals.row(index)[k].transpose() * rows.gap_vectors[row];
-      std::size_t at = begin;
-      while (at < gradient.blocks.size() && gradient.nodes.values[at] != around[k]) ++at;
-      if (at == gradient.blocks.size()) {
-        gradient.nodes.values.push_back(around[k]);
-        gradient.blocks.push_back(block);
-      } else {
-        gradient.blocks[at] += block;
-      }
-    }
+    for (std::size_t k = 0; k < around.size() && !nodes.empty(); ++k)
+      add_block(gradient, around[k], Vec3(slopes.normals.row(index)[k].transpose() * rows.gap_vectors[row]));
     gradient.nodes.close_row();
   }
 }

@@ -2,8 +2,8 @@
 #include "brunt/contact/mortar/normals.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 
+#include "add_block.hpp"
 #include "brunt/core/cross_matrix.hpp"
 #include "corners.hpp"
 
@@ -43,18 +43,6 @@ Mat3 projector(std::span<const Vec3> mirrors) {
   return left;
 }
 
-/// Adds a block to the row that is being filled.
-void add(NodeBlocks<Mat3>& blocks, LocalIndex node, const Mat3& block) {
-  const auto begin = blocks.nodes.values.begin() + blocks.nodes.offsets.back();
-  const auto at = std::find(begin, blocks.nodes.values.end(), node);
-  if (at != blocks.nodes.values.end()) {
-    blocks.blocks[static_cast<std::size_t>(at - blocks.nodes.values.begin())] += block;
-    return;
-  }
-  blocks.nodes.values.push_back(node);
-  blocks.blocks.push_back(block);
-}
-
 }  // namespace
 
 void nodal_normals(const MortarSurfaces& surfaces, const MortarTopology& topology, std::span<const Vec3> x,
@@ -79,7 +67,7 @@ void nodal_normals(const MortarSurfaces& surfaces, const MortarTopology& topolog
         const FacetNodes& nodes = surfaces.slave[static_cast<std::size_t>(facet)];
         const CornersOf corners(nodes, x);
         const FacetNormal of_facet(corners.span(), true);
-        for (std::size_t a = 0; a < corners.count; ++a) add(*slopes, nodes[a], across * of_facet.slope[a]);
+        for (std::size_t a = 0; a < corners.count; ++a) add_block(*slopes, nodes[a], Mat3(across * of_facet.slope[a]));
       }
     }
     slopes->nodes.close_row();

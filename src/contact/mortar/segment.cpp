@@ -2,6 +2,7 @@
 #include "brunt/contact/mortar/segment.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "fan.hpp"
@@ -49,6 +50,20 @@ bool faces(const SlavePlane& plane, FacetCorners master) {
   const Vec3 normal = d1.cross(d2);
   const double size = normal.norm();
   return size > 0 && normal.dot(plane.normal) < opposing_normals * size;  // false where it is not finite
+}
+
+/// Bounds of the two facets in the plane do not overlap: most pairs without a segment end here.
+bool apart(Polygon<double> a, Polygon<double> b) {
+  const auto beyond = [&](double PlanePoint<double>::*axis) {
+    double low[2] = {a[0].*axis, b[0].*axis}, high[2] = {low[0], low[1]};
+    for (int side = 0; side < 2; ++side)
+      for (const Point& p : side == 0 ? a : b) {
+        low[side] = std::min(low[side], p.*axis);
+        high[side] = std::max(high[side], p.*axis);
+      }
+    return low[0] >= high[1] || low[1] >= high[0];
+  };
+  return beyond(&Point::x) || beyond(&Point::y);
 }
 
 /// Corners of the polygon and its centroid as a fan. The centroid, unlike the mean of the corners, does not jump where
@@ -257,6 +272,7 @@ bool integrate_segment(const SlavePlane& plane, FacetCorners master, double capt
                        SegmentSlopes* slopes) {
   if (!faces(plane, master)) return false;
   const SeenMaster seen(plane, master);
+  if (apart(polygon_of(plane), seen.polygon())) return false;
   Integration integration(plane, seen, slopes != nullptr);
   integration.run(least_overlap * plane.area());
   if (integration.area == 0) return false;

@@ -12,8 +12,8 @@ namespace brunt::contact {
 /// forces[K] += w_AK T_A over all rows, in their order [force].
 void add_forces(const MortarRows& rows, std::span<const Vec3> tractions, std::span<Vec3> forces);
 
-/// K_xz: dF_K/dz_A = w_AK normal_A, a row each [length^2].
-void force_directions(const MortarRows& rows, NodeBlocks<Vec3>& directions);
+/// K_xz: dF_K/dz_A = w_AK dT_A/dz_A, a row each [length^2]. by_pressure: dT_A/dz_A, the normals without friction.
+void pressure_columns(const MortarRows& rows, std::span<const Vec3> by_pressure, NodeBlocks<Vec3>& columns);
 
 /// K_zx: h_A = d(normal_A . G_A)/dx, a row each; rows without a segment are empty [length^2].
 void gap_gradient(const MortarRows& rows, const MortarSlopes& slopes, NodeBlocks<Vec3>& gradient);

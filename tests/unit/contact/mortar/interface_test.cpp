@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "brunt/contact/mortar/active_set.hpp"
 #include "brunt/contact/mortar/forces.hpp"
+#include "brunt/contact/mortar/tractions.hpp"
 #include "two_surfaces.hpp"
 
 using namespace brunt;
@@ -172,10 +172,10 @@ TEST_CASE("The force tangent at fixed pressures and the gap gradient agree with 
       std::vector<Vec3> tractions;
       normal_tractions(evaluation.rows, z, tractions);
       evaluation.differentiate(two, tractions);
-      NodeBlocks<Mat3> traction_slopes;
+      TractionSlopes traction_slopes;
       NodeBlocks<Vec3> gradient;
-      normal_traction_slopes(evaluation.slopes, z, traction_slopes);
-      add_traction_slopes(evaluation.rows, traction_slopes, evaluation.slopes.weights);
+      normal_traction_slopes(evaluation.rows, evaluation.slopes, z, traction_slopes);
+      add_traction_slopes(evaluation.rows, traction_slopes.by_position, evaluation.slopes.weights);
       gap_gradient(evaluation.rows, evaluation.slopes, gradient);
       const std::vector<double> tangent = assembled(evaluation.slopes.weights, nodes);
       double largest = 0, worst = 0, largest_gap = 0, worst_gap = 0;
