@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <random>
 
 #include "brunt/contact/mortar/forces.hpp"
 #include "brunt/contact/mortar/tractions.hpp"
@@ -149,4 +150,63 @@ TEST_CASE("The force tangent at fixed pressures and the gap gradient agree with 
       CHECK(test::difference(test::assembled(evaluation.slopes.weights, two.x.size()), two.x, forces) < 1e-8);
       CHECK(test::difference(test::assembled(gradient, two.x.size()), two.x, gaps) < 1e-8);
     }
+}
+
+TEST_CASE("A uniform pressure puts on either side the forces that it has there alone") {
+  // What a patch test asks of an interface. On general quadrilaterals the rule has an error; the bound is that of M2 in
+  // reference-mortar.md, relative to the force of an inner node. On parallelograms there is none.
+  for (const Multiplier multiplier : {Multiplier::dual, Multiplier::standard})
+    for (const double shift : {0.0, 0.2})
+      for (const auto& [n, m] : {std::pair{3, 4}, std::pair{2, 3}, std::pair{4, 7}}) {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> number(-shift, shift);
+        const auto place = [&](int cells) {
+          return [&, cells](double x, double y) -> Vec3 {
+            const auto inner = [&](double a) { return a > 1e-9 && a < 1 - 1e-9; };
+            if (!inner(x) || !inner(y)) return {x, y, 0};
+            return {x + number(random) / cells, y + number(random) / cells, 0};
+          };
+        };
+        TwoSurfaces two({n, n, 0, 1, 0, 1, true, false}, place(n), {m, m, 0, 1, 0, 1, false, false}, place(m));
+        two.surfaces.multiplier = multiplier;
+        TwoSurfaces other = two;  // the master as a slave, for int N_C over each of its nodes
+        std::swap(other.surfaces.slave, other.surfaces.master);
+        const auto slaves = static_cast<std::size_t>((n + 1) * (n + 1));
+        other.surfaces.rows.clear();
+        for (std::size_t node = slaves; node < two.x.size(); ++node)
+          other.surfaces.rows.push_back(static_cast<LocalIndex>(node));
+        const MortarTopology alone = make_topology(other.surfaces, two.x);
+        Evaluation evaluation(two);
+        const auto forces = forces_at(two, evaluation, two.x, std::vector<double>(slaves, 1));
+        double worst = 0;
+        for (std::size_t node = 0; node < slaves; ++node)
+          worst = std::max(worst, std::abs(forces[node][2] + 1 / evaluation.topology.kappa[node]));
+        CHECK(worst * n * n < (shift == 0 ? 1e-13 : 2e-6));
+        worst = 0;
+        for (std::size_t node = slaves; node < two.x.size(); ++node)
+          worst = std::max(worst, std::abs(forces[node][2] - 1 / alone.kappa[node - slaves]));
+        CHECK(worst * m * m < (shift == 0 ? 1e-13 : 2e-6));
+      }
+}
+
+TEST_CASE("Conforming surfaces, coincident up to rounding and noise, have bounded slopes") {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const double noise : {0.0, 1e-16, 1e-14, 1e-12, 1e-10, 1e-8}) {
+    const auto flat = [&](double x, double y) -> Vec3 {
+      return Vec3(x, y, 0) + noise * Vec3(number(random), number(random), number(random));
+    };
+    for (const bool triangles : {false, true}) {
+      const TwoSurfaces two({3, 3, 0, 1, 0, 1, true, triangles}, flat, {3, 3, 0, 1, 0, 1, false, triangles}, flat);
+      Evaluation evaluation(two);
+      const std::vector<Vec3> tractions(16, Vec3(0.1, 0, -1));
+      evaluation.differentiate(two, tractions);
+      CHECK(evaluation.rows.segments >= (triangles ? 18 : 9));
+      for (std::size_t row = 0; row < 16; ++row) {
+        CHECK(evaluation.rows.covered[row] * evaluation.topology.kappa[row] == Approx(1).epsilon(1e-12 + 100 * noise));
+        CHECK(std::abs(evaluation.rows.normalised_gap(evaluation.topology, row)) <= 10 * noise);
+      }
+      for (const double entry : test::assembled(evaluation.slopes.weights, two.x.size())) CHECK(std::abs(entry) < 1);
+    }
+  }
 }
