@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Coulomb friction of mortar rows, eqs. (26) to (29) of Yang and Laursen (2008): slip is measured by the change of the
+// mortar weights over the step, which a rigid motion of both bodies leaves alone; sticking is a penalty.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "brunt/contact/mortar/tractions.hpp"
+
+namespace brunt::contact {
+
+struct FrictionLaw {
+  double coefficient = 0;  ///< of Coulomb
+  double stiffness = 0;    ///< tangential, of sticking rows [force/length^3]
+};
+
+/// What is kept of the last step, a row each. A row without old weights has neither slip nor traction.
+struct FrictionHistory {
+  NodeBlocks<double> weights;   ///< w_AK [length^2]
+  std::vector<Vec3> normals;    ///< unit
+  std::vector<Vec3> tractions;  ///< tangential part on the slave [force/length^2]
+};
+
+enum class FrictionState : std::int8_t { open, stick, slip };
+
+/// Slip of the slave relative to the master over the step [length], a row each:
+/// s_A = - kappa_A (1 - n n^T) sum_K (w_AK - w_AK of the last step) x_K.
+void slips(const MortarRows& rows, const MortarTopology& topology, std::span<const Vec3> x,
+           const FrictionHistory& history, std::vector<Vec3>& out);
+
+/// T_A = z_A normal_A + t_A with t_A = t_tr where |t_tr| <= mu z_A (stick), else mu z_A t_tr/|t_tr|;
+/// t_tr = (t of the last step, turned with the normal) - stiffness s_A. Rows with z_A <= 0 have none.
+void friction_tractions(const MortarRows& rows, const MortarTopology& topology, std::span<const Vec3> x,
+                        std::span<const double> z, const FrictionLaw& law, const FrictionHistory& history,
+                        std::vector<Vec3>& tractions, std::vector<FrictionState>& states);
+
+/// Their slopes, along the branch taken.
+void friction_traction_slopes(const MortarRows& rows, const MortarSlopes& slopes, const MortarTopology& topology,
+                              std::span<const Vec3> x, std::span<const double> z, const FrictionLaw& law,
+                              const FrictionHistory& history, TractionSlopes& out);
+
+/// The history of a step that is accepted.
+void keep_friction(const MortarRows& rows, std::span<const Vec3> tractions, FrictionHistory& history);
+
+}  // namespace brunt::contact

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// One mortar interface: its two surfaces, its rows at a configuration, and their derivatives. Rank-free: whoever holds
+// all facets around a slave node and their candidates has its whole row.
+//
+// Signs are the house's: the normal of a row points out of the master (minus the slave's nodal normal), gap > 0 is
+// open, a multiplier z >= 0 is a pressure. Row A has the weights w_AK = + int psi_A N_B at slave nodes and
+// - int psi_A N_C at master nodes, of sum zero, so
+//   vector gap G_A = sum_K w_AK x_K,  gap = normal_A . G_A,  force of a traction T_A on node K: w_AK T_A,
+// with T_A = z_A normal_A without friction.
+#pragma once
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brunt/contact/mortar/weights.hpp"
+#include "brunt/core/ragged.hpp"
+#include "brunt/core/types.hpp"
+
+namespace brunt::contact {
+
+/// Nodes of a facet; a triangle's fourth is no_index.
+using FacetNodes = std::array<LocalIndex, 4>;
+
+struct MortarSurfaces {
+  std::vector<FacetNodes> slave;   ///< in the order of their keys; those without candidates shape normals only
+  std::vector<FacetNodes> master;  ///< nodes number one array, common to both sides
+  std::vector<LocalIndex> rows;    ///< the slave node of each row
+  Ragged<Vec3> mirrors;            ///< a row each: unit normals of the symmetry planes its node lies in; or no rows
+  Multiplier multiplier = Multiplier::dual;
+  double capture = 0;  ///< greatest distance of two facets along the normal [length]
+};
+
+/// What follows from the surfaces and the reference configuration alone.
+struct MortarTopology {
+  std::vector<LocalIndex> row_of_node;  ///< no_index: no row
+  Ragged<LocalIndex> facets_around;     ///< a row each: slave facets, ascending
+  std::vector<double> kappa;            ///< a row each: 1 / int N_A over the reference slave surface [1/length^2]
+  double edge = 0;                      ///< mean edge of the slave facets in the reference configuration [length]
+};
+
+/// reference: of all nodes. Throws (demand) where a row's node has no slave facet of positive area.
+MortarTopology make_topology(const MortarSurfaces& surfaces, std::span<const Vec3> reference);
+
+/// A sparse matrix of vectors or blocks by row and node; nodes of a row in the order of their first contribution.
+template <class Block>
+struct NodeBlocks {
+  Ragged<LocalIndex> nodes;
+  std::vector<Block> blocks;  ///< an entry each
+  void clear() {
+    nodes.clear();
+    blocks.clear();
+  }
+  [[nodiscard]] std::span<const Block> row(LocalIndex i) const {
+    const auto begin = static_cast<std::size_t>(nodes.offsets[static_cast<std::size_t>(i)]);
+    return {blocks.data() + begin, nodes.row(i).size()};
+  }
+};
+
+struct MortarRows {
+  NodeBlocks<double> weights;     ///< w_AK; of sum zero in each row [length^2]
+  std::vector<Vec3> normals;      ///< unit, out of the master
+  std::vector<Vec3> gap_vectors;  ///< G_A [length^3]
+  std::vector<double> covered;    ///< sum of the slave's weights; 0: the row is empty [length^2]
+  std::vector<double> gaps;       ///< normal . G, weighted [length^3]
+  std::size_t segments = 0;       ///< pairs that have one
+
+  /// kappa times the weighted gap [length].
+  [[nodiscard]] double normalised_gap(const MortarTopology& topology, std::size_t row) const {
+    return topology.kappa[row] * gaps[row];
+  }
+};
+
+/// A dense part of a matrix: values[(3 r + i) columns 3 + 3 c + j], added at (rows[r], i), (columns[c], j).
+struct Patch {
+  std::vector<LocalIndex> rows, columns;
+  std::vector<double> values;
+};
+
+/// Parts of one matrix, to be added in this order. Patches beyond `count` are kept for their memory.
+struct Patches {
+  std::vector<Patch> patch;
+  std::vector<LocalIndex> source;  ///< of each: the slave facet or the row that it comes from
+  std::size_t count = 0;
+  Patch& next(LocalIndex from);
+  void clear() { count = 0; }
+};
+
+struct MortarSlopes {
+  NodeBlocks<Mat3> gap_vectors;  ///< dG_A / dx_K [length^2]
+  NodeBlocks<Mat3> normals;      ///< d normal_A / dx_K [1/length]
+  Patches weights;               ///< sum_A T_A (x) dw_AK / dx_L at fixed tractions T, a patch a slave facet
+};
+
+/// Arrays of an evaluation, kept from one to the next.
+struct MortarScratch;
+struct MortarScratchDeleter {
+  void operator()(MortarScratch* scratch) const;
+};
+using MortarScratchPointer = std::unique_ptr<MortarScratch, MortarScratchDeleter>;
+MortarScratchPointer make_mortar_scratch();
+
+/// candidates: a slave facet each, master facets in the order of their keys. x: current positions of all nodes.
+void mortar_rows(const MortarSurfaces& surfaces, const MortarTopology& topology, const Ragged<LocalIndex>& candidates,
+                 std::span<const Vec3> x, MortarScratch& scratch, MortarRows& rows);
+
+/// The same with derivatives; tractions: T_A of each row at which `weights` is formed [force/length^2].
+void mortar_rows_and_slopes(const MortarSurfaces& surfaces, const MortarTopology& topology,
+                            const Ragged<LocalIndex>& candidates, std::span<const Vec3> x,
+                            std::span<const Vec3> tractions, MortarScratch& scratch, MortarRows& rows,
+                            MortarSlopes& slopes);
+
+}  // namespace brunt::contact

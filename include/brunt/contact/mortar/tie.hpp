@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tied surfaces: the vector gap of each row, with the weights of the start, keeps its value of the start. That value
+// turns with the slave's nodal normal, so that a gap across the surfaces at the start does not resist a rotation.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "brunt/contact/mortar/interface.hpp"
+
+namespace brunt::contact {
+
+struct TieStart {
+  NodeBlocks<double> weights;     ///< w_AK in the tied state [length^2]
+  std::vector<Vec3> normals;      ///< unit
+  std::vector<Vec3> gap_vectors;  ///< G_A [length^3]
+  std::vector<double> covered;    ///< 0: nothing is tied [length^2]
+};
+
+TieStart tie(const MortarRows& rows);
+
+/// Residuals r_A = sum_K w_AK x_K / covered_A - (gap of the start, turned from the normal of the start to the one now)
+/// [length]. normals: of nodal_normals at x.
+void tie_residuals(const TieStart& start, std::span<const Vec3> x, std::span<const Vec3> normals,
+                   std::vector<Vec3>& residuals);
+
+/// dr_A/dx_K. normal_slopes: of nodal_normals at x.
+void tie_gradient(const TieStart& start, std::span<const Vec3> normals, const NodeBlocks<Mat3>& normal_slopes,
+                  NodeBlocks<Mat3>& gradient);
+
+/// forces[K] += w_AK T_A; T: multipliers of the three residuals, the traction on the slave [force/length^2]. Linear in
+/// T, and independent of x.
+void add_tie_forces(const TieStart& start, std::span<const Vec3> tractions, std::span<Vec3> forces);
+
+}  // namespace brunt::contact

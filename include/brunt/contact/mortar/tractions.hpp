@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tractions of frictionless rows, from multipliers or a penalty, and their slopes. The tractions of a Newton iterate:
+//   mortar_rows -> tractions T_A -> add_forces;  then mortar_rows_and_slopes at T -> traction slopes ->
+//   add_traction_slopes. Friction (friction.hpp) takes the place of the second step.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "brunt/contact/mortar/interface.hpp"
+
+namespace brunt::contact {
+
+struct TractionSlopes {
+  NodeBlocks<Mat3> by_position;   ///< dT_A/dx_K at fixed pressures [force/length^3]
+  std::vector<Vec3> by_pressure;  ///< dT_A/dz_A at fixed positions
+};
+
+/// T_A = z_A normal_A. z: pressures, a row each [force/length^2].
+void normal_tractions(const MortarRows& rows, std::span<const double> z, std::vector<Vec3>& tractions);
+
+/// z_A d normal_A/dx, and the normals.
+void normal_traction_slopes(const MortarRows& rows, const MortarSlopes& slopes, std::span<const double> z,
+                            TractionSlopes& out);
+
+/// z_A = max(0, base_A - stiffness kappa_A gap_A) where the row has a segment, eq. (23). base: multipliers of the last
+/// augmentation; empty: zero. stiffness: [force/length^3].
+void penalty_pressures(const MortarRows& rows, const MortarTopology& topology, double stiffness,
+                       std::span<const double> base, std::vector<double>& z);
+
+/// Adds dT_A/dz_A (x) dz_A/dx to the slopes by position of the rows that are pressed. gradient: of gap_gradient.
+void add_penalty_slopes(const NodeBlocks<Vec3>& gradient, const MortarTopology& topology, double stiffness,
+                        std::span<const double> z, TractionSlopes& slopes);
+
+}  // namespace brunt::contact

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <algorithm>
+
+#include "brunt/contact/mortar/interface.hpp"
+
+namespace brunt::contact {
+
+/// Adds a block to the last row, which is not closed yet.
+template <class Block>
+void add_block(NodeBlocks<Block>& blocks, LocalIndex node, const Block& block) {
+  const std::vector<LocalIndex>& nodes = blocks.nodes.values;
+  const auto at = std::find(nodes.begin() + blocks.nodes.offsets.back(), nodes.end(), node);
+  if (at != nodes.end()) {
+    blocks.blocks[static_cast<std::size_t>(at - nodes.begin())] += block;
+    return;
+  }
+  blocks.nodes.values.push_back(node);
+  blocks.blocks.push_back(block);
+}
+
+/// Adds a matrix times each block of row `row` of another matrix to the last row.
+inline void add_row(NodeBlocks<Mat3>& blocks, const Mat3& left, const NodeBlocks<Mat3>& other, LocalIndex row) {
+  const std::span<const LocalIndex> nodes = other.nodes.row(row);
+  for (std::size_t k = 0; k < nodes.size(); ++k) add_block(blocks, nodes[k], Mat3(left * other.row(row)[k]));
+}
+
+/// sum_K w_AK x_K of one row, from a point near it so that no digits are lost far from the origin.
+inline Vec3 weighted_sum(const NodeBlocks<double>& weights, LocalIndex row, std::span<const Vec3> x) {
+  const std::span<const LocalIndex> nodes = weights.nodes.row(row);
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    sum += weights.row(row)[k] * (x[static_cast<std::size_t>(nodes[k])] - x[static_cast<std::size_t>(nodes[0])]);
+  return sum;
+}
+
+}  // namespace brunt::contact

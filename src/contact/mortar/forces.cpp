@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/mortar/forces.hpp"
+
+#include "add_block.hpp"
+
+namespace brunt::contact {
+
+void add_forces(const MortarRows& rows, std::span<const Vec3> tractions, std::span<Vec3> forces) {
+  for (std::size_t row = 0; row < tractions.size(); ++row) {
+    if (tractions[row].isZero(0)) continue;
+    const auto index = static_cast<LocalIndex>(row);
+    const std::span<const LocalIndex> nodes = rows.weights.nodes.row(index);
+    const std::span<const double> weights = rows.weights.row(index);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      forces[static_cast<std::size_t>(nodes[k])] += weights[k] * tractions[row];
+  }
+}
+
+void pressure_columns(const MortarRows& rows, std::span<const Vec3> by_pressure, NodeBlocks<Vec3>& columns) {
+  columns.nodes = rows.weights.nodes;
+  columns.blocks.clear();
+  for (std::size_t row = 0; row < by_pressure.size(); ++row)
+    for (const double weight : rows.weights.row(static_cast<LocalIndex>(row)))
+      columns.blocks.emplace_back(weight * by_pressure[row]);
+}
+
+void gap_gradient(const MortarRows& rows, const MortarSlopes& slopes, NodeBlocks<Vec3>& gradient) {
+  gradient.clear();
+  for (std::size_t row = 0; row < rows.normals.size(); ++row) {
+    const auto index = static_cast<LocalIndex>(row);
+    const std::span<const LocalIndex> nodes = slopes.gap_vectors.nodes.row(index);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {  // each node once: nothing to add to
+      gradient.nodes.values.push_back(nodes[k]);
+      gradient.blocks.emplace_back(slopes.gap_vectors.row(index)[k].transpose() * rows.normals[row]);
+    }
+    const std::span<const LocalIndex> around = slopes.normals.nodes.row(index);
+    for (std::size_t k = 0; k < around.size() && !nodes.empty(); ++k)
+      add_block(gradient, around[k], Vec3(slopes.normals.row(index)[k].transpose() * rows.gap_vectors[row]));
+    gradient.nodes.close_row();
+  }
+}
+
+void add_traction_slopes(const MortarRows& rows, const NodeBlocks<Mat3>& traction_slopes, Patches& patches) {
+  for (LocalIndex row = 0; row < traction_slopes.nodes.rows(); ++row) {
+    const std::span<const LocalIndex> nodes = rows.weights.nodes.row(row), by = traction_slopes.nodes.row(row);
+    if (nodes.empty() || by.empty()) continue;
+    Patch& patch = patches.next(row);
+    patch.rows.assign(nodes.begin(), nodes.end());
+    patch.columns.assign(by.begin(), by.end());
+    patch.values.clear();
+    for (const double weight : rows.weights.row(row))
+      for (Eigen::Index i = 0; i < 3; ++i)
+        for (const Mat3& slope : traction_slopes.row(row))
+          for (Eigen::Index j = 0; j < 3; ++j) patch.values.push_back(weight * slope(i, j));
+  }
+}
+
+}  // namespace brunt::contact

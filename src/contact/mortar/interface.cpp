@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/mortar/interface.hpp"
+
+#include "brunt/contact/mortar/normals.hpp"
+#include "brunt/core/error.hpp"
+#include "scratch.hpp"
+
+namespace brunt::contact {
+
+namespace {
+
+/// Entries in the order of slave facets, sorted by row; those of one node are added in that order.
+template <class Block>
+void gather(const std::vector<Entry<Block>>& entries, std::size_t rows, MortarScratch& scratch,
+            NodeBlocks<Block>& out) {
+  std::vector<LocalIndex>&first = scratch.first_of_row, &order = scratch.order, &place = scratch.place_of_node;
+  first.assign(rows + 1, 0);
+  for (const Entry<Block>& entry : entries) ++first[static_cast<std::size_t>(entry.row) + 1];
+  for (std::size_t row = 0; row < rows; ++row) first[row + 1] += first[row];
+  order.resize(entries.size());
+  std::vector<LocalIndex>& next = scratch.next_of_row;
+  next.assign(first.begin(), first.end() - 1);
+  for (std::size_t e = 0; e < entries.size(); ++e)
+    order[static_cast<std::size_t>(next[static_cast<std::size_t>(entries[e].row)]++)] = static_cast<LocalIndex>(e);
+  out.clear();
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (LocalIndex k = first[row]; k < first[row + 1]; ++k) {
+      const Entry<Block>& entry = entries[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])];
+      LocalIndex& at = place[static_cast<std::size_t>(entry.node)];
+      if (at < out.nodes.offsets.back()) {  // not met in this row
+        at = static_cast<LocalIndex>(out.blocks.size());
+        out.nodes.values.push_back(entry.node);
+        out.blocks.push_back(entry.block);
+      } else {
+        out.blocks[static_cast<std::size_t>(at)] += entry.block;
+      }
+    }
+    out.nodes.close_row();
+  }
+  for (const LocalIndex node : out.nodes.values) place[static_cast<std::size_t>(node)] = no_index;
+}
+
+/// Entries of one facet's rows; weights, and slopes of gap vectors where asked for.
+void take_facet(const FacetRows& facet, const FacetNodes& slave, const MortarTopology& topology, MortarScratch& scratch,
+                MortarRows& rows, bool with_slopes) {
+  for (std::size_t j = 0; j < facet.corners(); ++j) {
+    const LocalIndex row = topology.row_of_node[static_cast<std::size_t>(slave[j])];
+    if (row == no_index) continue;
+    rows.covered[static_cast<std::size_t>(row)] += facet.share(j);
+    rows.gap_vectors[static_cast<std::size_t>(row)] += facet.gap_vector(j);
+    if (with_slopes) facet.gap_slopes(j, scratch.gap_slopes);
+    for (std::size_t k = 0; k < facet.nodes().size(); ++k) {
+      scratch.weights.push_back({row, facet.nodes()[k], facet.weight(j, k)});
+      if (with_slopes) scratch.gaps.push_back({row, facet.nodes()[k], scratch.gap_slopes[k]});
+    }
+  }
+}
+
+/// The patch of one facet, unless its tractions are zero.
+void take_patch(const FacetRows& facet, std::size_t index, const FacetNodes& slave, const MortarTopology& topology,
+                std::span<const Vec3> tractions, Patches& patches) {
+  std::array<Vec3, 4> of_corner{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  bool loaded = false;
+  for (std::size_t j = 0; j < facet.corners(); ++j) {
+    const LocalIndex row = topology.row_of_node[static_cast<std::size_t>(slave[j])];
+    if (row != no_index) of_corner[j] = tractions[static_cast<std::size_t>(row)];
+    loaded = loaded || !of_corner[j].isZero(0);
+  }
+  if (!loaded) return;
+  Patch& patch = patches.next(static_cast<LocalIndex>(index));
+  patch.rows.assign(facet.nodes().begin(), facet.nodes().end());
+  patch.columns = patch.rows;
+  facet.traction_patch(of_corner, patch.values);
+}
+
+void evaluate(const MortarSurfaces& surfaces, const MortarTopology& topology, const Ragged<LocalIndex>& candidates,
+              std::span<const Vec3> x, std::span<const Vec3> tractions, MortarScratch& scratch, MortarRows& rows,
+              MortarSlopes* slopes) {
+  const std::size_t row_count = surfaces.rows.size();
+  demand(static_cast<std::size_t>(candidates.rows()) == surfaces.slave.size(), "mortar: a row of candidates a facet");
+  demand(slopes == nullptr || tractions.size() == row_count, "mortar: a traction a row");
+  rows.covered.assign(row_count, 0);
+  rows.gap_vectors.assign(row_count, Vec3::Zero());
+  rows.segments = 0;
+  scratch.place_of_node.assign(x.size(), no_index);
+  scratch.weights.clear();
+  scratch.gaps.clear();
+  if (slopes != nullptr) slopes->weights.clear();
+  for (std::size_t facet = 0; facet < surfaces.slave.size(); ++facet) {
+    if (!scratch.facet.evaluate(surfaces, facet, candidates.row(static_cast<LocalIndex>(facet)), x, slopes != nullptr))
+      continue;
+    rows.segments += scratch.facet.segments();
+    take_facet(scratch.facet, surfaces.slave[facet], topology, scratch, rows, slopes != nullptr);
+    if (slopes != nullptr)
+      take_patch(scratch.facet, facet, surfaces.slave[facet], topology, tractions, slopes->weights);
+  }
+  gather(scratch.weights, row_count, scratch, rows.weights);
+  if (slopes != nullptr) gather(scratch.gaps, row_count, scratch, slopes->gap_vectors);
+  nodal_normals(surfaces, topology, x, rows.normals, slopes != nullptr ? &slopes->normals : nullptr);
+  rows.gaps.resize(row_count);
+  for (std::size_t row = 0; row < row_count; ++row) rows.gaps[row] = rows.normals[row].dot(rows.gap_vectors[row]);
+}
+
+}  // namespace
+
+void MortarScratchDeleter::operator()(MortarScratch* scratch) const {
+  delete scratch;
+}
+
+MortarScratchPointer make_mortar_scratch() {
+  return MortarScratchPointer(new MortarScratch);
+}
+
+Patch& Patches::next(LocalIndex from) {
+  if (count == patch.size()) patch.emplace_back();
+  source.resize(count);
+  source.push_back(from);
+  return patch[count++];
+}
+
+void mortar_rows(const MortarSurfaces& surfaces, const MortarTopology& topology, const Ragged<LocalIndex>& candidates,
+                 std::span<const Vec3> x, MortarScratch& scratch, MortarRows& rows) {
+  evaluate(surfaces, topology, candidates, x, {}, scratch, rows, nullptr);
+}
+
+void mortar_rows_and_slopes(const MortarSurfaces& surfaces, const MortarTopology& topology,
+                            const Ragged<LocalIndex>& candidates, std::span<const Vec3> x,
+                            std::span<const Vec3> tractions, MortarScratch& scratch, MortarRows& rows,
+                            MortarSlopes& slopes) {
+  evaluate(surfaces, topology, candidates, x, tractions, scratch, rows, &slopes);
+}
+
+}  // namespace brunt::contact

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <vector>
+
+#include "brunt/contact/mortar/interface.hpp"
+#include "facet_rows.hpp"
+
+namespace brunt::contact {
+
+/// A contribution to an entry of a sparse matrix.
+template <class Block>
+struct Entry {
+  LocalIndex row, node;
+  Block block;
+};
+
+struct MortarScratch {
+  FacetRows facet;
+  std::vector<Entry<double>> weights;
+  std::vector<Entry<Mat3>> gaps;
+  std::vector<Mat3> gap_slopes;
+  std::vector<LocalIndex> first_of_row, next_of_row, order;
+  std::vector<LocalIndex> place_of_node;  ///< of the entry of a node in the row that is being gathered
+};
+
+}  // namespace brunt::contact
