@@ -47,7 +47,15 @@ void check_part(const scene::Input& input, const model::ElementBlock& block, std
 
 std::vector<std::string> faults_of_implicit(const scene::Input& input, const model::Model& model) {
   std::vector<std::string> faults;
-  if (!input.implicit) return faults;
+  if (!input.implicit) {
+    for (std::size_t k = 0; k < input.contact.size(); ++k)
+      if (input.contact[k].mortar)
+        faults.push_back(
+            fmt::format("{}: mortar contact is for implicit scenes; accepted in an explicit one: method: rate "
+                        "(the default) and the others, or solver: implicit",
+                        input.at(fmt::format("contact.{}.method", k))));
+    return faults;
+  }
   for (const auto& [key, why] : explicit_keys)
     if (input.places.has(key)) faults.push_back(fmt::format("{}: {}", input.at(key), why));
   for (const model::ElementBlock& block : model.blocks) check_part(input, block, faults);
@@ -56,8 +64,12 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
   if (!model.walls.empty())
     faults.push_back(
         fmt::format("{}: are for explicit scenes as yet; accepted: no rigid walls", input.at("rigid_walls")));
-  if (model.contact.pairs.any_acts())
-    faults.push_back(fmt::format("{}: is for explicit scenes as yet; accepted: no contact", input.at("contact")));
+  for (std::size_t k = 0; k < input.contact.size(); ++k)
+    if (!input.contact[k].mortar)
+      faults.push_back(
+          fmt::format("{}: an implicit scene has mortar contact alone; accepted: {{between: [a, b], method: "
+                      "mortar}}",
+                      input.at(fmt::format("contact.{}", k))));
   if (model.books_interface)
     faults.push_back(fmt::format(
         "{}: energies of parts that share nodes are for explicit scenes; accepted: other probes", input.at("probes")));

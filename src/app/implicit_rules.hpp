@@ -9,7 +9,7 @@
 
 namespace brunt::app {
 
-/// Nothing for explicit scenes. The same on all ranks.
+/// What explicit scenes may not ask for of implicit ones, too. The same on all ranks.
 std::vector<std::string> faults_of_implicit(const scene::Input& input, const model::Model& model);
 
 /// What works, but not as well as it could.

@@ -44,8 +44,9 @@ void share_accepted(const comm::Communicator& ranks, std::vector<contact::Accept
 
 /// Refuses what implicit scenes cannot do, and sizes what their steps need. Collective.
 void make_implicit(Prepared& run) {
-  std::vector<std::string> faults = faults_of_implicit(run.input, run.model);
-  if (!faults.empty()) throw InputError(std::move(faults));
+  if (std::vector<std::string> faults = faults_of_implicit(run.input, run.model); !faults.empty())
+    throw InputError(std::move(faults));
+  if (!run.input.implicit) return;
   if (run.links.ranks.is_root())
     for (std::string& line : warnings_of_implicit(run.input, run.model)) run.warnings.push_back(std::move(line));
   run.implicit = std::make_unique<implicit::Solver>(implicit::make_solver(implicit_scene(run), *run.input.implicit));
@@ -103,6 +104,7 @@ model::Registry Prepared::registry() {
 
 void Prepared::after_restart() {
   time::update_positions(model, state);
+  if (implicit) implicit::after_restart(implicit_scene(*this), *implicit);
   follow_alive(*this);
   if (contact) driven.start_clock(state.time - contact->ledger.clock);
   if (contact) restore_sums(links.ranks, contact_sums, *contact);
@@ -160,7 +162,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   prepared->links = time::link_ranks(ranks, prepared->model);
   time::initialise(prepared->model, prepared->state, prepared->scratch, prepared->links,
                    scene::initial_velocities(prepared->input, prepared->model));
-  if (prepared->input.implicit) make_implicit(*prepared);
+  make_implicit(*prepared);
   prepared->erosion = {
       prepared->model.any_erosion(), std::vector<time::ErosionCount>(prepared->model.blocks.size()), {}, 0};
   make_contact(*prepared);

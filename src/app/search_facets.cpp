@@ -16,7 +16,7 @@
 namespace brunt::app {
 namespace {
 
-using contact::FacetCorners;
+using contact::FacetNodes;
 using contact::KdopTree;
 
 /// A facet that travels with its corners.
@@ -118,7 +118,7 @@ Traffic add_ghosts(const comm::Communicator& ranks, FacetScene& scene) {
 
 /// Facets that have four positions each of their own.
 struct LooseFacets {
-  std::vector<FacetCorners> facets;
+  std::vector<FacetNodes> facets;
   std::vector<Vec3> positions;
 
   void add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {

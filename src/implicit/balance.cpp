@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "brunt/comm/exact_sum.hpp"
+#include "brunt/implicit/measure.hpp"
 #include "brunt/time/sum_forces.hpp"
 
 namespace brunt::implicit {
@@ -48,6 +49,24 @@ double rounding_at(const Scene& scene, const Solver& solver, std::size_t i) {
   return left * left;
 }
 
+/// Contact at the iterate, on all nodes of this rank.
+void find_contact_forces(const Scene& scene, Solver& solver, std::span<const double> own_z) {
+  const Measure timed(solver.work.contact_seconds);
+  Trial& trial = solver.trial;
+  MortarContact& contact = solver.contact;
+  gather_contact(scene.state, own_z, contact);
+  find_contact(contact, scene.state.step == 0 && trial.iterate == 0);
+  ++trial.iterate;
+  for (std::size_t k = 0; k < contact.nodes.gid.size(); ++k) {
+    const LocalIndex here = contact.nodes.here[k];
+    for (std::size_t c = 0; here != no_index && c < 3; ++c) {
+      const std::size_t at = 3 * static_cast<std::size_t>(here) + c;
+      trial.contact_force[at] = contact.nodes.force[k][static_cast<int>(c)];
+      trial.friction_force[at] = contact.nodes.friction_force[k][static_cast<int>(c)];
+    }
+  }
+}
+
 }  // namespace
 
 bool find_forces(const Scene& scene, Solver& solver, std::span<const double> u) {
@@ -67,6 +86,7 @@ bool find_forces(const Scene& scene, Solver& solver, std::span<const double> u) 
       force::trial_forces(scene.model, motion, scene.state.history, solver.history, scene.scratch);
   if (scene.links.ranks.any(report.inverted_block >= 0)) return false;
   time::sum_forces(scene.model, scene.state, scene.scratch, scene.links);
+  if (solver.contact.any()) find_contact_forces(scene, solver, u.subspan(3 * solver.unknowns.node.size()));
   return true;
 }
 
@@ -76,10 +96,12 @@ void balance(const Scene& scene, Solver& solver, std::span<double> residual) {
   for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k) {
     const auto i = static_cast<std::size_t>(solver.unknowns.node[k]);
     const NodeForces forces = forces_on(scene, solver, i);
-    Vec3 left = forces.inertia - forces.now - forces.before;
+    const Vec3 contact = of(trial.contact_force, i);
+    Vec3 left = forces.inertia - forces.now - forces.before - contact;
     // a motion that nothing disturbs has momentum all the same, of which rounding leaves something
     const double momentum = trial.rule.mass * trial.rule.dt * scene.state.nodes[i].mass;
     sums[1].add(forces.inertia.squaredNorm() + forces.now.squaredNorm() + forces.before.squaredNorm());
+    sums[1].add(contact.squaredNorm());
     sums[1].add(momentum * momentum * of(trial.velocity, i).squaredNorm());
     sums[2].add(rounding_at(scene, solver, i));
     if (const LocalIndex held = solver.held[i]; held != no_index) {
@@ -92,6 +114,9 @@ void balance(const Scene& scene, Solver& solver, std::span<double> residual) {
     sums[0].add(left.squaredNorm());
     for (std::size_t c = 0; c < 3; ++c) residual[3 * k + c] = left[static_cast<int>(c)];
   }
+  const std::span<double> multipliers = residual.subspan(3 * solver.unknowns.node.size());
+  if (solver.contact.any()) multiplier_residuals(solver.contact, multipliers);
+  for (const double left : multipliers) sums[0].add(left * left);
   std::array<double, 3> value{};
   comm::exact_sum(scene.links.ranks, sums, value);
   trial.balance = {std::sqrt(value[0]), std::sqrt(value[1]), std::sqrt(value[2])};

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/implicit/commit.hpp"
 
+#include <array>
+#include <span>
+
+#include "brunt/comm/exact_sum.hpp"
 #include "brunt/implicit/balance.hpp"
 
 namespace brunt::implicit {
@@ -18,8 +22,10 @@ void put(const Vec3& value, std::vector<double>& nodal, std::size_t node) {
 
 /// What happened to one node in the step.
 struct NodeStep {
-  Vec3 travel, before, after;           ///< u_{n+1} - u_n; velocities
-  Vec3 internal, load;                  ///< means of the forces at t_n and t_{n+1}, which do the work
+  Vec3 travel, before, after;  ///< u_{n+1} - u_n; velocities
+  Vec3 internal, load;         ///< means of the forces at t_n and t_{n+1}, which do the work
+  Vec3 contact, friction;      ///< likewise; friction is a part of contact
+  Vec3 contact_impulse;
   Vec3 internal_impulse, load_impulse;  ///< what they add to momentum
   double mass = 0;
 };
@@ -28,9 +34,9 @@ struct NodeStep {
 void book_support(model::State& state, const Mat3& free, const NodeStep& step, bool moves, std::size_t i) {
   const Mat3 held = Mat3::Identity() - free;
   const Vec3 change = moves ? Vec3(step.mass * (step.after - step.before)) : Vec3(Vec3::Zero());
-  const Vec3 impulse = held * (change - step.internal_impulse - step.load_impulse);
+  const Vec3 impulse = held * (change - step.internal_impulse - step.load_impulse - step.contact_impulse);
   const double kinetic = moves ? 0.5 * (held * change).dot(step.after + step.before) : 0.0;
-  state.reaction_work[i] += kinetic - (held * (step.internal + step.load)).dot(step.travel);
+  state.reaction_work[i] += kinetic - (held * (step.internal + step.load + step.contact)).dot(step.travel);
   for (std::size_t c = 0; c < 3; ++c) state.reaction_impulse[3 * i + c] += impulse[static_cast<int>(c)];
 }
 
@@ -43,7 +49,18 @@ Vec3 impulse_of(const Rule& rule, const Vec3& before, const Vec3& now, std::vect
   return rule.dt * ((1 - rule.gamma) * then + rule.gamma * next);
 }
 
-void commit_node(const Scene& scene, Solver& solver, std::size_t i) {
+/// Contact acts as at the end of the step where the scheme says so, else as its mean does.
+void mean_contact(const Trial& trial, const Memory& memory, std::size_t i, NodeStep& step) {
+  const Rule& rule = trial.rule;
+  const Vec3 before = of(memory.contact_force, i), now = of(trial.contact_force, i);
+  const bool at_end = rule.mass > 0 && rule.beta == 0;
+  const double share = at_end ? 1.0 : 0.5, of_impulse = rule.beta > 0 ? rule.gamma : share;
+  step.contact = share * now + (1 - share) * before;
+  step.friction = share * of(trial.friction_force, i) + (1 - share) * of(memory.friction_force, i);
+  step.contact_impulse = rule.dt * (of_impulse * now + (1 - of_impulse) * before);
+}
+
+NodeStep commit_node(const Scene& scene, Solver& solver, std::size_t i) {
   model::State& state = scene.state;
   Trial& trial = solver.trial;
   Memory& memory = solver.memory;
@@ -59,13 +76,15 @@ void commit_node(const Scene& scene, Solver& solver, std::size_t i) {
   step.mass = state.nodes[i].mass;
   step.internal_impulse = impulse_of(trial.rule, of(memory.internal_force, i), force, memory.inertial_internal, i);
   step.load_impulse = impulse_of(trial.rule, of(memory.load, i), load, memory.inertial_load, i);
+  mean_contact(trial, memory, i, step);
   if (const LocalIndex held = solver.held[i]; held != no_index) {
     const auto h = static_cast<std::size_t>(held);
     const Mat3& free = scene.model.constrained[h].free;
     if (trial.rule.mass > 0) step.after = free * step.after + trial.given_velocity[h];
     book_support(state, free, step, trial.rule.mass > 0, i);
   }
-  state.displacement[i] += Quad{step.travel[0], step.travel[1], step.travel[2], step.internal.dot(step.travel)};
+  const double* u = &trial.displacement[3 * i];  // itself, not a sum: a restart finds the same rows of contact there
+  state.displacement[i] = Quad{u[0], u[1], u[2], state.displacement[i][3] + step.internal.dot(step.travel)};
   if (!state.load_work.empty()) {
     state.load_work[i] += step.load.dot(step.travel);
     for (std::size_t c = 0; c < 3; ++c) state.load_impulse[3 * i + c] += step.load_impulse[static_cast<int>(c)];
@@ -74,6 +93,20 @@ void commit_node(const Scene& scene, Solver& solver, std::size_t i) {
   put(force, memory.internal_force, i);
   if (!memory.load.empty()) put(load, memory.load, i);
   if (!memory.acceleration.empty()) put(acceleration, memory.acceleration, i);
+  if (!memory.contact_force.empty()) {
+    put(of(trial.contact_force, i), memory.contact_force, i);
+    put(of(trial.friction_force, i), memory.friction_force, i);
+  }
+  return step;
+}
+
+void book_contact(const Scene& scene, Solver& solver, std::span<comm::ExactAccumulator> taken) {
+  if (!solver.contact.any()) return;
+  std::array<double, 2> energy{};
+  comm::exact_sum(scene.links.ranks, taken, energy);
+  solver.contact_work.normal += energy[0];
+  solver.contact_work.friction += energy[1];
+  keep_contact(solver.contact);
 }
 
 }  // namespace
@@ -97,10 +130,24 @@ void begin_step(const Scene& scene, Solver& solver, double dt, double time) {
       travel = scene.model.constrained[static_cast<std::size_t>(held)].free * travel;
     put(of(state.displacement[i]) + travel, solver.u, k);
   }
+  trial.iterate = 0;
+  const std::size_t first = 3 * solver.unknowns.node.size();
+  for (std::size_t k = 0; k < solver.contact.own.size(); ++k)
+    solver.u[first + k] = solver.contact.z_before[static_cast<std::size_t>(solver.contact.own[k])];
 }
 
 void commit_step(const Scene& scene, Solver& solver) {
-  for (std::size_t i = 0; i < scene.state.nodes.size(); ++i) commit_node(scene, solver, i);
+  std::array<comm::ExactAccumulator, 2> taken;
+  std::size_t next_owned = 0;
+  for (std::size_t i = 0; i < scene.state.nodes.size(); ++i) {
+    const NodeStep step = commit_node(scene, solver, i);
+    const auto& own = solver.unknowns.node;
+    if (next_owned == own.size() || static_cast<std::size_t>(own[next_owned]) != i) continue;
+    ++next_owned;
+    taken[0].add(-(step.contact - step.friction).dot(step.travel));
+    taken[1].add(-step.friction.dot(step.travel));
+  }
+  book_contact(scene, solver, taken);
   force::commit(solver.history, scene.state.history);
   model::State& state = scene.state;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)

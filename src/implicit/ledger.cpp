@@ -54,6 +54,11 @@ time::Ledger ledger(const Scene& scene, const Solver& solver) {
   result.kinetic = value[kinetic];
   result.internal = -value[element_work];
   result.external = value[load_work] + value[reaction_work];
+  result.contact = solver.contact_work.normal;
+  result.friction = solver.contact_work.friction;
+  const ContactCounts counts = count(solver.contact);
+  result.contact_totals.active = counts.active;
+  result.contact_totals.pairs = counts.pairs;
   result.mass = value[mass_of_all];
   result.momentum = {value[momentum_x], value[momentum_y], value[momentum_z]};
   result.impulse_given = {value[impulse_x], value[impulse_y], value[impulse_z]};

@@ -84,10 +84,15 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
   const model::Model& model = scene.model;
   Unknowns unknowns = number_unknowns(ranks, model);
   Stiffness stiffness(ranks, model, unknowns);
-  comm::LinearSystem system(ranks, method_of(settings.linear), unknowns.total, unknowns.row);
+  MortarContact contact = make_mortar(ranks, model, unknowns);
+  std::vector<GlobalIndex> rows = unknowns.row;
+  rows.insert(rows.end(), contact.own_rows.begin(), contact.own_rows.end());
+  const auto total = unknowns.total + static_cast<GlobalIndex>(contact.z.size());
+  comm::LinearSystem system(ranks, method_of(settings.linear), total, rows);
   Solver solver{settings,
                 std::move(unknowns),
                 std::move(stiffness),
+                std::move(contact),
                 std::move(system),
                 {},
                 scene.state.history,
@@ -96,8 +101,14 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
                 0,
                 {},
                 {},
+                {},
                 {}};
-  solver.u.resize(3 * solver.unknowns.node.size());
+  solver.u.resize(rows.size());
+  if (solver.contact.any()) {
+    solver.trial.contact_force.assign(3 * scene.state.nodes.size(), 0.0);
+    solver.trial.friction_force = solver.trial.contact_force;
+    solver.memory.contact_force = solver.memory.friction_force = solver.trial.contact_force;
+  }
   solver.held.assign(scene.state.nodes.size(), no_index);
   for (std::size_t k = 0; k < model.constrained.size(); ++k)
     solver.held[static_cast<std::size_t>(model.constrained[k].node)] = static_cast<LocalIndex>(k);
@@ -106,6 +117,10 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
   scale_supports(scene, solver);
   start_memory(scene, solver);
   return solver;
+}
+
+void after_restart(const Scene& scene, Solver& solver) {
+  restore_contact(scene.state, solver.contact);
 }
 
 void add_arrays(const model::Model& model, Solver& solver, model::Registry& registry) {
@@ -121,6 +136,19 @@ void add_arrays(const model::Model& model, Solver& solver, model::Registry& regi
   if (kept.inertial) nodal("inertial_internal", memory.inertial_internal);
   if (kept.inertial && kept.load) nodal("inertial_load", memory.inertial_load);
   if (kept.acceleration) nodal("acceleration", memory.acceleration);
+  if (!model.mortar.empty()) {
+    nodal("contact_force", memory.contact_force);
+    nodal("friction_force", memory.friction_force);
+    const auto global = [&](const char* name, double* values, std::size_t n) {
+      const int width = static_cast<int>(n);
+      if (width > 0)
+        registry.arrays.push_back(
+            {name, model::StateArray::Entity::global, -1, 1, width, values, 1, width, 1, 0, true, true});
+    };
+    global("contact_work", &solver.contact_work.normal, 2);
+    global("multipliers", solver.contact.z_before.data(), solver.contact.z_before.size());
+    global("friction_tractions", solver.contact.traction_before.data(), solver.contact.traction_before.size());
+  }
   registry.arrays.push_back({"step_length", model::StateArray::Entity::global, -1, 1, step_length_values,
                              &memory.length.level, 1, step_length_values, 1, 0, true, true});
 }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 
 #include "brunt/comm/exact_sum.hpp"
@@ -12,23 +11,10 @@
 #include "brunt/core/error.hpp"
 #include "brunt/implicit/balance.hpp"
 #include "brunt/implicit/commit.hpp"
+#include "brunt/implicit/measure.hpp"
 
 namespace brunt::implicit {
 namespace {
-
-/// Adds the time of its life to an account [s].
-class Measure {
- public:
-  explicit Measure(double& account) : account_(account) {}
-  Measure(const Measure&) = delete;
-  Measure& operator=(const Measure&) = delete;
-  ~Measure() { account_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double& account_;
-  Clock::time_point start_ = Clock::now();
-};
 
 /// The node of this many unknowns with the largest part, the one with the least number of equals. Collective.
 Unbalanced largest_of(const Scene& scene, const Solver& solver, std::span<const double> values) {
@@ -72,10 +58,7 @@ Attempt iterate(const Scene& scene, Solver& solver) {
     return comm::NewtonVerdict::give_up;
   };
   problem.solve = [&](std::span<const double>, std::span<const double> residual, std::span<double> correction) {
-    {
-      const Measure timed(solver.work.factorise_seconds);
-      attempt.factors = factorise_tangent(scene, solver);
-    }
+    attempt.factors = factorise_tangent(scene, solver);
     solver.work.factor_bytes = std::max(solver.work.factor_bytes, attempt.factors.memory);
     if (!attempt.factors.ok()) {
       if (attempt.factors.status == comm::FactorStatus::singular) attempt.floating = solver.system.null_direction();

@@ -1,51 +1,122 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <limits>
+
 #include "brunt/implicit/balance.hpp"
+#include "brunt/implicit/measure.hpp"
 
 namespace brunt::implicit {
 namespace {
 
-/// The pattern of the system's rows, from blocks to single rows.
-void lay_rows(const Unknowns& unknowns, const NodeRows& nodes, comm::SparseRows& rows) {
-  rows.row = unknowns.row;
-  rows.begin.assign(1, 0);
-  rows.column.clear();
-  for (std::size_t r = 0; r < unknowns.node.size(); ++r)
-    for (int i = 0; i < 3; ++i) {
-      for (std::int64_t k = nodes.begin[r]; k < nodes.begin[r + 1]; ++k)
-        for (int j = 0; j < 3; ++j) rows.column.push_back(3 * nodes.column[static_cast<std::size_t>(k)] + j);
-      rows.begin.push_back(static_cast<std::int64_t>(rows.column.size()));
+/// A sparse row is pushed column by column, columns ascending.
+class Rows {
+ public:
+  explicit Rows(const std::vector<GlobalIndex>& row, comm::SparseRows& rows) : rows_(rows) {
+    rows_.row = row;
+    rows_.begin.assign(1, 0);
+    rows_.column.clear();
+    rows_.value.clear();
+  }
+  void push(GlobalIndex column, double value) {
+    rows_.column.push_back(column);
+    rows_.value.push_back(value);
+  }
+  void close() { rows_.begin.push_back(static_cast<std::int64_t>(rows_.column.size())); }
+
+ private:
+  comm::SparseRows& rows_;
+};
+
+/// Terms of contact row by row, those of one place added up in their order.
+class ContactRows {
+ public:
+  explicit ContactRows(std::vector<ContactTerm>& terms) : terms_(terms) {
+    std::ranges::stable_sort(terms_, [](const ContactTerm& a, const ContactTerm& b) {
+      return a.row < b.row || (a.row == b.row && a.column < b.column);
+    });
+  }
+  /// The next column of this row and its sum; false where there is none before `until`.
+  bool next(GlobalIndex row, GlobalIndex until, GlobalIndex& column, double& value) {
+    if (at_ == terms_.size() || terms_[at_].row != row || terms_[at_].column >= until) return false;
+    column = terms_[at_].column;
+    for (value = 0; at_ < terms_.size() && terms_[at_].row == row && terms_[at_].column == column; ++at_)
+      value += terms_[at_].value;
+    return true;
+  }
+
+ private:
+  std::vector<ContactTerm>& terms_;
+  std::size_t at_ = 0;
+};
+
+/// Three rows of one node from its blocks, of bodies and inertia, supports taken out.
+std::vector<Mat3> blocks_of(const Scene& scene, const Solver& solver, std::size_t r) {
+  const NodeRows& nodes = solver.stiffness.rows();
+  const Rule& rule = solver.trial.rule;
+  const auto i = static_cast<std::size_t>(solver.unknowns.node[r]);
+  const LocalIndex held = solver.held[i];
+  std::vector<Mat3> blocks;
+  for (std::int64_t place = nodes.begin[r]; place < nodes.begin[r + 1]; ++place) {
+    Mat3 block =
+        rule.now * Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(nodes.value.data() + 9 * place);
+    const bool own = place == nodes.diagonal[r];
+    if (own) block += rule.mass * scene.state.nodes[i].mass * Mat3::Identity();
+    if (held != no_index) {
+      const Mat3& free = scene.model.constrained[static_cast<std::size_t>(held)].free;
+      block = free * block;
+      if (own) block += solver.support_stiffness * (Mat3::Identity() - free);
     }
-  rows.value.resize(rows.column.size());
+    blocks.push_back(block);
+  }
+  return blocks;
+}
+
+/// The whole system: bodies and contact.
+void lay_system(const Scene& scene, Solver& solver, std::vector<ContactTerm>& terms) {
+  const NodeRows& nodes = solver.stiffness.rows();
+  std::vector<GlobalIndex> all = solver.unknowns.row;
+  all.insert(all.end(), solver.contact.own_rows.begin(), solver.contact.own_rows.end());
+  Rows rows(all, solver.rows);
+  ContactRows contact(terms);
+  constexpr GlobalIndex end = std::numeric_limits<GlobalIndex>::max();
+  GlobalIndex column = 0;
+  double value = 0;
+  for (std::size_t r = 0; r < solver.unknowns.node.size(); ++r) {
+    const std::vector<Mat3> blocks = blocks_of(scene, solver, r);
+    for (int i = 0; i < 3; ++i) {
+      const GlobalIndex row = solver.unknowns.row[3 * r + static_cast<std::size_t>(i)];
+      for (std::size_t k = 0; k < blocks.size(); ++k)
+        for (int j = 0; j < 3; ++j) {
+          const GlobalIndex own = 3 * nodes.column[static_cast<std::size_t>(nodes.begin[r]) + k] + j;
+          while (contact.next(row, own, column, value)) rows.push(column, value);
+          const double sum = contact.next(row, own + 1, column, value) ? value : 0.0;
+          rows.push(own, blocks[k](i, j) + sum);
+        }
+      while (contact.next(row, end, column, value)) rows.push(column, value);
+      rows.close();
+    }
+  }
+  for (const GlobalIndex row : solver.contact.own_rows) {
+    while (contact.next(row, end, column, value)) rows.push(column, value);
+    rows.close();
+  }
 }
 
 }  // namespace
 
 comm::Factorised factorise_tangent(const Scene& scene, Solver& solver) {
-  const Rule& rule = solver.trial.rule;
-  const force::Motion motion{scene.state.nodes, rule.dt, false};
-  solver.stiffness.assemble(scene.model, scene.state, motion, scene.state.history);
-  const NodeRows& nodes = solver.stiffness.rows();
-  if (solver.rows.row.empty()) lay_rows(solver.unknowns, nodes, solver.rows);
-  for (std::size_t r = 0; r < solver.unknowns.node.size(); ++r) {
-    const auto i = static_cast<std::size_t>(solver.unknowns.node[r]);
-    const LocalIndex held = solver.held[i];
-    const std::int64_t count = nodes.begin[r + 1] - nodes.begin[r];
-    const Mat3 free =
-        held == no_index ? Mat3(Mat3::Identity()) : scene.model.constrained[static_cast<std::size_t>(held)].free;
-    for (std::int64_t k = 0; k < count; ++k) {
-      const std::int64_t place = nodes.begin[r] + k;
-      Mat3 block =
-          rule.now * Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(nodes.value.data() + 9 * place);
-      const bool own = place == nodes.diagonal[r];
-      if (own) block += rule.mass * scene.state.nodes[i].mass * Mat3::Identity();
-      if (held != no_index) block = free * block;
-      if (held != no_index && own) block += solver.support_stiffness * (Mat3::Identity() - free);
-      for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-          solver.rows.value[static_cast<std::size_t>(solver.rows.begin[3 * r + static_cast<std::size_t>(row)] + 3 * k +
-                                                     column)] = block(row, column);
-    }
+  std::vector<ContactTerm> terms;
+  {
+    const Measure timed(solver.work.contact_seconds);
+    contact_terms(solver.contact, terms);
   }
+  {
+    const Measure timed(solver.work.tangent_seconds);
+    const force::Motion motion{scene.state.nodes, solver.trial.rule.dt, false};
+    solver.stiffness.assemble(scene.model, scene.state, motion, scene.state.history);
+    lay_system(scene, solver, terms);
+  }
+  const Measure timed(solver.work.factorise_seconds);
   return solver.system.factorise(solver.rows);
 }
 

@@ -143,6 +143,32 @@ std::vector<LocalIndex> deferred_nodes(const model::Model& model) {
   return deferred;
 }
 
+/// Interfaces of mortar contact, for each pair of its two parts, and what normals have to know of symmetry.
+void build_mortar(const Input& input, model::Model& model) {
+  const auto block_of = [&](const std::string& part) {
+    return static_cast<std::int32_t>(std::ranges::find(model.blocks, part, &model::ElementBlock::part) -
+                                     model.blocks.begin());
+  };
+  for (const ContactEntry& entry : input.contact) {
+    if (!entry.mortar) continue;
+    contact::MortarPair pair{block_of(entry.between[0]), block_of(entry.between[1])};
+    pair.choose_slave = entry.slave == ContactEntry::Slave::automatic;
+    if (entry.slave == ContactEntry::Slave::second) std::swap(pair.slave, pair.master);
+    pair.multiplier = entry.multiplier;
+    pair.enforce = entry.enforce;
+    pair.friction = entry.friction.fixed;
+    pair.tied = entry.tied;
+    const auto same = [&](const contact::MortarPair& other) {  // a later entry wins
+      return std::minmax(other.slave, other.master) == std::minmax(pair.slave, pair.master);
+    };
+    std::erase_if(model.mortar, same);
+    model.mortar.push_back(pair);
+  }
+  if (model.mortar.empty()) return;
+  for (std::size_t k = 0; k < input.symmetry.size(); ++k)
+    model.symmetries.push_back({input.symmetry[k].normal.normalized(), selected(model.mesh, "symmetry", k)});
+}
+
 }  // namespace
 
 model::Model build_model(const Input& input, mesh::LocalMesh&& mesh) {
@@ -158,6 +184,7 @@ model::Model build_model(const Input& input, mesh::LocalMesh&& mesh) {
   std::vector<std::string> part_of_block;
   for (const model::ElementBlock& block : model.blocks) part_of_block.push_back(block.part);
   model.contact = contact_specification(input, part_of_block);
+  build_mortar(input, model);
   watch_nodes(input, model);
   build_removals(input, model);
   model.deferred = deferred_nodes(model);

@@ -83,7 +83,7 @@ contact::Specification contact_specification(const Input& input, std::span<const
   specification.criterion = input.enforcement.competing;
   specification.rebuild = input.enforcement.rebuild;
   for (const ContactEntry& entry : input.contact)
-    for (std::int32_t a = 0; a < n; ++a)
+    for (std::int32_t a = 0; a < n && !entry.mortar; ++a)
       for (std::int32_t b = a; b < n; ++b) {
         const std::string &first = part_of_block[static_cast<std::size_t>(a)],
                           &second = part_of_block[static_cast<std::size_t>(b)];

@@ -115,6 +115,39 @@ void judge_untied(const Key& whole, Section& entry, const ContactEntry& contact,
        input);
 }
 
+/// method: mortar and its keys. Other methods are read with the figures of enforcement.
+void read_mortar(Section& entry, ContactEntry& contact) {
+  const bool named = entry.has("method") && entry.at("method").tree->kind == Tree::Kind::value;
+  contact.mortar = named && entry.at("method").tree->text == "mortar";
+  if (!contact.mortar) {
+    for (const char* key : {"multiplier", "enforce"})
+      if (entry.has(key)) fault(entry.at(key), "is for method: mortar; accepted: none otherwise");
+    return;
+  }
+  using contact::Multiplier;
+  using Enforce = contact::MortarPair::Enforce;
+  static const Choices<Multiplier> multipliers{{{"dual", Multiplier::dual}, {"standard", Multiplier::standard}}, {}};
+  static const Choices<Enforce> enforces{{{"lagrange", Enforce::lagrange}, {"penalty", Enforce::penalty}}, {}};
+  entry.optional("multiplier", contact.multiplier, multipliers);
+  entry.optional("enforce", contact.enforce, enforces);
+  const auto refuse = [&](bool wrong, const char* key, const char* why) {
+    if (wrong) fault(entry.at(key), why);
+  };
+  const bool itself = contact.between.size() == 2 && contact.between[0] == contact.between[1];
+  if (contact.between.empty() || itself)
+    fault(entry.has("between") ? entry.at("between") : entry.key(),
+          "mortar contact is between two parts; accepted with method: mortar: [a, b]");
+  refuse(entry.has("exclude"), "exclude", "is for between: all; accepted: none with method: mortar");
+  refuse(contact.friction.kinetic != contact.friction.fixed || contact.friction.lag > 0, "friction",
+         "mortar contact has Coulomb's law alone; accepted with method: mortar: a number >= 0");
+  refuse(contact.tied && contact.enforce == Enforce::penalty, "enforce",
+         "ties are exact; accepted where tied: lagrange");
+  for (const char* key : {"passes", "tolerance", "max_iterations", "softness", "partition", "stiffness", "damping",
+                          "competing", "rebuild"})
+    refuse(entry.has(key), key,
+           "means nothing to mortar contact; accepted: multiplier, enforce, slave, friction, tied");
+}
+
 ContactEntry read_entry(Section& entry, contact::Passes passes_before) {
   static const Choices<Overlap> overlaps{{{"error", Overlap::error},
                                           {"warn", Overlap::warn},
@@ -144,6 +177,7 @@ ContactEntry read_entry(Section& entry, contact::Passes passes_before) {
   if (entry.has("limit") && contact.initial_overlap != Overlap::place)
     fault(entry.at("limit"), "a limit is for initial_overlap: place; accepted: none otherwise");
   read_settled(entry);
+  read_mortar(entry, contact);
   return contact;
 }
 
@@ -177,7 +211,7 @@ void read_contact(Section& scene, Input& input) {
       if (!entry.is_map()) continue;
       const ContactEntry contact = read_entry(entry, passes);
       passes = contact.passes;
-      enforcement.read_entry(key, entry);
+      if (!contact.mortar) enforcement.read_entry(key, entry);
       judge_passes(entry, contact, input);
       judge_method(key, contact, input);
       judge_untied(key, entry, contact, input);

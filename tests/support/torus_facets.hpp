@@ -10,7 +10,7 @@
 namespace brunt::test {
 
 struct FacetSurface {
-  std::vector<contact::FacetCorners> facets;
+  std::vector<contact::FacetNodes> facets;
   std::vector<Vec3> positions;
 };
 

@@ -6,6 +6,7 @@
 
 #include "brunt/comm/linear_system.hpp"
 #include "brunt/force/trial.hpp"
+#include "brunt/implicit/mortar.hpp"
 #include "brunt/implicit/scheme.hpp"
 #include "brunt/implicit/step_length.hpp"
 #include "brunt/implicit/stiffness.hpp"
@@ -23,6 +24,8 @@ struct Memory {
   /// Of hht, else empty: now F_n + before F_{n-1} of either, which makes the acceleration [force].
   std::vector<double> inertial_internal, inertial_load;
   std::vector<double> acceleration;  ///< of newmark and hht, else empty [length/time^2]
+  /// Of contact, and of its friction alone; only where the scene has mortar interfaces [force].
+  std::vector<double> contact_force, friction_force;
   StepLength length;
 };
 
@@ -43,14 +46,22 @@ struct Trial {
   std::vector<double> velocity;      ///< likewise v_n
   std::vector<Vec3> given;           ///< of Model::constrained: Q (u_{n+1} - u_n), Q the directions that are held
   std::vector<Vec3> given_velocity;  ///< likewise along driven axes, at t_{n+1}
+  std::vector<double> contact_force, friction_force;  ///< of all nodes, three each; empty without contact [force]
   Balance balance;
   std::vector<double> ratios;  ///< balance.left / balance.given, iterate by iterate
+  int iterate = 0;             ///< residuals found so far in the step
   double energy = 0;           ///< correction . forces left at the last iterate but one [energy]
+};
+
+/// What contact has taken from the bodies since t = 0 [energy]: saved, doubles only.
+struct ContactWork {
+  double normal = 0, friction = 0;
 };
 
 /// What has been done so far in this program.
 struct Work {
   GlobalIndex steps = 0, iterations = 0, most_iterations = 0, halved = 0;
+  double contact_seconds = 0;  ///< pairs, segments, rows, their slopes
   double factorise_seconds = 0, tangent_seconds = 0, force_seconds = 0, solve_seconds = 0;
   double factor_bytes = 0;            ///< largest
   std::vector<double> last_ratios{};  ///< Trial::ratios of the last step
@@ -60,13 +71,15 @@ struct Solver {
   model::ImplicitSolver settings;
   Unknowns unknowns;
   Stiffness stiffness;
+  MortarContact contact;
   comm::LinearSystem system;
-  comm::SparseRows rows;         ///< of the whole system
-  force::History history;        ///< at the iterate
-  std::vector<double> u;         ///< Newton's unknowns: of Unknowns::node, three each [length]
+  comm::SparseRows rows;   ///< of the whole system
+  force::History history;  ///< at the iterate
+  std::vector<double> u;   ///< Newton's unknowns: of Unknowns::node, three each [length]; then own multipliers [stress]
   std::vector<LocalIndex> held;  ///< by local node: index into Model::constrained, or no_index
   double support_stiffness = 0;  ///< of held directions in the system [force/length]
   Memory memory;
+  ContactWork contact_work;
   Trial trial;
   Work work;
 };
@@ -81,6 +94,9 @@ struct Scene {
 
 /// Everything for steps from the state at t = 0, forces and accelerations of which are found. Collective.
 Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings);
+
+/// After a restart: what follows from places and saved arrays. Collective.
+void after_restart(const Scene& scene, Solver& solver);
 
 /// Arrays of Memory for checkpoint, restart and hash.
 void add_arrays(const model::Model& model, Solver& solver, model::Registry& registry);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "brunt/contact/data/mortar_pair.hpp"
 #include "brunt/contact/data/specification.hpp"
 #include "brunt/core/aligned.hpp"
 #include "brunt/mesh/local_mesh.hpp"
@@ -67,6 +68,12 @@ struct RigidWall {
   std::vector<std::int32_t> blocks{};  ///< that it acts on, ascending; empty: all
 };
 
+/// Nodes in a plane of symmetry: the other half of each body lies behind it.
+struct SymmetryNodes {
+  Vec3 normal = Vec3::UnitZ();    ///< unit
+  std::vector<LocalIndex> nodes;  ///< ascending
+};
+
 /// Elements that leave the model in the first step at or past a time.
 struct Removal {
   double at = 0;            ///< [time]
@@ -103,6 +110,8 @@ struct Model {
   std::vector<RigidWall> walls;
   std::vector<char> in_symmetry_plane;  ///< a flag for each of mesh.faces: no contact face
   contact::Specification contact;
+  std::vector<contact::MortarPair> mortar{};  ///< of implicit scenes
+  std::vector<SymmetryNodes> symmetries{};        ///< likewise
 
   std::vector<Removal> removals;      ///< by time
   std::vector<LocalIndex> uncovered;  ///< nodes of elements that may be removed, ascending: also of other ranks' ones

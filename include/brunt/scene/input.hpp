@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "brunt/contact/data/mortar_pair.hpp"
 #include "brunt/contact/data/specification.hpp"
 #include "brunt/core/types.hpp"
 #include "brunt/element/options.hpp"
@@ -184,6 +185,9 @@ struct ContactEntry {
   contact::Passes passes = contact::Passes::automatic;
   bool self = true;  ///< with `all`: parts meet themselves too
   bool tied = false;
+  bool mortar = false;  ///< of implicit scenes: segment to segment
+  contact::Multiplier multiplier = contact::Multiplier::dual;
+  contact::MortarPair::Enforce enforce = contact::MortarPair::Enforce::lagrange;
   contact::OverlapRule initial_overlap = contact::OverlapRule::error;
   std::optional<double> limit;  ///< of `place`: largest displacement of a point of a part [length]
 };

@@ -66,7 +66,7 @@ void slips(const MortarRows& rows, const MortarTopology& topology, std::span<con
 }
 
 void friction_tractions(const MortarRows& rows, const MortarTopology& topology, std::span<const Vec3> x,
-                        std::span<const double> z, const FrictionLaw& law, const FrictionHistory& history,
+                        std::span<const double> z, const MortarFriction& law, const FrictionHistory& history,
                         std::vector<Vec3>& tractions, std::vector<FrictionState>& states) {
   normal_tractions(rows, z, tractions);
   states.assign(z.size(), FrictionState::open);
@@ -80,7 +80,7 @@ void friction_tractions(const MortarRows& rows, const MortarTopology& topology, 
 }
 
 void friction_traction_slopes(const MortarRows& rows, const MortarSlopes& slopes, const MortarTopology& topology,
-                              std::span<const Vec3> x, std::span<const double> z, const FrictionLaw& law,
+                              std::span<const Vec3> x, std::span<const double> z, const MortarFriction& law,
                               const FrictionHistory& history, TractionSlopes& out) {
   out.by_position.clear();
   out.by_pressure = rows.normals;

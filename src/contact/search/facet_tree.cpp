@@ -34,11 +34,11 @@ void halve(Items items) {
 }
 
 template <int slabs>
-void add_nodes(FacetTree<slabs>& tree, Items items, std::span<const FacetCorners> facets) {
+void add_nodes(FacetTree<slabs>& tree, Items items, std::span<const FacetNodes> facets) {
   const auto node = tree.link.size();
   const std::size_t first = items.size() / 2;
   if (items.size() == 1) {
-    FacetCorners corners = facets[static_cast<std::size_t>(items[0].facet)];
+    FacetNodes corners = facets[static_cast<std::size_t>(items[0].facet)];
     if (corners[3] == no_index) corners[3] = corners[2];
     tree.link.push_back(~items[0].facet);
     tree.corners.push_back(corners);
@@ -50,7 +50,7 @@ void add_nodes(FacetTree<slabs>& tree, Items items, std::span<const FacetCorners
   add_nodes(tree, items.subspan(first), facets);
 }
 
-Vec3 centre_of(const FacetCorners& corners, std::span<const Vec3> positions) {
+Vec3 centre_of(const FacetNodes& corners, std::span<const Vec3> positions) {
   Vec3 sum = Vec3::Zero();
   int count = 0;
   for (const LocalIndex corner : corners) {
@@ -100,7 +100,7 @@ std::size_t FacetTree<slabs>::memory_bytes() const {
 }
 
 template <int slabs>
-void build(FacetTree<slabs>& tree, std::span<const FacetCorners> facets, std::span<const Vec3> positions) {
+void build(FacetTree<slabs>& tree, std::span<const FacetNodes> facets, std::span<const Vec3> positions) {
   tree.link.clear();
   tree.corners.clear();
   const std::size_t nodes = facets.empty() ? 0 : 2 * facets.size() - 1;
@@ -109,7 +109,7 @@ void build(FacetTree<slabs>& tree, std::span<const FacetCorners> facets, std::sp
   tree.bounds.resize(nodes);
   std::vector<Item> items;
   items.reserve(facets.size());
-  for (const FacetCorners& corners : facets)
+  for (const FacetNodes& corners : facets)
     items.push_back({centre_of(corners, positions), static_cast<LocalIndex>(items.size())});
   if (!items.empty()) add_nodes<slabs>(tree, items, facets);
 }
@@ -166,8 +166,8 @@ TraversalCounts find_pairs(const FacetTree<slabs>& slave, const FacetTree<slabs>
 
 template struct FacetTree<3>;
 template struct FacetTree<9>;
-template void build(FacetTree<3>&, std::span<const FacetCorners>, std::span<const Vec3>);
-template void build(FacetTree<9>&, std::span<const FacetCorners>, std::span<const Vec3>);
+template void build(FacetTree<3>&, std::span<const FacetNodes>, std::span<const Vec3>);
+template void build(FacetTree<9>&, std::span<const FacetNodes>, std::span<const Vec3>);
 template void refit(FacetTree<3>&, std::span<const Vec3>, const Enlargement&);
 template void refit(FacetTree<9>&, std::span<const Vec3>, const Enlargement&);
 template TraversalCounts find_pairs(const FacetTree<3>&, const FacetTree<3>&, TraversalScratch&,

@@ -10,7 +10,7 @@
 
 namespace brunt::contact {
 
-struct FrictionLaw {
+struct MortarFriction {
   double coefficient = 0;  ///< of Coulomb
   double stiffness = 0;    ///< tangential, of sticking rows [force/length^3]
 };
@@ -32,12 +32,12 @@ void slips(const MortarRows& rows, const MortarTopology& topology, std::span<con
 /// T_A = z_A normal_A + t_A with t_A = t_tr where |t_tr| <= mu z_A (stick), else mu z_A t_tr/|t_tr|;
 /// t_tr = (t of the last step, turned with the normal) - stiffness s_A. Rows with z_A <= 0 have none.
 void friction_tractions(const MortarRows& rows, const MortarTopology& topology, std::span<const Vec3> x,
-                        std::span<const double> z, const FrictionLaw& law, const FrictionHistory& history,
+                        std::span<const double> z, const MortarFriction& law, const FrictionHistory& history,
                         std::vector<Vec3>& tractions, std::vector<FrictionState>& states);
 
 /// Their slopes, along the branch taken.
 void friction_traction_slopes(const MortarRows& rows, const MortarSlopes& slopes, const MortarTopology& topology,
-                              std::span<const Vec3> x, std::span<const double> z, const FrictionLaw& law,
+                              std::span<const Vec3> x, std::span<const double> z, const MortarFriction& law,
                               const FrictionHistory& history, TractionSlopes& out);
 
 /// The history of a step that is accepted.

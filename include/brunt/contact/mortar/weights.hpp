@@ -5,15 +5,10 @@
 #include <cstdint>
 #include <span>
 
+#include "brunt/contact/data/mortar_pair.hpp"
 #include "brunt/contact/mortar/segment.hpp"
 
 namespace brunt::contact {
-
-/// Functions that the multipliers of a slave facet are spanned by.
-enum class Multiplier : std::int8_t {
-  dual,     ///< psi = D M^-1 N, biorthogonal to the hats over the covered part of each facet
-  standard  ///< the slave's hat functions
-};
 
 /// Facets covered by less than this share are left out.
 constexpr double least_coverage = 1e-6;

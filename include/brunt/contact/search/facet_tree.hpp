@@ -18,7 +18,7 @@ namespace brunt::contact {
 
 /// Nodes at the corners, indices into the positions; the fourth of a triangle is no_index. Facets are numbered in the
 /// order of their keys, so that all that depends on these numbers is a function of the mesh.
-using FacetCorners = std::array<LocalIndex, 4>;
+using FacetNodes = std::array<LocalIndex, 4>;
 
 /// A binary tree in preorder: the root first, then all of its first child, then all of its second. Each leaf is a
 /// facet, so n facets have 2 n - 1 nodes. Its shape depends on the positions at which it was built.
@@ -26,7 +26,7 @@ template <int slabs>
 struct FacetTree {
   AlignedVector<SlabBounds<slabs>> bounds;  ///< of each node, since the last refit
   std::vector<LocalIndex> link;             ///< of node i: its second child (the first is i + 1); of a leaf ~facet
-  std::vector<FacetCorners> corners;        ///< of each leaf, in preorder; of a triangle the third is repeated
+  std::vector<FacetNodes> corners;        ///< of each leaf, in preorder; of a triangle the third is repeated
 
   [[nodiscard]] LocalIndex facets() const { return static_cast<LocalIndex>(corners.size()); }
   [[nodiscard]] LocalIndex nodes() const { return static_cast<LocalIndex>(link.size()); }
@@ -42,7 +42,7 @@ using KdopTree = FacetTree<9>;  ///< of 18-DOPs
 /// Halves the facets at the median of their centres along the longest side of the box of these centres, equal centres
 /// by their numbers, until one is left. O(n log n). All positions are finite. The bounds are set by `refit`.
 template <int slabs>
-void build(FacetTree<slabs>& tree, std::span<const FacetCorners> facets, std::span<const Vec3> positions);
+void build(FacetTree<slabs>& tree, std::span<const FacetNodes> facets, std::span<const Vec3> positions);
 
 /// Bounds of all nodes at these positions of the same nodes, leaves enlarged. One loop backwards, O(n), no allocation.
 /// Two facets that are nearer than d overlap if each tree is enlarged by the distance d/2 (and by one rounding).

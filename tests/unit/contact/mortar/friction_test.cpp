@@ -103,7 +103,7 @@ TEST_CASE("Tangents of stick and slip, by positions and by pressures, agree with
       for (Vec3& x : two.x) x += 0.01 * Vec3(number(random), number(random), number(random));
       evaluation.move(two, two.x);
       const std::vector<double> z = test::some_pressures(rows);
-      const FrictionLaw law{0.8, 5};
+      const MortarFriction law{0.8, 5};
       std::vector<Vec3> tractions;
       std::vector<FrictionState> states;
       friction_tractions(evaluation.rows, evaluation.topology, two.x, z, law, history, tractions, states);

@@ -94,7 +94,7 @@ FacetSurface random_surface(std::mt19937& random) {
   const auto node = [&](int i, int j) { return static_cast<LocalIndex>(i * (across + 1) + j); };
   for (int i = 0; i < along; ++i)
     for (int j = 0; j < across; ++j) {
-      const FacetCorners quad{node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)};
+      const FacetNodes quad{node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)};
       if (random() % 3 != 0) {
         surface.facets.push_back(quad);
       } else {

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mortar contact in an implicit step. Surfaces are small beside bodies: every rank holds all facets of all interfaces
+// and finds the same pairs, rows and forces from the same positions; it adds those of its own unknowns to the system.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brunt/comm/halo.hpp"
+#include "brunt/contact/mortar/friction.hpp"
+#include "brunt/contact/mortar/interface.hpp"
+#include "brunt/contact/mortar/tie.hpp"
+#include "brunt/contact/search/facet_tree.hpp"
+#include "brunt/implicit/unknowns.hpp"
+#include "brunt/model/model.hpp"
+
+namespace brunt::implicit {
+
+/// Nodes of all facets, in canonical order: the same on every rank.
+struct ContactNodes {
+  std::vector<GlobalIndex> gid;      ///< ascending
+  std::vector<LocalIndex> own;       ///< of each: its place in Unknowns::node where this rank owns it, or no_index
+  std::vector<LocalIndex> here;      ///< of each: local index where this rank holds it, or no_index
+  std::vector<Mat3> free;            ///< of each: projector on the directions that supports leave free
+  comm::Halo gather;                 ///< from all ranks' nodes to these
+  std::vector<Vec3> reference, x;    ///< at the start, at the iterate [length]
+  std::vector<Vec3> force;           ///< of contact at the iterate [force]
+  std::vector<Vec3> friction_force;  ///< of it, the tangential part
+};
+
+/// Search and pairs of one interface.
+struct PairSearch {
+  contact::KdopTree slave, master;
+  contact::TraversalScratch scratch;
+  contact::TraversalCounts counts;
+  double built_with = 0;  ///< tests per pair when the trees were built
+  std::vector<contact::FacetPair> pairs;
+  Ragged<LocalIndex> candidates;  ///< a slave facet each
+};
+
+struct Interface {
+  contact::MortarPair pair;
+  contact::MortarSurfaces surfaces;  ///< nodes: places in ContactNodes
+  contact::MortarTopology topology;
+  PairSearch search;
+  contact::MortarScratchPointer scratch;
+  GlobalIndex first = 0;  ///< row of the whole system of its first multiplier
+  double stiffness = 0;   ///< of a layer of one facet [force/length^3]
+  contact::MortarFriction friction;
+  // at the iterate
+  contact::MortarRows rows;
+  contact::MortarSlopes slopes;
+  std::vector<double> z;  ///< pressures, a row each; of ties three multipliers [force/length^2]
+  std::vector<std::uint8_t> active;
+  std::vector<Vec3> tractions;
+  std::vector<contact::FrictionState> states;
+  // of t_n and the start
+  contact::FrictionHistory history;
+  contact::TieStart tie;
+  std::vector<std::uint8_t> touches;  ///< rows that touch at the start: in the set from the first iterate on
+
+  [[nodiscard]] int multipliers() const {  ///< unknowns a row
+    return pair.tied ? 3 : pair.enforce == contact::MortarPair::Enforce::penalty ? 0 : 1;
+  }
+  [[nodiscard]] std::size_t count() const { return surfaces.rows.size(); }  ///< rows
+};
+
+struct MortarContact {
+  ContactNodes nodes;
+  std::vector<Interface> interfaces;
+  std::vector<double> z;                  ///< multipliers of all interfaces, one after the other
+  std::vector<double> z_before{};         ///< likewise at t_n, the same on every rank: saved
+  std::vector<double> traction_before{};  ///< tangential tractions at t_n of all rows with friction, three each: saved
+  std::vector<GlobalIndex> own_rows;  ///< multipliers whose slave node this rank owns: rows of the system, ascending
+  std::vector<LocalIndex> own;        ///< their places in `z`
+  comm::Halo gather_z;                ///< from the owners to all
+  std::vector<std::string> notes{};   ///< what the log is to tell, on every rank
+  [[nodiscard]] bool any() const { return !interfaces.empty(); }
+};
+
+/// Sums of contact over a run, and what it looks like now.
+struct ContactCounts {
+  GlobalIndex segments = 0, pairs = 0, tests = 0, active = 0;
+};
+
+/// Interfaces of Model::mortar. Throws InputError where two surfaces cannot make one. Collective.
+MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns);
+
+/// Positions of contact's nodes at X + u (all nodes of this rank) and multipliers `own_z` of this rank to all ranks.
+/// Collective.
+void gather_contact(const model::State& state, std::span<const double> own_z, MortarContact& contact);
+
+/// Pairs, rows, active sets and forces at the gathered positions. `first`: rows that touch at the start are pressed.
+void find_contact(MortarContact& contact, bool first);
+
+/// What is left of each multiplier's equation, as a force: stiffness times gap where pressed, else the pressure times
+/// its area. Of `own`.
+void multiplier_residuals(const MortarContact& contact, std::span<double> residual);
+
+/// A piece of the matrix: 3 x 3 (node, node), or columns and rows of multipliers.
+struct ContactTerm {
+  GlobalIndex row = 0, column = 0;
+  double value = 0;
+};
+
+/// Derivatives of the residual by positions and multipliers, rows of this rank alone, in an order that does not depend
+/// on the ranks. Call after find_contact at the same positions.
+void contact_terms(MortarContact& contact, std::vector<ContactTerm>& terms);
+
+/// The step is accepted: multipliers, histories of friction.
+void keep_contact(MortarContact& contact);
+
+/// After a restart has filled z_before and traction_before: the rest of what is kept of t_n, from the places of
+/// `state`. Collective.
+void restore_contact(const model::State& state, MortarContact& contact);
+
+ContactCounts count(const MortarContact& contact);
+
+}  // namespace brunt::implicit

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// What mortar contact adds to the matrix of the system.
+#include "brunt/contact/mortar/forces.hpp"
+#include "brunt/contact/mortar/normals.hpp"
+#include "brunt/contact/mortar/tractions.hpp"
+#include "brunt/implicit/mortar.hpp"
+
+namespace brunt::implicit {
+namespace {
+
+/// Takes terms by node of contact and keeps those in this rank's rows, supports taken out.
+class Terms {
+ public:
+  Terms(const MortarContact& contact, std::vector<ContactTerm>& terms) : contact_(contact), terms_(terms) {
+    own_multiplier_.assign(contact.z.size(), 0);
+    for (const LocalIndex k : contact.own) own_multiplier_[static_cast<std::size_t>(k)] = 1;
+  }
+
+  /// - dF_row/dx_column: residuals have the forces with a minus.
+  void node_node(LocalIndex row, LocalIndex column, const Mat3& slope) {
+    if (!mine(row)) return;
+    const Mat3 block = -(free(row) * slope);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) add(3 * gid(row) + i, 3 * gid(column) + j, block(i, j));
+  }
+  void node_multiplier(LocalIndex row, GlobalIndex multiplier, const Vec3& slope) {
+    if (!mine(row)) return;
+    const Vec3 part = -(free(row) * slope);
+    for (int i = 0; i < 3; ++i) add(3 * gid(row) + i, multiplier, part[i]);
+  }
+  void multiplier_node(GlobalIndex multiplier, LocalIndex column, const Vec3& slope) {
+    if (!mine(multiplier)) return;
+    for (int j = 0; j < 3; ++j) add(multiplier, 3 * gid(column) + j, slope[j]);
+  }
+  void multiplier_multiplier(GlobalIndex row, GlobalIndex column, double slope) {
+    if (mine(row)) add(row, column, slope);
+  }
+
+ private:
+  [[nodiscard]] bool mine(LocalIndex node) const {
+    return contact_.nodes.own[static_cast<std::size_t>(node)] != no_index;
+  }
+  [[nodiscard]] bool mine(GlobalIndex multiplier) const {
+    return own_multiplier_[static_cast<std::size_t>(multiplier - contact_.interfaces.front().first)] != 0;
+  }
+  [[nodiscard]] const Mat3& free(LocalIndex node) const { return contact_.nodes.free[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] GlobalIndex gid(LocalIndex node) const { return contact_.nodes.gid[static_cast<std::size_t>(node)]; }
+  void add(GlobalIndex row, GlobalIndex column, double value) { terms_.push_back({row, column, value}); }
+
+  const MortarContact& contact_;
+  std::vector<ContactTerm>& terms_;
+  std::vector<char> own_multiplier_;
+};
+
+void add_patches(const contact::Patches& patches, Terms& terms) {
+  for (std::size_t p = 0; p < patches.count; ++p) {
+    const contact::Patch& patch = patches.patch[p];
+    const std::size_t width = 3 * patch.columns.size();
+    for (std::size_t r = 0; r < patch.rows.size(); ++r)
+      for (std::size_t c = 0; c < patch.columns.size(); ++c) {
+        const double* corner = patch.values.data() + 3 * r * width + 3 * c;
+        Mat3 block;
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            block(i, j) = corner[static_cast<std::size_t>(i) * width + static_cast<std::size_t>(j)];
+        terms.node_node(patch.rows[r], patch.columns[c], block);
+      }
+  }
+}
+
+/// Exact multipliers: columns of pressures, and the rows' own equations.
+void add_multipliers(const Interface& face, const contact::NodeBlocks<Vec3>& gradient,
+                     const contact::TractionSlopes& tractions, Terms& terms) {
+  contact::NodeBlocks<Vec3> columns;
+  contact::pressure_columns(face.rows, tractions.by_pressure, columns);
+  for (std::size_t row = 0; row < face.count(); ++row) {
+    const GlobalIndex multiplier = face.first + static_cast<GlobalIndex>(row);
+    const auto index = static_cast<LocalIndex>(row);
+    for (std::size_t k = 0; k < columns.nodes.row(index).size(); ++k)
+      terms.node_multiplier(columns.nodes.row(index)[k], multiplier, columns.row(index)[k]);
+    if (face.active[row] == 0) {
+      terms.multiplier_multiplier(multiplier, multiplier, 1 / face.topology.kappa[row]);
+      continue;
+    }
+    for (std::size_t k = 0; k < gradient.nodes.row(index).size(); ++k)
+      terms.multiplier_node(multiplier, gradient.nodes.row(index)[k], -face.stiffness * gradient.row(index)[k]);
+  }
+}
+
+void add_contact(MortarContact& contact, Interface& face, Terms& terms) {
+  contact::mortar_rows_and_slopes(face.surfaces, face.topology, face.search.candidates, contact.nodes.x, face.tractions,
+                                  *face.scratch, face.rows, face.slopes);
+  contact::TractionSlopes tractions;
+  if (face.friction.coefficient > 0)
+    contact::friction_traction_slopes(face.rows, face.slopes, face.topology, contact.nodes.x, face.z, face.friction,
+                                      face.history, tractions);
+  else
+    contact::normal_traction_slopes(face.rows, face.slopes, face.z, tractions);
+  contact::NodeBlocks<Vec3> gradient;
+  contact::gap_gradient(face.rows, face.slopes, gradient);
+  if (face.multipliers() == 0)
+    contact::add_penalty_slopes(gradient, face.topology, face.stiffness, face.z, tractions);
+  else
+    add_multipliers(face, gradient, tractions, terms);
+  contact::Patches patches;
+  contact::add_traction_slopes(face.rows, tractions.by_position, patches);
+  add_patches(face.slopes.weights, terms);
+  add_patches(patches, terms);
+}
+
+void add_tie(MortarContact& contact, Interface& face, Terms& terms) {
+  std::vector<Vec3> normals;
+  contact::NodeBlocks<Mat3> normal_slopes, gradient;
+  contact::nodal_normals(face.surfaces, face.topology, contact.nodes.x, normals, &normal_slopes);
+  contact::tie_gradient(face.tie, normals, normal_slopes, gradient);
+  for (std::size_t row = 0; row < face.count(); ++row) {
+    const auto index = static_cast<LocalIndex>(row);
+    const GlobalIndex first = face.first + 3 * static_cast<GlobalIndex>(row);
+    const double area = 1 / face.topology.kappa[row];
+    const bool covered = face.tie.covered[row] > 0;
+    const Mat3 free =
+        covered ? contact.nodes.free[static_cast<std::size_t>(face.surfaces.rows[row])] : Mat3(Mat3::Zero());
+    const std::span<const LocalIndex> nodes = face.tie.weights.nodes.row(index);
+    for (int c = 0; c < 3; ++c) {
+      for (std::size_t k = 0; k < nodes.size() && covered; ++k)
+        terms.node_multiplier(nodes[k], first + c, face.tie.weights.row(index)[k] * Vec3::Unit(c));
+      for (int j = 0; j < 3; ++j)
+        if (const double redundant = area * ((c == j ? 1 : 0) - free(c, j)); redundant != 0)
+          terms.multiplier_multiplier(first + c, first + j, redundant);
+      for (std::size_t k = 0; k < gradient.nodes.row(index).size(); ++k)
+        terms.multiplier_node(first + c, gradient.nodes.row(index)[k],
+                              face.stiffness * area * (free * gradient.row(index)[k]).row(c).transpose());
+    }
+  }
+}
+
+}  // namespace
+
+void contact_terms(MortarContact& contact, std::vector<ContactTerm>& terms) {
+  terms.clear();
+  if (!contact.any()) return;
+  Terms sum(contact, terms);
+  for (Interface& face : contact.interfaces)
+    if (face.pair.tied)
+      add_tie(contact, face, sum);
+    else
+      add_contact(contact, face, sum);
+}
+
+}  // namespace brunt::implicit
