@@ -118,4 +118,12 @@ void restore_contact(const model::State& state, MortarContact& contact);
 
 ContactCounts count(const MortarContact& contact);
 
+/// By local node: pressures of the slave's rows [stress], and their gaps (below 0: penetration) [length]; 0 elsewhere.
+/// Of a node with rows in several interfaces the largest pressure, the smallest gap.
+std::vector<double> contact_pressures(const MortarContact& contact, LocalIndex nodes);
+std::vector<double> contact_gaps(const MortarContact& contact, LocalIndex nodes);
+
+/// Largest penetration of a row without a tie [length].
+double penetration(const MortarContact& contact);
+
 }  // namespace brunt::implicit
