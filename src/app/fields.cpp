@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brunt/implicit/solver.hpp"
 #include "brunt/model/alive.hpp"
 
 namespace brunt::app {

@@ -197,7 +197,7 @@ std::vector<double> contact_gaps(const MortarContact& contact, LocalIndex nodes)
   std::vector<double> gap(static_cast<std::size_t>(nodes), 0.0);
   for_each_row_here(contact, [&](const Interface& face, std::size_t row, std::size_t node) {
     if (face.pair.tied || face.rows.covered[row] == 0) return;
-    const double own = face.rows.normalised_gap(face.topology, row);
+    const double own = face.mean_gap(row);
     gap[node] = gap[node] == 0 ? own : std::min(gap[node], own);
   });
   return gap;
@@ -207,7 +207,7 @@ double penetration(const MortarContact& contact) {
   double deepest = 0;
   for (const Interface& face : contact.interfaces)
     for (std::size_t row = 0; !face.pair.tied && row < face.count(); ++row)
-      deepest = std::max(deepest, -face.rows.normalised_gap(face.topology, row));
+      deepest = std::max(deepest, -face.mean_gap(row));
   return deepest;
 }
 

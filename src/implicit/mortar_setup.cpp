@@ -9,6 +9,7 @@
 
 #include "brunt/comm/rendezvous.hpp"
 #include "brunt/contact/mortar/active_set.hpp"
+#include "brunt/contact/mortar/normals.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/implicit/mortar.hpp"
 #include "brunt/material/law.hpp"
@@ -275,11 +276,14 @@ MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& m
   contact.z_before = contact.z;
   find_contact(contact, false);
   for (Interface& face : contact.interfaces) {
-    if (face.pair.tied) face.tie = contact::tie(face.rows);
+    if (face.pair.tied) {
+      face.tie = contact::tie(face.rows);
+      contact::nodal_normals(face.surfaces, face.topology, contact.nodes.x, face.tie.normals);
+    }
     for (std::size_t row = 0; row < face.count(); ++row)
-      face.touches[row] = face.rows.covered[row] > 0 &&
-                          std::abs(face.rows.normalised_gap(face.topology, row)) <= touching * face.topology.edge;
+      face.touches[row] = face.rows.covered[row] > 0 && std::abs(face.mean_gap(row)) <= touching * face.topology.edge;
   }
+  keep_contact(contact);
   return contact;
 }
 

@@ -64,6 +64,10 @@ struct Interface {
   [[nodiscard]] int multipliers() const {  ///< unknowns a row
     return pair.tied ? 3 : pair.enforce == contact::MortarPair::Enforce::penalty ? 0 : 1;
   }
+  /// Over the part of the row that lies under the master [length]; 0 where none does.
+  [[nodiscard]] double mean_gap(std::size_t row) const {
+    return rows.covered[row] > 0 ? rows.gaps[row] / rows.covered[row] : 0.0;
+  }
   [[nodiscard]] std::size_t count() const { return surfaces.rows.size(); }  ///< rows
 };
 

@@ -141,6 +141,20 @@ void FacetRows::fill_slopes() {
     }
 }
 
+double FacetRows::covered_area() const {
+  double sum = 0;
+  for (std::size_t j = 0; j < corners_; ++j) sum += functions_.share[j];
+  return sum;
+}
+
+Vec3 FacetRows::covered_area_slope(std::size_t node) const {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t j = 0; j < corners_; ++j)
+    for (std::size_t k = 0; k < corners_; ++k)
+      sum += Vec3(&mass_slopes_[SegmentSlopes::pair_of_corners(j, k) * 3 * nodes_.size() + 3 * node]);
+  return sum;
+}
+
 Vec3 FacetRows::gap_vector(std::size_t j) const {
   Vec3 sum = Vec3::Zero();
   for (std::size_t k = 0; k < nodes_.size(); ++k) sum += weight(j, k) * positions_[k];

@@ -25,6 +25,10 @@ class FacetRows {
     return {slopes_.data() + (j * nodes_.size() + node) * size, size};
   }
   [[nodiscard]] double share(std::size_t j) const { return functions_.share[j]; }
+  /// Of the overlap [length^2].
+  [[nodiscard]] double covered_area() const;
+  /// Its derivative by each of nodes(); after an evaluation with slopes [length].
+  [[nodiscard]] Vec3 covered_area_slope(std::size_t node) const;
   /// sum_K w_jK (x_K - centre).
   [[nodiscard]] Vec3 gap_vector(std::size_t j) const;
   /// Its derivative by node `node`, for all nodes at once [length^2].
