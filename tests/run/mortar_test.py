@@ -135,7 +135,7 @@ probes: [{name: end, set: top_zmax, field: displacement}, {name: foot, set: low_
             "solver: {scheme: contact_implicit, step: 0.01, tolerance: 1.0e-12}": {
                 "solver: explicit": "contact.0.method: mortar contact is for implicit scenes"},
             "initial:": {"fixed: [{part: low, dofs: [x, y, z]}, {part: top, dofs: [x, y, z]}]\ninitial:":
-                         "contact: all nodes of the surfaces of low and top are held"},
+                         "contact: all nodes of the surfaces of top and low are held"},
             "at: [0.2, 0.1, 0.52]": {"at: [0.2, 0.1, 0.42]": "low and top overlap"},
         }
         for old, changes in wrong.items():
