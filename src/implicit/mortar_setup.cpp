@@ -12,6 +12,7 @@
 #include "brunt/contact/mortar/normals.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/implicit/mortar.hpp"
+#include "brunt/implicit/walls.hpp"
 #include "brunt/material/law.hpp"
 
 namespace brunt::implicit {
@@ -192,6 +193,8 @@ Interface make_interface(const model::Model& model, const ContactNodes& nodes, c
   face.surfaces.master = facets_of(nodes, faces, face.pair.master);
   face.surfaces.multiplier = asked.multiplier;
   face.surfaces.capture = std::max(slave.largest, master.largest);
+  face.surfaces.slave_wall = walls(face.surfaces.slave, nodes.reference, face.surfaces.capture);
+  face.surfaces.master_wall = walls(face.surfaces.master, nodes.reference, face.surfaces.capture);
   lay_rows(nodes, mirrors, face.surfaces);
   face.topology = contact::make_topology(face.surfaces, nodes.reference);
   const auto block = [&](std::int32_t b) -> const model::ElementBlock& {

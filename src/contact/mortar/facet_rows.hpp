@@ -37,8 +37,8 @@ class FacetRows {
   void traction_patch(const std::array<Vec3, 4>& tractions, std::vector<double>& values) const;
 
  private:
-  void find_segments(const MortarSurfaces& surfaces, std::span<const LocalIndex> candidates, std::span<const Vec3> x,
-                     bool with_slopes);
+  void find_segments(const MortarSurfaces& surfaces, std::size_t facet, std::span<const LocalIndex> candidates,
+                     std::span<const Vec3> x, bool with_slopes);
   void number_nodes(const MortarSurfaces& surfaces, const FacetNodes& slave, std::span<const Vec3> x);
   void fill_weights();
   void fill_slopes();
