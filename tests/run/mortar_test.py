@@ -136,7 +136,7 @@ probes: [{name: end, set: top_zmax, field: displacement}, {name: foot, set: low_
                 "solver: explicit": "contact.0.method: mortar contact is for implicit scenes"},
             "initial:": {"fixed: [{part: low, dofs: [x, y, z]}, {part: top, dofs: [x, y, z]}]\ninitial:":
                          "contact: all nodes of the surfaces of top and low are held"},
-            "at: [0.2, 0.1, 0.52]": {"at: [0.2, 0.1, 0.42]": "low and top overlap"},
+            "at: [0.2, 0.1, 0.52]": {"at: [0.2, 0.1, 0.42]": "inside part 'top' at the start"},
         }
         for old, changes in wrong.items():
             for new, message in changes.items():
