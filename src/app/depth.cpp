@@ -59,13 +59,14 @@ std::vector<DepthRow> answers_of(const comm::Communicator& ranks, const DepthWor
       query.boxes = options.boxes > 0 ? options.boxes : default_boxes;
       query.evaluate = [&](std::span<const depth::CoverBox> boxes, double upper,
                            std::span<depth::CoverVerdict> verdicts) {
-        judge_on_all(ranks, {a, b, depth::rounded(pose.start, a.shape.radius)}, metric, upper, boxes, verdicts);
+        judge_on_all(ranks, {a, b, depth::rounded(pose.start, a.shape.radius), 0, options.clearance}, metric, upper,
+                     boxes, verdicts);
       };
     }
     const Clock::time_point start = Clock::now();
     const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
     if (options.limit > 0) query.stop = [&] { return ranks.max(seconds()) > options.limit; };
-    if (options.clearance > 0) query.clearance = options.clearance / a.shape.radius;
+    query.apart = options.clearance;
     if (metric == depth::Metric::translation) query.along = work.along;
     DepthRow row;
     row.answer = depth::penetration_depth(a, b, query);

@@ -64,6 +64,31 @@ InnerBall risen(const geometry::SlabTree& tree, const Vec3& start, geometry::Poi
   return ball;
 }
 
+bool covered(const InnerBall& ball, const std::vector<InnerBall>& by) {
+  return std::any_of(by.begin(), by.end(), [&](const InnerBall& other) {
+    return (ball.centre - other.centre).norm() + covered_share * ball.depth <= other.depth;
+  });
+}
+
+struct GridPoint {
+  Vec3 x;
+  geometry::PointDepth here;
+};
+
+/// Balls of the points themselves and of those where they rise to. What a risen ball covers would rise towards it: near
+/// the centre of a round body each look costs as much as all its triangles.
+std::vector<InnerBall> grid_and_risen_balls(const geometry::SlabTree& tree, std::vector<GridPoint>& grid) {
+  std::stable_sort(grid.begin(), grid.end(),
+                   [](const GridPoint& a, const GridPoint& b) { return a.here.depth > b.here.depth; });
+  std::vector<InnerBall> all, tops;
+  for (const GridPoint& point : grid) {
+    all.push_back({point.x, point.here.depth, 1});
+    if (!covered(all.back(), tops)) tops.push_back(risen(tree, point.x, point.here));
+  }
+  all.insert(all.end(), tops.begin(), tops.end());
+  return all;
+}
+
 /// The corners of a convex body, which is one piece itself; none of another one, or of one with many corners (a piece
 /// is found by trying all triples of its corners).
 std::vector<Vec3> corners_if_convex(const geometry::SlabTree& tree, const MetricShape& shape) {
@@ -85,26 +110,21 @@ std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricS
   const double cell = extent.maxCoeff() / grid_cells;
   std::array<int, 3> counts{};
   for (int c = 0; c < 3; ++c) counts[static_cast<std::size_t>(c)] = std::max(3, static_cast<int>(extent[c] / cell));
-  std::vector<InnerBall> all;
+  std::vector<GridPoint> grid;
   for (int i = 0; i < counts[0]; ++i)
     for (int j = 0; j < counts[1]; ++j)
       for (int k = 0; k < counts[2]; ++k) {
         const Vec3 share((i + 0.5) / counts[0], (j + 0.5) / counts[1], (k + 0.5) / counts[2]);
         const Vec3 x = tree.box.low + share.cwiseProduct(extent);
         const geometry::PointDepth here = point_depth(tree, x);
-        if (here.depth > 0) {
-          all.push_back({x, here.depth, 1});
-          all.push_back(risen(tree, x, here));
-        }
+        if (here.depth > 0) grid.push_back({x, here});
       }
+  std::vector<InnerBall> all = grid_and_risen_balls(tree, grid);
   std::stable_sort(all.begin(), all.end(), [](const InnerBall& a, const InnerBall& b) { return a.depth > b.depth; });
   std::vector<InnerBall> kept;
   for (InnerBall& ball : all) {
     if (static_cast<int>(kept.size()) >= most) break;
-    const bool covered = std::any_of(kept.begin(), kept.end(), [&](const InnerBall& other) {
-      return (ball.centre - other.centre).norm() + covered_share * ball.depth <= other.depth;
-    });
-    if (covered) continue;
+    if (covered(ball, kept)) continue;
     ball.factor = point_factor(shape.gyration, ball.centre - shape.centroid);
     kept.push_back(ball);
   }

@@ -48,15 +48,15 @@ struct Proofs {
 
   /// Depth beyond the motion inside the box: positive is a proof. Not exact where no greater than `least`.
   [[nodiscard]] double excess(std::int32_t i, double least) const {
-    const double rounding = safety * encounter.a.shape.radius;
+    const double less = safety * encounter.a.shape.radius - encounter.apart;
     if (i < pairs) {
       const std::size_t a = static_cast<std::size_t>(i) / encounter.b.pieces.size(),
                         b = static_cast<std::size_t>(i) % encounter.b.pieces.size();
-      const double motion = motion_inside(box, encounter.a.piece_reach[a]) + rounding;
+      const double motion = motion_inside(box, encounter.a.piece_reach[a]) + less;
       return translation_depth(encounter.a.pieces[a], encounter.b.pieces[b], now, least + motion) - motion;
     }
     const InnerBall& ball = encounter.a.balls[static_cast<std::size_t>(i - pairs)];
-    const double motion = motion_inside(box, (ball.centre - encounter.a.shape.centroid).norm()) + rounding - ball.depth;
+    const double motion = motion_inside(box, (ball.centre - encounter.a.shape.centroid).norm()) + less - ball.depth;
     return depth_above(encounter.b.tree, now(ball.centre), least + motion) - motion;
   }
 };

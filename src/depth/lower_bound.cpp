@@ -17,7 +17,7 @@ constexpr double first_step = 0.5, longer = 1.2, shorter = 0.5;  // of the steps
 struct Seen {
   Vec3 y = Vec3::Zero();
   Vec3 up = Vec3::Zero();  // sum of the depths' gradients
-  double sum = 0;          // phi_A + phi_B
+  double sum = 0;          // phi_A + phi_B, and what is to be left between them
   double value = 0;        // the bound
 };
 
@@ -40,7 +40,7 @@ struct Bound {
     };
     Seen seen;
     seen.y = y;
-    seen.sum = a.depth + b.depth;
+    seen.sum = a.depth + b.depth + encounter.apart;
     seen.up = encounter.start.rotation * gradient(in_a, a) + gradient(y, b);
     seen.value = value_of(seen.sum, in_a);
     return seen;
@@ -104,7 +104,8 @@ LowerBound lower_bound(const Encounter& encounter, Metric metric) {
   if (!norm)
     for (const ConvexPiece& a : encounter.a.pieces)
       for (const ConvexPiece& b : encounter.b.pieces)
-        result.value = std::max(result.value, translation_depth(a, b, encounter.start, result.value));
+        result.value = std::max(
+            result.value, encounter.apart + translation_depth(a, b, encounter.start, result.value - encounter.apart));
   return result;
 }
 

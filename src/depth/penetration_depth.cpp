@@ -31,7 +31,7 @@ Mat3 admitted(const Query& query, const Mat3& into) {
 
 void list_contacts(const Encounter& encounter, Answer& answer) {
   NearPairs near;
-  near.find(encounter, answer.motion, contact_band * encounter.a.shape.radius, 0);
+  near.find(encounter, answer.motion, encounter.apart + contact_band * encounter.a.shape.radius, 0);
   const Mat3& out = encounter.start.rotation;
   const Vec3 centre = answer.placement(encounter.a.shape.centroid);
   for (const NearCondition& condition : near.conditions) {
@@ -89,6 +89,7 @@ Answer penetration_depth(const Body& a, const Body& b, const Query& query) {
   answer.placement = encounter.start;
   answer.overlap = encounter.collides({});
   if (answer.overlap) {
+    encounter.apart = query.apart;
     const Mat3 basis = admitted(query, encounter.start.rotation.transpose());
     answer.bound = lower_bound(encounter, query.metric).value;
     Search search(encounter, effort_of(query.metric, query.careful, query.clearance, basis), answer.bound);
