@@ -11,6 +11,8 @@
 #include "brunt/comm/rendezvous.hpp"
 #include "commands.hpp"
 #include "depth_folder.hpp"
+#include "depth_message.hpp"
+#include "depth_report.hpp"
 #include "depth_work.hpp"
 #include "failure.hpp"
 
@@ -114,10 +116,15 @@ int depth_command(const comm::Communicator& ranks, const DepthOptions& options) 
   const auto count = static_cast<GlobalIndex>(work.poses.size());
   const GlobalIndex a_task = options.sequence ? chain_length : 1, tasks = (count + a_task - 1) / a_task;
   const auto rows_a_task = a_task * static_cast<GlobalIndex>(metrics.size());
-  const GlobalIndex done = ranks.max(folder ? folder->kept() / rows_a_task : 0);
-  GlobalIndex to_skip = folder ? folder->kept() - done * rows_a_task : 0;
+  const GlobalIndex done = ranks.max(folder ? static_cast<GlobalIndex>(folder->earlier().size()) / rows_a_task : 0);
   std::vector<DepthRow> all;
   auto json = nlohmann::ordered_json::array();
+  if (folder)
+    for (const EarlierRow& earlier : folder->earlier()) {
+      json.push_back(as_json(earlier));
+      all.push_back(earlier.row);
+    }
+  GlobalIndex to_skip = static_cast<GlobalIndex>(all.size()) - done * rows_a_task;  // of a task that was cut off
   const auto work_on = [&](GlobalIndex task) {
     std::vector<DepthRow> rows, before;
     for (GlobalIndex k = (task + done) * a_task; k < std::min(count, (task + done + 1) * a_task); ++k) {
@@ -138,9 +145,9 @@ int depth_command(const comm::Communicator& ranks, const DepthOptions& options) 
     for (DepthRow& row : unpacked(bytes)) {
       if (to_skip > 0) {
         --to_skip;
-      } else {
-        folder->add(row);
+        continue;
       }
+      folder->add(row);
       if (!options.json && count <= 10) fmt::print("{}", described(row));
       json.push_back(as_json(row));
       all.push_back(std::move(row));
@@ -152,7 +159,7 @@ int depth_command(const comm::Communicator& ranks, const DepthOptions& options) 
   if (!options.json && count > 10) print_summary(all, work.poses.size());
   if (count <= 10) folder->write_surfaces(work, all);
   nlohmann::ordered_json result;
-  result["rows_of_an_earlier_run"] = folder->kept();
+  result["rows_of_an_earlier_run"] = folder->earlier().size();
   result["answers"] = std::move(json);
   folder->finish(result);
   return 0;

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -14,6 +15,7 @@ namespace brunt::depth {
 namespace {
 
 constexpr int grid_cells = 24;            // along the longest side of the box
+constexpr double most_grid = 30;          // of the cells asked for: points of the box that are looked at
 constexpr int ascent_steps = 12;          // of a grid point towards greater depth
 constexpr double covered_share = 0.9;     // of a ball's radius
 constexpr std::size_t most_corners = 32;  // of a convex body that is a piece: 5,000 triples
@@ -103,10 +105,19 @@ std::vector<Vec3> corners_if_convex(const geometry::SlabTree& tree, const Metric
   return corners;
 }
 
+/// Of the hull, from the centroid, in coordinates along the axes.
+geometry::Box box_along(const MetricShape& shape, const Mat3& axes) {
+  geometry::Box box;
+  for (const Vec3& x : shape.extremes) extend(box, axes.transpose() * x);
+  return box;
+}
+
 }  // namespace
 
-std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricShape& shape, int most) {
-  const Vec3 extent = tree.box.high - tree.box.low;
+std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricShape& shape, const Mat3& axes,
+                                   int most) {
+  const geometry::Box box = box_along(shape, axes);
+  const Vec3 low = box.low, extent = box.high - low;
   const double cell = extent.maxCoeff() / grid_cells;
   std::array<int, 3> counts{};
   for (int c = 0; c < 3; ++c) counts[static_cast<std::size_t>(c)] = std::max(3, static_cast<int>(extent[c] / cell));
@@ -115,7 +126,7 @@ std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricS
     for (int j = 0; j < counts[1]; ++j)
       for (int k = 0; k < counts[2]; ++k) {
         const Vec3 share((i + 0.5) / counts[0], (j + 0.5) / counts[1], (k + 0.5) / counts[2]);
-        const Vec3 x = tree.box.low + share.cwiseProduct(extent);
+        const Vec3 x = shape.centroid + axes * (low + share.cwiseProduct(extent));
         const geometry::PointDepth here = point_depth(tree, x);
         if (here.depth > 0) grid.push_back({x, here});
       }
@@ -129,6 +140,30 @@ std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricS
     kept.push_back(ball);
   }
   return kept;
+}
+
+InnerCells inner_cells(const geometry::SlabTree& tree, const MetricShape& shape, const Mat3& axes, double volume,
+                       int count) {
+  const geometry::Box box = box_along(shape, axes);
+  const Vec3 extent = box.high - box.low;
+  InnerCells cells;
+  cells.side = std::cbrt(std::max(volume / count, extent.prod() / (most_grid * count)));
+  const double half_diagonal = 0.5 * std::numbers::sqrt3 * cells.side;
+  std::array<int, 3> counts{};
+  for (int c = 0; c < 3; ++c)
+    counts[static_cast<std::size_t>(c)] = std::max(1, static_cast<int>(extent[c] / cells.side));
+  const Vec3 first(0.5 * (1 - counts[0]), 0.5 * (1 - counts[1]), 0.5 * (1 - counts[2]));
+  const Vec3 middle = 0.5 * (box.low + box.high);
+  for (int i = 0; i < counts[0]; ++i)
+    for (int j = 0; j < counts[1]; ++j)
+      for (int k = 0; k < counts[2]; ++k) {
+        const Vec3 x = shape.centroid + axes * (middle + cells.side * (first + Vec3(i, j, k)));
+        const double depth = depth_above(tree, x, half_diagonal);
+        if (!(depth > half_diagonal)) continue;
+        cells.centres.push_back(x);
+        cells.depths.push_back(depth);
+      }
+  return cells;
 }
 
 Body make_body(const TriangleSurface& surface, const BodyOptions& options) {
@@ -154,7 +189,12 @@ Body make_body(const TriangleSurface& surface, const BodyOptions& options) {
   });
   body.shape = metric_shape(used, body.mass);
   body.components = component_points(surface);
-  body.balls = inner_balls(body.tree, body.shape, options.balls);
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(body.shape.gyration);
+  body.axes = solver.eigenvectors();
+  if (body.axes.determinant() < 0) body.axes.col(2) *= -1;
+  body.moments = solver.eigenvalues();
+  body.balls = inner_balls(body.tree, body.shape, body.axes, options.balls);
+  body.cells = inner_cells(body.tree, body.shape, body.axes, body.mass.mass, options.cells);
   std::vector<std::vector<Vec3>> pieces = options.pieces;
   if (pieces.empty())
     if (std::vector<Vec3> corners = corners_if_convex(body.tree, body.shape); !corners.empty())
@@ -165,10 +205,6 @@ Body make_body(const TriangleSurface& surface, const BodyOptions& options) {
     for (const Vec3& x : points) reach = std::max(reach, (x - body.mass.centre).norm());
     body.piece_reach.push_back(reach);
   }
-  const Eigen::SelfAdjointEigenSolver<Mat3> solver(body.shape.gyration);
-  body.axes = solver.eigenvectors();
-  if (body.axes.determinant() < 0) body.axes.col(2) *= -1;
-  body.moments = solver.eigenvalues();
   return body;
 }
 

@@ -68,6 +68,7 @@ void Walker::advance(Encounter& encounter, Walk& walk, const WalkOptions& option
   LocalProblem problem;
   problem.metric = options.metric;
   problem.basis = options.basis;
+  problem.axes = encounter.a.axes;
   bool fresh = true;  // conditions are of another placement or a narrower band
   for (const int end = walk.steps + most_steps; !walk.ended && walk.steps < end; ++walk.steps) {
     walk.ended = walk.trust < options.least_trust * walk.length;

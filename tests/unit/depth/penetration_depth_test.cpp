@@ -174,3 +174,17 @@ TEST_CASE("a body that is a millionth of the other finds its way out in few quer
       CHECK(answer.queries < 100000);
     }
 }
+
+TEST_CASE("normals of contacts are unit, and those of the faces where the gap is rounding") {
+  const Body cube = make_body(test::box({-1, -1, -1}, {1, 1, 1}));
+  for (const bool careful : {false, true})
+    for (const double d : {1.5, 1.9, 1.0, 1.7 / 3}) {
+      const Answer answer =
+          penetration_depth(cube, cube, query_of({Mat3::Identity(), {d, .13, .07}}, Metric::translation, careful));
+      REQUIRE_FALSE(answer.contacts.empty());
+      for (const ContactPoint& contact : answer.contacts) {
+        CHECK(contact.normal.norm() == Approx(1).epsilon(1e-14));
+        CHECK((contact.normal - Vec3::UnitX()).norm() < 1e-6);
+      }
+    }
+}
