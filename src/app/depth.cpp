@@ -11,6 +11,8 @@
 #include "brunt/comm/rendezvous.hpp"
 #include "commands.hpp"
 #include "depth_folder.hpp"
+#include "depth_message.hpp"
+#include "depth_report.hpp"
 #include "depth_work.hpp"
 #include "failure.hpp"
 
@@ -59,13 +61,14 @@ std::vector<DepthRow> answers_of(const comm::Communicator& ranks, const DepthWor
       query.boxes = options.boxes > 0 ? options.boxes : default_boxes;
       query.evaluate = [&](std::span<const depth::CoverBox> boxes, double upper,
                            std::span<depth::CoverVerdict> verdicts) {
-        judge_on_all(ranks, {a, b, depth::rounded(pose.start, a.shape.radius)}, metric, upper, boxes, verdicts);
+        judge_on_all(ranks, {a, b, depth::rounded(pose.start, a.shape.radius), 0, options.clearance}, metric, upper,
+                     boxes, verdicts);
       };
     }
     const Clock::time_point start = Clock::now();
     const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
     if (options.limit > 0) query.stop = [&] { return ranks.max(seconds()) > options.limit; };
-    if (options.clearance > 0) query.clearance = options.clearance / a.shape.radius;
+    query.apart = options.clearance;
     if (metric == depth::Metric::translation) query.along = work.along;
     DepthRow row;
     row.answer = depth::penetration_depth(a, b, query);
@@ -113,10 +116,15 @@ int depth_command(const comm::Communicator& ranks, const DepthOptions& options) 
   const auto count = static_cast<GlobalIndex>(work.poses.size());
   const GlobalIndex a_task = options.sequence ? chain_length : 1, tasks = (count + a_task - 1) / a_task;
   const auto rows_a_task = a_task * static_cast<GlobalIndex>(metrics.size());
-  const GlobalIndex done = ranks.max(folder ? folder->kept() / rows_a_task : 0);
-  GlobalIndex to_skip = folder ? folder->kept() - done * rows_a_task : 0;
+  const GlobalIndex done = ranks.max(folder ? static_cast<GlobalIndex>(folder->earlier().size()) / rows_a_task : 0);
   std::vector<DepthRow> all;
   auto json = nlohmann::ordered_json::array();
+  if (folder)
+    for (const EarlierRow& earlier : folder->earlier()) {
+      json.push_back(as_json(earlier));
+      all.push_back(earlier.row);
+    }
+  GlobalIndex to_skip = static_cast<GlobalIndex>(all.size()) - done * rows_a_task;  // of a task that was cut off
   const auto work_on = [&](GlobalIndex task) {
     std::vector<DepthRow> rows, before;
     for (GlobalIndex k = (task + done) * a_task; k < std::min(count, (task + done + 1) * a_task); ++k) {
@@ -137,9 +145,9 @@ int depth_command(const comm::Communicator& ranks, const DepthOptions& options) 
     for (DepthRow& row : unpacked(bytes)) {
       if (to_skip > 0) {
         --to_skip;
-      } else {
-        folder->add(row);
+        continue;
       }
+      folder->add(row);
       if (!options.json && count <= 10) fmt::print("{}", described(row));
       json.push_back(as_json(row));
       all.push_back(std::move(row));
@@ -151,7 +159,7 @@ int depth_command(const comm::Communicator& ranks, const DepthOptions& options) 
   if (!options.json && count > 10) print_summary(all, work.poses.size());
   if (count <= 10) folder->write_surfaces(work, all);
   nlohmann::ordered_json result;
-  result["rows_of_an_earlier_run"] = folder->kept();
+  result["rows_of_an_earlier_run"] = folder->earlier().size();
   result["answers"] = std::move(json);
   folder->finish(result);
   return 0;

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "brunt/core/error.hpp"
+#include "brunt/io/csv.hpp"
 #include "brunt/io/surface_file.hpp"
 #include "brunt/io/text_file.hpp"
 
@@ -76,9 +76,11 @@ void DepthFolder::finish(const nlohmann::ordered_json& all) const {
 /// A row that a killed run left unfinished is dropped.
 void DepthFolder::keep_whole_rows(const std::string& path) {
   std::string text = io::read_text(path);
-  text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
+  const io::CsvRecords whole = io::csv_records(text);
+  for (std::size_t k = 1; k < whole.records.size(); ++k)
+    earlier_.push_back(row_of_record(whole.records[k], fmt::format("{}: row {}", path, k)));
+  text.resize(whole.end);
   if (text.empty()) text = csv_header();
-  kept_ = std::ranges::count(text, '\n') - 1;
   io::replace_text(path, text);
 }
 

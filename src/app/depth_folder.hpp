@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "depth_report.hpp"
+#include "depth_table.hpp"
 #include "depth_work.hpp"
 
 namespace brunt::app {
@@ -19,7 +19,7 @@ class DepthFolder {
   /// refused, and so is one with results, unless forced. Throws InputError.
   DepthFolder(const DepthOptions& options, const std::string& fingerprint);
 
-  [[nodiscard]] GlobalIndex kept() const { return kept_; }  ///< rows of an unfinished run
+  [[nodiscard]] const std::vector<EarlierRow>& earlier() const { return earlier_; }  ///< rows of an unfinished run
   /// Handed to the operating system at once. Throws MachineError.
   void add(const DepthRow& row);
   /// Body A before and after each motion, and body B: PLY.
@@ -31,7 +31,7 @@ class DepthFolder {
 
   std::string folder_;
   std::ofstream rows_;
-  GlobalIndex kept_ = 0;
+  std::vector<EarlierRow> earlier_;
 };
 
 }  // namespace brunt::app

@@ -13,27 +13,11 @@
 #include <string_view>
 
 #include "brunt/core/error.hpp"
+#include "brunt/io/csv.hpp"
 #include "brunt/io/text_file.hpp"
 
 namespace brunt::app {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t comma = std::min(line.find(',', from), line.size());
-    fields.push_back(trimmed(line.substr(from, comma - from)));
-    from = comma + 1;
-  }
-  return fields;
-}
 
 std::optional<double> number(std::string_view text) {
   double value = 0;
@@ -46,9 +30,9 @@ std::optional<double> number(std::string_view text) {
 std::vector<double> numbers_of_option(const char* option, const std::string& text, std::size_t count,
                                       const char* expected) {
   std::vector<double> values;
-  for (const std::string_view field : fields_of(text))
+  for (const std::string_view field : io::comma_fields(text))
     if (const auto value = number(field)) values.push_back(*value);
-  if (values.size() != count || fields_of(text).size() != count)
+  if (values.size() != count || io::comma_fields(text).size() != count)
     throw InputError(fmt::format("invalid {} '{}': expected {}", option, text, expected));
   return values;
 }
@@ -79,7 +63,7 @@ Columns columns_of(std::string_view header, const std::string& place) {
       "; expected columns x, y, z and, where the body turns, axis_x, axis_y, axis_z, degrees or qw, qx, qy, qz";
   Columns columns;
   columns.at.fill(std::string_view::npos);
-  for (const std::string_view name : fields_of(header)) {
+  for (const std::string_view name : io::comma_fields(header)) {
     const auto found = std::ranges::find(known, name);
     if (found == known.end()) throw InputError(fmt::format("{}: unknown column '{}'{}", place, name, expected));
     std::size_t& at = columns.at[static_cast<std::size_t>(found - known.begin())];
@@ -133,7 +117,7 @@ std::vector<Placement> read_poses(const std::string& path) {
   std::size_t line_number = 0;
   for (std::size_t from = 0; from < text.size();) {
     const std::size_t end = std::min(text.find('\n', from), text.size());
-    const std::string_view line = trimmed(std::string_view(text).substr(from, end - from));
+    const std::string_view line = io::trimmed(std::string_view(text).substr(from, end - from));
     from = end + 1;
     const std::string place = fmt::format("{}:{}", path, ++line_number);
     if (line.empty() || line.starts_with('#')) continue;
@@ -142,7 +126,7 @@ std::vector<Placement> read_poses(const std::string& path) {
       continue;
     }
     std::vector<double> row;
-    for (const std::string_view field : fields_of(line)) {
+    for (const std::string_view field : io::comma_fields(line)) {
       const auto value = number(field);
       if (!value) throw InputError(fmt::format("{}: invalid number '{}'; expected a finite number", place, field));
       row.push_back(*value);
@@ -158,7 +142,7 @@ std::vector<Placement> read_poses(const std::string& path) {
 std::vector<Vec3> axes_named(const std::string& text) {
   std::vector<Vec3> axes;
   if (text.empty()) return axes;
-  for (const std::string_view name : fields_of(text)) {
+  for (const std::string_view name : io::comma_fields(text)) {
     const std::size_t axis = std::string_view("xyz").find(name);
     if (name.size() != 1 || axis == std::string_view::npos)
       throw InputError("invalid --along '" + text + "': expected one or more of x,y,z");

@@ -16,10 +16,20 @@
 namespace brunt::app {
 namespace {
 
+constexpr double farthest_place = 1e100;  // [length]: squares of distances stay finite
+
 bool is_scene(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
   return extension == ".yaml" || extension == ".yml";
+}
+
+depth::Body body_of(const NamedSurface& named, const std::vector<std::vector<Vec3>>& pieces = {}) {
+  try {
+    return depth::make_body(named.surface, {.pieces = pieces});
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}; expected a body thicker than 1e-6 of its length", named.name, error.what()));
+  }
 }
 
 /// Bounds are proven only if pieces lie in their body, so that at least their corners are looked at. where: of pieces.
@@ -36,7 +46,7 @@ depth::Body body_with(const NamedSurface& named, const std::vector<std::vector<V
       throw fault(k, "lies in a plane");
     }
   }
-  depth::Body body = depth::make_body(named.surface, {.pieces = pieces});
+  depth::Body body = body_of(named, pieces);
   for (std::size_t k = 0; k < pieces.size(); ++k)
     for (const Vec3& x : pieces[k])
       if (geometry::point_depth(body.tree, x).depth < -rounding * body.shape.radius)
@@ -55,12 +65,18 @@ DepthWork work_of_files(const comm::Communicator& ranks, const DepthOptions& opt
     }
   }
   if (!faults.empty()) throw InputError(faults);
-  const ConvexPieces pieces = options.pieces.empty() ? ConvexPieces{} : read_pieces(options.pieces);
-  work.bodies.push_back(body_with(work.surfaces[0], pieces.a, options.pieces + ": a"));
-  work.bodies.push_back(body_with(work.surfaces[1], pieces.b, options.pieces + ": b"));
+  if (!options.pieces.empty()) work.pieces = read_pieces(options.pieces);
+  work.bodies.push_back(body_with(work.surfaces[0], work.pieces.a, options.pieces + ": a"));
+  work.bodies.push_back(body_with(work.surfaces[1], work.pieces.b, options.pieces + ": b"));
   const std::vector<Placement> poses =
       options.poses.empty() ? std::vector<Placement>{pose_of(options.at, options.turn)} : read_poses(options.poses);
-  for (const Placement& pose : poses) work.poses.push_back({0, 1, pose});
+  for (const Placement& pose : poses) {
+    if (!(pose.translation.cwiseAbs().maxCoeff() < farthest_place))
+      throw InputError(
+          fmt::format("pose {}: A stands at a distance whose square is no number; expected x, y, z below {:g}",
+                      work.poses.size(), farthest_place));
+    work.poses.push_back({0, 1, pose});
+  }
   return work;
 }
 
@@ -86,7 +102,7 @@ DepthWork work_of_scene(const comm::Communicator& ranks, const DepthOptions& opt
     throw InputError(options.a + ": a scene places its parts itself; expected no --at, --turn, --poses or --pieces");
   DepthWork work;
   work.surfaces = surfaces_of_scene(ranks, read_input(ranks, options.a, options.overrides));
-  for (const NamedSurface& named : work.surfaces) work.bodies.push_back(depth::make_body(named.surface));
+  for (const NamedSurface& named : work.surfaces) work.bodies.push_back(body_of(named));
   const Placement here;
   for (std::size_t a = 0; a < work.bodies.size(); ++a)
     for (std::size_t b = a + 1; b < work.bodies.size(); ++b) {
@@ -129,6 +145,9 @@ std::string fingerprint_of(const DepthOptions& options, const DepthWork& work) {
     for (const Vec3& x : named.surface.points) add(x.data(), 3 * sizeof(double));
     for (const auto& triangle : named.surface.triangles) add(triangle.data(), sizeof triangle);
   }
+  for (const std::vector<std::vector<Vec3>>* of_body : {&work.pieces.a, &work.pieces.b})
+    for (const std::vector<Vec3>& piece : *of_body)
+      for (const Vec3& x : piece) add(x.data(), 3 * sizeof(double));
   for (const DepthWork::Pose& pose : work.poses) {
     add(pose.start.rotation.data(), 9 * sizeof(double));
     add(pose.start.translation.data(), 3 * sizeof(double));

@@ -19,6 +19,7 @@ struct DepthWork {
     Placement start;  ///< of a, in the coordinates of b
   };
   std::vector<Pose> poses;
+  ConvexPieces pieces;      ///< of two files
   std::vector<Vec3> along;  ///< axes of admitted translations; none: all
 };
 

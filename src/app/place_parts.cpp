@@ -15,7 +15,8 @@
 namespace brunt::app {
 namespace {
 
-constexpr double worth_a_line = 1e-6;  // of the largest displacement: less comes from the clearance of what touched
+constexpr double worth_a_line = 1e-5;  // of the largest displacement: the accuracy of a walk (depth/assembly_walk.cpp)
+constexpr double over_limit = 1e-6;    // of the limit: less comes from the gap that is left
 
 struct Placer {
   const scene::Input& input;
@@ -69,7 +70,7 @@ struct Placer {
     double worst = 1;
     for (std::size_t k = 0; k < answer.farthest.size(); ++k) {
       const std::optional<Limit> limit = limit_of(k);
-      if (!limit || answer.farthest[k] <= worst * limit->length) continue;
+      if (!limit || answer.farthest[k] <= worst * (1 + over_limit) * limit->length) continue;
       worst = answer.farthest[k] / limit->length;
       fault = fmt::format("{}: initial_overlap: place would move {} by {}; expected at most {}",
                           input.at(fmt::format("contact.{}.limit", limit->entry)), name(k), length(answer.farthest[k]),

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene_assembly.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/closed_surface.hpp"
@@ -148,7 +151,11 @@ depth::Body body_of_block(const mesh::Mesh& mesh, std::size_t block, const std::
   const geometry::SurfaceFaults faults = geometry::check_closed(surface);
   if (surface.triangles.empty()) throw InputError(who + ": has no volume; expected solid elements");
   if (!faults.sound()) throw InputError(geometry::describe(faults, surface, who));
-  return depth::make_body(surface);
+  try {
+    return depth::make_body(surface);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}; expected a body thicker than 1e-6 of its length", who, error.what()));
+  }
 }
 
 SceneAssembly scene_assembly(const scene::Input& input, const mesh::Mesh& mesh, const setup::StartRules& rules) {

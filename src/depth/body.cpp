@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -14,6 +15,7 @@ namespace brunt::depth {
 namespace {
 
 constexpr int grid_cells = 24;            // along the longest side of the box
+constexpr double most_grid = 30;          // of the cells asked for: points of the box that are looked at
 constexpr int ascent_steps = 12;          // of a grid point towards greater depth
 constexpr double covered_share = 0.9;     // of a ball's radius
 constexpr std::size_t most_corners = 32;  // of a convex body that is a piece: 5,000 triples
@@ -64,6 +66,31 @@ InnerBall risen(const geometry::SlabTree& tree, const Vec3& start, geometry::Poi
   return ball;
 }
 
+bool covered(const InnerBall& ball, const std::vector<InnerBall>& by) {
+  return std::any_of(by.begin(), by.end(), [&](const InnerBall& other) {
+    return (ball.centre - other.centre).norm() + covered_share * ball.depth <= other.depth;
+  });
+}
+
+struct GridPoint {
+  Vec3 x;
+  geometry::PointDepth here;
+};
+
+/// Balls of the points themselves and of those where they rise to. What a risen ball covers would rise towards it: near
+/// the centre of a round body each look costs as much as all its triangles.
+std::vector<InnerBall> grid_and_risen_balls(const geometry::SlabTree& tree, std::vector<GridPoint>& grid) {
+  std::stable_sort(grid.begin(), grid.end(),
+                   [](const GridPoint& a, const GridPoint& b) { return a.here.depth > b.here.depth; });
+  std::vector<InnerBall> all, tops;
+  for (const GridPoint& point : grid) {
+    all.push_back({point.x, point.here.depth, 1});
+    if (!covered(all.back(), tops)) tops.push_back(risen(tree, point.x, point.here));
+  }
+  all.insert(all.end(), tops.begin(), tops.end());
+  return all;
+}
+
 /// The corners of a convex body, which is one piece itself; none of another one, or of one with many corners (a piece
 /// is found by trying all triples of its corners).
 std::vector<Vec3> corners_if_convex(const geometry::SlabTree& tree, const MetricShape& shape) {
@@ -78,37 +105,65 @@ std::vector<Vec3> corners_if_convex(const geometry::SlabTree& tree, const Metric
   return corners;
 }
 
+/// Of the hull, from the centroid, in coordinates along the axes.
+geometry::Box box_along(const MetricShape& shape, const Mat3& axes) {
+  geometry::Box box;
+  for (const Vec3& x : shape.extremes) extend(box, axes.transpose() * x);
+  return box;
+}
+
 }  // namespace
 
-std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricShape& shape, int most) {
-  const Vec3 extent = tree.box.high - tree.box.low;
+std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricShape& shape, const Mat3& axes,
+                                   int most) {
+  const geometry::Box box = box_along(shape, axes);
+  const Vec3 low = box.low, extent = box.high - low;
   const double cell = extent.maxCoeff() / grid_cells;
   std::array<int, 3> counts{};
   for (int c = 0; c < 3; ++c) counts[static_cast<std::size_t>(c)] = std::max(3, static_cast<int>(extent[c] / cell));
-  std::vector<InnerBall> all;
+  std::vector<GridPoint> grid;
   for (int i = 0; i < counts[0]; ++i)
     for (int j = 0; j < counts[1]; ++j)
       for (int k = 0; k < counts[2]; ++k) {
         const Vec3 share((i + 0.5) / counts[0], (j + 0.5) / counts[1], (k + 0.5) / counts[2]);
-        const Vec3 x = tree.box.low + share.cwiseProduct(extent);
+        const Vec3 x = shape.centroid + axes * (low + share.cwiseProduct(extent));
         const geometry::PointDepth here = point_depth(tree, x);
-        if (here.depth > 0) {
-          all.push_back({x, here.depth, 1});
-          all.push_back(risen(tree, x, here));
-        }
+        if (here.depth > 0) grid.push_back({x, here});
       }
+  std::vector<InnerBall> all = grid_and_risen_balls(tree, grid);
   std::stable_sort(all.begin(), all.end(), [](const InnerBall& a, const InnerBall& b) { return a.depth > b.depth; });
   std::vector<InnerBall> kept;
   for (InnerBall& ball : all) {
     if (static_cast<int>(kept.size()) >= most) break;
-    const bool covered = std::any_of(kept.begin(), kept.end(), [&](const InnerBall& other) {
-      return (ball.centre - other.centre).norm() + covered_share * ball.depth <= other.depth;
-    });
-    if (covered) continue;
+    if (covered(ball, kept)) continue;
     ball.factor = point_factor(shape.gyration, ball.centre - shape.centroid);
     kept.push_back(ball);
   }
   return kept;
+}
+
+InnerCells inner_cells(const geometry::SlabTree& tree, const MetricShape& shape, const Mat3& axes, double volume,
+                       int count) {
+  const geometry::Box box = box_along(shape, axes);
+  const Vec3 extent = box.high - box.low;
+  InnerCells cells;
+  cells.side = std::cbrt(std::max(volume / count, extent.prod() / (most_grid * count)));
+  const double half_diagonal = 0.5 * std::numbers::sqrt3 * cells.side;
+  std::array<int, 3> counts{};
+  for (int c = 0; c < 3; ++c)
+    counts[static_cast<std::size_t>(c)] = std::max(1, static_cast<int>(extent[c] / cells.side));
+  const Vec3 first(0.5 * (1 - counts[0]), 0.5 * (1 - counts[1]), 0.5 * (1 - counts[2]));
+  const Vec3 middle = 0.5 * (box.low + box.high);
+  for (int i = 0; i < counts[0]; ++i)
+    for (int j = 0; j < counts[1]; ++j)
+      for (int k = 0; k < counts[2]; ++k) {
+        const Vec3 x = shape.centroid + axes * (middle + cells.side * (first + Vec3(i, j, k)));
+        const double depth = depth_above(tree, x, half_diagonal);
+        if (!(depth > half_diagonal)) continue;
+        cells.centres.push_back(x);
+        cells.depths.push_back(depth);
+      }
+  return cells;
 }
 
 Body make_body(const TriangleSurface& surface, const BodyOptions& options) {
@@ -134,7 +189,12 @@ Body make_body(const TriangleSurface& surface, const BodyOptions& options) {
   });
   body.shape = metric_shape(used, body.mass);
   body.components = component_points(surface);
-  body.balls = inner_balls(body.tree, body.shape, options.balls);
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(body.shape.gyration);
+  body.axes = solver.eigenvectors();
+  if (body.axes.determinant() < 0) body.axes.col(2) *= -1;
+  body.moments = solver.eigenvalues();
+  body.balls = inner_balls(body.tree, body.shape, body.axes, options.balls);
+  body.cells = inner_cells(body.tree, body.shape, body.axes, body.mass.mass, options.cells);
   std::vector<std::vector<Vec3>> pieces = options.pieces;
   if (pieces.empty())
     if (std::vector<Vec3> corners = corners_if_convex(body.tree, body.shape); !corners.empty())
@@ -145,10 +205,6 @@ Body make_body(const TriangleSurface& surface, const BodyOptions& options) {
     for (const Vec3& x : points) reach = std::max(reach, (x - body.mass.centre).norm());
     body.piece_reach.push_back(reach);
   }
-  const Eigen::SelfAdjointEigenSolver<Mat3> solver(body.shape.gyration);
-  body.axes = solver.eigenvectors();
-  if (body.axes.determinant() < 0) body.axes.col(2) *= -1;
-  body.moments = solver.eigenvalues();
   return body;
 }
 

@@ -88,28 +88,35 @@ ConvexPiece convex_piece(std::span<const Vec3> points) {
   return piece;
 }
 
-double translation_depth(const ConvexPiece& a, const ConvexPiece& b, const Placement& a_in_b, double least) {
-  double depth = std::numeric_limits<double>::infinity();
+Narrowest narrowest_overlap(const ConvexPiece& a, const ConvexPiece& b, const Placement& a_in_b, const Mat3& shifts,
+                            double least) {
+  Narrowest result{std::numeric_limits<double>::infinity(), Vec3::Zero()};
   const auto narrow = [&](const Vec3& u) {
-    Range range_a = range_along(a.corners, a_in_b.rotation.transpose() * u);
+    const Range range_a = range_along(a.corners, a_in_b.rotation.transpose() * u);
     const double shift = u.dot(a_in_b.translation);
     const Range range_b = range_along(b.corners, u);
-    depth = std::min({depth, range_a.high + shift - range_b.low, range_b.high - range_a.low - shift});
-    return depth > least;
+    const double overlap = std::min(range_a.high + shift - range_b.low, range_b.high - range_a.low - shift) -
+                           (shifts.transpose() * u).cwiseAbs().sum();
+    if (overlap < result.depth) result = {overlap, u};
+    return result.depth > least;
   };
   for (const Vec3& normal : b.normals)
-    if (!narrow(normal)) return depth;
+    if (!narrow(normal)) return result;
   for (const Vec3& normal : a.normals)
-    if (!narrow(a_in_b.rotation * normal)) return depth;
+    if (!narrow(a_in_b.rotation * normal)) return result;
   for (const Vec3& edge_a : a.edges) {
     const Vec3 e = a_in_b.rotation * edge_a;
     for (const Vec3& edge_b : b.edges) {
       const Vec3 product = e.cross(edge_b);
       const double length = product.norm();
-      if (length > no_edge_product && !narrow(product / length)) return depth;
+      if (length > no_edge_product && !narrow(product / length)) return result;
     }
   }
-  return depth;
+  return result;
+}
+
+double translation_depth(const ConvexPiece& a, const ConvexPiece& b, const Placement& a_in_b, double least) {
+  return narrowest_overlap(a, b, a_in_b, Mat3::Zero(), least).depth;
 }
 
 }  // namespace brunt::depth

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "brunt/depth/convex_pair.hpp"
@@ -14,20 +15,44 @@ namespace {
 constexpr std::size_t batch = 512;       // boxes judged together: the same on any number of ranks
 constexpr std::int32_t balls_used = 80;  // of A, the greatest
 constexpr double sqrt3 = std::numbers::sqrt3;
-constexpr double safety = 1e-9;  // of A's radius: rounding of depths and lengths
+constexpr double slimmest_box = 2;  // half widths of translation: others are cut before they differ by more
+constexpr double safety = 1e-9;     // of A's radius: rounding of depths and lengths
 
 double chord(double half_turn) {
   return 2 * std::sin(0.5 * std::min(sqrt3 * half_turn, std::numbers::pi));
 }
 
-double motion_inside(const CoverBox& box, double arm) {
-  return sqrt3 * box.half_shift + chord(box.half_turn) * arm;
+/// The least length of a motion in the box may not be below this.
+double least_length(const MetricShape& shape, Metric metric, double widest, const CoverBox& box) {
+  const auto nearest = [&](const Vec3& d) { return (d.cwiseAbs() - box.half_shift).cwiseMax(0).norm(); };
+  const double turning = chord(box.half_turn);
+  const Eigen::Quaterniond turn = rotation_of(box.turn);
+  if (metric == Metric::translation) return nearest(box.shift);
+  if (metric == Metric::object_norm)
+    return std::hypot(nearest(box.shift),
+                      std::max(0.0, 2 * std::sqrt(turn.vec().dot(shape.gyration * turn.vec())) - turning * widest));
+  const Mat3 D = rotation_less_identity(turn);
+  double least = 0;
+  for (const Vec3& y : shape.extremes) least = std::max(least, nearest(box.shift + D * y) - turning * y.norm());
+  return least;
 }
 
-/// The greatest length of a motion from the middle to a placement in the box.
-double radius_of(const MetricShape& shape, Metric metric, double widest, const CoverBox& box) {
-  if (metric != Metric::object_norm) return motion_inside(box, shape.radius);
-  return std::hypot(sqrt3 * box.half_shift, chord(box.half_turn) * widest);
+/// A proof that all placements in a box collide: positive `excess`; and what takes most from it.
+struct Proof {
+  double excess = -std::numeric_limits<double>::infinity();  ///< depth beyond the motion inside the box [length]
+  std::int32_t cut = 0;
+};
+
+constexpr std::int32_t along_rotation = 3;  ///< as CoverVerdict::cut
+
+/// shifts: what the half widths take from a proof. Its own turning part would not do: that of a ball near the centroid
+/// is small, whichever way the box is too large.
+std::int32_t best_cut(const MetricShape& shape, const CoverBox& box, const Vec3& shifts) {
+  if (chord(box.half_turn) * shape.radius > shifts.sum()) return along_rotation;
+  Eigen::Index axis = 0, widest = 0;
+  shifts.maxCoeff(&axis);
+  const double most = box.half_shift.maxCoeff(&widest);
+  return static_cast<std::int32_t>(most > slimmest_box * box.half_shift[axis] ? widest : axis);
 }
 
 /// Piece pairs first, then balls.
@@ -46,18 +71,34 @@ struct Proofs {
 
   [[nodiscard]] std::int32_t count() const { return pairs + balls; }
 
-  /// Depth beyond the motion inside the box: positive is a proof. Not exact where no greater than `least`.
-  [[nodiscard]] double excess(std::int32_t i, double least) const {
-    const double rounding = safety * encounter.a.shape.radius;
-    if (i < pairs) {
-      const std::size_t a = static_cast<std::size_t>(i) / encounter.b.pieces.size(),
-                        b = static_cast<std::size_t>(i) % encounter.b.pieces.size();
-      const double motion = motion_inside(box, encounter.a.piece_reach[a]) + rounding;
-      return translation_depth(encounter.a.pieces[a], encounter.b.pieces[b], now, least + motion) - motion;
-    }
-    const InnerBall& ball = encounter.a.balls[static_cast<std::size_t>(i - pairs)];
-    const double motion = motion_inside(box, (ball.centre - encounter.a.shape.centroid).norm()) + rounding - ball.depth;
-    return depth_above(encounter.b.tree, now(ball.centre), least + motion) - motion;
+  /// Not exact where no greater than `least`.
+  [[nodiscard]] Proof proof(std::int32_t i, double least) const {
+    return i < pairs ? of_pieces(static_cast<std::size_t>(i), least)
+                     : of_ball(static_cast<std::size_t>(i - pairs), least);
+  }
+
+ private:
+  /// What a proof needs beyond the motion inside the box: surfaces nearer than `apart` collide as well.
+  [[nodiscard]] double less() const { return safety * encounter.a.shape.radius - encounter.apart; }
+
+  [[nodiscard]] Proof of_pieces(std::size_t i, double least) const {
+    const std::size_t a = i / encounter.b.pieces.size(), b = i % encounter.b.pieces.size();
+    const double turning = chord(box.half_turn) * encounter.a.piece_reach[a];
+    const double motion = turning + less();
+    const Mat3 shifts = encounter.start.rotation * box.half_shift.asDiagonal();
+    const Narrowest narrowest =
+        narrowest_overlap(encounter.a.pieces[a], encounter.b.pieces[b], now, shifts, least + motion);
+    const double shell = narrowest.depth > 0 ? 0 : encounter.apart;  // pieces apart: an axis does not tell how far
+    return {narrowest.depth - motion - shell,
+            best_cut(encounter.a.shape, box, (shifts.transpose() * narrowest.axis).cwiseAbs())};
+  }
+
+  [[nodiscard]] Proof of_ball(std::size_t i, double least) const {
+    const InnerBall& ball = encounter.a.balls[i];
+    const double turning = chord(box.half_turn) * (ball.centre - encounter.a.shape.centroid).norm();
+    const double motion = box.half_shift.norm() + turning + less() - ball.depth;
+    return {depth_above(encounter.b.tree, now(ball.centre), least + motion) - motion,
+            best_cut(encounter.a.shape, box, box.half_shift)};
   }
 };
 
@@ -75,10 +116,11 @@ CoverVerdict judge(const Encounter& encounter, Metric metric, double upper, cons
   for (std::int32_t k = -1; k < proofs.count(); ++k) {
     const std::int32_t i = k < 0 ? box.hint : k;
     if (k == box.hint || i >= proofs.count()) continue;
-    const double excess = proofs.excess(i, std::min(best, 0.0));
-    if (excess > best) {
-      best = excess;
+    const Proof proof = proofs.proof(i, std::min(best, 0.0));
+    if (proof.excess > best) {
+      best = proof.excess;
       verdict.hint = i;
+      verdict.cut = proof.cut;
     }
     if (best > 0) {
       verdict.collides = true;
@@ -99,7 +141,7 @@ CoverResult cover(const Encounter& encounter, double upper, const CoverOptions& 
     for (std::size_t i = 0; i < boxes.size(); ++i) verdicts[i] = judge(encounter, options.metric, upper, boxes[i]);
   };
   CoverBox root;
-  root.half_shift = upper;
+  root.half_shift.setConstant(upper);
   if (options.metric != Metric::translation)  // rms >= 2 sin(phi/2) sqrt(least moment)
     root.half_turn = std::min(std::numbers::pi, 2 * std::asin(std::min(1.0, 0.5 * upper / slimmest)) * (1 + 1e-12));
   root.least = options.known;
@@ -129,18 +171,19 @@ CoverResult cover(const Encounter& encounter, double upper, const CoverOptions& 
           (best == now.size() || verdicts[i].length < verdicts[best].length))
         best = i;
       if (verdicts[i].collides) continue;
-      const bool cut_turn = chord(box.half_turn) * shape.radius > sqrt3 * box.half_shift;
       CoverBox child = box;
       child.hint = verdicts[i].hint;
-      (cut_turn ? child.half_turn : child.half_shift) *= 0.5;
-      const double half = cut_turn ? child.half_turn : child.half_shift;
-      const double radius = radius_of(shape, options.metric, widest, child);
-      for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 off = half * Vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-        child.turn = box.turn + (cut_turn ? off : Vec3(Vec3::Zero()));
-        child.shift = box.shift + (cut_turn ? Vec3(Vec3::Zero()) : off);
+      const std::int32_t axis = verdicts[i].cut;
+      const bool cut_turn = axis == along_rotation;
+      const double half = 0.5 * (cut_turn ? box.half_turn : box.half_shift[axis]);
+      (cut_turn ? child.half_turn : child.half_shift[axis]) = half;
+      for (int part = 0; part < (cut_turn ? 8 : 2); ++part) {
+        if (cut_turn)
+          child.turn = box.turn + half * Vec3(part & 1 ? 1 : -1, part & 2 ? 1 : -1, part & 4 ? 1 : -1);
+        else
+          child.shift[axis] = box.shift[axis] + (part == 0 ? -half : half);
         if (child.turn.norm() - sqrt3 * child.half_turn > std::numbers::pi) continue;  // the same as others
-        const double least = length_of(shape, options.metric, child.middle()) - radius;
+        const double least = least_length(shape, options.metric, widest, child);
         child.least = std::max(box.least, least - safety * shape.radius);
         if (child.least >= upper) continue;
         heap.push_back(child);

@@ -12,7 +12,9 @@ constexpr double kept_bits = 0x1p40;
 }  // namespace
 
 bool Encounter::bodies_collide(const Placement& a_in_b) const {
-  if (geometry::surfaces_cross(a.tree, b.tree, a_in_b)) return true;
+  if (apart > 0 ? geometry::surface_distance(a.tree, b.tree, a_in_b, apart) < apart
+                : geometry::surfaces_cross(a.tree, b.tree, a_in_b))
+    return true;
   const auto holds = [](const geometry::SlabTree& tree, const Vec3& x) {
     return geometry::contains(tree.box, x) && geometry::contains(tree, x);
   };

@@ -15,9 +15,10 @@ constexpr int most_cuts = 80;             // of one step
 constexpr double least_curvature = 1e-9;  // of the object norm in rotations, relative: at phi = pi it has none
 
 /// Whether no motion in the trust region can violate the condition.
-bool out_of_reach(const NearCondition& condition, double trust, double turn_length) {
-  const Vec3 moment = condition.arm.cross(condition.normal) / turn_length;
-  return trust * (condition.normal.lpNorm<1>() + moment.lpNorm<1>()) < -condition.bound;
+bool out_of_reach(const NearCondition& condition, const LocalProblem& problem, double turn_length) {
+  const Vec3 normal = problem.axes.transpose() * condition.normal;
+  const Vec3 moment = problem.axes.transpose() * condition.arm.cross(condition.normal) / turn_length;
+  return problem.trust * (normal.lpNorm<1>() + moment.lpNorm<1>()) < -condition.bound;
 }
 
 template <int N>
@@ -25,29 +26,32 @@ void lay_rows(std::span<const NearCondition> conditions, const LocalProblem& pro
               std::vector<Row<N>>& rows) {
   rows.clear();
   for (const NearCondition& condition : conditions) {
-    if (out_of_reach(condition, problem.trust, turn_length)) continue;
+    if (out_of_reach(condition, problem, turn_length)) continue;
     Row<N> row;
     row.normal.template head<3>() = condition.normal;
     row.normal.template segment<3>(3) = condition.arm.cross(condition.normal) / turn_length;
     row.bound = condition.bound;
     rows.push_back(row);
   }
-  for (int i = 0; i < 6; ++i)
-    for (const double sign : {1.0, -1.0}) {
-      Row<N> row;
-      row.normal[i] = sign;
-      row.bound = -problem.trust;
-      rows.push_back(row);
-    }
+  for (const int part : {0, 3})
+    for (int i = 0; i < 3; ++i)
+      for (const double sign : {1.0, -1.0}) {
+        Row<N> row;
+        row.normal.template segment<3>(part) = sign * problem.axes.col(i);
+        row.bound = -problem.trust;
+        rows.push_back(row);
+      }
 }
 
-LocalStep step_from(const RigidMotion& motion, const Vec3& tau, const Vec3& omega, double rho, double predicted) {
+LocalStep step_from(const RigidMotion& motion, const Vec3& tau, const Vec3& omega, const LocalProblem& problem,
+                    double rho, double predicted) {
   LocalStep step;
   step.motion = compose(motion, {rotation_of(omega), tau});
   step.predicted = predicted;
   step.tau = tau;
   step.omega = omega;
-  step.size = std::max(tau.lpNorm<Eigen::Infinity>(), rho * omega.lpNorm<Eigen::Infinity>());
+  const auto along_axes = [&](const Vec3& x) { return (problem.axes.transpose() * x).lpNorm<Eigen::Infinity>(); };
+  step.size = std::max(along_axes(tau), rho * along_axes(omega));
   step.solved = true;
   return step;
 }
@@ -60,11 +64,12 @@ LocalStep LocalSolver::shift_only(const RigidMotion& motion, std::span<const Nea
   for (const NearCondition& condition : conditions)
     rows3_.push_back({problem.basis.transpose() * condition.normal, condition.bound});
   for (int i = 0; i < 3; ++i)
-    for (const double sign : {1.0, -1.0}) rows3_.push_back({sign * Vec3::Unit(i), -problem.trust});
+    for (const double sign : {1.0, -1.0})
+      rows3_.push_back({sign * (problem.basis.transpose() * problem.axes.col(i)), -problem.trust});
   QuadraticProgram<3> program(Mat3::Identity(), problem.basis.transpose() * motion.shift);
   if (program.solve(rows3_, feasible * problem.trust) != Outcome::solved) return {};
   const Vec3 tau = problem.basis * program.x();
-  return step_from(motion, tau, Vec3::Zero(), 0, (motion.shift + tau).norm());
+  return step_from(motion, tau, Vec3::Zero(), problem, 0, (motion.shift + tau).norm());
 }
 
 LocalStep LocalSolver::in_object_norm(const MetricShape& shape, const RigidMotion& motion,
@@ -83,7 +88,7 @@ LocalStep LocalSolver::in_object_norm(const MetricShape& shape, const RigidMotio
   if (program.solve(rows6_, feasible * problem.trust) != Outcome::solved) return {};
   const Vec3 tau = program.x().head<3>(), turn = program.x().tail<3>();
   const Vec3 next = v + M * turn;
-  return step_from(motion, tau, turn / rho, rho,
+  return step_from(motion, tau, turn / rho, problem, rho,
                    std::sqrt((motion.shift + tau).squaredNorm() + 4 * next.dot(shape.gyration * next)));
 }
 
@@ -115,7 +120,7 @@ LocalStep LocalSolver::in_displacement(const MetricShape& shape, const RigidMoti
     tau = program.x().head<3>();
     omega = program.x().segment<3>(3) / rho;
   }
-  return step_from(motion, tau, omega, rho, most);
+  return step_from(motion, tau, omega, problem, rho, most);
 }
 
 LocalStep LocalSolver::solve(const MetricShape& shape, const RigidMotion& motion,

@@ -8,8 +8,9 @@
 namespace brunt::depth {
 namespace {
 
-constexpr std::size_t balls_tried = 200;  // of each body, the greatest first
-constexpr std::size_t ascents = 3;        // from so many of the best points
+constexpr double mean_distance = 0.48030;  // of a cube's points from its middle, in sides: .480296, rounded up
+constexpr std::size_t balls_tried = 200;   // of each body, the greatest first
+constexpr std::size_t ascents = 3;         // from so many of the best points
 constexpr int ascent_steps = 25;
 constexpr double first_step = 0.5, longer = 1.2, shorter = 0.5;  // of the steps' length, in units of the depth
 
@@ -17,7 +18,7 @@ constexpr double first_step = 0.5, longer = 1.2, shorter = 0.5;  // of the steps
 struct Seen {
   Vec3 y = Vec3::Zero();
   Vec3 up = Vec3::Zero();  // sum of the depths' gradients
-  double sum = 0;          // phi_A + phi_B
+  double sum = 0;          // phi_A + phi_B, and what is to be left between them
   double value = 0;        // the bound
 };
 
@@ -40,7 +41,7 @@ struct Bound {
     };
     Seen seen;
     seen.y = y;
-    seen.sum = a.depth + b.depth;
+    seen.sum = a.depth + b.depth + encounter.apart;
     seen.up = encounter.start.rotation * gradient(in_a, a) + gradient(y, b);
     seen.value = value_of(seen.sum, in_a);
     return seen;
@@ -61,6 +62,20 @@ struct Bound {
     return seen;
   }
 };
+
+/// The root of a lower sum of (1/V) integral over A of max(0, phi_A + phi_B)^2. Depths change by no more than the
+/// distance, and the square is convex: its mean over a cell is no less than that of the mean (Jensen).
+double volume_bound(const Encounter& encounter) {
+  const InnerCells& cells = encounter.a.cells;
+  const double loss = 2 * mean_distance * cells.side;
+  double sum = 0;
+  for (std::size_t i = 0; i < cells.centres.size(); ++i) {
+    const double needed = loss - cells.depths[i] - encounter.apart;
+    const double depth = depth_above(encounter.b.tree, encounter.start(cells.centres[i]), needed);
+    if (depth > needed) sum += (depth - needed) * (depth - needed);
+  }
+  return std::sqrt(sum * cells.side * cells.side * cells.side / encounter.a.mass.mass);
+}
 
 }  // namespace
 
@@ -101,10 +116,12 @@ LowerBound lower_bound(const Encounter& encounter, Metric metric) {
     const Seen top = bound.ascend(bound.look(candidate.y));
     if (top.value > result.value) result = {top.value, top.y};
   }
+  if (norm) result.value = std::max(result.value, volume_bound(encounter));
   if (!norm)
     for (const ConvexPiece& a : encounter.a.pieces)
       for (const ConvexPiece& b : encounter.b.pieces)
-        result.value = std::max(result.value, translation_depth(a, b, encounter.start, result.value));
+        if (const double depth = translation_depth(a, b, encounter.start, result.value - encounter.apart); depth > 0)
+          result.value = std::max(result.value, encounter.apart + depth);
   return result;
 }
 

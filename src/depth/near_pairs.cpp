@@ -13,24 +13,58 @@ constexpr double same_point = 1e-9;  // of A's size
 
 constexpr double same_way = 0.5;  // cosine of the angle between n and an axis that may stand for it
 
-/// Gap along the axis u of any length; -infinity if it does not go the way of n.
-double gap_along(const geometry::Triangle& a, const geometry::Triangle& b, const Vec3& u, const Vec3& n) {
-  const double length = u.norm(), along = u.dot(n);
-  if (!(std::abs(along) > same_way * length)) return -std::numeric_limits<double>::infinity();
-  const Vec3 axis = u * ((along > 0 ? 1 : -1) / length);
+constexpr double clear_gain = 1e-12;  // of the coordinates: by which one axis is better than another
+constexpr double parallel = 1e-7;     // sine: parallel edges have no product
+
+/// Gap along the unit vector `axis`, from b to a.
+double gap_along(const geometry::Triangle& a, const geometry::Triangle& b, const Vec3& axis) {
   const double low = std::min({axis.dot(a[0]), axis.dot(a[1]), axis.dot(a[2])});
   const double high = std::max({axis.dot(b[0]), axis.dot(b[1]), axis.dot(b[2])});
   return low - high;
 }
 
+/// Gap along the axis u of any length; -infinity if it does not go the way of n.
+double gap_along(const geometry::Triangle& a, const geometry::Triangle& b, const Vec3& u, const Vec3& n) {
+  const double length = u.norm(), along = u.dot(n);
+  if (!(std::abs(along) > same_way * length)) return -std::numeric_limits<double>::infinity();
+  return gap_along(a, b, u * ((along > 0 ? 1 : -1) / length));
+}
+
+std::array<Vec3, 3> edges_of(const geometry::Triangle& t) {
+  return {t[1] - t[0], t[2] - t[1], t[0] - t[2]};
+}
+
 }  // namespace
 
 double gap_of(const geometry::Triangle& a, const geometry::Triangle& b, const Vec3& n) {
-  const std::array<Vec3, 3> ea{a[1] - a[0], a[2] - a[1], a[0] - a[2]}, eb{b[1] - b[0], b[2] - b[1], b[0] - b[2]};
+  const std::array<Vec3, 3> ea = edges_of(a), eb = edges_of(b);
   double gap = std::max(gap_along(a, b, ea[0].cross(ea[1]), n), gap_along(a, b, eb[0].cross(eb[1]), n));
   for (const Vec3& x : ea)
     for (const Vec3& y : eb) gap = std::max(gap, gap_along(a, b, x.cross(y), n));
   return std::max(gap, gap_along(a, b, n, n));
+}
+
+Vec3 separating_axis(const geometry::Triangle& a, const geometry::Triangle& b) {
+  const std::array<Vec3, 3> ea = edges_of(a), eb = edges_of(b);
+  const double size = std::max(a[0].cwiseAbs().maxCoeff(), b[0].cwiseAbs().maxCoeff());
+  Vec3 best = Vec3::Zero();
+  double gap = -std::numeric_limits<double>::infinity();
+  const auto offer = [&](const Vec3& x, const Vec3& y) {
+    const Vec3 product = x.cross(y);
+    if (!(product.norm() > parallel * x.norm() * y.norm())) return;
+    for (const double sign : {1., -1.}) {
+      const Vec3 axis = sign * product.normalized();
+      const double here = gap_along(a, b, axis);
+      if (!(here > gap + clear_gain * size)) continue;
+      gap = here;
+      best = axis;
+    }
+  };
+  offer(eb[0], eb[1]);
+  offer(ea[0], ea[1]);
+  for (const Vec3& x : ea)
+    for (const Vec3& y : eb) offer(x, y);
+  return best;
 }
 
 void NearPairs::find(const Encounter& encounter, const RigidMotion& motion, double band, double margin) {

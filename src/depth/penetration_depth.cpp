@@ -11,6 +11,7 @@ namespace brunt::depth {
 namespace {
 
 constexpr double contact_band = 1e-4;  // of A's radius: gaps of contact points
+constexpr double clear_gap = 1e-9;     // of A's radius: the nearest points of greater gaps tell a direction to 7 digits
 constexpr double trusted = 1.3;        // of the lower bound: a warm answer that is longer is searched for anew
 constexpr double independent = 1e-6;   // sine: directions nearer to the span of the others add nothing
 
@@ -29,13 +30,23 @@ Mat3 admitted(const Query& query, const Mat3& into) {
   return basis;
 }
 
+/// From B to A: of the nearest points, or of the features that touch where those are too near to tell a direction.
+Vec3 contact_normal(const Encounter& encounter, const Placement& placement, const NearCondition& condition) {
+  const Vec3 normal = (encounter.start.rotation * condition.normal).normalized();
+  if (condition.distance > clear_gap * encounter.a.shape.radius) return normal;
+  geometry::Triangle a = encounter.a.tree.triangles[static_cast<std::size_t>(condition.a)];
+  for (Vec3& corner : a) corner = placement(corner);
+  const Vec3 axis = separating_axis(a, encounter.b.tree.triangles[static_cast<std::size_t>(condition.b)]);
+  return axis.squaredNorm() > 0 ? axis : normal;
+}
+
 void list_contacts(const Encounter& encounter, Answer& answer) {
   NearPairs near;
-  near.find(encounter, answer.motion, contact_band * encounter.a.shape.radius, 0);
+  near.find(encounter, answer.motion, encounter.apart + contact_band * encounter.a.shape.radius, 0);
   const Mat3& out = encounter.start.rotation;
   const Vec3 centre = answer.placement(encounter.a.shape.centroid);
   for (const NearCondition& condition : near.conditions) {
-    const Vec3 normal = out * condition.normal;
+    const Vec3 normal = contact_normal(encounter, answer.placement, condition);
     answer.contacts.push_back(
         {centre + out * condition.arm - 0.5 * condition.distance * normal, normal, condition.distance});
   }
@@ -89,6 +100,7 @@ Answer penetration_depth(const Body& a, const Body& b, const Query& query) {
   answer.placement = encounter.start;
   answer.overlap = encounter.collides({});
   if (answer.overlap) {
+    encounter.apart = query.apart;
     const Mat3 basis = admitted(query, encounter.start.rotation.transpose());
     answer.bound = lower_bound(encounter, query.metric).value;
     Search search(encounter, effort_of(query.metric, query.careful, query.clearance, basis), answer.bound);

@@ -13,6 +13,7 @@ namespace {
 constexpr double equal_moments = 1e-3;  // relative: axes with such moments are not unique
 constexpr double parallel = 0.05;       // sine: a vector this near to an axis does not complete it
 constexpr int bisections = 3;
+constexpr int short_march = 32;  // steps; longer ones ask how deep A is, which costs as much as a step
 
 /// Unit vectors through the grid points of the surface of the cube [-grid, grid]^3.
 std::vector<Vec3> cube_directions(int grid) {
@@ -44,6 +45,14 @@ struct Marcher {
     return length_of(encounter.a.shape, options.metric, motion);
   }
 
+  /// Whole steps from here on whose ends are sure to collide: the greatest ball of A is as deep in B as this.
+  [[nodiscard]] double sure_steps(const RigidMotion& here, double step) const {
+    if (encounter.a.balls.empty()) return 0;
+    const InnerBall& ball = encounter.a.balls.front();
+    const double depth = ball.depth + point_depth(encounter.b.tree, encounter.placement(here)(ball.centre)).depth;
+    return std::max(0.0, std::floor((1 - 1e-9) * depth / step));  // less by rounding
+  }
+
   /// Up to the first exit, if it is not too far.
   void march(const Ray& ray, double step, double end) {
     double t = step;
@@ -51,10 +60,13 @@ struct Marcher {
       const double slope = length(ray.at(1e-3)) / 1e-3;  // lengths grow at most so fast
       t = std::max(t, options.nothing_below / slope);
     }
-    for (; t < end + step; t += step) {
+    for (int steps = 1; t < end + step; t += step, ++steps) {
       const RigidMotion motion = ray.at(t);
       if (length(ray.at(t - step)) > options.reach * shortest) return;  // all that bisection could find is too far
-      if (encounter.collides(motion)) continue;
+      if (encounter.collides(motion)) {
+        if (steps > short_march && !ray.turns) t += step * sure_steps(motion, step);
+        continue;
+      }
       double inside = t - step, outside = t;
       for (int i = 0; i < bisections; ++i) {
         const double middle = 0.5 * (inside + outside);

@@ -64,17 +64,18 @@ Walk Walker::begin(const Encounter& encounter, const RigidMotion& start, const W
 
 void Walker::advance(Encounter& encounter, Walk& walk, const WalkOptions& options, int most_steps) {
   const MetricShape& shape = encounter.a.shape;
-  const double margin = options.clearance * shape.radius;
+  const double clearance = options.clearance * shape.radius, margin = encounter.apart + clearance;
   LocalProblem problem;
   problem.metric = options.metric;
   problem.basis = options.basis;
+  problem.axes = encounter.a.axes;
   bool fresh = true;  // conditions are of another placement or a narrower band
   for (const int end = walk.steps + most_steps; !walk.ended && walk.steps < end; ++walk.steps) {
     walk.ended = walk.trust < options.least_trust * walk.length;
     if (walk.ended) return;
     if (fresh) {
-      walk.band = std::max(walk.band, least_band * margin);
-      near_.find(encounter, walk.motion, walk.band, margin);
+      walk.band = std::max(walk.band, least_band * clearance);
+      near_.find(encounter, walk.motion, encounter.apart + walk.band, margin);
       pairs_ += static_cast<std::int64_t>(near_.pairs.size());
     } else {
       near_.forget_corrections(margin);

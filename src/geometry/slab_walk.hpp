@@ -28,7 +28,8 @@ class SlabWalk {
     set_limit(limit);
   }
 
-  void set_limit(double limit) { limit2_ = limit * limit; }
+  /// Finite, so that lanes without a child, whose distance is infinite, are never within it.
+  void set_limit(double limit) { limit2_ = std::min(limit * limit, std::numeric_limits<double>::max()); }
 
   /// True if a visit ended it.
   bool run() {

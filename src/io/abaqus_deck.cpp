@@ -12,17 +12,11 @@
 #include <limits>
 
 #include "brunt/core/error.hpp"
+#include "brunt/io/csv.hpp"
 #include "brunt/io/text_file.hpp"
 
 namespace brunt::io {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const auto first = text.find_first_not_of(blanks);
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 std::string unquoted(std::string_view text) {
   const bool quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
@@ -39,12 +33,7 @@ std::string in_capitals(std::string_view text) {
 }
 
 std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t comma = std::min(line.find(',', from), line.size());
-    fields.push_back(trimmed(line.substr(from, comma - from)));
-    from = comma + 1;
-  }
+  std::vector<std::string_view> fields = comma_fields(line);
   if (fields.back().empty()) fields.pop_back();
   return fields;
 }

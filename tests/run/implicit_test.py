@@ -137,7 +137,7 @@ class Implicit(Program):
                 ("solver: {scheme: contact_implicit, step: 0.1, alpha: 0.1}", "solver.alpha: only scheme: hht has an alpha"),
             "step: 0.1}": ("step: 0.1, min_step: 0.2}", "solver.min_step: is above step"),
             "scheme: contact_implicit": ("scheme: implicit", "solver.scheme: 'implicit' is unknown, nearest is 'static'; accepted: static, contact_implicit, hht, newmark"),
-            "fixed:": ("contact: [{between: all}]\nfixed:", "contact: is for explicit scenes as yet"),
+            "fixed:": ("contact: [{between: all}]\nfixed:", "contact.0: an implicit scene has mortar contact alone"),
             "probes:": ("rigid_walls: [{point: [0, 0, -1], normal: [0, 0, 1]}]\nprobes:", "rigid_walls: are for explicit scenes as yet"),
         }
         for old, (new, message) in wrong.items():

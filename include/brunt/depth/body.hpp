@@ -17,12 +17,20 @@ struct InnerBall {
   double factor = 1;           ///< point_factor of the centre
 };
 
+/// Cubes that do not overlap, each inside the body.
+struct InnerCells {
+  double side = 0;             ///< [length]
+  std::vector<Vec3> centres;   ///< coordinates of the file [length]
+  std::vector<double> depths;  ///< of the centres [length]
+};
+
 struct Body {
   geometry::SlabTree tree;
-  rigid::MassProperties mass;       ///< at density 1
-  MetricShape shape;                ///< as the body that moves
-  std::vector<Vec3> components;     ///< a point of each connected part of the surface
-  std::vector<InnerBall> balls;     ///< the greatest first
+  rigid::MassProperties mass;    ///< at density 1
+  MetricShape shape;             ///< as the body that moves
+  std::vector<Vec3> components;  ///< a point of each connected part of the surface
+  std::vector<InnerBall> balls;  ///< the greatest first
+  InnerCells cells;
   std::vector<ConvexPiece> pieces;  ///< convex parts, each inside the body
   std::vector<double> piece_reach;  ///< greatest distance of a corner from the centroid [length]
   Mat3 axes = Mat3::Identity();     ///< columns: principal axes of J by growing moment, right-handed
@@ -33,14 +41,22 @@ struct BodyOptions {
   int balls = 400;                        ///< at most
   std::vector<std::vector<Vec3>> pieces;  ///< points of each; the caller vouches for their being convex parts of the
                                           ///< body. None: the body itself where it is convex and has few corners
+  int cells = 1000;                       ///< see inner_cells
 };
 
 /// The surface must be closed, oriented outward, and not cross itself; the caller checks that. Throws
 /// std::invalid_argument for one without triangles or without a positive volume.
 [[nodiscard]] Body make_body(const TriangleSurface& surface, const BodyOptions& options = {});
 
-/// Points inside with their depths, on a grid of the bounding box, each then moved inwards while the depth grows. A
-/// ball is left out if a greater one that stays holds nine tenths of it. The greatest first.
-[[nodiscard]] std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricShape& shape, int most);
+/// Points inside with their depths, on a grid of the bounding box along `axes` (orthonormal columns), each then moved
+/// inwards while the depth grows. A ball is left out if a greater one that stays holds nine tenths of it. The greatest
+/// first.
+[[nodiscard]] std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricShape& shape,
+                                                 const Mat3& axes, int most);
+
+/// About `count` cubes along `axes` (orthonormal columns) would fill the volume; those that the surface cuts are left
+/// out. volume: [length^3].
+[[nodiscard]] InnerCells inner_cells(const geometry::SlabTree& tree, const MetricShape& shape, const Mat3& axes,
+                                     double volume, int count);
 
 }  // namespace brunt::depth

@@ -28,4 +28,15 @@ struct ConvexPiece {
 [[nodiscard]] double translation_depth(const ConvexPiece& a, const ConvexPiece& b, const Placement& a_in_b,
                                        double least = -std::numeric_limits<double>::infinity());
 
+struct Narrowest {
+  double depth = 0;          ///< [length]
+  Vec3 axis = Vec3::Zero();  ///< unit, in the axes of b: where the overlap is that
+};
+
+/// The least PDt of all placements that a shift of a by sums s_i c_i, |s_i| <= 1, leads to, c_i the columns of `shifts`
+/// in the axes of b. Exact: PDt is the distance of a point from the boundary of the Minkowski difference, and so a
+/// concave function of the shift while the pair overlaps. `least` as above.
+[[nodiscard]] Narrowest narrowest_overlap(const ConvexPiece& a, const ConvexPiece& b, const Placement& a_in_b,
+                                          const Mat3& shifts, double least = -std::numeric_limits<double>::infinity());
+
 }  // namespace brunt::depth

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // A lower bound of penetration depth for the whole space of placements, by branch and bound.
 //
-// A box holds the rotation vectors and displacements of the centroid within half widths h_w, h_T of its middle. Inside
-// it a point x of A moves by at most
-//   m(x) = sqrt3 h_T + 2 sin(sqrt3 h_w/2) |x - c|
+// A box holds the rotation vectors within a half width h_w and the displacements of the centroid within half widths
+// h_i along the axes of A at q_0 of its middle. Inside it a point x of A moves by at most
+//   m(x) = |h| + 2 sin(sqrt3 h_w/2) |x - c|
 // from where the middle takes it, since exp(w) and exp(w') differ by an angle of at most |w - w'|. A box is dropped if
-// at its middle a ball of A and a point of B, or two convex pieces, are deeper in each other than that: every placement
-// in it collides. Otherwise it is cut in eight along translation or rotation, whichever moves A more. A box that is
-// left has no placement shorter than the length at its middle less its radius (triangle inequality). The least of these
-// is a lower bound at any time. Free middles below the upper bound are handed back as starts of walks.
+// at its middle a ball of A and a point of B are deeper in each other than that: every placement in it collides. Of two
+// convex pieces the least depth over the shifts alone is known exactly (narrowest_overlap), and turning takes no more
+// than its part of m from it. Otherwise the box is cut where that costs the proof most: in eight along rotation, or in
+// two along one axis of translation. A box that is left has no placement shorter than that of its points that must move
+// farthest: the distance of d(y) + [-h, h] from the origin less the turning part of m. The least of these is a lower
+// bound at any time. Free middles below the upper bound are handed back as starts of walks.
 //
 // Boxes are judged in batches of a fixed size, each by a pure function: `evaluate` may deal them to other processes,
 // and the result has the same bits.
@@ -24,7 +26,8 @@ namespace brunt::depth {
 
 struct CoverBox {
   Vec3 turn = Vec3::Zero(), shift = Vec3::Zero();  ///< middle: rotation vector [rad], displacement [length]
-  double half_turn = 0, half_shift = 0;            ///< [rad], [length]
+  Vec3 half_shift = Vec3::Zero();                  ///< [length]
+  double half_turn = 0;                            ///< [rad]
   double least = 0;                                ///< no placement in it is shorter [length]
   std::int32_t hint = 0;                           ///< piece pair or ball that came nearest to a proof in its parent
   [[nodiscard]] RigidMotion middle() const { return {rotation_of(turn), shift}; }
@@ -35,6 +38,7 @@ struct CoverVerdict {
   bool free = false;      ///< its middle is free
   double length = 0;      ///< of its middle [length]
   std::int32_t hint = 0;
+  std::int32_t cut = 0;  ///< best cut: along this axis of translation, or 3: along rotation
 };
 
 /// A pure function. Free middles are looked for only below `upper`.

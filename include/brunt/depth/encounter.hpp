@@ -13,9 +13,10 @@ struct Encounter {
   const Body& b;
   Placement start;           ///< q_0: file coordinates of A to those of B
   std::int64_t queries = 0;  ///< collision queries so far
+  double apart = 0;          ///< surfaces nearer to each other collide as well [length]
 
   [[nodiscard]] Placement placement(const RigidMotion& motion) const { return moved(start, motion, a.shape.centroid); }
-  /// Surfaces cross or touch, or a part of one body lies inside the other.
+  /// Surfaces cross, touch or are nearer than `apart`, or a part of one body lies inside the other.
   [[nodiscard]] bool collides(const RigidMotion& motion) {
     ++queries;
     return bodies_collide(placement(motion));

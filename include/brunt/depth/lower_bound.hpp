@@ -6,7 +6,8 @@
 //   g(y) = phi_A(y) + phi_B(y).
 // Hence PDt >= PDg >= max g in the displacement metric, and in the object norm g / sqrt(factor of the point), see
 // point_factor. Any point gives a valid bound; g is increased from the best balls by ascent. Convex pieces a in A and b
-// in B give PDg >= PDt(a, b) in the displacement metric: see convex_pair.
+// in B give PDg >= PDt(a, b) in the displacement metric: see convex_pair. The object norm is the root mean square of
+// the points' motions as well, sigma >= (1/V) integral over A of max(0, g)^2: a lower sum over inner cells.
 #pragma once
 #include "brunt/depth/encounter.hpp"
 

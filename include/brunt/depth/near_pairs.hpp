@@ -39,6 +39,11 @@ struct NearPairs {
 /// vector n, from b to a [length].
 [[nodiscard]] double gap_of(const geometry::Triangle& a, const geometry::Triangle& b, const Vec3& n);
 
+/// Unit vector from b to a along which the gap of two triangles in common axes is greatest: of a face normal, of b
+/// first, or else of a product of edges. For triangles that are free but so near that the difference of their nearest
+/// points is rounding. Zero for two triangles without area in one line.
+[[nodiscard]] Vec3 separating_axis(const geometry::Triangle& a, const geometry::Triangle& b);
+
 /// Second-order correction: where the triangles of a condition are nearer than `margin` after the small motion (tau,
 /// omega) that led to `motion`, its bound grows by what is missing. The gap of two triangles is the greatest over the
 /// separating axes (two face normals, nine products of edges) that point the same way as n within 60 degrees; it is

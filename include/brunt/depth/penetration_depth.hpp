@@ -18,7 +18,8 @@ struct Query {
   Placement a_in_b;  ///< from file coordinates of A to those of B
   Metric metric = Metric::displacement;
   bool careful = false;          ///< many starts, all metrics help each other, contact to 1e-9 of A's radius
-  double clearance = 1e-6;       ///< left between the surfaces by the fast mode, in units of A's radius
+  double clearance = 1e-6;       ///< kept by walks until the final contact, in units of A's radius
+  double apart = 0;              ///< distance left between the surfaces; 0: contact [length]
   std::vector<Vec3> along;       ///< directions of admitted translations, axes of B; none: all. For `translation` only
   std::vector<Placement> tries;  ///< placements to start from as well: those of the other metrics, the last answer
   bool warm = false;             ///< start from `tries` alone if that leads to 1.3 times the bound: coherent motion

@@ -74,6 +74,31 @@ TEST_CASE("the depth of random convex pairs is the least overlap of all directio
   }
 }
 
+TEST_CASE("the narrowest overlap of a box of shifts is the least of those of its corners") {
+  test::Random random(2);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<Vec3> a, b;
+    for (int k = 0; k < 9; ++k) a.push_back(random.vector());
+    for (int k = 0; k < 7; ++k) b.push_back(random.vector());
+    const ConvexPiece one = convex_piece(a), other = convex_piece(b);
+    const Placement p = random.placement(0.3);
+    const Mat3 shifts = 0.1 * random.rotation().toRotationMatrix() *
+                        Vec3(random.uniform(), random.uniform(), random.uniform()).asDiagonal();
+    double least = 1e300;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 s(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+      least = std::min(least, translation_depth(one, other, {p.rotation, p.translation + shifts * s}));
+    }
+    const Narrowest found = narrowest_overlap(one, other, p, shifts);
+    CHECK(found.depth == Approx(least).margin(1e-13));
+    CHECK(found.axis.norm() == Approx(1).epsilon(1e-14));
+    for (int k = 0; k < 5; ++k) {
+      const Vec3 s(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      CHECK(translation_depth(one, other, {p.rotation, p.translation + shifts * s}) >= found.depth - 1e-13);
+    }
+  }
+}
+
 TEST_CASE("a convex body with few corners is a piece of itself, so that its bound is exact", "[law]") {
   const TriangleSurface one = test::box({-.5, -.3, -.2}, {.5, .3, .2}), slab = test::box({-5, -5, -2}, {5, 5, 0});
   const depth::Body a = depth::make_body(one), b = depth::make_body(slab);

@@ -36,14 +36,15 @@ TEST_CASE("every placement in a box that is dropped collides") {
     box.turn = 0.5 * random.vector();
     box.shift = 0.5 * random.vector();
     box.half_turn = random.uniform(0, 0.1);
-    box.half_shift = random.uniform(0, 0.1);
+    for (int c = 0; c < 3; ++c) box.half_shift[c] = random.uniform(0, 0.1);
     if (!judge(encounter, Metric::displacement, 1, box).collides) continue;
     ++dropped;
     for (int k = 0; k < 20; ++k) {
-      const auto inside = [&](const Vec3& middle, double half) {
-        return Vec3(middle + half * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
+      const auto inside = [&](const Vec3& middle, const Vec3& half) {
+        const Vec3 share(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        return Vec3(middle + half.cwiseProduct(share));
       };
-      const Vec3 turn = inside(box.turn, box.half_turn), shift = inside(box.shift, box.half_shift);
+      const Vec3 turn = inside(box.turn, Vec3::Constant(box.half_turn)), shift = inside(box.shift, box.half_shift);
       CHECK(encounter.collides({rotation_of(turn), shift}));
     }
   }

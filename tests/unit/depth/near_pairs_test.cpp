@@ -69,3 +69,15 @@ TEST_CASE("corrections make good what a rotation misses") {
   near.forget_corrections(0);
   for (const NearCondition& c : near.conditions) CHECK(c.bound == Approx(-.001).epsilon(1e-9));
 }
+
+TEST_CASE("triangles that touch are parted along the normal of a face, or of two edges that cross") {
+  const geometry::Triangle floor{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 2, 0)};
+  const geometry::Triangle tip{Vec3(.5, .5, 0), Vec3(.5, .6, 1), Vec3(.6, .5, 1)};
+  CHECK((separating_axis(tip, floor) - Vec3::UnitZ()).norm() < 1e-15);
+  CHECK((separating_axis(floor, tip) + Vec3::UnitZ()).norm() < 1e-15);
+  const geometry::Triangle flat{Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 3, 0)};  // face on face
+  CHECK((separating_axis(flat, floor).cwiseAbs() - Vec3::UnitZ()).norm() < 1e-15);
+  const geometry::Triangle ridge{Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, .1, -1)};
+  const geometry::Triangle across{Vec3(0, -1, 0), Vec3(0, 1, 0), Vec3(.1, 0, 1)};
+  CHECK((separating_axis(across, ridge) - Vec3::UnitZ()).norm() < 1e-15);
+}

@@ -128,3 +128,63 @@ TEST_CASE("a moved world frame, permuted triangles and a scaled pair give the sa
     CHECK(scaled.depth == Approx(4 * answer.depth).epsilon(1e-6));
   }
 }
+
+TEST_CASE("a distance that is asked for is left between the surfaces, in all metrics and modes") {
+  const Body cube = make_body(test::box({-1, -1, -1}, {1, 1, 1})), hub = make_body(test::hub()),
+             pawn = make_body(test::pawn());
+  constexpr double apart = .05;
+  for (const bool careful : {false, true})
+    for (const Metric metric : metrics) {
+      Query query = query_of({Mat3::Identity(), {1.9, .13, .07}}, metric, careful);
+      query.apart = apart;
+      const Answer boxes = penetration_depth(cube, cube, query);
+      if (metric != Metric::object_norm) CHECK(boxes.depth == Approx(.1 + apart).epsilon(1e-5));
+      CHECK(boxes.depth < .1 + apart + 1e-6);
+      CHECK(boxes.bound <= boxes.depth);
+      if (metric != Metric::object_norm) CHECK(boxes.bound == Approx(.1 + apart).epsilon(1e-9));
+      CHECK(geometry::surface_distance(cube.tree, cube.tree, boxes.placement) == Approx(apart).epsilon(1e-4));
+      query.a_in_b.translation = {.85, .6, .7};
+      const Answer round = penetration_depth(pawn, hub, query);
+      REQUIRE(round.found);
+      CHECK(geometry::surface_distance(pawn.tree, hub.tree, round.placement) == Approx(apart).epsilon(1e-4));
+      CHECK_FALSE(round.contacts.empty());
+      CHECK(round.bound <= round.depth);
+    }
+}
+
+TEST_CASE("a certificate counts the distance that is left") {
+  const Body cube = make_body(test::box({-1, -1, -1}, {1, 1, 1})), l = make_body(test::l_shape());
+  Query query = query_of({Mat3::Identity(), {2.2, .1, .1}}, Metric::translation, true);
+  query.apart = .1;
+  query.boxes = 20000;
+  query.gap = .05;
+  const Answer answer = penetration_depth(cube, l, query);
+  CHECK(answer.certified);
+  CHECK(answer.bound > answer.depth * .95);
+  CHECK(answer.bound <= answer.depth);
+}
+
+TEST_CASE("a body that is a millionth of the other finds its way out in few queries") {
+  const Body tiny = make_body(test::box(Vec3::Constant(-5e-4), Vec3::Constant(5e-4))),
+             huge = make_body(test::box(Vec3::Constant(-500), Vec3::Constant(500)));
+  for (const Vec3& at : {Vec3(0, 0, 0), Vec3(100, 30, -20)})
+    for (const Metric metric : metrics) {
+      const Answer answer = penetration_depth(tiny, huge, query_of({Mat3::Identity(), at}, metric));
+      CHECK(answer.depth == Approx(500.0005 - at[0]).epsilon(1e-4));  // the fast mode's accuracy
+      CHECK(answer.queries < 100000);
+    }
+}
+
+TEST_CASE("normals of contacts are unit, and those of the faces where the gap is rounding") {
+  const Body cube = make_body(test::box({-1, -1, -1}, {1, 1, 1}));
+  for (const bool careful : {false, true})
+    for (const double d : {1.5, 1.9, 1.0, 1.7 / 3}) {
+      const Answer answer =
+          penetration_depth(cube, cube, query_of({Mat3::Identity(), {d, .13, .07}}, Metric::translation, careful));
+      REQUIRE_FALSE(answer.contacts.empty());
+      for (const ContactPoint& contact : answer.contacts) {
+        CHECK(contact.normal.norm() == Approx(1).epsilon(1e-14));
+        CHECK((contact.normal - Vec3::UnitX()).norm() < 1e-6);
+      }
+    }
+}
