@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brunt/implicit/solver.hpp"
 #include "brunt/model/alive.hpp"
 
 namespace brunt::app {
@@ -89,6 +90,9 @@ std::vector<io::StateField> contact_fields(const Prepared& run, double dt_mean) 
   for (const std::string& name : run.input.output.fields)
     if (is_contact_field(name)) {
       std::vector<double> values;  // empty without contact: zero everywhere
+      if (run.implicit)
+        values = name == "gap" ? implicit::contact_gaps(run.implicit->contact, run.model.nodes())
+                               : implicit::contact_pressures(run.implicit->contact, run.model.nodes());
       if (run.contact) values = name == "gap" ? contact::gaps(*run.contact) : contact::pressures(*run.contact, dt_mean);
       fields.push_back(nodal(run, name, 1, [&](std::size_t i, int) { return i < values.size() ? values[i] : 0.0; }));
     }

@@ -68,6 +68,7 @@ void write_implicit_record(Prepared& run, Results& results, const ImplicitRecord
 nlohmann::ordered_json implicit_summary(const Prepared& run) {
   const implicit::Solver& solver = *run.implicit;
   const implicit::Work& work = solver.work;
+  const implicit::ContactCounts counts = implicit::count(solver.contact);
   const bool direct = solver.settings.linear == model::LinearSolver::direct;
   return {{"scheme", name_of(solver.settings.scheme)},
           {"linear", direct ? "direct" : "mumps"},
@@ -82,6 +83,14 @@ nlohmann::ordered_json implicit_summary(const Prepared& run) {
           {"residuals_last", work.last_ratios},
           {"energy_last", solver.trial.energy},
           {"force_s", work.force_seconds},
+          {"contact",
+           {{"interfaces", solver.contact.interfaces.size()},
+            {"multipliers", solver.contact.z.size()},
+            {"pairs", counts.pairs},
+            {"segments", counts.segments},
+            {"active", counts.active}}},
+          {"contact_s", work.contact_seconds},
+          {"tangent_s", work.tangent_seconds},
           {"factorise_s", work.factorise_seconds},
           {"solve_s", work.solve_seconds},
           {"factor_bytes", work.factor_bytes}};

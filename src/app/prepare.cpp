@@ -49,7 +49,8 @@ void make_implicit(Prepared& run) {
   if (!run.input.implicit) return;
   if (run.links.ranks.is_root())
     for (std::string& line : warnings_of_implicit(run.input, run.model)) run.warnings.push_back(std::move(line));
-  run.implicit = std::make_unique<implicit::Solver>(implicit::make_solver(implicit_scene(run), *run.input.implicit));
+  run.implicit =
+      implicit::SolverOwner(new implicit::Solver(implicit::make_solver(implicit_scene(run), *run.input.implicit)));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "brunt/comm/communicator.hpp"
 #include "brunt/contact/contact.hpp"
-#include "brunt/implicit/solver.hpp"
+#include "brunt/implicit/owner.hpp"
 #include "brunt/mesh/canonical.hpp"
 #include "brunt/model/model.hpp"
 #include "brunt/model/registry.hpp"
@@ -56,7 +56,7 @@ struct Prepared {
 
   ErosionAccount erosion{};
 
-  std::unique_ptr<implicit::Solver> implicit{};  ///< null in explicit scenes
+  implicit::SolverOwner implicit{};  ///< null in explicit scenes
 
   std::string scene_values{};  ///< what the fingerprint is made of, so that a restart can say what differs
   std::string scene_yaml{};    ///< the whole scene after its overrides

@@ -59,6 +59,7 @@ time::Ledger ledger(const Scene& scene, const Solver& solver) {
   const ContactCounts counts = count(solver.contact);
   result.contact_totals.active = counts.active;
   result.contact_totals.pairs = counts.pairs;
+  result.contact_totals.penetration = penetration(solver.contact);
   result.mass = value[mass_of_all];
   result.momentum = {value[momentum_x], value[momentum_y], value[momentum_z]};
   result.impulse_given = {value[impulse_x], value[impulse_y], value[impulse_z]};

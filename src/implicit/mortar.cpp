@@ -170,4 +170,45 @@ ContactCounts count(const MortarContact& contact) {
   return sum;
 }
 
+namespace {
+
+/// Calls visit(interface, row, local node) for rows whose node this rank holds.
+template <class Visit>
+void for_each_row_here(const MortarContact& contact, const Visit& visit) {
+  for (const Interface& face : contact.interfaces)
+    for (std::size_t row = 0; row < face.count(); ++row) {
+      const LocalIndex here = contact.nodes.here[static_cast<std::size_t>(face.surfaces.rows[row])];
+      if (here != no_index) visit(face, row, static_cast<std::size_t>(here));
+    }
+}
+
+}  // namespace
+
+std::vector<double> contact_pressures(const MortarContact& contact, LocalIndex nodes) {
+  std::vector<double> pressure(static_cast<std::size_t>(nodes), 0.0);
+  for_each_row_here(contact, [&](const Interface& face, std::size_t row, std::size_t node) {
+    const double z = face.pair.tied ? face.rows.normals[row].dot(face.tractions[row]) : face.z[row];
+    pressure[node] = pressure[node] == 0 ? z : std::max(pressure[node], z);
+  });
+  return pressure;
+}
+
+std::vector<double> contact_gaps(const MortarContact& contact, LocalIndex nodes) {
+  std::vector<double> gap(static_cast<std::size_t>(nodes), 0.0);
+  for_each_row_here(contact, [&](const Interface& face, std::size_t row, std::size_t node) {
+    if (face.pair.tied || face.rows.covered[row] == 0) return;
+    const double own = face.mean_gap(row);
+    gap[node] = gap[node] == 0 ? own : std::min(gap[node], own);
+  });
+  return gap;
+}
+
+double penetration(const MortarContact& contact) {
+  double deepest = 0;
+  for (const Interface& face : contact.interfaces)
+    for (std::size_t row = 0; !face.pair.tied && row < face.count(); ++row)
+      deepest = std::max(deepest, -face.mean_gap(row));
+  return deepest;
+}
+
 }  // namespace brunt::implicit

@@ -9,8 +9,10 @@
 
 #include "brunt/comm/rendezvous.hpp"
 #include "brunt/contact/mortar/active_set.hpp"
+#include "brunt/contact/mortar/normals.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/implicit/mortar.hpp"
+#include "brunt/implicit/walls.hpp"
 #include "brunt/material/law.hpp"
 
 namespace brunt::implicit {
@@ -191,6 +193,8 @@ Interface make_interface(const model::Model& model, const ContactNodes& nodes, c
   face.surfaces.master = facets_of(nodes, faces, face.pair.master);
   face.surfaces.multiplier = asked.multiplier;
   face.surfaces.capture = std::max(slave.largest, master.largest);
+  face.surfaces.slave_wall = walls(face.surfaces.slave, nodes.reference, face.surfaces.capture);
+  face.surfaces.master_wall = walls(face.surfaces.master, nodes.reference, face.surfaces.capture);
   lay_rows(nodes, mirrors, face.surfaces);
   face.topology = contact::make_topology(face.surfaces, nodes.reference);
   const auto block = [&](std::int32_t b) -> const model::ElementBlock& {
@@ -275,11 +279,14 @@ MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& m
   contact.z_before = contact.z;
   find_contact(contact, false);
   for (Interface& face : contact.interfaces) {
-    if (face.pair.tied) face.tie = contact::tie(face.rows);
+    if (face.pair.tied) {
+      face.tie = contact::tie(face.rows);
+      contact::nodal_normals(face.surfaces, face.topology, contact.nodes.x, face.tie.normals);
+    }
     for (std::size_t row = 0; row < face.count(); ++row)
-      face.touches[row] = face.rows.covered[row] > 0 &&
-                          std::abs(face.rows.normalised_gap(face.topology, row)) <= touching * face.topology.edge;
+      face.touches[row] = face.rows.covered[row] > 0 && std::abs(face.mean_gap(row)) <= touching * face.topology.edge;
   }
+  keep_contact(contact);
   return contact;
 }
 

@@ -7,6 +7,7 @@
 #include "brunt/force/mass.hpp"
 #include "brunt/implicit/balance.hpp"
 #include "brunt/implicit/commit.hpp"
+#include "brunt/implicit/owner.hpp"
 #include "brunt/material/law.hpp"
 #include "brunt/time/sum_forces.hpp"
 
@@ -78,6 +79,10 @@ void start_memory(const Scene& scene, Solver& solver) {
 }
 
 }  // namespace
+
+void DeleteSolver::operator()(Solver* solver) const {
+  delete solver;
+}
 
 Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
   const comm::Communicator& ranks = scene.links.ranks;

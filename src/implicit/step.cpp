@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/comm/newton.hpp"
@@ -37,6 +38,26 @@ struct Attempt {
   Unbalanced worst;
   std::vector<double> floating;  ///< a direction in which nothing holds the bodies, if the matrix was singular
 };
+
+/// The share of a correction that is taken. Sets of contact and branches of friction change in the first iterations,
+/// which may raise what is left for a while: they are full. Later ones that leave more than before go round in circles
+/// (nodes of little pressure that change the direction of their slip): of halved ones the first that leaves less.
+double share_of(const comm::NewtonStep& step, const Trial& trial) {
+  constexpr int full_steps = 4, halvings = 5;
+  if (step.iteration < full_steps) return 1;
+  const double before = trial.balance.left;
+  std::vector<double> residual(step.residual.size());
+  double best_share = 1, best = std::numeric_limits<double>::infinity();
+  for (double share = 1; share > std::exp2(-halvings); share *= 0.5) {
+    if (!step.residual_at(share, residual)) continue;
+    if (trial.balance.left < before) return share;
+    if (trial.balance.left < best) {
+      best = trial.balance.left;
+      best_share = share;
+    }
+  }
+  return best_share;
+}
 
 Attempt iterate(const Scene& scene, Solver& solver) {
   Attempt attempt;
@@ -73,6 +94,7 @@ Attempt iterate(const Scene& scene, Solver& solver) {
     trial.energy = energy[0];
     return true;
   };
+  if (solver.contact.any()) problem.step_length = [&](const comm::NewtonStep& step) { return share_of(step, trial); };
   attempt.newton = comm::newton(scene.links.ranks, solver.u, problem);
   return attempt;
 }

@@ -64,6 +64,10 @@ struct Interface {
   [[nodiscard]] int multipliers() const {  ///< unknowns a row
     return pair.tied ? 3 : pair.enforce == contact::MortarPair::Enforce::penalty ? 0 : 1;
   }
+  /// Over the part of the row that lies under the master [length]; 0 where none does.
+  [[nodiscard]] double mean_gap(std::size_t row) const {
+    return rows.covered[row] > 0 ? rows.gaps[row] / rows.covered[row] : 0.0;
+  }
   [[nodiscard]] std::size_t count() const { return surfaces.rows.size(); }  ///< rows
 };
 
@@ -117,5 +121,13 @@ void keep_contact(MortarContact& contact);
 void restore_contact(const model::State& state, MortarContact& contact);
 
 ContactCounts count(const MortarContact& contact);
+
+/// By local node: pressures of the slave's rows [stress], and their gaps (below 0: penetration) [length]; 0 elsewhere.
+/// Of a node with rows in several interfaces the largest pressure, the smallest gap.
+std::vector<double> contact_pressures(const MortarContact& contact, LocalIndex nodes);
+std::vector<double> contact_gaps(const MortarContact& contact, LocalIndex nodes);
+
+/// Largest penetration of a row without a tie [length].
+double penetration(const MortarContact& contact);
 
 }  // namespace brunt::implicit

@@ -16,7 +16,7 @@ bool FacetRows::evaluate(const MortarSurfaces& surfaces, std::size_t facet, std:
   corners_ = corners.count;
   integrals_.clear();
   if (candidates.empty() || !make_slave_plane(corners.span(), plane_)) return false;
-  find_segments(surfaces, candidates, x, with_slopes);
+  find_segments(surfaces, facet, candidates, x, with_slopes);
   functions_ = multiplier_functions(plane_, integrals_, surfaces.multiplier);
   if (functions_.form == Form::none) return false;
   number_nodes(surfaces, slave, x);
@@ -25,7 +25,7 @@ bool FacetRows::evaluate(const MortarSurfaces& surfaces, std::size_t facet, std:
   return true;
 }
 
-void FacetRows::find_segments(const MortarSurfaces& surfaces, std::span<const LocalIndex> candidates,
+void FacetRows::find_segments(const MortarSurfaces& surfaces, std::size_t facet, std::span<const LocalIndex> candidates,
                               std::span<const Vec3> x, bool with_slopes) {
   masters_.clear();
   master_corners_.clear();
@@ -37,6 +37,7 @@ void FacetRows::find_segments(const MortarSurfaces& surfaces, std::span<const Lo
     if (!integrate_segment(plane_, corners.span(), surfaces.capture, integrals,
                            with_slopes ? &segment_slopes_[next] : nullptr))
       continue;
+    if (integrals.distance < -surfaces.deepest(facet, static_cast<std::size_t>(master))) continue;
     integrals_.push_back(integrals);
     masters_.push_back(master);
     master_corners_.push_back(corners.count);
@@ -139,6 +140,20 @@ void FacetRows::fill_slopes() {
         for (std::size_t d = 0; d < size; ++d) to[d] -= hat * of_matrix[d];
       }
     }
+}
+
+double FacetRows::covered_area() const {
+  double sum = 0;
+  for (std::size_t j = 0; j < corners_; ++j) sum += functions_.share[j];
+  return sum;
+}
+
+Vec3 FacetRows::covered_area_slope(std::size_t node) const {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t j = 0; j < corners_; ++j)
+    for (std::size_t k = 0; k < corners_; ++k)
+      sum += Vec3(&mass_slopes_[SegmentSlopes::pair_of_corners(j, k) * 3 * nodes_.size() + 3 * node]);
+  return sum;
 }
 
 Vec3 FacetRows::gap_vector(std::size_t j) const {

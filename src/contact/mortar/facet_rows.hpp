@@ -25,6 +25,10 @@ class FacetRows {
     return {slopes_.data() + (j * nodes_.size() + node) * size, size};
   }
   [[nodiscard]] double share(std::size_t j) const { return functions_.share[j]; }
+  /// Of the overlap [length^2].
+  [[nodiscard]] double covered_area() const;
+  /// Its derivative by each of nodes(); after an evaluation with slopes [length].
+  [[nodiscard]] Vec3 covered_area_slope(std::size_t node) const;
   /// sum_K w_jK (x_K - centre).
   [[nodiscard]] Vec3 gap_vector(std::size_t j) const;
   /// Its derivative by node `node`, for all nodes at once [length^2].
@@ -33,8 +37,8 @@ class FacetRows {
   void traction_patch(const std::array<Vec3, 4>& tractions, std::vector<double>& values) const;
 
  private:
-  void find_segments(const MortarSurfaces& surfaces, std::span<const LocalIndex> candidates, std::span<const Vec3> x,
-                     bool with_slopes);
+  void find_segments(const MortarSurfaces& surfaces, std::size_t facet, std::span<const LocalIndex> candidates,
+                     std::span<const Vec3> x, bool with_slopes);
   void number_nodes(const MortarSurfaces& surfaces, const FacetNodes& slave, std::span<const Vec3> x);
   void fill_weights();
   void fill_slopes();

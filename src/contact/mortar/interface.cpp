@@ -56,6 +56,14 @@ void take_facet(const FacetRows& facet, const FacetNodes& slave, const MortarTop
   }
 }
 
+void take_coverage(const FacetRows& facet, bool with_slopes, FacetCoverage& coverage) {
+  coverage.area.back() = facet.covered_area();
+  for (std::size_t k = 0; with_slopes && k < facet.nodes().size(); ++k) {
+    coverage.slopes.nodes.values.push_back(facet.nodes()[k]);
+    coverage.slopes.blocks.push_back(facet.covered_area_slope(k));
+  }
+}
+
 /// The patch of one facet, unless its tractions are zero.
 void take_patch(const FacetRows& facet, std::size_t index, const FacetNodes& slave, const MortarTopology& topology,
                 std::span<const Vec3> tractions, Patches& patches) {
@@ -86,17 +94,22 @@ void evaluate(const MortarSurfaces& surfaces, const MortarTopology& topology, co
   scratch.weights.clear();
   scratch.gaps.clear();
   if (slopes != nullptr) slopes->weights.clear();
+  scratch.coverage.clear();
   for (std::size_t facet = 0; facet < surfaces.slave.size(); ++facet) {
+    if (facet > 0 && slopes != nullptr) scratch.coverage.slopes.nodes.close_row();
+    scratch.coverage.area.push_back(0);
     if (!scratch.facet.evaluate(surfaces, facet, candidates.row(static_cast<LocalIndex>(facet)), x, slopes != nullptr))
       continue;
     rows.segments += scratch.facet.segments();
+    take_coverage(scratch.facet, slopes != nullptr, scratch.coverage);
     take_facet(scratch.facet, surfaces.slave[facet], topology, scratch, rows, slopes != nullptr);
     if (slopes != nullptr)
       take_patch(scratch.facet, facet, surfaces.slave[facet], topology, tractions, slopes->weights);
   }
+  if (slopes != nullptr) scratch.coverage.slopes.nodes.close_row();
   gather(scratch.weights, row_count, scratch, rows.weights);
   if (slopes != nullptr) gather(scratch.gaps, row_count, scratch, slopes->gap_vectors);
-  nodal_normals(surfaces, topology, x, rows.normals, slopes != nullptr ? &slopes->normals : nullptr);
+  nodal_normals(surfaces, topology, x, rows.normals, slopes != nullptr ? &slopes->normals : nullptr, &scratch.coverage);
   rows.gaps.resize(row_count);
   for (std::size_t row = 0; row < row_count; ++row) rows.gaps[row] = rows.normals[row].dot(rows.gap_vectors[row]);
 }

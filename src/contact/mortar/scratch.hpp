@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "brunt/contact/mortar/interface.hpp"
+#include "brunt/contact/mortar/normals.hpp"
 #include "facet_rows.hpp"
 
 namespace brunt::contact {
@@ -16,6 +17,7 @@ struct Entry {
 
 struct MortarScratch {
   FacetRows facet;
+  FacetCoverage coverage;
   std::vector<Entry<double>> weights;
   std::vector<Entry<Mat3>> gaps;
   std::vector<Mat3> gap_slopes;

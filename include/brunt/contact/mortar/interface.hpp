@@ -8,6 +8,7 @@
 //   vector gap G_A = sum_K w_AK x_K,  gap = normal_A . G_A,  force of a traction T_A on node K: w_AK T_A,
 // with T_A = z_A normal_A without friction.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -29,6 +30,17 @@ struct MortarSurfaces {
   Ragged<Vec3> mirrors;            ///< a row each: unit normals of the symmetry planes its node lies in; or no rows
   Multiplier multiplier = Multiplier::dual;
   double capture = 0;  ///< greatest distance of two facets along the normal [length]
+  /// Of each facet: thickness of its own body behind it [length]; empty where bodies are thicker than `capture`.
+  std::vector<double> slave_wall{}, master_wall{};
+
+  /// How deep the facets of a pair may lie in each other [length]: what is deeper is seen through a wall.
+  [[nodiscard]] double deepest(std::size_t slave_facet, std::size_t master_facet) const {
+    constexpr double of_wall = 0.8;  // the wall is that of the reference configuration: loaded, it is thinner
+    double wall = capture;
+    if (!slave_wall.empty()) wall = std::min(wall, of_wall * slave_wall[slave_facet]);
+    if (!master_wall.empty()) wall = std::min(wall, of_wall * master_wall[master_facet]);
+    return wall;
+  }
 };
 
 /// What follows from the surfaces and the reference configuration alone.

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the checks of implicit scenes with mortar contact share."""
+import math
+
+import numpy
+
+# The same scene by the explicit solver, in half its stable step.
+EXPLICIT = {"solver": None, "contact.0.method": "rate", "run.cfl": 0.45}
+LEAST_RATIO = 1e-11  # residuals below are near rounding, and no longer squared
+
+
+def energy(result):
+    """Kinetic and internal energy of all bodies over that at the start, less 1; without what contact and friction took."""
+    total = result.history["kinetic"] + result.history["internal"]
+    return total / total[0] - 1
+
+
+def momentum_error(result):
+    """Largest change of the momentum over its size at the start."""
+    momentum = numpy.stack([result.history[f"momentum_{c}"] for c in "xyz"])
+    return float(numpy.abs(momentum - momentum[:, :1]).max() / numpy.linalg.norm(momentum[:, 0]))
+
+
+def gain_in_a_step(result):
+    """The most that contact and friction gave in one row of the history, over the energy at the start."""
+    taken = result.history["contact"] + result.history["friction"]
+    return float(max(0, -numpy.diff(taken).min()) / result.history["kinetic"][0])
+
+
+def order(ratios):
+    """log r_{k+1} / log r_k of the last two residuals above LEAST_RATIO: 2 is quadratic."""
+    above = [r for r in ratios if r > LEAST_RATIO]
+    return math.log(above[-1]) / math.log(above[-2]) if len(above) > 1 else math.nan
+
+
+def listed(ratios):
+    return ", ".join(f"{r:.1e}" for r in ratios)
+
+
+def outside_solver(result):
+    """Share of the loop that is not the linear solver: elements, tangents, contact, files."""
+    work = result.summary["implicit"]
+    return 1 - (work["factorise_s"] + work["solve_s"]) / result.summary["loop_s"]
+
+
+def check_conserved(case, label, result, down):
+    """What holds in any free scene of scheme contact_implicit; down: the largest share of the energy that may go."""
+    case.assert_within(f"{label}: energy of the bodies / at the start - 1, largest", -1, 1e-12, float(energy(result).max()),
+                       "contact_implicit: never above its start")
+    case.assert_within(f"{label}: share of the energy lost at the end", 0, down, -float(energy(result)[-1]), "gate")
+    case.assert_below(f"{label}: momentum / at the start", momentum_error(result), 1e-12, "equal weights of both sides")
+    case.assert_energy(result, energy_gate=1e-10, momentum_gate=1e-12)
+    case.assert_within(f"{label}: iterations a step, mean", 1, 6, result.summary["implicit"]["iterations_mean"], "M6")
+
+
+def check_quadratic(case, label, result):
+    """Of the last step of a run."""
+    ratios = result.summary["implicit"]["residuals_last"]
+    case.assert_within(f"{label}: log r_k+1 / log r_k of {listed(ratios)}", 1.7, 99, order(ratios), "M6: quadratic")
+
+
+def told(label, result):
+    work = result.summary.get("implicit", {})
+    print(f"{label}: energy {100 * energy(result)[-1]:.2f} %, at most {energy(result).max():.1e}, given in a step at most "
+          f"{gain_in_a_step(result):.1e}; loop {result.summary['loop_s']:.1f} s, {result.summary['steps']} steps")
+    if work:
+        print(f"  iterations {work['iterations_mean']:.2f} / {work['iterations_max']}, halved {work['halved']}; factorise "
+              f"{work['factorise_s']:.1f}, solve {work['solve_s']:.1f}, tangent {work['tangent_s']:.1f}, contact "
+              f"{work['contact_s']:.1f}, forces {work['force_s']:.1f} s; all but the solver {outside_solver(result):.2f}; "
+              f"{work['contact']}; residuals {listed(work['residuals_last'])}")

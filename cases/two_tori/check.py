@@ -1,0 +1,68 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Two hollow rubber tori meet: mortar contact in an implicit step against the explicit solver."""
+import os
+import sys
+
+import numpy
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from case_check import Case  # noqa: E402
+from implicit_check import EXPLICIT, check_conserved, check_quadratic, outside_solver, told  # noqa: E402
+from overlap import Bodies  # noqa: E402
+
+COARSE = {"mesh.0.torus.elements": [20, 10, 1], "mesh.1.torus.elements": [20, 10, 1], "run.end": 2.5}
+# velocity of the lower torus, explicit solver on 40x20x2 in two passes, and gates of M8: by time
+PUBLISHED = {2.5: ((26.41, 2.26, 21.15), 0.3), 5.0: ((20.04, 3.08, 18.37), 0.5), 12.0: ((13.64, 3.05, 7.51), 0.6)}
+LAYER = 2.25  # of an element through the wall
+
+
+def velocity(result, time):
+    return numpy.array([result.at(f"lower.{c}", time) for c in "xyz"]) / result.history["mass"][0]
+
+
+def check_velocity(case, label, result, time, reference, gate, source):
+    for c, expected, ours in zip("xyz", reference, velocity(result, time)):
+        case.assert_close(f"{label}: velocity {c} of the lower torus at {time:g}", expected, ours, gate, source, absolute=True)
+
+
+def check_depth(case, label, result, time):
+    """No node, edge or face of a body stands in the wall of the other."""
+    depth = Bodies(result).deepest(time)[0]
+    case.assert_below(f"{label}: deepest point in the other body at {time:g} / layer of elements", depth / LAYER, 0.3,
+                      "gaps are zero in the mean over facets, not at points")
+
+
+def check_coarse(case):
+    explicit = case.run(name="coarse_explicit", overrides={**COARSE, **EXPLICIT})
+    ours = case.run(name="coarse", overrides=COARSE)
+    told("20x10x1, explicit", explicit)
+    told("20x10x1", ours)
+    check_velocity(case, "20x10x1", ours, 2.5, velocity(explicit, 2.5), 0.3, "explicit, same mesh; gate of M8")
+    check_conserved(case, "20x10x1", ours, 0.03)
+    check_depth(case, "20x10x1", ours, 2.5)
+    check_quadratic(case, "20x10x1, step at 2.5", ours)
+    case.assert_within("20x10x1: contacts at 2.5", 1, 200, ours.summary["implicit"]["contact"]["active"], "they press")
+
+
+def check_fine(case):
+    ours = case.run(name="np1")
+    told("40x20x2", ours)
+    for time, (reference, gate) in PUBLISHED.items():
+        check_velocity(case, "40x20x2", ours, time, reference, gate, "M8, explicit on the same mesh")
+        check_depth(case, "40x20x2", ours, time)
+    check_conserved(case, "40x20x2", ours, 0.03)
+    case.assert_within("40x20x2: share of all but the linear solver", 0, 0.2, outside_solver(ours), "M10")
+
+
+def main():
+    case = Case(__file__)
+    check_coarse(case)
+    case.assert_same_on_ranks((1, 2, 3, 4) if case.long else (1, 2), overrides={**COARSE, "run.end": 1})
+    if case.long:
+        check_fine(case)
+    case.finish()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Thickness of a body behind the facets of its surface.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "brunt/contact/mortar/interface.hpp"
+
+namespace brunt::implicit {
+
+/// Of each facet: distance, along its normal and into its body, of the nearest facet of the same surface that looks the
+/// other way [length]; infinite where there is none within `reach`. x: positions of all nodes.
+std::vector<double> walls(const std::vector<contact::FacetNodes>& facets, std::span<const Vec3> x, double reach);
+
+}  // namespace brunt::implicit

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact as part of the system: its matrix against differences, momentum, what supports take out.
+#include "brunt/implicit/mortar.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "brunt/implicit/balance.hpp"
+#include "brunt/implicit/commit.hpp"
+#include "brunt/implicit/step.hpp"
+#include "brunt/mesh/assemble.hpp"
+#include "brunt/mesh/primitives.hpp"
+#include "support/simulation.hpp"
+using namespace brunt;
+using namespace brunt::implicit;
+using test::Simulation;
+
+namespace {
+
+/// Two blocks that touch, of meshes that do not match.
+Simulation pressed(const std::string& contact) {
+  mesh::Mesh mesh = mesh::box("low", {1, 1, 0.5}, {2, 2, 1}), above = mesh::box("top", {0.9, 1.1, 0.5}, {3, 3, 1});
+  for (Vec3& x : above.coordinates) x += Vec3(0.02, -0.03, 0.5);
+  mesh::append(mesh, std::move(above));
+  return {std::move(mesh),
+          "materials: {m: {model: neo_hookean, density: 2, young: 100, poisson: 0.3}}\n"
+          "parts: {low: {material: m, element: hex8_full}, top: {material: m, element: "
+          "hex8_full}}\nsets: {foot: {part: low, box: [[0, 0, 0], [1, 1, 0]]}}\n"
+          "fixed: [{set: foot, dofs: [x, y, z]}]\ncontact: [{between: [low, top], method: mortar, " +
+              contact + "}]\n"};
+}
+
+model::ImplicitSolver settings_of(model::Scheme scheme) {
+  model::ImplicitSolver settings;
+  settings.scheme = scheme;
+  settings.step = settings.max_step = 0.01;
+  settings.min_step = 1e-5;
+  return settings;
+}
+
+Eigen::MatrixXd matrix_of(const Solver& solver) {
+  const auto n = static_cast<Eigen::Index>(solver.u.size());
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t r = 0; r < solver.rows.row.size(); ++r)
+    for (std::int64_t k = solver.rows.begin[r]; k < solver.rows.begin[r + 1]; ++k)
+      K(solver.rows.row[r], solver.rows.column[static_cast<std::size_t>(k)]) =
+          solver.rows.value[static_cast<std::size_t>(k)];
+  return K;
+}
+
+}  // namespace
+
+TEST_CASE("the matrix with contact is the derivative of the residual: multipliers, penalty, friction, ties") {
+  const std::string contact =
+      GENERATE(std::string("friction: 0"), std::string("multiplier: standard"), std::string("enforce: penalty"),
+               std::string("friction: 0.05"), std::string("friction: 5"),
+               std::string("enforce: penalty, friction: 0.3"), std::string("tied: true"));
+  CAPTURE(contact);
+  Simulation body = pressed(contact);
+  const Scene scene{body.model, body.state, body.scratch, body.links};
+  Solver solver = make_solver(scene, settings_of(model::Scheme::contact_implicit));
+  REQUIRE(solver.contact.any());
+  begin_step(scene, solver, 0.01, 0.01);
+  std::mt19937 engine(7);
+  std::uniform_real_distribution<double> shake(-0.01, 0.01);
+  const std::size_t nodes = solver.unknowns.node.size();
+  for (std::size_t k = 0; k < nodes; ++k)
+    for (std::size_t c = 0; c < 3; ++c) solver.u[3 * k + c] += shake(engine);
+  const GlobalIndex in_low = 18;
+  for (GlobalIndex n = in_low; n < body.nodes(); ++n) {  // the upper block is pressed in, and drawn along
+    const auto at = std::ranges::lower_bound(solver.unknowns.node, body.node(n)) - solver.unknowns.node.begin();
+    solver.u[3 * static_cast<std::size_t>(at)] += 0.01;
+    solver.u[3 * static_cast<std::size_t>(at) + 2] -= 0.02;
+  }
+  for (std::size_t k = 3 * nodes; k < solver.u.size(); ++k) solver.u[k] = 20 + 100 * shake(engine);
+  const auto residual_at = [&](const std::vector<double>& u) {
+    Eigen::VectorXd r(static_cast<Eigen::Index>(u.size()));
+    REQUIRE(find_forces(scene, solver, u));
+    balance(scene, solver, {r.data(), u.size()});
+    return r;
+  };
+  (void)residual_at(solver.u);
+  CHECK(count(solver.contact).active > 5);
+  REQUIRE(factorise_tangent(scene, solver).ok());
+  const Eigen::MatrixXd K = matrix_of(solver);
+  double worst = 0;
+  for (std::size_t c = 0; c < solver.u.size(); ++c) {
+    const double h = c < 3 * nodes ? 1e-6 : 1e-3;
+    std::vector<double> ahead = solver.u, behind = solver.u;
+    ahead[c] += h;
+    behind[c] -= h;
+    const Eigen::VectorXd slope = (residual_at(ahead) - residual_at(behind)) / (2 * h);
+    worst = std::max(worst, (slope - K.col(static_cast<Eigen::Index>(c))).lpNorm<Eigen::Infinity>());
+  }
+  CHECK(worst < 1e-7 * K.lpNorm<Eigen::Infinity>());
+
+  (void)residual_at(solver.u);
+  Vec3 sum = Vec3::Zero();
+  double size = 0;
+  for (const Vec3& force : solver.contact.nodes.force) {
+    sum += force;
+    size += force.norm();
+  }
+  CHECK(size > 1);
+  CHECK(sum.norm() < 1e-14 * size);
+}
