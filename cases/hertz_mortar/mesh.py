@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes cylinders.inp: two half cylinders on each other, x >= 0, a slab of one hexahedron between y = 0 and y = depth.
+"""Writes cylinders.inp: two half cylinders on each other, a slab of one hexahedron between y = 0 and y = depth.
 
-usage: mesh.py [FILE] [--facet F]        F: length of a facet of the upper body in the contact zone (default 0.0619 = a/11)
+usage: mesh.py [FILE] [--facet F] [--whole]        F: length of a facet of the upper body in the contact zone (default a/11)
+
+Of both only x >= 0 is written, unless they are asked for as a whole.
 
 The contact zone is a square of equal elements at the lowest point; around it lie half rings in polar coordinates about
 that point, whose elements grow with the radius, out to the flat side. Facets of the lower body are 1.3 times as long.
@@ -16,7 +18,7 @@ import numpy
 RADIUS = 8.0
 ZONE = 1.0       # side of the square of equal elements, unless another is asked for: 1.47 half widths at P = 10
 LONGER = 1.3     # facets of the lower body
-RINGS = 1.5      # elements outside the square are so many times as long along the radius as across it
+RINGS = 2.0      # elements outside the square are so many times as long along the radius as across it
 
 
 def angle_of_arc(r):
@@ -78,11 +80,20 @@ def quarter(facet, side):
     return numpy.array(points), numpy.array(quads)
 
 
-def write(path, facet, depth, sink, zone=ZONE):
+def mirrored(points, quads):
+    """Both halves of a body; nodes in x = 0 are common."""
+    apart = abs(points[:, 0]) > 1e-12
+    other = numpy.where(apart, len(points) + numpy.cumsum(apart) - 1, numpy.arange(len(points)))
+    return numpy.concatenate([points, points[apart] * [-1, 1]]), numpy.concatenate([quads, other[quads][:, ::-1]])
+
+
+def write(path, facet, depth, sink, zone=ZONE, whole=False):
     """sink: by how much the upper body lies in the lower one at the start, so that something holds it."""
     first, lines, elements, surfaces, count = 1, [], [], [], 1
     for name, length, up in (("low", LONGER * facet, -1), ("top", facet, 1)):
         points, quads = quarter(length, zone)
+        if whole:
+            points, quads = mirrored(points, quads)
         n = len(points)
         for y in (0, depth):
             lines += [f"{first + i + (n if y else 0)}, {x:.17g}, {y:.17g}, {up * z - (sink if up > 0 else 0):.17g}\n"
@@ -108,5 +119,6 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", nargs="?", default=os.path.join(os.path.dirname(os.path.abspath(__file__)), "cylinders.inp"))
     parser.add_argument("--facet", type=float, default=0.6807783738 / 11)
+    parser.add_argument("--whole", action="store_true")
     given = parser.parse_args()
-    write(given.file, given.facet, depth=0.1, sink=1e-4)
+    write(given.file, given.facet, depth=0.1, sink=1e-4, whole=given.whole)
