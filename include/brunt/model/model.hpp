@@ -111,7 +111,7 @@ struct Model {
   std::vector<char> in_symmetry_plane;  ///< a flag for each of mesh.faces: no contact face
   contact::Specification contact;
   std::vector<contact::MortarPair> mortar{};  ///< of implicit scenes
-  std::vector<SymmetryNodes> symmetries{};        ///< likewise
+  std::vector<SymmetryNodes> symmetries{};    ///< likewise
 
   std::vector<Removal> removals;      ///< by time
   std::vector<LocalIndex> uncovered;  ///< nodes of elements that may be removed, ascending: also of other ranks' ones

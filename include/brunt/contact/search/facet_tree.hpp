@@ -26,7 +26,7 @@ template <int slabs>
 struct FacetTree {
   AlignedVector<SlabBounds<slabs>> bounds;  ///< of each node, since the last refit
   std::vector<LocalIndex> link;             ///< of node i: its second child (the first is i + 1); of a leaf ~facet
-  std::vector<FacetNodes> corners;        ///< of each leaf, in preorder; of a triangle the third is repeated
+  std::vector<FacetNodes> corners;          ///< of each leaf, in preorder; of a triangle the third is repeated
 
   [[nodiscard]] LocalIndex facets() const { return static_cast<LocalIndex>(corners.size()); }
   [[nodiscard]] LocalIndex nodes() const { return static_cast<LocalIndex>(link.size()); }
