@@ -40,6 +40,22 @@ probes: [{name: hold, set: top_zmax, field: reaction}]
 """
 
 
+# Two equal elastic bars, end on: reference cases.md A1a, rho c v A of force for 2 L / c.
+BARS = """\
+units: none
+mesh:
+  - {box: {part: a, size: [0.1, 0.1, 1], elements: [1, 1, 40]}}
+  - {box: {part: b, size: [0.1, 0.1, 1], elements: [1, 1, 40], at: [0, 0, 1]}}
+materials: {m: {model: elastic, density: 1, young: 1, poisson: 0}}
+parts: {a: {material: m, element: hex8_full}, b: {material: m, element: hex8_full}}
+initial: [{part: a, velocity: [0, 0, 1.0e-3]}, {part: b, velocity: [0, 0, -1.0e-3]}]
+contact: [{between: [a, b], method: mortar}]
+solver: {scheme: contact_implicit, step: 0.025, tolerance: 1.0e-12}
+run: {end: 3}
+probes: [{name: a, part: a, field: momentum}]
+"""
+
+
 class Mortar(Program):
     def rows(self, result):
         return list(csv.DictReader(self.text(result, "history.csv").splitlines()))
@@ -75,6 +91,20 @@ class Mortar(Program):
             self.run_scene(3, name, "--out", "part", "--restart", "part")
             self.assertEqual(self.summary("part")["state_hash"], self.summary("whole")["state_hash"])
             self.assertEqual(self.text("part", "history.csv"), self.text("whole", "history.csv"))
+
+    def test_bars_meet_with_the_force_of_the_theory(self):
+        self.write("bars.yaml", BARS)
+        for step in (0.025, 0.00625):  # h/c, a quarter of it
+            self.run_scene(1, "bars.yaml", "--out", "out", "--force", "--set", f"solver.step={step}")
+            rows = self.rows("out")
+            momentum = [(float(row["time [1]"]), float(row["a.z [1]"])) for row in rows if 0.2 <= float(row["time [1]"]) <= 1.8]
+            force = (momentum[0][1] - momentum[-1][1]) / (momentum[-1][0] - momentum[0][0])
+            self.assertAlmostEqual(force / (1e-3 * 0.01), 1, delta=0.01)
+            impulse = float(rows[0]["a.z [1]"]) - float(rows[-1]["a.z [1]"])
+            self.assertAlmostEqual(impulse / (2 * 0.01 * 1e-3), 1, delta=0.02)  # the rest is vibration behind the front
+            start = float(rows[0]["total [1]"])
+            self.assertLess(max(float(row["total [1]"]) for row in rows), (1 + 1e-12) * start)
+            self.assertEqual(int(rows[-1]["active_contacts"]), 0)
 
     def test_friction_is_coulombs(self):
         self.write("drawn.yaml", DRAWN)
