@@ -87,9 +87,9 @@ TEST_CASE("the surface of a torus is its two sides, both closed and outward", "[
 }
 
 TEST_CASE("the wall of a torus may be graded", "[torus]") {
-  Division through(4);
-  through.bias = 8;
-  const Mesh mesh = torus("t", 76, 20, 24, {8, 8, through});
+  Divisions<3> elements(8, 8, 4);
+  elements[2].bias = 8;
+  const Mesh mesh = torus("t", 76, 20, 24, elements);
   const auto thickness = [&](std::size_t k) { return mesh.coordinates[k + 1][0] - mesh.coordinates[k][0]; };
   CHECK(mesh.coordinates[0][0] == 96);
   CHECK(mesh.coordinates[4][0] == 100);
