@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Two half cylinders pressed together: pressures of mortar contact against Hertz and against converged values."""
+"""Two half cylinders pressed together and driven sideways: tractions of mortar contact against Hertz, converged values, Cattaneo."""
+import glob
 import math
 import os
 import sys
@@ -28,24 +29,22 @@ def hertz(scene, load):
 
 
 class Profile:
-    """Pressures of the slave nodes (upper body, plane y = 0) over their current places x; tangential tractions with friction."""
+    """Pressures of the slave nodes (upper body, plane y = 0) at their current places x, and the lengths that they stand for."""
 
-    def __init__(self, result, record=-1):
+    def __init__(self, result, sink=SINK):
         with h5py.File(os.path.join(result.folder, "state.h5"), "r") as file:
-            records = sorted(name for name in file if name.startswith("record_"))
-            nodal = file[records[record]]["node"]
-            start = file["mesh/coordinates"][...]
+            nodal = file[max(name for name in file if name.startswith("record_"))]["node"]
+            start, self.move = file["mesh/coordinates"][...], nodal["displacement"][...].reshape(-1, 3)
             corners = file["mesh/connectivity"][...][file["mesh/element_block"][...].ravel() == 1]
-            place = start + nodal["displacement"][...].reshape(-1, 3)
-            pressure = nodal["contact_pressure"][...].ravel()
-        upper = numpy.unique(corners)
-        above = start[upper] + [0, 0, SINK]
+            place, pressure = start + self.move, nodal["contact_pressure"][...].ravel()
+        self.upper = numpy.unique(corners)
+        above = start[self.upper] + [0, 0, sink]
         on_arc = abs(numpy.hypot(above[:, 0], above[:, 2] - mesh.RADIUS) - mesh.RADIUS) < 1e-6
-        nodes = upper[on_arc & (above[:, 1] < 1e-9)]
-        nodes = nodes[numpy.argsort(start[nodes, 0])]
+        nodes = self.upper[on_arc & (above[:, 1] < 1e-9)]
+        self.nodes = nodes = nodes[numpy.argsort(start[nodes, 0])]
         self.x, self.z, self.pressure = place[nodes, 0], place[nodes, 2], pressure[nodes]
         sides = numpy.hypot(numpy.diff(self.x), numpy.diff(self.z))
-        self.length = numpy.concatenate([[0], sides / 2]) + numpy.concatenate([sides / 2, [0]])
+        self.length = numpy.append(sides / 2, 0) + numpy.insert(sides / 2, 0, 0)
 
     def fit(self):
         """Greatest pressure and half width of p^2 = p0^2 (1 - x^2/a^2), by lengths, over the inner part of the zone."""
@@ -69,41 +68,131 @@ class Profile:
         return math.sqrt((self.length * (self.pressure - exact) ** 2).sum() / (self.length * exact ** 2).sum())
 
 
-def run(case, load, facets, multiplier="dual", name=None, **more):
-    """A run with half width / facets as the facets' length, of Hertz's half width."""
-    scene = case.scene()
-    half_width = hertz(scene, load)[0]
-    path = os.path.join(case.work, f"cylinders_{load:g}_{facets}.inp")
+def mesh_of(case, load, facets, whole=False):
+    """The mesh whose facets are Hertz's half width over `facets`."""
+    half_width = hertz(case.scene(), load)[0]
+    path = os.path.join(case.work, f"cylinders_{load:g}_{facets}{'_whole' if whole else ''}.inp")
     os.makedirs(case.work, exist_ok=True)
-    mesh.write(path, half_width / facets, DEPTH, SINK * load / 10, zone=1.47 * half_width)
-    overrides = {"mesh.0.file": path, "traction.0.value": [0, 0, -load / (2 * mesh.RADIUS)],
-                 "contact.0.multiplier": multiplier, **more}
-    return case.run(overrides=overrides, name=name or f"load_{load:g}_{facets}_{multiplier}")
+    sink = SINK * load / 10
+    mesh.write(path, half_width / facets, DEPTH, sink, zone=1.47 * half_width, whole=whole)
+    return path, sink
+
+
+def press(case, load, facets, multiplier):
+    path, sink = mesh_of(case, load, facets)
+    overrides = {"mesh.0.file": path, "traction.0.value": [0, 0, -load / (2 * mesh.RADIUS)], "contact.0.multiplier": multiplier}
+    result = case.run(overrides=overrides, name=f"load_{load:g}_{facets}_{multiplier}")
+    return result, Profile(result, sink)
+
+
+def line(case, load, facets, multiplier, result, profile):
+    """A row of the README's table."""
+    p0, a = profile.fit()
+    exact = hertz(case.scene(), load)
+    rim = profile.pressure / (exact[1] * numpy.sqrt(numpy.maximum(1e-9, 1 - (profile.x / exact[0]) ** 2)))
+    inside = profile.x < 0.97 * exact[0]
+    implicit = result.summary["implicit"]
+    return (f"| {load:g} | a/{facets} | {multiplier} | {p0:.4f} | {a:.4f} | {profile.distance(*exact):.4f} | "
+            f"{abs(rim[inside] - 1).max():.3f} | {implicit['unknowns']} | {implicit['iterations']} | {result.summary['wall_s']:.1f} |")
 
 
 def check_normal(case, load, facets, gates):
-    result = run(case, load, facets)
-    profile, scene = Profile(result), case.scene()
+    """Dual multipliers; the row of the table, the rise of the pressure at the rim."""
+    result, profile = press(case, load, facets, "dual")
     p0, a = profile.fit()
-    converged, half_width = CONVERGED[load]
+    (converged, half_width), theory = CONVERGED[load], hertz(case.scene(), load)
     label = f"P = {load:g}, a/{facets}"
-    print(f"{label}: p0 {p0:.4f} a {a:.4f}, L2 {profile.distance(*hertz(scene, load)):.4f}, {result.summary['wall_s']:.2f} s, "
-          f"iterations {result.summary['implicit']['iterations']}")
-    case.assert_close(f"{label}: greatest pressure", converged, p0, gates[0], "converged prototype; Hertz %.4f" % hertz(scene, load)[1])
-    case.assert_close(f"{label}: half width", half_width, a, gates[1], "converged prototype; Hertz %.4f" % hertz(scene, load)[0])
+    case.assert_close(f"{label}: greatest pressure (Hertz {theory[1]:.4f})", converged, p0, gates[0], "converged prototype")
+    case.assert_close(f"{label}: half width (Hertz {theory[0]:.4f})", half_width, a, gates[1], "converged prototype")
     case.assert_close(f"{label}: sum of pressures", load / 2, profile.vertical(), 1e-6, "equilibrium")
     rises = numpy.diff(profile.pressure)
     case.assert_below(f"{label}: greatest rise of the pressure outwards / p0", max(rises.max(), 0) / p0, 1e-3, "monotone")
-    return profile
+    case.assert_energy(result, energy_gate=1e-8)
+    return line(case, load, facets, "dual", result, profile)
+
+
+def forces_of_nodes(result, profile):
+    """Forces of contact on the nodes of state.h5: normal and tangential together, from the last checkpoint.
+
+    A checkpoint has its own order of nodes; displacements tell which is which (both nodes of a pair across the slab move alike).
+    """
+    path = max(glob.glob(os.path.join(result.folder, "checkpoint_*.h5")))
+    with h5py.File(path, "r") as file:
+        moves = file["nodes/displacement"][...].reshape(-1, 3)
+        force, friction = (file[f"nodes/{name}_force"][...].reshape(-1, 3) for name in ("contact", "friction"))
+    place = {move[[0, 2]].tobytes(): i for i, move in enumerate(moves)}
+    order = [place[move[[0, 2]].tobytes()] for move in profile.move]
+    return force[order], friction[order]
+
+
+class Sheared:
+    """Tangential tractions of the slave nodes, the resultants, and the stick zone."""
+
+    def __init__(self, result, scene):
+        self.friction = scene["contact"][0]["friction"]
+        self.profile = profile = Profile(result)
+        force, friction = forces_of_nodes(result, profile)
+        self.normal, self.tangential = force[profile.upper, 2].sum() / DEPTH, -force[profile.upper, 0].sum() / DEPTH
+        self.pressed = profile.pressure > 0
+        self.traction = -2 * friction[profile.nodes, 0] / DEPTH / profile.length
+        weight = profile.pressure * profile.length
+        self.x = profile.x - (profile.x * weight).sum() / weight.sum()  # from the middle of the zone
+        self.ratio = numpy.where(self.pressed, self.traction / (self.friction * numpy.where(self.pressed, profile.pressure, 1)), 0)
+
+    def stick_half_width(self, half_width):
+        """Root mean square of the half widths that the sticking nodes give: (1 - q/(mu p))^2 (a^2 - x^2) = c^2 - x^2."""
+        sticks = self.pressed & (self.ratio < 0.99)
+        x, ratio = self.x[sticks], self.ratio[sticks]
+        return math.sqrt((x ** 2 + (1 - ratio) ** 2 * (half_width ** 2 - x ** 2)).mean())
+
+    def between_nodes(self):
+        """Half width at which q/(mu p) reaches 1, mean of both sides, linear between the last sticking node and the next."""
+        found = []
+        for side in (1, -1):
+            x, ratio = side * self.x[::side], self.ratio[::side]
+            last = numpy.flatnonzero((ratio < 0.99) & (x > 0) & self.pressed[::side])[-1]
+            found.append((x[last] + x[last + 1]) / 2)
+        return sum(found) / 2
+
+
+def cattaneo(friction, load, shear, half_width, x):
+    """Stick half width and shear traction at x: half planes, Q after P (Johnson, Contact Mechanics, 7.2)."""
+    greatest = 2 * load / (math.pi * half_width)
+    stick = half_width * math.sqrt(1 - shear / (friction * load))
+    outer, inner = (numpy.sqrt(numpy.maximum(0, 1 - (x / b) ** 2)) for b in (half_width, stick))
+    return stick, friction * greatest * (outer - stick / half_width * inner)
+
+
+def check_friction(case, facets):
+    scene = case.scene("friction.yaml")
+    path, _ = mesh_of(case, 10, facets, whole=True)
+    result = case.run("friction.yaml", {"mesh.0.file": path}, name=f"friction_{facets}")
+    sheared = Sheared(result, scene)
+    half_width = hertz(case.scene(), sheared.normal)[0]
+    stick, exact = cattaneo(sheared.friction, sheared.normal, sheared.tangential, half_width, sheared.x)
+    label = f"friction, a/{facets}"
+    off = math.sqrt((sheared.profile.length * (sheared.traction - exact) ** 2).sum() / (sheared.profile.length * exact ** 2).sum())
+    print(f"{label}: P {sheared.normal:.5f} Q {sheared.tangential:.5f}, a {half_width:.4f}, c {stick:.4f} ours "
+          f"{sheared.stick_half_width(half_width):.4f} (between nodes {sheared.between_nodes():.4f}), L2 of q {off:.3f}, "
+          f"greatest q {sheared.traction.max():.4f} exact at nodes {exact.max():.4f}, {result.summary['wall_s']:.1f} s")
+    case.assert_close(f"{label}: normal force", 10, sheared.normal, 0.01, "travel of the scene, chosen for it")
+    case.assert_close(f"{label}: tangential force", 0.936, sheared.tangential, 0.01, "travel of the scene, chosen for it")
+    case.assert_close(f"{label}: half width of the stick zone", stick, sheared.stick_half_width(half_width), 0.05, "Cattaneo, Mindlin")
+    case.assert_close(f"{label}: greatest shear traction", exact.max(), sheared.traction.max(), 0.05, "Cattaneo, Mindlin, at the nodes")
+    case.assert_close(f"{label}: Coulomb's bound, q/(mu p)", 1, sheared.ratio.max(), 2e-3, "friction law; lengths are of chords")
+    return sheared
 
 
 def main():
     case = Case(__file__)
-    check_normal(case, 10, 11, (0.01, 0.02))
+    rows = [check_normal(case, 10, 11, (0.01, 0.02))]
     if case.long:
-        check_normal(case, 10, 22, (0.005, 0.02))
-        check_normal(case, 1, 11, (0.01, 0.02))
-        check_normal(case, 1, 22, (0.005, 0.02))
+        rows += [check_normal(case, 10, 22, (0.005, 0.02)), check_normal(case, 1, 11, (0.01, 0.02)), check_normal(case, 1, 22, (0.005, 0.02))]
+        rows += [line(case, 10, facets, "standard", *press(case, 10, facets, "standard")) for facets in (11, 22)]
+        check_friction(case, 11)
+        case.assert_same_on_ranks((1, 3), overrides={"run.end": 0.5})
+    print("| P | facets | multipliers | p0 | a | L2 error against Hertz | greatest error, x < .97 a | unknowns | iterations | s |\n" + "|---" * 10 + "|")
+    print("\n".join(rows))
     case.finish()
 
 

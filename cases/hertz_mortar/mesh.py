@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes cylinders.inp: two half cylinders on each other, a slab of one hexahedron between y = 0 and y = depth.
 
-usage: mesh.py [FILE] [--facet F] [--whole]        F: length of a facet of the upper body in the contact zone (default a/11)
+usage: mesh.py [FILE] [--facet F] [--whole]        F: length of a facet of the upper body in the contact zone (default a/5)
 
 Of both only x >= 0 is written, unless they are asked for as a whole.
 
@@ -96,7 +96,7 @@ def write(path, facet, depth, sink, zone=ZONE, whole=False):
             points, quads = mirrored(points, quads)
         n = len(points)
         for y in (0, depth):
-            lines += [f"{first + i + (n if y else 0)}, {x:.17g}, {y:.17g}, {up * z - (sink if up > 0 else 0):.17g}\n"
+            lines += [f"{first + i + (n if y else 0)}, {x:.12g}, {y:.12g}, {up * z - (sink if up > 0 else 0):.12g}\n"
                       for i, (x, z) in enumerate(points)]
         elements.append(f"*ELEMENT, TYPE=C3D8, ELSET={name}\n")
         surface = f"*SURFACE, TYPE=ELEMENT, NAME={name}_flat\n"
@@ -118,7 +118,7 @@ def write(path, facet, depth, sink, zone=ZONE, whole=False):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", nargs="?", default=os.path.join(os.path.dirname(os.path.abspath(__file__)), "cylinders.inp"))
-    parser.add_argument("--facet", type=float, default=0.6807783738 / 11)
+    parser.add_argument("--facet", type=float, default=0.6807783738 / 5)
     parser.add_argument("--whole", action="store_true")
     given = parser.parse_args()
     write(given.file, given.facet, depth=0.1, sink=1e-4, whole=given.whole)

@@ -18,7 +18,7 @@ PAIRS = ((3, 4), (2, 3), (4, 7))  # columns of the lower and of the upper block
 HEIGHT = 0.5
 EXACT, ASKEW = 1e-10, 2e-6  # shares of the stress (M2): affine facets are integrated exactly, general ones by 7 points
 STICKING = 10  # friction's stiffness over E/edge, a constant of the program (src/implicit)
-PROGRAM = "closed form"
+SOURCE = "closed form, exact.py"
 
 
 def laws_of(scene):
@@ -35,23 +35,20 @@ def newton(case, label, result):
 
 def check_uniform(case, label, result, last, gradients, laws, gate, open_gap=0.0, slip=0.0, pressure=True, slave=None):
     """Stresses of all elements, displacements of all nodes and multipliers of all slave nodes of the contact face."""
-    scale = max(abs(stress(law, f)).max() for law, f in zip(laws, gradients))
+    exact = [stress(law, gradient) for law, gradient in zip(laws, gradients)]
     offset = (gradients[0] - numpy.eye(3))[:, 2] * HEIGHT  # of the lower face's nodes at x = y = 0
-    for block, (law, gradient) in enumerate(zip(laws, gradients)):
-        ours = last.stress[last.block == block]
-        case.assert_below(f"{label}: stress, block {block} (zz {stress(law, gradient)[2]:.9g}), greatest error / stress",
-                          abs(ours - stress(law, gradient)).max() / scale, gate, PROGRAM)
+    off, moved, most = 0.0, 0.0, 0.0
+    for block, gradient in enumerate(gradients):
+        off = max(off, abs(last.stress[last.block == block] - exact[block]).max())
         nodes = last.nodes[block]
-        at = last.start[nodes] - [0, 0, HEIGHT]
-        moves = at @ (gradient - numpy.eye(3)).T + offset + block * numpy.array([slip, 0, open_gap])
-        most = abs(moves).max()
-        case.assert_below(f"{label}: displacements, block {block}, greatest error / displacement",
-                          abs(last.move[nodes] - moves).max() / most, gate, PROGRAM)
+        moves = (last.start[nodes] - [0, 0, HEIGHT]) @ (gradient - numpy.eye(3)).T + offset + block * numpy.array([slip, 0, open_gap])
+        moved, most = max(moved, abs(last.move[nodes] - moves).max()), max(most, abs(moves).max())
+    case.assert_below(f"{label}: stresses, greatest error / stress", off / max(abs(s).max() for s in exact), gate, SOURCE)
+    case.assert_below(f"{label}: displacements, greatest error / displacement", moved / most, gate, SOURCE)
     if pressure:
-        exact = -stress(laws[0], gradients[0])[2]
         ours = last.pressure[last.face(slave, HEIGHT)]
         case.assert_below(f"{label}: multipliers of {len(ours)} nodes, greatest error / pressure",
-                          abs(ours - exact).max() / abs(exact), gate, PROGRAM)
+                          abs(ours / -exact[0][2] - 1).max(), gate, SOURCE)
     newton(case, label, result)
 
 
@@ -180,25 +177,30 @@ def check_stick(case):
     scene = case.scene("shear.yaml")
     laws, pressure, shear_stress = laws_of(scene), 0.05, 0.02
     gradients = [sheared(stretch_under(law, -pressure), shear_stress / lame(law)[0]) for law in laws]
-    overrides = {"contact.0.tied": None, "contact.0.friction": 1.0, "solver.step": 1, "traction.4.value": [shear_stress, 0, -pressure]}
+    slip = shear_stress / (STICKING * laws[0]["young"] / edge_mean(scene, 0, (1,)))
+    top = sum((gradient - numpy.eye(3))[:, 2] * HEIGHT for gradient in gradients) + [slip, 0, 0]
+    overrides = {"contact.0.tied": None, "contact.0.friction": 1.0, "solver.step": 1, "traction.4.value": [0, 0, 0],
+                 "prescribed": [{"set": "top_zmax", "dof": dof, "displacement": "ramp", "scale": top[c]} for c, dof in ((0, "x"), (2, "z"))]}
     for block, (law, gradient) in enumerate(zip(laws, gradients)):
         side = nominal(law, gradient)[:, 0]
         overrides[f"traction.{2 * block}.value"], overrides[f"traction.{2 * block + 1}.value"] = (-side).tolist(), side.tolist()
-    slip = shear_stress / (STICKING * laws[0]["young"] / edge_mean(scene, 0, (1,)))
     result = case.run("shear.yaml", overrides, name="stick")
-    check_uniform(case, "friction, sticking", result, Last(result), gradients, laws, EXACT, slip=slip, slave=0)
+    # At the rims the normalisation of the slip counts the sides' faces too, so that friction is softer there: the state errs by
+    # up to the share of the elastic slip in the displacement (README, Limits).
+    check_uniform(case, "friction, sticking", result, Last(result), gradients, laws, slip / top[0], slip=slip, slave=0)
 
 
 def check_penalty(case):
-    scene = case.scene("pressed.yaml")
-    laws, pressure = laws_of(scene), scene["pressure"][0]["value"]
+    scene = case.scene()
+    laws, pressure = laws_of(scene), 0.2
     gradients = [sheared(stretch_under(law, -pressure), 0) for law in laws]
     gap = -pressure / (min(law["young"] for law in laws) / edge_mean(scene, 0, (0, 1)))
-    result = case.run("pressed.yaml", {"contact.0.enforce": "penalty"}, name="penalty")
+    top = sum((gradient[2, 2] - 1) * HEIGHT for gradient in gradients) + gap
+    result = case.run(overrides={"contact.0.enforce": "penalty", "curves.down": [[0, 0], [1, top]]}, name="penalty")
     last = Last(result)
     check_uniform(case, "penalty", result, last, gradients, laws, EXACT, open_gap=gap, slave=0)
     case.assert_below("penalty: gap of the slave nodes, greatest error / (pressure / stiffness)",
-                      abs(last.gap[last.face(0, HEIGHT)] - gap).max() / abs(gap), EXACT, "-p / (E / edge)")
+                      abs(last.gap[last.face(0, HEIGHT)] / gap - 1).max(), EXACT, "-p / (E / edge)")
 
 
 def main():
