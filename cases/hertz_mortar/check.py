@@ -177,7 +177,7 @@ def check_friction(case, facets):
           f"{sheared.stick_half_width(half_width):.4f} (between nodes {sheared.between_nodes():.4f}), L2 of q {off:.3f}, "
           f"greatest q {sheared.traction.max():.4f} exact at nodes {exact.max():.4f}, {result.summary['wall_s']:.1f} s")
     case.assert_close(f"{label}: normal force", 10, sheared.normal, 0.01, "travel of the scene, chosen for it")
-    case.assert_close(f"{label}: tangential force", 0.936, sheared.tangential, 0.03, "likewise; the theory takes it as it is")
+    case.assert_close(f"{label}: tangential force", 0.936, sheared.tangential, 0.01, "likewise")
     case.assert_close(f"{label}: half width of the stick zone", stick, sheared.stick_half_width(half_width), 0.05, "Cattaneo, Mindlin")
     cusp = sheared.friction * 2 * sheared.normal / (math.pi * half_width) * math.sqrt(1 - (stick / half_width) ** 2)
     case.assert_close(f"{label}: greatest shear traction", cusp, sheared.traction.max(), 0.05, "Cattaneo, Mindlin, at x = c")
