@@ -14,7 +14,7 @@ sys.path[:0] = [os.path.join(HERE, "../support"), HERE]
 import mesh  # noqa: E402
 from case_check import Case  # noqa: E402
 
-DEPTH, SINK = 0.1, 1e-4
+DEPTH, SINK = 0.1, 1e-4  # of the slab; overlap of whole cylinders, whose travel is prescribed from there
 # P: greatest pressure and half width, converged, from a two-dimensional prototype of our own (neo-Hooke, plane strain)
 CONVERGED = {10: (9.505, 0.671), 1: (2.977, 0.2132)}
 FITTED = 0.9  # share of the contact zone over which the pressure is fitted
@@ -31,14 +31,14 @@ def hertz(scene, load):
 class Profile:
     """Pressures of the slave nodes (upper body, plane y = 0) at their current places x, and the lengths that they stand for."""
 
-    def __init__(self, result, sink=SINK):
+    def __init__(self, result):
         with h5py.File(os.path.join(result.folder, "state.h5"), "r") as file:
             nodal = file[max(name for name in file if name.startswith("record_"))]["node"]
             start, self.move = file["mesh/coordinates"][...], nodal["displacement"][...].reshape(-1, 3)
             corners = file["mesh/connectivity"][...][file["mesh/element_block"][...].ravel() == 1]
             place, pressure = start + self.move, nodal["contact_pressure"][...].ravel()
         self.upper = numpy.unique(corners)
-        above = start[self.upper] + [0, 0, sink]
+        above = start[self.upper] - [0, 0, start[self.upper, 2].min()]
         on_arc = abs(numpy.hypot(above[:, 0], above[:, 2] - mesh.RADIUS) - mesh.RADIUS) < 1e-6
         nodes = self.upper[on_arc & (above[:, 1] < 1e-9)]
         self.nodes = nodes = nodes[numpy.argsort(start[nodes, 0])]
@@ -73,16 +73,17 @@ def mesh_of(case, load, facets, whole=False):
     half_width = hertz(case.scene(), load)[0]
     path = os.path.join(case.work, f"cylinders_{load:g}_{facets}{'_whole' if whole else ''}.inp")
     os.makedirs(case.work, exist_ok=True)
-    sink = SINK * load / 10
-    mesh.write(path, half_width / facets, DEPTH, sink, zone=1.47 * half_width, whole=whole)
-    return path, sink
+    facet = half_width / facets
+    sink = SINK if whole else mesh.sink_for(facet)
+    mesh.write(path, facet, DEPTH, sink, zone=1.47 * half_width, whole=whole)
+    return path
 
 
 def press(case, load, facets, multiplier):
-    path, sink = mesh_of(case, load, facets)
+    path = mesh_of(case, load, facets)
     overrides = {"mesh.0.file": path, "traction.0.value": [0, 0, -load / (2 * mesh.RADIUS)], "contact.0.multiplier": multiplier}
     result = case.run(overrides=overrides, name=f"load_{load:g}_{facets}_{multiplier}")
-    return result, Profile(result, sink)
+    return result, Profile(result)
 
 
 def line(case, load, facets, multiplier, result, profile):
@@ -165,7 +166,7 @@ def cattaneo(friction, load, shear, half_width, x):
 
 def check_friction(case, facets):
     scene = case.scene("friction.yaml")
-    path, _ = mesh_of(case, 10, facets, whole=True)
+    path = mesh_of(case, 10, facets, whole=True)
     result = case.run("friction.yaml", {"mesh.0.file": path}, name=f"friction_{facets}")
     sheared = Sheared(result, scene)
     half_width = hertz(case.scene(), sheared.normal)[0]
@@ -176,9 +177,10 @@ def check_friction(case, facets):
           f"{sheared.stick_half_width(half_width):.4f} (between nodes {sheared.between_nodes():.4f}), L2 of q {off:.3f}, "
           f"greatest q {sheared.traction.max():.4f} exact at nodes {exact.max():.4f}, {result.summary['wall_s']:.1f} s")
     case.assert_close(f"{label}: normal force", 10, sheared.normal, 0.01, "travel of the scene, chosen for it")
-    case.assert_close(f"{label}: tangential force", 0.936, sheared.tangential, 0.01, "travel of the scene, chosen for it")
+    case.assert_close(f"{label}: tangential force", 0.936, sheared.tangential, 0.01, "likewise")
     case.assert_close(f"{label}: half width of the stick zone", stick, sheared.stick_half_width(half_width), 0.05, "Cattaneo, Mindlin")
-    case.assert_close(f"{label}: greatest shear traction", exact.max(), sheared.traction.max(), 0.05, "Cattaneo, Mindlin, at the nodes")
+    cusp = sheared.friction * 2 * sheared.normal / (math.pi * half_width) * math.sqrt(1 - (stick / half_width) ** 2)
+    case.assert_close(f"{label}: greatest shear traction", cusp, sheared.traction.max(), 0.05, "Cattaneo, Mindlin, at x = c")
     case.assert_close(f"{label}: Coulomb's bound, q/(mu p)", 1, sheared.ratio.max(), 2e-3, "friction law; lengths are of chords")
     return sheared
 
@@ -188,9 +190,9 @@ def main():
     rows = [check_normal(case, 10, 11, (0.01, 0.02))]
     if case.long:
         rows += [check_normal(case, 10, 22, (0.005, 0.02)), check_normal(case, 1, 11, (0.01, 0.02)), check_normal(case, 1, 22, (0.005, 0.02))]
-        rows += [line(case, 10, facets, "standard", *press(case, 10, facets, "standard")) for facets in (11, 22)]
+        rows += [line(case, 10, 11, "standard", *press(case, 10, 11, "standard"))]
         check_friction(case, 11)
-        case.assert_same_on_ranks((1, 3), overrides={"run.end": 0.5})
+        case.assert_same_on_ranks((1, 3))
     print("| P | facets | multipliers | p0 | a | L2 error against Hertz | greatest error, x < .97 a | unknowns | iterations | s |\n" + "|---" * 10 + "|")
     print("\n".join(rows))
     case.finish()

@@ -21,6 +21,11 @@ LONGER = 1.3     # facets of the lower body
 RINGS = 2.0      # elements outside the square are so many times as long along the radius as across it
 
 
+def sink_for(facet):
+    """Overlap at which the gap weighted over the facets beside the lowest point is negative: the gap at their ends."""
+    return facet ** 2 / RADIUS
+
+
 def angle_of_arc(r):
     """Angle above the x axis at which a circle of radius r about the lowest point meets the cylinder."""
     return math.asin(r / (2 * RADIUS))
@@ -121,4 +126,4 @@ if __name__ == "__main__":
     parser.add_argument("--facet", type=float, default=0.6807783738 / 5)
     parser.add_argument("--whole", action="store_true")
     given = parser.parse_args()
-    write(given.file, given.facet, depth=0.1, sink=1e-4, whole=given.whole)
+    write(given.file, given.facet, depth=0.1, sink=1e-4 if given.whole else sink_for(given.facet), whole=given.whole)
