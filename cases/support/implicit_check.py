@@ -43,14 +43,19 @@ def outside_solver(result):
     return 1 - (work["factorise_s"] + work["solve_s"]) / result.summary["loop_s"]
 
 
+def check_balance(case, label, result):
+    """Momentum and the ledger, which closes whatever contact takes or gives."""
+    case.assert_below(f"{label}: momentum / at the start", momentum_error(result), 1e-12, "equal weights of both sides")
+    case.assert_energy(result, energy_gate=1e-10, momentum_gate=1e-12)
+    case.assert_within(f"{label}: iterations a step, mean", 1, 6, result.summary["implicit"]["iterations_mean"], "M6")
+
+
 def check_conserved(case, label, result, down):
     """What holds in any free scene of scheme contact_implicit; down: the largest share of the energy that may go."""
     case.assert_within(f"{label}: energy of the bodies / at the start - 1, largest", -1, 1e-12, float(energy(result).max()),
                        "contact_implicit: never above its start")
     case.assert_within(f"{label}: share of the energy lost at the end", 0, down, -float(energy(result)[-1]), "gate")
-    case.assert_below(f"{label}: momentum / at the start", momentum_error(result), 1e-12, "equal weights of both sides")
-    case.assert_energy(result, energy_gate=1e-10, momentum_gate=1e-12)
-    case.assert_within(f"{label}: iterations a step, mean", 1, 6, result.summary["implicit"]["iterations_mean"], "M6")
+    check_balance(case, label, result)
 
 
 def check_quadratic(case, label, result):
