@@ -36,7 +36,10 @@ def newton(case, label, result):
 
 def check_uniform(case, label, result, last, gradients, laws, gate, open_gap=0.0, slip=0.0, pressure=True, slave=None,
                   spread=1.0):
-    """Stresses of all elements, displacements of all nodes and multipliers of all slave nodes of the contact face."""
+    """Stresses of all elements, displacements of all nodes and multipliers of all slave nodes of the contact face.
+
+    spread: by how much more than stresses multipliers may err.
+    """
     exact = [stress(law, gradient) for law, gradient in zip(laws, gradients)]
     offset = (gradients[0] - numpy.eye(3))[:, 2] * HEIGHT  # of the lower face's nodes at x = y = 0
     off, moved, most = 0.0, 0.0, 0.0
@@ -51,7 +54,7 @@ def check_uniform(case, label, result, last, gradients, laws, gate, open_gap=0.0
         ours = last.pressure[last.face(slave, HEIGHT)]
         case.assert_below(f"{label}: multipliers of {len(ours)} nodes, greatest error / pressure",
                           abs(ours / -exact[0][2] - 1).max(), spread * gate, SOURCE)
-    newton(case, label, result)  # spread: by how much more than stresses multipliers may err
+    newton(case, label, result)
 
 
 def ways(case, columns):
