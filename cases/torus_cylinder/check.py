@@ -18,8 +18,7 @@ THICKNESS = 4.5  # of the wall of the torus, the thinner one
 
 
 def speed(result, part, time):
-    mass = "mass" if part == "torus" else "mass_tube"
-    return result.at(f"{part}.z", time) / result.history[mass][0]
+    return result.at(f"{part}.z", time) / result.history[f"mass_{part}.mass"][0]
 
 
 def check_depth(case, label, result, time):

@@ -18,7 +18,7 @@ LAYER = 2.25  # of an element through the wall
 
 
 def velocity(result, time):
-    return numpy.array([result.at(f"lower.{c}", time) for c in "xyz"]) / result.history["mass"][0]
+    return numpy.array([result.at(f"lower.{c}", time) for c in "xyz"]) / result.history["mass_lower.mass"][0]
 
 
 def check_velocity(case, label, result, time, reference, gate, source):
