@@ -236,7 +236,7 @@ TEST_CASE("what later versions bring is recognised and refused", "[scene]") {
       {"[left, right]\n    slave: auto", "[left, left]\n    tied: true", "bar.yaml:36: contact.0.tied", {"to itself"}},
       {"slave: auto", "tied: true\n    friction: 0.2", "bar.yaml:36: contact.0.tied", {"do not slide"}},
       {"slave: auto", "tied: true\n    method: penalty", "bar.yaml:35: contact.0", {"tied", "rate or row_sum"}},
-      {"slave: auto", "method: mortar", "bar.yaml:36: contact.0.method", {"'mortar' is unknown", "rate, row_sum"}},
+      {"slave: auto", "method: segments", "bar.yaml:36: contact.0.method", {"'segments' is unknown", "rate, row_sum"}},
       {"slave: auto",
        "passes: two\n    friction: {static: 0.3, lag: 1}",
        "bar.yaml:36: contact.0.passes",
