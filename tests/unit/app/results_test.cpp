@@ -43,7 +43,7 @@ TEST_CASE("results: a row of history, a record of fields, a summary") {
   Written run;
   const time::Ledger ledger = run.step();
   run.results.write_fields(&run.scene.report);
-  run.results.write_history(ledger, run.scene.report);
+  run.results.write_history(ledger, run.scene.report, {0, 0.0});
   run.results.watch(ledger, 0);
   run.results.seal();
   run.results.write_summary("steps", 0, 1.5, {1.0, 1, {}});
