@@ -79,6 +79,7 @@ std::vector<DepthRow> answers_of(const comm::Communicator& ranks, const DepthWor
     row.metric = metric;
     row.centroid = a.shape.centroid;
     row.start = pose.start;
+    row.least_turn = accuracy_of(options.careful) * row.answer.depth / a.shape.radius;
     if (row.answer.overlap && row.answer.found) tries.push_back(row.answer.placement);
     rows.push_back(std::move(row));
   }
