@@ -48,14 +48,15 @@ std::vector<DepthRow> answers_of(const comm::Communicator& ranks, const DepthWor
   const DepthWork::Pose& pose = work.poses[k];
   const depth::Body &a = work.bodies[pose.a], &b = work.bodies[pose.b];
   std::vector<DepthRow> rows;
-  std::vector<Placement> tries;
-  for (const DepthRow& row : before) tries.push_back(row.answer.placement);
+  std::vector<Placement> tries;  // the answers of the metrics before
   for (const depth::Metric metric : metrics) {
     depth::Query query;
     query.a_in_b = pose.start;
     query.metric = metric;
     query.careful = options.careful;
     query.tries = tries;
+    for (const DepthRow& row : before)
+      if (row.metric == metric && row.answer.overlap && row.answer.found) query.tries.push_back(row.answer.placement);
     if (is_certified(options)) {
       query.gap = options.certify;
       query.boxes = options.boxes > 0 ? options.boxes : default_boxes;
@@ -79,6 +80,7 @@ std::vector<DepthRow> answers_of(const comm::Communicator& ranks, const DepthWor
     row.metric = metric;
     row.centroid = a.shape.centroid;
     row.start = pose.start;
+    row.least_turn = accuracy_of(options.careful) * row.answer.depth / a.shape.radius;
     if (row.answer.overlap && row.answer.found) tries.push_back(row.answer.placement);
     rows.push_back(std::move(row));
   }

@@ -76,6 +76,7 @@ void visit_row(Row& row, Visit&& visit) {
   visit(row.metric);
   visit(row.centroid);
   visit(row.start);
+  visit(row.least_turn);
   visit(row.seconds);
   auto& answer = row.answer;
   visit(answer.overlap);

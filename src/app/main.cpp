@@ -165,7 +165,8 @@ void add_depth(CLI::App& program, app::DepthOptions& options, Command& chosen) {
       ->type_name("FILE")
       ->check(no_path);
   depth->add_option("--merge", options.merge, "Points nearer to each other become one [length]")->check(no_number);
-  depth->add_flag("--sequence", options.sequence, "Start each pose from the answer of the one before, in chains of 32");
+  depth->add_flag("--sequence", options.sequence,
+                  "Start each pose from the answer of the one before as well, in chains of 32: one walk more a query");
   depth->add_flag("--json", options.json, "Print JSON instead of text");
   depth->add_option("--out", options.out, "Folder for depth.csv, depth.json and surfaces before and after (PLY)")
       ->type_name("FOLDER")

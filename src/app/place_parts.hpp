@@ -17,7 +17,8 @@ struct PlacedParts {
 
 /// Moves the coordinates of parts by the least sum of mass times object norm squared (depth/assembly.hpp) so that no
 /// pair with the rule `place` or `error` overlaps. Parts that only touch are parted by the clearance of 1e-8 of the
-/// largest radius. Sets have been chosen before, and rigid walls are not looked at.
+/// largest radius. Sets have been chosen before. Rigid walls, and planes of symmetry for parts that have no node in
+/// them, are not looked at: see placed_beyond.hpp.
 [[nodiscard]] PlacedParts place_parts(const scene::Input& input, mesh::Mesh& mesh, const setup::StartRules& rules);
 
 }  // namespace brunt::app

@@ -66,7 +66,7 @@ void hold(depth::Member& member, const Vec3& direction) {
 
 /// What the scene holds, of each node.
 void hold_members(const scene::Input& input, const mesh::Mesh& mesh, const std::vector<std::size_t>& member_of,
-                  depth::Assembly& assembly) {
+                  std::vector<depth::Member>& all) {
   constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<std::vector<std::size_t>> members(mesh.coordinates.size());
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
@@ -83,8 +83,8 @@ void hold_members(const scene::Input& input, const mesh::Mesh& mesh, const std::
       for (const std::size_t k : members[static_cast<std::size_t>(node)]) {
         if (k == last) continue;
         last = k;
-        assembly.members[k].turns = false;
-        if (direction) hold(assembly.members[k], *direction);
+        all[k].turns = false;
+        if (direction) hold(all[k], *direction);
       }
   };
   const auto nodes_of = [&](const char* kind, std::size_t entry) -> const std::vector<LocalIndex>& {
@@ -146,6 +146,15 @@ std::vector<std::size_t> members_of_blocks(const scene::Input& input, const mesh
   return member;
 }
 
+std::vector<depth::Member> freedoms_of_members(const scene::Input& input, const mesh::Mesh& mesh,
+                                               const std::vector<std::size_t>& member_of) {
+  std::vector<depth::Member> members(member_of.empty() ? 0 : *std::ranges::max_element(member_of) + 1);
+  hold_members(input, mesh, member_of, members);
+  const std::vector<std::size_t> part_of = scene::parts_of_blocks(input, mesh);
+  for (std::size_t b = 0; b < member_of.size(); ++b) heed_rigid(input.parts[part_of[b]], members[member_of[b]]);
+  return members;
+}
+
 depth::Body body_of_block(const mesh::Mesh& mesh, std::size_t block, const std::string& who) {
   const TriangleSurface surface = outer_surface(mesh, block);
   const geometry::SurfaceFaults faults = geometry::check_closed(surface);
@@ -205,7 +214,7 @@ SceneAssembly scene_assembly(const scene::Input& input, const mesh::Mesh& mesh, 
     member.basis.setZero();
     member.turns = false;
   }
-  hold_members(input, mesh, member_of, result.assembly);
+  hold_members(input, mesh, member_of, result.assembly.members);
   for (std::size_t b = 0; b < n; ++b) heed_rigid(input.parts[part_of[b]], result.assembly.members[member_of[b]]);
   return result;
 }

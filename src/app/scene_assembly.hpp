@@ -27,6 +27,10 @@ struct SceneAssembly {
 [[nodiscard]] std::vector<std::size_t> members_of_blocks(const scene::Input& input, const mesh::Mesh& mesh,
                                                          const setup::StartRules& rules);
 
+/// What the scene lets each member do, whatever its contact: only `basis` and `turns` of the members tell anything.
+[[nodiscard]] std::vector<depth::Member> freedoms_of_members(const scene::Input& input, const mesh::Mesh& mesh,
+                                                             const std::vector<std::size_t>& member_of);
+
 /// The body of a block. Throws InputError if its surface is not closed; `who` begins the message.
 [[nodiscard]] depth::Body body_of_block(const mesh::Mesh& mesh, std::size_t block, const std::string& who);
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "brunt/core/error.hpp"
+#include "brunt/depth/encounter.hpp"
 #include "brunt/depth/penetration_depth.hpp"
 #include "brunt/scene/select.hpp"
 #include "brunt/scene/units.hpp"
@@ -37,28 +39,66 @@ std::set<std::pair<std::size_t, std::size_t>> overlapping_blocks(const setup::In
   return pairs;
 }
 
-/// What is told of moving a out of b; both stand as the mesh has them.
-std::string described(const depth::Body& a, const depth::Body& b, const std::string& name_a, const std::string& name_b,
-                      const std::string& units) {
-  const std::string head = fmt::format("parts '{}' and '{}' overlap: ", name_a, name_b);
+/// A part that overlaps another, both as the mesh has them.
+struct Overlapping {
+  const depth::Body& body;
+  const std::string& name;
+  const depth::Member& freedom;  ///< of its member
+  double mass = 0;
+};
+
+struct MotionOut {
+  double length = 0;  ///< [length]
+  std::string line;
+};
+
+/// What is reported of moving a out of b as far as the scene lets a move; none where no such motion was found.
+std::optional<MotionOut> motion_out(const Overlapping& a, const Overlapping& b, const std::string& units) {
+  const auto length = [&](double x) { return scene::with_length(x, units); };
   depth::Query query;
   query.metric = depth::Metric::translation;
-  const depth::Answer straight = depth::penetration_depth(a, b, query);
-  if (!straight.overlap) return fmt::format("parts '{}' and '{}' do not overlap as a whole", name_a, name_b);
+  bool anywhere = true;
+  for (int c = 0; c < 3; ++c)
+    if (const Vec3 column = a.freedom.basis.col(c); column.isZero(0))
+      anywhere = false;
+    else
+      query.along.push_back(column);
+  if (query.along.empty()) return std::nullopt;
+  if (anywhere) query.along.clear();
+  const depth::Answer straight = depth::penetration_depth(a.body, b.body, query);
+  if (!straight.found) return std::nullopt;
+  std::string line = fmt::format("moving '{}' by {} along {} separates them (translation)", a.name,
+                                 length(straight.depth), vector(straight.motion.shift.normalized()));
+  if (!anywhere || !a.freedom.turns)
+    return MotionOut{straight.depth, line + fmt::format("; no motion below {} does", length(straight.bound))};
   query.metric = depth::Metric::displacement;
-  if (straight.found) query.tries.push_back(straight.placement);
+  query.tries.push_back(straight.placement);
   query.careful = true;
-  const depth::Answer turned = depth::penetration_depth(a, b, query);
-  if (!straight.found || !turned.found) return head + "no motion was found that separates them";
-  const auto length = [&](double x) { return scene::with_length(x, units); };
-  std::string line = head + fmt::format("moving '{}' by {} along {} separates them (translation)", name_a,
-                                        length(straight.depth), vector(straight.motion.shift.normalized()));
-  if (turned.depth < shorter * straight.depth) {
+  const depth::Answer turned = depth::penetration_depth(a.body, b.body, query);
+  if (turned.found && turned.depth < shorter * straight.depth) {
     const Vec3 turn = depth::rotation_vector(turned.motion.turn);
     line += fmt::format(", or by {} with a turn of {:.3g} degrees about {}", length(turned.depth),
                         turn.norm() * 180 / std::numbers::pi, vector(turn.normalized()));
   }
-  return line + fmt::format("; no motion below {} does", length(turned.bound));
+  return MotionOut{turned.found ? std::min(straight.depth, turned.depth) : straight.depth,
+                   line + fmt::format("; no motion below {} does", length(turned.bound))};
+}
+
+/// The lighter one moves, or the one that needs less where the scene holds the lighter one in some way.
+std::string described(const Overlapping& a, const Overlapping& b, const std::string& units) {
+  if (!depth::Encounter{a.body, b.body, {}}.bodies_collide({}))
+    return fmt::format("parts '{}' and '{}' do not overlap as a whole", a.name, b.name);
+  const std::string head = fmt::format("parts '{}' and '{}' overlap: ", a.name, b.name);
+  const bool a_first = a.mass <= b.mass;
+  const Overlapping &first = a_first ? a : b, &second = a_first ? b : a;
+  if (!a.freedom.moves() && !b.freedom.moves())
+    return head + "both are held, so that neither may move out of the other";
+  const std::optional<MotionOut> one = motion_out(first, second, units);
+  if (one && first.freedom.turns) return head + one->line;
+  const std::optional<MotionOut> other = motion_out(second, first, units);
+  if (one && (!other || one->length <= other->length)) return head + one->line;
+  if (other) return head + other->line;
+  return head + "no motion that the scene admits was found that separates them";
 }
 
 }  // namespace
@@ -71,6 +111,7 @@ std::vector<std::string> smallest_motions(const scene::Input& input) {
   std::vector<std::string> lines;
   const std::vector<std::size_t> part_of = scene::parts_of_blocks(input, mesh);
   const std::vector<std::size_t> member_of = members_of_blocks(input, mesh, rules);
+  const std::vector<depth::Member> freedoms = freedoms_of_members(input, mesh, member_of);
   std::map<std::size_t, depth::Body> bodies;
   for (const auto& [a, b] : overlapping_blocks(setup::initial_gaps(mesh, rules))) {
     if (member_of[a] == member_of[b]) continue;
@@ -84,10 +125,11 @@ std::vector<std::string> smallest_motions(const scene::Input& input) {
                                   error.faults().empty() ? std::string() : error.faults().front()));
       continue;
     }
-    const depth::Body &one = bodies.at(a), &other = bodies.at(b);
-    const bool lighter = one.mass.mass * rules.density[a] <= other.mass.mass * rules.density[b];
-    lines.push_back(lighter ? described(one, other, name_a, name_b, input.units)
-                            : described(other, one, name_b, name_a, input.units));
+    const auto overlapping = [&](std::size_t block, const std::string& name) {
+      const depth::Body& body = bodies.at(block);
+      return Overlapping{body, name, freedoms[member_of[block]], body.mass.mass * rules.density[block]};
+    };
+    lines.push_back(described(overlapping(a, name_a), overlapping(b, name_b), input.units));
   }
   return lines;
 }

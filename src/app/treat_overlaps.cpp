@@ -11,6 +11,7 @@
 #include "brunt/setup/move_overlaps.hpp"
 #include "move_report.hpp"
 #include "place_parts.hpp"
+#include "placed_beyond.hpp"
 #include "start_rules.hpp"
 
 namespace brunt::app {
@@ -22,13 +23,15 @@ bool any_to_place(const setup::InitialGaps& gaps) {
          std::ranges::any_of(gaps.shared, asks);
 }
 
-/// Places parts, and judges anew where they stand then; the list stays that of the mesh as it was.
-void place(const scene::Input& input, mesh::Mesh& mesh, const setup::StartRules& rules, TreatedOverlaps& treated) {
+/// Places parts, and judges anew where they stand then; the list stays that of the mesh as it was. Returns warnings of
+/// parts that were moved through what the placement does not see.
+std::vector<std::string> place(const scene::Input& input, mesh::Mesh& mesh, const setup::StartRules& rules,
+                               TreatedOverlaps& treated) {
   const std::vector<Vec3> before = mesh.coordinates;
   PlacedParts placed = place_parts(input, mesh, rules);
   OverlapReport& report = treated.report;
   report.faults = std::move(placed.faults);
-  if (!report.faults.empty()) return;
+  if (!report.faults.empty()) return {};
   report.notes = std::move(placed.notes);
   treated.gaps = setup::initial_gaps(mesh, rules);
   OverlapReport after = report_overlaps(input, mesh, treated.gaps);
@@ -38,7 +41,9 @@ void place(const scene::Input& input, mesh::Mesh& mesh, const setup::StartRules&
     report.faults.push_back(input.at("contact") + ": initial_overlap: place leaves an overlap: " +
                             (after.list.empty() ? "of parts that move as one" : after.list.front()) +
                             "; expected parts whose surfaces do not cross themselves");
-  if (!report.faults.empty()) mesh.coordinates = before;
+  if (report.faults.empty()) return placed_beyond(input, mesh, before);
+  mesh.coordinates = before;
+  return {};
 }
 
 }  // namespace
@@ -48,8 +53,10 @@ TreatedOverlaps treat_overlaps(const scene::Input& input, mesh::CanonicalMesh& w
   const setup::StartRules rules = start_rules(input, mesh);
   TreatedOverlaps treated{.gaps = setup::initial_gaps(mesh, rules), .report = {}, .accepted = {}, .recovered = false};
   treated.report = report_overlaps(input, mesh, treated.gaps);
-  if (treated.report.faults.empty() && any_to_place(treated.gaps)) place(input, mesh, rules, treated);
+  std::vector<std::string> beyond;
+  if (treated.report.faults.empty() && any_to_place(treated.gaps)) beyond = place(input, mesh, rules, treated);
   treated.recovered = !treated.report.warnings.empty();
+  treated.report.warnings.insert(treated.report.warnings.end(), beyond.begin(), beyond.end());
   if (!treated.report.faults.empty()) return treated;
   const auto asked = [&](setup::OverlapRule rule) {
     return std::ranges::any_of(treated.gaps.overlaps, [&](const setup::InitialOverlap& o) { return o.rule == rule; });

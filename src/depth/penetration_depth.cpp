@@ -70,6 +70,7 @@ void certify(const Encounter& encounter, const Query& query, Search& search, Ans
 void search_all(Encounter& encounter, const Query& query, const Mat3& basis, Search& search, Answer& answer) {
   for (const Placement& placement : query.tries)
     search.walk_from_placement(motion_between(encounter.start, placement, encounter.a.shape.centroid));
+  search.forget_work();
   if (!query.warm || search.best().length > trusted * answer.bound) {
     StartOptions options;
     options.metric = query.metric;

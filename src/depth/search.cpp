@@ -40,6 +40,10 @@ Effort effort_of(Metric metric, bool careful, double clearance, const Mat3& basi
   return effort;
 }
 
+std::int64_t Search::work() const {
+  return walker_.pairs() + step_work * steps_;
+}
+
 bool Search::done() const {
   return best_.length <= close_to_bound * bound_;
 }
@@ -58,7 +62,7 @@ void Search::walk_from_all(const std::vector<Start>& starts) {
   for (const Round& round : effort_.rounds) {
     std::sort(walks.begin(), walks.end(), shorter_walk);
     for (std::size_t i = 0; i < std::min(round.walks, walks.size()) && !done(); ++i) {
-      if (i >= round.least && walker_.pairs() + step_work * steps_ > round.work) break;
+      if (i >= round.least && work() - work_before_ > round.work) break;
       Walk& walk = walks[i];
       const int before = walk.steps;
       walker_.advance(encounter_, walk, effort_.walk, round.steps);

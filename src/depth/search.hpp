@@ -39,6 +39,9 @@ class Search {
   void walk_from_placement(const RigidMotion& motion);
   /// Walks in the other metrics, and from where they end in the own one.
   void help_by_other_metrics(const std::vector<Start>& starts);
+  /// What was done so far does not count against the work of the rounds that follow: what is tried first takes nothing
+  /// from the walks after it.
+  void forget_work() { work_before_ = work(); }
   /// The best answer brought to contact, and in the careful mode improved from there with a hundredth of the clearance.
   void finish(bool careful);
 
@@ -50,6 +53,7 @@ class Search {
   [[nodiscard]] std::int64_t pairs() const { return pairs_ + walker_.pairs(); }
 
  private:
+  [[nodiscard]] std::int64_t work() const;  ///< near pairs, and `step_work` a step
   [[nodiscard]] Start admitted_start(const RigidMotion& motion);
 
   Encounter& encounter_;
@@ -59,7 +63,7 @@ class Search {
   std::vector<RigidMotion> ends_;  // where the best walks of the last call ended, the shortest first
   Start best_{{}, std::numeric_limits<double>::infinity()};
   int walks_ = 0, steps_ = 0;
-  std::int64_t pairs_ = 0;
+  std::int64_t pairs_ = 0, work_before_ = 0;
 };
 
 }  // namespace brunt::depth

@@ -83,8 +83,10 @@ class Depth(Program):
         rows = self.assert_same_on_ranks("--poses", "poses.csv", "--sequence")
         self.write("again.csv", poses(70))
         alone = self.depth(1, "alone", "--poses", "again.csv")
-        longer = [row["pose"] for row, other in zip(rows, alone) if float(row["depth"]) > 1.05 * float(other["depth"])]
-        self.assertLessEqual(len(longer), 3, "a sequence is about as good as poses for themselves")
+        # until the final contact walks keep a clearance of 1e-6 of A's radius, which is above 1: no finer ranking of two
+        longer = [row["pose"] for row, other in zip(rows, alone) if float(row["depth"]) > float(other["depth"]) + 5e-6]
+        self.assertEqual(longer, [], "a start from the pose before comes on top of all others")
+        self.assertTrue(any(int(row["walks"]) > int(other["walks"]) for row, other in zip(rows, alone)))
 
     def test_certificates_are_the_same_bits_on_any_number_of_ranks(self):
         self.write("poses.csv", poses(2))

@@ -155,6 +155,30 @@ class Place(Program):
         _, output, _ = self.check(CUBES.replace("at: [0.9, 0, 0]", "at: [1.1, 0, 0]"))
         self.assertNotIn("smallest motion", output)
 
+    def test_check_moves_only_what_may_move(self):
+        """The left cube is the one that is named where none is held (above): of equal masses the first."""
+        for held, line in (("{part: left, dofs: [x, y, z]}", r"moving 'right' by 0\.1 m along \(1, 0, 0\) separates them \(translation\); no motion below 0\.1 m does"),
+                           ("{part: left, dofs: [x]}", r"moving 'right' by 0\.1 m along \(1, 0, 0\)"),
+                           ("{part: left, dofs: [x]}, {part: right, dofs: [x, y, z]}", r"moving 'left' by 1 m along \(0, -?[01], -?[01]\) separates them"),
+                           ("{part: left, dofs: [x, y, z]}, {part: right, dofs: [x, y, z]}", "both are held, so that neither may move")):
+            _, output, errors = self.check(CUBES.replace("initial_overlap: place", "initial_overlap: offset") + f"fixed: [{held}]\n")
+            self.assertRegex(output, "smallest motion +parts 'left' and 'right' overlap: " + line, errors)
+
+    def test_parts_placed_through_walls_and_planes_are_named(self):
+        wall = CUBES + "rigid_walls: [{name: side, point: [WALL, 0, 0], normal: [1, 0, 0]}]\n"
+        warning = r"^warning: scene\.yaml:\d+: rigid_walls\.0.*: initial_overlap: place puts part 'left' 0\.03 m behind rigid wall 'side'$"
+        for place, told in (("-0.02", True), ("-0.06", False)):
+            code, output, errors = self.check(wall.replace("WALL", place))
+            self.assertEqual(code, 0, errors)
+            self.assertEqual(bool(re.search(warning, output, re.M)), told, output)
+            self.assertNotIn("'right' 0", output)
+        base = CUBES.replace("materials:", "  - {box: {part: base, size: [1, 1, 1], elements: [1, 1, 1], at: [-0.02, 3, 0]}}\nmaterials:", 1).replace(
+            "right: {material: light}}", "right: {material: light}, base: {material: light}}")
+        code, output, errors = self.check(base + "symmetry: [{point: [-0.02, 0, 0], normal: [-1, 0, 0]}]\n")
+        self.assertEqual(code, 0, errors)
+        self.assertRegex(output, r"(?m)^warning: scene\.yaml:\d+: symmetry\.0.*: initial_overlap: place puts part 'left' 0\.03 m across the plane of symmetry$")
+        self.assertNotRegex(output, "puts part '(right|base)'")
+
     def test_check_on_three_ranks(self):
         self.write("scene.yaml", HEAP)
         told = []

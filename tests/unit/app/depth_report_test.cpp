@@ -20,6 +20,21 @@ TEST_CASE("depth_report: the screw takes the body from where it stood to where i
   CHECK((found - wanted).norm() < 1e-13);
 }
 
+TEST_CASE("depth_report: a turn below the accuracy of the mode is a move") {
+  app::DepthRow row = support::depth_row();
+  row.answer.motion = {depth::Turn(depth::rotation_of(Vec3(0, 1e-6, 0))), Vec3(.3, 0, 0)};
+  row.start.rotation.setIdentity();
+  row.answer.placement = depth::moved(row.start, row.answer.motion, row.centroid);
+  row.least_turn = 0;
+  CHECK_THAT(app::described(row), Contains("  turn 5.72958e-05 degrees about the axis "));
+  row.least_turn = 1e-5;
+  CHECK_THAT(app::described(row), Contains("  move 0.3 along (1, 0, 0)\n"));
+  const nlohmann::ordered_json json = app::as_json(row);
+  CHECK(json["screw"]["degrees"] == 0);
+  CHECK(json["screw"]["slide"] == .3);
+  CHECK(json["placement"][0][2].get<double>() == Approx(1e-6));  // exact all the same
+}
+
 TEST_CASE("depth_report: an answer read from the table tells the same, but for the contacts") {
   const app::DepthRow row = support::depth_row();
   const auto record = io::csv_records(app::csv_row(row)).records.at(0);

@@ -14,6 +14,7 @@ inline app::DepthRow depth_row() {
   row.centroid = {.1, .2, .3};
   row.start.rotation = depth::rotation_of(Vec3(.3, -.2, .1)).toRotationMatrix();
   row.start.translation = {1, 2, 1. / 3};
+  row.least_turn = 1e-5;
   row.seconds = .0125;
   depth::Answer& answer = row.answer;
   answer.overlap = true;
