@@ -8,16 +8,10 @@
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/implicit/measure.hpp"
 #include "brunt/time/sum_forces.hpp"
+#include "nodal.hpp"
 
 namespace brunt::implicit {
 namespace {
-
-Vec3 of(const Quad& q) {
-  return {q[0], q[1], q[2]};
-}
-Vec3 of(const std::vector<double>& nodal, std::size_t node) {
-  return nodal.empty() ? Vec3(Vec3::Zero()) : Vec3(&nodal[3 * node]);
-}
 
 /// What acts on a node but for contact and supports.
 struct NodeForces {

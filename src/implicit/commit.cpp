@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/implicit/commit.hpp"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
-#include <span>
 
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/implicit/balance.hpp"
+#include "nodal.hpp"
 
 namespace brunt::implicit {
 namespace {
-
-Vec3 of(const Quad& q) {
-  return {q[0], q[1], q[2]};
-}
-Vec3 of(const std::vector<double>& nodal, std::size_t node) {
-  return nodal.empty() ? Vec3(Vec3::Zero()) : Vec3(&nodal[3 * node]);
-}
-void put(const Vec3& value, std::vector<double>& nodal, std::size_t node) {
-  for (std::size_t c = 0; c < 3; ++c) nodal[3 * node + c] = value[static_cast<int>(c)];
-}
 
 /// What happened to one node in the step.
 struct NodeStep {
@@ -100,14 +92,33 @@ NodeStep commit_node(const Scene& scene, Solver& solver, std::size_t i) {
   return step;
 }
 
-void book_contact(const Scene& scene, Solver& solver, std::span<comm::ExactAccumulator> taken) {
-  if (!solver.contact.any()) return;
-  std::array<double, 2> energy{};
-  comm::exact_sum(scene.links.ranks, taken, energy);
-  solver.contact_work.normal += energy[0];
-  solver.contact_work.friction += energy[1];
-  keep_contact(solver.contact);
-}
+/// What contact did in one step, summed over the nodes that ranks own.
+class ContactSums {
+ public:
+  /// With both ends of the step on a straight way, a force at its end and the mean place change the angular momentum by
+  /// the moment of the force there.
+  void add(const NodeStep& step, const Vec3& mean_place) {
+    const Vec3 moment = mean_place.cross(step.contact_impulse);
+    sums_[normal].add(-(step.contact - step.friction).dot(step.travel));
+    sums_[friction].add(-step.friction.dot(step.travel));
+    for (std::size_t c = 0; c < 3; ++c) sums_[spin + c].add(moment[static_cast<int>(c)]);
+    sums_[push].add(step.contact_impulse.norm());
+  }
+  /// Collective.
+  void book(const comm::Communicator& ranks, const MortarContact& contact, ContactAccount& account) {
+    std::array<double, terms> value{};
+    comm::exact_sum(ranks, sums_, value);
+    account.normal += value[normal];
+    account.friction += value[friction];
+    for (std::size_t c = 0; c < 3; ++c) account.spin[c] += value[spin + c];
+    account.push += value[push];
+    account.penetration = std::max(account.penetration, penetration(contact));
+  }
+
+ private:
+  enum Term : std::size_t { normal, friction, spin, push = spin + 3, terms };
+  std::array<comm::ExactAccumulator, terms> sums_;
+};
 
 }  // namespace
 
@@ -116,7 +127,6 @@ void begin_step(const Scene& scene, Solver& solver, double dt, double time) {
   model::State& state = scene.state;
   trial.rule = rule_of(solver.settings, dt);
   trial.time_before = state.time;
-  trial.dt_before = state.dt;
   trial.time = time;
   trial.ratios.clear();
   for (std::size_t i = 0; i < state.nodes.size(); ++i) put(Eigen::Map<const Vec3>(state.nodes[i].v), trial.velocity, i);
@@ -137,17 +147,20 @@ void begin_step(const Scene& scene, Solver& solver, double dt, double time) {
 }
 
 void commit_step(const Scene& scene, Solver& solver) {
-  std::array<comm::ExactAccumulator, 2> taken;
+  ContactSums sums;
   std::size_t next_owned = 0;
   for (std::size_t i = 0; i < scene.state.nodes.size(); ++i) {
     const NodeStep step = commit_node(scene, solver, i);
     const auto& own = solver.unknowns.node;
     if (next_owned == own.size() || static_cast<std::size_t>(own[next_owned]) != i) continue;
     ++next_owned;
-    taken[0].add(-(step.contact - step.friction).dot(step.travel));
-    taken[1].add(-step.friction.dot(step.travel));
+    if (solver.contact.any())
+      sums.add(step, of(scene.model.reference[i]) + of(scene.state.displacement[i]) - 0.5 * step.travel);
   }
-  book_contact(scene, solver, taken);
+  if (solver.contact.any()) {
+    sums.book(scene.links.ranks, solver.contact, solver.contact_account);
+    keep_contact(solver.contact);
+  }
   force::commit(solver.history, scene.state.history);
   model::State& state = scene.state;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)

@@ -162,10 +162,11 @@ ContactCounts count(const MortarContact& contact) {
     sum.segments += static_cast<GlobalIndex>(face.rows.segments);
     sum.pairs += face.search.counts.pairs;
     sum.tests += face.search.counts.tests;
-    sum.active +=
-        face.pair.tied
-            ? static_cast<GlobalIndex>(std::ranges::count_if(face.tie.covered, [](double a) { return a > 0; }))
-            : static_cast<GlobalIndex>(std::ranges::count(face.active, std::uint8_t{1}));
+    const auto held = static_cast<GlobalIndex>(
+        face.pair.tied ? std::ranges::count_if(face.tie.covered, [](double area) { return area > 0; })
+                       : std::ranges::count(face.active, std::uint8_t{1}));
+    sum.active += held;
+    if (!face.pair.tied) sum.touching += held;
   }
   return sum;
 }

@@ -25,6 +25,13 @@ using contact::MortarPair;
 /// single precision leave, and less than any contact cares for.
 constexpr double touching = 1e-6;
 
+/// Meshes whose mean edges differ by less are alike: the first is the slave then.
+constexpr double clearly = 1 - 1e-6;
+
+/// Stiffness of sticking rows over that of a layer of one facet, E / edge: at a traction of E they slip by a tenth of
+/// an edge. Softer ones creep before they slide, stiffer ones cost iterations.
+constexpr double sticking = 10;
+
 /// An exterior face of a body in contact, as all ranks see it.
 struct FaceRecord {
   GlobalIndex key = 0;
@@ -184,7 +191,6 @@ Interface make_interface(const model::Model& model, const ContactNodes& nodes, c
   face.pair = asked;
   EdgeLengths slave = edges_of(facets_of(nodes, faces, asked.slave), nodes.reference);
   EdgeLengths master = edges_of(facets_of(nodes, faces, asked.master), nodes.reference);
-  constexpr double clearly = 1 - 1e-6;  // of meshes that are alike the first is the slave
   if (asked.choose_slave && master.mean < clearly * slave.mean) {
     std::swap(face.pair.slave, face.pair.master);
     std::swap(slave, master);
@@ -202,7 +208,6 @@ Interface make_interface(const model::Model& model, const ContactNodes& nodes, c
   };
   const double young = std::min(young_of(block(face.pair.slave)), young_of(block(face.pair.master)));
   face.stiffness = contact::layer_stiffness(young, face.topology);
-  constexpr double sticking = 10;  // times a layer: slip before sliding is a tenth of a facet at a traction of E / 1
   face.friction = {asked.friction, sticking * face.stiffness};
   face.scratch = contact::make_mortar_scratch();
   const std::size_t n = face.count();
@@ -252,14 +257,15 @@ void refuse_held(const model::Model& model, const MortarContact& contact, const 
     return model.blocks[static_cast<std::size_t>(b)].part;
   };
   if (face.surfaces.slave.empty() || face.surfaces.master.empty())
-    throw InputError(fmt::format("contact: {} has no face that could meet {}; accepted: parts with exterior faces",
+    throw InputError(fmt::format("{}: {} has no face that could meet {}; accepted: parts with exterior faces",
+                                 face.pair.entry,
                                  part(face.surfaces.slave.empty() ? face.pair.slave : face.pair.master),
                                  part(face.surfaces.slave.empty() ? face.pair.master : face.pair.slave)));
   if (!moves(face.surfaces.slave) && !moves(face.surfaces.master))
     throw InputError(
-        fmt::format("contact: all nodes of the surfaces of {} and {} are held; accepted: a pair of which "
+        fmt::format("{}: all nodes of the surfaces of {} and {} are held; accepted: a pair of which "
                     "one can give way",
-                    part(face.pair.slave), part(face.pair.master)));
+                    face.pair.entry, part(face.pair.slave), part(face.pair.master)));
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ void add_arrays(const model::Model& model, Solver& solver, model::Registry& regi
         registry.arrays.push_back(
             {name, model::StateArray::Entity::global, -1, 1, width, values, 1, width, 1, 0, true, true});
     };
-    global("contact_work", &solver.contact_work.normal, 2);
+    global("contact_account", &solver.contact_account.normal, contact_account_width);
     global("multipliers", solver.contact.z_before.data(), solver.contact.z_before.size());
     global("friction_tractions", solver.contact.traction_before.data(), solver.contact.traction_before.size());
   }

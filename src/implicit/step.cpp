@@ -17,6 +17,12 @@
 namespace brunt::implicit {
 namespace {
 
+/// Where the forces that are left are largest: who looks finds its part there.
+struct Unbalanced {
+  double force = 0;      ///< [force]; the same on all ranks
+  GlobalIndex gid = -1;  ///< canonical number of the node
+};
+
 /// The node of this many unknowns with the largest part, the one with the least number of equals. Collective.
 Unbalanced largest_of(const Scene& scene, const Solver& solver, std::span<const double> values) {
   Unbalanced most;

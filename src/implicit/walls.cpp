@@ -2,27 +2,13 @@
 #include "brunt/implicit/walls.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
+#include "brunt/contact/mortar/corners.hpp"
 #include "brunt/contact/mortar/segment.hpp"
 #include "brunt/contact/search/facet_tree.hpp"
 
 namespace brunt::implicit {
-namespace {
-
-struct Corners {
-  std::array<Vec3, 4> x;
-  std::size_t count = 0;
-  Corners(const contact::FacetNodes& nodes, std::span<const Vec3> positions) {
-    for (const LocalIndex node : nodes)
-      if (node != no_index) x[count++] = positions[static_cast<std::size_t>(node)];
-  }
-  [[nodiscard]] contact::FacetCorners span() const { return {x.data(), count}; }
-};
-
-}  // namespace
-
 std::vector<double> walls(const std::vector<contact::FacetNodes>& facets, std::span<const Vec3> x, double reach) {
   std::vector<double> wall(facets.size(), std::numeric_limits<double>::infinity());
   if (facets.empty()) return wall;
@@ -36,8 +22,8 @@ std::vector<double> walls(const std::vector<contact::FacetNodes>& facets, std::s
   contact::SegmentIntegrals integrals;
   for (const contact::FacetPair& pair : pairs) {
     const auto one = static_cast<std::size_t>(pair.slave), other = static_cast<std::size_t>(pair.master);
-    if (!contact::make_slave_plane(Corners(facets[one], x).span(), plane)) continue;
-    const Corners behind(facets[other], x);
+    if (!contact::make_slave_plane(contact::CornersOf(facets[one], x).span(), plane)) continue;
+    const contact::CornersOf behind(facets[other], x);
     if (!contact::integrate_segment(plane, behind.span(), reach, integrals) || integrals.distance >= 0) continue;
     wall[one] = std::min(wall[one], -integrals.distance);
   }

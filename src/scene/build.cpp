@@ -149,7 +149,8 @@ void build_mortar(const Input& input, model::Model& model) {
     return static_cast<std::int32_t>(std::ranges::find(model.blocks, part, &model::ElementBlock::part) -
                                      model.blocks.begin());
   };
-  for (const ContactEntry& entry : input.contact) {
+  for (std::size_t k = 0; k < input.contact.size(); ++k) {
+    const ContactEntry& entry = input.contact[k];
     if (!entry.mortar) continue;
     contact::MortarPair pair{block_of(entry.between[0]), block_of(entry.between[1])};
     pair.choose_slave = entry.slave == ContactEntry::Slave::automatic;
@@ -158,6 +159,7 @@ void build_mortar(const Input& input, model::Model& model) {
     pair.enforce = entry.enforce;
     pair.friction = entry.friction.fixed;
     pair.tied = entry.tied;
+    pair.entry = input.at(fmt::format("contact.{}", k));
     const auto same = [&](const contact::MortarPair& other) {  // a later entry wins
       return std::minmax(other.slave, other.master) == std::minmax(pair.slave, pair.master);
     };

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "brunt/comm/halo.hpp"
@@ -80,13 +79,14 @@ struct MortarContact {
   std::vector<GlobalIndex> own_rows;  ///< multipliers whose slave node this rank owns: rows of the system, ascending
   std::vector<LocalIndex> own;        ///< their places in `z`
   comm::Halo gather_z;                ///< from the owners to all
-  std::vector<std::string> notes{};   ///< what the log is to tell, on every rank
   [[nodiscard]] bool any() const { return !interfaces.empty(); }
 };
 
 /// Sums of contact over a run, and what it looks like now.
 struct ContactCounts {
-  GlobalIndex segments = 0, pairs = 0, tests = 0, active = 0;
+  GlobalIndex segments = 0, pairs = 0, tests = 0;
+  GlobalIndex active = 0;    ///< rows that push, or hold (ties)
+  GlobalIndex touching = 0;  ///< of these, rows that are no ties
 };
 
 /// Interfaces of Model::mortar. Throws InputError where two surfaces cannot make one. Collective.

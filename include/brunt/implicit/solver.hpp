@@ -41,7 +41,7 @@ struct Balance {
 struct Trial {
   Rule rule;
   double time = 0;  ///< t_{n+1}
-  double dt_before = 0, time_before = 0;
+  double time_before = 0;
   std::vector<double> displacement;  ///< of all nodes of this rank, three each: u at the iterate
   std::vector<double> velocity;      ///< likewise v_n
   std::vector<Vec3> given;           ///< of Model::constrained: Q (u_{n+1} - u_n), Q the directions that are held
@@ -53,10 +53,14 @@ struct Trial {
   double energy = 0;           ///< correction . forces left at the last iterate but one [energy]
 };
 
-/// What contact has taken from the bodies since t = 0 [energy]: saved, doubles only.
-struct ContactWork {
-  double normal = 0, friction = 0;
+/// What contact has done since t = 0: saved, doubles only.
+struct ContactAccount {
+  double normal = 0, friction = 0;  ///< taken from the bodies [energy]
+  double penetration = 0;           ///< the deepest [length]
+  double spin[3] = {0, 0, 0};       ///< moment of its impulses: what it adds to the angular momentum of all bodies
+  double push = 0;                  ///< sum of the sizes of its impulses [momentum]
 };
+constexpr int contact_account_width = sizeof(ContactAccount) / sizeof(double);
 
 /// What has been done so far in this program.
 struct Work {
@@ -79,7 +83,7 @@ struct Solver {
   std::vector<LocalIndex> held;  ///< by local node: index into Model::constrained, or no_index
   double support_stiffness = 0;  ///< of held directions in the system [force/length]
   Memory memory;
-  ContactWork contact_work;
+  ContactAccount contact_account;
   Trial trial;
   Work work;
 };

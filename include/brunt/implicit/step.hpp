@@ -18,12 +18,6 @@ namespace brunt::implicit {
 
 constexpr int most_iterations = 20;  ///< three times those of a hard step that succeeds; then a shorter one is cheaper
 
-/// Where the forces that are left are largest: who looks finds its part there.
-struct Unbalanced {
-  double force = 0;      ///< [force]; the same on all ranks
-  GlobalIndex gid = -1;  ///< canonical number of the node
-};
-
 /// From t_n to t_{n+1}. Throws GuardError where no step down to min_step converges or a body floats that nothing
 /// holds: then the state is that of t_n. `place` tells the node of a message. Collective.
 void advance(const Scene& scene, Solver& solver, const std::function<std::string(GlobalIndex gid)>& place);

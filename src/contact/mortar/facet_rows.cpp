@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "corners.hpp"
+#include "brunt/contact/mortar/corners.hpp"
 
 namespace brunt::contact {
 

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 
 #include "add_block.hpp"
+#include "brunt/contact/mortar/corners.hpp"
 #include "brunt/core/cross_matrix.hpp"
-#include "corners.hpp"
 
 namespace brunt::contact {
 

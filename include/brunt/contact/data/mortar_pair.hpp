@@ -2,6 +2,7 @@
 // What a scene asks of one mortar interface: two blocks that meet segment to segment.
 #pragma once
 #include <cstdint>
+#include <string>
 
 namespace brunt::contact {
 
@@ -21,6 +22,7 @@ struct MortarPair {
   } enforce = Enforce::lagrange;
   double friction = 0;  ///< Coulomb's coefficient
   bool tied = false;
+  std::string entry{};  ///< where it was asked for, as messages begin
 };
 
 }  // namespace brunt::contact

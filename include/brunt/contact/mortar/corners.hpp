@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+// Corners of a facet, whose nodes are numbers of one array.
 #pragma once
+#include <array>
+#include <span>
+
 #include "brunt/contact/mortar/interface.hpp"
 
 namespace brunt::contact {
 
-/// Positions of the corners of a facet.
+/// Positions of the three or four corners [length].
 struct CornersOf {
   std::array<Vec3, 4> x;
   std::size_t count = 0;
