@@ -67,16 +67,18 @@ double half_diagonal(const Prepared& run) {
 
 }  // namespace
 
-Results::Results(Prepared& run, std::string folder, std::optional<GlobalIndex> restart_step, Log& log)
+Results::Results(Prepared& run, std::string folder, const std::optional<KeptRecords>& kept, Log& log)
     : run_(run), folder_(std::move(folder)), log_(log), probes_(run, units_of(run)) {
   std::vector<io::HistoryColumn> columns = ledger_columns(units_of(run));
   columns.insert(columns.end(), probes_.columns().begin(), probes_.columns().end());
   on_root(run.links.ranks, [&] {  // a history that does not fit is refused on all ranks
-    history_ = std::make_unique<io::HistoryFile>(folder_ + "/history.csv", columns, restart_step);
+    history_ = std::make_unique<io::HistoryFile>(folder_ + "/history.csv", columns,
+                                                 kept ? std::optional(kept->rows) : std::nullopt);
   });
   io::StateMesh mesh = io::state_mesh(run.model.mesh, run.links.ranks.rank());
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) mesh.blocks[b].part = run.model.blocks[b].part;
-  states_ = std::make_unique<io::StateFile>(run.links.ranks, folder_, mesh, restart_step);
+  states_ = std::make_unique<io::StateFile>(run.links.ranks, folder_, mesh,
+                                            kept ? std::optional(kept->fields) : std::nullopt);
   const scene::UnitSystem& units = units_of(run);
   if (units.metre > 0)
     for (const auto& [quantity, unit] : {std::pair{"time", units.time},

@@ -32,10 +32,15 @@ struct LoopCost {
   Timers timers;
 };
 
+/// The last steps of which a run that goes on keeps the records that it finds.
+struct KeptRecords {
+  GlobalIndex fields, rows;
+};
+
 class Results {
  public:
-  /// Opens the files of the folder; `restart_step`: goes on in them. Collective.
-  Results(Prepared& run, std::string folder, std::optional<GlobalIndex> restart_step, Log& log);
+  /// Opens the files of the folder; `kept`: goes on in them. Collective.
+  Results(Prepared& run, std::string folder, const std::optional<KeptRecords>& kept, Log& log);
 
   /// Tells of rows that history.csv had when the checkpoint was written and has no more.
   void warn_of_missing_rows(const io::CheckpointHeader& checkpoint);

@@ -46,6 +46,16 @@ void record_scene(const Prepared& run, const RunOptions& options, const std::str
                   std::filesystem::path(options.scene).filename().string(), version(), run.scene_yaml));
 }
 
+/// Explicit runs evaluate the step of the checkpoint again: its own records come anew. Implicit runs do not; a record
+/// that is not due there was written because the run had come to its end.
+KeptRecords kept_records(const Prepared& run) {
+  const model::State& state = run.state;
+  const auto step = static_cast<GlobalIndex>(state.step);
+  const bool fields = run.implicit && due(state, run.input.output.every, implicit_slack);
+  const bool row = run.implicit && implicit_row_due(state, run.input);
+  return {fields ? step : step - 1, row ? step : step - 1};
+}
+
 void announce(const Prepared& run, Log& log) {
   const model::Model& model = run.model;
   log.line(fmt::format("{} ({} units)", run.input.title.empty() ? run.input.file : run.input.title, run.input.units));
@@ -101,9 +111,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   }
   on_root(ranks, [&] { record_scene(*prepared, options, folder); });
   catch_signals();
-  // the step of the checkpoint is evaluated again in explicit runs: its own records come anew
-  const GlobalIndex evaluated_again = prepared->implicit ? 0 : 1;
-  Results results(*prepared, folder, restart ? std::optional(restart->step - evaluated_again) : std::nullopt, log);
+  Results results(*prepared, folder, restart ? std::optional(kept_records(*prepared)) : std::nullopt, log);
   if (restart) results.warn_of_missing_rows(*restart);
   Loop loop(*prepared, results, log, start);
   Outcome outcome = loop.go();

@@ -22,6 +22,7 @@ import yaml
 
 BRUNT, RUN, CASES = os.environ["BRUNT"], os.environ["BRUNT_RUN"], os.environ["BRUNT_CASES"]
 STEPS = 450  # of a run in short: nearly all cases have met their wall or each other by then
+IMPLICIT_STEPS = 8  # the same of implicit scenes, whose steps are some hundred times as long and cost as much more
 MOST_STEPS = 3600  # of those that have not
 PATIENCE = 600  # [s] for one run
 
@@ -78,7 +79,7 @@ class Restart(unittest.TestCase):
 
     def run_whole(self, scene, tree, whole):
         """On one rank, in short as many steps as it takes until something touches, and as many again."""
-        limit = None if WHOLE else STEPS
+        limit = None if WHOLE else IMPLICIT_STEPS if tree.get("solver", "explicit") != "explicit" else STEPS
         self.run_scene(1, scene, whole, limit)
         while limit and limit < MOST_STEPS and meets(tree) and not self.touching(whole):
             limit *= 2
