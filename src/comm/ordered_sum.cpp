@@ -37,7 +37,7 @@ Ragged<Announcement> announce(const Communicator& ranks, std::span<const Contrib
       to_rank[static_cast<std::size_t>(rank)].push_back(
           {contribution.node_gid, contribution.key, static_cast<LocalIndex>(slot), 0});
   }
-  return exchange(ranks, to_rank);
+  return comm::exchange(ranks, to_rank);
 }
 
 Ragged<LocalIndex> in_key_order(std::vector<std::vector<Term>>& terms) {

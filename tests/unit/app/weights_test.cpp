@@ -43,24 +43,24 @@ std::int64_t faces_of(const partition::Weights& weights, std::size_t from, std::
   return sum;
 }
 
-constexpr std::size_t slab = 4, all = 4 + 27;
+constexpr std::size_t slab = 4, both = 4 + 27;
 
 }  // namespace
 
 TEST_CASE("weights: a fully integrated element costs five of one point") {
   const partition::Weights weights = Scene("").weights();
-  REQUIRE(weights.cost.size() == all);
-  for (std::size_t e = 0; e < all; ++e) CHECK(weights.cost[e] == Approx(weights.cost[0] * (e < slab ? 1 : 5)));
-  CHECK(faces_of(weights, 0, all) == 0);  // no contact
+  REQUIRE(weights.cost.size() == both);
+  for (std::size_t e = 0; e < both; ++e) CHECK(weights.cost[e] == Approx(weights.cost[0] * (e < slab ? 1 : 5)));
+  CHECK(faces_of(weights, 0, both) == 0);  // no contact
 }
 
 TEST_CASE("weights: faces of the slave that are near the master, or fall onto it, count") {
   const partition::Weights near = Scene("contact: [{between: all}]\n").weights();
   CHECK(faces_of(near, 0, slab) == 0);
-  CHECK(faces_of(near, slab, all) >= 9);       // its foot
-  CHECK(faces_of(near, slab, all) <= 9 + 12);  // and what of its sides is near
+  CHECK(faces_of(near, slab, both) >= 9);       // its foot
+  CHECK(faces_of(near, slab, both) <= 9 + 12);  // and what of its sides is near
   const std::string fast = "contact: [{between: all}]\ninitial: [{part: cube, velocity: [0, 0, -10]}]\n";
-  CHECK(faces_of(Scene(fast, 5).weights(), slab, all) == 9);
+  CHECK(faces_of(Scene(fast, 5).weights(), slab, both) == 9);
 }
 
 TEST_CASE("weights: faces in a plane of symmetry touch nothing") {
