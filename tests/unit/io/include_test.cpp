@@ -15,7 +15,7 @@ using namespace brunt;
 namespace {
 
 const std::string nodes = "1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0,0,1\n6,1,0,1\n7,1,1,1\n8,0,1,1\n";
-const std::string element = "1,1,2,3,4,5,6,7,8\n";
+const std::string cube = "1,1,2,3,4,5,6,7,8\n";
 
 struct Files {
   test::OwnFolder folder{"include"};
@@ -46,7 +46,7 @@ TEST_CASE("an included file stands where it is named", "[include]") {
     files.put("main.inp", "*Heading\nx\n" + word + "*Elset, elset=more\n1\n*Nset, nset=foot\n1, 2\n");
     files.put("sub/a.inp", "** nodes\n*Node\n*Include, input=deeper/n.inp\n*Include, input=../e.inp\n");
     files.put("sub/deeper/n.inp", nodes);  // data of the card before
-    files.put("e.inp", "*Element, type=C3D8, elset=all\n" + element);
+    files.put("e.inp", "*Element, type=C3D8, elset=all\n" + cube);
     const mesh::Mesh mesh = io::read_mesh(files.folder.path + "/main.inp");
     REQUIRE(mesh.blocks.size() == 1);
     CHECK(mesh.blocks[0].name == "all");
@@ -58,7 +58,7 @@ TEST_CASE("an included file stands where it is named", "[include]") {
       "main.inp",
       "*Node, input=n.txt, nset=every\n*Element, type=C3D8, elset=all, input=e.txt\n*Nset, nset=one, input=s.txt\n");
   files.put("n.txt", nodes);
-  files.put("e.txt", element);
+  files.put("e.txt", cube);
   files.put("s.txt", "every\n");
   CHECK(io::read_mesh(files.folder.path + "/main.inp").node_sets.at("one").size() == 8);
 }
