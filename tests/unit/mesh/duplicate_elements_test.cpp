@@ -22,7 +22,7 @@ Mesh with_block(Mesh mesh, Shape shape, std::vector<LocalIndex> nodes) {
   return mesh;
 }
 
-std::vector<LocalIndex> element(const Mesh& mesh, LocalIndex e) {
+std::vector<LocalIndex> nodes_of(const Mesh& mesh, LocalIndex e) {
   const LocalIndex* nodes = mesh.blocks[0].element(e);
   return {nodes, nodes + nodes_per_element(mesh.blocks[0].shape)};
 }
@@ -33,7 +33,7 @@ TEST_CASE("a duplicate on the same nodes is named with its pair", "[duplicates]"
   const Mesh plain = box("b", {1, 1, 1}, {2, 3, 2});
   CHECK(duplicate_elements(plain).empty());
   for (const LocalIndex e : {0, 5, 11}) {
-    const std::vector<LocalIndex> n = element(plain, e);
+    const std::vector<LocalIndex> n = nodes_of(plain, e);
     const std::string pair = " (block second) has the nodes of element " + std::to_string(e + 1) + " (block b)";
     const std::vector<std::vector<LocalIndex>> orders{
         n, {n[1], n[2], n[3], n[0], n[5], n[6], n[7], n[4]}, {n[4], n[0], n[3], n[7], n[5], n[1], n[2], n[6]}};
@@ -45,7 +45,7 @@ TEST_CASE("a duplicate on the same nodes is named with its pair", "[duplicates]"
   }
   Mesh same = plain;  // within one block, one of twelve there twice and another three times
   for (const LocalIndex e : {3, 7, 7}) {
-    const auto again = element(plain, e);
+    const auto again = nodes_of(plain, e);
     same.blocks[0].nodes.insert(same.blocks[0].nodes.end(), again.begin(), again.end());
     same.blocks[0].element_id.push_back(50 + e);
   }
