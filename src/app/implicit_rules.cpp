@@ -61,9 +61,10 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
   for (const model::ElementBlock& block : model.blocks) check_part(input, block, faults);
   if (!model.removals.empty())
     faults.push_back(fmt::format("{}: is for explicit scenes; accepted: no removals", input.at("remove")));
-  if (!model.walls.empty())
-    faults.push_back(
-        fmt::format("{}: are for explicit scenes as yet; accepted: no rigid walls", input.at("rigid_walls")));
+  for (std::size_t w = 0; w < model.walls.size(); ++w)
+    if (const contact::FrictionLaw& law = model.walls[w].friction; law.kinetic != law.fixed || law.lag > 0)
+      faults.push_back(fmt::format("{}: an implicit scene has one coefficient; accepted: a number, 0 or more",
+                                   input.at(fmt::format("rigid_walls.{}.friction", w))));
   for (std::size_t k = 0; k < input.contact.size(); ++k)
     if (!input.contact[k].mortar)
       faults.push_back(

@@ -112,6 +112,7 @@ void lay_nodes(const comm::Communicator& ranks, const model::Model& model, const
     nodes.here.push_back(held ? static_cast<LocalIndex>(here - model.mesh.node_gid.begin()) : no_index);
   }
   nodes.gather = comm::Halo(ranks, model.nodes(), source);
+  nodes.rows = nodes.free;
   nodes.x = nodes.reference;
   nodes.force.assign(nodes.gid.size(), Vec3::Zero());
   nodes.friction_force = nodes.force;

@@ -19,13 +19,13 @@ class Terms {
   /// - dF_row/dx_column: residuals have the forces with a minus.
   void node_node(LocalIndex row, LocalIndex column, const Mat3& slope) {
     if (!mine(row)) return;
-    const Mat3 block = -(free(row) * slope);
+    const Mat3 block = -(taken(row) * slope);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) add(3 * gid(row) + i, 3 * gid(column) + j, block(i, j));
   }
   void node_multiplier(LocalIndex row, GlobalIndex multiplier, const Vec3& slope) {
     if (!mine(row)) return;
-    const Vec3 part = -(free(row) * slope);
+    const Vec3 part = -(taken(row) * slope);
     for (int i = 0; i < 3; ++i) add(3 * gid(row) + i, multiplier, part[i]);
   }
   void multiplier_node(GlobalIndex multiplier, LocalIndex column, const Vec3& slope) {
@@ -43,7 +43,7 @@ class Terms {
   [[nodiscard]] bool mine(GlobalIndex multiplier) const {
     return own_multiplier_[static_cast<std::size_t>(multiplier - contact_.interfaces.front().first)] != 0;
   }
-  [[nodiscard]] const Mat3& free(LocalIndex node) const { return contact_.nodes.free[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] const Mat3& taken(LocalIndex node) const { return contact_.nodes.rows[static_cast<std::size_t>(node)]; }
   [[nodiscard]] GlobalIndex gid(LocalIndex node) const { return contact_.nodes.gid[static_cast<std::size_t>(node)]; }
   void add(GlobalIndex row, GlobalIndex column, double value) { terms_.push_back({row, column, value}); }
 

@@ -78,7 +78,8 @@ Attempt iterate(const Scene& scene, Solver& solver) {
   problem.judge = [&](int iteration, std::span<const double>, std::span<const double> residual) {
     const Balance& now = trial.balance;
     trial.ratios.push_back(now.given > 0 ? now.left / now.given : 0.0);
-    if (now.left <= std::max(solver.settings.tolerance * now.given, now.rounding))
+    if (now.left <= std::max(solver.settings.tolerance * now.given, now.rounding) &&
+        chosen_by_balance(scene.links.ranks, solver.walls))
       return comm::NewtonVerdict::converged;
     if (iteration < most_iterations && std::isfinite(now.left)) return comm::NewtonVerdict::go_on;
     attempt.worst = largest_of(scene, solver, residual);
@@ -100,7 +101,8 @@ Attempt iterate(const Scene& scene, Solver& solver) {
     trial.energy = energy[0];
     return true;
   };
-  if (solver.contact.any()) problem.step_length = [&](const comm::NewtonStep& step) { return share_of(step, trial); };
+  if (solver.contact.any() || solver.walls.any())
+    problem.step_length = [&](const comm::NewtonStep& step) { return share_of(step, trial); };
   attempt.newton = comm::newton(scene.links.ranks, solver.u, problem);
   return attempt;
 }

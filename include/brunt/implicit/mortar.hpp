@@ -22,6 +22,7 @@ struct ContactNodes {
   std::vector<GlobalIndex> gid;      ///< ascending
   std::vector<LocalIndex> own;       ///< of each: its place in Unknowns::node where this rank owns it, or no_index
   std::vector<LocalIndex> here;      ///< of each: local index where this rank holds it, or no_index
+  std::vector<Mat3> rows;            ///< of each of this rank: multiplies its rows, supports and walls taken out
   std::vector<Mat3> free;            ///< of each: projector on the directions that supports leave free
   comm::Halo gather;                 ///< from all ranks' nodes to these
   std::vector<Vec3> reference, x;    ///< at the start, at the iterate [length]

@@ -7,6 +7,7 @@
 #include "brunt/comm/linear_system.hpp"
 #include "brunt/force/trial.hpp"
 #include "brunt/implicit/mortar.hpp"
+#include "brunt/implicit/rigid_walls.hpp"
 #include "brunt/implicit/scheme.hpp"
 #include "brunt/implicit/step_length.hpp"
 #include "brunt/implicit/stiffness.hpp"
@@ -26,6 +27,7 @@ struct Memory {
   std::vector<double> acceleration;  ///< of newmark and hht, else empty [length/time^2]
   /// Of contact, and of its friction alone; only where the scene has mortar interfaces [force].
   std::vector<double> contact_force, friction_force;
+  std::vector<double> wall_force, wall_friction;  ///< likewise of rigid walls, friction apart
   StepLength length;
 };
 
@@ -47,6 +49,7 @@ struct Trial {
   std::vector<Vec3> given;           ///< of Model::constrained: Q (u_{n+1} - u_n), Q the directions that are held
   std::vector<Vec3> given_velocity;  ///< likewise along driven axes, at t_{n+1}
   std::vector<double> contact_force, friction_force;  ///< of all nodes, three each; empty without contact [force]
+  std::vector<double> wall_force, wall_friction;      ///< likewise, set where the step is accepted [force]
   Balance balance;
   std::vector<double> ratios;  ///< balance.left / balance.given, iterate by iterate
   int iterate = 0;             ///< residuals found so far in the step
@@ -76,6 +79,7 @@ struct Solver {
   Unknowns unknowns;
   Stiffness stiffness;
   MortarContact contact;
+  WallContact walls;
   comm::LinearSystem system;
   comm::SparseRows rows;   ///< of the whole system
   force::History history;  ///< at the iterate
