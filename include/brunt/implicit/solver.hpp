@@ -7,6 +7,7 @@
 #include "brunt/comm/linear_system.hpp"
 #include "brunt/force/trial.hpp"
 #include "brunt/implicit/mortar.hpp"
+#include "brunt/implicit/newton_table.hpp"
 #include "brunt/implicit/scheme.hpp"
 #include "brunt/implicit/step_length.hpp"
 #include "brunt/implicit/stiffness.hpp"
@@ -48,9 +49,11 @@ struct Trial {
   std::vector<Vec3> given_velocity;  ///< likewise along driven axes, at t_{n+1}
   std::vector<double> contact_force, friction_force;  ///< of all nodes, three each; empty without contact [force]
   Balance balance;
-  std::vector<double> ratios;  ///< balance.left / balance.given, iterate by iterate
-  int iterate = 0;             ///< residuals found so far in the step
-  double energy = 0;           ///< correction . forces left at the last iterate but one [energy]
+  std::vector<double> ratios;          ///< balance.left / balance.given, iterate by iterate
+  std::vector<std::uint8_t> branches;  ///< of contact at the last iterate
+  std::vector<std::uint8_t> stood;     ///< iterate by iterate: they were the same as before it
+  int iterate = 0;                     ///< residuals found so far in the step
+  double energy = 0;                   ///< correction . forces left at the last iterate but one [energy]
 };
 
 /// What contact has done since t = 0: saved, doubles only.
@@ -67,8 +70,8 @@ struct Work {
   GlobalIndex steps = 0, iterations = 0, most_iterations = 0, halved = 0;
   double contact_seconds = 0;  ///< pairs, segments, rows, their slopes
   double factorise_seconds = 0, tangent_seconds = 0, force_seconds = 0, solve_seconds = 0;
-  double factor_bytes = 0;            ///< largest
-  std::vector<double> last_ratios{};  ///< Trial::ratios of the last step
+  double factor_bytes = 0;  ///< largest
+  NewtonTable newton{};
 };
 
 struct Solver {

@@ -1,10 +1,61 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/contact/mortar/tie.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <limits>
+#include <optional>
+
 #include "add_block.hpp"
+#include "brunt/contact/mortar/corners.hpp"
+#include "brunt/geometry/closest_point.hpp"
 #include "turn.hpp"
 
 namespace brunt::contact {
+
+namespace {
+
+/// Sum of the projectors on the free directions of the nodes that have a share in the master's place under a node.
+Mat3 freedom_below(const MortarSurfaces& surfaces, std::span<const LocalIndex> facets,
+                   const Ragged<LocalIndex>& candidates, std::span<const Vec3> x, const Vec3& place,
+                   std::span<const Mat3> free) {
+  constexpr double share = 1e-6;  // coordinates in single precision
+  double nearest = std::numeric_limits<double>::infinity();
+  Mat3 sum = Mat3::Identity();
+  for (const LocalIndex facet : facets)
+    for (const LocalIndex master : candidates.row(facet)) {
+      const FacetNodes& nodes = surfaces.master[static_cast<std::size_t>(master)];
+      const CornersOf corners(nodes, x);
+      const std::optional<geometry::FacePoint> point = geometry::closest_point(place, corners.span());
+      if (!point || !((point->point - place).norm() < nearest)) continue;
+      nearest = (point->point - place).norm();
+      sum = Mat3::Zero();
+      for (std::size_t c = 0; c < corners.count; ++c)
+        if (point->weights[c] > share) sum += free[static_cast<std::size_t>(nodes[c])];
+    }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<Mat3> tied_directions(const MortarSurfaces& surfaces, const MortarTopology& topology,
+                                  const Ragged<LocalIndex>& candidates, std::span<const Vec3> x, const TieStart& start,
+                                  std::span<const Mat3> free) {
+  constexpr double none = 1e-9;  // eigenvalues of sums of projectors: directions that no node is free along
+  std::vector<Mat3> tied(surfaces.rows.size(), Mat3::Zero());
+  for (std::size_t row = 0; row < tied.size(); ++row) {
+    if (start.covered[row] == 0) continue;
+    tied[row] = Mat3::Identity();
+    const auto node = static_cast<std::size_t>(surfaces.rows[row]);
+    if (free[node].isIdentity()) continue;
+    const auto around = topology.facets_around.row(static_cast<LocalIndex>(row));
+    const Mat3 all = free[node] + freedom_below(surfaces, around, candidates, x, x[node], free);
+    const Eigen::SelfAdjointEigenSolver<Mat3> axes(all);
+    for (Eigen::Index k = 0; k < 3; ++k)
+      if (axes.eigenvalues()[k] < none)
+        tied[row] -= axes.eigenvectors().col(k) * axes.eigenvectors().col(k).transpose();
+  }
+  return tied;
+}
 
 TieStart tie(const MortarRows& rows) {
   return {rows.weights, rows.normals, rows.gap_vectors, rows.covered};
