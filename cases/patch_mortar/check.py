@@ -190,7 +190,10 @@ def check_stick(case):
         side = nominal(law, gradient)[:, 0]
         overrides[f"traction.{2 * block}.value"], overrides[f"traction.{2 * block + 1}.value"] = (-side).tolist(), side.tolist()
     result = case.run("shear.yaml", overrides, name="stick")
-    check_uniform(case, "friction, sticking", result, Last(result), gradients, laws, EXACT, slip=slip, slave=0)
+    # The faces no longer coincide after the slip: a strip of its width at one rim of the slave carries nothing. The state errs by the
+    # strip's share of a facet, whose nodes lose so much of their force.
+    uncovered = slip * scene["mesh"][0]["box"]["elements"][0]
+    check_uniform(case, "friction, sticking", result, Last(result), gradients, laws, 1.5 * uncovered, slip=slip, slave=0)
 
 
 def check_penalty(case):

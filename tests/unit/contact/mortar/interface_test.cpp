@@ -159,7 +159,8 @@ TEST_CASE("The force tangent at fixed pressures and the gap gradient agree with 
       NodeBlocks<Vec3> gradient;
       gap_gradient(evaluation.rows, evaluation.slopes, gradient);
       std::vector<Vec3> fixed = two.x;  // places of another time
-      for (std::size_t node = 0; node < fixed.size(); ++node) fixed[node] += 0.02 * Vec3(std::sin(3.0 * node), 0.5, -1);
+      for (std::size_t node = 0; node < fixed.size(); ++node)
+        fixed[node] += 0.02 * Vec3(std::sin(3.0 * static_cast<double>(node)), 0.5, -1);
       MortarSlopes with_fixed;
       mortar_rows_and_slopes(two.surfaces, evaluation.topology, two.candidates, two.x, tractions, *evaluation.scratch,
                              evaluation.rows, with_fixed, fixed);
