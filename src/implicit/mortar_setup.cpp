@@ -278,7 +278,7 @@ void note_redundant(const Interface& face, std::vector<std::string>& notes) {
   if (redundant > 0)
     notes.push_back(
         fmt::format("{}: {} of {} tied nodes have no multiplier along directions in which supports hold both "
-                    "sides: it would be redundant",
+                    "sides or other multipliers say the same",
                     face.pair.entry, redundant, covered));
 }
 
