@@ -70,7 +70,8 @@ void find_contact_forces(const Scene& scene, Solver& solver, std::span<const dou
   Trial& trial = solver.trial;
   MortarContact& contact = solver.contact;
   gather_contact(scene.state, own_z, contact);
-  find_contact(contact, scene.state.step == 0 && trial.iterate == 0);
+  const Iterate first = scene.state.step == 0 ? Iterate::first_of_run : Iterate::first_of_step;
+  find_contact(contact, trial.iterate == 0 ? first : Iterate::later);
   ++trial.iterate;
   for (std::size_t k = 0; k < contact.nodes.gid.size(); ++k) {
     const LocalIndex here = contact.nodes.here[k];

@@ -182,6 +182,7 @@ void begin_step(const Scene& scene, Solver& solver, double dt, double time) {
   trial.time_before = state.time;
   trial.time = time;
   trial.ratios.clear();
+  trial.stood.clear();
   for (std::size_t i = 0; i < state.nodes.size(); ++i) put(Eigen::Map<const Vec3>(state.nodes[i].v), trial.velocity, i);
   state.time = time;
   prescribe(scene, trial);

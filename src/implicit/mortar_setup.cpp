@@ -113,7 +113,7 @@ void lay_nodes(const comm::Communicator& ranks, const model::Model& model, const
   }
   nodes.gather = comm::Halo(ranks, model.nodes(), source);
   nodes.rows = nodes.free;
-  nodes.x = nodes.reference;
+  nodes.x = nodes.x_before = nodes.reference;
   nodes.force.assign(nodes.gid.size(), Vec3::Zero());
   nodes.friction_force = nodes.force;
 }
@@ -269,6 +269,20 @@ void refuse_held(const model::Model& model, const MortarContact& contact, const 
                     face.pair.entry, part(face.pair.slave), part(face.pair.master)));
 }
 
+void note_redundant(const Interface& face, std::vector<std::string>& notes) {
+  std::size_t covered = 0, redundant = 0;
+  for (std::size_t row = 0; row < face.count(); ++row) {
+    if (face.tie.covered[row] == 0) continue;
+    ++covered;
+    if (!face.tied[row].isIdentity()) ++redundant;
+  }
+  if (redundant > 0)
+    notes.push_back(
+        fmt::format("{}: {} of {} tied nodes have no multiplier along directions in which supports hold both "
+                    "sides or other multipliers say the same",
+                    face.pair.entry, redundant, covered));
+}
+
 }  // namespace
 
 MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns) {
@@ -284,10 +298,13 @@ MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& m
   }
   number_multipliers(ranks, unknowns, records, contact);
   contact.z_before = contact.z;
-  find_contact(contact, false);
+  find_contact(contact, Iterate::first_of_step);
   for (Interface& face : contact.interfaces) {
     if (face.pair.tied) {
       face.tie = contact::tie(face.rows);
+      face.tied = contact::tied_directions(face.surfaces, face.topology, face.search.candidates, contact.nodes.x,
+                                           face.tie, contact.nodes.free);
+      note_redundant(face, contact.notes);
       contact::nodal_normals(face.surfaces, face.topology, contact.nodes.x, face.tie.normals);
     }
     for (std::size_t row = 0; row < face.count(); ++row)
