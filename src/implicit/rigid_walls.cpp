@@ -128,6 +128,15 @@ const WallAction* action_of(const WallContact& walls, std::size_t own) {
   return index == no_index ? nullptr : &walls.nodes[static_cast<std::size_t>(index)].action;
 }
 
+void add_branches(const WallContact& walls, std::vector<std::uint8_t>& branches) {
+  for (const WallNode& node : walls.nodes) {
+    const WallChoice& choice = node.action.choice;
+    int branch = choice.sticks ? 1 : 0;
+    for (const bool active : choice.active) branch = 2 * branch + (active ? 1 : 0);
+    branches.push_back(static_cast<std::uint8_t>(branch));
+  }
+}
+
 bool chosen_by_balance(const comm::Communicator& ranks, const WallContact& walls) {
   const bool pressed = std::ranges::any_of(walls.nodes, [](const WallNode& node) {
     return std::ranges::any_of(node.action.choice.active, std::identity{});

@@ -69,11 +69,13 @@ double share_of(const comm::NewtonStep& step, const Trial& trial) {
   return best_share;
 }
 
-void note_iterate(Solver& solver) {
+/// Collective.
+void note_iterate(const Scene& scene, Solver& solver) {
   Trial& trial = solver.trial;
   trial.ratios.push_back(trial.balance.given > 0 ? trial.balance.left / trial.balance.given : 0.0);
   std::vector<std::uint8_t> now = branches(solver.contact);
-  trial.stood.push_back(now == trial.branches ? 1 : 0);
+  add_branches(solver.walls, now);
+  trial.stood.push_back(scene.links.ranks.any(now != trial.branches) ? 0 : 1);
   trial.branches = std::move(now);
 }
 
@@ -94,7 +96,7 @@ Attempt iterate(const Scene& scene, Solver& solver) {
   };
   problem.judge = [&](int iteration, std::span<const double>, std::span<const double> residual) {
     const Balance& now = trial.balance;
-    note_iterate(solver);
+    note_iterate(scene, solver);
     if (now.left <= std::max(solver.settings.tolerance * now.given, now.rounding) &&
         chosen_by_balance(scene.links.ranks, solver.walls))
       return comm::NewtonVerdict::converged;

@@ -59,6 +59,9 @@ const WallAction* action_of(const WallContact& walls, std::size_t own);
 /// The matrix is laid as walls are now.
 void remember_choice(WallContact& walls);
 
+/// Appends what walls do at each node of this rank as a number: rows and slip change together with it.
+void add_branches(const WallContact& walls, std::vector<std::uint8_t>& branches);
+
 /// Has every node that is pressed been so chosen by its balance, and not by its place alone? Collective.
 bool chosen_by_balance(const comm::Communicator& ranks, const WallContact& walls);
 
