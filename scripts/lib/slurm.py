@@ -62,7 +62,7 @@ def ask(*command, text=None):
     done = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
     if done.returncode == 0:
         return done.stdout
-    told = "; ".join(re.sub(r"^\w+: (error|fatal): ", "", line) for line in done.stderr.splitlines() if line.strip())
+    told = "; ".join(re.sub(r"^\w+: ((error|fatal): )?", "", line) for line in done.stderr.splitlines() if line.strip())
     if "configuration source" in told:
         raise Refused(f"no Slurm here: {command[0]} finds no configuration; {NO_SLURM}")
     silent = re.search(r"[Uu]nable to contact|Connection refused|authentication error", told)  # the machine, not the input

@@ -13,6 +13,7 @@ import time
 HERE = os.path.dirname(os.path.abspath(__file__))
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "sinfo", "scontrol", "squeue", "scancel")
 PATIENCE = 1800  # [s] for what will come for sure: bounds a hanging test, judges nothing
+ENDED = ("COMPLETED", "FAILED", "CANCELLED", "TIMEOUT", "NODE_FAIL", "OUT_OF_MEMORY", "BOOT_FAIL", "DEADLINE", "PREEMPTED")  # states
 PARENT_DIED = 1  # PR_SET_PDEATHSIG of <linux/prctl.h>
 LIBC = ctypes.CDLL(None)  # loaded before any fork
 
@@ -113,7 +114,7 @@ class OneNode:
 
     def has_ended(self, number):
         self.is_up()
-        return all(job["JobState"] not in ("PENDING", "RUNNING", "COMPLETING", "SUSPENDED") for job in self.jobs(number))
+        return all(job["JobState"] in ENDED for job in self.jobs(number))
 
     def wait_for_end(self, number):
         wait_until(lambda: self.has_ended(number), f"end of job {number}")

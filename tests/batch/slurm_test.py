@@ -92,7 +92,7 @@ class Stories(unittest.TestCase):
         texts = []
         for path in sorted(glob.glob(self.path("**", "*.log"), recursive=True)):
             with open(path, encoding="utf-8") as stream:
-                texts.append(f"{path}:\n{stream.read()[-3000:]}")
+                texts.append(f"{path}:\n{stream.read()}")
         return "\n".join(texts)
 
     def summary(self, out):
@@ -137,9 +137,9 @@ class Stories(unittest.TestCase):
         while ended["JobState"] == "COMPLETED" and ended["Restarts"] == "0":  # the machine has become faster
             steps *= 3
             ended = self.chain(steps)
-        self.assertGreater(int(ended["Restarts"]), 0)
         self.assert_ended(ended, "COMPLETED", ended["Restarts"])
-        stops = re.findall(r"^chain: stopped before the time limit at checkpoint_0*(\d+)", self.log(), re.M)
+        self.assertNotEqual(ended["Restarts"], "0")
+        stops = re.findall(rf"^chain: stopped before the time limit at checkpoint_0*(\d+)\.h5; job {ended['JobId']} ", self.log(), re.M)
         self.tell(f"stopped at steps {', '.join(stops)}")
         self.assertEqual(len(stops), int(ended["Restarts"]))
         self.assertEqual(sorted(set(map(int, stops))), list(map(int, stops)), "each turn goes further")
