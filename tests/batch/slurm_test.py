@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Four jobs of scripts/submit on a Slurm that runs on this machine alone: one that completes, one that needs several time limits, one that
-is cancelled, an array. Needs BRUNT and BRUNT_RUN (scripts/run) in the environment; exit code 77 (skipped) without Slurm, which
+"""Jobs of scripts/submit on a Slurm that runs on this machine alone: one that completes, one that needs several time limits, one that
+is cancelled, an array; one on two nodes, which are this machine twice. Needs BRUNT and BRUNT_RUN (scripts/run) in the environment; exit code 77 (skipped) without Slurm, which
 scripts/setup --slurm installs, or without root, as whom the configuration starts it."""
 import csv
 import glob
@@ -13,7 +13,7 @@ import sys
 import tempfile
 import unittest
 
-from one_node import PATIENCE, OneNode, missing_programs, wait_until
+from local_slurm import PATIENCE, LocalSlurm, missing_programs, wait_until
 
 RUN = os.environ["BRUNT_RUN"]
 SCRIPTS = os.path.dirname(RUN)
@@ -32,7 +32,7 @@ gravity: {vector: [0, 0, -1.0e5]}
 initial: [{part: top, velocity: [0.5, 0, -5]}]
 rigid_walls: [{point: [0, 0, 0], normal: [0, 0, 1], friction: 0.3}]
 contact: [{between: all, friction: 0.3}]
-run: {steps: 60, wall_limit: 1h}
+run: {steps: 60}
 """
 STUDY = """\
 scene: scene.yaml
@@ -43,13 +43,17 @@ runs:
 columns: [steps, state_hash]
 """
 ENDLESS = 10 ** 8  # steps of a run that only a request ends
+os.environ["OMPI_MCA_mpi_yield_when_idle"] = "1"  # two nodes share the cores of one
 LIMIT = 60  # [s] the shortest time limit of Slurm: --time 1
 
 
-class Stories(unittest.TestCase):
+class Jobs(unittest.TestCase):
+    """What the tests share."""
+    nodes = ("localhost",)
+
     @classmethod
     def setUpClass(cls):
-        cls.slurm = OneNode()
+        cls.slurm = LocalSlurm(cls.nodes)
         cls.addClassCleanup(cls.slurm.stop)
 
     def setUp(self):
@@ -109,6 +113,8 @@ class Stories(unittest.TestCase):
         self.tell(f"{out}: {found['steps']} steps on {found['ranks']} ranks, state_hash {found['state_hash']}; unbroken {unbroken}")
         self.assertEqual(found["state_hash"], unbroken)
 
+
+class OneNode(Jobs):
     def test_one_completes(self):
         job = self.submit("scene.yaml", "-np", "2", "--time", "10")
         self.assert_ended(self.slurm.wait_for_end(job)[0], "COMPLETED")
@@ -158,7 +164,7 @@ class Stories(unittest.TestCase):
             with self.subTest(chain=chain):
                 out = f"cancelled_{len(chain)}.out"
                 job = self.submit("scene.yaml", "-np", "2", "--time", "10", "--out", out, "--set", f"run.steps={ENDLESS}", "--set",
-                                  "history.every=1.0e-6", *chain)
+                                  "history.every=1.0e-6", "--set", "run.wall_limit=20m", *chain)
                 wait_until(lambda: self.history_rows(out) > 3 or self.slurm.has_ended(job), "history")
                 self.slurm.ask("scancel", job)
                 self.assert_ended(self.slurm.wait_for_end(job)[0], "CANCELLED")
@@ -200,6 +206,20 @@ class Stories(unittest.TestCase):
                 self.assertIn(phrase, told)
                 self.assertEqual(len(told.splitlines()), 1, told)
         self.assertEqual(sorted(os.listdir(self.folder)), ["scene.yaml", "study.yaml"], "nothing is left behind")
+
+
+class TwoNodes(Jobs):
+    nodes = ("n1", "n2")
+
+    def test_ranks_on_two_nodes(self):
+        job = self.submit("scene.yaml", "-np", "2", "--nodes", "2", "--time", "10", "--set", "run.steps=20")
+        ended = self.slurm.wait_for_end(job)[0]
+        self.assert_ended(ended, "COMPLETED")
+        self.assertEqual(ended["NodeList"], "n[1-2]")
+        for node in self.nodes:  # mpirun started its half of the ranks through srun
+            with open(self.slurm.path("log", f"slurmd.{node}.log"), encoding="utf-8") as stream:
+                self.assertIn(f"launch task StepId={job}.0", stream.read())
+        self.assert_same("scene.out", self.hash_of("--set", "run.steps=20"))
 
 
 if __name__ == "__main__":

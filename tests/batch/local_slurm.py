@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Slurm on this machine alone, in a temporary folder: munge, controller and node run as children and end with the test."""
+"""Slurm on this machine alone, in a temporary folder: munge, controller and nodes run as children and end with the test."""
 import ctypes
 import os
 import secrets
@@ -46,18 +46,21 @@ def wait_until(true, what):
         time.sleep(0.5)
 
 
-class OneNode:
-    def __init__(self):
-        self.keeper = tempfile.TemporaryDirectory(prefix="one_node_slurm.")
-        self.folder, self.daemons = self.keeper.name, []
+class LocalSlurm:
+    """`nodes`: names of the nodes, which share the machine and its `cores` (or as many as Slurm is told of)."""
+
+    def __init__(self, nodes=("localhost",), cores=2):
+        self.keeper = tempfile.TemporaryDirectory(prefix="local_slurm.")
+        self.folder, self.daemons, self.nodes = self.keeper.name, [], nodes
         os.chmod(self.folder, 0o755)  # munge wants a folder that others can reach
-        for name in ("m", "spool", "state", "log"):
+        for name in ("m", "state", "log", *(f"spool.{node}" for node in nodes)):
             os.mkdir(self.path(name), 0o755)
-        self.configure()
+        self.configure(cores // len(nodes))
         try:
             self.start_munge()
-            for name in ("slurmctld", "slurmd"):
-                self.start(name, "-D", "-f", self.path("slurm.conf"))
+            self.start("slurmctld", "-D", "-f", self.path("slurm.conf"))
+            for node in nodes:
+                self.start("slurmd", "-D", "-f", self.path("slurm.conf"), "-N", node)
             wait_until(self.is_idle, "node that takes jobs")
         except BaseException:
             self.stop()
@@ -66,20 +69,22 @@ class OneNode:
     def path(self, *names):
         return os.path.join(self.folder, *names)
 
-    def configure(self):
-        with open(os.path.join(HERE, "one_node_slurm.conf"), encoding="utf-8") as stream:
-            text = stream.read().replace("@DIR@", self.folder)
-        for name, port in zip(("@CONTROLLER_PORT@", "@NODE_PORT@"), free_ports(2)):
-            text = text.replace(name, str(port))
+    def configure(self, cores):
+        ports = free_ports(1 + len(self.nodes))
+        lines = [f"NodeName={node} NodeHostname=localhost NodeAddr=127.0.0.1 Port={port} CPUs={cores} State=UNKNOWN"
+                 for node, port in zip(self.nodes, ports[1:])]
+        with open(os.path.join(HERE, "slurm.conf"), encoding="utf-8") as stream:
+            text = stream.read().replace("@DIR@", self.folder).replace("@CONTROLLER_PORT@", str(ports[0]))
         with open(self.path("slurm.conf"), "w", encoding="utf-8") as stream:
-            stream.write(text)
+            stream.write(text.replace("@NODES@", "\n".join(lines)))
         os.environ["SLURM_CONF"] = self.path("slurm.conf")
 
     def start(self, *command):
-        with open(self.path("log", command[0] + ".out"), "w", encoding="utf-8") as log:
+        words = self.path("log", f"{command[0]}.{len(self.daemons)}.out")
+        with open(words, "w", encoding="utf-8") as log:
             daemon = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, cwd=self.folder,
                                       preexec_fn=end_with_the_test)
-        self.daemons.append((command[0], daemon))
+        self.daemons.append((daemon, words))
 
     def start_munge(self):
         key = self.path("m", "key")
@@ -91,14 +96,15 @@ class OneNode:
 
     def is_up(self):
         """Daemons are children: one that has ended is told with its last words."""
-        for name, daemon in self.daemons:
+        for daemon, words in self.daemons:
             if daemon.poll() is not None:
-                with open(self.path("log", name + ".out"), encoding="utf-8", errors="replace") as stream:
-                    raise RuntimeError(f"{name} ended with {daemon.returncode}: {stream.read()[-2000:]}")
+                with open(words, encoding="utf-8", errors="replace") as stream:
+                    raise RuntimeError(f"{daemon.args[0]} ended with {daemon.returncode}: {stream.read()[-2000:]}")
         return True
 
     def is_idle(self):
-        return self.is_up() and self.ask("sinfo", "--noheader", "--format=%T", check=False).strip() == "idle"
+        states = self.ask("sinfo", "--Node", "--noheader", "--format=%T", check=False).split() if self.is_up() else []
+        return states == ["idle"] * len(self.nodes)
 
     def ask(self, *command, check=True):
         done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=False)
@@ -122,11 +128,11 @@ class OneNode:
 
     def stop(self):
         """Jobs first: their processes are no children of ours."""
-        if len(self.daemons) == 3:
+        if len(self.daemons) == 2 + len(self.nodes):
             self.ask("scancel", "--signal=KILL", "--full", f"--user={os.getuid()}", check=False)
             self.ask("scancel", f"--user={os.getuid()}", check=False)
             wait_until(lambda: not self.ask("squeue", "--noheader", check=False).strip(), "empty queue")
-        for _, daemon in reversed(self.daemons):
+        for daemon, _ in reversed(self.daemons):
             daemon.terminate()
             try:
                 daemon.wait(60)
