@@ -71,12 +71,6 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
           fmt::format("{}: an implicit scene has mortar contact alone; accepted: {{between: [a, b], method: "
                       "mortar}}",
                       input.at(fmt::format("contact.{}", k))));
-  for (std::size_t k = 0; k < input.probes.size(); ++k)
-    if (input.probes[k].kind == scene::Probe::Kind::contact)
-      faults.push_back(
-          fmt::format("{}: contact of implicit scenes has no probe as yet; accepted: the reaction of a set "
-                      "that holds the part",
-                      input.at(fmt::format("probes.{}", k))));
   if (model.books_interface)
     faults.push_back(fmt::format(
         "{}: energies of parts that share nodes are for explicit scenes; accepted: other probes", input.at("probes")));

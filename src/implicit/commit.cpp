@@ -7,6 +7,7 @@
 
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/implicit/balance.hpp"
+#include "brunt/implicit/interface_forces.hpp"
 #include "brunt/model/curve.hpp"
 #include "nodal.hpp"
 
@@ -217,6 +218,7 @@ void commit_step(const Scene& scene, Solver& solver) {
   }
   if (solver.contact.any()) {
     sums.book(scene.links.ranks, solver.contact, solver.contact_account);
+    book_interfaces(solver.trial.rule.dt, end_shares(solver.trial.rule).of_impulse, solver.contact);
     keep_contact(solver.contact);
   }
   if (solver.walls.any()) {

@@ -11,6 +11,7 @@
 #include "brunt/contact/mortar/active_set.hpp"
 #include "brunt/contact/mortar/normals.hpp"
 #include "brunt/core/error.hpp"
+#include "brunt/implicit/interface_forces.hpp"
 #include "brunt/implicit/mortar.hpp"
 #include "brunt/implicit/walls.hpp"
 #include "brunt/material/law.hpp"
@@ -311,6 +312,8 @@ MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& m
       face.touches[row] = face.rows.covered[row] > 0 && std::abs(face.mean_gap(row)) <= touching * face.topology.edge;
   }
   keep_contact(contact);
+  contact.impulses.assign(contact.interfaces.size() * static_cast<std::size_t>(interface_force_width), 0.0);
+  contact.forces_before = contact.impulses;
   return contact;
 }
 

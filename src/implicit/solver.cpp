@@ -161,6 +161,8 @@ void add_arrays(const model::Model& model, Solver& solver, model::Registry& regi
     nodal("friction_force", memory.friction_force);
     global("contact_account", &solver.contact_account.normal, contact_account_width);
     global("multipliers", solver.contact.z_before.data(), solver.contact.z_before.size());
+    global("interface_impulses", solver.contact.impulses.data(), solver.contact.impulses.size());
+    global("interface_forces", solver.contact.forces_before.data(), solver.contact.forces_before.size());
     global("friction_tractions", solver.contact.traction_before.data(), solver.contact.traction_before.size());
   }
   if (!model.walls.empty()) {

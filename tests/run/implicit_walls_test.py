@@ -101,6 +101,38 @@ class Walls(Program):
         self.assertEqual(self.summary("part")["state_hash"], whole)
         self.assertEqual(self.text("part", "history.csv"), self.text("out", "history.csv"))
 
+    def test_a_stack_on_a_floor_and_what_its_parts_exert(self):
+        # meshes that do not match; the upper block is pushed, friction holds it on the lower one, and that on the floor
+        stack = """\
+units: none
+mesh: [{box: {part: low, size: [1, 1, 0.5], elements: [2, 2, 1]}}, {box: {part: top, size: [0.9, 1.1, 0.5], elements: [3, 3, 1], at: [0.02, -0.03, 0.5]}}]
+materials: {m: {model: neo_hookean, density: 2, young: 1000, poisson: 0.3}}
+parts: {low: {material: m, element: hex8_full}, top: {material: m, element: hex8_full}}
+gravity: {vector: [1, -0.5, -10]}
+contact: [{between: [low, top], method: mortar, friction: 0.4}]
+rigid_walls: [{name: floor, point: [0, 0, 0], normal: [0, 0, 1], friction: 0.4}]
+probes: [{name: on_top, contact: [top, low]}, {name: on_low, contact: low}, {name: floor, wall: floor}]
+solver: {scheme: static, step: 0.5, tolerance: 1.0e-11}
+run: {end: 2}
+"""
+        rows = self.go(stack)
+        top, low, last = 2 * 0.9 * 1.1 * 0.5, 2 * 0.5, rows[-1]
+        for axis, pull in (("x", 1), ("y", -0.5), ("z", -10)):
+            self.assertAlmostEqual(last[f"on_top.{axis}"], -pull * top, delta=1e-8)
+            self.assertAlmostEqual(last[f"on_low.{axis}"], pull * top, delta=1e-8)
+            self.assertAlmostEqual(last[f"floor.{axis}"], -pull * (top + low), delta=1e-8)
+        self.assertAlmostEqual(math.hypot(last["on_top.friction_x"], last["on_top.friction_y"]), math.hypot(1, 0.5) * top, delta=0.02 * top)
+        self.assertAlmostEqual(last["on_top.normal"], 10 * top, delta=0.02 * top)
+        self.assertLess(self.summary("out")["implicit"]["iterations_mean"], 8)
+        whole = self.summary("out")["state_hash"]
+        for ranks in (2, 3):
+            self.go(stack, ranks, f"out{ranks}")
+            self.assertEqual(self.summary(f"out{ranks}")["state_hash"], whole)
+            self.assertEqual(self.text(f"out{ranks}", "history.csv"), self.text("out", "history.csv"))
+        self.run_scene(3, "scene.yaml", "--out", "part", "--set", "run.end=1")
+        self.run_scene(2, "scene.yaml", "--out", "part", "--restart", "part")
+        self.assertEqual(self.text("part", "history.csv"), self.text("out", "history.csv"))
+
     def test_a_bilateral_wall_pulls(self):
         walls = "rigid_walls: [{name: w, point: [0, 0, 0], normal: [0, 0, 1], bilateral: true}]\nprobes: [{name: w, wall: w}]\n"
         rows = self.go(BLOCK + MIRRORS + walls + "gravity: {vector: [0, 0, 1]}\n" + STATIC)

@@ -95,6 +95,8 @@ struct MortarContact {
   std::vector<double> z;             ///< multipliers of all interfaces, one after the other
   std::vector<double> z_before{};    ///< likewise at t_n, the same on every rank: saved
   std::vector<double> traction_before{};  ///< tangential tractions at t_n of all rows with friction, three each: saved
+  std::vector<double> impulses{};         ///< of interfaces on their slaves since t = 0, an InterfaceForce each: saved
+  std::vector<double> forces_before{};    ///< likewise the forces at t_n: saved
   std::vector<GlobalIndex> own_rows;  ///< multipliers whose slave node this rank owns: rows of the system, ascending
   std::vector<LocalIndex> own;        ///< their places in `z`
   comm::Halo gather_z;                ///< from the owners to all
