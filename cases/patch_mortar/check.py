@@ -190,9 +190,10 @@ def check_stick(case):
         side = nominal(law, gradient)[:, 0]
         overrides[f"traction.{2 * block}.value"], overrides[f"traction.{2 * block + 1}.value"] = (-side).tolist(), side.tolist()
     result = case.run("shear.yaml", overrides, name="stick")
-    # At the rims the normalisation of the slip counts the sides' faces too, so that friction is softer there: the state errs by
-    # up to the share of the elastic slip in the displacement (README, Limits).
-    check_uniform(case, "friction, sticking", result, Last(result), gradients, laws, slip / top[0], slip=slip, slave=0)
+    # The faces no longer coincide after the slip: a strip of its width at one rim of the slave carries nothing. The state errs by the
+    # strip's share of a facet, whose nodes lose so much of their force.
+    uncovered = slip * scene["mesh"][0]["box"]["elements"][0]
+    check_uniform(case, "friction, sticking", result, Last(result), gradients, laws, 1.5 * uncovered, slip=slip, slave=0)
 
 
 def check_penalty(case):

@@ -33,8 +33,11 @@ mpi_environment() {
   export OMPI_MCA_hwloc_base_binding_policy="${OMPI_MCA_hwloc_base_binding_policy:-none}"
   export OMPI_MCA_rmaps_base_oversubscribe=1
   # Where mpirun ends the ranks itself, it waits this long [s] (twice) between SIGTERM and SIGKILL, needed or not: enough
-  # to save a middling model. scripts/run stops runs in another way, without this limit.
-  export OMPI_MCA_odls_base_sigkill_timeout="${OMPI_MCA_odls_base_sigkill_timeout:-5}"
+  # to save a middling model. scripts/run stops runs in another way, without this limit; but scancel sends SIGTERM to mpirun
+  # too, and Slurm's own SIGKILL comes after 30 s (KillWait).
+  local patience=5
+  [ -z "${SLURM_JOB_ID:-}" ] || patience=12
+  export OMPI_MCA_odls_base_sigkill_timeout="${OMPI_MCA_odls_base_sigkill_timeout:-$patience}"
   # Within one node: shared memory alone starts faster, and copying through it beats the kernel's copy.
   if [ "${SLURM_JOB_NUM_NODES:-1}" -eq 1 ] && [ -z "${OMPI_MCA_orte_default_hostfile:-}" ]; then
     export OMPI_MCA_pml="${OMPI_MCA_pml:-ob1}" OMPI_MCA_btl="${OMPI_MCA_btl:-self,vader}"

@@ -39,6 +39,18 @@ const char* name_of(model::Scheme scheme) {
   return "newmark";
 }
 
+/// Residuals of each step over the forces that act, and how many of the steps that can be judged were quadratic.
+nlohmann::ordered_json newton_summary(const implicit::NewtonTable& table) {
+  nlohmann::ordered_json steps = nlohmann::ordered_json::array();
+  for (const implicit::NewtonRecord& record : table.last)
+    steps.push_back({{"time", record.time}, {"stood", record.stood}, {"residuals", record.ratios}});
+  return {{"judged", table.judged},
+          {"quadratic", table.quadratic},
+          {"share_quadratic",
+           table.judged > 0 ? static_cast<double>(table.quadratic) / static_cast<double>(table.judged) : 1.0},
+          {"steps", std::move(steps)}};
+}
+
 }  // namespace
 
 implicit::Scene implicit_scene(Prepared& run) {
@@ -80,7 +92,8 @@ nlohmann::ordered_json implicit_summary(const Prepared& run) {
           {"iterations_mean",
            work.steps > 0 ? static_cast<double>(work.iterations) / static_cast<double>(work.steps) : 0.0},
           {"iterations_max", work.most_iterations},
-          {"residuals_last", work.last_ratios},
+          {"residuals_last", work.newton.last.empty() ? std::vector<double>{} : work.newton.last.back().ratios},
+          {"newton", newton_summary(work.newton)},
           {"energy_last", solver.trial.energy},
           {"force_s", work.force_seconds},
           {"contact",

@@ -61,21 +61,16 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
   for (const model::ElementBlock& block : model.blocks) check_part(input, block, faults);
   if (!model.removals.empty())
     faults.push_back(fmt::format("{}: is for explicit scenes; accepted: no removals", input.at("remove")));
-  if (!model.walls.empty())
-    faults.push_back(
-        fmt::format("{}: are for explicit scenes as yet; accepted: no rigid walls", input.at("rigid_walls")));
+  for (std::size_t w = 0; w < model.walls.size(); ++w)
+    if (const contact::FrictionLaw& law = model.walls[w].friction; law.kinetic != law.fixed || law.lag > 0)
+      faults.push_back(fmt::format("{}: an implicit scene has one coefficient; accepted: a number, 0 or more",
+                                   input.at(fmt::format("rigid_walls.{}.friction", w))));
   for (std::size_t k = 0; k < input.contact.size(); ++k)
     if (!input.contact[k].mortar)
       faults.push_back(
           fmt::format("{}: an implicit scene has mortar contact alone; accepted: {{between: [a, b], method: "
                       "mortar}}",
                       input.at(fmt::format("contact.{}", k))));
-  for (std::size_t k = 0; k < input.probes.size(); ++k)
-    if (input.probes[k].kind == scene::Probe::Kind::contact)
-      faults.push_back(
-          fmt::format("{}: contact of implicit scenes has no probe as yet; accepted: the reaction of a set "
-                      "that holds the part",
-                      input.at(fmt::format("probes.{}", k))));
   if (model.books_interface)
     faults.push_back(fmt::format(
         "{}: energies of parts that share nodes are for explicit scenes; accepted: other probes", input.at("probes")));

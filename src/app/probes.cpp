@@ -6,6 +6,7 @@
 #include "body_probes.hpp"
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/scene/select.hpp"
+#include "implicit_probes.hpp"
 
 namespace brunt::app {
 namespace {
@@ -78,6 +79,7 @@ Vec3 wall_impulse(const Prepared& run, const contact::ContactTotals& totals, con
 
 /// Nothing where no two bodies of the scene may touch.
 contact::TrackedTotals tracked_totals(const Prepared& run, const contact::ContactTotals& totals, const Probe& probe) {
+  if (run.implicit) return watched_contact(run, probe.where, probe.other);
   const auto tracked = std::ranges::find(run.tracked, std::array{probe.where, probe.other});
   if (tracked == run.tracked.end()) return {};
   return totals.tracked[static_cast<std::size_t>(tracked - run.tracked.begin())];

@@ -32,6 +32,27 @@ NodeForces forces_on(const Scene& scene, const Solver& solver, std::size_t i) {
   return forces;
 }
 
+/// What is left at a node (place in Unknowns::node) that supports and walls hold.
+Vec3 supported(const Scene& scene, Solver& solver, std::size_t own, Vec3 left) {
+  const auto i = static_cast<std::size_t>(solver.unknowns.node[own]);
+  const Vec3 travel = Vec3(&solver.trial.displacement[3 * i]) - of(scene.state.displacement[i]);
+  Mat3 free = Mat3::Identity();
+  Vec3 by_supports = Vec3::Zero();
+  if (const LocalIndex held = solver.held[i]; held != no_index) {
+    const auto h = static_cast<std::size_t>(held);
+    free = scene.model.constrained[h].free;
+    by_supports = solver.support_stiffness * ((travel - free * travel) - solver.trial.given[h]);
+    left = free * left;
+  }
+  if (solver.walls.any()) {
+    const Vec3 x = Eigen::Map<const Vec3>(scene.state.nodes[i].x);
+    if (const WallAction* action =
+            meet_walls(scene.model, x, travel, free, left, solver.support_stiffness, own, solver.walls))
+      left = action->left;
+  }
+  return left + by_supports;
+}
+
 /// What rounding leaves of the forces on a node, squared: a place is rounded, which strains the elements at it, and so
 /// is a displacement, which inertia multiplies.
 double rounding_at(const Scene& scene, const Solver& solver, std::size_t i) {
@@ -49,7 +70,8 @@ void find_contact_forces(const Scene& scene, Solver& solver, std::span<const dou
   Trial& trial = solver.trial;
   MortarContact& contact = solver.contact;
   gather_contact(scene.state, own_z, contact);
-  find_contact(contact, scene.state.step == 0 && trial.iterate == 0);
+  const Iterate first = scene.state.step == 0 ? Iterate::first_of_run : Iterate::first_of_step;
+  find_contact(contact, trial.iterate == 0 ? first : Iterate::later);
   ++trial.iterate;
   for (std::size_t k = 0; k < contact.nodes.gid.size(); ++k) {
     const LocalIndex here = contact.nodes.here[k];
@@ -98,13 +120,7 @@ void balance(const Scene& scene, Solver& solver, std::span<double> residual) {
     sums[1].add(contact.squaredNorm());
     sums[1].add(momentum * momentum * of(trial.velocity, i).squaredNorm());
     sums[2].add(rounding_at(scene, solver, i));
-    if (const LocalIndex held = solver.held[i]; held != no_index) {
-      const auto h = static_cast<std::size_t>(held);
-      const Mat3& free = scene.model.constrained[h].free;
-      const Vec3 travel = Vec3(&trial.displacement[3 * i]) - of(scene.state.displacement[i]);
-      const Vec3 missing = (travel - free * travel) - trial.given[h];
-      left = free * left + solver.support_stiffness * missing;
-    }
+    left = supported(scene, solver, k, left);
     sums[0].add(left.squaredNorm());
     for (std::size_t c = 0; c < 3; ++c) residual[3 * k + c] = left[static_cast<int>(c)];
   }

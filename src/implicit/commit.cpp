@@ -7,6 +7,8 @@
 
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/implicit/balance.hpp"
+#include "brunt/implicit/interface_forces.hpp"
+#include "brunt/model/curve.hpp"
 #include "nodal.hpp"
 
 namespace brunt::implicit {
@@ -17,7 +19,8 @@ struct NodeStep {
   Vec3 travel, before, after;  ///< u_{n+1} - u_n; velocities
   Vec3 internal, load;         ///< means of the forces at t_n and t_{n+1}, which do the work
   Vec3 contact, friction;      ///< likewise; friction is a part of contact
-  Vec3 contact_impulse;
+  Vec3 wall, wall_friction;    ///< likewise
+  Vec3 contact_impulse, wall_impulse;
   Vec3 internal_impulse, load_impulse;  ///< what they add to momentum
   double mass = 0;
 };
@@ -26,9 +29,10 @@ struct NodeStep {
 void book_support(model::State& state, const Mat3& free, const NodeStep& step, bool moves, std::size_t i) {
   const Mat3 held = Mat3::Identity() - free;
   const Vec3 change = moves ? Vec3(step.mass * (step.after - step.before)) : Vec3(Vec3::Zero());
-  const Vec3 impulse = held * (change - step.internal_impulse - step.load_impulse - step.contact_impulse);
+  const Vec3 impulse =
+      held * (change - step.internal_impulse - step.load_impulse - step.contact_impulse - step.wall_impulse);
   const double kinetic = moves ? 0.5 * (held * change).dot(step.after + step.before) : 0.0;
-  state.reaction_work[i] += kinetic - (held * (step.internal + step.load + step.contact)).dot(step.travel);
+  state.reaction_work[i] += kinetic - (held * (step.internal + step.load + step.contact + step.wall)).dot(step.travel);
   for (std::size_t c = 0; c < 3; ++c) state.reaction_impulse[3 * i + c] += impulse[static_cast<int>(c)];
 }
 
@@ -41,15 +45,29 @@ Vec3 impulse_of(const Rule& rule, const Vec3& before, const Vec3& now, std::vect
   return rule.dt * ((1 - rule.gamma) * then + rule.gamma * next);
 }
 
+/// How much of the forces of contact and walls at t_{n+1} is in the means of the step; the rest is of those at t_n.
+struct EndShares {
+  double of_work = 1, of_impulse = 1;
+};
+
 /// Contact acts as at the end of the step where the scheme says so, else as its mean does.
-void mean_contact(const Trial& trial, const Memory& memory, std::size_t i, NodeStep& step) {
-  const Rule& rule = trial.rule;
-  const Vec3 before = of(memory.contact_force, i), now = of(trial.contact_force, i);
+EndShares end_shares(const Rule& rule) {
   const bool at_end = rule.mass > 0 && rule.beta == 0;
-  const double share = at_end ? 1.0 : 0.5, of_impulse = rule.beta > 0 ? rule.gamma : share;
-  step.contact = share * now + (1 - share) * before;
-  step.friction = share * of(trial.friction_force, i) + (1 - share) * of(memory.friction_force, i);
-  step.contact_impulse = rule.dt * (of_impulse * now + (1 - of_impulse) * before);
+  const double of_work = at_end ? 1.0 : 0.5;
+  return {of_work, rule.beta > 0 ? rule.gamma : of_work};
+}
+
+void mean_contact(const Trial& trial, const Memory& memory, std::size_t i, NodeStep& step) {
+  const EndShares end = end_shares(trial.rule);
+  const auto mean = [&](const std::vector<double>& before, const std::vector<double>& now, double share) {
+    return Vec3(share * of(now, i) + (1 - share) * of(before, i));
+  };
+  step.contact = mean(memory.contact_force, trial.contact_force, end.of_work);
+  step.friction = mean(memory.friction_force, trial.friction_force, end.of_work);
+  step.contact_impulse = trial.rule.dt * mean(memory.contact_force, trial.contact_force, end.of_impulse);
+  step.wall = mean(memory.wall_force, trial.wall_force, end.of_work);
+  step.wall_friction = mean(memory.wall_friction, trial.wall_friction, end.of_work);
+  step.wall_impulse = trial.rule.dt * mean(memory.wall_force, trial.wall_force, end.of_impulse);
 }
 
 NodeStep commit_node(const Scene& scene, Solver& solver, std::size_t i) {
@@ -89,6 +107,10 @@ NodeStep commit_node(const Scene& scene, Solver& solver, std::size_t i) {
     put(of(trial.contact_force, i), memory.contact_force, i);
     put(of(trial.friction_force, i), memory.friction_force, i);
   }
+  if (!memory.wall_force.empty()) {
+    put(of(trial.wall_force, i), memory.wall_force, i);
+    put(of(trial.wall_friction, i), memory.wall_friction, i);
+  }
   return step;
 }
 
@@ -120,6 +142,38 @@ class ContactSums {
   std::array<comm::ExactAccumulator, terms> sums_;
 };
 
+/// Forces of walls at the accepted iterate, on all nodes of this rank.
+void find_wall_forces(const Scene& scene, Solver& solver) {
+  Trial& trial = solver.trial;
+  for (const WallNode& node : solver.walls.nodes) {
+    const auto i = static_cast<std::size_t>(solver.unknowns.node[node.own]);
+    const WallForces forces = forces_of(scene.model, solver.walls, node.own);
+    put(forces.normal + forces.friction, trial.wall_force, i);
+    put(forces.friction, trial.wall_friction, i);
+  }
+  share(solver.unknowns, trial.wall_force);
+  share(solver.unknowns, trial.wall_friction);
+}
+
+/// What walls did in one step, summed over the nodes that ranks own.
+class WallSums {
+ public:
+  void add(const NodeStep& step) {
+    sums_[0].add(-(step.wall - step.wall_friction).dot(step.travel));
+    sums_[1].add(-step.wall_friction.dot(step.travel));
+  }
+  /// Collective.
+  void book(const comm::Communicator& ranks, WallAccount& account) {
+    std::array<double, 2> value{};
+    comm::exact_sum(ranks, sums_, value);
+    account.normal += value[0];
+    account.friction += value[1];
+  }
+
+ private:
+  std::array<comm::ExactAccumulator, 2> sums_;
+};
+
 }  // namespace
 
 void begin_step(const Scene& scene, Solver& solver, double dt, double time) {
@@ -129,9 +183,11 @@ void begin_step(const Scene& scene, Solver& solver, double dt, double time) {
   trial.time_before = state.time;
   trial.time = time;
   trial.ratios.clear();
+  trial.stood.clear();
   for (std::size_t i = 0; i < state.nodes.size(); ++i) put(Eigen::Map<const Vec3>(state.nodes[i].v), trial.velocity, i);
   state.time = time;
   prescribe(scene, trial);
+  if (solver.walls.any()) begin_walls(scene.model, state, solver.unknowns, trial.time_before, time, solver.walls);
   for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k) {
     const auto i = static_cast<std::size_t>(solver.unknowns.node[k]);
     Vec3 travel = trial.rule.mass > 0 ? Vec3(dt * of(trial.velocity, i)) : Vec3(Vec3::Zero());
@@ -147,24 +203,37 @@ void begin_step(const Scene& scene, Solver& solver, double dt, double time) {
 }
 
 void commit_step(const Scene& scene, Solver& solver) {
+  if (solver.walls.any()) find_wall_forces(scene, solver);
   ContactSums sums;
+  WallSums wall_sums;
   std::size_t next_owned = 0;
   for (std::size_t i = 0; i < scene.state.nodes.size(); ++i) {
     const NodeStep step = commit_node(scene, solver, i);
     const auto& own = solver.unknowns.node;
     if (next_owned == own.size() || static_cast<std::size_t>(own[next_owned]) != i) continue;
     ++next_owned;
+    if (solver.walls.any()) wall_sums.add(step);
     if (solver.contact.any())
       sums.add(step, of(scene.model.reference[i]) + of(scene.state.displacement[i]) - 0.5 * step.travel);
   }
   if (solver.contact.any()) {
     sums.book(scene.links.ranks, solver.contact, solver.contact_account);
+    book_interfaces(solver.trial.rule.dt, end_shares(solver.trial.rule).of_impulse, solver.contact);
     keep_contact(solver.contact);
+  }
+  if (solver.walls.any()) {
+    wall_sums.book(scene.links.ranks, solver.walls.account);
+    keep_walls(scene.links.ranks, scene.model, solver.trial.rule.dt, end_shares(solver.trial.rule).of_impulse,
+               solver.walls);
   }
   force::commit(solver.history, scene.state.history);
   model::State& state = scene.state;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
     for (int c = 0; c < 3; ++c) state.nodes[i].x[c] = scene.model.reference[i][c] + state.displacement[i][c];
+  for (std::size_t w = 0; w < scene.model.walls.size(); ++w)
+    if (scene.model.walls[w].moves)
+      state.wall_position[w] +=
+          model::integral(scene.model.walls[w].motion, solver.trial.time_before, solver.trial.time);
   state.time_before = solver.trial.time_before;
   state.dt = solver.trial.rule.dt;
   ++state.step;

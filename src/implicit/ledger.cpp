@@ -55,9 +55,10 @@ time::Ledger ledger(const Scene& scene, const Solver& solver) {
   result.internal = -value[element_work];
   result.external = value[load_work] + value[reaction_work];
   result.contact = solver.contact_account.normal;
-  result.friction = solver.contact_account.friction;
+  result.friction = solver.contact_account.friction + solver.walls.account.friction;
+  result.walls = solver.walls.account.normal;
   const ContactCounts counts = count(solver.contact);
-  result.contact_totals.active = counts.active;
+  result.contact_totals.active = counts.active + pressed(scene.links.ranks, solver.walls);
   result.contact_totals.pairs = counts.pairs;
   result.contact_totals.penetration = solver.contact_account.penetration;
   result.contact_totals.spin = Vec3(solver.contact_account.spin);
@@ -66,6 +67,10 @@ time::Ledger ledger(const Scene& scene, const Solver& solver) {
   result.mass = value[mass_of_all];
   result.momentum = {value[momentum_x], value[momentum_y], value[momentum_z]};
   result.impulse_given = {value[impulse_x], value[impulse_y], value[impulse_z]};
+  for (std::size_t w = 0; w < scene.model.walls.size(); ++w) {
+    result.contact_totals.wall_impulse.emplace_back(&solver.walls.impulse[3 * w]);
+    result.impulse_given += result.contact_totals.wall_impulse.back();
+  }
   result.momentum_scale = value[momentum_scale];
   return result;
 }

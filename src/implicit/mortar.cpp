@@ -13,6 +13,11 @@ namespace {
 
 using contact::MortarPair;
 
+/// Share of a penetration that a row recovers in a step, and the most of it over a facet's edge. What slides over a
+/// curved surface with the normals of t_{n+1} goes along a chord, deeper by travel^2 over twice the radius in a step:
+/// half of it a step leaves as much. More than a twentieth of a facet at once would be a blow.
+constexpr double recovered = 0.5, most_recovered = 0.05;
+
 /// Pairs of facets nearer than the capture distance at these positions: both trees enlarged by half of it.
 void search(Interface& face, std::span<const Vec3> x) {
   PairSearch& search = face.search;
@@ -38,19 +43,54 @@ void search(Interface& face, std::span<const Vec3> x) {
 
 void find_pressures(Interface& face, bool first) {
   if (face.pair.enforce == MortarPair::Enforce::penalty) {
-    contact::penalty_pressures(face.rows, face.topology, face.stiffness, {}, face.z);
+    contact::penalty_pressures(face.rows, face.stiffness, {}, face.z);
     for (std::size_t row = 0; row < face.count(); ++row) face.active[row] = face.z[row] > 0 ? 1 : 0;
-    return;
+  } else {
+    contact::choose_active(face.rows, face.z, face.stiffness, face.active, face.least_gaps);
   }
-  contact::choose_active(face.rows, face.topology, face.z, face.stiffness, face.active);
+  face.at_start = first;
   for (std::size_t row = 0; first && row < face.count(); ++row)
     if (face.touches[row] != 0 && face.rows.covered[row] > 0) face.active[row] = 1;
 }
 
+void find_least_gaps(Interface& face, double recovery) {
+  face.least_gaps.resize(face.count());
+  face.least_by_start.resize(face.count());
+  face.least_by_covered.resize(face.count());
+  const double most = recovery * most_recovered * face.topology.edge;
+  for (std::size_t row = 0; row < face.count(); ++row) {
+    const double depth = std::max(0.0, -face.start_gaps[row]);
+    const double share = face.pressed_before[row] != 0 ? recovery * recovered : 0.0;
+    const bool all = share * depth <= most * face.rows.covered[row];
+    face.least_by_start[row] = depth == 0 ? 0.0 : all ? 1 - share : 1.0;
+    face.least_by_covered[row] = all ? 0.0 : most;
+    face.least_gaps[row] = -face.least_by_start[row] * depth + face.least_by_covered[row] * face.rows.covered[row];
+  }
+}
+
+/// Share of the recovery that the budget pays for, by the pressures of t_n.
+double affordable(const MortarContact& contact) {
+  if (!(contact.budget > 0)) return 0;
+  double needed = 0;
+  for (const Interface& face : contact.interfaces)
+    for (std::size_t row = 0; row < face.start_gaps.size(); ++row)
+      needed += std::max(0.0, face.z[row]) * recovered * std::max(0.0, -face.start_gaps[row]);
+  return needed > contact.budget ? contact.budget / needed : 1.0;
+}
+
+/// Rows of which no node can give way along the normal: their multiplier would have no equation.
+void leave_out_immovable(const ContactNodes& nodes, Interface& face) {
+  for (std::size_t row = 0; row < face.count(); ++row) {
+    if (face.active[row] == 0) continue;
+    const Vec3& normal = face.rows.normals[row];
+    const auto free = [&](LocalIndex node) { return !(nodes.free[static_cast<std::size_t>(node)] * normal).isZero(); };
+    if (std::ranges::none_of(face.rows.weights.nodes.row(static_cast<LocalIndex>(row)), free)) face.active[row] = 0;
+  }
+}
+
 void find_tractions(const ContactNodes& nodes, Interface& face) {
   if (face.friction.coefficient > 0)
-    contact::friction_tractions(face.rows, face.topology, nodes.x, face.z, face.friction, face.history, face.tractions,
-                                face.states);
+    contact::friction_tractions(face.rows, nodes.x, face.z, face.friction, face.history, face.tractions, face.states);
   else
     contact::normal_tractions(face.rows, face.z, face.tractions);
 }
@@ -83,7 +123,7 @@ void gather_contact(const model::State& state, std::span<const double> own_z, Mo
     }
 }
 
-void find_contact(MortarContact& contact, bool first) {
+void find_contact(MortarContact& contact, Iterate iterate) {
   ContactNodes& nodes = contact.nodes;
   std::ranges::fill(nodes.force, Vec3(Vec3::Zero()));
   std::ranges::fill(nodes.friction_force, Vec3(Vec3::Zero()));
@@ -96,8 +136,18 @@ void find_contact(MortarContact& contact, bool first) {
     }
     search(face, nodes.x);
     contact::mortar_rows(face.surfaces, face.topology, face.search.candidates, nodes.x, *face.scratch, face.rows);
-    if (face.pair.tied) continue;  // at the start
-    find_pressures(face, first);
+    if (!face.keeps(contact)) continue;
+    contact::gaps_at(face.rows, nodes.x_before, face.start_gaps);
+    if (iterate == Iterate::later) continue;
+    face.pressed_before.resize(face.count());
+    for (std::size_t row = 0; row < face.count(); ++row) face.pressed_before[row] = face.z[row] > 0 ? 1 : 0;
+  }
+  if (iterate != Iterate::later) contact.recovery = affordable(contact);
+  for (Interface& face : contact.interfaces) {
+    if (face.pair.tied) continue;
+    if (face.keeps(contact)) find_least_gaps(face, contact.recovery);
+    find_pressures(face, iterate == Iterate::first_of_run);
+    leave_out_immovable(nodes, face);
     find_tractions(nodes, face);
     contact::add_forces(face.rows, face.tractions, nodes.force);
     add_friction_forces(nodes, face);
@@ -113,15 +163,12 @@ void multiplier_residuals(const MortarContact& contact, std::span<double> residu
     for (std::size_t row = 0; row < face.count(); ++row) {
       const double area = 1 / face.topology.kappa[row];
       if (face.pair.tied) {
-        // along directions in which supports hold the slave's node there is nothing to tie
-        const Mat3& free = contact.nodes.free[static_cast<std::size_t>(face.surfaces.rows[row])];
-        const bool covered = face.tie.covered[row] > 0;
-        const Vec3 given = covered ? Vec3(free * (face.stiffness * area * ties[row])) : Vec3(Vec3::Zero());
-        const Vec3 redundant =
-            area * (covered ? Vec3(face.tractions[row] - free * face.tractions[row]) : face.tractions[row]);
+        const Vec3 given = face.tied[row] * (face.stiffness * area * ties[row]);
+        const Vec3 redundant = area * (face.tractions[row] - face.tied[row] * face.tractions[row]);
         for (int c = 0; c < 3; ++c) all.push_back(given[c] + redundant[c]);
       } else if (face.multipliers() == 1) {
-        all.push_back(face.active[row] != 0 ? -face.stiffness * face.rows.gaps[row] : area * face.z[row]);
+        const bool pressed = face.active[row] != 0;
+        all.push_back(area * (pressed ? -face.stiffness * face.above(row) / face.rows.covered[row] : face.z[row]));
       }
     }
   }
@@ -130,6 +177,7 @@ void multiplier_residuals(const MortarContact& contact, std::span<double> residu
 
 void keep_contact(MortarContact& contact) {
   contact.z_before = contact.z;
+  contact.nodes.x_before = contact.nodes.x;
   contact.traction_before.clear();
   for (Interface& face : contact.interfaces) {
     if (face.pair.tied || face.friction.coefficient == 0) continue;
@@ -145,7 +193,7 @@ void restore_contact(const model::State& state, MortarContact& contact) {
   for (const LocalIndex k : contact.own) own_z.push_back(contact.z_before[static_cast<std::size_t>(k)]);
   gather_contact(state, own_z, contact);
   const std::vector<double> tractions = contact.traction_before;
-  find_contact(contact, false);
+  find_contact(contact, Iterate::first_of_step);
   keep_contact(contact);  // weights and normals are those of the places
   std::size_t next = 0;
   for (Interface& face : contact.interfaces)
@@ -169,6 +217,25 @@ ContactCounts count(const MortarContact& contact) {
     if (!face.pair.tied) sum.touching += held;
   }
   return sum;
+}
+
+double given_in_step(const MortarContact& contact) {
+  double sum = 0;
+  for (const Interface& face : contact.interfaces)
+    for (std::size_t row = 0; row < face.start_gaps.size(); ++row)
+      sum += face.z[row] * (face.rows.gaps[row] - face.start_gaps[row]);
+  return sum;
+}
+
+std::vector<std::uint8_t> branches(const MortarContact& contact) {
+  std::vector<std::uint8_t> all;
+  for (const Interface& face : contact.interfaces)
+    for (std::size_t row = 0; !face.pair.tied && row < face.count(); ++row) {
+      const bool keeps = face.active[row] != 0 && !face.least_gaps.empty() && face.least_gaps[row] < 0;
+      const int friction = face.states.empty() ? 0 : static_cast<int>(face.states[row]);
+      all.push_back(static_cast<std::uint8_t>(face.active[row] + 2 * static_cast<int>(keeps) + 4 * friction));
+    }
+  return all;
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include "brunt/contact/mortar/active_set.hpp"
 #include "brunt/contact/mortar/normals.hpp"
 #include "brunt/core/error.hpp"
+#include "brunt/implicit/interface_forces.hpp"
 #include "brunt/implicit/mortar.hpp"
 #include "brunt/implicit/walls.hpp"
 #include "brunt/material/law.hpp"
@@ -112,7 +113,8 @@ void lay_nodes(const comm::Communicator& ranks, const model::Model& model, const
     nodes.here.push_back(held ? static_cast<LocalIndex>(here - model.mesh.node_gid.begin()) : no_index);
   }
   nodes.gather = comm::Halo(ranks, model.nodes(), source);
-  nodes.x = nodes.reference;
+  nodes.rows = nodes.free;
+  nodes.x = nodes.x_before = nodes.reference;
   nodes.force.assign(nodes.gid.size(), Vec3::Zero());
   nodes.friction_force = nodes.force;
 }
@@ -268,6 +270,20 @@ void refuse_held(const model::Model& model, const MortarContact& contact, const 
                     face.pair.entry, part(face.pair.slave), part(face.pair.master)));
 }
 
+void note_redundant(const Interface& face, std::vector<std::string>& notes) {
+  std::size_t covered = 0, redundant = 0;
+  for (std::size_t row = 0; row < face.count(); ++row) {
+    if (face.tie.covered[row] == 0) continue;
+    ++covered;
+    if (!face.tied[row].isIdentity()) ++redundant;
+  }
+  if (redundant > 0)
+    notes.push_back(
+        fmt::format("{}: {} of {} tied nodes have no multiplier along directions in which supports hold both "
+                    "sides or other multipliers say the same",
+                    face.pair.entry, redundant, covered));
+}
+
 }  // namespace
 
 MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns) {
@@ -283,16 +299,21 @@ MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& m
   }
   number_multipliers(ranks, unknowns, records, contact);
   contact.z_before = contact.z;
-  find_contact(contact, false);
+  find_contact(contact, Iterate::first_of_step);
   for (Interface& face : contact.interfaces) {
     if (face.pair.tied) {
       face.tie = contact::tie(face.rows);
+      face.tied = contact::tied_directions(face.surfaces, face.topology, face.search.candidates, contact.nodes.x,
+                                           face.tie, contact.nodes.free);
+      note_redundant(face, contact.notes);
       contact::nodal_normals(face.surfaces, face.topology, contact.nodes.x, face.tie.normals);
     }
     for (std::size_t row = 0; row < face.count(); ++row)
       face.touches[row] = face.rows.covered[row] > 0 && std::abs(face.mean_gap(row)) <= touching * face.topology.edge;
   }
   keep_contact(contact);
+  contact.impulses.assign(contact.interfaces.size() * static_cast<std::size_t>(interface_force_width), 0.0);
+  contact.forces_before = contact.impulses;
   return contact;
 }
 

@@ -19,13 +19,13 @@ class Terms {
   /// - dF_row/dx_column: residuals have the forces with a minus.
   void node_node(LocalIndex row, LocalIndex column, const Mat3& slope) {
     if (!mine(row)) return;
-    const Mat3 block = -(free(row) * slope);
+    const Mat3 block = -(taken(row) * slope);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) add(3 * gid(row) + i, 3 * gid(column) + j, block(i, j));
   }
   void node_multiplier(LocalIndex row, GlobalIndex multiplier, const Vec3& slope) {
     if (!mine(row)) return;
-    const Vec3 part = -(free(row) * slope);
+    const Vec3 part = -(taken(row) * slope);
     for (int i = 0; i < 3; ++i) add(3 * gid(row) + i, multiplier, part[i]);
   }
   void multiplier_node(GlobalIndex multiplier, LocalIndex column, const Vec3& slope) {
@@ -43,7 +43,7 @@ class Terms {
   [[nodiscard]] bool mine(GlobalIndex multiplier) const {
     return own_multiplier_[static_cast<std::size_t>(multiplier - contact_.interfaces.front().first)] != 0;
   }
-  [[nodiscard]] const Mat3& free(LocalIndex node) const { return contact_.nodes.free[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] const Mat3& taken(LocalIndex node) const { return contact_.nodes.rows[static_cast<std::size_t>(node)]; }
   [[nodiscard]] GlobalIndex gid(LocalIndex node) const { return contact_.nodes.gid[static_cast<std::size_t>(node)]; }
   void add(GlobalIndex row, GlobalIndex column, double value) { terms_.push_back({row, column, value}); }
 
@@ -69,9 +69,10 @@ void add_patches(const contact::Patches& patches, Terms& terms) {
 }
 
 /// Exact multipliers: columns of pressures, and the rows' own equations.
-void add_multipliers(const Interface& face, const contact::NodeBlocks<Vec3>& gradient,
+void add_multipliers(const MortarContact& contact, const Interface& face, const contact::NodeBlocks<Vec3>& gradient,
                      const contact::TractionSlopes& tractions, Terms& terms) {
-  contact::NodeBlocks<Vec3> columns;
+  contact::NodeBlocks<Vec3> columns, of_start;
+  if (face.keeps(contact)) contact::gaps_at_gradient(face.rows, face.slopes, contact.nodes.x_before, of_start);
   contact::pressure_columns(face.rows, tractions.by_pressure, columns);
   for (std::size_t row = 0; row < face.count(); ++row) {
     const GlobalIndex multiplier = face.first + static_cast<GlobalIndex>(row);
@@ -82,26 +83,38 @@ void add_multipliers(const Interface& face, const contact::NodeBlocks<Vec3>& gra
       terms.multiplier_multiplier(multiplier, multiplier, 1 / face.topology.kappa[row]);
       continue;
     }
+    const double covered = face.rows.covered[row], rate = -face.stiffness / (face.topology.kappa[row] * covered);
     for (std::size_t k = 0; k < gradient.nodes.row(index).size(); ++k)
-      terms.multiplier_node(multiplier, gradient.nodes.row(index)[k], -face.stiffness * gradient.row(index)[k]);
+      terms.multiplier_node(multiplier, gradient.nodes.row(index)[k], rate * gradient.row(index)[k]);
+    const contact::NodeBlocks<Vec3>& area = face.slopes.covered;
+    const bool keeps = face.keeps(contact);
+    const double by_covered = face.above(row) / covered + (keeps ? face.least_by_covered[row] : 0.0);
+    for (std::size_t k = 0; k < area.nodes.row(index).size(); ++k)
+      terms.multiplier_node(multiplier, area.nodes.row(index)[k], -rate * by_covered * area.row(index)[k]);
+    if (!keeps || face.least_by_start[row] == 0) continue;
+    for (std::size_t k = 0; k < of_start.nodes.row(index).size(); ++k)
+      terms.multiplier_node(multiplier, of_start.nodes.row(index)[k],
+                            -rate * face.least_by_start[row] * of_start.row(index)[k]);
   }
 }
 
 void add_contact(MortarContact& contact, Interface& face, Terms& terms) {
-  contact::mortar_rows_and_slopes(face.surfaces, face.topology, face.search.candidates, contact.nodes.x, face.tractions,
-                                  *face.scratch, face.rows, face.slopes);
+  contact::mortar_rows_and_slopes(
+      face.surfaces, face.topology, face.search.candidates, contact.nodes.x, face.tractions, *face.scratch, face.rows,
+      face.slopes, face.keeps(contact) ? std::span<const Vec3>(contact.nodes.x_before) : std::span<const Vec3>());
   contact::TractionSlopes tractions;
   if (face.friction.coefficient > 0)
-    contact::friction_traction_slopes(face.rows, face.slopes, face.topology, contact.nodes.x, face.z, face.friction,
-                                      face.history, tractions);
+    contact::friction_traction_slopes(
+        face.rows, face.slopes, contact.nodes.x, face.z, face.friction, face.history, tractions,
+        face.at_start ? std::span<const std::uint8_t>(face.active) : std::span<const std::uint8_t>());
   else
     contact::normal_traction_slopes(face.rows, face.slopes, face.z, tractions);
   contact::NodeBlocks<Vec3> gradient;
   contact::gap_gradient(face.rows, face.slopes, gradient);
   if (face.multipliers() == 0)
-    contact::add_penalty_slopes(gradient, face.topology, face.stiffness, face.z, tractions);
+    contact::add_penalty_slopes(face.rows, gradient, face.slopes, face.stiffness, face.active, tractions);
   else
-    add_multipliers(face, gradient, tractions, terms);
+    add_multipliers(contact, face, gradient, tractions, terms);
   contact::Patches patches;
   contact::add_traction_slopes(face.rows, tractions.by_position, patches);
   add_patches(face.slopes.weights, terms);
@@ -118,18 +131,17 @@ void add_tie(MortarContact& contact, Interface& face, Terms& terms) {
     const GlobalIndex first = face.first + 3 * static_cast<GlobalIndex>(row);
     const double area = 1 / face.topology.kappa[row];
     const bool covered = face.tie.covered[row] > 0;
-    const Mat3 free =
-        covered ? contact.nodes.free[static_cast<std::size_t>(face.surfaces.rows[row])] : Mat3(Mat3::Zero());
+    const Mat3& tied = face.tied[row];
     const std::span<const LocalIndex> nodes = face.tie.weights.nodes.row(index);
     for (int c = 0; c < 3; ++c) {
       for (std::size_t k = 0; k < nodes.size() && covered; ++k)
         terms.node_multiplier(nodes[k], first + c, face.tie.weights.row(index)[k] * Vec3::Unit(c));
       for (int j = 0; j < 3; ++j)
-        if (const double redundant = area * ((c == j ? 1 : 0) - free(c, j)); redundant != 0)
+        if (const double redundant = area * ((c == j ? 1 : 0) - tied(c, j)); redundant != 0)
           terms.multiplier_multiplier(first + c, first + j, redundant);
       for (std::size_t k = 0; k < gradient.nodes.row(index).size(); ++k)
         terms.multiplier_node(first + c, gradient.nodes.row(index)[k],
-                              face.stiffness * area * (free * gradient.row(index)[k]).row(c).transpose());
+                              face.stiffness * area * (tied * gradient.row(index)[k]).row(c).transpose());
     }
   }
 }

@@ -20,7 +20,7 @@ comm::LinearMethod method_of(model::LinearSolver linear) {
 
 /// Greatest modulus lambda + 2 mu times a node's share of the model in length: about the stiffness of an element in the
 /// way of one node. Held directions have it in the matrix: of the order of its other entries, whatever units are.
-void scale_supports(const Scene& scene, Solver& solver) {
+void scale_supports(const Scene& scene, double& spacing, double& stiffness) {
   double modulus = 0, volume = 0;
   std::vector<double> volumes;
   const auto* reference = scene.model.reference.data();
@@ -30,7 +30,8 @@ void scale_supports(const Scene& scene, Solver& solver) {
     for (LocalIndex e = 0; e < block.count; ++e) volumes.push_back(force::element_volume(block, reference, e));
   }
   volume = comm::exact_sum(scene.links.ranks, volumes);
-  solver.support_stiffness = modulus * std::cbrt(volume / static_cast<double>(scene.model.mesh.global_nodes));
+  spacing = std::cbrt(volume / static_cast<double>(scene.model.mesh.global_nodes));
+  stiffness = modulus * spacing;
 }
 
 /// What of Memory the scheme needs.
@@ -98,6 +99,7 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
                 std::move(unknowns),
                 std::move(stiffness),
                 std::move(contact),
+                {},
                 std::move(system),
                 {},
                 scene.state.history,
@@ -109,6 +111,7 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
                 {},
                 {}};
   solver.u.resize(rows.size());
+  solver.contact.keeps_gaps = settings.scheme == model::Scheme::contact_implicit;
   if (solver.contact.any()) {
     solver.trial.contact_force.assign(3 * scene.state.nodes.size(), 0.0);
     solver.trial.friction_force = solver.trial.contact_force;
@@ -119,7 +122,13 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
     solver.held[static_cast<std::size_t>(model.constrained[k].node)] = static_cast<LocalIndex>(k);
   solver.trial.displacement.assign(3 * scene.state.nodes.size(), 0.0);
   solver.trial.velocity.assign(3 * scene.state.nodes.size(), 0.0);
-  scale_supports(scene, solver);
+  double spacing = 0;
+  scale_supports(scene, spacing, solver.support_stiffness);
+  solver.walls = make_walls(model, solver.unknowns, spacing);
+  if (solver.walls.any()) {
+    solver.trial.wall_force.assign(3 * scene.state.nodes.size(), 0.0);
+    solver.trial.wall_friction = solver.memory.wall_force = solver.memory.wall_friction = solver.trial.wall_force;
+  }
   start_memory(scene, solver);
   return solver;
 }
@@ -141,18 +150,27 @@ void add_arrays(const model::Model& model, Solver& solver, model::Registry& regi
   if (kept.inertial) nodal("inertial_internal", memory.inertial_internal);
   if (kept.inertial && kept.load) nodal("inertial_load", memory.inertial_load);
   if (kept.acceleration) nodal("acceleration", memory.acceleration);
+  const auto global = [&](const char* name, double* values, std::size_t n) {
+    const int width = static_cast<int>(n);
+    if (width > 0)
+      registry.arrays.push_back(
+          {name, model::StateArray::Entity::global, -1, 1, width, values, 1, width, 1, 0, true, true});
+  };
   if (!model.mortar.empty()) {
     nodal("contact_force", memory.contact_force);
     nodal("friction_force", memory.friction_force);
-    const auto global = [&](const char* name, double* values, std::size_t n) {
-      const int width = static_cast<int>(n);
-      if (width > 0)
-        registry.arrays.push_back(
-            {name, model::StateArray::Entity::global, -1, 1, width, values, 1, width, 1, 0, true, true});
-    };
     global("contact_account", &solver.contact_account.normal, contact_account_width);
     global("multipliers", solver.contact.z_before.data(), solver.contact.z_before.size());
+    global("interface_impulses", solver.contact.impulses.data(), solver.contact.impulses.size());
+    global("interface_forces", solver.contact.forces_before.data(), solver.contact.forces_before.size());
     global("friction_tractions", solver.contact.traction_before.data(), solver.contact.traction_before.size());
+  }
+  if (!model.walls.empty()) {
+    nodal("wall_force", memory.wall_force);
+    nodal("wall_friction", memory.wall_friction);
+    global("wall_account", &solver.walls.account.normal, wall_account_width);
+    global("wall_impulses", solver.walls.impulse.data(), solver.walls.impulse.size());
+    global("wall_forces", solver.walls.force.data(), solver.walls.force.size());
   }
   registry.arrays.push_back({"step_length", model::StateArray::Entity::global, -1, 1, step_length_values,
                              &memory.length.level, 1, step_length_values, 1, 0, true, true});

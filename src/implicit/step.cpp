@@ -17,6 +17,10 @@
 namespace brunt::implicit {
 namespace {
 
+/// Share of the energy that contact has taken so far which its recovery may give in a step, by a forecast with the
+/// pressures before it.
+constexpr double of_taken = 0.5;
+
 /// Where the forces that are left are largest: who looks finds its part there.
 struct Unbalanced {
   double force = 0;      ///< [force]; the same on all ranks
@@ -65,6 +69,21 @@ double share_of(const comm::NewtonStep& step, const Trial& trial) {
   return best_share;
 }
 
+/// Collective.
+void note_iterate(const Scene& scene, Solver& solver) {
+  Trial& trial = solver.trial;
+  trial.ratios.push_back(trial.balance.given > 0 ? trial.balance.left / trial.balance.given : 0.0);
+  std::vector<std::uint8_t> now = branches(solver.contact);
+  add_branches(solver.walls, now);
+  trial.stood.push_back(scene.links.ranks.any(now != trial.branches) ? 0 : 1);
+  trial.branches = std::move(now);
+}
+
+NewtonRecord record_of(const Trial& trial) {
+  const std::size_t k = last_judged(trial.ratios);
+  return {trial.time, trial.ratios, trial.stood[k] != 0};
+}
+
 Attempt iterate(const Scene& scene, Solver& solver) {
   Attempt attempt;
   Trial& trial = solver.trial;
@@ -77,8 +96,9 @@ Attempt iterate(const Scene& scene, Solver& solver) {
   };
   problem.judge = [&](int iteration, std::span<const double>, std::span<const double> residual) {
     const Balance& now = trial.balance;
-    trial.ratios.push_back(now.given > 0 ? now.left / now.given : 0.0);
-    if (now.left <= std::max(solver.settings.tolerance * now.given, now.rounding))
+    note_iterate(scene, solver);
+    if (now.left <= std::max(solver.settings.tolerance * now.given, now.rounding) &&
+        chosen_by_balance(scene.links.ranks, solver.walls))
       return comm::NewtonVerdict::converged;
     if (iteration < most_iterations && std::isfinite(now.left)) return comm::NewtonVerdict::go_on;
     attempt.worst = largest_of(scene, solver, residual);
@@ -100,7 +120,8 @@ Attempt iterate(const Scene& scene, Solver& solver) {
     trial.energy = energy[0];
     return true;
   };
-  if (solver.contact.any()) problem.step_length = [&](const comm::NewtonStep& step) { return share_of(step, trial); };
+  if (solver.contact.any() || solver.walls.any())
+    problem.step_length = [&](const comm::NewtonStep& step) { return share_of(step, trial); };
   attempt.newton = comm::newton(scene.links.ranks, solver.u, problem);
   return attempt;
 }
@@ -148,26 +169,44 @@ void refuse_hopeless(const Scene& scene, const Solver& solver, const Attempt& at
           : ""));
 }
 
+/// Contact may give back what it has taken, and no more: the bodies never have more energy than at the start.
+bool gives_too_much(const Solver& solver) {
+  return solver.contact.recovery > 0 && solver.contact.budget > 0 &&
+         given_in_step(solver.contact) > std::max(0.0, solver.contact_account.normal);
+}
+
 }  // namespace
 
 void advance(const Scene& scene, Solver& solver, const std::function<std::string(GlobalIndex gid)>& place) {
   StepLength& length = solver.memory.length;
+  bool recovers = true;
   for (;;) {
+    solver.contact.budget = recovers ? of_taken * std::max(0.0, solver.contact_account.normal) : 0.0;
     begin_step(scene, solver, step_of(solver.settings, length), next_time(solver.settings, length));
     const Attempt attempt = iterate(scene, solver);
     solver.work.iterations += attempt.newton.iterations;
-    if (attempt.newton.reason == comm::NewtonReason::converged) {
+    const bool converged = attempt.newton.reason == comm::NewtonReason::converged;
+    if (recovers && (!converged || gives_too_much(solver))) {
+      const bool asked = solver.contact.recovery > 0 && solver.contact.budget > 0;
+      recovers = false;
+      if (asked) {
+        give_back(scene, solver);
+        continue;
+      }
+    }
+    if (converged) {
       commit_step(scene, solver);
       count_step(solver.settings, attempt.newton.iterations, length);
       ++solver.work.steps;
       solver.work.most_iterations = std::max(solver.work.most_iterations, GlobalIndex{attempt.newton.iterations});
-      solver.work.last_ratios = solver.trial.ratios;
+      add(solver.work.newton, record_of(solver.trial));
       return;
     }
     give_back(scene, solver);
     refuse_hopeless(scene, solver, attempt, place);
     if (!halve(solver.settings, length)) stop(scene, solver, attempt, place);
     ++solver.work.halved;
+    recovers = true;
   }
 }
 

@@ -49,23 +49,38 @@ class ContactRows {
   std::size_t at_ = 0;
 };
 
-/// Three rows of one node from its blocks, of bodies and inertia, supports taken out.
+/// Walls take the directions that they hold out of contact's rows as well.
+void take_walls_out(const WallContact& walls, ContactNodes& nodes) {
+  for (std::size_t k = 0; k < nodes.own.size(); ++k) {
+    if (nodes.own[k] == no_index) continue;
+    const WallAction* action = action_of(walls, static_cast<std::size_t>(nodes.own[k]));
+    nodes.rows[k] = action == nullptr ? nodes.free[k] : Mat3(action->rows * nodes.free[k]);
+  }
+}
+
+/// Three rows of one node from its blocks, of bodies and inertia, supports and walls taken out.
 std::vector<Mat3> blocks_of(const Scene& scene, const Solver& solver, std::size_t r) {
   const NodeRows& nodes = solver.stiffness.rows();
   const Rule& rule = solver.trial.rule;
   const auto i = static_cast<std::size_t>(solver.unknowns.node[r]);
-  const LocalIndex held = solver.held[i];
+  Mat3 taken = Mat3::Identity(), put_in = Mat3::Zero();
+  if (const LocalIndex held = solver.held[i]; held != no_index) {
+    taken = scene.model.constrained[static_cast<std::size_t>(held)].free;
+    put_in = solver.support_stiffness * (Mat3::Identity() - taken);
+  }
+  if (const WallAction* walls = action_of(solver.walls, r)) {
+    taken = walls->rows * taken;
+    put_in += walls->own;
+  }
+  const bool whole = taken == Mat3::Identity();
   std::vector<Mat3> blocks;
   for (std::int64_t place = nodes.begin[r]; place < nodes.begin[r + 1]; ++place) {
     Mat3 block =
         rule.now * Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(nodes.value.data() + 9 * place);
     const bool own = place == nodes.diagonal[r];
     if (own) block += rule.mass * scene.state.nodes[i].mass * Mat3::Identity();
-    if (held != no_index) {
-      const Mat3& free = scene.model.constrained[static_cast<std::size_t>(held)].free;
-      block = free * block;
-      if (own) block += solver.support_stiffness * (Mat3::Identity() - free);
-    }
+    if (!whole) block = taken * block;
+    if (own && !whole) block += put_in;
     blocks.push_back(block);
   }
   return blocks;
@@ -108,6 +123,7 @@ comm::Factorised factorise_tangent(const Scene& scene, Solver& solver) {
   std::vector<ContactTerm> terms;
   {
     const Measure timed(solver.work.contact_seconds);
+    if (solver.walls.any()) take_walls_out(solver.walls, solver.contact.nodes);
     contact_terms(solver.contact, terms);
   }
   {
@@ -115,6 +131,7 @@ comm::Factorised factorise_tangent(const Scene& scene, Solver& solver) {
     const force::Motion motion{scene.state.nodes, solver.trial.rule.dt, false};
     solver.stiffness.assemble(scene.model, scene.state, motion, scene.state.history);
     lay_system(scene, solver, terms);
+    remember_choice(solver.walls);
   }
   const Measure timed(solver.work.factorise_seconds);
   return solver.system.factorise(solver.rows);

@@ -307,7 +307,7 @@ STUDY_RUNS, STUDY_SCENES = "scene: scene.yaml\nruns: {{{}: {{}}}}", "scenes: {{{
 SCRIPTS += [  # before anything is built, run or drawn
     Wrong(f"{script} with a misspelt option", [script, option], command=script, target="", arguments=[option], lines=1)
     for script, option in (("test", "--halp"), ("demo", "--halp"), ("setup", "--halp"), ("tidy", "--halp"), ("run", "--halp"),
-                           ("render", "--halp"), ("plot", "--halp"), ("report", "--halp"), ("study", "--halp"), ("pareto", "--halp"))
+                           ("render", "--halp"), ("plot", "--halp"), ("report", "--halp"), ("study", "--halp"), ("pareto", "--halp"), ("submit", "--halp"))
 ] + [
     Wrong("test with a word too many", ["test", "'law'", "accepted"], command="test", target="", arguments=["law"], lines=1),
     Wrong("test with an option cut short", ["test", "-R"], command="test", target="", arguments=["-R"], lines=1),

@@ -138,7 +138,7 @@ class Implicit(Program):
             "step: 0.1}": ("step: 0.1, min_step: 0.2}", "solver.min_step: is above step"),
             "scheme: contact_implicit": ("scheme: implicit", "solver.scheme: 'implicit' is unknown, nearest is 'static'; accepted: static, contact_implicit, hht, newmark"),
             "fixed:": ("contact: [{between: all}]\nfixed:", "contact.0: an implicit scene has mortar contact alone"),
-            "probes:": ("rigid_walls: [{point: [0, 0, -1], normal: [0, 0, 1]}]\nprobes:", "rigid_walls: are for explicit scenes as yet"),
+            "probes:": ("rigid_walls: [{point: [0, 0, -1], normal: [0, 0, 1], friction: {static: 0.3, kinetic: 0.2}}]\nprobes:", "an implicit scene has one coefficient"),
         }
         for old, (new, message) in wrong.items():
             self.write("wrong.yaml", scene().replace(old, new))

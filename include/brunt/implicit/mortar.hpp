@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "brunt/comm/halo.hpp"
@@ -22,9 +23,11 @@ struct ContactNodes {
   std::vector<GlobalIndex> gid;      ///< ascending
   std::vector<LocalIndex> own;       ///< of each: its place in Unknowns::node where this rank owns it, or no_index
   std::vector<LocalIndex> here;      ///< of each: local index where this rank holds it, or no_index
+  std::vector<Mat3> rows;            ///< of each of this rank: multiplies its rows, supports and walls taken out
   std::vector<Mat3> free;            ///< of each: projector on the directions that supports leave free
   comm::Halo gather;                 ///< from all ranks' nodes to these
   std::vector<Vec3> reference, x;    ///< at the start, at the iterate [length]
+  std::vector<Vec3> x_before;        ///< at t_n [length]
   std::vector<Vec3> force;           ///< of contact at the iterate [force]
   std::vector<Vec3> friction_force;  ///< of it, the tangential part
 };
@@ -53,12 +56,18 @@ struct Interface {
   contact::MortarSlopes slopes;
   std::vector<double> z;  ///< pressures, a row each; of ties three multipliers [force/length^2]
   std::vector<std::uint8_t> active;
+  std::vector<double> start_gaps;  ///< of these rows at the places of t_n, weighted; empty unless kept [length^3]
+  std::vector<double> least_gaps;  ///< that the rows ask for, weighted; empty: zero [length^3]
+  std::vector<double> least_by_start, least_by_covered;  ///< its derivatives by start_gaps, and by what is covered
+  std::vector<std::uint8_t> pressed_before;              ///< at t_n
   std::vector<Vec3> tractions;
   std::vector<contact::FrictionState> states;
   // of t_n and the start
   contact::FrictionHistory history;
   contact::TieStart tie;
+  std::vector<Mat3> tied;             ///< of ties, a row each: projector on the directions that its multipliers hold
   std::vector<std::uint8_t> touches;  ///< rows that touch at the start: in the set from the first iterate on
+  bool at_start = false;              ///< that iterate: what touches is stiff there, though nothing presses yet
 
   [[nodiscard]] int multipliers() const {  ///< unknowns a row
     return pair.tied ? 3 : pair.enforce == contact::MortarPair::Enforce::penalty ? 0 : 1;
@@ -67,20 +76,36 @@ struct Interface {
   [[nodiscard]] double mean_gap(std::size_t row) const {
     return rows.covered[row] > 0 ? rows.gaps[row] / rows.covered[row] : 0.0;
   }
+  /// How far the gap is above what the row asks for, weighted [length^3].
+  [[nodiscard]] double above(std::size_t row) const {
+    return rows.gaps[row] - (least_gaps.empty() ? 0.0 : least_gaps[row]);
+  }
+  /// Gaps of t_n are kept: exact multipliers of a scheme in which contact acts as at the end of the step.
+  [[nodiscard]] bool keeps(const struct MortarContact& contact) const;
   [[nodiscard]] std::size_t count() const { return surfaces.rows.size(); }  ///< rows
 };
 
 struct MortarContact {
   ContactNodes nodes;
   std::vector<Interface> interfaces;
-  std::vector<double> z;                  ///< multipliers of all interfaces, one after the other
-  std::vector<double> z_before{};         ///< likewise at t_n, the same on every rank: saved
+  bool keeps_gaps = false;           ///< rows that begin a step at a negative gap keep it, but for what is recovered
+  double budget = 0;                 ///< what recovery may give in this step, by its forecast [energy]
+  double recovery = 0;               ///< share of `recovered` in this step, 0 to 1
+  std::vector<std::string> notes{};  ///< of the start: multipliers that are left out, and why
+  std::vector<double> z;             ///< multipliers of all interfaces, one after the other
+  std::vector<double> z_before{};    ///< likewise at t_n, the same on every rank: saved
   std::vector<double> traction_before{};  ///< tangential tractions at t_n of all rows with friction, three each: saved
+  std::vector<double> impulses{};         ///< of interfaces on their slaves since t = 0, an InterfaceForce each: saved
+  std::vector<double> forces_before{};    ///< likewise the forces at t_n: saved
   std::vector<GlobalIndex> own_rows;  ///< multipliers whose slave node this rank owns: rows of the system, ascending
   std::vector<LocalIndex> own;        ///< their places in `z`
   comm::Halo gather_z;                ///< from the owners to all
   [[nodiscard]] bool any() const { return !interfaces.empty(); }
 };
+
+inline bool Interface::keeps(const MortarContact& contact) const {
+  return contact.keeps_gaps && multipliers() == 1;
+}
 
 /// Sums of contact over a run, and what it looks like now.
 struct ContactCounts {
@@ -96,8 +121,18 @@ MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& m
 /// Collective.
 void gather_contact(const model::State& state, std::span<const double> own_z, MortarContact& contact);
 
-/// Pairs, rows, active sets and forces at the gathered positions. `first`: rows that touch at the start are pressed.
-void find_contact(MortarContact& contact, bool first);
+/// Which iterate find_contact is at.
+enum class Iterate : std::int8_t {
+  later,
+  first_of_step,  ///< the predictor: pressures are those of t_n, and recovery is chosen
+  first_of_run    ///< likewise; rows that touch at the start are pressed
+};
+
+/// Pairs, rows, active sets and forces at the gathered positions.
+void find_contact(MortarContact& contact, Iterate iterate);
+
+/// What contact along the normals gives to the bodies in the step, where it acts as at the end of it [energy].
+double given_in_step(const MortarContact& contact);
 
 /// What is left of each multiplier's equation, as a force: stiffness times gap where pressed, else the pressure times
 /// its area. Of `own`.
@@ -121,6 +156,9 @@ void keep_contact(MortarContact& contact);
 void restore_contact(const model::State& state, MortarContact& contact);
 
 ContactCounts count(const MortarContact& contact);
+
+/// The branch of every row - open, pressed, keeping its gap, sticking, sliding - at the iterate.
+std::vector<std::uint8_t> branches(const MortarContact& contact);
 
 /// By local node: pressures of the slave's rows [stress], and their gaps (below 0: penetration) [length]; 0 elsewhere.
 /// Of a node with rows in several interfaces the largest pressure, the smallest gap.

@@ -7,6 +7,8 @@
 #include "brunt/comm/linear_system.hpp"
 #include "brunt/force/trial.hpp"
 #include "brunt/implicit/mortar.hpp"
+#include "brunt/implicit/newton_table.hpp"
+#include "brunt/implicit/rigid_walls.hpp"
 #include "brunt/implicit/scheme.hpp"
 #include "brunt/implicit/step_length.hpp"
 #include "brunt/implicit/stiffness.hpp"
@@ -26,6 +28,7 @@ struct Memory {
   std::vector<double> acceleration;  ///< of newmark and hht, else empty [length/time^2]
   /// Of contact, and of its friction alone; only where the scene has mortar interfaces [force].
   std::vector<double> contact_force, friction_force;
+  std::vector<double> wall_force, wall_friction;  ///< likewise of rigid walls, friction apart
   StepLength length;
 };
 
@@ -47,10 +50,13 @@ struct Trial {
   std::vector<Vec3> given;           ///< of Model::constrained: Q (u_{n+1} - u_n), Q the directions that are held
   std::vector<Vec3> given_velocity;  ///< likewise along driven axes, at t_{n+1}
   std::vector<double> contact_force, friction_force;  ///< of all nodes, three each; empty without contact [force]
+  std::vector<double> wall_force, wall_friction;      ///< likewise, set where the step is accepted [force]
   Balance balance;
-  std::vector<double> ratios;  ///< balance.left / balance.given, iterate by iterate
-  int iterate = 0;             ///< residuals found so far in the step
-  double energy = 0;           ///< correction . forces left at the last iterate but one [energy]
+  std::vector<double> ratios;          ///< balance.left / balance.given, iterate by iterate
+  std::vector<std::uint8_t> branches;  ///< of contact at the last iterate
+  std::vector<std::uint8_t> stood;     ///< iterate by iterate: they were the same as before it
+  int iterate = 0;                     ///< residuals found so far in the step
+  double energy = 0;                   ///< correction . forces left at the last iterate but one [energy]
 };
 
 /// What contact has done since t = 0: saved, doubles only.
@@ -67,8 +73,8 @@ struct Work {
   GlobalIndex steps = 0, iterations = 0, most_iterations = 0, halved = 0;
   double contact_seconds = 0;  ///< pairs, segments, rows, their slopes
   double factorise_seconds = 0, tangent_seconds = 0, force_seconds = 0, solve_seconds = 0;
-  double factor_bytes = 0;            ///< largest
-  std::vector<double> last_ratios{};  ///< Trial::ratios of the last step
+  double factor_bytes = 0;  ///< largest
+  NewtonTable newton{};
 };
 
 struct Solver {
@@ -76,6 +82,7 @@ struct Solver {
   Unknowns unknowns;
   Stiffness stiffness;
   MortarContact contact;
+  WallContact walls;
   comm::LinearSystem system;
   comm::SparseRows rows;   ///< of the whole system
   force::History history;  ///< at the iterate

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "facet_rows.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "brunt/contact/mortar/corners.hpp"
@@ -99,14 +100,14 @@ void FacetRows::differentiate_functions() {
         mass[j][k] = mass_slopes_[SegmentSlopes::pair_of_corners(j, k) * size + direction];
         share[j] += mass[j][k];
       }
-    const auto slope = matrix_slope(functions_, share, mass);
+    const double area = area_slope(direction);
+    const auto slope = matrix_slope(functions_, share, mass, area);
+    const double theta = functions_.dual_share, dtheta = dual_share_slope(functions_, share, area);
     for (std::size_t j = 0; j < corners_; ++j)
       for (std::size_t k = 0; k < corners_; ++k) {
         matrix_slopes_[(4 * j + k) * size + direction] = slope[j][k];
-        if (functions_.form == Form::standard)
-          row_slope(j, k)[direction] = mass[j][k];
-        else if (j == k)
-          row_slope(j, j)[direction] = share[j];
+        const double lumped = j == k ? theta * share[j] + dtheta * functions_.share[j] : 0.0;
+        row_slope(j, k)[direction] = lumped + (1 - theta) * mass[j][k] - dtheta * functions_.mass[j][k];
       }
   }
 }
@@ -148,11 +149,25 @@ double FacetRows::covered_area() const {
   return sum;
 }
 
+Vec3 FacetRows::share_slope(std::size_t j, std::size_t node) const {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < corners_; ++k)
+    sum += Vec3(&mass_slopes_[SegmentSlopes::pair_of_corners(j, k) * 3 * nodes_.size() + 3 * node]);
+  return sum;
+}
+
+double FacetRows::area_slope(std::size_t direction) const {
+  const std::size_t corner = direction / 3;
+  if (corner >= corners_) return 0;
+  const Vec3 by_d1 = 0.5 * plane_.diagonal[1].cross(plane_.normal),
+             by_d2 = 0.5 * plane_.normal.cross(plane_.diagonal[0]);
+  const std::array<Vec3, 4> quadrilateral{-by_d1, -by_d2, by_d1, by_d2}, triangle{-by_d1 - by_d2, by_d1, by_d2, {}};
+  return (corners_ == 3 ? triangle : quadrilateral)[corner][static_cast<Eigen::Index>(direction % 3)];
+}
+
 Vec3 FacetRows::covered_area_slope(std::size_t node) const {
   Vec3 sum = Vec3::Zero();
-  for (std::size_t j = 0; j < corners_; ++j)
-    for (std::size_t k = 0; k < corners_; ++k)
-      sum += Vec3(&mass_slopes_[SegmentSlopes::pair_of_corners(j, k) * 3 * nodes_.size() + 3 * node]);
+  for (std::size_t j = 0; j < corners_; ++j) sum += share_slope(j, node);
   return sum;
 }
 
@@ -170,6 +185,17 @@ void FacetRows::gap_slopes(std::size_t j, std::vector<Mat3>& slopes) const {
     const std::span<const double> of_weight = slope(j, k);
     for (std::size_t l = 0; l < n; ++l)
       slopes[l] += positions_[k] * Vec3(of_weight[3 * l], of_weight[3 * l + 1], of_weight[3 * l + 2]).transpose();
+  }
+}
+
+void FacetRows::fixed_slopes(std::size_t j, std::span<const Vec3> places, std::vector<Mat3>& slopes) const {
+  const std::size_t n = nodes_.size();
+  slopes.assign(n, Mat3::Zero());
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::span<const double> of_weight = slope(j, k);
+    const Vec3 place = places[static_cast<std::size_t>(nodes_[k])] - plane_.centre;  // weights have sum zero
+    for (std::size_t l = 0; l < n; ++l)
+      slopes[l] += place * Vec3(of_weight[3 * l], of_weight[3 * l + 1], of_weight[3 * l + 2]).transpose();
   }
 }
 

@@ -25,14 +25,20 @@ class FacetRows {
     return {slopes_.data() + (j * nodes_.size() + node) * size, size};
   }
   [[nodiscard]] double share(std::size_t j) const { return functions_.share[j]; }
+  /// Its derivative by each of nodes(); after an evaluation with slopes [length].
+  [[nodiscard]] Vec3 share_slope(std::size_t j, std::size_t node) const;
   /// Of the overlap [length^2].
   [[nodiscard]] double covered_area() const;
   /// Its derivative by each of nodes(); after an evaluation with slopes [length].
   [[nodiscard]] Vec3 covered_area_slope(std::size_t node) const;
+  /// Of the facet's own area, in direction 3 node + axis of nodes() [length].
+  [[nodiscard]] double area_slope(std::size_t direction) const;
   /// sum_K w_jK (x_K - centre).
   [[nodiscard]] Vec3 gap_vector(std::size_t j) const;
   /// Its derivative by node `node`, for all nodes at once [length^2].
   void gap_slopes(std::size_t j, std::vector<Mat3>& slopes) const;
+  /// Derivatives by all nodes of sum_K w_jK y_K, of places that do not move with the nodes [length^2].
+  void fixed_slopes(std::size_t j, std::span<const Vec3> places, std::vector<Mat3>& slopes) const;
   /// sum_j T_j (x) dw_jK: matrix of 3 nodes() rows and columns.
   void traction_patch(const std::array<Vec3, 4>& tractions, std::vector<double>& values) const;
 

@@ -24,20 +24,46 @@ void pressure_columns(const MortarRows& rows, std::span<const Vec3> by_pressure,
       columns.blocks.emplace_back(weight * by_pressure[row]);
 }
 
-void gap_gradient(const MortarRows& rows, const MortarSlopes& slopes, NodeBlocks<Vec3>& gradient) {
+namespace {
+
+/// d(normal_A . V_A)/dx, of vectors with the slopes `of_vectors`.
+template <class VectorOf>
+void normal_part_gradient(const MortarRows& rows, const MortarSlopes& slopes, const NodeBlocks<Mat3>& of_vectors,
+                          const VectorOf& vector, NodeBlocks<Vec3>& gradient) {
   gradient.clear();
   for (std::size_t row = 0; row < rows.normals.size(); ++row) {
     const auto index = static_cast<LocalIndex>(row);
-    const std::span<const LocalIndex> nodes = slopes.gap_vectors.nodes.row(index);
+    const std::span<const LocalIndex> nodes = of_vectors.nodes.row(index);
     for (std::size_t k = 0; k < nodes.size(); ++k) {  // each node once: nothing to add to
       gradient.nodes.values.push_back(nodes[k]);
-      gradient.blocks.emplace_back(slopes.gap_vectors.row(index)[k].transpose() * rows.normals[row]);
+      gradient.blocks.emplace_back(of_vectors.row(index)[k].transpose() * rows.normals[row]);
     }
     const std::span<const LocalIndex> around = slopes.normals.nodes.row(index);
+    const Vec3 of_row = nodes.empty() ? Vec3(Vec3::Zero()) : vector(row);
     for (std::size_t k = 0; k < around.size() && !nodes.empty(); ++k)
-      add_block(gradient, around[k], Vec3(slopes.normals.row(index)[k].transpose() * rows.gap_vectors[row]));
+      add_block(gradient, around[k], Vec3(slopes.normals.row(index)[k].transpose() * of_row));
     gradient.nodes.close_row();
   }
+}
+
+}  // namespace
+
+void gap_gradient(const MortarRows& rows, const MortarSlopes& slopes, NodeBlocks<Vec3>& gradient) {
+  normal_part_gradient(
+      rows, slopes, slopes.gap_vectors, [&](std::size_t row) { return rows.gap_vectors[row]; }, gradient);
+}
+
+void gaps_at(const MortarRows& rows, std::span<const Vec3> y, std::vector<double>& gaps) {
+  gaps.assign(rows.gaps.size(), 0);
+  for (std::size_t row = 0; row < gaps.size(); ++row)
+    gaps[row] = rows.normals[row].dot(weighted_sum(rows.weights, static_cast<LocalIndex>(row), y));
+}
+
+void gaps_at_gradient(const MortarRows& rows, const MortarSlopes& slopes, std::span<const Vec3> y,
+                      NodeBlocks<Vec3>& gradient) {
+  normal_part_gradient(
+      rows, slopes, slopes.of_fixed,
+      [&](std::size_t row) { return weighted_sum(rows.weights, static_cast<LocalIndex>(row), y); }, gradient);
 }
 
 void add_traction_slopes(const MortarRows& rows, const NodeBlocks<Mat3>& traction_slopes, Patches& patches) {

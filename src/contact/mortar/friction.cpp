@@ -15,18 +15,19 @@ Mat3 across(const Vec3& normal) {
 /// What one row takes from the last step.
 class RowFriction {
  public:
-  RowFriction(const MortarRows& rows, const MortarTopology& topology, std::span<const Vec3> x,
-              const FrictionHistory& history, std::size_t row)
-      : normal_(rows.normals[row]), kappa_(topology.kappa[row]) {
+  RowFriction(const MortarRows& rows, std::span<const Vec3> x, const FrictionHistory& history, std::size_t row)
+      : normal_(rows.normals[row]), covered_(rows.covered[row]) {
     const auto index = static_cast<LocalIndex>(row);
-    known_ = history.weights.nodes.rows() > 0 && !history.weights.nodes.row(index).empty();
+    known_ = covered_ > 0 && history.weights.nodes.rows() > 0 && history.covered[row] > 0;
     if (!known_) return;
-    change_ = rows.gap_vectors[row] - weighted_sum(history.weights, index, x);
+    covered_before_ = history.covered[row];
+    gap_ = rows.gap_vectors[row] / covered_;
+    change_ = gap_ - weighted_sum(history.weights, index, x) / covered_before_;
     traction_ = history.tractions[row];
     old_normal_ = history.normals[row];
   }
 
-  [[nodiscard]] Vec3 slip() const { return -kappa_ * (change_ - normal_.dot(change_) * normal_); }
+  [[nodiscard]] Vec3 slip() const { return -(change_ - normal_.dot(change_) * normal_); }
   [[nodiscard]] Vec3 trial(double stiffness) const {
     return turned(traction_, old_normal_, normal_) - stiffness * slip();
   }
@@ -34,21 +35,25 @@ class RowFriction {
   void add_trial_slopes(const Mat3& left, double stiffness, const MortarSlopes& slopes, const FrictionHistory& history,
                         LocalIndex row, NodeBlocks<Mat3>& out) const {
     if (!known_) return;
-    const Mat3 by_change = stiffness * kappa_ * left * across(normal_);
-    add_row(out, by_change, slopes.gap_vectors, row);
+    const Mat3 by_change = stiffness * left * across(normal_);
+    add_row(out, by_change / covered_, slopes.gap_vectors, row);
+    const Vec3 by_covered = -(by_change * gap_) / covered_;
+    const std::span<const LocalIndex> around = slopes.covered.nodes.row(row);
+    for (std::size_t k = 0; k < around.size(); ++k)
+      add_block(out, around[k], Mat3(by_covered * slopes.covered.row(row)[k].transpose()));
     const std::span<const LocalIndex> nodes = history.weights.nodes.row(row);
     for (std::size_t k = 0; k < nodes.size(); ++k)
-      add_block(out, nodes[k], Mat3(-history.weights.row(row)[k] * by_change));
-    const Mat3 by_normal =
-        turned_slope(traction_, old_normal_, normal_) -
-        stiffness * kappa_ * (normal_.dot(change_) * Mat3::Identity() + normal_ * change_.transpose());
+      add_block(out, nodes[k], Mat3(-history.weights.row(row)[k] / covered_before_ * by_change));
+    const Mat3 by_normal = turned_slope(traction_, old_normal_, normal_) -
+                           stiffness * (normal_.dot(change_) * Mat3::Identity() + normal_ * change_.transpose());
     add_row(out, left * by_normal, slopes.normals, row);
   }
 
  private:
   Vec3 normal_, old_normal_ = Vec3::Zero(), traction_ = Vec3::Zero();
-  Vec3 change_ = Vec3::Zero();  ///< sum_K (w_AK - w_AK of the last step) x_K
-  double kappa_;
+  Vec3 gap_ = Vec3::Zero();     ///< mean over what is covered now
+  Vec3 change_ = Vec3::Zero();  ///< sum_K (w_AK / covered - the same of the last step) x_K
+  double covered_, covered_before_ = 0;
   bool known_ = false;
 };
 
@@ -58,41 +63,40 @@ FrictionState state_of(const Vec3& trial, double limit) {
 
 }  // namespace
 
-void slips(const MortarRows& rows, const MortarTopology& topology, std::span<const Vec3> x,
-           const FrictionHistory& history, std::vector<Vec3>& out) {
+void slips(const MortarRows& rows, std::span<const Vec3> x, const FrictionHistory& history, std::vector<Vec3>& out) {
   out.clear();
-  for (std::size_t row = 0; row < rows.gaps.size(); ++row)
-    out.push_back(RowFriction(rows, topology, x, history, row).slip());
+  for (std::size_t row = 0; row < rows.gaps.size(); ++row) out.push_back(RowFriction(rows, x, history, row).slip());
 }
 
-void friction_tractions(const MortarRows& rows, const MortarTopology& topology, std::span<const Vec3> x,
-                        std::span<const double> z, const MortarFriction& law, const FrictionHistory& history,
-                        std::vector<Vec3>& tractions, std::vector<FrictionState>& states) {
+void friction_tractions(const MortarRows& rows, std::span<const Vec3> x, std::span<const double> z,
+                        const MortarFriction& law, const FrictionHistory& history, std::vector<Vec3>& tractions,
+                        std::vector<FrictionState>& states) {
   normal_tractions(rows, z, tractions);
   states.assign(z.size(), FrictionState::open);
   for (std::size_t row = 0; row < z.size(); ++row) {
     if (!(z[row] > 0)) continue;
-    const Vec3 trial = RowFriction(rows, topology, x, history, row).trial(law.stiffness);
+    const Vec3 trial = RowFriction(rows, x, history, row).trial(law.stiffness);
     const double limit = law.coefficient * z[row];
     states[row] = state_of(trial, limit);
     tractions[row] += states[row] == FrictionState::stick ? trial : Vec3(limit * trial.normalized());
   }
 }
 
-void friction_traction_slopes(const MortarRows& rows, const MortarSlopes& slopes, const MortarTopology& topology,
-                              std::span<const Vec3> x, std::span<const double> z, const MortarFriction& law,
-                              const FrictionHistory& history, TractionSlopes& out) {
+void friction_traction_slopes(const MortarRows& rows, const MortarSlopes& slopes, std::span<const Vec3> x,
+                              std::span<const double> z, const MortarFriction& law, const FrictionHistory& history,
+                              TractionSlopes& out, std::span<const std::uint8_t> assumed) {
   out.by_position.clear();
   out.by_pressure = rows.normals;
   for (std::size_t row = 0; row < z.size(); ++row) {
     const auto index = static_cast<LocalIndex>(row);
     if (z[row] != 0) add_row(out.by_position, z[row] * Mat3::Identity(), slopes.normals, index);
-    if (z[row] > 0) {
-      const RowFriction friction(rows, topology, x, history, row);
+    const bool sticks = !(z[row] > 0) && !assumed.empty() && assumed[row] != 0;
+    if (z[row] > 0 || sticks) {
+      const RowFriction friction(rows, x, history, row);
       const Vec3 trial = friction.trial(law.stiffness);
       const double limit = law.coefficient * z[row], size = trial.norm();
       Mat3 left = Mat3::Identity();
-      if (state_of(trial, limit) == FrictionState::slip) {
+      if (!sticks && state_of(trial, limit) == FrictionState::slip) {
         left = limit / size * across(trial / size);
         out.by_pressure[row] += law.coefficient / size * trial;
       }
@@ -104,6 +108,7 @@ void friction_traction_slopes(const MortarRows& rows, const MortarSlopes& slopes
 
 void keep_friction(const MortarRows& rows, std::span<const Vec3> tractions, FrictionHistory& history) {
   history.weights = rows.weights;
+  history.covered = rows.covered;
   history.normals = rows.normals;
   history.tractions.clear();
   for (std::size_t row = 0; row < tractions.size(); ++row)

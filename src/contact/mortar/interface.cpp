@@ -42,16 +42,21 @@ void gather(const std::vector<Entry<Block>>& entries, std::size_t rows, MortarSc
 
 /// Entries of one facet's rows; weights, and slopes of gap vectors where asked for.
 void take_facet(const FacetRows& facet, const FacetNodes& slave, const MortarTopology& topology, MortarScratch& scratch,
-                MortarRows& rows, bool with_slopes) {
+                MortarRows& rows, std::span<const Vec3> fixed, bool with_slopes) {
   for (std::size_t j = 0; j < facet.corners(); ++j) {
     const LocalIndex row = topology.row_of_node[static_cast<std::size_t>(slave[j])];
     if (row == no_index) continue;
     rows.covered[static_cast<std::size_t>(row)] += facet.share(j);
     rows.gap_vectors[static_cast<std::size_t>(row)] += facet.gap_vector(j);
     if (with_slopes) facet.gap_slopes(j, scratch.gap_slopes);
+    if (!fixed.empty()) facet.fixed_slopes(j, fixed, scratch.fixed_slopes);
     for (std::size_t k = 0; k < facet.nodes().size(); ++k) {
       scratch.weights.push_back({row, facet.nodes()[k], facet.weight(j, k)});
-      if (with_slopes) scratch.gaps.push_back({row, facet.nodes()[k], scratch.gap_slopes[k]});
+      if (with_slopes) {
+        scratch.gaps.push_back({row, facet.nodes()[k], scratch.gap_slopes[k]});
+        scratch.covered.push_back({row, facet.nodes()[k], facet.share_slope(j, k)});
+      }
+      if (!fixed.empty()) scratch.of_fixed.push_back({row, facet.nodes()[k], scratch.fixed_slopes[k]});
     }
   }
 }
@@ -83,7 +88,7 @@ void take_patch(const FacetRows& facet, std::size_t index, const FacetNodes& sla
 
 void evaluate(const MortarSurfaces& surfaces, const MortarTopology& topology, const Ragged<LocalIndex>& candidates,
               std::span<const Vec3> x, std::span<const Vec3> tractions, MortarScratch& scratch, MortarRows& rows,
-              MortarSlopes* slopes) {
+              MortarSlopes* slopes, std::span<const Vec3> fixed) {
   const std::size_t row_count = surfaces.rows.size();
   demand(static_cast<std::size_t>(candidates.rows()) == surfaces.slave.size(), "mortar: a row of candidates a facet");
   demand(slopes == nullptr || tractions.size() == row_count, "mortar: a traction a row");
@@ -93,6 +98,8 @@ void evaluate(const MortarSurfaces& surfaces, const MortarTopology& topology, co
   scratch.place_of_node.assign(x.size(), no_index);
   scratch.weights.clear();
   scratch.gaps.clear();
+  scratch.of_fixed.clear();
+  scratch.covered.clear();
   if (slopes != nullptr) slopes->weights.clear();
   scratch.coverage.clear();
   for (std::size_t facet = 0; facet < surfaces.slave.size(); ++facet) {
@@ -102,13 +109,17 @@ void evaluate(const MortarSurfaces& surfaces, const MortarTopology& topology, co
       continue;
     rows.segments += scratch.facet.segments();
     take_coverage(scratch.facet, slopes != nullptr, scratch.coverage);
-    take_facet(scratch.facet, surfaces.slave[facet], topology, scratch, rows, slopes != nullptr);
+    take_facet(scratch.facet, surfaces.slave[facet], topology, scratch, rows, fixed, slopes != nullptr);
     if (slopes != nullptr)
       take_patch(scratch.facet, facet, surfaces.slave[facet], topology, tractions, slopes->weights);
   }
   if (slopes != nullptr) scratch.coverage.slopes.nodes.close_row();
   gather(scratch.weights, row_count, scratch, rows.weights);
-  if (slopes != nullptr) gather(scratch.gaps, row_count, scratch, slopes->gap_vectors);
+  if (slopes != nullptr) {
+    gather(scratch.gaps, row_count, scratch, slopes->gap_vectors);
+    gather(scratch.covered, row_count, scratch, slopes->covered);
+    gather(scratch.of_fixed, row_count, scratch, slopes->of_fixed);
+  }
   nodal_normals(surfaces, topology, x, rows.normals, slopes != nullptr ? &slopes->normals : nullptr, &scratch.coverage);
   rows.gaps.resize(row_count);
   for (std::size_t row = 0; row < row_count; ++row) rows.gaps[row] = rows.normals[row].dot(rows.gap_vectors[row]);
@@ -133,14 +144,14 @@ Patch& Patches::next(LocalIndex from) {
 
 void mortar_rows(const MortarSurfaces& surfaces, const MortarTopology& topology, const Ragged<LocalIndex>& candidates,
                  std::span<const Vec3> x, MortarScratch& scratch, MortarRows& rows) {
-  evaluate(surfaces, topology, candidates, x, {}, scratch, rows, nullptr);
+  evaluate(surfaces, topology, candidates, x, {}, scratch, rows, nullptr, {});
 }
 
 void mortar_rows_and_slopes(const MortarSurfaces& surfaces, const MortarTopology& topology,
                             const Ragged<LocalIndex>& candidates, std::span<const Vec3> x,
                             std::span<const Vec3> tractions, MortarScratch& scratch, MortarRows& rows,
-                            MortarSlopes& slopes) {
-  evaluate(surfaces, topology, candidates, x, tractions, scratch, rows, &slopes);
+                            MortarSlopes& slopes, std::span<const Vec3> fixed) {
+  evaluate(surfaces, topology, candidates, x, tractions, scratch, rows, &slopes, fixed);
 }
 
 }  // namespace brunt::contact

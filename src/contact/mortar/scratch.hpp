@@ -19,8 +19,9 @@ struct MortarScratch {
   FacetRows facet;
   FacetCoverage coverage;
   std::vector<Entry<double>> weights;
-  std::vector<Entry<Mat3>> gaps;
-  std::vector<Mat3> gap_slopes;
+  std::vector<Entry<Mat3>> gaps, of_fixed;
+  std::vector<Entry<Vec3>> covered;
+  std::vector<Mat3> gap_slopes, fixed_slopes;
   std::vector<LocalIndex> first_of_row, next_of_row, order;
   std::vector<LocalIndex> place_of_node;  ///< of the entry of a node in the row that is being gathered
 };

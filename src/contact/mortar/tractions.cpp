@@ -22,24 +22,28 @@ void normal_traction_slopes(const MortarRows& rows, const MortarSlopes& slopes, 
   }
 }
 
-void penalty_pressures(const MortarRows& rows, const MortarTopology& topology, double stiffness,
-                       std::span<const double> base, std::vector<double>& z) {
+void penalty_pressures(const MortarRows& rows, double stiffness, std::span<const double> base, std::vector<double>& z) {
   z.assign(rows.gaps.size(), 0);
   for (std::size_t row = 0; row < z.size(); ++row)
     if (rows.covered[row] > 0)
-      z[row] = std::max(0.0, (base.empty() ? 0 : base[row]) - stiffness * rows.normalised_gap(topology, row));
+      z[row] = std::max(0.0, (base.empty() ? 0 : base[row]) - stiffness * rows.gaps[row] / rows.covered[row]);
 }
 
-void add_penalty_slopes(const NodeBlocks<Vec3>& gradient, const MortarTopology& topology, double stiffness,
-                        std::span<const double> z, TractionSlopes& slopes) {
+void add_penalty_slopes(const MortarRows& rows, const NodeBlocks<Vec3>& gradient, const MortarSlopes& of_rows,
+                        double stiffness, std::span<const std::uint8_t> pressed, TractionSlopes& slopes) {
   NodeBlocks<Mat3> sum;
-  for (std::size_t row = 0; row < z.size(); ++row) {
+  for (std::size_t row = 0; row < pressed.size(); ++row) {
     const auto index = static_cast<LocalIndex>(row);
     add_row(sum, Mat3::Identity(), slopes.by_position, index);
-    const std::span<const LocalIndex> nodes = gradient.nodes.row(index);
-    const double rate = -stiffness * topology.kappa[row];
-    for (std::size_t k = 0; k < nodes.size() && z[row] > 0; ++k)
-      add_block(sum, nodes[k], Mat3(rate * slopes.by_pressure[row] * gradient.row(index)[k].transpose()));
+    if (pressed[row] != 0 && rows.covered[row] > 0) {
+      const double rate = -stiffness / rows.covered[row], by_covered = -rate * rows.gaps[row] / rows.covered[row];
+      const std::span<const LocalIndex> nodes = gradient.nodes.row(index), around = of_rows.covered.nodes.row(index);
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        add_block(sum, nodes[k], Mat3(rate * slopes.by_pressure[row] * gradient.row(index)[k].transpose()));
+      for (std::size_t k = 0; k < around.size(); ++k)
+        add_block(sum, around[k],
+                  Mat3(by_covered * slopes.by_pressure[row] * of_rows.covered.row(index)[k].transpose()));
+    }
     sum.nodes.close_row();
   }
   slopes.by_position = std::move(sum);

@@ -13,10 +13,12 @@ namespace brunt::contact {
 /// [force/length^3]. The constant c of the active set (any of this size does), and the unit of penalty stiffness.
 double layer_stiffness(double young, const MortarTopology& topology);
 
-/// active[A] = 1 where z_A - c kappa_A gap_A > 0 and the row has a segment (Hueber and Wohlmuth 2005). Returns how many
-/// entries changed. z: pressures [force/length^2]. The rows' equations are then
-///   active: kappa_A gap_A = 0, linearised by gap_gradient; inactive: z_A = 0.
-std::size_t choose_active(const MortarRows& rows, const MortarTopology& topology, std::span<const double> z, double c,
-                          std::vector<std::uint8_t>& active);
+/// active[A] = 1 where z_A - c (gap_A - least_A) / covered_A > 0 and the row has a segment (Hueber and Wohlmuth 2005).
+/// Returns how many entries changed. z: pressures [force/length^2]; least: the gaps that rows ask for, weighted
+/// [length^3], zero if empty. The rows' equations are then
+///   active: (gap_A - least_A) / covered_A = 0; inactive: z_A = 0.
+/// (Over what is covered: the weighted gap of a sliver vanishes with its area too, which is no solution.)
+std::size_t choose_active(const MortarRows& rows, std::span<const double> z, double c,
+                          std::vector<std::uint8_t>& active, std::span<const double> least = {});
 
 }  // namespace brunt::contact

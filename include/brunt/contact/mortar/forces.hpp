@@ -18,6 +18,12 @@ void pressure_columns(const MortarRows& rows, std::span<const Vec3> by_pressure,
 /// K_zx: h_A = d(normal_A . G_A)/dx, a row each; rows without a segment are empty [length^2].
 void gap_gradient(const MortarRows& rows, const MortarSlopes& slopes, NodeBlocks<Vec3>& gradient);
 
+/// The gaps that these rows have at other places y, with the normals and weights of now: normal_A . sum_K w_AK y_K
+/// [length^3], and d/dx at fixed y [length^2]; slopes: made with `fixed` = y.
+void gaps_at(const MortarRows& rows, std::span<const Vec3> y, std::vector<double>& gaps);
+void gaps_at_gradient(const MortarRows& rows, const MortarSlopes& slopes, std::span<const Vec3> y,
+                      NodeBlocks<Vec3>& gradient);
+
 /// Appends a patch for each row whose traction has slopes: w_AK dT_A/dx_L.
 void add_traction_slopes(const MortarRows& rows, const NodeBlocks<Mat3>& traction_slopes, Patches& patches);
 

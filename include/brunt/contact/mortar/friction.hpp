@@ -18,6 +18,7 @@ struct MortarFriction {
 /// What is kept of the last step, a row each. A row without old weights has neither slip nor traction.
 struct FrictionHistory {
   NodeBlocks<double> weights;   ///< w_AK [length^2]
+  std::vector<double> covered;  ///< [length^2]
   std::vector<Vec3> normals;    ///< unit
   std::vector<Vec3> tractions;  ///< tangential part on the slave [force/length^2]
 };
@@ -25,20 +26,20 @@ struct FrictionHistory {
 enum class FrictionState : std::int8_t { open, stick, slip };
 
 /// Slip of the slave relative to the master over the step [length], a row each:
-/// s_A = - kappa_A (1 - n n^T) sum_K (w_AK - w_AK of the last step) x_K.
-void slips(const MortarRows& rows, const MortarTopology& topology, std::span<const Vec3> x,
-           const FrictionHistory& history, std::vector<Vec3>& out);
+/// s_A = - (1 - n n^T) sum_K (w_AK / covered_A - the same of the last step) x_K: means over what is covered, so that
+/// sticking is as stiff at a rim as within.
+void slips(const MortarRows& rows, std::span<const Vec3> x, const FrictionHistory& history, std::vector<Vec3>& out);
 
 /// T_A = z_A normal_A + t_A with t_A = t_tr where |t_tr| <= mu z_A (stick), else mu z_A t_tr/|t_tr|;
 /// t_tr = (t of the last step, turned with the normal) - stiffness s_A. Rows with z_A <= 0 have none.
-void friction_tractions(const MortarRows& rows, const MortarTopology& topology, std::span<const Vec3> x,
-                        std::span<const double> z, const MortarFriction& law, const FrictionHistory& history,
-                        std::vector<Vec3>& tractions, std::vector<FrictionState>& states);
+void friction_tractions(const MortarRows& rows, std::span<const Vec3> x, std::span<const double> z,
+                        const MortarFriction& law, const FrictionHistory& history, std::vector<Vec3>& tractions,
+                        std::vector<FrictionState>& states);
 
-/// Their slopes, along the branch taken.
-void friction_traction_slopes(const MortarRows& rows, const MortarSlopes& slopes, const MortarTopology& topology,
-                              std::span<const Vec3> x, std::span<const double> z, const MortarFriction& law,
-                              const FrictionHistory& history, TractionSlopes& out);
+/// Their slopes, along the branch taken. assumed: rows that are taken to stick where they have no pressure; or empty.
+void friction_traction_slopes(const MortarRows& rows, const MortarSlopes& slopes, std::span<const Vec3> x,
+                              std::span<const double> z, const MortarFriction& law, const FrictionHistory& history,
+                              TractionSlopes& out, std::span<const std::uint8_t> assumed = {});
 
 /// The history of a step that is accepted.
 void keep_friction(const MortarRows& rows, std::span<const Vec3> tractions, FrictionHistory& history);

@@ -100,7 +100,9 @@ struct Patches {
 
 struct MortarSlopes {
   NodeBlocks<Mat3> gap_vectors;  ///< dG_A / dx_K [length^2]
+  NodeBlocks<Mat3> of_fixed;     ///< d(sum_L w_AL y_L) / dx_K of places y that do not move with x [length^2]
   NodeBlocks<Mat3> normals;      ///< d normal_A / dx_K [1/length]
+  NodeBlocks<Vec3> covered;      ///< d covered_A / dx_K [length]
   Patches weights;               ///< sum_A T_A (x) dw_AK / dx_L at fixed tractions T, a patch a slave facet
 };
 
@@ -116,10 +118,11 @@ MortarScratchPointer make_mortar_scratch();
 void mortar_rows(const MortarSurfaces& surfaces, const MortarTopology& topology, const Ragged<LocalIndex>& candidates,
                  std::span<const Vec3> x, MortarScratch& scratch, MortarRows& rows);
 
-/// The same with derivatives; tractions: T_A of each row at which `weights` is formed [force/length^2].
+/// The same with derivatives; tractions: T_A of each row at which `weights` is formed [force/length^2]; fixed: places
+/// y of all nodes for MortarSlopes::of_fixed, which stays empty without them [length].
 void mortar_rows_and_slopes(const MortarSurfaces& surfaces, const MortarTopology& topology,
                             const Ragged<LocalIndex>& candidates, std::span<const Vec3> x,
                             std::span<const Vec3> tractions, MortarScratch& scratch, MortarRows& rows,
-                            MortarSlopes& slopes);
+                            MortarSlopes& slopes, std::span<const Vec3> fixed = {});
 
 }  // namespace brunt::contact

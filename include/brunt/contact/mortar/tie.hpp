@@ -18,6 +18,15 @@ struct TieStart {
 
 TieStart tie(const MortarRows& rows);
 
+/// Of each row: projector on the directions that its multipliers hold. Where supports hold the slave node along a
+/// direction, and also the place of the master under it (all nodes with a share in it), a multiplier would be
+/// redundant, as at nodes of a plane of symmetry. A master that is free there is tied to the slave node's prescribed
+/// motion. Zero for rows that are not tied. candidates, x: of the start; free: projector on the free directions of each
+/// node.
+std::vector<Mat3> tied_directions(const MortarSurfaces& surfaces, const MortarTopology& topology,
+                                  const Ragged<LocalIndex>& candidates, std::span<const Vec3> x, const TieStart& start,
+                                  std::span<const Mat3> free);
+
 /// Residuals r_A = sum_K w_AK x_K / covered_A - (gap of the start, turned from the normal of the start to the one now)
 /// [length]. normals: of nodal_normals at x.
 void tie_residuals(const TieStart& start, std::span<const Vec3> x, std::span<const Vec3> normals,

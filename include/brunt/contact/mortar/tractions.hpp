@@ -3,6 +3,7 @@
 //   mortar_rows -> tractions T_A -> add_forces;  then mortar_rows_and_slopes at T -> traction slopes ->
 //   add_traction_slopes. Friction (friction.hpp) takes the place of the second step.
 #pragma once
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,13 +23,13 @@ void normal_tractions(const MortarRows& rows, std::span<const double> z, std::ve
 void normal_traction_slopes(const MortarRows& rows, const MortarSlopes& slopes, std::span<const double> z,
                             TractionSlopes& out);
 
-/// z_A = max(0, base_A - stiffness kappa_A gap_A) where the row has a segment, eq. (23). base: multipliers of the last
-/// augmentation; empty: zero. stiffness: [force/length^3].
-void penalty_pressures(const MortarRows& rows, const MortarTopology& topology, double stiffness,
-                       std::span<const double> base, std::vector<double>& z);
+/// z_A = max(0, base_A - stiffness gap_A / covered_A) where the row has a segment: eq. (23) with the mean gap over what
+/// is covered, so that a row is as stiff at a rim as within. base: multipliers of the last augmentation; empty: zero.
+/// stiffness: [force/length^3].
+void penalty_pressures(const MortarRows& rows, double stiffness, std::span<const double> base, std::vector<double>& z);
 
 /// Adds dT_A/dz_A (x) dz_A/dx to the slopes by position of the rows that are pressed. gradient: of gap_gradient.
-void add_penalty_slopes(const NodeBlocks<Vec3>& gradient, const MortarTopology& topology, double stiffness,
-                        std::span<const double> z, TractionSlopes& slopes);
+void add_penalty_slopes(const MortarRows& rows, const NodeBlocks<Vec3>& gradient, const MortarSlopes& of_rows,
+                        double stiffness, std::span<const std::uint8_t> pressed, TractionSlopes& slopes);
 
 }  // namespace brunt::contact

@@ -102,8 +102,25 @@ TEST_CASE("At rims a uniform gap gives every covered node that gap") {
     }
 }
 
+TEST_CASE("Surfaces that come nearest at a rim have open gaps") {
+  // One facet under a master that ends over it and rises from there: the line through its gaps crosses zero beyond the
+  // rim, where nothing is.
+  for (const double rim : {0.02, 0.3, 0.45, 0.6}) {
+    const TwoSurfaces two(
+        {1, 1, 0, 1, 0, 1, true, false}, [](double x, double y) { return Vec3(x, y, 0); },
+        {1, 1, -1, rim, -1, 2, false, false}, [rim](double x, double y) { return Vec3(x, y, 0.01 + 0.2 * (rim - x)); });
+    Evaluation evaluation(two);
+    for (std::size_t row = 0; row < 4; ++row) CHECK(evaluation.rows.gaps[row] > 0.01 * evaluation.rows.covered[row]);
+  }
+}
+
 TEST_CASE("Dual weights over the slave's nodes are diagonal") {
-  const TwoSurfaces two = test::wavy_surfaces(2);
+  // a master that covers all of a wavy slave
+  const auto wave = [](double height) {
+    return [height](double x, double y) { return Vec3(x, y, height + 0.05 * std::sin(3 * x) * std::cos(2 * y)); };
+  };
+  const TwoSurfaces two({3, 2, 0, 1, 0, 1, true, false}, wave(0), {3, 4, -0.3, 1.3, -0.3, 1.3, false, false},
+                        wave(0.02));
   Evaluation evaluation(two);
   for (LocalIndex row = 0; row < 12; ++row)
     for (LocalIndex node = 0; node < 12; ++node)
@@ -141,6 +158,26 @@ TEST_CASE("The force tangent at fixed pressures and the gap gradient agree with 
       add_traction_slopes(evaluation.rows, traction_slopes.by_position, evaluation.slopes.weights);
       NodeBlocks<Vec3> gradient;
       gap_gradient(evaluation.rows, evaluation.slopes, gradient);
+      std::vector<Vec3> fixed = two.x;  // places of another time
+      for (std::size_t node = 0; node < fixed.size(); ++node)
+        fixed[node] += 0.02 * Vec3(std::sin(3.0 * static_cast<double>(node)), 0.5, -1);
+      MortarSlopes with_fixed;
+      mortar_rows_and_slopes(two.surfaces, evaluation.topology, two.candidates, two.x, tractions, *evaluation.scratch,
+                             evaluation.rows, with_fixed, fixed);
+      NodeBlocks<Vec3> of_fixed;
+      gaps_at_gradient(evaluation.rows, with_fixed, fixed, of_fixed);
+      const auto fixed_gaps = [&](std::span<const Vec3> x) {
+        moved.move(two, x);
+        std::vector<double> of_rows;
+        gaps_at(moved.rows, fixed, of_rows);
+        return of_rows;
+      };
+      CHECK(test::difference(test::assembled(of_fixed, two.x.size()), two.x, fixed_gaps) < 1e-8);
+      const auto covered = [&](std::span<const Vec3> x) {
+        moved.move(two, x);
+        return moved.rows.covered;
+      };
+      CHECK(test::difference(test::assembled(with_fixed.covered, two.x.size()), two.x, covered) < 1e-8);
       const auto forces = [&](std::span<const Vec3> x) { return test::flat(forces_at(two, moved, x, z)); };
       const auto gaps = [&](std::span<const Vec3> x) {
         moved.move(two, x);

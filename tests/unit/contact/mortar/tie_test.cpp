@@ -68,3 +68,22 @@ TEST_CASE("The gradient of a tie agrees with central differences, and its forces
   CHECK(size > 1);
   CHECK(sum.norm() < 1e-15 * size);
 }
+
+TEST_CASE("A tie loses multipliers where both sides are held, not where the master is free") {
+  const auto flat = [](double height) { return [height](double x, double y) { return Vec3(x, y, height); }; };
+  const TwoSurfaces two({3, 3, 0, 1, 0, 1, true, false}, flat(0), {4, 4, 0, 1, 0, 1, false, false}, flat(0));
+  const Evaluation evaluation(two);
+  const TieStart start = tie(evaluation.rows);
+  const Mat3 across = Vec3(0, 1, 1).asDiagonal();  // held along x
+  std::vector<Mat3> free(two.x.size(), Mat3::Identity());
+  const auto tied = [&] {
+    return tied_directions(two.surfaces, evaluation.topology, two.candidates, two.x, start, free);
+  };
+  for (std::size_t node = 0; node < 16; ++node) free[node].setZero();  // the slave is driven as a whole
+  for (const Mat3& of_row : tied()) CHECK(of_row.isIdentity());
+  for (std::size_t node = 0; node < two.x.size(); ++node)  // both sides meet a plane of symmetry at x = 0
+    free[node] = two.x[node][0] == 0 ? across : Mat3(Mat3::Identity());
+  const std::vector<Mat3> at_plane = tied();
+  for (std::size_t row = 0; row < 16; ++row)
+    CHECK(at_plane[row].isApprox(two.x[row][0] == 0 ? across : Mat3(Mat3::Identity()), 1e-12));
+}

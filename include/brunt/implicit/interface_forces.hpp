@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each mortar interface as a whole has pushed its slave with: for probes.
+#pragma once
+#include <span>
+
+#include "brunt/core/types.hpp"
+#include "brunt/implicit/mortar.hpp"
+
+namespace brunt::implicit {
+
+/// Of one interface on its slave; the master gets the opposite. Saved as doubles.
+struct InterfaceForce {
+  double all[3] = {0, 0, 0};                  ///< [force]; as impulse [momentum]
+  double friction[3] = {0, 0, 0};             ///< the tangential part of it
+  double normal_size = 0, friction_size = 0;  ///< sums of the sizes of the rows' parts
+};
+constexpr int interface_force_width = sizeof(InterfaceForce) / sizeof(double);
+
+/// At the accepted iterate, in the order of the rows.
+InterfaceForce force_on_slave(const Interface& face);
+
+/// Adds a step's impulses: of_impulse of the forces now, the rest of those at t_n, which become those of now.
+void book_interfaces(double dt, double of_impulse, MortarContact& contact);
+
+}  // namespace brunt::implicit

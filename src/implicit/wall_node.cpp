@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/implicit/wall_node.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+
+namespace brunt::implicit {
+namespace {
+
+constexpr std::size_t most = WallChoice::most;
+
+/// Walls whose normals differ from what supports and other walls hold by less than this share hold nothing more: rows
+/// that are redundant. Rounding of normals is far below, angles between walls that anyone builds far above.
+constexpr double redundant = 1e-6;
+
+/// Planes that a set of walls holds a node in.
+struct Held {
+  std::array<std::size_t, most> wall{};  ///< of each column
+  int count = 0;
+  Mat3 along = Mat3::Zero();       ///< columns: normals along free directions
+  Mat3 normals = Mat3::Zero();     ///< columns: normals
+  Mat3 inverse = Mat3::Zero();     ///< of along' along, count x count
+  Mat3 slides = Mat3::Identity();  ///< projector on the free directions that no wall holds
+
+  [[nodiscard]] auto columns() const { return along.leftCols(count); }
+  /// along (along' along)^-1: turns gaps into travel, and its transpose forces into pressures.
+  [[nodiscard]] Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> lift() const {
+    return columns() * inverse.topLeftCorner(count, count);
+  }
+};
+
+Held hold(const WallQuestion& question, const bool (&active)[most]) {
+  Held held;
+  held.slides = question.free;
+  for (std::size_t w = 0; w < question.meetings.size(); ++w) {
+    if (!active[w]) continue;
+    const Vec3& normal = question.meetings[w].normal;
+    const Vec3 rest = held.slides * normal;
+    if (rest.norm() < redundant) continue;
+    const Vec3 unit = rest.normalized();
+    held.slides -= unit * unit.transpose();
+    held.along.col(held.count) = question.free * normal;
+    held.normals.col(held.count) = normal;
+    held.wall[static_cast<std::size_t>(held.count++)] = w;
+  }
+  if (held.count == 0) return held;
+  const int n = held.count;
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> product =
+      held.columns().transpose() * held.columns();
+  held.inverse.topLeftCorner(n, n) = product.inverse();
+  return held;
+}
+
+/// Pressures of a set's walls from what is left at the node.
+std::array<double, most> pressures(const Held& held, const Vec3& left) {
+  std::array<double, most> pressure{};
+  if (held.count == 0) return pressure;
+  const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> found = held.lift().transpose() * left;
+  for (int k = 0; k < held.count; ++k) pressure[held.wall[static_cast<std::size_t>(k)]] = found[k];
+  return pressure;
+}
+
+void choose_active(const WallQuestion& question, const WallChoice& solved, WallChoice& choice) {
+  const std::array<double, most> pressure = pressures(hold(question, solved.active), question.left);
+  for (std::size_t w = 0; w < question.meetings.size(); ++w) {
+    const WallMeeting& meeting = question.meetings[w];
+    if (question.first)
+      choice.active[w] = solved.active[w] || meeting.bilateral || meeting.gap < 0;
+    else
+      choice.active[w] =
+          meeting.bilateral || (solved.active[w] ? pressure[w] : 0.0) - question.stiffness * meeting.gap > 0;
+  }
+}
+
+/// What friction can hold [force].
+double capacity(const WallQuestion& question, const Held& held, const WallAction& action) {
+  double sum = 0;
+  for (int k = 0; k < held.count; ++k) {
+    const std::size_t w = held.wall[static_cast<std::size_t>(k)];
+    sum += question.meetings[w].friction * std::max(action.pressure[w], 0.0);
+  }
+  return sum;
+}
+
+/// Sticks, or slides with friction in `direction`. True where the direction follows the travel.
+bool choose_slip(const WallQuestion& question, const Held& held, double most_friction, const WallChoice& solved,
+                 WallChoice& choice) {
+  const Vec3 needed = held.slides * question.left, travel = held.slides * question.travel;
+  choice.sticks = false;
+  choice.direction = Vec3::Zero();
+  if (question.first) {
+    choice.sticks = solved.sticks;
+    choice.direction = solved.direction;
+    return false;
+  }
+  const bool slid = !solved.sticks && !solved.direction.isZero() && !travel.isZero();
+  if (slid && solved.direction.dot(travel) < 0) {
+    choice.direction = -travel.normalized();
+    return true;
+  }
+  if (slid || needed.norm() <= most_friction)
+    choice.sticks = true;
+  else
+    choice.direction = needed.normalized();
+  return false;
+}
+
+void add_friction(const WallQuestion& question, const Held& held, const WallChoice& solved, WallAction& action) {
+  const double most_friction = capacity(question, held, action);
+  const bool follows = choose_slip(question, held, most_friction, solved, action.choice);
+  if (action.choice.sticks) {
+    action.friction = held.slides * question.left;
+    action.rows = Mat3::Zero();
+    action.own += question.stiffness * held.slides;
+    action.left = question.stiffness * (held.slides * question.travel);
+    return;
+  }
+  const Vec3& direction = action.choice.direction;
+  action.friction = most_friction * direction;
+  action.left -= action.friction;
+  const auto lift = held.lift();
+  for (int k = 0; k < held.count; ++k) {
+    const std::size_t w = held.wall[static_cast<std::size_t>(k)];
+    if (action.pressure[w] > 0) action.rows -= question.meetings[w].friction * direction * lift.col(k).transpose();
+  }
+  if (follows)
+    action.own +=
+        most_friction / (held.slides * question.travel).norm() * (held.slides - direction * direction.transpose());
+}
+
+}  // namespace
+
+WallAction act(const WallQuestion& question, const WallChoice& solved) {
+  WallAction action;
+  choose_active(question, solved, action.choice);
+  const Held held = hold(question, action.choice.active);
+  action.left = held.slides * question.left;
+  action.rows = held.slides;
+  if (held.count == 0) return action;
+  std::ranges::copy(pressures(held, question.left), action.pressure);
+  bool rubs = false;
+  for (int k = 0; k < held.count; ++k)
+    rubs = rubs || question.meetings[held.wall[static_cast<std::size_t>(k)]].friction > 0;
+  if (rubs && !held.slides.isZero(redundant)) add_friction(question, held, solved, action);
+  const auto lift = held.lift();
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> gap(held.count);
+  for (int k = 0; k < held.count; ++k) gap[k] = question.meetings[held.wall[static_cast<std::size_t>(k)]].gap;
+  action.left += question.stiffness * (lift * gap);
+  action.own += question.stiffness * (lift * held.normals.leftCols(held.count).transpose());
+  return action;
+}
+
+}  // namespace brunt::implicit
