@@ -75,7 +75,7 @@ void search_all(Encounter& encounter, const Query& query, const Mat3& basis, Sea
     StartOptions options;
     options.metric = query.metric;
     options.grid = effort_of(query.metric, query.careful, query.clearance, basis).grid;
-    options.more_rotations = query.careful;
+    options.careful = query.careful;
     options.basis = basis;
     options.nothing_below = answer.bound;
     const std::vector<Start> starts = find_starts(encounter, options);

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "brunt/depth/starts.hpp"
+
 namespace brunt::depth {
 namespace {
 
@@ -68,7 +70,7 @@ void Walker::advance(Encounter& encounter, Walk& walk, const WalkOptions& option
   LocalProblem problem;
   problem.metric = options.metric;
   problem.basis = options.basis;
-  problem.axes = encounter.a.axes;
+  problem.axes = pair_axes(encounter).a;
   bool fresh = true;  // conditions are of another placement or a narrower band
   for (const int end = walk.steps + most_steps; !walk.ended && walk.steps < end; ++walk.steps) {
     walk.ended = walk.trust < options.least_trust * walk.length;

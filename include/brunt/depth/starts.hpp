@@ -21,7 +21,7 @@ struct Start {
 struct StartOptions {
   Metric metric = Metric::displacement;
   int grid = 1;                   ///< directions in B's axes: 24 grid^2 + 2
-  bool more_rotations = false;    ///< 32 instead of 14
+  bool careful = false;           ///< 32 rotations instead of 14; for translations the grid in A's axes as well
   double march = 0.1;             ///< step, in units of A's radius (rotations: of 1 rad)
   double reach = 3;               ///< marches end at this multiple of the shortest exit found so far
   double nothing_below = 0;       ///< placements below this length collide: marches begin there [length]
@@ -30,6 +30,13 @@ struct StartOptions {
 
 /// Principal axes of a body, completed where they are not unique. In the axes in which `link` and `other` are given.
 [[nodiscard]] Mat3 unique_axes(const Body& body, const Mat3& into, std::span<const Vec3> others);
+
+/// Axes of both bodies and the vector from B's centroid to A's (zero: they are equal), in the axes of A at q_0.
+struct PairAxes {
+  Mat3 a, b;
+  Vec3 link;
+};
+[[nodiscard]] PairAxes pair_axes(const Encounter& encounter);
 
 /// Sorted by length; each bisected to an eighth of the march.
 [[nodiscard]] std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options);
