@@ -102,7 +102,7 @@ Mat3 unique_axes(const Body& body, const Mat3& into, std::span<const Vec3> other
   return result;
 }
 
-PairAxes pair_axes(const Encounter& encounter) {
+std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options) {
   const Body &a = encounter.a, &b = encounter.b;
   const Mat3 into = encounter.start.rotation.transpose();  // from B's axes to A's at q_0
   const Vec3 between = into * (encounter.start(a.shape.centroid) - b.shape.centroid);
@@ -114,16 +114,11 @@ PairAxes pair_axes(const Encounter& encounter) {
   };
   const Vec3 axis_a = main_axis(a), axis_b = into * main_axis(b);
   const std::array<Vec3, 3> for_a{link, axis_a.cross(axis_b), axis_b}, for_b{link, axis_a.cross(axis_b), axis_a};
-  return {unique_axes(a, Mat3::Identity(), for_a), unique_axes(b, into, for_b), link};
-}
-
-std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options) {
-  const Body &a = encounter.a, &b = encounter.b;
-  const auto [axes_a, axes_b, link] = pair_axes(encounter);
+  const Mat3 axes_a = unique_axes(a, Mat3::Identity(), for_a), axes_b = unique_axes(b, into, for_b);
   const bool shifts = options.metric == Metric::translation;  // then the bodies may change places
   Marcher marcher{encounter, options, std::numeric_limits<double>::infinity(), {}};
   const double step = options.march * (shifts ? std::min(a.shape.radius, b.shape.radius) : a.shape.radius);
-  const double end = link.norm() + a.shape.radius + b.shape.radius;
+  const double end = between.norm() + a.shape.radius + b.shape.radius;
   const auto translate = [&](const Vec3& direction) {
     const Vec3 u = options.basis * (options.basis.transpose() * direction);
     if (u.norm() > parallel) marcher.march({u.normalized(), false}, step, end);

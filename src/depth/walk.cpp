@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "brunt/depth/starts.hpp"
-
 namespace brunt::depth {
 namespace {
 
@@ -70,7 +68,7 @@ void Walker::advance(Encounter& encounter, Walk& walk, const WalkOptions& option
   LocalProblem problem;
   problem.metric = options.metric;
   problem.basis = options.basis;
-  problem.axes = pair_axes(encounter).a;
+  problem.axes = encounter.a.axes;
   bool fresh = true;  // conditions are of another placement or a narrower band
   for (const int end = walk.steps + most_steps; !walk.ended && walk.steps < end; ++walk.steps) {
     walk.ended = walk.trust < options.least_trust * walk.length;

@@ -267,3 +267,24 @@ TEST_CASE("bounds do not depend on the file, the order, the refinement, or which
   // balls differ from file to file; now and then they lead to another maximum, or the last of 300 looks is not enough
   for (std::size_t m = 0; m < 3; ++m) CHECK(all.other[m] <= asked / 20);
 }
+
+TEST_CASE("careful depths do not depend on the file, the order, the refinement, or which body is called A",
+          "[.][long][law]") {
+  Differences all, refinement;
+  int apart = 0;
+  for_all_changes(random_pairs(3, 5), [&](const char* what, const Both& both) {
+    const Differences d = depths(both, true, apart);
+    print(what, both.pair.name, "careful", d);
+    (both.change == finer ? refinement : all).add(d);
+  });
+  CHECK(apart == 0);
+  int others = 0, asked = 0;
+  for (std::size_t m = 0; m < 3; ++m) {
+    others += all.other[m];
+    asked += m == 0 ? all.asked : all.asked * 3 / 4;  // the exchange is asked for one metric
+  }
+  CHECK(asked == 90);
+  CHECK(others <= asked / 20);  // section E3: 95 % agree, the rest are other local minima
+  // a finer surface has other near pairs, so other steps: one answer in five is another local minimum
+  CHECK(refinement.other[0] + refinement.other[1] + refinement.other[2] <= 3 * refinement.asked / 4);
+}

@@ -31,13 +31,6 @@ struct StartOptions {
 /// Principal axes of a body, completed where they are not unique. In the axes in which `link` and `other` are given.
 [[nodiscard]] Mat3 unique_axes(const Body& body, const Mat3& into, std::span<const Vec3> others);
 
-/// Axes of both bodies and the vector from B's centroid to A's (zero: they are equal), in the axes of A at q_0.
-struct PairAxes {
-  Mat3 a, b;
-  Vec3 link;
-};
-[[nodiscard]] PairAxes pair_axes(const Encounter& encounter);
-
 /// Sorted by length; each bisected to an eighth of the march.
 [[nodiscard]] std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options);
 
