@@ -15,12 +15,14 @@ namespace brunt::depth {
 namespace {
 
 constexpr int grid_cells = 24;            // along the longest side of the box
+constexpr double whole = 1e-6;            // of a cell: what rounding takes from a whole number of cells
 constexpr double most_grid = 30;          // of the cells asked for: points of the box that are looked at
 constexpr int ascent_steps = 12;          // of a grid point towards greater depth
 constexpr double covered_share = 0.9;     // of a ball's radius
 constexpr std::size_t most_corners = 32;  // of a convex body that is a piece: 5,000 triples
 constexpr double flat = 1e-9;             // of the radius: corners over a face of a convex body by rounding
-constexpr double least_volume = 1e-12;    // of the cube on the box's diagonal
+constexpr int most_outposts = 200;
+constexpr double least_volume = 1e-12;  // of the cube on the box's diagonal
 
 std::vector<Vec3> component_points(const TriangleSurface& surface) {
   std::vector<LocalIndex> root(surface.points.size());
@@ -120,7 +122,8 @@ std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricS
   const Vec3 low = box.low, extent = box.high - low;
   const double cell = extent.maxCoeff() / grid_cells;
   std::array<int, 3> counts{};
-  for (int c = 0; c < 3; ++c) counts[static_cast<std::size_t>(c)] = std::max(3, static_cast<int>(extent[c] / cell));
+  for (int c = 0; c < 3; ++c)
+    counts[static_cast<std::size_t>(c)] = std::max(3, static_cast<int>(extent[c] / cell + whole));
   std::vector<GridPoint> grid;
   for (int i = 0; i < counts[0]; ++i)
     for (int j = 0; j < counts[1]; ++j)
@@ -140,6 +143,23 @@ std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricS
     kept.push_back(ball);
   }
   return kept;
+}
+
+std::vector<Vec3> spread_points(std::span<const Vec3> points, const Vec3& centre, int most) {
+  std::vector<Vec3> chosen;
+  std::vector<double> distance2(points.size());  // from those chosen; at first, from the centre
+  for (std::size_t i = 0; i < points.size(); ++i) distance2[i] = (points[i] - centre).squaredNorm();
+  for (int k = 0; k < most; ++k) {
+    const auto farthest = std::max_element(distance2.begin(), distance2.end());
+    if (farthest == distance2.end() || (k > 0 && !(*farthest > 0))) break;
+    const Vec3 x = points[static_cast<std::size_t>(farthest - distance2.begin())];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double here = (points[i] - x).squaredNorm();
+      distance2[i] = k > 0 ? std::min(distance2[i], here) : here;
+    }
+    chosen.push_back(x);
+  }
+  return chosen;
 }
 
 InnerCells inner_cells(const geometry::SlabTree& tree, const MetricShape& shape, const Mat3& axes, double volume,
@@ -188,6 +208,7 @@ Body make_body(const TriangleSurface& surface, const BodyOptions& options) {
     return std::lexicographical_compare(x.data(), x.data() + 3, y.data(), y.data() + 3);
   });
   body.shape = metric_shape(used, body.mass);
+  body.outposts = spread_points(used, body.mass.centre, most_outposts);
   body.components = component_points(surface);
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(body.shape.gyration);
   body.axes = solver.eigenvectors();

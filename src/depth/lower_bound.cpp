@@ -5,63 +5,16 @@
 #include <array>
 #include <cmath>
 
+#include "depth_ascent.hpp"
+
 namespace brunt::depth {
 namespace {
 
-constexpr double mean_distance = 0.48030;  // of a cube's points from its middle, in sides: .480296, rounded up
-constexpr std::size_t balls_tried = 200;   // of each body, the greatest first
-constexpr std::size_t ascents = 3;         // from so many of the best points
-constexpr int ascent_steps = 25;
-constexpr double first_step = 0.5, longer = 1.2, shorter = 0.5;  // of the steps' length, in units of the depth
-
-/// A point with its depths in both bodies.
-struct Seen {
-  Vec3 y = Vec3::Zero();
-  Vec3 up = Vec3::Zero();  // sum of the depths' gradients
-  double sum = 0;          // phi_A + phi_B, and what is to be left between them
-  double value = 0;        // the bound
-};
-
-struct Bound {
-  const Encounter& encounter;
-  Metric metric;
-
-  [[nodiscard]] double value_of(double sum, const Vec3& in_a) const {
-    if (metric != Metric::object_norm || !(sum > 0)) return sum;
-    return sum / std::sqrt(point_factor(encounter.a.shape.gyration, in_a - encounter.a.shape.centroid));
-  }
-
-  [[nodiscard]] Seen look(const Vec3& y) const {
-    const Vec3 in_a = encounter.start.back(y);
-    const geometry::PointDepth a = point_depth(encounter.a.tree, in_a), b = point_depth(encounter.b.tree, y);
-    const auto gradient = [](const Vec3& x, const geometry::PointDepth& d) {
-      const Vec3 away = x - d.nearest;
-      const double length = away.norm();
-      return length > 0 ? Vec3(away * ((d.depth > 0 ? 1 : -1) / length)) : Vec3(Vec3::Zero());
-    };
-    Seen seen;
-    seen.y = y;
-    seen.sum = a.depth + b.depth + encounter.apart;
-    seen.up = encounter.start.rotation * gradient(in_a, a) + gradient(y, b);
-    seen.value = value_of(seen.sum, in_a);
-    return seen;
-  }
-
-  [[nodiscard]] Seen ascend(Seen seen) const {
-    double step = first_step * std::max(seen.sum, 0.05 * encounter.a.shape.radius);
-    for (int i = 0; i < ascent_steps; ++i) {
-      if (!(seen.up.norm() > 1e-6)) break;
-      const Seen next = look(seen.y + step * seen.up.normalized());
-      if (next.value > seen.value) {
-        seen = next;
-        step *= longer;
-      } else {
-        step *= shorter;
-      }
-    }
-    return seen;
-  }
-};
+constexpr double mean_distance = 0.48030;    // of a cube's points from its middle, in sides: .480296, rounded up
+constexpr std::size_t balls_tried = 200;     // of each body, the greatest first
+constexpr std::size_t ascents = 6;           // from so many of the best points
+constexpr double start_spacing = 0.1;        // of the smaller radius: points nearer to each other rise to the same top
+constexpr int looks = 40, more_looks = 300;  // of an ascent, and of the best one then: hardly any needs a hundred
 
 /// The root of a lower sum of (1/V) integral over A of max(0, phi_A + phi_B)^2. Depths change by no more than the
 /// distance, and the square is convex: its mean over a cell is no less than that of the mean (Jensen).
@@ -77,44 +30,87 @@ double volume_bound(const Encounter& encounter) {
   return std::sqrt(sum * cells.side * cells.side * cells.side / encounter.a.mass.mass);
 }
 
-}  // namespace
+struct Candidate {
+  double value;
+  Vec3 y;
+};
 
-LowerBound lower_bound(const Encounter& encounter, Metric metric) {
-  const Bound bound{encounter, metric};
-  struct Candidate {
-    double value;
-    Vec3 y;
-  };
-  std::array<Candidate, ascents> best;
-  best.fill({-std::numeric_limits<double>::infinity(), Vec3::Zero()});
-  const auto offer = [&](double value, const Vec3& y) {
-    if (!(value > best.back().value)) return;
-    best.back() = {value, y};
-    for (std::size_t k = best.size() - 1; k > 0 && best[k].value > best[k - 1].value; --k)
-      std::swap(best[k], best[k - 1]);
-  };
+/// The best, no two of them nearer to each other than `spacing`: near ones rise to the same top.
+struct Candidates {
+  std::array<Candidate, ascents> list;  // the best first
+  double spacing;
+
+  explicit Candidates(double d) : spacing(d) { list.fill({-std::numeric_limits<double>::infinity(), Vec3::Zero()}); }
+
+  [[nodiscard]] double least() const { return list.back().value; }
+  void offer(double value, const Vec3& y) {
+    if (!(value > least())) return;
+    std::size_t k = list.size() - 1;
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (std::isfinite(list[i].value) && (list[i].y - y).norm() < spacing) {
+        if (!(value > list[i].value)) return;
+        k = i;
+        break;
+      }
+    list[k] = {value, y};
+    for (; k > 0 && list[k].value > list[k - 1].value; --k) std::swap(list[k], list[k - 1]);
+  }
+};
+
+void offer_balls(const Encounter& encounter, bool norm, const DepthAscent& ascent, Candidates& best) {
   const auto &balls_a = encounter.a.balls, &balls_b = encounter.b.balls;
-  const bool norm = metric == Metric::object_norm;
   for (std::size_t i = 0; i < std::min(balls_tried, balls_a.size()); ++i) {
     const InnerBall& ball = balls_a[i];
     const double scale = norm ? std::sqrt(ball.factor) : 1;
     const Vec3 y = encounter.start(ball.centre);
-    const double needed = best.back().value * scale - ball.depth;
+    const double needed = best.least() * scale - ball.depth;
     const double depth = depth_above(encounter.b.tree, y, needed);
-    if (depth > needed) offer((ball.depth + depth) / scale, y);
+    if (depth > needed) best.offer((ball.depth + depth) / scale, y);
   }
   for (std::size_t i = 0; i < std::min(balls_tried, balls_b.size()); ++i) {
     const InnerBall& ball = balls_b[i];
     const Vec3 in_a = encounter.start.back(ball.centre);
-    const double needed = best.back().value - ball.depth;  // the factor is at least 1
+    const double largest = norm && best.least() < 0 ? encounter.a.shape.ratio : 1;  // scales are between 1 and this
+    const double needed = best.least() * largest - ball.depth;
     const double depth = depth_above(encounter.a.tree, in_a, needed);
-    if (depth > needed) offer(bound.value_of(ball.depth + depth, in_a), ball.centre);
+    if (depth > needed) best.offer((ball.depth + depth) / ascent.scale_of(in_a), ball.centre);
+  }
+}
+
+/// Vertices of each surface inside the other body: a shallow overlap may lie far from all balls.
+void offer_outposts(const Encounter& encounter, const DepthAscent& ascent, Candidates& best) {
+  const auto depth_in = [&](const Body& body, const Vec3& x) {
+    return geometry::contains(body.tree.box, x) ? depth_above(body.tree, x, std::max(0.0, best.least())) : 0.0;
+  };
+  const Body &a = encounter.a, &b = encounter.b;
+  for (const Vec3& in_a : a.outposts) {
+    const Vec3 y = encounter.start(in_a);
+    if (const double depth = depth_in(b, y); depth > 0) best.offer(depth / ascent.scale_of(in_a), y);
+  }
+  for (const Vec3& y : b.outposts) {
+    const Vec3 in_a = encounter.start.back(y);
+    if (const double depth = depth_in(a, in_a); depth > 0) best.offer(depth / ascent.scale_of(in_a), y);
+  }
+}
+
+}  // namespace
+
+LowerBound lower_bound(const Encounter& encounter, Metric metric) {
+  DepthAscent ascent(encounter, metric);
+  const bool norm = metric == Metric::object_norm;
+  Candidates best(start_spacing * std::min(encounter.a.shape.radius, encounter.b.shape.radius));
+  offer_balls(encounter, norm, ascent, best);
+  offer_outposts(encounter, ascent, best);
+  SeenPoint top;
+  for (const Candidate& candidate : best.list) {
+    if (!std::isfinite(candidate.value)) continue;
+    const SeenPoint here = ascent.climb(ascent.look(candidate.y), looks);
+    if (here.value > top.value) top = here;
   }
   LowerBound result;
-  for (const Candidate& candidate : best) {
-    if (!std::isfinite(candidate.value)) continue;
-    const Seen top = bound.ascend(bound.look(candidate.y));
-    if (top.value > result.value) result = {top.value, top.y};
+  if (top.value > 0) {
+    top = ascent.climb(top, more_looks);
+    result = {top.value, top.y};
   }
   if (norm) result.value = std::max(result.value, volume_bound(encounter));
   if (!norm)

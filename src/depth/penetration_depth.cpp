@@ -12,8 +12,9 @@ namespace {
 
 constexpr double contact_band = 1e-4;  // of A's radius: gaps of contact points
 constexpr double clear_gap = 1e-9;     // of A's radius: the nearest points of greater gaps tell a direction to 7 digits
-constexpr double trusted = 1.3;        // of the lower bound: a warm answer that is longer is searched for anew
-constexpr double independent = 1e-6;   // sine: directions nearer to the span of the others add nothing
+constexpr double careful_march = 0.08;  // step of marches: with the fast .1 the slender box on end is missed
+constexpr double trusted = 1.3;         // of the lower bound: a warm answer that is longer is searched for anew
+constexpr double independent = 1e-6;    // sine: directions nearer to the span of the others add nothing
 
 /// Orthonormal columns that span the directions, in A's axes at q_0.
 Mat3 admitted(const Query& query, const Mat3& into) {
@@ -75,7 +76,8 @@ void search_all(Encounter& encounter, const Query& query, const Mat3& basis, Sea
     StartOptions options;
     options.metric = query.metric;
     options.grid = effort_of(query.metric, query.careful, query.clearance, basis).grid;
-    options.more_rotations = query.careful;
+    options.careful = query.careful;
+    if (query.careful) options.march = careful_march;
     options.basis = basis;
     options.nothing_below = answer.bound;
     const std::vector<Start> starts = find_starts(encounter, options);

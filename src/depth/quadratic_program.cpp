@@ -157,6 +157,7 @@ Outcome QuadraticProgram<N>::solve(std::span<const Row<N>> rows, double toleranc
 }
 
 template class QuadraticProgram<3>;
+template class QuadraticProgram<5>;
 template class QuadraticProgram<6>;
 template class QuadraticProgram<7>;
 

@@ -58,7 +58,8 @@ struct Marcher {
     double t = step;
     if (options.nothing_below > 0) {
       const double slope = length(ray.at(1e-3)) / 1e-3;  // lengths grow at most so fast
-      t = std::max(t, options.nothing_below / slope);
+      t = step *
+          std::max(1.0, std::floor(options.nothing_below / (slope * step)));  // the same places whatever the bound
     }
     for (int steps = 1; t < end + step; t += step, ++steps) {
       const RigidMotion motion = ray.at(t);
@@ -114,9 +115,9 @@ std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options
   const Vec3 axis_a = main_axis(a), axis_b = into * main_axis(b);
   const std::array<Vec3, 3> for_a{link, axis_a.cross(axis_b), axis_b}, for_b{link, axis_a.cross(axis_b), axis_a};
   const Mat3 axes_a = unique_axes(a, Mat3::Identity(), for_a), axes_b = unique_axes(b, into, for_b);
-
+  const bool shifts = options.metric == Metric::translation;  // then the bodies may change places
   Marcher marcher{encounter, options, std::numeric_limits<double>::infinity(), {}};
-  const double step = options.march * a.shape.radius;
+  const double step = options.march * (shifts ? std::min(a.shape.radius, b.shape.radius) : a.shape.radius);
   const double end = between.norm() + a.shape.radius + b.shape.radius;
   const auto translate = [&](const Vec3& direction) {
     const Vec3 u = options.basis * (options.basis.transpose() * direction);
@@ -124,13 +125,14 @@ std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options
   };
   if (link.norm() > 0) translate(link.normalized());
   for (const Vec3& direction : cube_directions(options.grid)) translate(axes_b * direction);
-  for (const Vec3& direction : cube_directions(1)) translate(axes_a * direction);
-  if (options.metric != Metric::translation) {
+  for (const Vec3& direction : cube_directions(shifts && options.careful ? options.grid : 1))
+    translate(axes_a * direction);
+  if (!shifts) {
     const auto rotate = [&](const Vec3& axis) { marcher.march({axis, true}, options.march, std::numbers::pi); };
     for (const Vec3& direction : cube_directions(1))
-      if (options.more_rotations || direction.cwiseAbs().minCoeff() > 0 || direction.cwiseAbs().maxCoeff() == 1)
+      if (options.careful || direction.cwiseAbs().minCoeff() > 0 || direction.cwiseAbs().maxCoeff() == 1)
         rotate(axes_a * direction);
-    for (int i = 0; options.more_rotations && i < 3; ++i)
+    for (int i = 0; options.careful && i < 3; ++i)
       for (const double sign : {1.0, -1.0}) rotate(sign * axes_b.col(i));
   }
   // whatever the order of the marches, the same set

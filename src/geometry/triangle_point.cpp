@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "triangle_point.hpp"
 
+#include "brunt/geometry/triangle_pair.hpp"
+
 namespace brunt::geometry {
 namespace {
 
@@ -36,6 +38,10 @@ OnTriangle nearest_on(const Triangle& t, const Vec3& p) {
   const Vec3 inward = away.cross(v).dot(normal) / normal2 * u + u.cross(away).dot(normal) / normal2 * v;
   if ((away - inward).squaredNorm() < least) nearest = {nearest.point + inward, TriangleFeature::face};
   return nearest;
+}
+
+Vec3 nearest_point(const Triangle& triangle, const Vec3& p) {
+  return nearest_on(triangle, p).point;
 }
 
 }  // namespace brunt::geometry

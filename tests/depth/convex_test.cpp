@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 #include "brunt/depth/penetration_depth.hpp"
 #include "tests/support/random_polytopes.hpp"
@@ -98,5 +99,14 @@ TEST_CASE("random convex pairs have the depth of the Minkowski difference", "[or
     CHECK(errors.worse == 0);
     CHECK(errors.walk < (careful ? 1e-8 : 1e-6));   // clearance of the mode
     CHECK(errors.above < (careful ? 1e-7 : 1e-3));  // slope at which walks end
+  }
+}
+
+TEST_CASE("ten thousand random convex pairs have the depth of the Minkowski difference", "[.][long][oracle]") {
+  for (const bool careful : {false, true}) {
+    const Errors errors = compare(200, std::getenv("PAIRS") ? std::atoi(std::getenv("PAIRS")) : 10000, careful);
+    CHECK(errors.piece < 1e-13);
+    CHECK(errors.worse <= errors.pairs / 1000);     // walks that ended in another minimum or at a corner
+    CHECK(errors.above < (careful ? 1e-6 : 1e-3));  // slope at which walks end
   }
 }

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 
+#include "brunt/depth/lower_bound.hpp"
 #include "brunt/depth/penetration_depth.hpp"
 #include "tests/support/depth_bodies.hpp"
 #include "tests/support/random_motion.hpp"
@@ -82,65 +84,27 @@ TriangleSurface refined(const TriangleSurface& surface) {
   return fine;
 }
 
-/// Two answers to the same question, metric by metric.
-struct Differences {
-  std::array<double, 3> most{};                        ///< relative, of the depths that are the same minimum
-  std::array<int, 3> other{};                          ///< another local minimum: the depths differ by more than `same`
-  double bound = 0;                                    ///< the greatest relative one of the bounds
-  int poses = 0, apart = 0;                            ///< apart: one's bound lies above the other's depth
-  static constexpr std::array same{1e-6, 1e-6, 1e-6};  ///< twice the accuracy of the fast mode's contact
+/// A pair of bodies, asked at several poses.
+struct Pair {
+  std::string name;
+  TriangleSurface a, b;
+  std::vector<Placement> poses;
 };
 
-depth::Answer answer_of(const depth::Body& a, const depth::Body& b, const Placement& pose, depth::Metric metric,
-                        bool careful) {
-  depth::Query query;
-  query.a_in_b = pose;
-  query.metric = metric;
-  query.careful = careful;
-  return depth::penetration_depth(a, b, query);
-}
-
-void compare(const Question& one, const Question& other, bool careful, std::size_t metric_count, Differences& sum) {
-  const depth::Body a = depth::make_body(one.a), b = depth::make_body(one.b);
-  const depth::Body other_a = depth::make_body(other.a), other_b = depth::make_body(other.b);
-  ++sum.poses;
-  for (std::size_t m = 0; m < metric_count; ++m) {
-    const depth::Answer first = answer_of(a, b, one.pose, metrics[m], careful);
-    const depth::Answer second = answer_of(other_a, other_b, other.pose, metrics[m], careful);
-    const double change = std::abs(second.depth / first.depth - 1);
-    if (change > Differences::same[m])
-      ++sum.other[m];
-    else
-      sum.most[m] = std::max(sum.most[m], change);
-    if (std::getenv("SHOW")) fmt::print("  {} {:.9f} {:.9f} {:.2g}\n", names[m], first.depth, second.depth, change);
-    sum.bound = std::max(sum.bound, std::abs(second.bound / first.bound - 1));
-    const double slack = 1 + 1e-6;  // both answers keep a clearance
-    sum.apart += first.bound > second.depth * slack || second.bound > first.depth * slack ? 1 : 0;
-  }
-}
-
-void print(const char* what, bool careful, const Differences& d) {
-  fmt::print("{:22} {:7} {} poses: ", what, careful ? "careful" : "fast", d.poses);
-  for (std::size_t m = 0; m < 3; ++m) fmt::print("{} {:.1e} ({} others), ", names[m], d.most[m], d.other[m]);
-  fmt::print("bounds {:.1e}, brackets apart {}\n", d.bound, d.apart);
-}
-
-/// Random overlapping poses of the three pairs.
-std::vector<Question> questions(int a_pair, std::uint64_t seed) {
-  const TriangleSurface as[] = {test::l_shape(), test::pawn(), test::mallet()};
-  const TriangleSurface bs[] = {test::knot(), test::hub(), test::bumpy_sphere()};
-  std::vector<Question> all;
-  for (std::size_t pair = 0; pair < 3; ++pair) {
-    const auto a = geometry::build_slab_tree(as[pair]), b = geometry::build_slab_tree(bs[pair]);
+/// The three pairs at random overlapping poses.
+std::vector<Pair> random_pairs(int poses, std::uint64_t seed) {
+  std::vector<Pair> pairs{{"L / knot", test::l_shape(), test::knot(), {}},
+                          {"pawn / hub", test::pawn(), test::hub(), {}},
+                          {"mallet / bumpy", test::mallet(), test::bumpy_sphere(), {}}};
+  for (Pair& pair : pairs) {
+    const auto a = geometry::build_slab_tree(pair.a), b = geometry::build_slab_tree(pair.b);
     std::mt19937_64 random(seed);
-    for (int found = 0; found < a_pair;) {
-      const Placement pose = test::random_placement(as[pair], bs[pair], random, 0.8);
-      if (!geometry::surfaces_cross(a, b, pose)) continue;
-      all.push_back({as[pair], bs[pair], pose});
-      ++found;
+    while (static_cast<int>(pair.poses.size()) < poses) {
+      const Placement pose = test::random_placement(pair.a, pair.b, random, 0.8);
+      if (geometry::surfaces_cross(a, b, pose)) pair.poses.push_back(pose);
     }
   }
-  return all;
+  return pairs;
 }
 
 using Change = Question (*)(const Question&, std::mt19937_64&);
@@ -165,25 +129,162 @@ Question other_way(const Question& q, std::mt19937_64& /*random*/) {
   return exchanged(q);
 }
 
-Differences differences(const char* what, Change change, const std::vector<Question>& all, bool careful,
-                        std::size_t metric_count = 3) {
+struct Named {
+  const char* name;
+  Change change;
+};
+constexpr std::array<Named, 5> changes{{{"A's file moved", moved_a},
+                                        {"B's file moved", moved_b},
+                                        {"order", other_order},
+                                        {"refined", finer},
+                                        {"exchanged", other_way}}};
+
+/// The pair and what a change makes of it.
+struct Both {
+  depth::Body a, b, other_a, other_b;
+  const Pair& pair;
+  Change change;
+
+  Both(const Pair& p, const depth::Body& body_a, const depth::Body& body_b, Change c)
+      : a(body_a), b(body_b), pair(p), change(c) {
+    const Question other = asked_otherwise({});
+    other_a = depth::make_body(other.a);
+    other_b = depth::make_body(other.b);
+  }
+  /// The same random numbers for all poses, so the same surfaces.
+  [[nodiscard]] Question asked_otherwise(const Placement& pose) const {
+    std::mt19937_64 random(3);
+    return change({pair.a, pair.b, pose}, random);
+  }
+  /// Only PDt is the same of the bodies exchanged: another one moves.
+  [[nodiscard]] std::size_t metric_count() const { return change == other_way ? 1 : 3; }
+};
+
+/// Calls f(name of the change, both) for all pairs and changes.
+template <class Function>
+void for_all_changes(const std::vector<Pair>& pairs, const Function& f) {
+  for (const Pair& pair : pairs) {
+    const depth::Body a = depth::make_body(pair.a), b = depth::make_body(pair.b);
+    for (const Named& named : changes) f(named.name, Both(pair, a, b, named.change));
+  }
+}
+
+/// By metric: the greatest relative change; and how many change by more than 1e-6.
+struct Differences {
+  int asked = 0;
+  std::array<double, 3> most{};
+  std::array<int, 3> other{};
+  void add(std::size_t m, double change) {
+    most[m] = std::max(most[m], change);
+    other[m] += change > 1e-6 ? 1 : 0;
+  }
+  void add(const Differences& d) {
+    asked += d.asked;
+    for (std::size_t m = 0; m < 3; ++m) {
+      most[m] = std::max(most[m], d.most[m]);
+      other[m] += d.other[m];
+    }
+  }
+};
+
+void print(const char* what, const std::string& pair, const char* of, const Differences& d) {
+  fmt::print("{:15} {:15} {}: ", pair, what, of);
+  for (std::size_t m = 0; m < 3; ++m)
+    fmt::print("{} {:.1e} ({} of {} > 1e-6)  ", names[m], d.most[m], d.other[m], d.asked);
+  fmt::print("\n");
+  std::fflush(stdout);
+}
+
+Differences bounds(const Both& both) {
   Differences sum;
-  std::mt19937_64 random(3);
-  for (const Question& question : all) compare(question, change(question, random), careful, metric_count, sum);
-  print(what, careful, sum);
+  for (const Placement& pose : both.pair.poses) {
+    const depth::Encounter one{both.a, both.b, depth::rounded(pose, both.a.shape.radius)};
+    const depth::Encounter other{both.other_a, both.other_b,
+                                 depth::rounded(both.asked_otherwise(pose).pose, both.other_a.shape.radius)};
+    ++sum.asked;
+    for (std::size_t m = 0; m < both.metric_count(); ++m) {
+      const double x = lower_bound(one, metrics[m]).value, y = lower_bound(other, metrics[m]).value;
+      sum.add(m, std::abs(y / x - 1));
+    }
+  }
+  return sum;
+}
+
+depth::Answer answer_of(const depth::Body& a, const depth::Body& b, const Placement& pose, depth::Metric metric,
+                        bool careful) {
+  depth::Query query;
+  query.a_in_b = pose;
+  query.metric = metric;
+  query.careful = careful;
+  return depth::penetration_depth(a, b, query);
+}
+
+Differences depths(const Both& both, bool careful, int& apart) {
+  Differences sum;
+  for (const Placement& pose : both.pair.poses) {
+    ++sum.asked;
+    for (std::size_t m = 0; m < both.metric_count(); ++m) {
+      const depth::Answer one = answer_of(both.a, both.b, pose, metrics[m], careful);
+      const depth::Answer other =
+          answer_of(both.other_a, both.other_b, both.asked_otherwise(pose).pose, metrics[m], careful);
+      sum.add(m, std::abs(other.depth / one.depth - 1));
+      if (std::getenv("SHOW"))
+        fmt::print("  {} {:.9f} {:.9f} {:.1e}\n", names[m], one.depth, other.depth, other.depth / one.depth - 1);
+      const double slack = 1 + 1e-6;  // both answers keep a clearance
+      apart += one.bound > other.depth * slack || other.bound > one.depth * slack ? 1 : 0;
+    }
+  }
   return sum;
 }
 
 }  // namespace
 
+TEST_CASE("table of bounds", "[.][table]") {
+  const int poses = std::getenv("POSES") ? std::atoi(std::getenv("POSES")) : 4;
+  for_all_changes(random_pairs(poses, 5),
+                  [](const char* what, const Both& both) { print(what, both.pair.name, "bounds", bounds(both)); });
+}
+
 TEST_CASE("table of invariances", "[.][table]") {
   const int poses = std::getenv("POSES") ? std::atoi(std::getenv("POSES")) : 4;
-  const std::vector<Question> all = questions(poses, 5);
-  for (const bool careful : {false, true}) {
-    differences("A's file moved", moved_a, all, careful);
-    differences("B's file moved", moved_b, all, careful);
-    differences("order", other_order, all, careful);
-    differences("refined", finer, all, careful);
-    differences("exchanged", other_way, all, careful, 1);
+  int apart = 0;
+  for_all_changes(random_pairs(poses, 5), [&](const char* what, const Both& both) {
+    if (!std::getenv("CAREFUL")) print(what, both.pair.name, "fast", depths(both, false, apart));
+    print(what, both.pair.name, "careful", depths(both, true, apart));
+  });
+  CHECK(apart == 0);
+}
+
+TEST_CASE("bounds do not depend on the file, the order, the refinement, or which body is called A", "[law]") {
+  Differences all;
+  for_all_changes(random_pairs(4, 5), [&](const char* what, const Both& both) {
+    const Differences d = bounds(both);
+    print(what, both.pair.name, "bounds", d);
+    all.add(d);
+  });
+  const int asked = all.asked;
+  CHECK(asked == 60);
+  // balls differ from file to file; now and then they lead to another maximum, or the last of 300 looks is not enough
+  for (std::size_t m = 0; m < 3; ++m) CHECK(all.other[m] <= asked / 20);
+}
+
+TEST_CASE("careful depths do not depend on the file, the order, the refinement, or which body is called A",
+          "[.][long][law]") {
+  Differences all, refinement;
+  int apart = 0;
+  for_all_changes(random_pairs(3, 5), [&](const char* what, const Both& both) {
+    const Differences d = depths(both, true, apart);
+    print(what, both.pair.name, "careful", d);
+    (both.change == finer ? refinement : all).add(d);
+  });
+  CHECK(apart == 0);
+  int others = 0, asked = 0;
+  for (std::size_t m = 0; m < 3; ++m) {
+    others += all.other[m];
+    asked += m == 0 ? all.asked : all.asked * 3 / 4;  // the exchange is asked for one metric
   }
+  CHECK(asked == 90);
+  CHECK(others <= asked / 20);  // section E3: 95 % agree, the rest are other local minima
+  // a finer surface has other near pairs, so other steps: one answer in five is another local minimum
+  CHECK(refinement.other[0] + refinement.other[1] + refinement.other[2] <= 3 * refinement.asked / 4);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is computed once of each body: tree, mass properties, metric, points inside with their depth, convex pieces.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "brunt/core/triangle_surface.hpp"
@@ -31,6 +32,7 @@ struct Body {
   std::vector<Vec3> components;  ///< a point of each connected part of the surface
   std::vector<InnerBall> balls;  ///< the greatest first
   InnerCells cells;
+  std::vector<Vec3> outposts;       ///< vertices of the surface far from each other; coordinates of the file [length]
   std::vector<ConvexPiece> pieces;  ///< convex parts, each inside the body
   std::vector<double> piece_reach;  ///< greatest distance of a corner from the centroid [length]
   Mat3 axes = Mat3::Identity();     ///< columns: principal axes of J by growing moment, right-handed
@@ -53,6 +55,9 @@ struct BodyOptions {
 /// first.
 [[nodiscard]] std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricShape& shape,
                                                  const Mat3& axes, int most);
+
+/// At most `most` of the points: first the one farthest from `centre`, then always the one farthest from those chosen.
+[[nodiscard]] std::vector<Vec3> spread_points(std::span<const Vec3> points, const Vec3& centre, int most);
 
 /// About `count` cubes along `axes` (orthonormal columns) would fill the volume; those that the surface cuts are left
 /// out. volume: [length^3].

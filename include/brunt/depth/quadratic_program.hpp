@@ -26,7 +26,7 @@ enum class Outcome {
   stalled,     ///< too many steps: rounding in a degenerate problem; x() is not feasible
 };
 
-/// Instances for N = 3, 6, 7. Units are the caller's: unknowns should be scaled to one unit of length.
+/// Instances for N = 3, 5, 6, 7. Units are the caller's: unknowns should be scaled to one unit of length.
 template <int N>
 class QuadraticProgram {
  public:
@@ -69,6 +69,7 @@ class QuadraticProgram {
 };
 
 extern template class QuadraticProgram<3>;
+extern template class QuadraticProgram<5>;
 extern template class QuadraticProgram<6>;
 extern template class QuadraticProgram<7>;
 

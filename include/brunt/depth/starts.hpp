@@ -21,7 +21,7 @@ struct Start {
 struct StartOptions {
   Metric metric = Metric::displacement;
   int grid = 1;                   ///< directions in B's axes: 24 grid^2 + 2
-  bool more_rotations = false;    ///< 32 instead of 14
+  bool careful = false;           ///< 32 rotations instead of 14; for translations the grid in A's axes as well
   double march = 0.1;             ///< step, in units of A's radius (rotations: of 1 rad)
   double reach = 3;               ///< marches end at this multiple of the shortest exit found so far
   double nothing_below = 0;       ///< placements below this length collide: marches begin there [length]

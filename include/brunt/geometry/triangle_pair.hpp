@@ -29,4 +29,7 @@ NearestPoints nearest_points(const Triangle& a, const Triangle& b);
 /// >= `nearer_than`, and the points are of no use.
 NearestPoints nearest_points(const Triangle& a, const Triangle& b, double nearer_than);
 
+/// The point of the closed triangle nearest to p, exact to rounding.
+Vec3 nearest_point(const Triangle& triangle, const Vec3& p);
+
 }  // namespace brunt::geometry
