@@ -10,11 +10,10 @@
 namespace brunt::depth {
 namespace {
 
-constexpr double mean_distance = 0.48030;    // of a cube's points from its middle, in sides: .480296, rounded up
-constexpr std::size_t balls_tried = 200;     // of each body, the greatest first
-constexpr std::size_t ascents = 6;           // from so many of the best points
-constexpr double start_spacing = 0.1;        // of the smaller radius: points nearer to each other rise to the same top
-constexpr int looks = 40, more_looks = 300;  // of an ascent, and of the best one then: hardly any needs a hundred
+constexpr double mean_distance = 0.48030;  // of a cube's points from its middle, in sides: .480296, rounded up
+constexpr std::size_t balls_tried = 200;   // of each body, the greatest first
+constexpr std::size_t most_ascents = thorough_bound.ascents;
+constexpr double start_spacing = 0.1;  // of the smaller radius: points nearer to each other rise to the same top
 
 /// The root of a lower sum of (1/V) integral over A of max(0, phi_A + phi_B)^2. Depths change by no more than the
 /// distance, and the square is convex: its mean over a cell is no less than that of the mean (Jensen).
@@ -37,7 +36,7 @@ struct Candidate {
 
 /// The best, no two of them nearer to each other than `spacing`: near ones rise to the same top.
 struct Candidates {
-  std::array<Candidate, ascents> list;  // the best first
+  std::array<Candidate, most_ascents> list;  // the best first
   double spacing;
 
   explicit Candidates(double d) : spacing(d) { list.fill({-std::numeric_limits<double>::infinity(), Vec3::Zero()}); }
@@ -95,21 +94,21 @@ void offer_outposts(const Encounter& encounter, const DepthAscent& ascent, Candi
 
 }  // namespace
 
-LowerBound lower_bound(const Encounter& encounter, Metric metric) {
+LowerBound lower_bound(const Encounter& encounter, Metric metric, const BoundEffort& effort) {
   DepthAscent ascent(encounter, metric);
   const bool norm = metric == Metric::object_norm;
   Candidates best(start_spacing * std::min(encounter.a.shape.radius, encounter.b.shape.radius));
   offer_balls(encounter, norm, ascent, best);
   offer_outposts(encounter, ascent, best);
   SeenPoint top;
-  for (const Candidate& candidate : best.list) {
-    if (!std::isfinite(candidate.value)) continue;
-    const SeenPoint here = ascent.climb(ascent.look(candidate.y), looks);
+  for (std::size_t k = 0; k < std::min(effort.ascents, best.list.size()); ++k) {
+    if (!std::isfinite(best.list[k].value)) continue;
+    const SeenPoint here = ascent.climb(ascent.look(best.list[k].y), effort.looks);
     if (here.value > top.value) top = here;
   }
   LowerBound result;
   if (top.value > 0) {
-    top = ascent.climb(top, more_looks);
+    top = ascent.climb(top, effort.more_looks);
     result = {top.value, top.y};
   }
   if (norm) result.value = std::max(result.value, volume_bound(encounter));

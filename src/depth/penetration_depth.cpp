@@ -105,7 +105,7 @@ Answer penetration_depth(const Body& a, const Body& b, const Query& query) {
   if (answer.overlap) {
     encounter.apart = query.apart;
     const Mat3 basis = admitted(query, encounter.start.rotation.transpose());
-    answer.bound = lower_bound(encounter, query.metric).value;
+    answer.bound = lower_bound(encounter, query.metric, query.careful ? thorough_bound : quick_bound).value;
     Search search(encounter, effort_of(query.metric, query.careful, query.clearance, basis), answer.bound);
     search_all(encounter, query, basis, search, answer);
     answer.walks = search.walks();
