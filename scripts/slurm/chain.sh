@@ -9,9 +9,9 @@ newest_checkpoint() { # FOLDER; nothing where there is none
   [ ! -d "$1" ] || find "$1" -maxdepth 1 -name 'checkpoint_*.h5' | sort | tail -n 1
 }
 
-# requeue BEFORE AFTER: the newest checkpoint of this start and of the one before; a chain that gains nothing ends.
+# requeue BEFORE AFTER: the newest checkpoints before and after this turn; a chain that gains nothing ends.
 requeue() {
-  [ "$1" != "$2" ] || fail 5 "no checkpoint was written within this time limit; expected a longer --time"
+  [ "$1" != "$2" ] || fail 5 "no step was gained within this time limit; expected a longer --time"
   echo "chain: stopped before the time limit at ${2##*/}; job $SLURM_JOB_ID goes back into the queue"
   scontrol requeue "$SLURM_JOB_ID" || fail 5 "Slurm does not take job $SLURM_JOB_ID back; to go on: submit it again"
 }

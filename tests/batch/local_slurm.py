@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Slurm on this machine alone, in a temporary folder: munge, controller and nodes run as children and end with the test."""
-import ctypes
 import os
 import secrets
 import shutil
-import signal
 import socket
 import subprocess
+import sys
 import tempfile
 import time
 
@@ -14,18 +13,12 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "sinfo", "scontrol", "squeue", "scancel")
 PATIENCE = 1800  # [s] for what will come for sure: bounds a hanging test, judges nothing
 ENDED = ("COMPLETED", "FAILED", "CANCELLED", "TIMEOUT", "NODE_FAIL", "OUT_OF_MEMORY", "BOOT_FAIL", "DEADLINE", "PREEMPTED")  # states
-PARENT_DIED = 1  # PR_SET_PDEATHSIG of <linux/prctl.h>
-LIBC = ctypes.CDLL(None)  # loaded before any fork
 
 
 def missing_programs():
     """Daemons are not on every user's PATH."""
     os.environ["PATH"] += ":/usr/sbin:/sbin"
     return [name for name in PROGRAMS if not shutil.which(name)]
-
-
-def end_with_the_test():
-    LIBC.prctl(PARENT_DIED, signal.SIGTERM)
 
 
 def free_ports(count):
@@ -50,8 +43,9 @@ class LocalSlurm:
     """`nodes`: names of the nodes, which share the machine and its `cores` (or as many as Slurm is told of)."""
 
     def __init__(self, nodes=("localhost",), cores=2):
-        self.keeper = tempfile.TemporaryDirectory(prefix="local_slurm.")
-        self.folder, self.daemons, self.nodes = self.keeper.name, [], nodes
+        self.folder, self.daemons, self.nodes = tempfile.mkdtemp(prefix="local_slurm."), [], nodes
+        self.watch = subprocess.Popen([sys.executable, os.path.join(HERE, "watch.py"), self.folder], stdin=subprocess.PIPE,
+                                      start_new_session=True)  # a signal to the test does not reach it
         os.chmod(self.folder, 0o755)  # munge wants a folder that others can reach
         for name in ("m", "state", "log", *(f"spool.{node}" for node in nodes)):
             os.mkdir(self.path(name), 0o755)
@@ -82,8 +76,7 @@ class LocalSlurm:
     def start(self, *command):
         words = self.path("log", f"{command[0]}.{len(self.daemons)}.out")
         with open(words, "w", encoding="utf-8") as log:
-            daemon = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, cwd=self.folder,
-                                      preexec_fn=end_with_the_test)
+            daemon = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, cwd=self.folder)
         self.daemons.append((daemon, words))
 
     def start_munge(self):
@@ -140,4 +133,4 @@ class LocalSlurm:
                 daemon.kill()
                 daemon.wait()
         os.environ.pop("SLURM_CONF", None)
-        self.keeper.cleanup()
+        self.watch.communicate()  # ends what is left, and removes the folder
