@@ -93,7 +93,8 @@ std::vector<io::StateField> contact_fields(const Prepared& run, double dt_mean) 
       if (run.implicit)
         values = name == "gap" ? implicit::contact_gaps(run.implicit->contact, run.model.nodes())
                                : implicit::contact_pressures(run.implicit->contact, run.model.nodes());
-      if (run.contact) values = name == "gap" ? contact::gaps(*run.contact) : contact::pressures(*run.contact, dt_mean);
+      else if (run.contact)
+        values = name == "gap" ? contact::gaps(*run.contact) : contact::pressures(*run.contact, dt_mean);
       fields.push_back(nodal(run, name, 1, [&](std::size_t i, int) { return i < values.size() ? values[i] : 0.0; }));
     }
   return fields;

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "brunt/implicit/step.hpp"
 
 namespace brunt::app {
@@ -75,6 +78,16 @@ void write_implicit_record(Prepared& run, Results& results, const ImplicitRecord
   if (record.row) results.write_history(ledger, step, at);
   results.watch(ledger, run.state.time);
   if (record.line) results.table_line(ledger, step, at, seconds_left);
+}
+
+double implicit_rounding(const Prepared& run, double extent) {
+  return run.implicit->trial.balance.rounding * extent * std::sqrt(static_cast<double>(run.model.mesh.global_nodes));
+}
+
+bool walls_make_energy(const Prepared& run, const time::Ledger& ledger, double largest_energy) {
+  constexpr double too_much = 0.01;  // as of contact between bodies
+  return run.implicit && run.implicit->settings.scheme != model::Scheme::statics &&
+         std::ranges::none_of(run.model.walls, &model::RigidWall::moves) && -ledger.walls > too_much * largest_energy;
 }
 
 nlohmann::ordered_json implicit_summary(const Prepared& run) {

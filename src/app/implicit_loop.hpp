@@ -22,6 +22,13 @@ struct ImplicitRecord {
 };
 void write_implicit_record(Prepared& run, Results& results, const ImplicitRecord& record, double seconds_left);
 
+/// What rounding of places leaves in the balance of energy: forces that Newton's iteration cannot see, along travels of
+/// the size of the model [energy].
+double implicit_rounding(const Prepared& run, double extent);
+
+/// Walls that do not move give nothing, but newmark and hht make energy where bodies meet them.
+bool walls_make_energy(const Prepared& run, const time::Ledger& ledger, double largest_energy);
+
 /// "implicit" of summary.json. The same on all ranks.
 nlohmann::ordered_json implicit_summary(const Prepared& run);
 

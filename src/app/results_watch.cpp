@@ -12,6 +12,7 @@
 #include "brunt/force/folded.hpp"
 #include "brunt/scene/units.hpp"
 #include "element_place.hpp"
+#include "implicit_loop.hpp"
 #include "results.hpp"
 
 namespace brunt::app {
@@ -65,6 +66,7 @@ void Results::watch(const time::Ledger& ledger, double time) {
     rounding +=
         settling_energy(ledger.mass, run_.model.gravity.norm(), run_.state.dt, run_.model.contact.enforcement.tolerance,
                         run_.contact->derived.detection.tolerances->recovery);
+  if (run_.implicit) rounding += implicit_rounding(run_, extent_);
   // once exact multipliers alternate from step to step they feed energy in every one: what is above the warning grows
   const bool trapezoidal = run_.input.implicit && run_.input.implicit->scheme == model::Scheme::newmark;
   const std::string growth = energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding);
@@ -81,6 +83,11 @@ void Results::watch(const time::Ledger& ledger, double time) {
     if (stop) throw GuardError(text);
     log_.warning(text + " (told once)");
   }
+  if (walls_make_energy(run_, ledger, run_.extremes.largest_energy))
+    throw GuardError(fmt::format(
+        "walls at rest have given {:.3g} by t = {:g}, more than 1 % of the largest energy so far; exact constraints of "
+        "newmark and hht make energy in impacts: take scheme: contact_implicit",
+        -ledger.walls, time));
   if (!growth.empty())
     throw GuardError(fmt::format("energy grows at t = {:g}: {}{}", time, growth,
                                  folded_ > 0 ? fmt::format(" ({} hex8 elements are folded)", folded_) : ""));

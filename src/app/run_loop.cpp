@@ -150,14 +150,15 @@ void Loop::pass_implicit() {
 void Loop::record_implicit(bool last) {
   const scene::Input& input = run_.input;
   const model::State& state = run_.state;
-  if (last && recorded_step_ == state.step) return;
-  const bool ends = last || at_end(state, input.run, implicit_slack);
-  const ImplicitRecord record{.fields = ends || state.step == 0 || due(state, input.output.every, implicit_slack),
-                              .row = ends || state.step == 0 || implicit_row_due(state, input),
-                              .line = ends || progress(state, input.run) * table_lines >= lines_};
+  // what is written because the run ends comes after its checkpoint: the run that goes on has not seen it
+  const bool first = state.step == 0;
+  const bool fields_due = first || due(state, input.output.every, implicit_slack);
+  const bool row_due = first || implicit_row_due(state, input);
+  const ImplicitRecord record{.fields = fields_due != last,
+                              .row = row_due != last,
+                              .line = last || progress(state, input.run) * table_lines >= lines_};
   write_implicit_record(run_, results_, record, time_left());
   if (record.line) lines_ = static_cast<int>(progress(state, input.run) * table_lines) + 1;
-  if (ends) recorded_step_ = state.step;
 }
 
 time::Ledger Loop::energies(const time::StepReport& step) {

@@ -86,7 +86,6 @@ class Loop {
   double passes_ = 0;
   int lines_ = 0;
   double first_step_ = run_.state.step;
-  double recorded_step_ = -1;  ///< of an implicit run: whose last record is written
   double reported_stage_ = 1;
   bool reported_limit_ = false;
 };

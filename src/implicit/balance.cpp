@@ -46,8 +46,8 @@ Vec3 supported(const Scene& scene, Solver& solver, std::size_t own, Vec3 left) {
   }
   if (solver.walls.any()) {
     const Vec3 x = Eigen::Map<const Vec3>(scene.state.nodes[i].x);
-    if (const WallAction* action =
-            meet_walls(scene.model, x, travel, free, left, solver.support_stiffness, own, solver.walls))
+    if (const WallAction* action = meet_walls(scene.model, x, travel, of(solver.memory.wall_friction, i), free, left,
+                                              solver.support_stiffness, own, solver.walls))
       left = action->left;
   }
   return left + by_supports;

@@ -44,18 +44,12 @@ void look_at_nearest(const model::Model& model, const WallContact& walls, const 
 }
 
 /// What is pressed in the first iterate, from the state of t_n alone: a restart finds the same.
-WallChoice first_choice(const model::Model& model, const WallContact& walls, const WallNode& node, const Vec3& x,
-                        const Vec3& v) {
+WallChoice first_choice(const model::Model& model, const WallContact& walls, const WallNode& node, const Vec3& x) {
   WallChoice choice;
-  Vec3 slides = v;
   for (std::int32_t k = 0; k < node.looked_at; ++k) {
     const auto w = static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(node.kept[k])]);
-    const Vec3& normal = model.walls[w].normal;
-    choice.active[k] = normal.dot(x) - walls.place[w] <= walls.touching;
-    if (choice.active[k]) slides -= normal * normal.dot(slides);
+    choice.active[k] = model.walls[w].normal.dot(x) - walls.place[w] <= walls.touching;
   }
-  choice.sticks = slides.isZero();
-  if (!choice.sticks) choice.direction = -slides.normalized();
   return choice;
 }
 
@@ -99,15 +93,16 @@ void begin_walls(const model::Model& model, const model::State& state, const Unk
     const auto i = static_cast<std::size_t>(unknowns.node[node.own]);
     const Vec3 x = of(model.reference[i]) + of(state.displacement[i]);
     look_at_nearest(model, walls, x, node);
-    node.solved = first_choice(model, walls, node, x, Eigen::Map<const Vec3>(state.nodes[i].v));
+    node.solved = first_choice(model, walls, node, x);
     node.action = {};
   }
   for (std::size_t w = 0; w < model.walls.size(); ++w)
     if (model.walls[w].moves) walls.place[w] += model::integral(model.walls[w].motion, time_before, time);
 }
 
-const WallAction* meet_walls(const model::Model& model, const Vec3& x, const Vec3& travel, const Mat3& free,
-                             const Vec3& left, double stiffness, std::size_t own, WallContact& walls) {
+const WallAction* meet_walls(const model::Model& model, const Vec3& x, const Vec3& travel, const Vec3& friction_before,
+                             const Mat3& free, const Vec3& left, double stiffness, std::size_t own,
+                             WallContact& walls) {
   const LocalIndex index = walls.node_of[own];
   if (index == no_index) return nullptr;
   WallNode& node = walls.nodes[static_cast<std::size_t>(index)];
@@ -119,7 +114,8 @@ const WallAction* meet_walls(const model::Model& model, const Vec3& x, const Vec
     const model::RigidWall& wall = model.walls[w];
     meetings[k] = {wall.normal, wall.normal.dot(x) - walls.place[w], wall.friction.fixed, walls.holds[entry] != 0};
   }
-  node.action = act({{meetings.data(), count}, free, left, travel, stiffness, walls.first}, node.solved);
+  node.action =
+      act({{meetings.data(), count}, free, left, travel, friction_before, stiffness, walls.first}, node.solved);
   return &node.action;
 }
 
@@ -131,7 +127,7 @@ const WallAction* action_of(const WallContact& walls, std::size_t own) {
 void add_branches(const WallContact& walls, std::vector<std::uint8_t>& branches) {
   for (const WallNode& node : walls.nodes) {
     const WallChoice& choice = node.action.choice;
-    int branch = choice.sticks ? 1 : 0;
+    int branch = choice.slides ? 1 : 0;
     for (const bool active : choice.active) branch = 2 * branch + (active ? 1 : 0);
     branches.push_back(static_cast<std::uint8_t>(branch));
   }

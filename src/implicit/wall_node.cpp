@@ -73,60 +73,57 @@ void choose_active(const WallQuestion& question, const WallChoice& solved, WallC
   }
 }
 
+/// How much of a wall's pressure friction goes by, and its derivative by the pressure: a wall that holds back presses
+/// the node from the other side.
+double pressing(const WallMeeting& meeting, double pressure) {
+  return meeting.bilateral ? std::abs(pressure) : std::max(pressure, 0.0);
+}
+double pressing_slope(const WallMeeting& meeting, double pressure) {
+  if (pressure > 0) return 1;
+  return meeting.bilateral ? -1 : 0;
+}
+
 /// What friction can hold [force].
 double capacity(const WallQuestion& question, const Held& held, const WallAction& action) {
   double sum = 0;
   for (int k = 0; k < held.count; ++k) {
     const std::size_t w = held.wall[static_cast<std::size_t>(k)];
-    sum += question.meetings[w].friction * std::max(action.pressure[w], 0.0);
+    sum += question.meetings[w].friction * pressing(question.meetings[w], action.pressure[w]);
   }
   return sum;
 }
 
-/// Sticks, or slides with friction in `direction`. True where the direction follows the travel.
-bool choose_slip(const WallQuestion& question, const Held& held, double most_friction, const WallChoice& solved,
-                 WallChoice& choice) {
-  const Vec3 needed = held.slides * question.left, travel = held.slides * question.travel;
-  choice.sticks = false;
-  choice.direction = Vec3::Zero();
-  if (question.first) {
-    choice.sticks = solved.sticks;
-    choice.direction = solved.direction;
-    return false;
+/// Projector on the directions in which a node slides on a set's walls, those along which supports hold it included.
+Mat3 tangent_of(const Held& held) {
+  Mat3 tangent = Mat3::Identity();
+  for (int k = 0; k < held.count; ++k) {
+    const Vec3 rest = tangent * held.normals.col(k);
+    if (rest.norm() >= redundant) tangent -= rest.normalized() * rest.normalized().transpose();
   }
-  const bool slid = !solved.sticks && !solved.direction.isZero() && !travel.isZero();
-  if (slid && solved.direction.dot(travel) < 0) {
-    choice.direction = -travel.normalized();
-    return true;
-  }
-  if (slid || needed.norm() <= most_friction)
-    choice.sticks = true;
-  else
-    choice.direction = needed.normalized();
-  return false;
+  return tangent;
 }
 
-void add_friction(const WallQuestion& question, const Held& held, const WallChoice& solved, WallAction& action) {
-  const double most_friction = capacity(question, held, action);
-  const bool follows = choose_slip(question, held, most_friction, solved, action.choice);
-  if (action.choice.sticks) {
-    action.friction = held.slides * question.left;
-    action.rows = Mat3::Zero();
-    action.own += question.stiffness * held.slides;
-    action.left = question.stiffness * (held.slides * question.travel);
-    return;
+void add_friction(const WallQuestion& question, const Held& held, WallAction& action) {
+  const Mat3 tangent = tangent_of(held);
+  const double spring = sticking_at_walls * question.stiffness, most_friction = capacity(question, held, action);
+  const Vec3 trial = tangent * (question.friction_before - spring * question.travel);
+  const double size = trial.norm();
+  action.choice.slides = !question.first && size > most_friction;
+  action.friction = trial;
+  Mat3 slope = spring * held.slides;
+  if (action.choice.slides) {
+    const Vec3 direction = trial / size;
+    action.friction = most_friction * direction;
+    slope = most_friction * spring / size * (held.slides * (tangent - direction * direction.transpose()));
+    const auto lift = held.lift();
+    for (int k = 0; k < held.count; ++k) {
+      const WallMeeting& meeting = question.meetings[held.wall[static_cast<std::size_t>(k)]];
+      const double by_pressure = pressing_slope(meeting, action.pressure[held.wall[static_cast<std::size_t>(k)]]);
+      action.rows -= meeting.friction * by_pressure * (held.slides * direction) * lift.col(k).transpose();
+    }
   }
-  const Vec3& direction = action.choice.direction;
-  action.friction = most_friction * direction;
-  action.left -= action.friction;
-  const auto lift = held.lift();
-  for (int k = 0; k < held.count; ++k) {
-    const std::size_t w = held.wall[static_cast<std::size_t>(k)];
-    if (action.pressure[w] > 0) action.rows -= question.meetings[w].friction * direction * lift.col(k).transpose();
-  }
-  if (follows)
-    action.own +=
-        most_friction / (held.slides * question.travel).norm() * (held.slides - direction * direction.transpose());
+  action.own += slope;
+  action.left -= held.slides * action.friction;
 }
 
 }  // namespace
@@ -142,7 +139,7 @@ WallAction act(const WallQuestion& question, const WallChoice& solved) {
   bool rubs = false;
   for (int k = 0; k < held.count; ++k)
     rubs = rubs || question.meetings[held.wall[static_cast<std::size_t>(k)]].friction > 0;
-  if (rubs && !held.slides.isZero(redundant)) add_friction(question, held, solved, action);
+  if (rubs) add_friction(question, held, action);
   const auto lift = held.lift();
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> gap(held.count);
   for (int k = 0; k < held.count; ++k) gap[k] = question.meetings[held.wall[static_cast<std::size_t>(k)]].gap;

@@ -90,6 +90,54 @@ class Walls(Program):
         self.assertAlmostEqual(rows[-1]["floor.z"], 10, delta=1e-9)
         self.assertIn("nothing holds it", self.go(stands.replace("[2, 0, -10]", "[0, 0, 1]"), code=3))
 
+    def test_friction_in_statics_converges_whatever_slides(self):
+        # under weight alone all feet of a soft block slide at once; a load that grows makes them slide one by one
+        block = BLOCK.replace("[1, 1, 2]", "[1, 1, 1]").replace("young: 100", "young: 1000") + "gravity: {vector: [SIDE, 0, -10]}\n"
+        floor = "rigid_walls: [{name: w, point: [0, 0, 0], normal: [0, 0, 1], friction: MU}]\nprobes: [{name: w, wall: w}]\n"
+        for elements, friction, side in ((1, 0.1, 0), (3, 0.1, 0), (2, 0.1, 0.9), (3, 0.3, 2.7), (4, 0.6, 5.4)):
+            scene = block.replace("[2, 2, 4]", f"[{elements}, {elements}, {elements}]").replace("SIDE", str(side))
+            rows = self.go(scene + floor.replace("MU", str(friction)) + "solver: {scheme: static, step: 0.5}\nrun: {end: 1.5}\n")
+            self.assertAlmostEqual(rows[-1]["w.x"], -2 * side, delta=1e-6)
+            self.assertAlmostEqual(rows[-1]["w.z"], 20, delta=1e-6)
+            self.assertEqual(self.summary("out")["implicit"]["halved"], 0)
+        for load in (3, 5.4):
+            scene = block.replace("[2, 2, 4]", "[2, 2, 2]").replace("SIDE", "0") + floor.replace("MU", "0.3")
+            rows = self.go(scene + f"traction: [{{set: a_zmin, value: [{load}, 0, 0], curve: c}}]\ncurves: {{c: [[0, 0], [1, 1]]}}\n"
+                           "solver: {scheme: static, step: 0.1}\nrun: {end: 1}\n")
+            self.assertAlmostEqual(rows[-1]["w.x"], -0.95 * load, delta=1e-6)  # the mean over the last step
+            self.assertLess(self.summary("out")["implicit"]["iterations_mean"], 7)
+
+    def test_friction_of_driven_nodes_and_of_bilateral_walls(self):
+        block = BLOCK.replace("[1, 1, 2]", "[1, 1, 1]").replace("[2, 2, 4]", "[1, 1, 1]") + "probes: [{name: w, wall: w}, {name: r, set: a_zmin, field: reaction}]\n"
+        rows = self.go(block + "rigid_walls: [{name: w, point: [0, 0, 0], normal: [0, 0, 1], friction: 0.3}]\ngravity: {vector: [0, 0, -10]}\n"
+                       "prescribed: [{set: a_zmin, dof: x, displacement: c}]\nfixed: [{set: a_zmin, dofs: [y]}]\ncurves: {c: [[0, 0], [1, 0.8]]}\n" + STATIC)
+        self.assertAlmostEqual(rows[-1]["w.x"], -6, delta=1e-9)
+        self.assertAlmostEqual(rows[-1]["r.x"], 6, delta=1e-9)
+        rows = self.go(block + "rigid_walls: [{name: w, point: [0, 0, 0], normal: [0, 0, 1], friction: 0.5, bilateral: true}]\n"
+                       "gravity: {vector: [0.5, 0, 10]}\n" + STATIC)
+        self.assertAlmostEqual(rows[-1]["w.x"], -1, delta=1e-9)
+        self.assertAlmostEqual(rows[-1]["w.z"], -20, delta=1e-9)
+
+    def test_an_approach_without_forces_is_no_fault_of_energy(self):
+        rows = self.go(BLOCK + "rigid_walls: [{name: w, point: [0, 0, -0.3], normal: [0, 0, 1]}]\nfixed: [{set: a_zmax, dofs: [x, y]}]\n"
+                       "prescribed: [{set: a_zmax, dof: z, displacement: c}]\ncurves: {c: [[0, 0], [1, -0.4]]}\nprobes: [{name: w, wall: w}]\n"
+                       "solver: {scheme: static, step: 0.05}\nrun: {end: 1}\n")
+        self.assertEqual(rows[10]["w.z"], 0)
+        self.assertGreater(rows[-1]["w.z"], 1)
+
+    def test_newmark_is_stopped_where_walls_at_rest_give(self):
+        told = self.go(BLOCK + "initial: [{part: a, velocity: [0, 0, -0.1]}]\nrigid_walls: [{point: [0, 0, -0.001], normal: [0, 0, 1]}]\n"
+                       "solver: {scheme: newmark, step: 0.01}\nrun: {end: 1}\n", code=3)
+        self.assertIn("walls at rest have given", told)
+        self.assertIn("contact_implicit", told)
+
+    def test_a_restart_between_rows_gives_the_same_means(self):
+        scene = SLIDE.replace("run: {end: 0.3}", "run: {end: 0.1}\nhistory: {every: 0.05}\noutput: {every: 0.05}")
+        self.go(scene)
+        self.run_scene(1, "scene.yaml", "--out", "part", "--set", "run.end=0.07")
+        self.run_scene(2, "scene.yaml", "--out", "part", "--restart", "part")
+        self.assertEqual(self.text("part", "history.csv"), self.text("out", "history.csv"))
+
     def test_same_bits_on_any_ranks_and_after_a_restart(self):
         self.go(SLIDE)
         whole = self.summary("out")["state_hash"]

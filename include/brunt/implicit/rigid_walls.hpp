@@ -51,8 +51,8 @@ void begin_walls(const model::Model& model, const model::State& state, const Unk
                  double time, WallContact& walls);
 
 /// What walls do at a node (place in Unknowns::node); nullptr where none may meet it. left: along `free`.
-const WallAction* meet_walls(const model::Model& model, const Vec3& x, const Vec3& travel, const Mat3& free,
-                             const Vec3& left, double stiffness, std::size_t own, WallContact& walls);
+const WallAction* meet_walls(const model::Model& model, const Vec3& x, const Vec3& travel, const Vec3& friction_before,
+                             const Mat3& free, const Vec3& left, double stiffness, std::size_t own, WallContact& walls);
 /// As it was last found.
 const WallAction* action_of(const WallContact& walls, std::size_t own);
 

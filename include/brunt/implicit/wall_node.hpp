@@ -21,8 +21,7 @@ struct WallMeeting {
 struct WallChoice {
   static constexpr std::size_t most = 3;  ///< walls a node can touch: more are redundant
   bool active[most] = {false, false, false};
-  bool sticks = false;
-  Vec3 direction = Vec3::Zero();  ///< of friction on a node that slides, unit; zero: not known yet
+  bool slides = false;  ///< friction is all that it can be
 };
 
 /// The node's equations and what the walls give.
@@ -38,14 +37,20 @@ struct WallAction {
 struct WallQuestion {
   std::span<const WallMeeting> meetings;  ///< at most WallChoice::most
   Mat3 free = Mat3::Identity();           ///< projector on the directions that supports leave free
-  Vec3 left = Vec3::Zero();    ///< forces that are left without walls, along `free`: inertia less what acts [force]
-  Vec3 travel = Vec3::Zero();  ///< since t_n [length]
-  double stiffness = 0;        ///< of held directions in the matrix: does not enter the solution [force/length]
+  Vec3 left = Vec3::Zero();               ///< left without walls, along `free`: inertia less what acts [force]
+  Vec3 travel = Vec3::Zero();             ///< since t_n, that which supports give included [length]
+  Vec3 friction_before = Vec3::Zero();    ///< at t_n [force]
+  double stiffness = 0;                   ///< of held directions in the matrix: does not enter pressures [force/length]
   bool first = false;  ///< the first iterate of a step: the choice given stands, and what lies behind a wall is pressed
 };
 
-/// The primal-dual active set: a wall presses where pressure - stiffness gap > 0; a node sticks while friction can hold
-/// it, and slides against its motion else (Hueber and Wohlmuth 2005; the slip here is exact, without a layer).
+/// The primal-dual active set: a wall presses where pressure - stiffness gap > 0. Friction is a spring of `sticking`
+/// times the stiffness between the node and the walls, from its force at t_n on, that gives way where Coulomb's law
+/// does (Hueber and Wohlmuth 2005; return mapping: J. C. Simo, T. A. Laursen 1992).
 WallAction act(const WallQuestion& question, const WallChoice& solved);
+
+/// Stiffness of sticking over that of held directions, which is about that of an element: at stresses of the order of
+/// the modulus a node slips by a tenth of an edge before it slides. As in mortar contact.
+constexpr double sticking_at_walls = 10;
 
 }  // namespace brunt::implicit

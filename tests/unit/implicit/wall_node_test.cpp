@@ -25,7 +25,7 @@ struct Springs {
   [[nodiscard]] WallAction at(const Vec3& travel, const WallChoice& solved) const {
     std::vector<WallMeeting> meetings = walls;
     for (WallMeeting& wall : meetings) wall.gap += wall.normal.dot(travel);
-    return act({meetings, free, free * (spring * travel - load), travel, stiffness, first}, solved);
+    return act({meetings, free, free * (spring * travel - load), travel, Vec3::Zero(), stiffness, first}, solved);
   }
   [[nodiscard]] double left_at(const Vec3& travel, const WallChoice& solved) const {
     return (at(travel, solved).left + stiffness * (travel - free * travel)).norm();
@@ -118,8 +118,8 @@ TEST_CASE("friction at a wall: within Coulomb's cone, against the slip where it 
     CHECK(normal.dot(travel) > -1e-11);
     if (action.pressure[0] == 0) continue;  // pulled off the wall
     CHECK(normal.dot(travel) < 1e-11);
-    if (action.choice.sticks) {
-      CHECK(travel.norm() < 1e-11);
+    if (!action.choice.slides) {
+      CHECK((action.friction + sticking_at_walls * stiffness * travel).norm() < 1e-9);
       CHECK(action.friction.norm() <= friction * action.pressure[0] * (1 + 1e-12));
       ++sticks;
     } else {
@@ -135,6 +135,7 @@ TEST_CASE("friction at a wall: within Coulomb's cone, against the slip where it 
 TEST_CASE("rows and diagonal of a node at walls are the derivatives of what is left", "[oracle]") {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> any(-1, 1);
+  int sticks = 0, slides = 0;
   for (int trial = 0; trial < 60; ++trial) {
     CAPTURE(trial);
     Springs springs = random_springs(random);
@@ -144,14 +145,11 @@ TEST_CASE("rows and diagonal of a node at walls are the derivatives of what is l
     if (trial % 4 == 1) springs.walls.push_back({(normal + Vec3(0.3, 0.5, -0.4)).normalized(), -0.02, 0.2, false});
     WallChoice solved;
     solved.active[0] = solved.active[1] = true;
-    solved.sticks = trial % 2 == 0;
-    const Vec3 travel = 0.1 * Vec3::NullaryExpr([&] { return any(random); });
-    solved.direction = solved.sticks ? Vec3(Vec3::Zero()) : Vec3(-travel.normalized());
+    const Vec3 travel = (trial % 2 == 0 ? 1e-3 : 0.1) * Vec3::NullaryExpr([&] { return any(random); });
     const WallAction action = springs.at(travel, solved);
+    (action.choice.slides ? slides : sticks) += 1;
     const Mat3 slope = action.rows * springs.spring + action.own;
     constexpr double h = 1e-6;
-    if (!action.choice.sticks && solved.sticks && springs.walls[0].friction > 0)
-      continue;  // the first slip is straight
     for (int c = 0; c < 3; ++c) {
       const WallAction up = springs.at(travel + h * Vec3::Unit(c), solved),
                        down = springs.at(travel - h * Vec3::Unit(c), solved);
@@ -189,4 +187,30 @@ TEST_CASE("a bilateral wall pulls, and the first iterate takes places for balanc
   CHECK(springs.at(Vec3::Zero(), {}).choice.active[0]);
   springs.walls[0].gap = 1e-9;
   CHECK_FALSE(springs.at(Vec3::Zero(), {}).choice.active[0]);
+}
+
+TEST_CASE("a node that supports drive along a wall has friction against all of its travel", "[oracle]") {
+  // driven along x, free along y: friction is mu N against the whole slip, of which y feels its share
+  WallMeeting wall{Vec3::UnitZ(), 0, 0.3, false};
+  WallChoice solved;
+  solved.active[0] = true;
+  const Mat3 free = Vec3(0, 1, 1).asDiagonal();
+  const WallAction action =
+      act({{&wall, 1}, free, Vec3(0, 0.5, 10), Vec3(3, 4, 0), Vec3::Zero(), stiffness, false}, solved);
+  CHECK(action.choice.slides);
+  CHECK(action.pressure[0] == Approx(10));
+  CHECK((action.friction - Vec3(-1.8, -2.4, 0)).norm() < 1e-14);
+  CHECK(action.left[1] == Approx(0.5 + 2.4));
+  CHECK(action.left[0] == 0);
+}
+
+TEST_CASE("friction of a bilateral wall goes by the size of its pressure, and goes on from t_n", "[oracle]") {
+  WallMeeting wall{Vec3::UnitZ(), 0, 0.5, true};
+  WallChoice solved;
+  const WallAction action =
+      act({{&wall, 1}, Mat3::Identity(), Vec3(2, 0, -10), Vec3::Zero(), Vec3(2, 0, 1), stiffness, false}, solved);
+  CHECK_FALSE(action.choice.slides);
+  CHECK(action.friction == Vec3(2, 0, 0));
+  CHECK(action.left.norm() < 1e-14);
+  CHECK(action.pressure[0] == Approx(-10));
 }
