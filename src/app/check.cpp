@@ -13,6 +13,7 @@
 #include "brunt/core/error.hpp"
 #include "brunt/scene/units.hpp"
 #include "brunt/time/step.hpp"
+#include "check_implicit.hpp"
 #include "commands.hpp"
 #include "contact_setup.hpp"
 #include "part_extents.hpp"
@@ -77,13 +78,6 @@ StepCost measure_steps(Prepared& run, const time::StepReport& first) {
   }
   if (cost.steps > 0) cost.seconds = spent / cost.steps;
   return cost;
-}
-
-std::string duration_text(double seconds) {
-  if (seconds < 120) return fmt::format("{:.2g} s", seconds);
-  if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
-  if (seconds < 1e7) return fmt::format("{:.1f} h", seconds / 3600);
-  return fmt::format("{:.3g} days", seconds / 86400);
 }
 
 void print_parts(const Prepared& run, const std::vector<PartFigures>& figures, const scene::UnitSystem& units) {
@@ -190,7 +184,7 @@ void print_contact(const Prepared& run) {
     fmt::print("rigid wall       {}: {}{}{}\n", wall.name, friction_text(wall.friction),
                wall.bilateral ? ", holds both ways" : "",
                wall.parts.empty() ? "" : fmt::format(", acts on {}", fmt::join(wall.parts, ", ")));
-  if (!run.input.contact.empty()) {
+  if (!run.input.contact.empty() && !run.implicit) {
     const contact::EnforcementSettings& settings = run.input.enforcement.settings;
     fmt::print("enforcement      {}, tolerance {:g}\n", name_of(settings.method), settings.tolerance);
   }
@@ -227,10 +221,12 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   const std::vector<Extent> extents = part_extents(*run);
   const time::StepReport step = time::evaluate(run->model, run->state, run->scratch, run->links, step_control(*run));
   if (ranks.any(step.stop)) throw InputError(options.scene + ": an element has no volume in its initial position");
-  const StepCost cost = measure_steps(*run, step);
+  const scene::UnitSystem& units = *scene::find_unit_system(run->input.units);
+  const std::vector<std::string> implicit =
+      run->implicit ? implicit_check(*run, units.time) : std::vector<std::string>{};
+  const StepCost cost = run->implicit ? StepCost{} : measure_steps(*run, step);
   if (!ranks.is_root()) return 0;
 
-  const scene::UnitSystem& units = *scene::find_unit_system(run->input.units);
   fmt::print("{} ({} units)\n", run->input.title.empty() ? options.scene : run->input.title, run->input.units);
   const RoundBodies round = round_bodies(run->input);
   for (const std::string& warning : run->warnings) fmt::print("warning: {}\n", warning);
@@ -246,7 +242,8 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   for (const std::string& line : listing) fmt::print("{}\n", line);
   print_contact(*run);
   print_gaps(*run);
-  print_cost(*run, step, cost, units);
+  for (const std::string& line : implicit) fmt::print("{}\n", line);
+  if (!run->implicit) print_cost(*run, step, cost, units);
   return 0;
 }
 

@@ -28,20 +28,6 @@ std::string name_of_node(const Prepared& run, GlobalIndex gid) {
   return fmt::format("part {}, node {}", model.blocks[static_cast<std::size_t>(part)].part, id);
 }
 
-const char* name_of(model::Scheme scheme) {
-  switch (scheme) {
-    case model::Scheme::statics:
-      return "static";
-    case model::Scheme::contact_implicit:
-      return "contact_implicit";
-    case model::Scheme::hht:
-      return "hht";
-    case model::Scheme::newmark:
-      break;
-  }
-  return "newmark";
-}
-
 /// Residuals of each step over the forces that act, and how many of the steps that can be judged were quadratic.
 nlohmann::ordered_json newton_summary(const implicit::NewtonTable& table) {
   nlohmann::ordered_json steps = nlohmann::ordered_json::array();
@@ -55,6 +41,20 @@ nlohmann::ordered_json newton_summary(const implicit::NewtonTable& table) {
 }
 
 }  // namespace
+
+const char* name_of(model::Scheme scheme) {
+  switch (scheme) {
+    case model::Scheme::statics:
+      return "static";
+    case model::Scheme::contact_implicit:
+      return "contact_implicit";
+    case model::Scheme::hht:
+      return "hht";
+    case model::Scheme::newmark:
+      break;
+  }
+  return "newmark";
+}
 
 implicit::Scene implicit_scene(Prepared& run) {
   return {run.model, run.state, run.scratch, run.links};

@@ -10,6 +10,9 @@
 
 namespace brunt::app {
 
+/// As a scene names it.
+const char* name_of(model::Scheme scheme);
+
 /// The four that implicit steps see of a prepared run.
 implicit::Scene implicit_scene(Prepared& run);
 

@@ -77,6 +77,15 @@ class Implicit(Program):
         self.assertLess(float(rows[-1]["tip.x [1]"]), -0.1)
         self.assertEqual(float(rows[-1]["kinetic [1]"]), 0)
 
+    def test_check_tells_of_the_solver_and_not_of_stable_steps(self):
+        self.write("bent.yaml", scene(scheme="static"))
+        told = self.brunt("check", "bent.yaml").stdout
+        self.assertRegex(told, r"(?m)^solver +static, step 0\.1 ")
+        self.assertRegex(told, r"(?m)^unknowns +324 displacements, 0 multipliers")
+        self.assertRegex(told, r"(?m)^steps +10 of that size")
+        self.assertRegex(told, r"(?m)^estimated cost .* iterations a step")
+        self.assertNotIn("cfl", told)
+
     def test_the_foot_carries_the_weight(self):
         self.write("hang.yaml", scene(scheme="static"))
         self.run_scene(1, "hang.yaml", "--out", "out", "--set", "pressure=null", "--set", "prescribed=null")
