@@ -66,6 +66,12 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
       faults.push_back(fmt::format("{}: an implicit scene has one coefficient; accepted: a number, 0 or more",
                                    input.at(fmt::format("rigid_walls.{}.friction", w))));
   for (std::size_t k = 0; k < input.contact.size(); ++k)
+    if (input.contact[k].mortar && !input.contact[k].tied &&
+        input.contact[k].initial_overlap == contact::OverlapRule::offset)
+      faults.push_back(fmt::format(
+          "{}: offset is for explicit scenes as yet; accepted in an implicit scene: error, warn, move, place",
+          input.at(fmt::format("contact.{}.initial_overlap", k))));
+  for (std::size_t k = 0; k < input.contact.size(); ++k)
     if (!input.contact[k].mortar)
       faults.push_back(
           fmt::format("{}: an implicit scene has mortar contact alone; accepted: {{between: [a, b], method: "

@@ -187,20 +187,36 @@ std::vector<MirrorRecord> mirrors_of(const comm::Communicator& ranks, const mode
   return all;
 }
 
+/// Is there a node that supports leave a direction to?
+bool can_move(const ContactNodes& nodes, const std::vector<FacetNodes>& facets) {
+  return std::ranges::any_of(facets, [&](const FacetNodes& facet) {
+    return std::ranges::any_of(facet, [&](LocalIndex node) {
+      return node != no_index && nodes.free[static_cast<std::size_t>(node)] != Mat3::Zero();
+    });
+  });
+}
+
+/// Multipliers of a slave that is wholly held would act on the master's nodes alone, more rows than they can follow:
+/// what can move is the slave then, else the finer side.
+bool master_is_better(const ContactNodes& nodes, const std::vector<FacetNodes>& slave,
+                      const std::vector<FacetNodes>& master) {
+  const bool slave_moves = can_move(nodes, slave), master_moves = can_move(nodes, master);
+  if (slave_moves != master_moves) return master_moves;
+  return edges_of(master, nodes.reference).mean < clearly * edges_of(slave, nodes.reference).mean;
+}
+
 Interface make_interface(const model::Model& model, const ContactNodes& nodes, const std::vector<FaceRecord>& faces,
                          const std::vector<MirrorRecord>& mirrors, const MortarPair& asked) {
   Interface face;
   face.pair = asked;
-  EdgeLengths slave = edges_of(facets_of(nodes, faces, asked.slave), nodes.reference);
-  EdgeLengths master = edges_of(facets_of(nodes, faces, asked.master), nodes.reference);
-  if (asked.choose_slave && master.mean < clearly * slave.mean) {
+  if (asked.choose_slave &&
+      master_is_better(nodes, facets_of(nodes, faces, asked.slave), facets_of(nodes, faces, asked.master)))
     std::swap(face.pair.slave, face.pair.master);
-    std::swap(slave, master);
-  }
   face.surfaces.slave = facets_of(nodes, faces, face.pair.slave);
   face.surfaces.master = facets_of(nodes, faces, face.pair.master);
   face.surfaces.multiplier = asked.multiplier;
-  face.surfaces.capture = std::max(slave.largest, master.largest);
+  face.surfaces.capture = std::max(edges_of(face.surfaces.slave, nodes.reference).largest,
+                                   edges_of(face.surfaces.master, nodes.reference).largest);
   face.surfaces.slave_wall = walls(face.surfaces.slave, nodes.reference, face.surfaces.capture);
   face.surfaces.master_wall = walls(face.surfaces.master, nodes.reference, face.surfaces.capture);
   lay_rows(nodes, mirrors, face.surfaces);
@@ -248,13 +264,6 @@ void number_multipliers(const comm::Communicator& ranks, const Unknowns& unknown
 
 /// Both sides wholly held: nothing can give way.
 void refuse_held(const model::Model& model, const MortarContact& contact, const Interface& face) {
-  const auto moves = [&](const std::vector<FacetNodes>& facets) {
-    return std::ranges::any_of(facets, [&](const FacetNodes& facet) {
-      return std::ranges::any_of(facet, [&](LocalIndex node) {
-        return node != no_index && !contact.nodes.free[static_cast<std::size_t>(node)].isZero();
-      });
-    });
-  };
   const auto& part = [&](std::int32_t b) -> const std::string& {
     return model.blocks[static_cast<std::size_t>(b)].part;
   };
@@ -263,7 +272,7 @@ void refuse_held(const model::Model& model, const MortarContact& contact, const 
                                  face.pair.entry,
                                  part(face.surfaces.slave.empty() ? face.pair.slave : face.pair.master),
                                  part(face.surfaces.slave.empty() ? face.pair.master : face.pair.slave)));
-  if (!moves(face.surfaces.slave) && !moves(face.surfaces.master))
+  if (!can_move(contact.nodes, face.surfaces.slave) && !can_move(contact.nodes, face.surfaces.master))
     throw InputError(
         fmt::format("{}: all nodes of the surfaces of {} and {} are held; accepted: a pair of which "
                     "one can give way",

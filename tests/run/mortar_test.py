@@ -56,6 +56,20 @@ run: {end: 3}
 probes: [{name: a, part: a, field: momentum}]
 """
 
+# A bar that falls on a finer die, which is held all through.
+DIE = """\
+units: none
+mesh: [{box: {part: die, size: [1, 1, 0.2], elements: [5, 5, 1]}}, {box: {part: bar, size: [0.8, 0.8, 1], elements: [2, 2, 3], at: [0.1, 0.1, 0.22]}}]
+materials: {m: {model: neo_hookean, density: 1, young: 1000, poisson: 0.3}}
+parts: {die: {material: m, element: hex8_full}, bar: {material: m, element: hex8_full}}
+fixed: [{part: die, dofs: [x, y, z]}]
+initial: [{part: bar, velocity: [0, 0, -1]}]
+contact: [{between: [die, bar], method: mortar}]
+probes: [{name: c, contact: [bar, die]}]
+solver: {scheme: contact_implicit, step: 0.01}
+run: {end: 0.2}
+"""
+
 # A block pressed on another, drawn over its end.
 SLIDE = """\
 units: none
@@ -228,6 +242,21 @@ class Mortar(Program):
         self.assertAlmostEqual(float(last["end.x [1]"]), 0.02, delta=1e-4)
         # the load stretches the lower block by stress / E times its height, less what the held upper face keeps from narrowing
         self.assertAlmostEqual(0.01 - float(last["end.z [1]"]), 0.5 / 100 * 0.5, delta=0.5e-3)
+
+    def test_a_die_that_is_held_is_the_master(self):
+        self.write("scene.yaml", DIE)
+        self.run_scene(1, "scene.yaml", "--out", "out")
+        rows = self.text("out", "history.csv").splitlines()
+        names = [name.split(" [")[0] for name in rows[0].split(",")]
+        values = [dict(zip(names, map(float, row.split(",")))) for row in rows[1:]]
+        self.assertGreater(max(row["c.z"] for row in values), 10)
+        start, end = values[0]["momentum_z"], values[-1]["momentum_z"]
+        self.assertLess(end / start, -0.7)
+        pushed = sum(row["c.z"] * (row["time"] - before["time"]) for before, row in zip(values, values[1:]))
+        self.assertAlmostEqual(pushed, end - start, delta=1e-9 * abs(start))
+        self.assertLess(self.summary("out")["energy"]["error_ratio"], 1e-10)
+        self.write("scene.yaml", DIE.replace("mortar}", "mortar, initial_overlap: offset}"))
+        self.assertIn("initial_overlap: offset is for explicit scenes", self.run_scene(1, "scene.yaml", "--out", "off", code=2))
 
     def test_redundant_multipliers_are_told(self):
         # nodes of planes of symmetry on both sides of a tie
