@@ -45,10 +45,14 @@ Vec3 supported(const Scene& scene, Solver& solver, std::size_t own, Vec3 left) {
     left = free * left;
   }
   if (solver.walls.any()) {
+    WallQuestion question;
+    question.free = free;
+    question.left = left;
+    question.travel = travel;
+    question.friction_before = of(solver.memory.wall_friction, i);
+    question.stiffness = solver.support_stiffness;
     const Vec3 x = Eigen::Map<const Vec3>(scene.state.nodes[i].x);
-    if (const WallAction* action = meet_walls(scene.model, x, travel, of(solver.memory.wall_friction, i), free, left,
-                                              solver.support_stiffness, own, solver.walls))
-      left = action->left;
+    if (const WallAction* action = meet_walls(scene.model, x, own, question, solver.walls)) left = action->left;
   }
   return left + by_supports;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/implicit/interface_forces.hpp"
 
+#include <array>
+#include <bit>
+
 namespace brunt::implicit {
 namespace {
 
@@ -28,8 +31,7 @@ InterfaceForce force_on_slave(const Interface& face) {
 
 void book_interfaces(double dt, double of_impulse, MortarContact& contact) {
   for (std::size_t k = 0; k < contact.interfaces.size(); ++k) {
-    const InterfaceForce now = force_on_slave(contact.interfaces[k]);
-    const std::span<const double> value(now.all, width);
+    const auto value = std::bit_cast<std::array<double, width>>(force_on_slave(contact.interfaces[k]));
     for (std::size_t i = 0; i < width; ++i) {
       double& before = contact.forces_before[width * k + i];
       contact.impulses[width * k + i] += dt * (of_impulse * value[i] + (1 - of_impulse) * before);

@@ -13,7 +13,7 @@
 #include "brunt/core/error.hpp"
 #include "brunt/implicit/interface_forces.hpp"
 #include "brunt/implicit/mortar.hpp"
-#include "brunt/implicit/walls.hpp"
+#include "brunt/implicit/thickness.hpp"
 #include "brunt/material/law.hpp"
 
 namespace brunt::implicit {
@@ -217,8 +217,8 @@ Interface make_interface(const model::Model& model, const ContactNodes& nodes, c
   face.surfaces.multiplier = asked.multiplier;
   face.surfaces.capture = std::max(edges_of(face.surfaces.slave, nodes.reference).largest,
                                    edges_of(face.surfaces.master, nodes.reference).largest);
-  face.surfaces.slave_wall = walls(face.surfaces.slave, nodes.reference, face.surfaces.capture);
-  face.surfaces.master_wall = walls(face.surfaces.master, nodes.reference, face.surfaces.capture);
+  face.surfaces.slave_wall = thickness_behind(face.surfaces.slave, nodes.reference, face.surfaces.capture);
+  face.surfaces.master_wall = thickness_behind(face.surfaces.master, nodes.reference, face.surfaces.capture);
   lay_rows(nodes, mirrors, face.surfaces);
   face.topology = contact::make_topology(face.surfaces, nodes.reference);
   const auto block = [&](std::int32_t b) -> const model::ElementBlock& {

@@ -100,8 +100,7 @@ void begin_walls(const model::Model& model, const model::State& state, const Unk
     if (model.walls[w].moves) walls.place[w] += model::integral(model.walls[w].motion, time_before, time);
 }
 
-const WallAction* meet_walls(const model::Model& model, const Vec3& x, const Vec3& travel, const Vec3& friction_before,
-                             const Mat3& free, const Vec3& left, double stiffness, std::size_t own,
+const WallAction* meet_walls(const model::Model& model, const Vec3& x, std::size_t own, WallQuestion question,
                              WallContact& walls) {
   const LocalIndex index = walls.node_of[own];
   if (index == no_index) return nullptr;
@@ -114,8 +113,9 @@ const WallAction* meet_walls(const model::Model& model, const Vec3& x, const Vec
     const model::RigidWall& wall = model.walls[w];
     meetings[k] = {wall.normal, wall.normal.dot(x) - walls.place[w], wall.friction.fixed, walls.holds[entry] != 0};
   }
-  node.action =
-      act({{meetings.data(), count}, free, left, travel, friction_before, stiffness, walls.first}, node.solved);
+  question.meetings = {meetings.data(), count};
+  question.first = walls.first;
+  node.action = act(question, node.solved);
   return &node.action;
 }
 
@@ -137,7 +137,7 @@ bool chosen_by_balance(const comm::Communicator& ranks, const WallContact& walls
   const bool pressed = std::ranges::any_of(walls.nodes, [](const WallNode& node) {
     return std::ranges::any_of(node.action.choice.active, std::identity{});
   });
-  return !ranks.any(walls.first && pressed);
+  return !walls.any() || !ranks.any(walls.first && pressed);
 }
 
 void remember_choice(WallContact& walls) {
@@ -183,6 +183,7 @@ void keep_walls(const comm::Communicator& ranks, const model::Model& model, doub
 }
 
 GlobalIndex pressed(const comm::Communicator& ranks, const WallContact& walls) {
+  if (!walls.any()) return 0;
   GlobalIndex rows = 0;
   for (const WallNode& node : walls.nodes)
     for (std::int32_t k = 0; k < node.looked_at; ++k) rows += node.action.pressure[k] != 0 ? 1 : 0;

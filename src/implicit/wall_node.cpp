@@ -18,10 +18,11 @@ constexpr double redundant = 1e-6;
 struct Held {
   std::array<std::size_t, most> wall{};  ///< of each column
   int count = 0;
-  Mat3 along = Mat3::Zero();       ///< columns: normals along free directions
-  Mat3 normals = Mat3::Zero();     ///< columns: normals
-  Mat3 inverse = Mat3::Zero();     ///< of along' along, count x count
-  Mat3 slides = Mat3::Identity();  ///< projector on the free directions that no wall holds
+  Mat3 along = Mat3::Zero();        ///< columns: normals along free directions
+  Mat3 normals = Mat3::Zero();      ///< columns: normals
+  Mat3 inverse = Mat3::Zero();      ///< of along' along, count x count
+  Mat3 slides = Mat3::Identity();   ///< projector on the free directions that no wall holds
+  Mat3 tangent = Mat3::Identity();  ///< likewise on all of them, those along which supports hold the node included
 
   [[nodiscard]] auto columns() const { return along.leftCols(count); }
   /// along (along' along)^-1: turns gaps into travel, and its transpose forces into pressures.
@@ -30,16 +31,23 @@ struct Held {
   }
 };
 
+/// Takes the direction of a vector out of a projector; false where it holds next to nothing of it.
+bool take_out(const Vec3& direction, Mat3& projector) {
+  const Vec3 rest = projector * direction;
+  if (rest.norm() < redundant) return false;
+  const Vec3 unit = rest.normalized();
+  projector -= unit * unit.transpose();
+  return true;
+}
+
 Held hold(const WallQuestion& question, const bool (&active)[most]) {
   Held held;
   held.slides = question.free;
   for (std::size_t w = 0; w < question.meetings.size(); ++w) {
     if (!active[w]) continue;
     const Vec3& normal = question.meetings[w].normal;
-    const Vec3 rest = held.slides * normal;
-    if (rest.norm() < redundant) continue;
-    const Vec3 unit = rest.normalized();
-    held.slides -= unit * unit.transpose();
+    if (!take_out(normal, held.slides)) continue;
+    take_out(normal, held.tangent);
     held.along.col(held.count) = question.free * normal;
     held.normals.col(held.count) = normal;
     held.wall[static_cast<std::size_t>(held.count++)] = w;
@@ -93,20 +101,9 @@ double capacity(const WallQuestion& question, const Held& held, const WallAction
   return sum;
 }
 
-/// Projector on the directions in which a node slides on a set's walls, those along which supports hold it included.
-Mat3 tangent_of(const Held& held) {
-  Mat3 tangent = Mat3::Identity();
-  for (int k = 0; k < held.count; ++k) {
-    const Vec3 rest = tangent * held.normals.col(k);
-    if (rest.norm() >= redundant) tangent -= rest.normalized() * rest.normalized().transpose();
-  }
-  return tangent;
-}
-
 void add_friction(const WallQuestion& question, const Held& held, WallAction& action) {
-  const Mat3 tangent = tangent_of(held);
   const double spring = sticking_at_walls * question.stiffness, most_friction = capacity(question, held, action);
-  const Vec3 trial = tangent * (question.friction_before - spring * question.travel);
+  const Vec3 trial = held.tangent * (question.friction_before - spring * question.travel);
   const double size = trial.norm();
   action.choice.slides = !question.first && size > most_friction;
   action.friction = trial;
@@ -114,7 +111,7 @@ void add_friction(const WallQuestion& question, const Held& held, WallAction& ac
   if (action.choice.slides) {
     const Vec3 direction = trial / size;
     action.friction = most_friction * direction;
-    slope = most_friction * spring / size * (held.slides * (tangent - direction * direction.transpose()));
+    slope = most_friction * spring / size * (held.slides * (held.tangent - direction * direction.transpose()));
     const auto lift = held.lift();
     for (int k = 0; k < held.count; ++k) {
       const WallMeeting& meeting = question.meetings[held.wall[static_cast<std::size_t>(k)]];

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each mortar interface as a whole has pushed its slave with: for probes.
 #pragma once
-#include <span>
-
 #include "brunt/core/types.hpp"
 #include "brunt/implicit/mortar.hpp"
 

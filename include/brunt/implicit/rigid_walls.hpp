@@ -50,9 +50,9 @@ WallContact make_walls(const model::Model& model, const Unknowns& unknowns, doub
 void begin_walls(const model::Model& model, const model::State& state, const Unknowns& unknowns, double time_before,
                  double time, WallContact& walls);
 
-/// What walls do at a node (place in Unknowns::node); nullptr where none may meet it. left: along `free`.
-const WallAction* meet_walls(const model::Model& model, const Vec3& x, const Vec3& travel, const Vec3& friction_before,
-                             const Mat3& free, const Vec3& left, double stiffness, std::size_t own, WallContact& walls);
+/// What walls do at a node (place in Unknowns::node) at x; nullptr where none may meet it. question: all but the walls.
+const WallAction* meet_walls(const model::Model& model, const Vec3& x, std::size_t own, WallQuestion question,
+                             WallContact& walls);
 /// As it was last found.
 const WallAction* action_of(const WallContact& walls, std::size_t own);
 
@@ -71,8 +71,8 @@ struct WallForces {
 };
 WallForces forces_of(const model::Model& model, const WallContact& walls, std::size_t own);
 
-/// The step is accepted: impulses of each wall, forces kept for the next step, places. share, of_impulse: of the forces
-/// at t_{n+1} in the mean. Collective.
+/// The step of length dt is accepted: impulses of each wall, of_impulse of the forces now and the rest of those at t_n,
+/// which become those of now. Collective.
 void keep_walls(const comm::Communicator& ranks, const model::Model& model, double dt, double of_impulse,
                 WallContact& walls);
 

@@ -54,8 +54,10 @@ TEST_CASE("walls act on nodes of their parts; what touches at t_n is pressed at 
   CHECK(walls.holds == std::vector<std::uint8_t>{0, 0, 0, 0, 1});
 
   const Vec3 left(0, 0, 5);  // the node needs a push of 5
-  const WallAction* action =
-      meet_walls(nodes.model, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Mat3::Identity(), left, 1, 0, walls);
+  WallQuestion question;
+  question.left = left;
+  question.stiffness = 1;
+  const WallAction* action = meet_walls(nodes.model, Vec3::Zero(), 0, question, walls);
   REQUIRE(action != nullptr);
   CHECK(action->pressure[0] == 5);
   CHECK(forces_of(nodes.model, walls, 0).normal == Vec3(0, 0, 5));

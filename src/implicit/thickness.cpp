@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/walls.hpp"
+#include "brunt/implicit/thickness.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -9,7 +9,8 @@
 #include "brunt/contact/search/facet_tree.hpp"
 
 namespace brunt::implicit {
-std::vector<double> walls(const std::vector<contact::FacetNodes>& facets, std::span<const Vec3> x, double reach) {
+std::vector<double> thickness_behind(const std::vector<contact::FacetNodes>& facets, std::span<const Vec3> x,
+                                     double reach) {
   std::vector<double> wall(facets.size(), std::numeric_limits<double>::infinity());
   if (facets.empty()) return wall;
   contact::KdopTree tree;

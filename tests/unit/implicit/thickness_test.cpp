@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/walls.hpp"
+#include "brunt/implicit/thickness.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -29,7 +29,7 @@ struct Surface {
 
 TEST_CASE("a plate has its thickness behind both faces, and nothing within reach behind its rim") {
   const Surface plate(mesh::box("p", {4, 3, 0.25}, {8, 6, 1}));
-  const std::vector<double> wall = implicit::walls(plate.facets, plate.x, 1);
+  const std::vector<double> wall = implicit::thickness_behind(plate.facets, plate.x, 1);
   for (std::size_t f = 0; f < wall.size(); ++f) {
     const auto z = [&](int k) {
       return plate.x[static_cast<std::size_t>(plate.facets[f][static_cast<std::size_t>(k)])][2];
@@ -43,7 +43,7 @@ TEST_CASE("a plate has its thickness behind both faces, and nothing within reach
 
 TEST_CASE("a hollow torus is as thick as its wall, from outside and from inside") {
   const Surface torus(mesh::torus("t", 76, 20, 24, {40, 20, 1}));
-  const std::vector<double> wall = implicit::walls(torus.facets, torus.x, 12);
+  const std::vector<double> wall = implicit::thickness_behind(torus.facets, torus.x, 12);
   for (const double thickness : wall) {
     CHECK(thickness > 0.9 * 4);  // facets are chords: the middle of one lies nearer to the other side
     CHECK(thickness < 1.05 * 4);
@@ -52,6 +52,6 @@ TEST_CASE("a hollow torus is as thick as its wall, from outside and from inside"
 
 TEST_CASE("a body that is thicker than the reach has no walls, and neither has no body") {
   const Surface block(mesh::box("b", {4, 4, 4}, {2, 2, 2}));
-  for (const double thickness : implicit::walls(block.facets, block.x, 2)) CHECK(std::isinf(thickness));
-  CHECK(implicit::walls({}, {}, 1).empty());
+  for (const double thickness : implicit::thickness_behind(block.facets, block.x, 2)) CHECK(std::isinf(thickness));
+  CHECK(implicit::thickness_behind({}, {}, 1).empty());
 }
