@@ -193,7 +193,7 @@ int parse_failure(const CLI::App& program, const CLI::ParseError& error, bool ro
 }
 
 int run_command(const comm::Communicator& ranks, int argc, char** argv) {
-  CLI::App program("Brunt: explicit finite elements for contact, crash and penetration");
+  CLI::App program("Brunt: explicit and implicit finite elements for contact, crash and penetration");
   program.require_subcommand(1);
   program.set_version_flag("--version", app::version());
   Command chosen;
