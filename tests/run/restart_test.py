@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""A scene of every case, stopped on two ranks and continued on three, is the run on one rank that never stopped.
+"""Scenes of the cases, stopped on two ranks and continued on three, are the run on one rank that never stopped.
 
 usage: restart_test.py [--all] [--whole] [--scene WORD]
-    --all: all scenes of each case, not just the first
+    --all: all scenes of each case, not just as many as have together what the first of each case have
     --whole: scenes to their end, stopped in the middle of contact and again shortly before it ends
     --scene: only those with the word in CASE/FILE
 Needs BRUNT, BRUNT_RUN (scripts/run) and BRUNT_CASES (the folder cases/) in the environment.
@@ -19,6 +19,8 @@ import tempfile
 import unittest
 
 import yaml
+
+from scene_features import covering, features
 
 BRUNT, RUN, CASES = os.environ["BRUNT"], os.environ["BRUNT_RUN"], os.environ["BRUNT_CASES"]
 STEPS = 450  # of a run in short: nearly all cases have met their wall or each other by then
@@ -41,7 +43,7 @@ def scenes():
     first = {}
     for scene in sorted(found, key=lambda name: (not name.endswith("/scene.yaml"), name)):
         first.setdefault(os.path.dirname(scene), scene)
-    return {scene: found[scene] for scene in first.values()}
+    return {scene: found[scene] for scene in covering({scene: found[scene] for scene in first.values()})}
 
 
 def meets(tree):
@@ -49,6 +51,19 @@ def meets(tree):
     entries = tree.get("contact", [])
     placed = any(isinstance(entry, dict) and entry.get("initial_overlap") == "place" for entry in entries)
     return bool(entries or "rigid_walls" in tree) and not (placed and "initial" not in tree)
+
+
+class Features(unittest.TestCase):
+    def test_names_and_numbers_are_none(self):
+        scene = {"parts": {"ball": {"element": "tet4"}}, "mesh": [{"box": {"at": [0, 0, 0]}}], "probes": [{"part": "ball"}],
+                 "contact": [{"between": ["ball", "plate"], "friction": 0.2, "passes": "two"}]}
+        self.assertEqual(features(scene), {"parts", "parts.*", "parts.*.element", "parts.*.element=tet4", "mesh", "mesh.box",
+                                           "contact", "contact.between", "contact.friction", "contact.passes",
+                                           "contact.passes=two"})
+
+    def test_few_scenes_have_all(self):
+        scenes = {"a": {"contact": "all"}, "b": {"contact": "all", "gravity": 1, "damping": 2}, "c": {"fixed": 1}}
+        self.assertEqual(covering(scenes), ["b", "c"])
 
 
 class Restart(unittest.TestCase):
