@@ -55,7 +55,7 @@ TEST_CASE("scaling: a wrong entry is one line that names it", "[scene]") {
   check_message("{weak: [{lengths: [mesh.0.box.size.0]}]}", "scaling.weak.0", "no counts are given");
   check_message("{weak: []}", "scaling.weak", "0 directions");
   check_message("{weak: 2}", "scaling.weak", "one to three directions");
-  check_message("{strong: []}", "scaling.strong", "unknown key, nearest is 'weak'");
+  check_message("{weka: []}", "scaling.weka", "did you mean 'weak'");
 }
 
 TEST_CASE("scaling says nothing of the bodies: a checkpoint fits the scene with and without it", "[scene]") {
