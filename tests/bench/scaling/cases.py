@@ -17,7 +17,7 @@ class Case(NamedTuple):
 
 FEW = {"run.steps": 4}
 BLOCKS = {**FEW, "mesh.0.box.elements": [32, 32, 33], "mesh.1.box.elements": [29, 29, 36]}
-BLOCKS_A_RANK = {**FEW, "mesh.0.box.elements": [12, 12, 12], "mesh.1.box.elements": [11, 11, 13]}
+BLOCKS_A_RANK = {**FEW, "mesh.0.box.elements": [12, 12, 12], "mesh.1.box.elements": [9, 16, 12]}  # as many in each: whole parts
 BODIES_A_RANK = {**FEW, **{f"mesh.{k}.box.elements": [5 - k % 2] * 3 for k in range(27)}}
 NO_CONTACT = {"contact": None}
 HALF_A_MILLION = {"mesh.0.box.elements": [56, 56, 83], "mesh.1.box.elements": [51, 51, 90]}

@@ -10,9 +10,20 @@ from typing import NamedTuple
 
 import yaml
 
-with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "model.yaml"), encoding="utf-8") as stream:
-    CONSTANTS = yaml.safe_load(stream)
-PARTITION, MESSAGES, CONTACT, TIME, NETWORK = (CONSTANTS[name] for name in ("partition", "messages", "contact", "time", "network"))
+CONSTANTS = {}
+
+
+def reload():
+    """Reads model.yaml, at import and once a measurement has changed it."""
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "model.yaml"), encoding="utf-8") as stream:
+        CONSTANTS.update(yaml.safe_load(stream))
+
+
+reload()
+
+
+def of(section):
+    return CONSTANTS[section]
 
 
 class Work(NamedTuple):
@@ -48,19 +59,43 @@ def divisions(extents, volume):
     return [max(1.0, n / edge) if n in thick else 1.0 for n in extents]
 
 
-def few(parts, of_two):
-    """1 from 4 parts on: a body in two has no cubes, and its cut and neighbours are by `of_two` more than of cubes."""
-    return 1 + of_two * min(1.0, max(0.0, (4 - parts) / 2))
+def few_neighbours(extents, parts):
+    """Mean neighbours of a box in 2 to 4 parts: slabs, or quarters where these cut less; quarters do not all meet along a line."""
+    longest, second, _ = sorted(extents, reverse=True)
+    quarters = parts == 4 and 1 / longest + 1 / second < 3 / longest
+    return of("partition")["quarters"] if quarters else 2 * (parts - 1) / parts
 
 
 def around(scene, direction):
     return scene.thickness > 0 and direction == 1
 
 
-def odd_slices(scene, volume):
-    """Faces cut off the corners of bodies that hold no whole number of parts: each such corner lies in two bodies' balance."""
-    rest = [abs(q - round(q)) for q in (math.prod(n) / volume for n in scene.bodies)]
-    return 0.5 * sum(3 * g ** (2 / 3) * volume ** (2 / 3) for g in rest) if len(scene.bodies) > 1 else 0.0
+def cut_forces(scene, extents, volume):
+    """Corner forces that the parts of one body send."""
+    slabs = round(math.prod(extents) / volume)
+    if slabs in (2, 3) and not scene.thickness:
+        return 8 * of("partition")["excess_of_slabs"] * (slabs - 1) * math.prod(extents) / max(extents)
+    planes = [k if around(scene, d) and k > 1 else k - 1 for d, k in enumerate(divisions(extents, volume))]
+    return 8 * of("partition")["excess"] * (math.prod(n + k for n, k in zip(extents, planes)) - math.prod(extents))
+
+
+def neighbours_of_part(scene, extents, volume):
+    parts = round(math.prod(extents) / volume)
+    if 2 <= parts <= 4 and not scene.thickness:
+        return few_neighbours(extents, parts)
+    cuts = divisions(extents, volume)
+    shares = [1.0 if around(scene, d) and k > 1 else 1 - 1 / k for d, k in enumerate(cuts)]
+    return math.prod(1 + of("partition")["neighbours"] * share for share in shares) - 1
+
+
+def odd_corners(scene, volume):
+    """(faces, pairs of parts in both directions) of corners cut off bodies that hold no whole number of parts; of two bodies the
+    corner of one goes to a part of the other. Less than METIS may leave uneven is nothing."""
+    parts = [math.prod(n) / volume for n in scene.bodies]
+    rest = [abs(q - round(q)) for q in parts]
+    if len(parts) == 1 or max(r / q for r, q in zip(rest, parts)) < of("partition")["uneven"]:
+        return 0.0, 0.0
+    return 0.5 * sum(3 * r ** (2 / 3) * volume ** (2 / 3) for r in rest), 2 * min(3.0, sum(parts) / len(parts))
 
 
 def internal(scene, ranks):
@@ -71,17 +106,11 @@ def internal(scene, ranks):
     if max(math.prod(n) for n in scene.bodies) < 1.5 * volume:  # bodies stay whole but for one cut where each part ends
         plane = (scene.elements / len(scene.bodies)) ** (2 / 3)
         return 8 * plane * (ranks - 1), 2 * (ranks - 1) / ranks
-    forces, neighbours = 8 * odd_slices(scene, volume), 0.0
-    for n in scene.bodies:
-        cuts, parts = divisions(n, volume), math.prod(n) / volume
-        planes = [k if around(scene, d) and k > 1 else k - 1 for d, k in enumerate(cuts)]
-        forces += 8 * PARTITION["excess"] * few(parts, PARTITION["excess_of_two"]) * (math.prod(a + k for a, k in zip(n, planes)) - math.prod(n))
-        beside = few(parts, PARTITION["neighbours_of_two"])
-        neighbours += parts * beside * (math.prod(1 + PARTITION["neighbours"] * k / cut for k, cut in zip(planes, cuts)) - 1)
-    corner = 2 * min(3.0, ranks / len(scene.bodies)) if len(scene.bodies) > 1 else 0.0  # pairs of parts at a corner cut off
-    neighbours = (neighbours + corner) / ranks
+    faces, pairs = odd_corners(scene, volume)
+    forces = 8 * faces + sum(cut_forces(scene, n, volume) for n in scene.bodies)
+    neighbours = (pairs + sum(math.prod(n) / volume * neighbours_of_part(scene, n, volume) for n in scene.bodies)) / ranks
     if scene.balanced:
-        return forces * PARTITION["contact_excess"], min(ranks - 1, neighbours * PARTITION["contact_neighbours"])
+        forces, neighbours = forces * of("partition")["contact_excess"], neighbours * of("partition")["contact_neighbours"]
     return forces, min(ranks - 1, neighbours)
 
 
@@ -92,11 +121,11 @@ def ghosting(scene, ranks):
     area = sum(a * b for a, b in scene.sides) / ranks  # nodes of a rank
     face = math.sqrt(sum(a * b for a, b in scene.sides) / len(scene.sides))
     patch = min(face, math.sqrt(scene.elements / ranks / scene.thickness if scene.thickness else area))
-    reach = patch + 2 * CONTACT["rim"]
+    reach = patch + 2 * of("contact")["rim"]
     held = len(scene.bodies) / ranks
     foreign = 1 - max(0.0, (held - 1) / max(len(scene.bodies) - 1, 1))  # whole bodies of one rank meet without messages
     patches = area / patch ** 2
-    covered = CONTACT["ranks_met"] * patches * (reach / patch + 1) ** 2
+    covered = of("contact")["ranks_met"] * patches * (reach / patch + 1) ** 2
     return foreign * patches * reach ** 2, (ranks - 1) * (1 - math.exp(-covered / (ranks - 1)))
 
 
@@ -108,8 +137,10 @@ class Counts(NamedTuple):
 
 def counts(scene, ranks):
     """Sent by a rank in a step, mean over the ranks; exchanges of the search are in it."""
+    if ranks == 1:
+        return Counts(0, 0, 0)
     forces, neighbours = internal(scene, ranks)
-    work, m = scene.work, MESSAGES
+    work, m = scene.work, of("messages")
     if not scene.sides:
         return Counts(neighbours, m["corner_force"] * forces / ranks, 1)
     copies, met = ghosting(scene, ranks)
@@ -122,10 +153,11 @@ def counts(scene, ranks):
 def step_time(scene, ranks):
     """{part of the step: seconds} on so many ranks."""
     sent, work = counts(scene, ranks), scene.work
-    return {"elements": TIME["element"] * scene.elements / ranks,
-            "contact": (TIME["row"] * work.rows * work.iterations + TIME["face"] * scene.faces * work.searches) / ranks,
-            "messages": (NETWORK["latency"] * sent.messages + sent.bytes / NETWORK["bandwidth"]) if ranks > 1 else 0.0,
-            "reductions": NETWORK["reduction"] * math.log2(ranks) * sent.collectives}
+    return {"elements": of("time")["element"] * scene.elements / ranks,
+            "contact": (of("time")["row"] * work.rows * work.iterations + of("time")["face"] * scene.faces * work.searches) / ranks,
+            "messages": of("network")["latency"] * sent.messages,
+            "bytes": sent.bytes / of("network")["bandwidth"],
+            "reductions": of("network")["reduction"] * math.log2(ranks) * sent.collectives}
 
 
 def box_scene(tree, work, with_contact=True):
@@ -154,5 +186,5 @@ def corners(box):
 def tube_scene(tree, work):
     """The tube that is pressed flat: its inside touches itself over a share of its circumference."""
     through, turn, along = tree["mesh"]["tube"]["elements"]
-    side = (CONTACT["tube_share"] * turn / 2, along + 1)
+    side = (of("contact")["tube_share"] * turn / 2, along + 1)
     return Scene([(through, turn, along)], [side, side], False, work, through)

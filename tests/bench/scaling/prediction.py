@@ -2,6 +2,7 @@
 """Time a step and efficiency to 10^4 ranks, by the model: tables, pictures, and the constants that a measurement gives."""
 import math
 import os
+import re
 
 import model
 import yaml
@@ -9,7 +10,7 @@ import yaml
 RANKS = [1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 10000]
 SHOWN = [1, 8, 64, 512, 4096, 10000]
 STRONG, WEAK_A_RANK = 1e8, 1e5  # elements
-PARTS = ("elements", "contact", "messages", "reductions")
+PARTS = ("elements", "contact", "messages", "bytes", "reductions")
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
@@ -18,7 +19,7 @@ def blocks(elements, with_contact):
     edge = (elements / 2) ** (1 / 3)
     if not with_contact:
         return model.Scene([(edge, edge, edge)] * 2, [], False, model.Work())
-    ahead = model.CONSTANTS["ahead"]
+    ahead = model.of("ahead")
     work = model.Work(ahead["iterations"], ahead["searches"], ahead["rows_a_node"] * edge ** 2)
     return model.Scene([(edge, edge, edge)] * 2, [(edge, edge)] * 2, True, work)
 
@@ -49,40 +50,66 @@ def series(with_contact):
                    for ranks in RANKS] for name, one in ones.items()}
 
 
-def limit(line, one_part="elements"):
-    """(ranks, part) from which the efficiency is below a half, and the part that costs most there besides the elements."""
+def limit(line):
+    """(ranks, part) from which the efficiency is below a half, and the part that costs most there besides the work."""
     for ranks, times, share in line:
         if share < 0.5:
-            return ranks, max((part for part in PARTS if part != one_part), key=lambda part: times[part])
+            return ranks, max(("messages", "bytes", "reductions"), key=lambda part: times[part])
     return None, None
+
+
+def duration(seconds):
+    for unit, size in (("s", 1.0), ("ms", 1e-3), ("us", 1e-6)):
+        if seconds >= size:
+            break
+    return f"{seconds / size:.3g} {unit}"
 
 
 def tables(times):
     """(table of the prediction, constants that times.csv gives)"""
-    head = "| scene | contact | " + " | ".join(f"{ranks:,} ranks" for ranks in SHOWN) + " | below 0.5 from |\n|---|---|" + "---:|" * (len(SHOWN) + 1)
-    lines = [head]
+    head = ["scene", "contact", *[f"{ranks:,} rank{'s' if ranks > 1 else ''}" for ranks in SHOWN], "below 0.5 from", "for the sake of"]
+    lines = [f"| {' | '.join(head)} |", "|---|---|" + "---:|" * (len(SHOWN) + 1) + "---|"]
     for with_contact in (False, True):
         for name, line in series(with_contact).items():
-            cells = [f"{1e3 * sum(part.values()):.3g} ms, {share:.2f}" for ranks, part, share in line if ranks in SHOWN]
+            cells = [f"{duration(sum(part.values()))}, {share:.2f}" for ranks, part, share in line if ranks in SHOWN]
             ranks, part = limit(line)
-            lines.append(f"| {name} | {'yes' if with_contact else 'no'} | {' | '.join(cells)} | {f'{ranks:,}: {part}' if ranks else '-'} |")
+            where = f"{ranks:,} ranks, {columns(ranks, with_contact)[name].elements / ranks:,.0f} elements each" if ranks else "-"
+            lines.append(f"| {name} | {'yes' if with_contact else 'no'} | {' | '.join(cells)} | {where} | {part or ''} |")
     return "\n".join(lines), constants(times)
 
 
-def constants(times):
-    """What the runs of one rank alone give for `time` in model.yaml."""
+def measured(times):
+    """{constant of model.yaml: value} from the runs of one rank alone; empty where they are not in times.csv."""
     alone = {row["scene"]: row for row in times if row["ranks"] == "1" and row["runs_at_once"] == "1"}
     if not {"blocks", "blocks without contact"} <= set(alone):
-        return "`time` in model.yaml has not been measured on a quiet machine yet: its values are from the tables of tests/bench/README.md and estimates."
+        return {}
     free, touching = alone["blocks without contact"], alone["blocks"]
-    element = sum(float(free[name]) for name in ("element_s", "halo_s", "other_s")) / float(free["elements"])
-    row = float(touching["enforcement_s"]) / (float(touching["rows"]) * float(touching["iterations"]))
     with open(os.path.join(HERE, "two_blocks.yaml"), encoding="utf-8") as stream:
-        faces = model.box_scene(yaml.safe_load(stream), model.Work()).faces
-    face = float(touching["search_s"]) / (faces * float(touching["searches"]))
-    used = model.TIME
-    return (f"Measured with one rank alone: element {1e9 * element:.3g} ns, row and iteration {1e9 * row:.3g} ns, face and search {1e6 * face:.3g} us; "
-            f"model.yaml has {1e9 * used['element']:.3g} ns, {1e9 * used['row']:.3g} ns, {1e6 * used['face']:.3g} us.")
+        scene = model.box_scene(yaml.safe_load(stream), model.Work())
+    iterations, searches, rows = (float(touching[name]) for name in ("iterations", "searches", "rows"))
+    return {"element": sum(float(free[name]) for name in ("element_s", "halo_s", "other_s")) / float(free["elements"]),
+            "row": float(touching["enforcement_s"]) / (rows * iterations),
+            "face": float(touching["search_s"]) / (scene.faces * searches),
+            "iterations": iterations, "searches": searches, "rows_a_node": rows * len(scene.sides) / sum(a * b for a, b in scene.sides)}
+
+
+def adopt(times):
+    """Writes what has been measured into model.yaml, in place of what stands there; comments stay."""
+    path = os.path.join(HERE, "model.yaml")
+    with open(path, encoding="utf-8") as stream:
+        text = stream.read()
+    for name, value in measured(times).items():
+        text = re.sub(rf"^(  {name}: )\S+", rf"\g<1>{value:.3e}", text, flags=re.M)
+    with open(path, "w", encoding="utf-8") as stream:
+        stream.write(text)
+
+
+def constants(times):
+    found = measured(times)
+    if not found:
+        return "`time` in model.yaml has not been measured on a quiet machine yet: its values are from the tables of tests/bench/README.md and estimates."
+    return (f"With one rank alone: {1e9 * found['element']:.3g} ns an element and step, {1e9 * found['row']:.3g} ns a row and iteration, "
+            f"{1e6 * found['face']:.3g} us a face and search; {found['iterations']:.3g} iterations a step. model.yaml has these from here.")
 
 
 def pyplot():
@@ -102,7 +129,7 @@ def plot(path):
         axis.axhline(0.5, color="grey", linewidth=0.5)
     axes[0].set_ylabel("efficiency (model)")
     axes[0].legend(loc="lower left")
-    network = model.NETWORK
+    network = model.of("network")
     figure.supxlabel(f"assumed: {1e6 * network['latency']:.3g} us a message, {network['bandwidth'] / 1e9:.3g} GB/s a rank, {1e6 * network['reduction']:.3g} us a level of a reduction,\n"
                      "no overlap of messages and work, perfect balance, a rank has its core and memory bandwidth to itself", fontsize=8)
     figure.savefig(path, dpi=90)
