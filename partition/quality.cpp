@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brunt/core/error.hpp"
+#include "partition/dual_graph.hpp"
 #include "partition/sharing.hpp"
 
 namespace brunt::partition {
@@ -29,6 +30,18 @@ GlobalIndex cut_edges(const Ragged<LocalIndex>& graph, std::span<const Rank> par
     for (const LocalIndex other : graph.row(e))
       if (other > e && part[static_cast<std::size_t>(other)] != part[static_cast<std::size_t>(e)]) ++cut;
   return cut;
+}
+
+GlobalIndex travelling_forces(const mesh::Mesh& mesh, const Sharing& sharing) {
+  std::vector<GlobalIndex> others(mesh.coordinates.size(), 0);  // that hold a node besides one holder
+  for (LocalIndex i = 0; i < sharing.holders.rows(); ++i)
+    others[static_cast<std::size_t>(sharing.shared[static_cast<std::size_t>(i)])] =
+        static_cast<GlobalIndex>(sharing.holders.row(i).size()) - 1;
+  GlobalIndex forces = 0;
+  for_each_element(mesh, [&](std::span<const LocalIndex> nodes, mesh::Shape) {
+    for (const LocalIndex node : nodes) forces += others[static_cast<std::size_t>(node)];
+  });
+  return forces;
 }
 
 std::vector<int> neighbours_of_parts(const Sharing& sharing, int parts) {
@@ -60,6 +73,7 @@ Quality quality(const mesh::Mesh& mesh, const Ragged<LocalIndex>& graph, const W
   q.contact_imbalance = imbalance(weights.contact_faces, part, parts);
   q.edge_cut = cut_edges(graph, part);
   q.shared_nodes = static_cast<GlobalIndex>(sharing.shared.size());
+  q.corner_forces = travelling_forces(mesh, sharing);
   q.neighbours_max = *std::ranges::max_element(neighbours);
   q.neighbours_mean = std::accumulate(neighbours.begin(), neighbours.end(), 0.0) / parts;
   return q;

@@ -21,6 +21,7 @@ void print(const partition::Quality& q) {
   fmt::print("imbalance of faces        {:.3f}\n", q.contact_imbalance);
   fmt::print("element faces cut         {}\n", q.edge_cut);
   fmt::print("shared nodes              {}\n", q.shared_nodes);
+  fmt::print("corner forces sent        {}   (by all parts in a step)\n", q.corner_forces);
   fmt::print("neighbours                {} at most, {:.2f} in the mean\n", q.neighbours_max, q.neighbours_mean);
 }
 

@@ -20,6 +20,7 @@
 #include "failure.hpp"
 #include "fields.hpp"
 #include "implicit_loop.hpp"
+#include "parallel_report.hpp"
 
 namespace brunt::app {
 namespace {
@@ -101,14 +102,14 @@ void Results::warn_of_missing_rows(const io::CheckpointHeader& checkpoint) {
 }
 
 void Results::read_fields() {
-  const auto timed = run_.links.timers.measure(Phase::output);
+  const Recording recording = record();
   fields_ = state_fields(run_);
   fields_step_ = run_.state.step;
   fields_time_ = run_.state.time;
 }
 
 void Results::write_fields(const time::StepReport* step) {
-  const auto timed = run_.links.timers.measure(Phase::output);
+  const Recording recording = record();
   const std::vector<io::StateField> contact = contact_fields(run_, step ? step->dt_mean : 0.0);
   fields_.insert(fields_.end(), contact.begin(), contact.end());
   states_->write(static_cast<GlobalIndex>(fields_step_), fields_time_, fields_);
@@ -116,7 +117,7 @@ void Results::write_fields(const time::StepReport* step) {
 }
 
 void Results::write_history(const time::Ledger& ledger, const time::StepReport& step, const RecordTime& at) {
-  const auto timed = run_.links.timers.measure(Phase::output);
+  const Recording recording = record();
   const std::vector<double> probes = probes_.values(run_, ledger.contact_totals, step.dt_mean);
   if (!history_) return;
   std::vector<double> row{at.time,
@@ -144,7 +145,7 @@ void Results::write_history(const time::Ledger& ledger, const time::StepReport& 
 
 void Results::remember_good() {
   watch_driven();
-  const auto timed = run_.links.timers.measure(Phase::output);
+  const Recording recording = record();
   last_good_.take(run_.registry());
 }
 
@@ -164,7 +165,7 @@ std::string Results::save_last_good() {
 
 std::string Results::write_checkpoint() {
   watch_driven();
-  const auto timed = run_.links.timers.measure(Phase::output);
+  const Recording recording = record();
   checkpoint_step_ = run_.state.step;
   io::CheckpointHeader header{static_cast<GlobalIndex>(run_.state.step), run_.state.time, run_.fingerprint,
                               run_.scene_values};
@@ -194,6 +195,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   double measured = 0;
   for (std::size_t p = 0; p < phases; ++p)
     if (p != static_cast<std::size_t>(Phase::output)) measured += seconds[p];
+  const nlohmann::ordered_json parallel = parallel_summary(ranks, run_.model, {cost.passes, cost.sent, cost.timers});
   if (!ranks.is_root()) return;
 
   const auto elements = static_cast<double>(run_.model.mesh.global_elements);
@@ -220,6 +222,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
     booked += seconds[p] / scale;
   }
   summary["share"]["other"] = 1.0 - booked;
+  summary["parallel"] = parallel;
   summary["warnings"] = log_.warnings();
   summary["folded_elements"] = folded_;
   summary["removed_elements"] = removed;
@@ -262,6 +265,7 @@ void Results::table_header() {
 
 void Results::table_line(const time::Ledger& ledger, const time::StepReport& step, const RecordTime& at,
                          double seconds_left) {
+  const Recording recording = record();
   const std::string element = controlling_element(run_, step);
   log_.line(fmt::format("{:>8} {:>11.4e} {:>10.3e} {:>9} {:>11.4e} {:>11.4e} {:>11.4e} {:>9.1e} {:>7} {:>10.2e} {:>8}",
                         at.step, at.time, step.dt, element, ledger.kinetic, ledger.internal, ledger.total(),

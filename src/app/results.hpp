@@ -16,6 +16,7 @@
 #include "log.hpp"
 #include "prepare.hpp"
 #include "probes.hpp"
+#include "recording.hpp"
 #include "snapshot.hpp"
 
 namespace brunt::app {
@@ -30,6 +31,7 @@ struct RecordTime {
 struct LoopCost {
   double seconds = 0, passes = 0;  ///< wall clock [s], output included; steps
   Timers timers;
+  comm::Traffic sent{};  ///< by this rank in the loop, output left out
 };
 
 /// The last steps of which a run that goes on keeps the records that it finds.
@@ -73,6 +75,9 @@ class Results {
   void table_header();
   /// `seconds_left`: of the wall clock until the end, as far as can be told; below 0: not yet.
   void table_line(const time::Ledger& ledger, const time::StepReport& step, const RecordTime& at, double seconds_left);
+  /// Books what follows to output, up to the end of what is returned.
+  [[nodiscard]] Recording record() { return {run_.links, sent_}; }
+  [[nodiscard]] const comm::Traffic& sent() const { return sent_; }  ///< by this rank, for output
   [[nodiscard]] const std::string& folder() const { return folder_; }
   [[nodiscard]] const Extremes& extremes() const { return run_.extremes; }
 
@@ -92,6 +97,7 @@ class Results {
   GlobalIndex folded_ = 0;                        ///< largest number of folded elements seen at one look
   std::array<bool, guarded_columns> reported_{};  ///< of which a warning has been given
   double extent_ = 0;                             ///< half of the diagonal of the model at the start [length]
+  comm::Traffic sent_;
   Snapshot last_good_;
   double checkpoint_step_ = -1;  // of the last checkpoint written in this run
   std::uint64_t hash_ = 0;

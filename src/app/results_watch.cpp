@@ -95,7 +95,7 @@ void Results::watch(const time::Ledger& ledger, double time) {
 
 void Results::watch_folds() {
   const comm::Communicator& ranks = run_.links.ranks;
-  const auto timed = run_.links.timers.measure(Phase::output);
+  const Recording recording = record();
   const force::FoldedElements here = force::folded_elements(run_.model, run_.state);
   const GlobalIndex count = ranks.sum(here.count);
   if (count > 0 && folded_ == 0) {
@@ -114,7 +114,7 @@ void Results::watch_folds() {
 
 void Results::watch_driven() {
   if (!run_.contact) return;
-  const auto timed = run_.links.timers.measure(Phase::output);
+  const Recording recording = record();
   for (const std::string& warning : run_.driven.look(run_.links.ranks, *run_.contact, run_.model, run_.state,
                                                      scene::find_unit_system(run_.input.units)->length))
     log_.warning(warning);

@@ -38,7 +38,8 @@ Outcome Loop::go() {
   } catch (const GuardError& error) {
     outcome = {"guard", ExitCode::guard, error.what()};
   }
-  cost_ = {seconds_since(loop_start_), passes_, run_.links.timers};
+  cost_ = {seconds_since(loop_start_), passes_, run_.links.timers,
+           sent_by(run_.links.ranks) - sent_before_ - results_.sent()};
   return outcome;
 }
 
@@ -162,7 +163,7 @@ void Loop::record_implicit(bool last) {
 }
 
 time::Ledger Loop::energies(const time::StepReport& step) {
-  const auto timed = run_.links.timers.measure(Phase::output);
+  const Recording recording = results_.record();
   return time::ledger(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);
 }
 

@@ -82,6 +82,7 @@ class Loop {
   Clock::time_point program_start_;  ///< for the wall limit: a batch system counts the preparation too
   Clock::time_point loop_start_ = Clock::now(), start_ = loop_start_;  ///< start_: of t = 0, or of the restart
   double first_share_ = progress(run_.state, run_.input.run);
+  comm::Traffic sent_before_ = sent_by(run_.links.ranks);
   LoopCost cost_;
   double passes_ = 0;
   int lines_ = 0;

@@ -7,22 +7,18 @@
 #include "start_rules.hpp"
 
 namespace brunt::app {
-namespace {
 
-/// Time of an element relative to the one-point hexahedron, measured with tests/bench.
-double cost_of(element::ElementKind kind) {
+/// Measured with tests/bench. A rigid element has no kernel; its nodes are moved, as a tenth of a hexahedron's step.
+double cost_of(element::ElementKind kind, bool rigid) {
+  constexpr double rigid_cost = 0.1;
+  if (rigid) return rigid_cost;
   return kind == element::ElementKind::hex8 ? 1.0 : kind == element::ElementKind::tet4 ? 0.5 : 5.0;
 }
-
-/// A rigid element has no kernel; its nodes are moved, as a tenth of a hexahedron's step.
-constexpr double rigid_cost = 0.1;
-
-}  // namespace
 
 partition::Weights weigh(const scene::Input& input, const mesh::CanonicalMesh& whole) {
   std::vector<double> cost;
   for (const std::size_t p : scene::parts_of_blocks(input, whole.mesh))
-    cost.push_back(scene::is_rigid(input, input.parts[p]) ? rigid_cost : cost_of(input.parts[p].element));
+    cost.push_back(cost_of(input.parts[p].element, scene::is_rigid(input, input.parts[p])));
   if (!scene::contact_specification(input, block_materials(input, whole.mesh).part).pairs.any_acts())
     return partition::weigh(whole.mesh, {}, cost);
   const setup::StartRules rules = start_rules(input, whole.mesh);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the elements of a scene cost, for the split over the ranks.
 #pragma once
+#include "brunt/element/options.hpp"
 #include "brunt/mesh/canonical.hpp"
 #include "brunt/scene/input.hpp"
 #include "partition/split.hpp"
 
 namespace brunt::app {
+
+/// Time of an element relative to the one-point hexahedron.
+double cost_of(element::ElementKind kind, bool rigid);
 
 /// Costs of the elements and their faces that will bring contact its work (none without contact between parts: rows
 /// of walls cost little). whole: with the selections of the scene.

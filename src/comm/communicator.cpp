@@ -44,6 +44,7 @@ struct Communicator::Native {
   MPI_Request pending = MPI_REQUEST_NULL;  // of begin_max
   int rank = 0;
   int size = 1;
+  Traffic sent;
 
   explicit Native(MPI_Comm parent) {
     MPI_Comm_dup(parent, &comm);
@@ -67,6 +68,12 @@ struct Communicator::Native {
 
 MPI_Comm NativeAccess::of(const Communicator& ranks) {
   return ranks.native_->comm;
+}
+Traffic& NativeAccess::sent(const Communicator& ranks) {
+  return ranks.native_->sent;
+}
+Traffic sent_by(const Communicator& ranks) {
+  return NativeAccess::sent(ranks);
 }
 
 namespace {
@@ -110,10 +117,15 @@ void in_pieces(std::size_t size, Move&& move) {
   for (std::size_t at = 0; at < size; at += piece) move(at, static_cast<int>(std::min(piece, size - at)));
 }
 
-void send_bytes(MPI_Comm comm, std::span<const std::byte> bytes, Rank to) {
+void send_bytes(const Communicator& ranks, std::span<const std::byte> bytes, Rank to) {
   const std::uint64_t size = bytes.size();
-  MPI_Send(&size, 1, MPI_UINT64_T, to, 0, comm);
-  in_pieces(bytes.size(), [&](std::size_t at, int n) { MPI_Send(bytes.data() + at, n, MPI_BYTE, to, 0, comm); });
+  Sent& sent = NativeAccess::sent(ranks).exchange;
+  MPI_Send(&size, 1, MPI_UINT64_T, to, 0, native(ranks));
+  add_sent(sent, 1, sizeof size);
+  in_pieces(bytes.size(), [&](std::size_t at, int n) {
+    MPI_Send(bytes.data() + at, n, MPI_BYTE, to, 0, native(ranks));
+    add_sent(sent, 1, static_cast<std::size_t>(n));
+  });
 }
 
 std::vector<std::byte> receive_bytes(MPI_Comm comm, Rank from) {
@@ -142,6 +154,7 @@ int Communicator::size() const {
 }
 
 void Communicator::barrier() const {
+  count_collective(*this, 0);
   MPI_Barrier(native_->comm);
 }
 
@@ -155,12 +168,14 @@ double Communicator::min(double value) const {
 }
 
 void Communicator::max(std::span<double> values) const {
+  count_collective(*this, values.size_bytes());
   to_keys(values);
   MPI_Allreduce(MPI_IN_PLACE, values.data(), count_of(values.size()), MPI_INT64_T, MPI_MAX, native_->comm);
   from_keys(values);
 }
 
 void Communicator::begin_max(std::span<double> values) const {
+  count_collective(*this, values.size_bytes());
   demand(native_->pending == MPI_REQUEST_NULL, "one reduction travels at a time");
   to_keys(values);
   MPI_Iallreduce(MPI_IN_PLACE, values.data(), count_of(values.size()), MPI_INT64_T, MPI_MAX, native_->comm,
@@ -178,6 +193,7 @@ GlobalIndex Communicator::sum(GlobalIndex value) const {
 }
 
 void Communicator::sum(std::span<GlobalIndex> values) const {
+  count_collective(*this, values.size_bytes());
   // unsigned: overflow of a signed sum is undefined
   MPI_Allreduce(MPI_IN_PLACE, values.data(), count_of(values.size()), MPI_UINT64_T, MPI_SUM, native_->comm);
 }
@@ -187,12 +203,14 @@ void Communicator::max_and_sum(std::span<double> largest, std::span<GlobalIndex>
   Mixed mixed{};
   for (std::size_t k = 0; k < largest.size(); ++k) mixed.largest[k] = ordered(largest[k]);
   for (std::size_t k = 0; k < sums.size(); ++k) mixed.sum[k] = static_cast<std::uint64_t>(sums[k]);
+  count_collective(*this, sizeof mixed);
   MPI_Allreduce(MPI_IN_PLACE, &mixed, 1, native_->mixed, native_->combine, native_->comm);
   for (std::size_t k = 0; k < largest.size(); ++k) largest[k] = from_ordered(mixed.largest[k]);
   for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = static_cast<GlobalIndex>(mixed.sum[k]);
 }
 
 GlobalIndex Communicator::max(GlobalIndex value) const {
+  count_collective(*this, sizeof value);
   MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT64_T, MPI_MAX, native_->comm);
   return value;
 }
@@ -203,12 +221,14 @@ bool Communicator::any(bool value) const {
 
 GlobalIndex Communicator::sum_before(GlobalIndex value) const {
   GlobalIndex before = 0;
+  count_collective(*this, sizeof value);
   MPI_Exscan(&value, &before, 1, MPI_INT64_T, MPI_SUM, native_->comm);
   return rank() == 0 ? 0 : before;
 }
 
 void Communicator::broadcast(std::vector<std::byte>& bytes, Rank root) const {
   std::uint64_t size = bytes.size();
+  count_collective(*this, rank() == root ? sizeof size + bytes.size() : 0);
   MPI_Bcast(&size, 1, MPI_UINT64_T, root, native_->comm);
   bytes.resize(size);
   in_pieces(size, [&](std::size_t at, int n) { MPI_Bcast(bytes.data() + at, n, MPI_BYTE, root, native_->comm); });
@@ -223,7 +243,7 @@ void Communicator::broadcast(std::string& text, Rank root) const {
 
 std::vector<std::vector<std::byte>> Communicator::gather(std::span<const std::byte> bytes, Rank root) const {
   if (rank() != root) {
-    send_bytes(native_->comm, bytes, root);
+    send_bytes(*this, bytes, root);
     return {};
   }
   std::vector<std::vector<std::byte>> of_rank;
@@ -237,12 +257,13 @@ std::vector<std::byte> Communicator::scatter(const std::function<std::vector<std
                                              Rank root) const {
   if (rank() != root) return receive_bytes(native_->comm, root);
   for (Rank r = 0; r < size(); ++r)
-    if (r != root) send_bytes(native_->comm, for_rank(r), r);
+    if (r != root) send_bytes(*this, for_rank(r), r);
   return for_rank(root);
 }
 
 std::vector<double> Communicator::gather_all(double value) const {
   std::vector<double> values(static_cast<std::size_t>(size()));
+  count_collective(*this, sizeof value);
   MPI_Allgather(&value, 1, MPI_DOUBLE, values.data(), 1, MPI_DOUBLE, native_->comm);
   return values;
 }

@@ -136,6 +136,7 @@ void deal_out(const Communicator& ranks, GlobalIndex count, const std::function<
     Bytes bytes = work(k);
     if (!root) {
       outbox.send(comm, k, bytes);
+      add_sent(NativeAccess::sent(ranks).exchange, 1, sizeof k + bytes.size());
       continue;
     }
     results.add(k, std::move(bytes));

@@ -86,6 +86,7 @@ void exact_sum(const Communicator& ranks, std::span<ExactAccumulator> sums, std:
   constexpr std::size_t stride = ExactAccumulator::limbs + 1;
   message.resize(sums.size() * stride);
   for (std::size_t i = 0; i < sums.size(); ++i) std::ranges::copy(sums[i].raw(), message.data() + i * stride);
+  count_collective(ranks, message.size() * sizeof(std::int64_t));
   MPI_Allreduce(MPI_IN_PLACE, message.data(), static_cast<int>(message.size()), MPI_INT64_T, MPI_SUM, native(ranks));
   for (std::size_t i = 0; i < sums.size(); ++i) {
     ExactAccumulator total;

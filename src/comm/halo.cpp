@@ -24,6 +24,7 @@ struct Halo::Forest {
   LocalIndex roots = 0;
   LocalIndex leaves = 0;
   PetscSF sf = nullptr;
+  Sent to_leaves, to_roots;          // of one exchange, by direction; bytes of width 1
   std::map<int, MPI_Datatype> unit;  // `width` doubles; made once: a new type would make PETSc build new buffers
 
   Forest(const Communicator& on, LocalIndex root_count, LocalIndex leaf_count)
@@ -60,15 +61,41 @@ struct Halo::Forest {
 
 namespace {
 
-/// Each rank sees which of its roots are wanted, so a wrong index is found where it would do harm.
-void demand_roots_exist(PetscSF sf, LocalIndex roots) {
-  PetscInt ranks = 0;
+/// What goes to other ranks, of a list of ranks and of the offsets of their values.
+Sent sent_to_others(const Communicator& ranks, PetscInt count_of_ranks, const PetscMPIInt* rank,
+                    const PetscInt* offset) {
+  Sent sent;
+  for (PetscInt i = 0; i < count_of_ranks; ++i)
+    if (rank[i] != ranks.rank() && offset[i + 1] > offset[i])
+      add_sent(sent, 1, static_cast<std::size_t>(offset[i + 1] - offset[i]) * sizeof(double));
+  return sent;
+}
+
+void count_exchange(const Communicator& ranks, const Sent& of_width_one, int width) {
+  add_sent(NativeAccess::sent(ranks).halo, static_cast<std::size_t>(of_width_one.messages),
+           static_cast<std::size_t>(of_width_one.bytes) * static_cast<std::size_t>(width));
+}
+
+/// Each rank sees which of its roots are wanted, so a wrong index is found where it would do harm. Returns what they
+/// are when they are sent.
+Sent demand_roots_exist(const Communicator& ranks, PetscSF sf, LocalIndex roots) {
+  PetscInt askers = 0;
   const PetscMPIInt* rank = nullptr;
   const PetscInt* offset = nullptr;
   const PetscInt* root = nullptr;
-  check(PetscSFGetLeafRanks(sf, &ranks, &rank, &offset, &root), "PetscSFGetLeafRanks");
-  const PetscInt wanted = ranks > 0 ? offset[ranks] : 0;
+  check(PetscSFGetLeafRanks(sf, &askers, &rank, &offset, &root), "PetscSFGetLeafRanks");
+  const PetscInt wanted = askers > 0 ? offset[askers] : 0;
   for (PetscInt i = 0; i < wanted; ++i) demand(root[i] < roots, "a halo's source is a root of its rank");
+  return sent_to_others(ranks, askers, rank, offset);
+}
+
+/// What the leaves of this rank are when they are sent to their roots.
+Sent leaves_sent(const Communicator& ranks, PetscSF sf) {
+  PetscInt owners = 0;
+  const PetscMPIInt* rank = nullptr;
+  const PetscInt* offset = nullptr;
+  check(PetscSFGetRootRanks(sf, &owners, &rank, &offset, nullptr, nullptr), "PetscSFGetRootRanks");
+  return sent_to_others(ranks, owners, rank, offset);
 }
 
 }  // namespace
@@ -86,7 +113,8 @@ Halo::Halo(const Communicator& ranks, LocalIndex roots, std::span<const RemoteSl
   check(PetscSFSetGraph(sf, roots, forest_->leaves, nullptr, PETSC_COPY_VALUES, remote.data(), PETSC_COPY_VALUES),
         "PetscSFSetGraph");
   check(PetscSFSetUp(sf), "PetscSFSetUp");
-  demand_roots_exist(sf, roots);
+  forest_->to_leaves = demand_roots_exist(ranks, sf, roots);
+  forest_->to_roots = leaves_sent(ranks, sf);
 }
 
 LocalIndex Halo::roots() const {
@@ -99,6 +127,7 @@ LocalIndex Halo::leaves() const {
 void Halo::begin(std::span<const double> roots, std::span<double> leaves, int width) const {
   if (!forest_) return;
   forest_->demand_sizes(roots.size(), leaves.size(), width);
+  count_exchange(forest_->ranks, forest_->to_leaves, width);
   check(PetscSFBcastBegin(forest_->sf, forest_->type_of(width), roots.data(), leaves.data(), MPI_REPLACE),
         "PetscSFBcastBegin");
 }
@@ -112,6 +141,7 @@ void Halo::end(std::span<const double> roots, std::span<double> leaves, int widt
 void Halo::backward(std::span<const double> leaves, std::span<double> roots, int width) const {
   if (!forest_) return;
   forest_->demand_sizes(roots.size(), leaves.size(), width);
+  count_exchange(forest_->ranks, forest_->to_roots, width);
   MPI_Datatype type = forest_->type_of(width);
   check(PetscSFReduceBegin(forest_->sf, type, leaves.data(), roots.data(), MPI_REPLACE), "PetscSFReduceBegin");
   check(PetscSFReduceEnd(forest_->sf, type, leaves.data(), roots.data(), MPI_REPLACE), "PetscSFReduceEnd");

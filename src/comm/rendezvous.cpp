@@ -15,6 +15,7 @@ namespace {
 /// Row lengths of what every rank will send here.
 Ragged<std::byte> room_for_incoming(const Communicator& ranks, const std::vector<int>& out_length) {
   std::vector<int> in_length(out_length.size());
+  count_collective(ranks, out_length.size() * sizeof(int));
   MPI_Alltoall(out_length.data(), 1, MPI_INT, in_length.data(), 1, MPI_INT, native(ranks));
   Ragged<std::byte> incoming;
   std::int64_t total = 0;
@@ -47,6 +48,7 @@ Ragged<std::byte> exchange_bytes(const Communicator& ranks, const Ragged<std::by
   }
   for (Rank r = 0; r < ranks.size(); ++r) {
     const std::span<const std::byte> row = outgoing.row(r);
+    if (!row.empty() && r != ranks.rank()) add_sent(NativeAccess::sent(ranks).exchange, 1, row.size());
     if (!row.empty())
       MPI_Isend(row.data(), static_cast<int>(row.size()), MPI_BYTE, r, 0, native(ranks), &requests.emplace_back());
   }

@@ -180,34 +180,6 @@ class Studies(unittest.TestCase):
                 for phrase in phrases:
                     self.assertIn(phrase, done.stderr)
 
-    def scaling(self, *options):
-        with open(f"{CASES}/bar_impact/scene.yaml", encoding="utf-8") as scene, \
-             open(os.path.join(self.folder, "bars.yaml"), "w", encoding="utf-8") as copy:
-            copy.write(scene.read())
-        return subprocess.run([os.path.join(SCRIPTS, "scaling"), "bars.yaml", *options], cwd=self.folder,
-                              capture_output=True, text=True, timeout=120, check=False)
-
-    def test_scaling(self):
-        done = self.scaling("-np", "1,3", "--repeat", "2", "--set", "run.steps=6")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        with open(os.path.join(self.folder, "bars.scaling.out", "table.csv"), encoding="utf-8") as stream:
-            one, three = csv.DictReader(stream)
-        self.assertEqual((one["ranks"], three["ranks"]), ("1", "3"))
-        self.assertEqual(float(one["speed-up"]), 1)
-        self.assertAlmostEqual(float(three["speed-up"]), float(one["loop_s"]) / float(three["loop_s"]), delta=0.01)
-        self.assertAlmostEqual(float(three["efficiency"]), float(three["speed-up"]) / 3, delta=1e-3)
-        self.assertEqual(one["state_hash"], three["state_hash"])
-
-    def test_scaling_says_what_is_wrong(self):
-        for options, phrase in ((("-np", "1,0"), "'0' is no number of ranks"), (("-np", "2,2"), "there twice"),
-                                (("--set", "steps"), "KEY.PATH=VALUE"), (("--fast",), "unknown option"),
-                                (("-np", "1", "--set", "run.stps=1"), "did you mean 'steps'")):
-            with self.subTest(options=options):
-                done = self.scaling(*options)
-                self.assertEqual(done.returncode, 2, done.stderr)
-                self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
-                self.assertIn(phrase, done.stderr)
-
 
 if __name__ == "__main__":
     unittest.main()

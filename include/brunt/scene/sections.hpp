@@ -23,6 +23,7 @@ void read_contact(Section& scene, Input& input);
 void read_probes(Section& scene, Input& input);
 void read_run(Section& scene, Input& input);     ///< run, output, history, checkpoint
 void read_solver(Section& scene, Input& input);  ///< solver; after run
+void read_scaling(Section& scene);               ///< checked only: scripts/scaling uses it
 
 /// A selection: exactly one of the keys `part` (noted as a reference) and `set`.
 bool read_selection(Section& entry, std::string& where);

@@ -29,6 +29,7 @@ TEST_CASE("two halves of a row of four") {
   CHECK(q.contact_imbalance == 1.0);
   CHECK(q.edge_cut == 1);
   CHECK(q.shared_nodes == 4);
+  CHECK(q.corner_forces == 8);  // of two elements at each of four nodes
   CHECK(q.neighbours_max == 1);
   CHECK(q.neighbours_mean == 1.0);
   CHECK(q.empty_parts == 0);
@@ -40,6 +41,7 @@ TEST_CASE("a quarter, a half and a quarter, and one part with nothing") {
   CHECK(q.contact_imbalance == Approx(8.0 / (18.0 / 4.0)));
   CHECK(q.edge_cut == 2);
   CHECK(q.shared_nodes == 8);
+  CHECK(q.corner_forces == 16);
   CHECK(q.neighbours_max == 2);
   CHECK(q.neighbours_mean == 1.0);  // 1 + 2 + 0 + 1 over 4
   CHECK(q.empty_parts == 1);
@@ -50,5 +52,6 @@ TEST_CASE("one part shares nothing") {
   CHECK(q.element_imbalance == 1.0);
   CHECK(q.edge_cut == 0);
   CHECK(q.shared_nodes == 0);
+  CHECK(q.corner_forces == 0);
   CHECK(q.neighbours_max == 0);
 }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What writing and watching cost, told apart from the steps: seconds and messages.
+#pragma once
+#include "brunt/comm/traffic.hpp"
+#include "brunt/core/timers.hpp"
+#include "brunt/time/links.hpp"
+
+namespace brunt::app {
+
+/// Books the time and the messages from its making to its end to output. None within another.
+class Recording {
+ public:
+  Recording(time::Links& links, comm::Traffic& sent)
+      : ranks_(links.ranks), sent_(sent), before_(sent_by(ranks_)), timed_(links.timers.measure(Phase::output)) {}
+  ~Recording() { sent_ = sent_ + (sent_by(ranks_) - before_); }
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
+
+ private:
+  const comm::Communicator& ranks_;
+  comm::Traffic& sent_;
+  comm::Traffic before_;
+  Timers::Measure timed_;
+};
+
+}  // namespace brunt::app

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a scene grows with the number of ranks: read for `scripts/scaling --weak`, which multiplies what is named here. A
+// run of the scene itself only checks that it is there.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "brunt/scene/sections.hpp"
+
+namespace brunt::scene {
+namespace {
+
+std::vector<std::string> steps_of(const std::string& path) {
+  std::vector<std::string> steps(1);
+  for (const char c : path)
+    if (c == '.')
+      steps.emplace_back();
+    else
+      steps.back() += c;
+  return steps;
+}
+
+/// Children that a step of a path leads to: an entry of a map, an entry of a list, or with `*` every one.
+std::vector<const Tree*> children(const Tree& tree, const std::string& step) {
+  std::vector<const Tree*> found;
+  for (std::size_t i = 0; i < tree.children.size(); ++i) {
+    const std::string name = tree.kind == Tree::Kind::map ? tree.keys[i] : fmt::format("{}", i);
+    if (step == "*" || step == name) found.push_back(&tree.children[i]);
+  }
+  return found;
+}
+
+std::vector<const Tree*> values_at(const Tree& scene, const std::string& path) {
+  std::vector<const Tree*> found{&scene};
+  std::string walked;
+  for (const std::string& step : steps_of(path)) {
+    std::vector<const Tree*> next;
+    for (const Tree* tree : found) {
+      const bool lone_mesh = walked == "mesh" && tree->kind == Tree::Kind::map && (step == "0" || step == "*");
+      const std::vector<const Tree*> below = lone_mesh ? std::vector{tree} : children(*tree, step);
+      next.insert(next.end(), below.begin(), below.end());
+    }
+    walked = step;
+    found = std::move(next);
+  }
+  return found;
+}
+
+bool is_count(const Tree& value) {
+  Findings aside;
+  GlobalIndex count = 0;
+  return read(Key{&value, value.place, "", &aside}, count, Count{1});
+}
+bool is_number(const Tree& value) {
+  Findings aside;
+  double number = 0;
+  return read(Key{&value, value.place, "", &aside}, number, any_number);
+}
+
+using Check = bool (*)(const Tree&);
+
+void check_paths(Section& direction, std::string_view name, const Tree& scene, Check is_good,
+                 std::string_view accepted) {
+  if (!direction.has(name)) return;
+  const std::string list = fmt::format("a list of {}", accepted);
+  for (const Key& entry : items(direction.at(name), list)) {
+    std::string path;
+    if (!read(entry, path, accepted)) continue;
+    const std::vector<const Tree*> values = values_at(scene, path);
+    if (values.empty()) {
+      fault(entry, fmt::format("'{}' leads to nothing in this scene; accepted: {}", path, accepted));
+    } else if (const auto bad = std::ranges::find_if_not(values, [&](const Tree* v) { return is_good(*v); });
+               bad != values.end()) {
+      const std::string there = (*bad)->kind == Tree::Kind::value ? fmt::format("'{}'", (*bad)->text) : "no value";
+      fault(entry, fmt::format("'{}' leads to {}; accepted: {}", path, there, accepted));
+    }
+  }
+}
+
+}  // namespace
+
+void read_scaling(Section& scene) {
+  if (!scene.has("scaling")) return;
+  Section scaling(scene.at("scaling"), "a map {weak: [{counts: [...], lengths: [...]}, ...]}");
+  if (!scaling.is_map()) return;
+  if (!scaling.has("weak"))
+    return lacking(scaling.key(), {"weak"}, "no growth is given; accepted: weak: [{counts: [...]}]");
+  constexpr std::string_view one_to_three = "a list of one to three directions {counts: [...], lengths: [...]}";
+  const Key weak = scaling.at("weak");
+  const std::vector<Key> directions = items(weak, one_to_three);
+  if (weak.tree->kind == Tree::Kind::list && (directions.empty() || directions.size() > 3))
+    fault(weak, fmt::format("{} directions are given; accepted: {}", directions.size(), one_to_three));
+  for (const Key& key : directions) {
+    Section direction(key, "a map {counts: [...], lengths: [...]}");
+    if (direction.is_map() && !direction.has("counts"))
+      lacking(direction.key(), {"counts"}, "no counts are given; accepted: counts: [mesh.0.box.elements.0]");
+    check_paths(direction, "counts", *scene.key().tree, is_count,
+                "paths of whole numbers from 1 up, such as mesh.0.box.elements.0");
+    check_paths(direction, "lengths", *scene.key().tree, is_number, "paths of numbers, such as mesh.0.box.size.0");
+  }
+}
+
+}  // namespace brunt::scene
