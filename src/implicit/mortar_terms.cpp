@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What mortar contact adds to the matrix of the system.
+#include <algorithm>
+
 #include "brunt/contact/mortar/forces.hpp"
 #include "brunt/contact/mortar/normals.hpp"
 #include "brunt/contact/mortar/tractions.hpp"
@@ -8,20 +10,19 @@
 namespace brunt::implicit {
 namespace {
 
-/// Takes terms by node of contact and keeps those in this rank's rows, supports taken out.
+/// Takes terms by node of contact and adds those in this rank's rows, supports taken out.
 class Terms {
  public:
-  Terms(const MortarContact& contact, std::vector<ContactTerm>& terms) : contact_(contact), terms_(terms) {
+  explicit Terms(MortarContact& contact) : contact_(contact) {
+    contact_.sums.resize(contact.nodes.gid.size());
+    for (BlockRow& row : contact_.sums) row.clear();
     own_multiplier_.assign(contact.z.size(), 0);
     for (const LocalIndex k : contact.own) own_multiplier_[static_cast<std::size_t>(k)] = 1;
   }
 
   /// - dF_row/dx_column: residuals have the forces with a minus.
   void node_node(LocalIndex row, LocalIndex column, const Mat3& slope) {
-    if (!mine(row)) return;
-    const Mat3 block = -(taken(row) * slope);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) add(3 * gid(row) + i, 3 * gid(column) + j, block(i, j));
+    if (mine(row)) contact_.sums[static_cast<std::size_t>(row)].add(gid(column), -(taken(row) * slope));
   }
   void node_multiplier(LocalIndex row, GlobalIndex multiplier, const Vec3& slope) {
     if (!mine(row)) return;
@@ -36,7 +37,28 @@ class Terms {
     if (mine(row)) add(row, column, slope);
   }
 
+  /// All of it, by row and column; of what has multipliers, terms of one place in the order in which they came.
+  void write(std::vector<ContactTerm>& terms) {
+    terms.clear();
+    for (std::size_t node = 0; node < contact_.sums.size(); ++node) write_row(node, terms);
+    const auto middle = static_cast<std::ptrdiff_t>(terms.size());
+    terms.insert(terms.end(), with_multipliers_.begin(), with_multipliers_.end());
+    std::stable_sort(terms.begin() + middle, terms.end(), before);
+    std::inplace_merge(terms.begin(), terms.begin() + middle, terms.end(), before);
+  }
+
  private:
+  static bool before(const ContactTerm& a, const ContactTerm& b) {
+    return a.row < b.row || (a.row == b.row && a.column < b.column);
+  }
+  void write_row(std::size_t node, std::vector<ContactTerm>& terms) {
+    BlockRow& row = contact_.sums[node];
+    row.sort();
+    for (int i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < row.columns().size(); ++k)
+        for (int j = 0; j < 3; ++j)
+          terms.push_back({3 * contact_.nodes.gid[node] + i, 3 * row.columns()[k] + j, row.block(k)(i, j)});
+  }
   [[nodiscard]] bool mine(LocalIndex node) const {
     return contact_.nodes.own[static_cast<std::size_t>(node)] != no_index;
   }
@@ -45,10 +67,10 @@ class Terms {
   }
   [[nodiscard]] const Mat3& taken(LocalIndex node) const { return contact_.nodes.rows[static_cast<std::size_t>(node)]; }
   [[nodiscard]] GlobalIndex gid(LocalIndex node) const { return contact_.nodes.gid[static_cast<std::size_t>(node)]; }
-  void add(GlobalIndex row, GlobalIndex column, double value) { terms_.push_back({row, column, value}); }
+  void add(GlobalIndex row, GlobalIndex column, double value) { with_multipliers_.push_back({row, column, value}); }
 
-  const MortarContact& contact_;
-  std::vector<ContactTerm>& terms_;
+  MortarContact& contact_;
+  std::vector<ContactTerm> with_multipliers_;
   std::vector<char> own_multiplier_;
 };
 
@@ -65,6 +87,16 @@ void add_patches(const contact::Patches& patches, Terms& terms) {
             block(i, j) = corner[static_cast<std::size_t>(i) * width + static_cast<std::size_t>(j)];
         terms.node_node(patch.rows[r], patch.columns[c], block);
       }
+  }
+}
+
+/// w_AK dT_A/dx_L of all rows.
+void add_traction_slopes(const contact::MortarRows& rows, const contact::NodeBlocks<Mat3>& slopes, Terms& terms) {
+  for (LocalIndex row = 0; row < slopes.nodes.rows(); ++row) {
+    const std::span<const LocalIndex> nodes = rows.weights.nodes.row(row), by = slopes.nodes.row(row);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      for (std::size_t l = 0; l < by.size(); ++l)
+        terms.node_node(nodes[k], by[l], rows.weights.row(row)[k] * slopes.row(row)[l]);
   }
 }
 
@@ -115,10 +147,8 @@ void add_contact(MortarContact& contact, Interface& face, Terms& terms) {
     contact::add_penalty_slopes(face.rows, gradient, face.slopes, face.stiffness, face.active, tractions);
   else
     add_multipliers(contact, face, gradient, tractions, terms);
-  contact::Patches patches;
-  contact::add_traction_slopes(face.rows, tractions.by_position, patches);
   add_patches(face.slopes.weights, terms);
-  add_patches(patches, terms);
+  add_traction_slopes(face.rows, tractions.by_position, terms);
 }
 
 void add_tie(MortarContact& contact, Interface& face, Terms& terms) {
@@ -151,12 +181,13 @@ void add_tie(MortarContact& contact, Interface& face, Terms& terms) {
 void contact_terms(MortarContact& contact, std::vector<ContactTerm>& terms) {
   terms.clear();
   if (!contact.any()) return;
-  Terms sum(contact, terms);
+  Terms sum(contact);
   for (Interface& face : contact.interfaces)
     if (face.pair.tied)
       add_tie(contact, face, sum);
     else
       add_contact(contact, face, sum);
+  sum.write(terms);
 }
 
 }  // namespace brunt::implicit

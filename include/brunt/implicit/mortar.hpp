@@ -13,6 +13,7 @@
 #include "brunt/contact/mortar/interface.hpp"
 #include "brunt/contact/mortar/tie.hpp"
 #include "brunt/contact/search/facet_tree.hpp"
+#include "brunt/implicit/block_sums.hpp"
 #include "brunt/implicit/unknowns.hpp"
 #include "brunt/model/model.hpp"
 
@@ -100,6 +101,7 @@ struct MortarContact {
   std::vector<GlobalIndex> own_rows;  ///< multipliers whose slave node this rank owns: rows of the system, ascending
   std::vector<LocalIndex> own;        ///< their places in `z`
   comm::Halo gather_z;                ///< from the owners to all
+  BlockSums sums{};                   ///< of each of `nodes`: what contact adds to its rows of the matrix
   [[nodiscard]] bool any() const { return !interfaces.empty(); }
 };
 
@@ -144,8 +146,8 @@ struct ContactTerm {
   double value = 0;
 };
 
-/// Derivatives of the residual by positions and multipliers, rows of this rank alone, in an order that does not depend
-/// on the ranks. Call after find_contact at the same positions.
+/// Derivatives of the residual by positions and multipliers, rows of this rank alone: by row and column, those of one
+/// place in an order that does not depend on the ranks. Call after find_contact at the same positions.
 void contact_terms(MortarContact& contact, std::vector<ContactTerm>& terms);
 
 /// The step is accepted: multipliers, histories of friction.
