@@ -119,7 +119,7 @@ comm::Factorised factorise_tangent(const Scene& scene, Solver& solver) {
   {
     const Measure timed(solver.work.contact_seconds);
     if (solver.walls.any()) take_walls_out(solver.walls, solver.contact.nodes);
-    contact_terms(solver.contact, terms);
+    contact_terms(scene.links.ranks, solver.contact, terms);
   }
   {
     const Measure timed(solver.work.tangent_seconds);
