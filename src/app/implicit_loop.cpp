@@ -93,7 +93,7 @@ bool walls_make_energy(const Prepared& run, const time::Ledger& ledger, double l
 nlohmann::ordered_json implicit_summary(const Prepared& run) {
   const implicit::Solver& solver = *run.implicit;
   const implicit::Work& work = solver.work;
-  const implicit::ContactCounts counts = implicit::count(solver.contact);
+  const implicit::ContactCounts& counts = solver.contact.counts;
   const bool direct = solver.settings.linear == model::LinearSolver::direct;
   return {{"scheme", name_of(solver.settings.scheme)},
           {"linear", direct ? "direct" : "mumps"},
@@ -111,7 +111,7 @@ nlohmann::ordered_json implicit_summary(const Prepared& run) {
           {"force_s", work.force_seconds},
           {"contact",
            {{"interfaces", solver.contact.interfaces.size()},
-            {"multipliers", solver.contact.z.size()},
+            {"multipliers", solver.contact.z_before.size()},
             {"pairs", counts.pairs},
             {"segments", counts.segments},
             {"active", counts.active}}},

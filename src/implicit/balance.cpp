@@ -73,18 +73,18 @@ void find_contact_forces(const Scene& scene, Solver& solver, std::span<const dou
   const Measure timed(solver.work.contact_seconds);
   Trial& trial = solver.trial;
   MortarContact& contact = solver.contact;
-  gather_contact(scene.state, own_z, contact);
+  gather_contact(scene.links.ranks, scene.state, own_z, contact);
   const Iterate first = scene.state.step == 0 ? Iterate::first_of_run : Iterate::first_of_step;
-  find_contact(contact, trial.iterate == 0 ? first : Iterate::later);
+  find_contact(scene.links.ranks, contact, trial.iterate == 0 ? first : Iterate::later);
   ++trial.iterate;
-  for (std::size_t k = 0; k < contact.nodes.gid.size(); ++k) {
-    const LocalIndex here = contact.nodes.here[k];
-    for (std::size_t c = 0; here != no_index && c < 3; ++c) {
-      const std::size_t at = 3 * static_cast<std::size_t>(here) + c;
-      trial.contact_force[at] = contact.nodes.force[k][static_cast<int>(c)];
-      trial.friction_force[at] = contact.nodes.friction_force[k][static_cast<int>(c)];
-    }
+  for (std::size_t k = 0; k < contact.nodes.lasting; ++k) {
+    if (contact.nodes.own[k] == no_index) continue;
+    const auto i = static_cast<std::size_t>(contact.nodes.source[k].index);
+    put(contact.nodes.force[k], trial.contact_force, i);
+    put(contact.nodes.friction_force[k], trial.friction_force, i);
   }
+  share(solver.unknowns, trial.contact_force);
+  share(solver.unknowns, trial.friction_force);
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ class ContactSums {
     account.friction += value[friction];
     for (std::size_t c = 0; c < 3; ++c) account.spin[c] += value[spin + c];
     account.push += value[push];
-    account.penetration = std::max(account.penetration, penetration(contact));
+    account.penetration = std::max(account.penetration, ranks.max(penetration(contact)));
   }
 
  private:
@@ -220,6 +220,7 @@ void commit_step(const Scene& scene, Solver& solver) {
     sums.book(scene.links.ranks, solver.contact, solver.contact_account);
     book_interfaces(solver.trial.rule.dt, end_shares(solver.trial.rule).of_impulse, solver.contact);
     keep_contact(solver.contact);
+    tally(scene.links.ranks, solver.contact);
   }
   if (solver.walls.any()) {
     wall_sums.book(scene.links.ranks, solver.walls.account);

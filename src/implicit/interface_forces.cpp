@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/implicit/interface_forces.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+
+#include "mortar_shares.hpp"
 
 namespace brunt::implicit {
 namespace {
@@ -12,21 +15,23 @@ constexpr auto width = static_cast<std::size_t>(interface_force_width);
 }  // namespace
 
 InterfaceForce force_on_slave(const Interface& face) {
-  InterfaceForce sum;
+  std::vector<double> of_rows(width * face.count());
   for (std::size_t row = 0; row < face.count(); ++row) {
     const double area = face.pair.tied ? face.tie.covered[row] : face.rows.covered[row];
     if (area == 0) continue;
     const Vec3 force = area * face.tractions[row];
     const Vec3& normal = face.rows.normals[row];
     const Vec3 tangential = force - normal.dot(force) * normal;
-    for (int c = 0; c < 3; ++c) {
-      sum.all[c] += force[c];
-      sum.friction[c] += tangential[c];
-    }
-    sum.normal_size += (force - tangential).norm();
-    sum.friction_size += tangential.norm();
+    double* const of_row = &of_rows[width * row];
+    std::copy_n(force.data(), 3, of_row);
+    std::copy_n(tangential.data(), 3, of_row + 3);
+    of_row[6] = (force - tangential).norm();
+    of_row[7] = tangential.norm();
   }
-  return sum;
+  const std::vector<double> all = told_to_all(face, of_rows, interface_force_width);
+  std::array<double, width> sum{};
+  for (std::size_t k = 0; k < all.size(); ++k) sum[k % width] += all[k];
+  return std::bit_cast<InterfaceForce>(sum);
 }
 
 void book_interfaces(double dt, double of_impulse, MortarContact& contact) {

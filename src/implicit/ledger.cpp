@@ -57,7 +57,7 @@ time::Ledger ledger(const Scene& scene, const Solver& solver) {
   result.contact = solver.contact_account.normal;
   result.friction = solver.contact_account.friction + solver.walls.account.friction;
   result.walls = solver.walls.account.normal;
-  const ContactCounts counts = count(solver.contact);
+  const ContactCounts& counts = solver.contact.counts;
   result.contact_totals.active = counts.active + pressed(scene.links.ranks, solver.walls);
   result.contact_totals.pairs = counts.pairs;
   result.contact_totals.penetration = solver.contact_account.penetration;

@@ -7,6 +7,7 @@
 #include "brunt/contact/mortar/forces.hpp"
 #include "brunt/contact/mortar/normals.hpp"
 #include "brunt/contact/mortar/tractions.hpp"
+#include "mortar_shares.hpp"
 
 namespace brunt::implicit {
 namespace {
@@ -17,29 +18,6 @@ using contact::MortarPair;
 /// curved surface with the normals of t_{n+1} goes along a chord, deeper by travel^2 over twice the radius in a step:
 /// half of it a step leaves as much. More than a twentieth of a facet at once would be a blow.
 constexpr double recovered = 0.5, most_recovered = 0.05;
-
-/// Pairs of facets nearer than the capture distance at these positions: both trees enlarged by half of it.
-void search(Interface& face, std::span<const Vec3> x) {
-  PairSearch& search = face.search;
-  constexpr double worn_out = 2;  // trees are built anew where a pair takes so many times the tests it took at first
-  const bool anew = search.slave.facets() == 0 ||
-                    (search.counts.pairs > 0 && search.counts.tests_per_pair() > worn_out * search.built_with);
-  if (anew) {
-    contact::build(search.slave, face.surfaces.slave, x);
-    contact::build(search.master, face.surfaces.master, x);
-  }
-  const contact::Enlargement half = contact::by_distance(0.5 * face.surfaces.capture);
-  contact::refit(search.slave, x, half);
-  contact::refit(search.master, x, half);
-  search.counts = contact::find_pairs(search.slave, search.master, search.scratch, search.pairs);
-  if (anew) search.built_with = search.counts.tests_per_pair();
-  search.candidates.clear();
-  auto pair = search.pairs.begin();
-  for (LocalIndex facet = 0; facet < static_cast<LocalIndex>(face.surfaces.slave.size()); ++facet) {
-    for (; pair != search.pairs.end() && pair->slave == facet; ++pair) search.candidates.values.push_back(pair->master);
-    search.candidates.close_row();
-  }
-}
 
 void find_pressures(Interface& face, bool first) {
   if (face.pair.enforce == MortarPair::Enforce::penalty) {
@@ -68,13 +46,26 @@ void find_least_gaps(Interface& face, double recovery) {
   }
 }
 
+/// Of each row that keeps its gap the energy `of(face, row)`, added up over all rows of all ranks in their order.
+template <class Energy>
+double sum_over_rows(const MortarContact& contact, const Energy& of) {
+  double sum = 0;
+  std::vector<double> values;
+  for (const Interface& face : contact.interfaces) {
+    if (!face.keeps(contact)) continue;
+    values.clear();
+    for (std::size_t row = 0; row < face.count(); ++row) values.push_back(of(face, row));
+    for (const double value : told_to_all(face, values, 1)) sum += value;
+  }
+  return sum;
+}
+
 /// Share of the recovery that the budget pays for, by the pressures of t_n.
 double affordable(const MortarContact& contact) {
   if (!(contact.budget > 0)) return 0;
-  double needed = 0;
-  for (const Interface& face : contact.interfaces)
-    for (std::size_t row = 0; row < face.start_gaps.size(); ++row)
-      needed += std::max(0.0, face.z[row]) * recovered * std::max(0.0, -face.start_gaps[row]);
+  const double needed = sum_over_rows(contact, [](const Interface& face, std::size_t row) {
+    return std::max(0.0, face.z[row]) * recovered * std::max(0.0, -face.start_gaps[row]);
+  });
   return needed > contact.budget ? contact.budget / needed : 1.0;
 }
 
@@ -95,53 +86,53 @@ void find_tractions(const ContactNodes& nodes, Interface& face) {
     contact::normal_tractions(face.rows, face.z, face.tractions);
 }
 
-/// What friction does on the nodes: the tractions less their normal part.
-void add_friction_forces(ContactNodes& nodes, const Interface& face) {
-  if (face.friction.coefficient == 0) return;
-  std::vector<Vec3> tangential;
-  for (std::size_t row = 0; row < face.count(); ++row) {
-    const Vec3& n = face.rows.normals[row];
-    tangential.emplace_back(face.tractions[row] - n.dot(face.tractions[row]) * n);
-  }
-  contact::add_forces(face.rows, tangential, nodes.friction_force);
+/// Rows of a tie have the weights of the start; their normals turn.
+void find_tie(const ContactNodes& nodes, Interface& face) {
+  contact::nodal_normals(face.surfaces, face.topology, nodes.x, face.rows.normals);
+  for (std::size_t row = 0; row < face.count(); ++row) face.tractions[row] = Vec3(&face.z[3 * row]);
+}
+
+void find_rows(const MortarContact& contact, Iterate iterate, Interface& face) {
+  const ContactNodes& nodes = contact.nodes;
+  search(face, nodes.x);
+  contact::mortar_rows(face.surfaces, face.topology, face.search.candidates, nodes.x, *face.scratch, face.rows);
+  if (!face.keeps(contact)) return;
+  contact::gaps_at(face.rows, nodes.x_before, face.start_gaps);
+  if (iterate == Iterate::later) return;
+  face.pressed_before.resize(face.count());
+  for (std::size_t row = 0; row < face.count(); ++row) face.pressed_before[row] = face.z[row] > 0 ? 1 : 0;
+}
+
+/// Multipliers of this rank to its rows.
+void take_multipliers(std::span<const double> own_z, MortarContact& contact) {
+  for (Interface& face : contact.interfaces)
+    if (face.multipliers() > 0) {
+      std::ranges::copy(own_z.first(face.z.size()), face.z.begin());
+      own_z = own_z.subspan(face.z.size());
+    }
 }
 
 }  // namespace
 
-void gather_contact(const model::State& state, std::span<const double> own_z, MortarContact& contact) {
-  std::vector<double> local(3 * state.nodes.size()), everywhere(3 * contact.nodes.gid.size());
+void gather_contact(const comm::Communicator& ranks, const model::State& state, std::span<const double> own_z,
+                    MortarContact& contact) {
+  ContactNodes& nodes = contact.nodes;
+  std::vector<double> local(3 * state.nodes.size()), here(3 * nodes.gid.size());
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
     for (std::size_t c = 0; c < 3; ++c) local[3 * i + c] = state.nodes[i].x[c];
-  contact.nodes.gather.forward(local, everywhere, 3);
-  for (std::size_t k = 0; k < contact.nodes.gid.size(); ++k) contact.nodes.x[k] = Vec3(&everywhere[3 * k]);
-  contact.gather_z.forward(own_z, contact.z, 1);
-  std::size_t next = 0;
-  for (Interface& face : contact.interfaces)
-    if (face.multipliers() > 0) {
-      std::copy_n(contact.z.begin() + static_cast<std::ptrdiff_t>(next), face.z.size(), face.z.begin());
-      next += face.z.size();
-    }
+  nodes.gather.forward(local, here, 3);
+  for (std::size_t k = 0; k < nodes.gid.size(); ++k) nodes.x[k] = Vec3(&here[3 * k]);
+  if (masters_wear_out(ranks, contact)) tell_masters(ranks, contact);
+  take_multipliers(own_z, contact);
 }
 
-void find_contact(MortarContact& contact, Iterate iterate) {
+void find_contact(const comm::Communicator& ranks, MortarContact& contact, Iterate iterate) {
   ContactNodes& nodes = contact.nodes;
-  std::ranges::fill(nodes.force, Vec3(Vec3::Zero()));
-  std::ranges::fill(nodes.friction_force, Vec3(Vec3::Zero()));
-  for (Interface& face : contact.interfaces) {
-    if (face.pair.tied && !face.tie.covered.empty()) {
-      contact::nodal_normals(face.surfaces, face.topology, nodes.x, face.rows.normals);
-      for (std::size_t row = 0; row < face.count(); ++row) face.tractions[row] = Vec3(&face.z[3 * row]);
-      contact::add_tie_forces(face.tie, face.tractions, nodes.force);
-      continue;
-    }
-    search(face, nodes.x);
-    contact::mortar_rows(face.surfaces, face.topology, face.search.candidates, nodes.x, *face.scratch, face.rows);
-    if (!face.keeps(contact)) continue;
-    contact::gaps_at(face.rows, nodes.x_before, face.start_gaps);
-    if (iterate == Iterate::later) continue;
-    face.pressed_before.resize(face.count());
-    for (std::size_t row = 0; row < face.count(); ++row) face.pressed_before[row] = face.z[row] > 0 ? 1 : 0;
-  }
+  for (Interface& face : contact.interfaces)
+    if (face.pair.tied)
+      find_tie(nodes, face);
+    else
+      find_rows(contact, iterate, face);
   if (iterate != Iterate::later) contact.recovery = affordable(contact);
   for (Interface& face : contact.interfaces) {
     if (face.pair.tied) continue;
@@ -149,134 +140,69 @@ void find_contact(MortarContact& contact, Iterate iterate) {
     find_pressures(face, iterate == Iterate::first_of_run);
     leave_out_immovable(nodes, face);
     find_tractions(nodes, face);
-    contact::add_forces(face.rows, face.tractions, nodes.force);
-    add_friction_forces(nodes, face);
   }
+  sum_forces(ranks, contact);
 }
 
 void multiplier_residuals(const MortarContact& contact, std::span<double> residual) {
-  std::vector<double> all;
-  all.reserve(contact.z.size());
+  std::size_t next = 0;
+  std::vector<Vec3> ties;
   for (const Interface& face : contact.interfaces) {
-    std::vector<Vec3> ties;
     if (face.pair.tied) contact::tie_residuals(face.tie, contact.nodes.x, face.rows.normals, ties);
     for (std::size_t row = 0; row < face.count(); ++row) {
       const double area = 1 / face.topology.kappa[row];
       if (face.pair.tied) {
         const Vec3 given = face.tied[row] * (face.stiffness * area * ties[row]);
         const Vec3 redundant = area * (face.tractions[row] - face.tied[row] * face.tractions[row]);
-        for (int c = 0; c < 3; ++c) all.push_back(given[c] + redundant[c]);
+        for (int c = 0; c < 3; ++c) residual[next++] = given[c] + redundant[c];
       } else if (face.multipliers() == 1) {
         const bool pressed = face.active[row] != 0;
-        all.push_back(area * (pressed ? -face.stiffness * face.above(row) / face.rows.covered[row] : face.z[row]));
+        residual[next++] = area * (pressed ? -face.stiffness * face.above(row) / face.rows.covered[row] : face.z[row]);
       }
     }
   }
-  for (std::size_t k = 0; k < contact.own.size(); ++k) residual[k] = all[static_cast<std::size_t>(contact.own[k])];
 }
 
 void keep_contact(MortarContact& contact) {
-  contact.z_before = contact.z;
-  contact.nodes.x_before = contact.nodes.x;
+  contact.z_before.clear();
   contact.traction_before.clear();
+  contact.nodes.x_before = contact.nodes.x;
+  const auto append = [](const std::vector<double>& values, std::vector<double>& to) {
+    to.insert(to.end(), values.begin(), values.end());
+  };
   for (Interface& face : contact.interfaces) {
+    if (face.multipliers() > 0) append(told_to_all(face, face.z, face.multipliers()), contact.z_before);
     if (face.pair.tied || face.friction.coefficient == 0) continue;
     contact::keep_friction(face.rows, face.tractions, face.history);
+    std::vector<double> tractions;
     for (const Vec3& traction : face.history.tractions)
-      contact.traction_before.insert(contact.traction_before.end(), traction.data(), traction.data() + 3);
+      tractions.insert(tractions.end(), traction.data(), traction.data() + 3);
+    append(told_to_all(face, tractions, 3), contact.traction_before);
   }
 }
 
-void restore_contact(const model::State& state, MortarContact& contact) {
+void restore_contact(const comm::Communicator& ranks, const model::State& state, MortarContact& contact) {
   if (!contact.any()) return;
   std::vector<double> own_z;
   for (const LocalIndex k : contact.own) own_z.push_back(contact.z_before[static_cast<std::size_t>(k)]);
-  gather_contact(state, own_z, contact);
+  gather_contact(ranks, state, own_z, contact);
   const std::vector<double> tractions = contact.traction_before;
-  find_contact(contact, Iterate::first_of_step);
+  find_contact(ranks, contact, Iterate::first_of_step);
   keep_contact(contact);  // weights and normals are those of the places
-  std::size_t next = 0;
-  for (Interface& face : contact.interfaces)
-    for (Vec3& traction : face.history.tractions) {
-      traction = Vec3(&tractions[next]);
-      next += 3;
-    }
+  std::size_t first = 0;
+  for (Interface& face : contact.interfaces) {
+    if (face.pair.tied || face.friction.coefficient == 0) continue;
+    for (std::size_t row = 0; row < face.count(); ++row)
+      face.history.tractions[row] = Vec3(&tractions[first + 3 * static_cast<std::size_t>(face.place[row])]);
+    first += 3 * face.rows_of_all;
+  }
   contact.traction_before = tractions;
 }
 
-ContactCounts count(const MortarContact& contact) {
-  ContactCounts sum;
-  for (const Interface& face : contact.interfaces) {
-    sum.segments += static_cast<GlobalIndex>(face.rows.segments);
-    sum.pairs += face.search.counts.pairs;
-    sum.tests += face.search.counts.tests;
-    const auto held = static_cast<GlobalIndex>(
-        face.pair.tied ? std::ranges::count_if(face.tie.covered, [](double area) { return area > 0; })
-                       : std::ranges::count(face.active, std::uint8_t{1}));
-    sum.active += held;
-    if (!face.pair.tied) sum.touching += held;
-  }
-  return sum;
-}
-
 double given_in_step(const MortarContact& contact) {
-  double sum = 0;
-  for (const Interface& face : contact.interfaces)
-    for (std::size_t row = 0; row < face.start_gaps.size(); ++row)
-      sum += face.z[row] * (face.rows.gaps[row] - face.start_gaps[row]);
-  return sum;
-}
-
-std::vector<std::uint8_t> branches(const MortarContact& contact) {
-  std::vector<std::uint8_t> all;
-  for (const Interface& face : contact.interfaces)
-    for (std::size_t row = 0; !face.pair.tied && row < face.count(); ++row) {
-      const bool keeps = face.active[row] != 0 && !face.least_gaps.empty() && face.least_gaps[row] < 0;
-      const int friction = face.states.empty() ? 0 : static_cast<int>(face.states[row]);
-      all.push_back(static_cast<std::uint8_t>(face.active[row] + 2 * static_cast<int>(keeps) + 4 * friction));
-    }
-  return all;
-}
-
-namespace {
-
-/// Calls visit(interface, row, local node) for rows whose node this rank holds.
-template <class Visit>
-void for_each_row_here(const MortarContact& contact, const Visit& visit) {
-  for (const Interface& face : contact.interfaces)
-    for (std::size_t row = 0; row < face.count(); ++row) {
-      const LocalIndex here = contact.nodes.here[static_cast<std::size_t>(face.surfaces.rows[row])];
-      if (here != no_index) visit(face, row, static_cast<std::size_t>(here));
-    }
-}
-
-}  // namespace
-
-std::vector<double> contact_pressures(const MortarContact& contact, LocalIndex nodes) {
-  std::vector<double> pressure(static_cast<std::size_t>(nodes), 0.0);
-  for_each_row_here(contact, [&](const Interface& face, std::size_t row, std::size_t node) {
-    const double z = face.pair.tied ? face.rows.normals[row].dot(face.tractions[row]) : face.z[row];
-    pressure[node] = pressure[node] == 0 ? z : std::max(pressure[node], z);
+  return sum_over_rows(contact, [](const Interface& face, std::size_t row) {
+    return face.z[row] * (face.rows.gaps[row] - face.start_gaps[row]);
   });
-  return pressure;
-}
-
-std::vector<double> contact_gaps(const MortarContact& contact, LocalIndex nodes) {
-  std::vector<double> gap(static_cast<std::size_t>(nodes), 0.0);
-  for_each_row_here(contact, [&](const Interface& face, std::size_t row, std::size_t node) {
-    if (face.pair.tied || face.rows.covered[row] == 0) return;
-    const double own = face.mean_gap(row);
-    gap[node] = gap[node] == 0 ? own : std::min(gap[node], own);
-  });
-  return gap;
-}
-
-double penetration(const MortarContact& contact) {
-  double deepest = 0;
-  for (const Interface& face : contact.interfaces)
-    for (std::size_t row = 0; !face.pair.tied && row < face.count(); ++row)
-      deepest = std::max(deepest, -face.mean_gap(row));
-  return deepest;
 }
 
 }  // namespace brunt::implicit

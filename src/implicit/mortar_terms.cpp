@@ -1,72 +1,88 @@
 // SPDX-License-Identifier: Apache-2.0
 // What mortar contact adds to the matrix of the system.
+#include <algorithm>
+#include <array>
+
+#include "brunt/comm/rendezvous.hpp"
 #include "brunt/contact/mortar/forces.hpp"
 #include "brunt/contact/mortar/normals.hpp"
 #include "brunt/contact/mortar/tractions.hpp"
 #include "brunt/implicit/mortar.hpp"
+#include "mortar_pieces.hpp"
+#include "nodal.hpp"
 
 namespace brunt::implicit {
 namespace {
 
-/// Takes terms by node of contact and keeps those in this rank's rows, supports taken out.
+/// A column of a multiplier in the rows of a node.
+struct ColumnTold {
+  GlobalIndex node = 0, multiplier = 0;
+  std::array<double, 3> slope{};
+};
+
+/// Adds terms to this rank's rows, supports taken out; those of other ranks' rows are kept for them.
 class Terms {
  public:
-  Terms(const MortarContact& contact, std::vector<ContactTerm>& terms) : contact_(contact), terms_(terms) {
-    own_multiplier_.assign(contact.z.size(), 0);
-    for (const LocalIndex k : contact.own) own_multiplier_[static_cast<std::size_t>(k)] = 1;
+  Terms(const comm::Communicator& ranks, MortarContact& contact) : ranks_(ranks), contact_(contact) {
+    contact_.sums.resize(contact.nodes.lasting);
+    for (BlockRow& row : contact_.sums) row.clear();
+    columns_to_.resize(static_cast<std::size_t>(ranks.size()));
   }
 
-  /// - dF_row/dx_column: residuals have the forces with a minus.
-  void node_node(LocalIndex row, LocalIndex column, const Mat3& slope) {
-    if (!mine(row)) return;
-    const Mat3 block = -(taken(row) * slope);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) add(3 * gid(row) + i, 3 * gid(column) + j, block(i, j));
+  /// - dF_row/dx_column: residuals have the forces with a minus. row: a place of a node that this rank owns.
+  void node_node(LocalIndex row, GlobalIndex column, const Mat3& slope) {
+    contact_.sums[static_cast<std::size_t>(row)].add(column, -(taken(row) * slope));
   }
   void node_multiplier(LocalIndex row, GlobalIndex multiplier, const Vec3& slope) {
-    if (!mine(row)) return;
-    const Vec3 part = -(taken(row) * slope);
-    for (int i = 0; i < 3; ++i) add(3 * gid(row) + i, multiplier, part[i]);
+    const Rank owner = contact_.nodes.source[static_cast<std::size_t>(row)].rank;
+    if (owner == ranks_.rank())
+      add_column(row, multiplier, slope);
+    else
+      columns_to_[static_cast<std::size_t>(owner)].push_back({gid(row), multiplier, {slope[0], slope[1], slope[2]}});
   }
   void multiplier_node(GlobalIndex multiplier, LocalIndex column, const Vec3& slope) {
-    if (!mine(multiplier)) return;
     for (int j = 0; j < 3; ++j) add(multiplier, 3 * gid(column) + j, slope[j]);
   }
-  void multiplier_multiplier(GlobalIndex row, GlobalIndex column, double slope) {
-    if (mine(row)) add(row, column, slope);
+  void multiplier_multiplier(GlobalIndex row, GlobalIndex column, double slope) { add(row, column, slope); }
+
+  /// All of it, by row and column; of what has multipliers, terms of one place in the order in which they came.
+  /// Collective.
+  void write(std::vector<ContactTerm>& terms) {
+    for (const ColumnTold& column : comm::exchange(ranks_, columns_to_).values)
+      add_column(contact_.nodes.place_of(column.node), column.multiplier, Vec3(column.slope.data()));
+    terms.clear();
+    for (std::size_t node = 0; node < contact_.sums.size(); ++node) write_row(node, terms);
+    const auto middle = static_cast<std::ptrdiff_t>(terms.size());
+    terms.insert(terms.end(), with_multipliers_.begin(), with_multipliers_.end());
+    std::stable_sort(terms.begin() + middle, terms.end(), before);
+    std::inplace_merge(terms.begin(), terms.begin() + middle, terms.end(), before);
   }
 
  private:
-  [[nodiscard]] bool mine(LocalIndex node) const {
-    return contact_.nodes.own[static_cast<std::size_t>(node)] != no_index;
+  static bool before(const ContactTerm& a, const ContactTerm& b) {
+    return a.row < b.row || (a.row == b.row && a.column < b.column);
   }
-  [[nodiscard]] bool mine(GlobalIndex multiplier) const {
-    return own_multiplier_[static_cast<std::size_t>(multiplier - contact_.interfaces.front().first)] != 0;
+  void write_row(std::size_t node, std::vector<ContactTerm>& terms) {
+    BlockRow& row = contact_.sums[node];
+    row.sort();
+    for (int i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < row.columns().size(); ++k)
+        for (int j = 0; j < 3; ++j)
+          terms.push_back({3 * contact_.nodes.gid[node] + i, 3 * row.columns()[k] + j, row.block(k)(i, j)});
+  }
+  void add_column(LocalIndex row, GlobalIndex multiplier, const Vec3& slope) {
+    const Vec3 part = -(taken(row) * slope);
+    for (int i = 0; i < 3; ++i) add(3 * gid(row) + i, multiplier, part[i]);
   }
   [[nodiscard]] const Mat3& taken(LocalIndex node) const { return contact_.nodes.rows[static_cast<std::size_t>(node)]; }
   [[nodiscard]] GlobalIndex gid(LocalIndex node) const { return contact_.nodes.gid[static_cast<std::size_t>(node)]; }
-  void add(GlobalIndex row, GlobalIndex column, double value) { terms_.push_back({row, column, value}); }
+  void add(GlobalIndex row, GlobalIndex column, double value) { with_multipliers_.push_back({row, column, value}); }
 
-  const MortarContact& contact_;
-  std::vector<ContactTerm>& terms_;
-  std::vector<char> own_multiplier_;
+  const comm::Communicator& ranks_;
+  MortarContact& contact_;
+  std::vector<ContactTerm> with_multipliers_;
+  std::vector<std::vector<ColumnTold>> columns_to_;
 };
-
-void add_patches(const contact::Patches& patches, Terms& terms) {
-  for (std::size_t p = 0; p < patches.count; ++p) {
-    const contact::Patch& patch = patches.patch[p];
-    const std::size_t width = 3 * patch.columns.size();
-    for (std::size_t r = 0; r < patch.rows.size(); ++r)
-      for (std::size_t c = 0; c < patch.columns.size(); ++c) {
-        const double* corner = patch.values.data() + 3 * r * width + 3 * c;
-        Mat3 block;
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j)
-            block(i, j) = corner[static_cast<std::size_t>(i) * width + static_cast<std::size_t>(j)];
-        terms.node_node(patch.rows[r], patch.columns[c], block);
-      }
-  }
-}
 
 /// Exact multipliers: columns of pressures, and the rows' own equations.
 void add_multipliers(const MortarContact& contact, const Interface& face, const contact::NodeBlocks<Vec3>& gradient,
@@ -75,7 +91,7 @@ void add_multipliers(const MortarContact& contact, const Interface& face, const 
   if (face.keeps(contact)) contact::gaps_at_gradient(face.rows, face.slopes, contact.nodes.x_before, of_start);
   contact::pressure_columns(face.rows, tractions.by_pressure, columns);
   for (std::size_t row = 0; row < face.count(); ++row) {
-    const GlobalIndex multiplier = face.first + static_cast<GlobalIndex>(row);
+    const GlobalIndex multiplier = face.multiplier(row);
     const auto index = static_cast<LocalIndex>(row);
     for (std::size_t k = 0; k < columns.nodes.row(index).size(); ++k)
       terms.node_multiplier(columns.nodes.row(index)[k], multiplier, columns.row(index)[k]);
@@ -98,11 +114,22 @@ void add_multipliers(const MortarContact& contact, const Interface& face, const 
   }
 }
 
-void add_contact(MortarContact& contact, Interface& face, Terms& terms) {
+/// Tractions of this rank's rows, behind them those of the rows beside. Collective.
+std::vector<Vec3> tractions_around(const Interface& face) {
+  std::vector<double> own(3 * face.count()), others(3 * face.surfaces.rows_elsewhere.size());
+  for (std::size_t row = 0; row < face.count(); ++row) put(face.tractions[row], own, row);
+  face.beside.forward(own, others, 3);
+  std::vector<Vec3> all = face.tractions;
+  for (std::size_t k = 0; k < others.size(); k += 3) all.emplace_back(&others[k]);
+  return all;
+}
+
+/// Slopes of the rows and of their tractions. Collective.
+void find_slopes(MortarContact& contact, Interface& face, contact::TractionSlopes& tractions, Terms& terms) {
   contact::mortar_rows_and_slopes(
-      face.surfaces, face.topology, face.search.candidates, contact.nodes.x, face.tractions, *face.scratch, face.rows,
-      face.slopes, face.keeps(contact) ? std::span<const Vec3>(contact.nodes.x_before) : std::span<const Vec3>());
-  contact::TractionSlopes tractions;
+      face.surfaces, face.topology, face.search.candidates, contact.nodes.x, tractions_around(face), *face.scratch,
+      face.rows, face.slopes,
+      face.keeps(contact) ? std::span<const Vec3>(contact.nodes.x_before) : std::span<const Vec3>());
   if (face.friction.coefficient > 0)
     contact::friction_traction_slopes(
         face.rows, face.slopes, contact.nodes.x, face.z, face.friction, face.history, tractions,
@@ -115,10 +142,6 @@ void add_contact(MortarContact& contact, Interface& face, Terms& terms) {
     contact::add_penalty_slopes(face.rows, gradient, face.slopes, face.stiffness, face.active, tractions);
   else
     add_multipliers(contact, face, gradient, tractions, terms);
-  contact::Patches patches;
-  contact::add_traction_slopes(face.rows, tractions.by_position, patches);
-  add_patches(face.slopes.weights, terms);
-  add_patches(patches, terms);
 }
 
 void add_tie(MortarContact& contact, Interface& face, Terms& terms) {
@@ -128,7 +151,7 @@ void add_tie(MortarContact& contact, Interface& face, Terms& terms) {
   contact::tie_gradient(face.tie, normals, normal_slopes, gradient);
   for (std::size_t row = 0; row < face.count(); ++row) {
     const auto index = static_cast<LocalIndex>(row);
-    const GlobalIndex first = face.first + 3 * static_cast<GlobalIndex>(row);
+    const GlobalIndex first = face.multiplier(row);
     const double area = 1 / face.topology.kappa[row];
     const bool covered = face.tie.covered[row] > 0;
     const Mat3& tied = face.tied[row];
@@ -148,15 +171,19 @@ void add_tie(MortarContact& contact, Interface& face, Terms& terms) {
 
 }  // namespace
 
-void contact_terms(MortarContact& contact, std::vector<ContactTerm>& terms) {
+void contact_terms(const comm::Communicator& ranks, MortarContact& contact, std::vector<ContactTerm>& terms) {
   terms.clear();
   if (!contact.any()) return;
-  Terms sum(contact, terms);
-  for (Interface& face : contact.interfaces)
-    if (face.pair.tied)
-      add_tie(contact, face, sum);
+  Terms sum(ranks, contact);
+  std::vector<contact::TractionSlopes> tractions(contact.interfaces.size());
+  for (std::size_t k = 0; k < contact.interfaces.size(); ++k)
+    if (contact.interfaces[k].pair.tied)
+      add_tie(contact, contact.interfaces[k], sum);
     else
-      add_contact(contact, face, sum);
+      find_slopes(contact, contact.interfaces[k], tractions[k], sum);
+  sum_pieces(ranks, contact, tractions,
+             [&](LocalIndex row, GlobalIndex column, const Mat3& slope) { sum.node_node(row, column, slope); });
+  sum.write(terms);
 }
 
 }  // namespace brunt::implicit

@@ -93,7 +93,7 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
   MortarContact contact = make_mortar(ranks, model, unknowns);
   std::vector<GlobalIndex> rows = unknowns.row;
   rows.insert(rows.end(), contact.own_rows.begin(), contact.own_rows.end());
-  const auto total = unknowns.total + static_cast<GlobalIndex>(contact.z.size());
+  const auto total = unknowns.total + static_cast<GlobalIndex>(contact.z_before.size());
   comm::LinearSystem system(ranks, method_of(settings.linear), total, rows);
   Solver solver{settings,
                 std::move(unknowns),
@@ -130,11 +130,13 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
     solver.trial.wall_friction = solver.memory.wall_force = solver.memory.wall_friction = solver.trial.wall_force;
   }
   start_memory(scene, solver);
+  tally(ranks, solver.contact);
   return solver;
 }
 
 void after_restart(const Scene& scene, Solver& solver) {
-  restore_contact(scene.state, solver.contact);
+  restore_contact(scene.links.ranks, scene.state, solver.contact);
+  tally(scene.links.ranks, solver.contact);
 }
 
 void add_arrays(const model::Model& model, Solver& solver, model::Registry& registry) {

@@ -75,9 +75,7 @@ void note_iterate(const Scene& scene, Solver& solver) {
   trial.ratios.push_back(trial.balance.given > 0 ? trial.balance.left / trial.balance.given : 0.0);
   std::vector<std::uint8_t> now = branches(solver.contact);
   add_branches(solver.walls, now);
-  // rows of mortar contact are the same on every rank, nodes at walls are not
-  const bool other = now != trial.branches;
-  trial.stood.push_back((solver.walls.any() ? scene.links.ranks.any(other) : other) ? 0 : 1);
+  trial.stood.push_back(scene.links.ranks.any(now != trial.branches) ? 0 : 1);
   trial.branches = std::move(now);
 }
 

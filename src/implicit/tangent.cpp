@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <limits>
 
 #include "brunt/implicit/balance.hpp"
@@ -30,11 +29,7 @@ class Rows {
 /// Terms of contact row by row, those of one place added up in their order.
 class ContactRows {
  public:
-  explicit ContactRows(std::vector<ContactTerm>& terms) : terms_(terms) {
-    std::ranges::stable_sort(terms_, [](const ContactTerm& a, const ContactTerm& b) {
-      return a.row < b.row || (a.row == b.row && a.column < b.column);
-    });
-  }
+  explicit ContactRows(const std::vector<ContactTerm>& terms) : terms_(terms) {}
   /// The next column of this row and its sum; false where there is none before `until`.
   bool next(GlobalIndex row, GlobalIndex until, GlobalIndex& column, double& value) {
     if (at_ == terms_.size() || terms_[at_].row != row || terms_[at_].column >= until) return false;
@@ -45,7 +40,7 @@ class ContactRows {
   }
 
  private:
-  std::vector<ContactTerm>& terms_;
+  const std::vector<ContactTerm>& terms_;
   std::size_t at_ = 0;
 };
 
@@ -87,7 +82,7 @@ std::vector<Mat3> blocks_of(const Scene& scene, const Solver& solver, std::size_
 }
 
 /// The whole system: bodies and contact.
-void lay_system(const Scene& scene, Solver& solver, std::vector<ContactTerm>& terms) {
+void lay_system(const Scene& scene, Solver& solver, const std::vector<ContactTerm>& terms) {
   const NodeRows& nodes = solver.stiffness.rows();
   std::vector<GlobalIndex> all = solver.unknowns.row;
   all.insert(all.end(), solver.contact.own_rows.begin(), solver.contact.own_rows.end());
@@ -124,7 +119,7 @@ comm::Factorised factorise_tangent(const Scene& scene, Solver& solver) {
   {
     const Measure timed(solver.work.contact_seconds);
     if (solver.walls.any()) take_walls_out(solver.walls, solver.contact.nodes);
-    contact_terms(solver.contact, terms);
+    contact_terms(scene.links.ranks, solver.contact, terms);
   }
   {
     const Measure timed(solver.work.tangent_seconds);

@@ -14,10 +14,11 @@ struct InterfaceForce {
 };
 constexpr int interface_force_width = sizeof(InterfaceForce) / sizeof(double);
 
-/// At the accepted iterate, in the order of the rows.
+/// At the accepted iterate, in the order of the rows of all ranks. Collective.
 InterfaceForce force_on_slave(const Interface& face);
 
 /// Adds a step's impulses: of_impulse of the forces now, the rest of those at t_n, which become those of now.
+/// Collective.
 void book_interfaces(double dt, double of_impulse, MortarContact& contact);
 
 }  // namespace brunt::implicit

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mortar contact in an implicit step. Surfaces are small beside bodies: every rank holds all facets of all interfaces
-// and finds the same pairs, rows and forces from the same positions; it adds those of its own unknowns to the system.
+// Mortar contact in an implicit step. A row belongs to the owner of its slave node, who holds the slave facets around
+// it and the master facets that these may meet; what a row does to nodes of other ranks is sent to their owners, who
+// add it up in the order of facets and rows. A facet on the border between ranks is integrated on both sides.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -13,23 +14,37 @@
 #include "brunt/contact/mortar/interface.hpp"
 #include "brunt/contact/mortar/tie.hpp"
 #include "brunt/contact/search/facet_tree.hpp"
+#include "brunt/implicit/block_sums.hpp"
 #include "brunt/implicit/unknowns.hpp"
 #include "brunt/model/model.hpp"
 
 namespace brunt::implicit {
 
-/// Nodes of all facets, in canonical order: the same on every rank.
+/// Nodes of the facets that this rank holds. Those up to `lasting` stay all along, in canonical order: nodes of its own
+/// surfaces, of slave facets around its rows, of its ties. Behind them, in canonical order too, stand those of masters
+/// of other ranks that are near.
 struct ContactNodes {
-  std::vector<GlobalIndex> gid;      ///< ascending
-  std::vector<LocalIndex> own;       ///< of each: its place in Unknowns::node where this rank owns it, or no_index
-  std::vector<LocalIndex> here;      ///< of each: local index where this rank holds it, or no_index
-  std::vector<Mat3> rows;            ///< of each of this rank: multiplies its rows, supports and walls taken out
-  std::vector<Mat3> free;            ///< of each: projector on the directions that supports leave free
-  comm::Halo gather;                 ///< from all ranks' nodes to these
-  std::vector<Vec3> reference, x;    ///< at the start, at the iterate [length]
-  std::vector<Vec3> x_before;        ///< at t_n [length]
-  std::vector<Vec3> force;           ///< of contact at the iterate [force]
-  std::vector<Vec3> friction_force;  ///< of it, the tangential part
+  std::vector<GlobalIndex> gid;
+  std::size_t lasting = 0;
+  std::vector<comm::RemoteSlot> source;  ///< of each: its owner, and its local index there
+  std::vector<LocalIndex> own;           ///< of each: its place in Unknowns::node where this rank owns it, or no_index
+  std::vector<Mat3> rows;                ///< of each of this rank: multiplies its rows, supports and walls taken out
+  std::vector<Mat3> free;                ///< of each: projector on the directions that supports leave free
+  comm::Halo gather;                     ///< from all ranks' nodes to these
+  std::vector<Vec3> x;                   ///< at the iterate [length]
+  std::vector<Vec3> x_before;            ///< at t_n [length]
+  std::vector<Vec3> x_told;              ///< of lasting ones, when masters were last told of [length]
+  std::vector<Vec3> force;               ///< of contact at the iterate, on nodes that this rank owns [force]
+  std::vector<Vec3> friction_force;      ///< of it, the tangential part
+
+  [[nodiscard]] LocalIndex place_of(GlobalIndex node) const;  ///< no_index where this rank does not hold it
+};
+
+/// Facets of a master that belong to elements of this rank: it tells others of them.
+struct OwnMasters {
+  std::vector<GlobalIndex> key;
+  std::vector<contact::FacetNodes> nodes;  ///< places in ContactNodes
+  std::vector<double> wall;                ///< as MortarSurfaces::master_wall
 };
 
 /// Search and pairs of one interface.
@@ -37,6 +52,7 @@ struct PairSearch {
   contact::KdopTree slave, master;
   contact::TraversalScratch scratch;
   contact::TraversalCounts counts;
+  bool anew = true;       ///< the trees are to be built
   double built_with = 0;  ///< tests per pair when the trees were built
   std::vector<contact::FacetPair> pairs;
   Ragged<LocalIndex> candidates;  ///< a slave facet each
@@ -44,12 +60,18 @@ struct PairSearch {
 
 struct Interface {
   contact::MortarPair pair;
-  contact::MortarSurfaces surfaces;  ///< nodes: places in ContactNodes
+  contact::MortarSurfaces surfaces;  ///< of this rank; nodes: places in ContactNodes, rows: of nodes that it owns
   contact::MortarTopology topology;
+  std::vector<GlobalIndex> slave_key;  ///< of the slave facets
+  OwnMasters own_masters;
   PairSearch search;
   contact::MortarScratchPointer scratch;
-  GlobalIndex first = 0;  ///< row of the whole system of its first multiplier
-  double stiffness = 0;   ///< of a layer of one facet [force/length^3]
+  std::vector<LocalIndex> place;  ///< of each row among those of all ranks
+  std::size_t rows_of_all = 0;    ///< how many these are
+  comm::Halo to_all;              ///< from the rows of all ranks to all rows in order: for sums and what is saved
+  comm::Halo beside;              ///< from the rows of all ranks to surfaces.rows_elsewhere
+  GlobalIndex first = 0;          ///< row of the whole system of the first multiplier of all
+  double stiffness = 0;           ///< of a layer of one facet [force/length^3]
   contact::MortarFriction friction;
   // at the iterate
   contact::MortarRows rows;
@@ -82,7 +104,18 @@ struct Interface {
   }
   /// Gaps of t_n are kept: exact multipliers of a scheme in which contact acts as at the end of the step.
   [[nodiscard]] bool keeps(const struct MortarContact& contact) const;
-  [[nodiscard]] std::size_t count() const { return surfaces.rows.size(); }  ///< rows
+  [[nodiscard]] std::size_t count() const { return surfaces.rows.size(); }  ///< rows of this rank
+  /// Row of the whole system.
+  [[nodiscard]] GlobalIndex multiplier(std::size_t row, int k = 0) const {
+    return first + static_cast<GlobalIndex>(multipliers()) * place[row] + k;
+  }
+};
+
+/// Sums of contact over all ranks.
+struct ContactCounts {
+  GlobalIndex segments = 0, pairs = 0, tests = 0;
+  GlobalIndex active = 0;    ///< rows that push, or hold (ties)
+  GlobalIndex touching = 0;  ///< of these, rows that are no ties
 };
 
 struct MortarContact {
@@ -91,15 +124,16 @@ struct MortarContact {
   bool keeps_gaps = false;           ///< rows that begin a step at a negative gap keep it, but for what is recovered
   double budget = 0;                 ///< what recovery may give in this step, by its forecast [energy]
   double recovery = 0;               ///< share of `recovered` in this step, 0 to 1
+  double travel = 0;                 ///< that nodes may make until masters are told of anew [length]
   std::vector<std::string> notes{};  ///< of the start: multipliers that are left out, and why
-  std::vector<double> z;             ///< multipliers of all interfaces, one after the other
-  std::vector<double> z_before{};    ///< likewise at t_n, the same on every rank: saved
+  std::vector<double> z_before{};    ///< multipliers of all interfaces at t_n, the same on every rank: saved
   std::vector<double> traction_before{};  ///< tangential tractions at t_n of all rows with friction, three each: saved
   std::vector<double> impulses{};         ///< of interfaces on their slaves since t = 0, an InterfaceForce each: saved
   std::vector<double> forces_before{};    ///< likewise the forces at t_n: saved
   std::vector<GlobalIndex> own_rows;  ///< multipliers whose slave node this rank owns: rows of the system, ascending
-  std::vector<LocalIndex> own;        ///< their places in `z`
-  comm::Halo gather_z;                ///< from the owners to all
+  std::vector<LocalIndex> own;        ///< their places in `z_before`
+  ContactCounts counts{};             ///< at the last call of `tally`
+  BlockSums sums{};                   ///< of each of `nodes`: what contact adds to its rows of the matrix
   [[nodiscard]] bool any() const { return !interfaces.empty(); }
 };
 
@@ -107,19 +141,13 @@ inline bool Interface::keeps(const MortarContact& contact) const {
   return contact.keeps_gaps && multipliers() == 1;
 }
 
-/// Sums of contact over a run, and what it looks like now.
-struct ContactCounts {
-  GlobalIndex segments = 0, pairs = 0, tests = 0;
-  GlobalIndex active = 0;    ///< rows that push, or hold (ties)
-  GlobalIndex touching = 0;  ///< of these, rows that are no ties
-};
-
 /// Interfaces of Model::mortar. Throws InputError where two surfaces cannot make one. Collective.
 MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns);
 
-/// Positions of contact's nodes at X + u (all nodes of this rank) and multipliers `own_z` of this rank to all ranks.
+/// Positions of contact's nodes at X + u, and multipliers `own_z` of this rank; masters that have come near.
 /// Collective.
-void gather_contact(const model::State& state, std::span<const double> own_z, MortarContact& contact);
+void gather_contact(const comm::Communicator& ranks, const model::State& state, std::span<const double> own_z,
+                    MortarContact& contact);
 
 /// Which iterate find_contact is at.
 enum class Iterate : std::int8_t {
@@ -128,10 +156,11 @@ enum class Iterate : std::int8_t {
   first_of_run    ///< likewise; rows that touch at the start are pressed
 };
 
-/// Pairs, rows, active sets and forces at the gathered positions.
-void find_contact(MortarContact& contact, Iterate iterate);
+/// Pairs, rows, active sets and forces at the gathered positions. Collective.
+void find_contact(const comm::Communicator& ranks, MortarContact& contact, Iterate iterate);
 
 /// What contact along the normals gives to the bodies in the step, where it acts as at the end of it [energy].
+/// Collective.
 double given_in_step(const MortarContact& contact);
 
 /// What is left of each multiplier's equation, as a force: stiffness times gap where pressed, else the pressure times
@@ -144,28 +173,32 @@ struct ContactTerm {
   double value = 0;
 };
 
-/// Derivatives of the residual by positions and multipliers, rows of this rank alone, in an order that does not depend
-/// on the ranks. Call after find_contact at the same positions.
-void contact_terms(MortarContact& contact, std::vector<ContactTerm>& terms);
+/// Derivatives of the residual by positions and multipliers, rows of this rank alone: by row and column, those of one
+/// place in an order that does not depend on the ranks. Call after find_contact at the same positions. Collective.
+void contact_terms(const comm::Communicator& ranks, MortarContact& contact, std::vector<ContactTerm>& terms);
 
-/// The step is accepted: multipliers, histories of friction.
+/// The step is accepted: multipliers, histories of friction. Collective.
 void keep_contact(MortarContact& contact);
 
 /// After a restart has filled z_before and traction_before: the rest of what is kept of t_n, from the places of
 /// `state`. Collective.
-void restore_contact(const model::State& state, MortarContact& contact);
+void restore_contact(const comm::Communicator& ranks, const model::State& state, MortarContact& contact);
 
+/// What this rank has of these counts at the iterate.
 ContactCounts count(const MortarContact& contact);
+/// Their sums over the ranks, kept in MortarContact::counts. Collective.
+void tally(const comm::Communicator& ranks, MortarContact& contact);
 
-/// The branch of every row - open, pressed, keeping its gap, sticking, sliding - at the iterate.
+/// The branch of every row of this rank - open, pressed, keeping its gap, sticking, sliding - at the iterate.
 std::vector<std::uint8_t> branches(const MortarContact& contact);
 
-/// By local node: pressures of the slave's rows [stress], and their gaps (below 0: penetration) [length]; 0 elsewhere.
+/// By local node, of those that this rank owns: pressures of the slave's rows [stress], and their gaps (below 0:
+/// penetration) [length]; 0 elsewhere.
 /// Of a node with rows in several interfaces the largest pressure, the smallest gap.
 std::vector<double> contact_pressures(const MortarContact& contact, LocalIndex nodes);
 std::vector<double> contact_gaps(const MortarContact& contact, LocalIndex nodes);
 
-/// Largest penetration of a row without a tie [length].
+/// Largest penetration of a row of this rank without a tie [length].
 double penetration(const MortarContact& contact);
 
 }  // namespace brunt::implicit

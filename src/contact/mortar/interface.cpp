@@ -45,7 +45,7 @@ void take_facet(const FacetRows& facet, const FacetNodes& slave, const MortarTop
                 MortarRows& rows, std::span<const Vec3> fixed, bool with_slopes) {
   for (std::size_t j = 0; j < facet.corners(); ++j) {
     const LocalIndex row = topology.row_of_node[static_cast<std::size_t>(slave[j])];
-    if (row == no_index) continue;
+    if (row == no_index || static_cast<std::size_t>(row) >= rows.covered.size()) continue;
     rows.covered[static_cast<std::size_t>(row)] += facet.share(j);
     rows.gap_vectors[static_cast<std::size_t>(row)] += facet.gap_vector(j);
     if (with_slopes) facet.gap_slopes(j, scratch.gap_slopes);
@@ -91,7 +91,8 @@ void evaluate(const MortarSurfaces& surfaces, const MortarTopology& topology, co
               MortarSlopes* slopes, std::span<const Vec3> fixed) {
   const std::size_t row_count = surfaces.rows.size();
   demand(static_cast<std::size_t>(candidates.rows()) == surfaces.slave.size(), "mortar: a row of candidates a facet");
-  demand(slopes == nullptr || tractions.size() == row_count, "mortar: a traction a row");
+  demand(slopes == nullptr || tractions.size() == row_count + surfaces.rows_elsewhere.size(),
+         "mortar: a traction a row");
   rows.covered.assign(row_count, 0);
   rows.gap_vectors.assign(row_count, Vec3::Zero());
   rows.segments = 0;
@@ -107,10 +108,11 @@ void evaluate(const MortarSurfaces& surfaces, const MortarTopology& topology, co
     scratch.coverage.area.push_back(0);
     if (!scratch.facet.evaluate(surfaces, facet, candidates.row(static_cast<LocalIndex>(facet)), x, slopes != nullptr))
       continue;
-    rows.segments += scratch.facet.segments();
+    const bool ours = surfaces.is_ours(facet);
+    rows.segments += ours ? scratch.facet.segments() : 0;
     take_coverage(scratch.facet, slopes != nullptr, scratch.coverage);
     take_facet(scratch.facet, surfaces.slave[facet], topology, scratch, rows, fixed, slopes != nullptr);
-    if (slopes != nullptr)
+    if (slopes != nullptr && ours)
       take_patch(scratch.facet, facet, surfaces.slave[facet], topology, tractions, slopes->weights);
   }
   if (slopes != nullptr) scratch.coverage.slopes.nodes.close_row();

@@ -56,6 +56,8 @@ MortarTopology make_topology(const MortarSurfaces& surfaces, std::span<const Vec
     demand(of_row > 0, "mortar: the node of a row has no slave facet of positive area");
     topology.kappa.push_back(1 / of_row);
   }
+  for (std::size_t k = 0; k < surfaces.rows_elsewhere.size(); ++k)
+    topology.row_of_node[static_cast<std::size_t>(surfaces.rows_elsewhere[k])] = static_cast<LocalIndex>(rows + k);
   return topology;
 }
 

@@ -10,6 +10,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -32,7 +33,12 @@ struct MortarSurfaces {
   double capture = 0;  ///< greatest distance of two facets along the normal [length]
   /// Of each facet: thickness of its own body behind it [length]; empty where bodies are thicker than `capture`.
   std::vector<double> slave_wall{}, master_wall{};
+  /// Where a surface is shared out: slave nodes whose rows others have, tractions of which follow those of the rows.
+  std::vector<LocalIndex> rows_elsewhere{};
+  /// Of each slave facet: its segments are counted and its patch is formed here; empty: of all.
+  std::vector<std::uint8_t> ours{};
 
+  [[nodiscard]] bool is_ours(std::size_t slave_facet) const { return ours.empty() || ours[slave_facet] != 0; }
   /// How deep the facets of a pair may lie in each other [length]: what is deeper is seen through a wall.
   [[nodiscard]] double deepest(std::size_t slave_facet, std::size_t master_facet) const {
     constexpr double of_wall = 0.8;  // the wall is that of the reference configuration: loaded, it is thinner
@@ -45,7 +51,7 @@ struct MortarSurfaces {
 
 /// What follows from the surfaces and the reference configuration alone.
 struct MortarTopology {
-  std::vector<LocalIndex> row_of_node;  ///< no_index: no row
+  std::vector<LocalIndex> row_of_node;  ///< from the number of rows up: rows elsewhere; no_index: no row
   Ragged<LocalIndex> facets_around;     ///< a row each: slave facets, ascending
   std::vector<double> kappa;            ///< a row each: 1 / int N_A over the reference slave surface [1/length^2]
   double edge = 0;                      ///< mean edge of the slave facets in the reference configuration [length]
@@ -118,7 +124,8 @@ MortarScratchPointer make_mortar_scratch();
 void mortar_rows(const MortarSurfaces& surfaces, const MortarTopology& topology, const Ragged<LocalIndex>& candidates,
                  std::span<const Vec3> x, MortarScratch& scratch, MortarRows& rows);
 
-/// The same with derivatives; tractions: T_A of each row at which `weights` is formed [force/length^2]; fixed: places
+/// The same with derivatives; tractions: T_A of each row at which `weights` is formed, behind them those of
+/// MortarSurfaces::rows_elsewhere [force/length^2]; fixed: places
 /// y of all nodes for MortarSlopes::of_fixed, which stays empty without them [length].
 void mortar_rows_and_slopes(const MortarSurfaces& surfaces, const MortarTopology& topology,
                             const Ragged<LocalIndex>& candidates, std::span<const Vec3> x,

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mortar_shares.hpp"
+
+#include <algorithm>
+
+#include "brunt/contact/mortar/normals.hpp"
+
+namespace brunt::implicit {
+namespace {
+
+using contact::FacetNodes;
+
+/// Which nodes this rank keeps all along.
+class Kept {
+ public:
+  explicit Kept(std::size_t nodes) : keeps_(nodes, 0), place_(nodes, no_index) {}
+  void keep(LocalIndex node) {
+    if (node != no_index) keeps_[static_cast<std::size_t>(node)] = 1;
+  }
+  void keep(const FacetNodes& facet) {
+    for (const LocalIndex node : facet) keep(node);
+  }
+  /// Places in the whole surfaces, ascending; from now on `place` may be asked.
+  std::vector<std::size_t> list() {
+    std::vector<std::size_t> nodes;
+    for (std::size_t node = 0; node < keeps_.size(); ++node) {
+      if (keeps_[node] == 0) continue;
+      place_[node] = static_cast<LocalIndex>(nodes.size());
+      nodes.push_back(node);
+    }
+    return nodes;
+  }
+  [[nodiscard]] LocalIndex place(LocalIndex node) const {
+    return node == no_index ? no_index : place_[static_cast<std::size_t>(node)];
+  }
+  [[nodiscard]] FacetNodes place(const FacetNodes& facet) const {
+    return {place(facet[0]), place(facet[1]), place(facet[2]), place(facet[3])};
+  }
+
+ private:
+  std::vector<char> keeps_;
+  std::vector<LocalIndex> place_;
+};
+
+/// The part of one interface that a rank has: numbers of rows and slave facets of the whole.
+struct Part {
+  std::vector<std::size_t> rows, facets;
+  std::vector<std::uint8_t> ours;        ///< of `facets`
+  std::vector<std::size_t> rows_beside;  ///< whose tractions the patches of its own facets need
+};
+
+Rank owner_of(const WholeSurfaces& whole, LocalIndex node) {
+  return whole.nodes[static_cast<std::size_t>(node)].owner;
+}
+
+/// A facet is that of the owner of its first node in canonical order.
+Rank owner_of(const WholeSurfaces& whole, const FacetNodes& facet) {
+  LocalIndex first = facet[0];
+  for (const LocalIndex node : facet)
+    if (node != no_index) first = std::min(first, node);
+  return owner_of(whole, first);
+}
+
+Part part_of(Rank rank, const WholeSurfaces& whole, const Interface& face) {
+  Part part;
+  for (std::size_t row = 0; row < face.count(); ++row)
+    if (owner_of(whole, face.surfaces.rows[row]) == rank) part.rows.push_back(row);
+  for (std::size_t facet = 0; facet < face.surfaces.slave.size(); ++facet) {
+    const FacetNodes& nodes = face.surfaces.slave[facet];
+    if (std::ranges::none_of(nodes, [&](LocalIndex n) { return n != no_index && owner_of(whole, n) == rank; }))
+      continue;
+    part.facets.push_back(facet);
+    part.ours.push_back(owner_of(whole, nodes) == rank ? 1 : 0);
+    for (const LocalIndex node : nodes)
+      if (part.ours.back() != 0 && node != no_index && owner_of(whole, node) != rank)
+        part.rows_beside.push_back(static_cast<std::size_t>(face.topology.row_of_node[static_cast<std::size_t>(node)]));
+  }
+  std::ranges::sort(part.rows_beside);
+  const auto repeated = std::ranges::unique(part.rows_beside);
+  part.rows_beside.erase(repeated.begin(), repeated.end());
+  return part;
+}
+
+void keep_nodes(Rank rank, const WholeSurfaces& whole, const WholeInterface& of, const Part& part, Kept& kept) {
+  const auto of_side = [&](const WholeSide& side, bool all) {
+    for (std::size_t facet = 0; facet < side.facets.size(); ++facet)
+      for (const LocalIndex node : side.facets[facet])
+        if (node != no_index && ((all && side.rank[facet] == rank) || owner_of(whole, node) == rank)) kept.keep(node);
+  };
+  of_side(of.slave, false);
+  of_side(of.master, true);
+  for (const std::size_t facet : part.facets) kept.keep(of.slave.facets[facet]);
+  if (!of.face.pair.tied) return;
+  for (const std::size_t row : part.rows)
+    for (const LocalIndex node : of.face.tie.weights.nodes.row(static_cast<LocalIndex>(row))) kept.keep(node);
+}
+
+/// Rows of all ranks to all rows in order, and to the rows beside.
+void link_rows(const comm::Communicator& ranks, const WholeSurfaces& whole, const Interface& all, const Part& part,
+               Interface& face) {
+  std::vector<comm::RemoteSlot> source, beside;
+  std::vector<LocalIndex> count(static_cast<std::size_t>(ranks.size()), 0);
+  for (const LocalIndex node : all.surfaces.rows) {
+    const Rank owner = owner_of(whole, node);
+    source.push_back({owner, count[static_cast<std::size_t>(owner)]++});
+  }
+  for (const std::size_t row : part.rows_beside) beside.push_back(source[row]);
+  face.rows_of_all = all.count();
+  for (const std::size_t row : part.rows) face.place.push_back(static_cast<LocalIndex>(row));
+  const auto rows = static_cast<LocalIndex>(part.rows.size());
+  face.to_all = comm::Halo(ranks, rows, source);
+  face.beside = comm::Halo(ranks, rows, beside);
+}
+
+void lay_surfaces(Rank rank, const WholeInterface& of, const Part& part, const Kept& kept, Interface& face) {
+  const contact::MortarSurfaces& all = of.face.surfaces;
+  contact::MortarSurfaces& mine = face.surfaces;
+  mine.multiplier = all.multiplier;
+  mine.capture = all.capture;
+  mine.ours = part.ours;
+  for (const std::size_t facet : part.facets) {
+    mine.slave.push_back(kept.place(all.slave[facet]));
+    mine.slave_wall.push_back(all.slave_wall[facet]);
+    face.slave_key.push_back(of.slave.key[facet]);
+  }
+  for (const std::size_t row : part.rows) {
+    mine.rows.push_back(kept.place(all.rows[row]));
+    const auto mirrors = all.mirrors.row(static_cast<LocalIndex>(row));
+    mine.mirrors.values.insert(mine.mirrors.values.end(), mirrors.begin(), mirrors.end());
+    mine.mirrors.close_row();
+  }
+  for (const std::size_t row : part.rows_beside) mine.rows_elsewhere.push_back(kept.place(all.rows[row]));
+  for (std::size_t facet = 0; facet < all.master.size() && !face.pair.tied; ++facet) {
+    if (of.master.rank[facet] != rank) continue;
+    face.own_masters.key.push_back(of.master.key[facet]);
+    face.own_masters.nodes.push_back(kept.place(all.master[facet]));
+    face.own_masters.wall.push_back(all.master_wall[facet]);
+  }
+}
+
+void lay_tie(const Interface& all, const Part& part, const Kept& kept, Interface& face) {
+  for (const std::size_t row : part.rows) {
+    const auto index = static_cast<LocalIndex>(row);
+    for (const LocalIndex node : all.tie.weights.nodes.row(index))
+      face.tie.weights.nodes.values.push_back(kept.place(node));
+    face.tie.weights.nodes.close_row();
+    const std::span<const double> weights = all.tie.weights.row(index);
+    face.tie.weights.blocks.insert(face.tie.weights.blocks.end(), weights.begin(), weights.end());
+    face.tie.gap_vectors.push_back(all.tie.gap_vectors[row]);
+    face.tie.covered.push_back(all.tie.covered[row]);
+    face.tied.push_back(all.tied[row]);
+  }
+}
+
+void lay_nodes(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns,
+               const WholeSurfaces& whole, const std::vector<std::size_t>& kept, ContactNodes& nodes) {
+  nodes.lasting = kept.size();
+  for (const std::size_t k : kept) {
+    const NodeRecord& record = whole.nodes[k];
+    nodes.gid.push_back(record.gid);
+    nodes.source.push_back({record.owner, record.node});
+    LocalIndex own = no_index;
+    if (record.owner == ranks.rank())
+      own = static_cast<LocalIndex>(std::ranges::lower_bound(unknowns.node, record.node) - unknowns.node.begin());
+    nodes.own.push_back(own);
+    nodes.free.push_back(whole.free[k]);
+    nodes.x.push_back(whole.reference[k]);
+  }
+  nodes.gather = comm::Halo(ranks, model.nodes(), nodes.source);
+  nodes.rows = nodes.free;
+  nodes.x_before = nodes.x_told = nodes.x;
+  nodes.force.assign(nodes.lasting, Vec3::Zero());
+  nodes.friction_force = nodes.force;
+}
+
+/// The part of `of` that this rank has, with nodes as places of those kept.
+Interface interface_of(const comm::Communicator& ranks, const WholeSurfaces& whole, const WholeInterface& of,
+                       const Part& part, const Kept& kept, std::span<const Vec3> reference) {
+  Interface face;
+  face.pair = of.face.pair;
+  face.stiffness = of.face.stiffness;
+  face.friction = of.face.friction;
+  face.scratch = contact::make_mortar_scratch();
+  link_rows(ranks, whole, of.face, part, face);
+  lay_surfaces(ranks.rank(), of, part, kept, face);
+  face.topology = contact::make_topology(face.surfaces, reference);
+  face.topology.edge = of.face.topology.edge;
+  if (face.pair.tied) lay_tie(of.face, part, kept, face);
+  if (face.pair.tied && ranks.is_root()) {  // of the start: counted once
+    face.rows.segments = of.face.rows.segments;
+    face.search.counts = of.face.search.counts;
+  }
+  const std::size_t n = face.count();
+  face.z.assign(n * (face.pair.tied ? 3 : 1), 0.0);
+  face.active.assign(n, 0);
+  face.tractions.assign(n, Vec3::Zero());
+  face.touches.assign(n, 0);
+  return face;
+}
+
+}  // namespace
+
+LocalIndex ContactNodes::place_of(GlobalIndex node) const {
+  const auto middle = gid.begin() + static_cast<std::ptrdiff_t>(lasting);
+  auto at = std::lower_bound(gid.begin(), middle, node);
+  if (at != middle && *at == node) return static_cast<LocalIndex>(at - gid.begin());
+  at = std::lower_bound(middle, gid.end(), node);
+  return at != gid.end() && *at == node ? static_cast<LocalIndex>(at - gid.begin()) : no_index;
+}
+
+void share_out(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns,
+               const WholeSurfaces& whole, std::vector<WholeInterface> interfaces, MortarContact& contact) {
+  std::vector<Part> parts;
+  Kept kept(whole.nodes.size());
+  for (const WholeInterface& of : interfaces) {
+    parts.push_back(part_of(ranks.rank(), whole, of.face));
+    keep_nodes(ranks.rank(), whole, of, parts.back(), kept);
+  }
+  lay_nodes(ranks, model, unknowns, whole, kept.list(), contact.nodes);
+  for (std::size_t k = 0; k < interfaces.size(); ++k)
+    contact.interfaces.push_back(interface_of(ranks, whole, interfaces[k], parts[k], kept, contact.nodes.x));
+  for (Interface& face : contact.interfaces)
+    if (face.pair.tied) contact::nodal_normals(face.surfaces, face.topology, contact.nodes.x, face.tie.normals);
+  tell_masters(ranks, contact);
+}
+
+std::vector<double> told_to_all(const Interface& face, std::span<const double> of_rows, int width) {
+  std::vector<double> all(face.rows_of_all * static_cast<std::size_t>(width));
+  face.to_all.forward(of_rows, all, width);
+  return all;
+}
+
+}  // namespace brunt::implicit
