@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "brunt/comm/rendezvous.hpp"
@@ -13,6 +14,7 @@
 #include "brunt/core/error.hpp"
 #include "brunt/implicit/interface_forces.hpp"
 #include "brunt/implicit/mortar.hpp"
+#include "brunt/implicit/rigid_bodies.hpp"
 #include "brunt/implicit/thickness.hpp"
 #include "brunt/material/law.hpp"
 
@@ -89,6 +91,8 @@ std::vector<NodeRecord> nodes_of(const comm::Communicator& ranks, const model::M
     const auto held = std::ranges::lower_bound(model.constrained, node, {}, &model::ConstrainedNode::node);
     if (held != model.constrained.end() && held->node == node)
       Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(record.free.data()) = held->free;
+    else if (!model.bodies.empty())
+      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(record.free.data()) = freed_by_body(model, node);
     mine.push_back(record);
   }
   std::vector<NodeRecord> all = told_to_all(ranks, mine);
@@ -155,7 +159,9 @@ EdgeLengths edges_of(const std::vector<FacetNodes>& facets, std::span<const Vec3
   return edges;
 }
 
+/// Infinite of rigid parts: the other side is the softer one.
 double young_of(const model::ElementBlock& block) {
+  if (material::is_rigid(block.law)) return std::numeric_limits<double>::infinity();
   const material::ElasticModuli moduli = material::initial_moduli(block.law);
   return moduli.mu * (3 * moduli.lambda + 2 * moduli.mu) / (moduli.lambda + moduli.mu);
 }
@@ -205,13 +211,19 @@ bool master_is_better(const ContactNodes& nodes, const std::vector<FacetNodes>& 
   return edges_of(master, nodes.reference).mean < clearly * edges_of(slave, nodes.reference).mean;
 }
 
+/// A rigid part is the master: it could not follow the rows of its nodes.
+bool is_swapped(const model::Model& model, const ContactNodes& nodes, const std::vector<FaceRecord>& faces,
+                const MortarPair& asked) {
+  const auto rigid = [&](std::int32_t b) { return material::is_rigid(model.blocks[static_cast<std::size_t>(b)].law); };
+  if (rigid(asked.slave) != rigid(asked.master)) return rigid(asked.slave);
+  return master_is_better(nodes, facets_of(nodes, faces, asked.slave), facets_of(nodes, faces, asked.master));
+}
+
 Interface make_interface(const model::Model& model, const ContactNodes& nodes, const std::vector<FaceRecord>& faces,
                          const std::vector<MirrorRecord>& mirrors, const MortarPair& asked) {
   Interface face;
   face.pair = asked;
-  if (asked.choose_slave &&
-      master_is_better(nodes, facets_of(nodes, faces, asked.slave), facets_of(nodes, faces, asked.master)))
-    std::swap(face.pair.slave, face.pair.master);
+  if (asked.choose_slave && is_swapped(model, nodes, faces, asked)) std::swap(face.pair.slave, face.pair.master);
   face.surfaces.slave = facets_of(nodes, faces, face.pair.slave);
   face.surfaces.master = facets_of(nodes, faces, face.pair.master);
   face.surfaces.multiplier = asked.multiplier;
