@@ -65,7 +65,10 @@ Vec3 body_part_momentum(const Prepared& run, std::size_t b) {
   // with the velocity (x_{n+1} - x_n)/dt of its centre, as nodes have it: the momenta of all parts add up to the
   // model's
   const rigid::BodyState& now = run.state.bodies[b];
-  const Mat3 turned = now.orientation.toRotationMatrix() - step_of(run, b).turn;
+  const Mat3& turn = step_of(run, b).turn;
+  if (run.implicit)
+    return run.model.bodies[b].own.mass * (now.velocity + step_of(run, b).after.spin.cross(arm_of_part(run, b, turn)));
+  const Mat3 turned = now.orientation.toRotationMatrix() - turn;
   return run.model.bodies[b].own.mass * (now.velocity + arm_of_part(run, b, turned) / run.state.dt);
 }
 

@@ -25,12 +25,8 @@ constexpr std::array<std::pair<const char*, const char*>, 6> explicit_keys{{
 
 void check_part(const scene::Input& input, const model::ElementBlock& block, std::vector<std::string>& faults) {
   const std::string key = "parts." + block.part;
-  if (material::is_rigid(block.law))
-    faults.push_back(
-        fmt::format("{}: rigid parts are for explicit scenes as yet; accepted: a material that deforms, "
-                    "with fixed or prescribed nodes",
-                    input.at(key + ".material")));
-  else if (!force::gives_tangents(block.kind))
+  if (material::is_rigid(block.law)) return;
+  if (!force::gives_tangents(block.kind))
     faults.push_back(
         fmt::format("{}: {} has no stiffness against its hourglass modes; accepted in an implicit scene: hex8_full, "
                     "hex8_bbar, tet4",
@@ -41,6 +37,27 @@ void check_part(const scene::Input& input, const model::ElementBlock& block, std
   if (block.erosion)
     faults.push_back(fmt::format("{}: is for explicit scenes; accepted: no erosion in an implicit scene",
                                  input.at(key + ".erosion")));
+}
+
+/// Rigid parts: what schemes, mortar contact and walls can do with them.
+void check_bodies(const scene::Input& input, const model::Model& model, std::vector<std::string>& faults) {
+  if (model.bodies.empty()) return;
+  const auto rigid = [&](std::int32_t b) { return material::is_rigid(model.blocks[static_cast<std::size_t>(b)].law); };
+  const auto part = [&](std::int32_t b) { return model.blocks[static_cast<std::size_t>(b)].part; };
+  const model::Scheme scheme = input.implicit->scheme;
+  if (scheme == model::Scheme::newmark || scheme == model::Scheme::hht)
+    faults.push_back(
+        fmt::format("{}: has no rotations of rigid parts; accepted with rigid parts: contact_implicit, static",
+                    input.at("solver.scheme")));
+  for (const contact::MortarPair& pair : model.mortar)
+    if (rigid(pair.slave) && rigid(pair.master))
+      faults.push_back(
+          fmt::format("{}: {} and {} are both rigid, and mortar contact is of a part that deforms; accepted: between a "
+                      "deformable part and another",
+                      pair.entry, part(pair.slave), part(pair.master)));
+    else if (rigid(pair.slave) && !pair.choose_slave)
+      faults.push_back(fmt::format("{}: {} is rigid and cannot be the slave; accepted: slave: {}", pair.entry,
+                                   part(pair.slave), part(pair.master)));
 }
 
 }  // namespace
@@ -59,6 +76,7 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
   for (const auto& [key, why] : explicit_keys)
     if (input.places.has(key)) faults.push_back(fmt::format("{}: {}", input.at(key), why));
   for (const model::ElementBlock& block : model.blocks) check_part(input, block, faults);
+  check_bodies(input, model, faults);
   if (!model.removals.empty())
     faults.push_back(fmt::format("{}: is for explicit scenes; accepted: no removals", input.at("remove")));
   for (std::size_t w = 0; w < model.walls.size(); ++w)

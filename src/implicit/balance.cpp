@@ -15,10 +15,11 @@ namespace {
 
 /// What acts on a node but for contact and supports.
 struct NodeForces {
-  Vec3 inertia, now, before;  ///< m M (u - u*), now F_{n+1}, before F_n
+  Vec3 inertia = Vec3::Zero(), now, before;  ///< m M (u - u*), now F_{n+1}, before F_n
 };
 
-NodeForces forces_on(const Scene& scene, const Solver& solver, std::size_t i) {
+NodeForces forces_on(const Scene& scene, const Solver& solver, std::size_t own) {
+  const auto i = static_cast<std::size_t>(solver.unknowns.node[own]);
   const Trial& trial = solver.trial;
   const Rule& rule = trial.rule;
   const Quad& u_before = scene.state.displacement[i];
@@ -28,7 +29,7 @@ NodeForces forces_on(const Scene& scene, const Solver& solver, std::size_t i) {
   forces.before = rule.before * (of(solver.memory.internal_force, i) + of(solver.memory.load, i));
   const Vec3 travel = Vec3(&trial.displacement[3 * i]) - of(u_before);
   const Vec3 free = free_travel(rule, of(trial.velocity, i), of(solver.memory.acceleration, i));
-  forces.inertia = rule.mass * scene.state.nodes[i].mass * (travel - free);
+  if (!solver.bodies.carries(own)) forces.inertia = rule.mass * scene.state.nodes[i].mass * (travel - free);
   return forces;
 }
 
@@ -68,6 +69,10 @@ double rounding_at(const Scene& scene, const Solver& solver, std::size_t i) {
   return left * left;
 }
 
+std::span<const double> own_multipliers(const Solver& solver, std::span<const double> u) {
+  return u.subspan(3 * solver.unknowns.node.size(), solver.contact.own.size());
+}
+
 /// Contact at the iterate, on all nodes of this rank.
 void find_contact_forces(const Scene& scene, Solver& solver, std::span<const double> own_z) {
   const Measure timed(solver.work.contact_seconds);
@@ -95,6 +100,7 @@ bool find_forces(const Scene& scene, Solver& solver, std::span<const double> u) 
     for (std::size_t c = 0; c < 3; ++c)
       trial.displacement[3 * static_cast<std::size_t>(solver.unknowns.node[k]) + c] = u[3 * k + c];
   share(solver.unknowns, trial.displacement);
+  if (solver.bodies.any()) place_bodies(scene, solver, u);
   const double over_dt = 1 / trial.rule.dt;
   for (std::size_t i = 0; i < scene.state.nodes.size(); ++i)
     for (std::size_t c = 0; c < 3; ++c) {
@@ -106,31 +112,39 @@ bool find_forces(const Scene& scene, Solver& solver, std::span<const double> u) 
       force::trial_forces(scene.model, motion, scene.state.history, solver.history, scene.scratch);
   if (scene.links.ranks.any(report.inverted_block >= 0)) return false;
   time::sum_forces(scene.model, scene.state, scene.scratch, scene.links);
-  if (solver.contact.any()) find_contact_forces(scene, solver, u.subspan(3 * solver.unknowns.node.size()));
+  if (solver.contact.any()) find_contact_forces(scene, solver, own_multipliers(solver, u));
   return true;
 }
 
 void balance(const Scene& scene, Solver& solver, std::span<double> residual) {
   Trial& trial = solver.trial;
   std::array<comm::ExactAccumulator, 3> sums;
+  begin_left(solver.bodies);
   for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k) {
     const auto i = static_cast<std::size_t>(solver.unknowns.node[k]);
-    const NodeForces forces = forces_on(scene, solver, i);
+    const NodeForces forces = forces_on(scene, solver, k);
     const Vec3 contact = of(trial.contact_force, i);
     Vec3 left = forces.inertia - forces.now - forces.before - contact;
     // a motion that nothing disturbs has momentum all the same, of which rounding leaves something
-    const double momentum = trial.rule.mass * trial.rule.dt * scene.state.nodes[i].mass;
+    const bool carried = solver.bodies.carries(k);
+    const double momentum = carried ? 0.0 : trial.rule.mass * trial.rule.dt * scene.state.nodes[i].mass;
     sums[1].add(forces.inertia.squaredNorm() + forces.now.squaredNorm() + forces.before.squaredNorm());
     sums[1].add(contact.squaredNorm());
     sums[1].add(momentum * momentum * of(trial.velocity, i).squaredNorm());
-    sums[2].add(rounding_at(scene, solver, i));
-    left = supported(scene, solver, k, left);
+    if (carried) {
+      leave_to_body(k, left, solver);
+      left.setZero();
+    } else {
+      left = supported(scene, solver, k, left);
+    }
+    if (!carried || solver.bodies.place[k].forced) sums[2].add(rounding_at(scene, solver, i));
     sums[0].add(left.squaredNorm());
     for (std::size_t c = 0; c < 3; ++c) residual[3 * k + c] = left[static_cast<int>(c)];
   }
-  const std::span<double> multipliers = residual.subspan(3 * solver.unknowns.node.size());
+  const std::span<double> multipliers = residual.subspan(3 * solver.unknowns.node.size(), solver.contact.own.size());
   if (solver.contact.any()) multiplier_residuals(solver.contact, multipliers);
   for (const double left : multipliers) sums[0].add(left * left);
+  if (solver.bodies.any()) balance_bodies(scene, solver, residual, sums);
   std::array<double, 3> value{};
   comm::exact_sum(scene.links.ranks, sums, value);
   trial.balance = {std::sqrt(value[0]), std::sqrt(value[1]), std::sqrt(value[2])};

@@ -196,6 +196,7 @@ void begin_step(const Scene& scene, Solver& solver, double dt, double time) {
       travel = scene.model.constrained[static_cast<std::size_t>(held)].free * travel;
     put(of(state.displacement[i]) + travel, solver.u, k);
   }
+  if (solver.bodies.any()) begin_bodies(scene, solver, false);
   trial.iterate = 0;
   const std::size_t first = 3 * solver.unknowns.node.size();
   for (std::size_t k = 0; k < solver.contact.own.size(); ++k)
@@ -207,10 +208,14 @@ void commit_step(const Scene& scene, Solver& solver) {
   ContactSums sums;
   WallSums wall_sums;
   std::size_t next_owned = 0;
+  begin_impulses(solver.bodies);
   for (std::size_t i = 0; i < scene.state.nodes.size(); ++i) {
     const NodeStep step = commit_node(scene, solver, i);
     const auto& own = solver.unknowns.node;
     if (next_owned == own.size() || static_cast<std::size_t>(own[next_owned]) != i) continue;
+    if (solver.bodies.carries(next_owned))
+      book_impulse(next_owned, step.internal_impulse + step.load_impulse + step.contact_impulse + step.wall_impulse,
+                   solver);
     ++next_owned;
     if (solver.walls.any()) wall_sums.add(step);
     if (solver.contact.any())
@@ -227,6 +232,7 @@ void commit_step(const Scene& scene, Solver& solver) {
     keep_walls(scene.links.ranks, scene.model, solver.trial.rule.dt, end_shares(solver.trial.rule).of_impulse,
                solver.walls);
   }
+  if (solver.bodies.any()) commit_bodies(scene, solver);
   force::commit(solver.history, scene.state.history);
   model::State& state = scene.state;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)

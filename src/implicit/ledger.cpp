@@ -4,6 +4,7 @@
 #include <array>
 
 #include "brunt/comm/exact_sum.hpp"
+#include "brunt/time/bodies_at_rest.hpp"
 
 namespace brunt::implicit {
 namespace {
@@ -25,21 +26,50 @@ enum Term {
 };
 using Sums = std::array<comm::ExactAccumulator, terms>;
 
-void add_node(const model::State& state, bool moves, std::size_t i, Sums& sums) {
-  const model::NodeLine& node = state.nodes[i];
-  const Vec3 v = Eigen::Map<const Vec3>(node.v);
-  sums[mass_of_all].add(node.mass);
+/// Works and impulses of forces on a node.
+void add_forces(const model::State& state, std::size_t i, Sums& sums) {
   sums[element_work].add(state.displacement[i][3]);
   if (!state.load_work.empty()) sums[load_work].add(state.load_work[i]);
   if (!state.reaction_work.empty()) sums[reaction_work].add(state.reaction_work[i]);
   for (std::size_t c = 0; c < 3; ++c) {
     if (!state.load_impulse.empty()) sums[impulse_x + c].add(state.load_impulse[3 * i + c]);
     if (!state.reaction_impulse.empty()) sums[impulse_x + c].add(state.reaction_impulse[3 * i + c]);
-    if (moves) sums[momentum_x + c].add(node.mass * v[static_cast<int>(c)]);
   }
+}
+
+/// What moves as one, with this velocity.
+void add_motion(double mass, const Vec3& v, bool moves, Sums& sums) {
+  sums[mass_of_all].add(mass);
   if (!moves) return;
-  sums[kinetic].add(0.5 * node.mass * v.squaredNorm());
-  sums[momentum_scale].add(node.mass * v.norm());
+  for (std::size_t c = 0; c < 3; ++c) sums[momentum_x + c].add(mass * v[static_cast<int>(c)]);
+  sums[kinetic].add(0.5 * mass * v.squaredNorm());
+  sums[momentum_scale].add(mass * v.norm());
+}
+
+/// Works of forces on its nodes are booked there. Every rank knows all bodies; the root counts them.
+void add_body(const model::RigidBody& body, const rigid::BodyState& state, const model::BodyAccount& account,
+              bool moves, Sums& sums) {
+  add_motion(body.body.mass.mass, state.velocity, moves, sums);
+  if (moves) sums[kinetic].add(0.5 * state.angular_momentum.dot(rigid::angular_velocity(body.body, state)));
+  sums[load_work].add(account.load_work);
+  sums[reaction_work].add(account.reaction_work);
+  for (std::size_t c = 0; c < 3; ++c) {
+    sums[impulse_x + c].add(account.load_impulse[static_cast<int>(c)]);
+    sums[impulse_x + c].add(account.reaction_impulse[static_cast<int>(c)]);
+  }
+}
+
+void add_all(const Scene& scene, bool moves, Sums& sums) {
+  const model::State& state = scene.state;
+  const std::vector<char> carried = time::nodes_of_bodies(scene.model);
+  for (const LocalIndex node : scene.model.owned) {
+    const auto i = static_cast<std::size_t>(node);
+    add_forces(state, i, sums);
+    if (carried.empty() || carried[i] == 0)
+      add_motion(state.nodes[i].mass, Eigen::Map<const Vec3>(state.nodes[i].v), moves, sums);
+  }
+  for (std::size_t b = 0; scene.links.ranks.is_root() && b < scene.model.bodies.size(); ++b)
+    add_body(scene.model.bodies[b], state.bodies[b], state.body_accounts[b], moves, sums);
 }
 
 }  // namespace
@@ -47,7 +77,7 @@ void add_node(const model::State& state, bool moves, std::size_t i, Sums& sums) 
 time::Ledger ledger(const Scene& scene, const Solver& solver) {
   const bool moves = solver.settings.scheme != model::Scheme::statics;
   Sums sums;
-  for (const LocalIndex node : scene.model.owned) add_node(scene.state, moves, static_cast<std::size_t>(node), sums);
+  add_all(scene, moves, sums);
   std::array<double, terms> value{};
   comm::exact_sum(scene.links.ranks, sums, value);
   time::Ledger result;

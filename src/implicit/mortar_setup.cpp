@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "brunt/contact/mortar/active_set.hpp"
 #include "brunt/core/error.hpp"
@@ -50,7 +51,9 @@ EdgeLengths edges_of(const std::vector<FacetNodes>& facets, std::span<const Vec3
   return edges;
 }
 
+/// Infinite of rigid parts: the other side is the softer one.
 double young_of(const model::ElementBlock& block) {
+  if (material::is_rigid(block.law)) return std::numeric_limits<double>::infinity();
   const material::ElasticModuli moduli = material::initial_moduli(block.law);
   return moduli.mu * (3 * moduli.lambda + 2 * moduli.mu) / (moduli.lambda + moduli.mu);
 }
@@ -88,13 +91,21 @@ bool master_is_better(const WholeSurfaces& whole, const std::vector<FacetNodes>&
   return edges_of(master, whole.reference).mean < clearly * edges_of(slave, whole.reference).mean;
 }
 
+/// A rigid part is the master: it could not follow the rows of its nodes.
+bool is_swapped(const model::Model& model, const WholeSurfaces& whole, const MortarPair& asked,
+                const WholeInterface& of) {
+  const auto rigid = [&](std::int32_t b) { return material::is_rigid(model.blocks[static_cast<std::size_t>(b)].law); };
+  if (rigid(asked.slave) != rigid(asked.master)) return rigid(asked.slave);
+  return master_is_better(whole, of.slave.facets, of.master.facets);
+}
+
 /// Which facets meet, and how far they look.
-void lay_sides(const WholeSurfaces& whole, const MortarPair& asked, WholeInterface& of) {
+void lay_sides(const model::Model& model, const WholeSurfaces& whole, const MortarPair& asked, WholeInterface& of) {
   Interface& face = of.face;
   face.pair = asked;
   of.slave = side_of(whole, asked.slave);
   of.master = side_of(whole, asked.master);
-  if (asked.choose_slave && master_is_better(whole, of.slave.facets, of.master.facets)) {
+  if (asked.choose_slave && is_swapped(model, whole, asked, of)) {
     std::swap(face.pair.slave, face.pair.master);
     std::swap(of.slave, of.master);
   }
@@ -152,7 +163,7 @@ void note_redundant(const Interface& face, std::vector<std::string>& notes) {
 
 WholeInterface make_interface(const model::Model& model, const WholeSurfaces& whole, const MortarPair& asked) {
   WholeInterface of;
-  lay_sides(whole, asked, of);
+  lay_sides(model, whole, asked, of);
   Interface& face = of.face;
   refuse_held(model, whole, face);
   face.topology = contact::make_topology(face.surfaces, whole.reference);

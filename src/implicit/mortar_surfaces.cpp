@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/implicit/rigid_bodies.hpp"
 
 namespace brunt::implicit {
 namespace {
@@ -48,6 +49,8 @@ std::vector<NodeRecord> nodes_of(const comm::Communicator& ranks, const model::M
     const auto held = std::ranges::lower_bound(model.constrained, node, {}, &model::ConstrainedNode::node);
     if (held != model.constrained.end() && held->node == node)
       Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(record.free.data()) = held->free;
+    else if (!model.bodies.empty())
+      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(record.free.data()) = freed_by_body(model, node);
     mine.push_back(record);
   }
   std::vector<NodeRecord> all = told_to_all(ranks, mine);

@@ -54,14 +54,11 @@ class Terms {
     for (std::size_t node = 0; node < contact_.sums.size(); ++node) write_row(node, terms);
     const auto middle = static_cast<std::ptrdiff_t>(terms.size());
     terms.insert(terms.end(), with_multipliers_.begin(), with_multipliers_.end());
-    std::stable_sort(terms.begin() + middle, terms.end(), before);
-    std::inplace_merge(terms.begin(), terms.begin() + middle, terms.end(), before);
+    std::stable_sort(terms.begin() + middle, terms.end(), comes_before);
+    std::inplace_merge(terms.begin(), terms.begin() + middle, terms.end(), comes_before);
   }
 
  private:
-  static bool before(const ContactTerm& a, const ContactTerm& b) {
-    return a.row < b.row || (a.row == b.row && a.column < b.column);
-  }
   void write_row(std::size_t node, std::vector<ContactTerm>& terms) {
     BlockRow& row = contact_.sums[node];
     row.sort();

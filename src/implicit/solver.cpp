@@ -20,7 +20,7 @@ comm::LinearMethod method_of(model::LinearSolver linear) {
 
 /// Greatest modulus lambda + 2 mu times a node's share of the model in length: about the stiffness of an element in the
 /// way of one node. Held directions have it in the matrix: of the order of its other entries, whatever units are.
-void scale_supports(const Scene& scene, double& spacing, double& stiffness) {
+void scale_supports(const Scene& scene, double step, double& spacing, double& stiffness) {
   double modulus = 0, volume = 0;
   std::vector<double> volumes;
   const auto* reference = scene.model.reference.data();
@@ -32,6 +32,10 @@ void scale_supports(const Scene& scene, double& spacing, double& stiffness) {
   volume = comm::exact_sum(scene.links.ranks, volumes);
   spacing = std::cbrt(volume / static_cast<double>(scene.model.mesh.global_nodes));
   stiffness = modulus * spacing;
+  if (stiffness > 0) return;
+  double mass = 0;  // of rigid bodies alone: their inertia in a step
+  for (const model::RigidBody& body : scene.model.bodies) mass = std::max(mass, body.body.mass.mass);
+  stiffness = mass / (step * step);
 }
 
 /// What of Memory the scheme needs.
@@ -57,6 +61,7 @@ void start_memory(const Scene& scene, Solver& solver) {
     for (std::size_t c = 0; c < 3; ++c)
       solver.u[3 * k + c] =
           scene.state.displacement[static_cast<std::size_t>(solver.unknowns.node[k])][static_cast<int>(c)];
+  if (solver.bodies.any()) begin_bodies(scene, solver, true);
   (void)find_forces(scene, solver, solver.u);
   for (std::size_t i = 0; i < n; ++i)
     for (int c = 0; c < 3; ++c) {
@@ -93,7 +98,11 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
   MortarContact contact = make_mortar(ranks, model, unknowns);
   std::vector<GlobalIndex> rows = unknowns.row;
   rows.insert(rows.end(), contact.own_rows.begin(), contact.own_rows.end());
-  const auto total = unknowns.total + static_cast<GlobalIndex>(contact.z_before.size());
+  const GlobalIndex before_bodies = unknowns.total + static_cast<GlobalIndex>(contact.z_before.size());
+  RigidBodies bodies = make_bodies(ranks, model, unknowns, before_bodies, rows.size());
+  const std::vector<GlobalIndex> of_bodies = bodies.own_rows();
+  rows.insert(rows.end(), of_bodies.begin(), of_bodies.end());
+  const auto total = before_bodies + static_cast<GlobalIndex>(body_unknowns * bodies.trial.size());
   comm::LinearSystem system(ranks, method_of(settings.linear), total, rows);
   Solver solver{settings,
                 std::move(unknowns),
@@ -109,7 +118,8 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
                 {},
                 {},
                 {},
-                {}};
+                {},
+                std::move(bodies)};
   solver.u.resize(rows.size());
   solver.contact.keeps_gaps = settings.scheme == model::Scheme::contact_implicit;
   if (solver.contact.any()) {
@@ -123,7 +133,7 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
   solver.trial.displacement.assign(3 * scene.state.nodes.size(), 0.0);
   solver.trial.velocity.assign(3 * scene.state.nodes.size(), 0.0);
   double spacing = 0;
-  scale_supports(scene, spacing, solver.support_stiffness);
+  scale_supports(scene, settings.step, spacing, solver.support_stiffness);
   solver.walls = make_walls(model, solver.unknowns, spacing);
   if (solver.walls.any()) {
     solver.trial.wall_force.assign(3 * scene.state.nodes.size(), 0.0);
@@ -131,12 +141,14 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
   }
   start_memory(scene, solver);
   tally(ranks, solver.contact);
+  show_bodies(model, scene.state, scene.scratch);
   return solver;
 }
 
 void after_restart(const Scene& scene, Solver& solver) {
   restore_contact(scene.links.ranks, scene.state, solver.contact);
   tally(scene.links.ranks, solver.contact);
+  show_bodies(scene.model, scene.state, scene.scratch);
 }
 
 void add_arrays(const model::Model& model, Solver& solver, model::Registry& registry) {

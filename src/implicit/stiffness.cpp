@@ -20,7 +20,7 @@ template <class Visit>
 void for_each_patch(const model::Model& model, const Visit& visit) {
   std::array<LocalIndex, 8> nodes{};
   for (const model::ElementBlock& block : model.blocks)
-    for (LocalIndex e = 0; e < block.count; ++e) {
+    for (LocalIndex e = 0; e < block.count && !material::is_rigid(block.law); ++e) {
       for (int c = 0; c < block.corners; ++c) nodes[static_cast<std::size_t>(c)] = block.corner_node(e, c);
       visit(8 * block.gid[static_cast<std::size_t>(e)],
             std::span<const LocalIndex>(nodes.data(), static_cast<std::size_t>(block.corners)));
@@ -129,6 +129,7 @@ void Stiffness::assemble(const model::Model& model, const model::State& state, c
 void Stiffness::add_elements(const model::Model& model, const force::Motion& motion, const force::History& committed) {
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const model::ElementBlock& block = model.blocks[b];
+    if (material::is_rigid(block.law)) continue;
     const auto size = static_cast<std::size_t>(9 * block.corners * block.corners);
     std::vector<LocalIndex> elements;
     std::array<LocalIndex, 8> nodes{};

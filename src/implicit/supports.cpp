@@ -2,16 +2,9 @@
 // Held and driven nodes over one step.
 #include "brunt/implicit/balance.hpp"
 #include "brunt/model/curve.hpp"
+#include "driven.hpp"
 
 namespace brunt::implicit {
-namespace {
-
-struct Given {
-  double travel = 0, velocity = 0;
-};
-
-/// From t_n to t_{n+1}, exact for curves that are linear within the step. The velocity of a displacement that is given
-/// is its mean over the step.
 Given driven(const model::Drive& drive, double velocity_before, double from, double to) {
   const double dt = to - from;
   switch (drive.gives) {
@@ -30,8 +23,6 @@ Given driven(const model::Drive& drive, double velocity_before, double from, dou
   }
   return {drive.scale * model::integral(drive.curve, from, to), drive.scale * model::value_at(drive.curve, to)};
 }
-
-}  // namespace
 
 void prescribe(const Scene& scene, Trial& trial) {
   const model::Model& model = scene.model;

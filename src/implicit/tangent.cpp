@@ -81,18 +81,21 @@ std::vector<Mat3> blocks_of(const Scene& scene, const Solver& solver, std::size_
   return blocks;
 }
 
-/// The whole system: bodies and contact.
+/// The whole system: nodes, contact, rigid bodies.
 void lay_system(const Scene& scene, Solver& solver, const std::vector<ContactTerm>& terms) {
   const NodeRows& nodes = solver.stiffness.rows();
   std::vector<GlobalIndex> all = solver.unknowns.row;
   all.insert(all.end(), solver.contact.own_rows.begin(), solver.contact.own_rows.end());
+  const std::vector<GlobalIndex> of_bodies = solver.bodies.own_rows();
+  all.insert(all.end(), of_bodies.begin(), of_bodies.end());
   Rows rows(all, solver.rows);
   ContactRows contact(terms);
   constexpr GlobalIndex end = std::numeric_limits<GlobalIndex>::max();
   GlobalIndex column = 0;
   double value = 0;
   for (std::size_t r = 0; r < solver.unknowns.node.size(); ++r) {
-    const std::vector<Mat3> blocks = blocks_of(scene, solver, r);
+    const bool carried = solver.bodies.carries(r);
+    const std::vector<Mat3> blocks = carried ? std::vector<Mat3>() : blocks_of(scene, solver, r);
     for (int i = 0; i < 3; ++i) {
       const GlobalIndex row = solver.unknowns.row[3 * r + static_cast<std::size_t>(i)];
       for (std::size_t k = 0; k < blocks.size(); ++k)
@@ -106,7 +109,7 @@ void lay_system(const Scene& scene, Solver& solver, const std::vector<ContactTer
       rows.close();
     }
   }
-  for (const GlobalIndex row : solver.contact.own_rows) {
+  for (const GlobalIndex row : std::span(all).subspan(solver.unknowns.row.size())) {
     while (contact.next(row, end, column, value)) rows.push(column, value);
     rows.close();
   }
@@ -125,6 +128,7 @@ comm::Factorised factorise_tangent(const Scene& scene, Solver& solver) {
     const Measure timed(solver.work.tangent_seconds);
     const force::Motion motion{scene.state.nodes, solver.trial.rule.dt, false};
     solver.stiffness.assemble(scene.model, scene.state, motion, scene.state.history);
+    if (solver.bodies.any()) body_terms(scene, solver, terms);
     lay_system(scene, solver, terms);
     remember_choice(solver.walls);
   }

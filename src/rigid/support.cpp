@@ -2,7 +2,8 @@
 #include "brunt/rigid/support.hpp"
 
 #include <Eigen/LU>
-#include <cmath>
+
+#include "brunt/rigid/rotation.hpp"
 
 namespace brunt::rigid {
 namespace {
@@ -19,14 +20,6 @@ Mat3 free_of(std::span<const Vec3> held) {
     --directions;
   }
   return directions > 0 ? free : Mat3(Mat3::Zero());
-}
-
-/// The rotation by |turn| about turn. Of small angles exact to rounding, since sin(x)/x is 1 - x^2/6 there.
-Eigen::Quaterniond rotation_by(const Vec3& turn) {
-  const double half = 0.5 * turn.norm();
-  constexpr double small = 1e-4;  // x^4/120 is below rounding
-  const double share = half < small ? 0.5 * (1 - half * half / 6) : 0.5 * std::sin(half) / half;
-  return {std::cos(half), share * turn[0], share * turn[1], share * turn[2]};
 }
 
 Mat3 inertia_at(const Body& body, const Eigen::Quaterniond& orientation) {

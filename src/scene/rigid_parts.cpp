@@ -292,7 +292,7 @@ std::vector<std::string> faults_of_rigid_parts(const Input& input) {
   const contact::Method method = input.enforcement.settings.method;
   const bool holds_bodies = method == contact::Method::rate || method == contact::Method::row_sum;
   const auto rigid = [&](const Part& part) { return is_rigid(input, part); };
-  if (!input.parts.empty() && std::ranges::all_of(input.parts, rigid) && !input.run.step)
+  if (!input.parts.empty() && !input.implicit && std::ranges::all_of(input.parts, rigid) && !input.run.step)
     faults.push_back(
         reported(input, "run",
                  "step is missing: all parts are rigid, and no element bounds the step; accepted: step: a time > "

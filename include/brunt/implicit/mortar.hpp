@@ -172,6 +172,10 @@ struct ContactTerm {
   GlobalIndex row = 0, column = 0;
   double value = 0;
 };
+/// By row and column.
+[[nodiscard]] inline bool comes_before(const ContactTerm& a, const ContactTerm& b) {
+  return a.row < b.row || (a.row == b.row && a.column < b.column);
+}
 
 /// Derivatives of the residual by positions and multipliers, rows of this rank alone: by row and column, those of one
 /// place in an order that does not depend on the ranks. Call after find_contact at the same positions. Collective.

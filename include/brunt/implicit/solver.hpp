@@ -8,6 +8,7 @@
 #include "brunt/force/trial.hpp"
 #include "brunt/implicit/mortar.hpp"
 #include "brunt/implicit/newton_table.hpp"
+#include "brunt/implicit/rigid_bodies.hpp"
 #include "brunt/implicit/rigid_walls.hpp"
 #include "brunt/implicit/scheme.hpp"
 #include "brunt/implicit/step_length.hpp"
@@ -86,13 +87,15 @@ struct Solver {
   comm::LinearSystem system;
   comm::SparseRows rows;   ///< of the whole system
   force::History history;  ///< at the iterate
-  std::vector<double> u;   ///< Newton's unknowns: of Unknowns::node, three each [length]; then own multipliers [stress]
+  std::vector<double>
+      u;  ///< Newton's unknowns: of Unknowns::node, three each [length]; own multipliers [stress]; bodies
   std::vector<LocalIndex> held;  ///< by local node: index into Model::constrained, or no_index
   double support_stiffness = 0;  ///< of held directions in the system [force/length]
   Memory memory;
   ContactAccount contact_account;
   Trial trial;
   Work work;
+  RigidBodies bodies{};
 };
 
 /// The four that every function of a step sees.
