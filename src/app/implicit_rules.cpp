@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -45,6 +46,12 @@ void check_bodies(const scene::Input& input, const model::Model& model, std::vec
   const auto rigid = [&](std::int32_t b) { return material::is_rigid(model.blocks[static_cast<std::size_t>(b)].law); };
   const auto part = [&](std::int32_t b) { return model.blocks[static_cast<std::size_t>(b)].part; };
   const model::Scheme scheme = input.implicit->scheme;
+  if (scheme == model::Scheme::statics &&
+      std::ranges::all_of(model.blocks, [](const model::ElementBlock& block) { return material::is_rigid(block.law); }))
+    faults.push_back(
+        fmt::format("{}: all parts are rigid, and nothing deforms; accepted: contact_implicit, or a part "
+                    "that deforms",
+                    input.at("solver.scheme")));
   if (scheme == model::Scheme::newmark || scheme == model::Scheme::hht)
     faults.push_back(
         fmt::format("{}: has no rotations of rigid parts; accepted with rigid parts: contact_implicit, static",

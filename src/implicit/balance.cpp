@@ -33,6 +33,10 @@ NodeForces forces_on(const Scene& scene, const Solver& solver, std::size_t own) 
   return forces;
 }
 
+double at_walls(const RigidBodies& bodies, std::size_t own) {
+  return bodies.at_walls[static_cast<std::size_t>(bodies.place[own].body)];
+}
+
 /// What is left at a node (place in Unknowns::node) that supports and walls hold.
 Vec3 supported(const Scene& scene, Solver& solver, std::size_t own, Vec3 left) {
   const auto i = static_cast<std::size_t>(solver.unknowns.node[own]);
@@ -51,7 +55,7 @@ Vec3 supported(const Scene& scene, Solver& solver, std::size_t own, Vec3 left) {
     question.left = left;
     question.travel = travel;
     question.friction_before = of(solver.memory.wall_friction, i);
-    question.stiffness = solver.support_stiffness;
+    question.stiffness = solver.bodies.carries(own) ? at_walls(solver.bodies, own) : solver.support_stiffness;
     const Vec3 x = Eigen::Map<const Vec3>(scene.state.nodes[i].x);
     if (const WallAction* action = meet_walls(scene.model, x, own, question, solver.walls)) left = action->left;
   }
@@ -131,11 +135,10 @@ void balance(const Scene& scene, Solver& solver, std::span<double> residual) {
     sums[1].add(forces.inertia.squaredNorm() + forces.now.squaredNorm() + forces.before.squaredNorm());
     sums[1].add(contact.squaredNorm());
     sums[1].add(momentum * momentum * of(trial.velocity, i).squaredNorm());
+    left = supported(scene, solver, k, left);
     if (carried) {
       leave_to_body(k, left, solver);
       left.setZero();
-    } else {
-      left = supported(scene, solver, k, left);
     }
     if (!carried || solver.bodies.place[k].forced) sums[2].add(rounding_at(scene, solver, i));
     sums[0].add(left.squaredNorm());

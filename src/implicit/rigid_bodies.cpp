@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "brunt/implicit/solver.hpp"
+#include "brunt/implicit/wall_spring.hpp"
 #include "brunt/model/curve.hpp"
 #include "brunt/rigid/rotation.hpp"
 #include "brunt/time/bodies.hpp"
@@ -89,6 +90,23 @@ RigidBodies make_bodies(const comm::Communicator& ranks, const model::Model& mod
     });
   }
   return bodies;
+}
+
+void soften_walls(const comm::Communicator& ranks, const model::Model& model, Solver& solver) {
+  RigidBodies& bodies = solver.bodies;
+  if (!bodies.any() || !solver.walls.any()) return;
+  std::vector<GlobalIndex> nodes(bodies.trial.size(), 0);
+  for (const RigidBodies::Place& place : bodies.place)
+    if (place.body != no_index) ++nodes[static_cast<std::size_t>(place.body)];
+  ranks.sum(nodes);
+  for (std::size_t b = 0; b < nodes.size(); ++b) {
+    const double of_face = std::cbrt(static_cast<double>(nodes[b] * nodes[b]));
+    const double by_inertia =
+        spring_at_walls * model.bodies[b].body.mass.mass / (solver.settings.step * solver.settings.step);
+    bodies.at_walls.push_back(solver.settings.scheme == model::Scheme::statics ? solver.support_stiffness
+                                                                               : by_inertia / of_face);
+  }
+  for (WallNode& node : solver.walls.nodes) node.springs = bodies.carries(node.own);
 }
 
 Mat3 freed_by_body(const model::Model& model, LocalIndex node) {

@@ -50,6 +50,19 @@ void take_blocks(const Solver& solver, std::vector<Piece>& pieces) {
   }
 }
 
+/// Walls at the bodies' nodes.
+void take_walls(const Solver& solver, std::vector<Piece>& pieces) {
+  for (const WallNode& node : solver.walls.nodes) {
+    if (!node.springs || node.action.own.isZero(0)) continue;
+    Piece piece = piece_of(solver, node.own);
+    for (int j = 0; j < 3; ++j) {
+      piece.column = 3 * piece.node + j;
+      for (int i = 0; i < 3; ++i) piece.slope[i] = node.action.own(i, j);
+      pieces.push_back(piece);
+    }
+  }
+}
+
 /// Contact's terms in those rows, in their order.
 void take_terms(const Solver& solver, std::vector<ContactTerm>& terms, std::vector<Piece>& pieces) {
   std::vector<ContactTerm> others;
@@ -136,6 +149,7 @@ void body_terms(const Scene& scene, Solver& solver, std::vector<ContactTerm>& te
   }
   std::vector<std::vector<Piece>> to_rank(static_cast<std::size_t>(scene.links.ranks.size()));
   take_blocks(solver, to_rank.front());
+  take_walls(solver, to_rank.front());
   take_terms(solver, terms, to_rank.front());
   std::vector<Piece> pieces = comm::exchange(scene.links.ranks, to_rank).values;
   add_node_rows(solver, terms);

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "brunt/comm/exact_sum.hpp"
+#include "brunt/implicit/wall_spring.hpp"
 #include "brunt/model/curve.hpp"
 #include "nodal.hpp"
 
@@ -115,7 +116,7 @@ const WallAction* meet_walls(const model::Model& model, const Vec3& x, std::size
   }
   question.meetings = {meetings.data(), count};
   question.first = walls.first;
-  node.action = act(question, node.solved);
+  node.action = node.springs ? spring(question, node.solved) : act(question, node.solved);
   return &node.action;
 }
 

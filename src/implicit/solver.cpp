@@ -135,6 +135,7 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
   double spacing = 0;
   scale_supports(scene, settings.step, spacing, solver.support_stiffness);
   solver.walls = make_walls(model, solver.unknowns, spacing);
+  soften_walls(ranks, model, solver);
   if (solver.walls.any()) {
     solver.trial.wall_force.assign(3 * scene.state.nodes.size(), 0.0);
     solver.trial.wall_friction = solver.memory.wall_force = solver.memory.wall_friction = solver.trial.wall_force;

@@ -57,6 +57,7 @@ struct RigidBodies {
   bool rows_here = false;        ///< this rank has the bodies' rows
   std::size_t first_here = 0;    ///< its place in Solver::u
   std::vector<double> radius;    ///< of gyration, a body each [length]
+  std::vector<double> at_walls;  ///< stiffness of walls at a node, a body each [force/length]
   std::vector<BodyTrial> trial;  ///< a body each
   std::vector<Place> place;      ///< by place in Unknowns::node; empty where there are no bodies
   std::vector<comm::ExactAccumulator> sums;
@@ -70,6 +71,9 @@ constexpr std::size_t body_unknowns = 6;
 /// first: row of the system behind those of nodes and multipliers; first_here: likewise of this rank's unknowns.
 RigidBodies make_bodies(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns,
                         GlobalIndex first, std::size_t first_here);
+
+/// Walls push nodes of bodies as springs do. After make_walls. Collective.
+void soften_walls(const comm::Communicator& ranks, const model::Model& model, Solver& solver);
 
 /// Directions in which supports let the body of this node move, if it has one: all where the body may turn.
 Mat3 freed_by_body(const model::Model& model, LocalIndex node);
