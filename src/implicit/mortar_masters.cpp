@@ -172,8 +172,7 @@ void lay_masters(const ContactNodes& nodes, std::span<const FacetTold> facets, I
 std::vector<Vec3> from_owners(const ContactNodes& nodes, std::span<const Vec3> values) {
   std::vector<double> local(3 * static_cast<std::size_t>(nodes.gather.roots())), here(3 * nodes.gid.size());
   for (std::size_t k = 0; k < nodes.lasting; ++k)
-    if (nodes.own[k] != no_index)
-      put(values[k], local, static_cast<std::size_t>(nodes.source[k].index));
+    if (nodes.own[k] != no_index) put(values[k], local, static_cast<std::size_t>(nodes.source[k].index));
   nodes.gather.forward(local, here, 3);
   std::vector<Vec3> all;
   for (std::size_t k = 0; k < nodes.gid.size(); ++k) all.emplace_back(&here[3 * k]);
