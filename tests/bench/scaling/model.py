@@ -120,7 +120,8 @@ def ghosting(scene, ranks):
         return 0.0, 0.0
     area = sum(a * b for a, b in scene.sides) / ranks  # nodes of a rank
     face = math.sqrt(sum(a * b for a, b in scene.sides) / len(scene.sides))
-    patch = min(face, math.sqrt(scene.elements / ranks / scene.thickness if scene.thickness else area))
+    volume = scene.elements / ranks
+    patch = min(face, math.sqrt(volume / scene.thickness)) if scene.thickness else min(face, math.sqrt(area), volume ** (1 / 3))
     reach = patch + 2 * of("contact")["rim"]
     held = len(scene.bodies) / ranks
     foreign = 1 - max(0.0, (held - 1) / max(len(scene.bodies) - 1, 1))  # whole bodies of one rank meet without messages
