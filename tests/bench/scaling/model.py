@@ -60,10 +60,14 @@ def divisions(extents, volume):
 
 
 def few_neighbours(extents, parts):
-    """Mean neighbours of a box in 2 to 4 parts: slabs, or quarters where these cut less; quarters do not all meet along a line."""
+    """Mean neighbours of a box in 2 to 4 parts: slabs, or quarters where these cut less, or the mean of both where they cut alike.
+    Quarters do not all meet along a line."""
     longest, second, _ = sorted(extents, reverse=True)
-    quarters = parts == 4 and 1 / longest + 1 / second < 3 / longest
-    return of("partition")["quarters"] if quarters else 2 * (parts - 1) / parts
+    slabs, quarters = 2 * (parts - 1) / parts, of("partition")["quarters"]
+    ratio = (1 / longest + 1 / second) / (3 / longest)  # of what quarters cut to what slabs do
+    if parts < 4 or ratio > 1.1:
+        return slabs
+    return quarters if ratio < 1 / 1.1 else 0.5 * (slabs + quarters)
 
 
 def around(scene, direction):
