@@ -60,10 +60,14 @@ def divisions(extents, volume):
 
 
 def few_neighbours(extents, parts):
-    """Mean neighbours of a box in 2 to 4 parts: slabs, or quarters where these cut less; quarters do not all meet along a line."""
+    """Mean neighbours of a box in 2 to 4 parts: slabs, or quarters where these cut less, or the mean of both where they cut alike.
+    Quarters do not all meet along a line."""
     longest, second, _ = sorted(extents, reverse=True)
-    quarters = parts == 4 and 1 / longest + 1 / second < 3 / longest
-    return of("partition")["quarters"] if quarters else 2 * (parts - 1) / parts
+    slabs, quarters = 2 * (parts - 1) / parts, of("partition")["quarters"]
+    ratio = (1 / longest + 1 / second) / (3 / longest)  # of what quarters cut to what slabs do
+    if parts < 4 or ratio > 1.1:
+        return slabs
+    return quarters if ratio < 1 / 1.1 else 0.5 * (slabs + quarters)
 
 
 def around(scene, direction):
@@ -120,7 +124,8 @@ def ghosting(scene, ranks):
         return 0.0, 0.0
     area = sum(a * b for a, b in scene.sides) / ranks  # nodes of a rank
     face = math.sqrt(sum(a * b for a, b in scene.sides) / len(scene.sides))
-    patch = min(face, math.sqrt(scene.elements / ranks / scene.thickness if scene.thickness else area))
+    volume = scene.elements / ranks
+    patch = min(face, math.sqrt(volume / scene.thickness)) if scene.thickness else min(face, math.sqrt(area), volume ** (1 / 3))
     reach = patch + 2 * of("contact")["rim"]
     held = len(scene.bodies) / ranks
     foreign = 1 - max(0.0, (held - 1) / max(len(scene.bodies) - 1, 1))  # whole bodies of one rank meet without messages

@@ -154,7 +154,7 @@ def plot_counts(rows, path):
         axis.set(xscale="log", yscale="log", xlabel="ranks", title=title)
         axis.set_xticks([4, 8, 16, 32, 64], ["4", "8", "16", "32", "64"])
         axis.minorticks_off()
-    axes[1].legend(fontsize=7)
+    axes[1].legend(loc="center left", bbox_to_anchor=(1.01, 0.5), fontsize=8)
     figure.supxlabel("points: counted; lines: model", fontsize=8)
     figure.savefig(path, dpi=90)
     plotter.close(figure)
