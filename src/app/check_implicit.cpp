@@ -68,8 +68,9 @@ std::vector<std::string> implicit_check(Prepared& run, const std::string& time_u
                                              settings.min_step, settings.max_step, settings.tolerance,
                                              settings.linear == model::LinearSolver::direct ? "direct" : "mumps")};
   for (const implicit::Interface& face : solver.contact.interfaces) lines.push_back(interface_line(run, face.pair));
-  lines.push_back(fmt::format("{:<16} {} displacements, {} multipliers", "unknowns", solver.unknowns.total,
-                              solver.contact.z_before.size()));
+  const std::size_t bodies = implicit::body_unknowns * solver.bodies.trial.size();
+  lines.push_back(fmt::format("{:<16} {} displacements, {} multipliers{}", "unknowns", solver.unknowns.total,
+                              solver.contact.z_before.size(), bodies > 0 ? fmt::format(", {} of rigid bodies", bodies) : ""));
   const double steps = steps_until_end(run, settings.step);
   lines.push_back(fmt::format("{:<16} {:.0f} of that size, if none is halved", "steps", steps));
   lines.push_back(cost_line(run, steps));

@@ -7,6 +7,7 @@ import unittest
 
 import numpy
 
+from rigid_test import joined_mesh
 from run_test import Program
 
 LAWS = "materials: {m: {model: neo_hookean, density: 2, young: 1000, poisson: 0.3}, hard: {model: rigid, density: 20}}\n"
@@ -27,6 +28,21 @@ solver: {step: 0.01}
 run: {end: 0.24}
 """
 ALONE = "units: none\nmesh: {box: {part: a, size: [1, 0.8, 0.5], elements: [2, 2, 1]}}\n" + LAWS + "parts: {a: {material: hard}}\n"
+# A rigid head and a bar that deforms, with the nodes between in common, which turn, fall and are pushed.
+JOINED = """\
+units: none
+mesh: {file: joined.msh}
+materials: {hard: {model: rigid, density: 3000}, soft: {model: neo_hookean, density: 1000, young: 1.0e6, poisson: 0.3}}
+parts: {head: {material: hard}, bar: {material: soft, element: hex8_full, bulk: {linear: 0, quadratic: 0}}}
+initial:
+  - {part: bar, velocity: [0, 0, 0], rotation: {axis: [0.3, 1, 0.5], rate: 20}}
+  - {part: head, velocity: [0, 0, 0], rotation: {axis: [0.3, 1, 0.5], rate: 20}}
+curves: {pulse: [[0, 0], [0.01, 1], [0.02, 0]]}
+pressure: [{set: tip, value: 2.0e3, curve: pulse}]
+gravity: {vector: [0, 3, -9.81]}
+probes: [{name: turn, part: head, field: rotation}, {name: push, part: head, field: force}, {name: p, part: head, field: momentum}]
+run: {end: 0.05}
+"""
 
 
 class Rigid(Program):
@@ -111,6 +127,17 @@ class Rigid(Program):
             self.assertAlmostEqual(row["total"], rows[0]["total"], delta=1e-8 * rows[0]["total"])
         self.assertGreater(rows[-1]["contact"] + rows[-1]["friction"], 0)
         self.same_on_ranks(FALL, 0.1)
+
+    def test_a_head_on_a_bar_moves_as_in_an_explicit_run(self):
+        self.write("joined.msh", joined_mesh())
+        explicit = self.go(JOINED.replace("end: 0.05", "end: 0.06") + "history: {every: 1.0e-4}\n", out="explicit")
+        rows = self.go(JOINED + "solver: {step: 1.0e-3}\n")
+        for row in rows:  # what Newton's iteration leaves
+            self.assertAlmostEqual(row["total"], rows[0]["total"], delta=1e-9 * rows[0]["total"])
+        times = [row["time"] for row in explicit]
+        for name in ("turn.x", "turn.y", "turn.z", "p.x", "external"):  # steps of 1.6e-3, second order in both
+            self.assertAlmostEqual(rows[-1][name] / numpy.interp(0.05, times, [row[name] for row in explicit]), 1, delta=2e-3)
+        self.same_on_ranks(JOINED + "solver: {step: 1.0e-3}\n", 0.02)
 
     def test_a_block_on_a_wall_stands_slides_and_tips(self):
         floor = "rigid_walls: [{name: floor, point: [0, 0, 0], normal: [0, 0, 1], friction: 0.3}]\ngravity: {vector: [GX, 0, -10]}\n" + \
