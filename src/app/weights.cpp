@@ -4,6 +4,7 @@
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/rigid_parts.hpp"
 #include "brunt/scene/select.hpp"
+#include "mortar_slaves.hpp"
 #include "start_rules.hpp"
 
 namespace brunt::app {
@@ -20,7 +21,7 @@ partition::Weights weigh(const scene::Input& input, const mesh::CanonicalMesh& w
   for (const std::size_t p : scene::parts_of_blocks(input, whole.mesh))
     cost.push_back(cost_of(input.parts[p].element, scene::is_rigid(input, input.parts[p])));
   if (!scene::contact_specification(input, block_materials(input, whole.mesh).part).pairs.any_acts())
-    return partition::weigh(whole.mesh, {}, cost);
+    return partition::weigh(whole.mesh, mortar_slaves(input, whole.mesh), cost);
   const setup::StartRules rules = start_rules(input, whole.mesh);
   const FirstMotion motion = first_motion(input, whole);
   return partition::weigh(whole.mesh,
