@@ -5,6 +5,7 @@ from typing import NamedTuple
 RANKS = "1,4,8,16,32,64"  # above the cores: counts alone
 COUNT = ("--repeat", "1")
 TIME = ("--at-once", "2", "--repeat", "3")
+LONG = ("--at-once", "2", "--repeat", "2")  # a million elements: each start takes a quarter of a minute
 
 
 class Case(NamedTuple):
@@ -34,9 +35,9 @@ COUNTS = {
     "million": Case("two_blocks", {"run.steps": 2}, ranks="1,8,64"),
 }
 TIMES = {
-    "blocks without contact": Case("two_blocks", NO_CONTACT, TIME, "1,2"),
-    "blocks": Case("two_blocks", {}, TIME, "1,2"),
-    "blocks, weak": Case("two_blocks", HALF_A_MILLION, ("--weak", *TIME), "1,2"),
+    "blocks without contact": Case("two_blocks", NO_CONTACT, LONG, "1,2"),
+    "blocks": Case("two_blocks", {}, LONG, "1,2"),
+    "blocks, weak": Case("two_blocks", HALF_A_MILLION, ("--weak", *LONG), "1,2"),
     "bodies": Case("many_bodies", {}, TIME, "1,2"),
     "bodies, weak": Case("many_bodies", {}, ("--weak", *TIME), "1,2"),
     "crush": Case("crush", {"run.end": 3, "run.steps": 20}, TIME, "1,2", later=True),
