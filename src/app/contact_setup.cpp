@@ -138,10 +138,13 @@ void make_contact(Prepared& run) {
   report_ties(run);
 }
 
-time::StepControl step_control(const Prepared& run) {
+time::StepControl step_control(Prepared& run) {
   constexpr double growth = 1.02;
   const double factor = run.contact ? contact::step_factor(run.model.contact.enforcement) : 1.0;
-  return {run.input.run.cfl * factor, growth, run.input.run.step.value_or(std::numeric_limits<double>::infinity())};
+  // before the run only static states are sought, whose elements may change by much in a step
+  const bool assembled = run.input.run.step_bound == scene::StepBound::assembled && run.state.relaxation.under_way == 0;
+  return {run.input.run.cfl * factor, growth, run.input.run.step.value_or(std::numeric_limits<double>::infinity()),
+          assembled ? &run.assembled : nullptr};
 }
 
 std::vector<double> save_sums(const comm::Communicator& ranks, contact::Contact& contact) {

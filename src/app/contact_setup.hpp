@@ -25,7 +25,7 @@ std::vector<contact::ConstrainedNode> held_nodes(const model::Model& model);
 void make_contact(Prepared& run);
 
 /// How the step follows what is stable: the scene's cfl, less where contact adds springs.
-time::StepControl step_control(const Prepared& run);
+time::StepControl step_control(Prepared& run);
 
 /// The exact sums of all ranks as doubles (each a 32-bit limb with carries): the same whatever the number of ranks.
 /// Collective.

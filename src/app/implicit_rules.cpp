@@ -15,8 +15,9 @@ namespace brunt::app {
 namespace {
 
 /// Keys of explicit scenes, and why they mean nothing here.
-constexpr std::array<std::pair<const char*, const char*>, 6> explicit_keys{{
+constexpr std::array<std::pair<const char*, const char*>, 7> explicit_keys{{
     {"run.cfl", "no stable step bounds an implicit scene; accepted: solver.step"},
+    {"run.step_bound", "no stable step bounds an implicit scene; accepted: solver.step"},
     {"run.step", "the step of an implicit scene is the solver's; accepted: solver.step"},
     {"run.min_step_ratio", "the least step of an implicit scene is the solver's; accepted: solver.min_step"},
     {"enforcement", "contact of implicit scenes is not enforced by the rate constraint; accepted: no enforcement"},

@@ -82,6 +82,7 @@ mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::strin
 model::Registry Prepared::registry() {
   model::Registry registry = time::state_registry(model, state);
   if (implicit) implicit::add_arrays(model, *implicit, registry);
+  if (!assembled.baseline.empty()) time::add_arrays(model, assembled, registry.arrays);
   if (contact) {
     contact_sums = save_sums(links.ranks, *contact);
     registry.arrays.push_back({"contact_sums", model::StateArray::Entity::global, -1, 1,
@@ -165,6 +166,8 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   prepared->links = time::link_ranks(ranks, prepared->model);
   time::initialise(prepared->model, prepared->state, prepared->scratch, prepared->links,
                    scene::initial_velocities(prepared->input, prepared->model));
+  if (prepared->input.run.step_bound == scene::StepBound::assembled)
+    prepared->assembled.baseline = force::sized_baseline(prepared->model);
   make_implicit(*prepared);
   prepared->erosion = {
       prepared->model.any_erosion(), std::vector<time::ErosionCount>(prepared->model.blocks.size()), {}, 0};

@@ -13,6 +13,7 @@
 #include "brunt/model/model.hpp"
 #include "brunt/model/registry.hpp"
 #include "brunt/scene/input.hpp"
+#include "brunt/time/assembled_step.hpp"
 #include "brunt/time/erosion.hpp"
 #include "brunt/time/links.hpp"
 #include "driven_parts.hpp"
@@ -57,6 +58,8 @@ struct Prepared {
   ErosionAccount erosion{};
 
   implicit::SolverOwner implicit{};  ///< null in explicit scenes
+
+  time::AssembledStep assembled{};  ///< sized where run.step_bound asks for it
 
   std::string scene_values{};  ///< what the fingerprint is made of, so that a restart can say what differs
   std::string scene_yaml{};    ///< the whole scene after its overrides

@@ -9,6 +9,7 @@
 #include "brunt/model/model.hpp"
 #include "kernels.hpp"
 #include "living.hpp"
+#include "step_watch.hpp"
 
 namespace brunt::force {
 
@@ -76,6 +77,7 @@ void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalInde
   const std::span<const std::uint8_t> of_block = lanes_of(moved.living, block_index);
   const KeptForces kept = kept_forces(scratch, block_index);
   const Collapse collapse = Collapse::of(block);
+  const WatchedBlock watched = watched_block(moved.watch, block_index);
   RepeatedLane<nodes, Kernel::history_size> repeated;
   Pack largest = broadcast(report.rate);
   for (LocalIndex batch = 0; batch < block.batches(); ++batch) {
@@ -103,6 +105,9 @@ void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalInde
     if (kept.force != nullptr) keep_forces<nodes>(out.f, motion.v, living, batch, kept);
     const int lanes = std::min(pack_width, block.count - batch * pack_width);
     scatter_forces<nodes>(node, lanes, living, out.f, block.border.row(batch), scratch.force.data(), slots);
+    if (watched.linear != nullptr) keep_linear<nodes>(out, watched.linear + std::ptrdiff_t{batch} * linear_entries);
+    if (watched.baseline != nullptr)
+      see_growth<nodes>(out, watched.baseline + std::ptrdiff_t{batch} * 2, lanes, living, report.growth);
 
     if (any(out.rate > largest)) {  // rare: only where an element is quicker than all before it
       // lanes of padding have no say: their histories are neither saved nor restored

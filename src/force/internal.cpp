@@ -43,8 +43,9 @@ ElementReport trial_forces(const model::Model& model, const Motion& motion, cons
   return report;
 }
 
-ElementReport internal_forces(const model::Model& model, model::State& state, model::Scratch& scratch) {
-  const Motion motion{.nodes = state.nodes, .dt = state.dt, .living = state.living.lanes};
+ElementReport internal_forces(const model::Model& model, model::State& state, model::Scratch& scratch,
+                              const StepWatch& watch) {
+  const Motion motion{.nodes = state.nodes, .dt = state.dt, .living = state.living.lanes, .watch = watch};
   return trial_forces(model, motion, state.history, state.history, scratch);
 }
 

@@ -11,6 +11,8 @@
 namespace brunt::scene {
 namespace {
 
+const Choices<StepBound> step_bounds{{{"element", StepBound::element}, {"assembled", StepBound::assembled}}, {}};
+
 void read_wall_limit(const Key& key, Run& run) {
   constexpr std::string_view accepted = "a duration > 0 such as 3h55m, 90s, 2h, or a number of seconds";
   std::string text;
@@ -54,6 +56,7 @@ void read_run(Section& scene, Input& input) {
     lacking(run.key(), {"end", "steps"}, "no end is given; accepted: end: time, or steps: count");
   }
   run.optional("cfl", input.run.cfl, courant);
+  run.optional("step_bound", input.run.step_bound, step_bounds);
   run.optional("step", input.run.step, positive);
   run.optional("min_step_ratio", input.run.min_step_ratio, below_one);
   if (run.has("wall_limit")) read_wall_limit(run.at("wall_limit"), input.run);

@@ -101,19 +101,30 @@ std::vector<contact::Wall> walls_at(const model::Model& model, const model::Stat
 StepReport evaluate(const model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
                     const StepControl& control) {
   StepReport report;
+  AssembledStep* assembled = control.assembled;
+  force::LinearElements linear;
+  if (assembled && estimate_is_due(*assembled, state)) linear = force::sized_linear(model);
   {
     const auto timed = links.timers.measure(Phase::element);
-    report.elements = force::internal_forces(model, state, scratch);
+    const force::StepWatch watch = assembled ? force::StepWatch{assembled->baseline, linear} : force::StepWatch{};
+    report.elements = force::internal_forces(model, state, scratch, watch);
   }
-  const auto timed = links.timers.measure(Phase::halo);
-  double reduced[2] = {report.elements.rate, report.elements.inverted_block >= 0 ? 1.0 : 0.0};
-  links.ranks.begin_max(reduced);
-  sum_forces(model, state, scratch, links);
-  links.ranks.end_max(reduced);
-  if (!model.bodies.empty()) sum_body_forces(model, state, scratch, links);
+  double reduced[3] = {report.elements.rate, report.elements.inverted_block >= 0 ? 1.0 : 0.0, report.elements.growth};
+  {
+    const auto timed = links.timers.measure(Phase::halo);
+    links.ranks.begin_max(reduced);
+    sum_forces(model, state, scratch, links);
+    links.ranks.end_max(reduced);
+    if (!model.bodies.empty()) sum_body_forces(model, state, scratch, links);
+  }
   report.stop = reduced[1] > 0;
-  report.rate = reduced[0];
-  const double largest = std::max({report.rate, state.rate_now, state.rate_before});
+  report.bound = report.rate = reduced[0];
+  if (!linear.empty() && !report.stop) {
+    const auto timed = links.timers.measure(Phase::element);
+    estimate(model, state, links, linear, report.rate, *assembled);
+  }
+  if (assembled) report.bound = bounding_rate(*assembled, state, reduced[2], report.rate);
+  const double largest = std::max({report.bound, state.rate_now, state.rate_before});
   const bool all_gone = !(largest > 0) && model.loses_elements();  // then the step stays as it is, if there was one
   const double kept = state.dt > 0 ? state.dt : std::numeric_limits<double>::infinity();
   report.stable_dt = std::min(all_gone ? kept : control.cfl / largest, control.largest);
@@ -147,7 +158,7 @@ void advance(const model::Model& model, model::State& state, model::Scratch& scr
   state.time += step.dt;
   state.dt = step.dt;
   ++state.step;
-  remember_rate(state, step.rate);
+  remember_rate(state, step.bound);
 }
 
 }  // namespace brunt::time

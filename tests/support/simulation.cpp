@@ -60,6 +60,11 @@ void Simulation::rebuild_lists(const contact::Rebuild& when) {
   contact = make_contact(*this, when);
 }
 
+void Simulation::bound_by_mesh() {
+  assembled.baseline = force::sized_baseline(model);
+  control.assembled = &assembled;
+}
+
 void Simulation::step(std::optional<double> dt) {
   report = time::evaluate(model, state, scratch, links, control);
   if (dt) {

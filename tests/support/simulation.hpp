@@ -34,6 +34,8 @@ struct Simulation {
   /// At the time before the last step.
   [[nodiscard]] time::Ledger ledger() const;
 
+  /// Steps bounded by the assembled mesh from here on, as by run.step_bound: assembled.
+  void bound_by_mesh();
   /// Forces and stresses after all nodes have moved by `u` (by input node) within one step of length `dt`.
   void displace(std::span<const Vec3> u, double dt);
 
@@ -55,6 +57,7 @@ struct Simulation {
   std::unique_ptr<contact::Contact> contact;  ///< all pairs of blocks, where the scene has contact or walls
   time::StepReport report;                    ///< of the last step
   time::StepControl control;
+  time::AssembledStep assembled;  ///< see bound_by_mesh
 };
 
 }  // namespace brunt::test

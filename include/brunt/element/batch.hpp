@@ -32,11 +32,22 @@ struct BatchMotion {
   double dt = 0;       ///< of the step; zero in the first of a run, when nothing has been strained yet
 };
 
+/// The linear element that resists every motion at least as much as this one does now: one point, and springs and
+/// dashpots on its hourglass modes. The assembled mesh of such elements bounds the step (force/assembled.hpp).
+struct BatchStiffness {
+  Pack lambda, mu;                ///< tangent moduli [stress]
+  Pack viscosity;                 ///< bulk viscosity [stress time]
+  Pack spring = broadcast(0.0);   ///< of each hourglass mode [force/length]
+  Pack dashpot = broadcast(0.0);  ///< likewise [force/velocity]
+  Pack plane2;                    ///< omega^2 of the quickest plane wave in a regular mesh of its like [1/time^2]
+};
+
 template <int nodes, class Number = Pack>
 struct BatchForce {
-  Number f[3][nodes];  ///< minus the internal force on each corner [force]
-  Pack rate;           ///< at least 1 / (largest stable step) of the free element [1/time]
-  Pack volume;         ///< not positive (or NaN) for an inverted element [length^3]
+  Number f[3][nodes];        ///< minus the internal force on each corner [force]
+  Pack rate;                 ///< at least 1 / (largest stable step) of the free element [1/time]
+  Pack volume;               ///< not positive (or NaN) for an inverted element [length^3]
+  BatchStiffness stiffness;  ///< not read in most steps
 };
 
 /// Only with packs a kernel tells the rate and the volume: of other numbers (core/dual.hpp) it is asked forces alone.

@@ -88,6 +88,7 @@ struct Hex8 {
     Pack stress[9], Q[4][3];
     Pack omega2, damping;
     Pack hourglass_rate = broadcast(0.0);
+    Pack spring = broadcast(0.0), dashpot = broadcast(0.0), plane2;
   };
 
   BRUNT_INLINE void move(const BatchMotion<8>& in, Kinematics& k) const;
@@ -246,6 +247,7 @@ void Hex8<Response, hourglass>::resist(const Kinematics& k, const Viscous& visco
   const Pack frequency_factor = 8.0 * k.over_volume * over_mass;
   r.omega2 = frequency_factor * (tangent.lambda * trace + 2.0 * tangent.mu * largest);
   r.damping = frequency_factor * trace * viscous.viscosity;
+  r.plane2 = frequency_factor * ((tangent.lambda + 2.0 * tangent.mu) * largest);
   constexpr int place[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};
   for (int c = 0; c < 9; ++c) r.stress[c] = s[place[c]];
   for (int c = 0; c < 9; c += 4) r.stress[c] += viscous.stress;
@@ -265,10 +267,12 @@ void Hex8<Response, hourglass>::resist_hourglass(const Kinematics& k, [[maybe_un
   if constexpr (hourglass == HourglassKind::stiffness) {
     stiffness = (control.coefficient / 8.0 * law.mu) * trace * k.over_volume;
     r.omega2 += 8.0 * stiffness * gamma2 * over_mass;
+    r.spring = stiffness;
   } else {  // J. O. Hallquist's form: coefficient/4 rho c V^(2/3), V^(2/3) = sqrt(2 s_max) for a cube
     viscous =
         (0.25 * control.coefficient) * pack_sqrt((law.lambda + 2.0 * law.mu) * mass * k.over_volume * 2.0 * largest);
     r.hourglass_rate = 4.0 * viscous * gamma2 * over_mass;
+    r.dashpot = viscous;
   }
 
   Pack work = broadcast(0.0);
@@ -310,6 +314,7 @@ template <class Response, HourglassKind hourglass>
 void Hex8<Response, hourglass>::resist_from_potential(const Kinematics& k, Pack over_mass, Pack* trial,
                                                       Resistance& r) const {
   r.omega2 += 8.0 * k.stiffness * k.gamma2 * over_mass;
+  r.spring = k.stiffness;
   Pack squares = broadcast(0.0);
   for (int a = 0; a < 4; ++a)
     for (int i = 0; i < 3; ++i) {
@@ -359,6 +364,7 @@ void Hex8<Response, hourglass>::operator()(const BatchMotion<8>& in, const Pack*
   }
   out.rate = pack_max(stable_rate(r.omega2, r.damping), r.hourglass_rate);
   out.volume = k.volume;
+  out.stiffness = {tangent.lambda, tangent.mu, viscous.viscosity, r.spring, r.dashpot, r.plane2};
 }
 
 }  // namespace brunt::element

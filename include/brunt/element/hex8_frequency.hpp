@@ -51,9 +51,10 @@ BRUNT_INLINE Pack largest_row_sum(const Pack (&m)[10]) {
 /// Bound of the largest eigenvalue of the stiffness (force a length), corner masses apart. x: modes of the coordinates;
 /// g, volume, S as above; lambda, mu: largest of all points; `point_modulus`: bounds
 /// lambda tr(L')^2 + 2 mu L' : L' <= point_modulus L' : L', that is 3 lambda + 2 mu, or 2 mu where B-bar averages tr L.
+/// `spring`: stiffness of springs on the hourglass modes that resist no less than Q' does.
 BRUNT_INLINE Pack largest_stiffness(const Pack (&x)[hex_modes][3], const Pack (&g)[6][3], Pack volume,
                                     const Pack (&S)[6], const HourglassGram& gram, Pack lambda, Pack mu,
-                                    Pack point_modulus) {
+                                    Pack point_modulus, Pack& spring) {
   const Pack over_volume = 1.0 / volume;
   const Pack positive = pack_max(lambda, broadcast(0.0));
   const Pack alpha = over_volume * (positive * (S[0] + S[1] + S[2]) + 2.0 * mu * largest_eigenvalue_bound(S));
@@ -81,6 +82,7 @@ BRUNT_INLINE Pack largest_stiffness(const Pack (&x)[hex_modes][3], const Pack (&
       H[pair] = (1.0 / 64.0) * (gram.sum[pair] - over_volume * mean);
     }
   const Pack rest = point_modulus * largest_row_sum(H);
+  spring = rest;
   const Pack beta = rest * largest_row_sum(gamma_gram);
   const Pack kappa2 = pack_min(alpha * beta, (3.0 * positive + 2.0 * mu) * over_volume * rest * N2);
   const Pack half = 0.5 * (alpha - beta);

@@ -279,7 +279,13 @@ void Hex8Full<Response, bbar>::operator()(const BatchMotion<8, Number>& in, cons
 
   if constexpr (bounds_step<Number>) {
     const Pack point_modulus = bbar ? 2.0 * bounds.mu : 3.0 * bounds.lambda + 2.0 * bounds.mu;
-    const Pack stiffness = largest_stiffness(x, g, volume, S, bounds.gram, bounds.lambda, bounds.mu, point_modulus);
+    BatchStiffness& linear = out.stiffness;
+    linear.lambda = bounds.lambda;
+    linear.mu = bounds.mu;
+    linear.viscosity = viscosity;
+    const Pack stiffness =
+        largest_stiffness(x, g, volume, S, bounds.gram, bounds.lambda, bounds.mu, point_modulus, linear.spring);
+    linear.plane2 = (8.0 / mass) * ((bounds.lambda + 2.0 * bounds.mu) * largest_eigenvalue_bound(S) * (1.0 / volume));
     const Pack damping = (8.0 / mass) * viscosity * (S[0] + S[1] + S[2]) / volume;
     out.rate = stable_rate((8.0 / mass) * stiffness, damping);
     out.volume = select(volume > 0.0, 8.0 * bounds.smallest_det, volume);  // a NaN shows in the volume

@@ -133,6 +133,7 @@ void Tet4<Response>::operator()(const BatchMotion<4, Number>& in, const Pack* co
     out.rate = stable_rate(factor * (pack_max(lambda, broadcast(0.0)) * trace + 2.0 * mu * largest),
                            factor * trace * viscosity);
     out.volume = volume;
+    out.stiffness = {lambda, mu, viscosity, broadcast(0.0), broadcast(0.0), factor * ((lambda + 2.0 * mu) * largest)};
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brunt/element/batch.hpp"
+#include "brunt/force/assembled.hpp"
 #include "brunt/model/model.hpp"
 
 namespace brunt::force {
@@ -16,6 +17,7 @@ struct ElementReport {
   LocalIndex element = -1;
   LocalIndex inverted_block = -1;  ///< >= 0: an element with no volume left (or not a number)
   LocalIndex inverted_element = -1;
+  double growth = 0;  ///< largest growth over StepWatch::baseline, of squared frequencies; 0 without one
 };
 
 /// What elements of this kind and law remember, in order.
@@ -23,6 +25,7 @@ std::vector<element::HistoryField> history_fields(const model::ElementBlock& blo
 
 /// force[node] = minus the internal force, but for border nodes, whose corner forces stand in `slots`.
 /// Stress and history go from t_n - dt to t_n.
-ElementReport internal_forces(const model::Model& model, model::State& state, model::Scratch& scratch);
+ElementReport internal_forces(const model::Model& model, model::State& state, model::Scratch& scratch,
+                              const StepWatch& watch = {});
 
 }  // namespace brunt::force

@@ -19,6 +19,7 @@ struct Motion {
   double dt = 1;        ///< its length [time]; where there is no time (a static state) 1, and v is the increment
   bool viscous = true;  ///< with bulk viscosity, and the viscous hourglass control of one-point hexahedra
   std::span<const std::vector<std::uint8_t>> living{};  ///< lanes as model::Living has them; none: all elements live
+  StepWatch watch{};
 };
 
 /// Forces at the end of the step in `scratch`, as internal_forces leaves them. Histories go from `committed`, at its

@@ -204,10 +204,16 @@ struct Probe {
   std::optional<Vec3> about;       ///< of moments and angular momenta
 };
 
+/// What the stable step is taken of.
+enum class StepBound {
+  element,   ///< the quickest element, as if it were free
+  assembled  ///< the mesh, whose elements hold each other back
+};
 struct Run {
   std::optional<double> end;
   std::optional<GlobalIndex> steps;
   double cfl = 0.9;
+  StepBound step_bound = StepBound::element;
   std::optional<double> step;        ///< largest step [time]
   double min_step_ratio = 1e-4;      ///< of the first step: below it the run stops
   std::optional<double> wall_limit;  ///< [s] of wall-clock time

@@ -13,6 +13,7 @@
 
 #include "brunt/force/internal.hpp"
 #include "brunt/model/model.hpp"
+#include "brunt/time/assembled_step.hpp"
 #include "brunt/time/links.hpp"
 
 namespace brunt::contact {
@@ -31,6 +32,7 @@ struct StepControl {
   double cfl = 0.9;      ///< share of the stable step that is used
   double growth = 1.02;  ///< dt grows by this from one step to the next, or not at all
   double largest = std::numeric_limits<double>::infinity();  ///< dt is never above this [time]
+  AssembledStep* assembled = nullptr;  ///< of the run whose steps the assembled mesh bounds; null: its elements do
 };
 
 /// What all ranks know of the step at t_n.
@@ -38,7 +40,8 @@ struct StepReport {
   double dt = 0;                  ///< t_{n+1} - t_n
   double rate = 0;                ///< largest 1 / (stable step) of the elements of all ranks at t_n
   double dt_mean = 0;             ///< (dt_{n-1/2} + dt_{n+1/2}) / 2: the time over which forces at t_n act
-  double stable_dt = 0;           ///< what elements and StepControl::largest allow, before growth and damping bound it
+  double bound = 0;               ///< what bounds the step: `rate`, or less where the assembled mesh does [1/time]
+  double stable_dt = 0;           ///< what `bound` and StepControl::largest allow, before growth and damping bound it
   double alpha = 0;               ///< of the mass damping that acts at t_n [1/time]
   force::ElementReport elements;  ///< of this rank
   bool stop = false;              ///< some rank asks to stop (a guard here or there)

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The largest frequency of a mesh of linear elements, from below.
+#pragma once
+#include <vector>
+
+#include "brunt/force/assembled.hpp"
+#include "brunt/model/model.hpp"
+#include "brunt/time/links.hpp"
+
+namespace brunt::time {
+
+/// Largest eigenvalue of a symmetric tridiagonal matrix with eigenvalues in [0, 2], to 1e-12.
+double largest_of_tridiagonal(const std::vector<double>& diagonal, const std::vector<double>& beside);
+
+/// The largest eigenvalue of (inverse mass times stiffness)/scale that so many of Lanczos' products from a random
+/// motion see: never above the largest. `scale` is at least that. The motion follows from global node numbers and the
+/// step, sums are exact: the same bits on any number of ranks. Collective.
+double largest_eigenvalue(const model::Model& model, const model::State& state, Links& links,
+                          const force::LinearElements& linear, double scale, int products);
+
+}  // namespace brunt::time
