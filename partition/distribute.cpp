@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "partition/distribute.hpp"
 
+#include <cstddef>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "partition/packing.hpp"
 #include "partition/piece.hpp"
@@ -12,7 +15,15 @@ mesh::LocalMesh distribute(const comm::Communicator& ranks, const mesh::Canonica
                            std::span<const Rank> part, Rank root) {
   std::optional<Cutter> cutter;
   if (ranks.rank() == root) cutter.emplace(whole, part, ranks.size());
-  return unpack(ranks.scatter([&](Rank rank) { return pack(cutter->piece(rank)); }, root));
+  mesh::LocalMesh own;  // of the root, which sends itself nothing
+  const std::vector<std::byte> bytes = ranks.scatter(
+      [&](Rank rank) {
+        if (rank != root) return pack(cutter->piece(rank));
+        own = cutter->piece(rank);
+        return std::vector<std::byte>{};
+      },
+      root);
+  return ranks.rank() == root ? std::move(own) : unpack(bytes);
 }
 
 }  // namespace brunt::partition

@@ -4,76 +4,67 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <utility>
+#include <span>
+#include <vector>
 
-#include "brunt/mesh/topology.hpp"
+#include "brunt/mesh/face_rows.hpp"
 
 namespace brunt::partition {
 
 namespace {
 
-struct Face {
-  std::array<LocalIndex, 4> nodes;  // ascending, so that both elements write it alike; a triangle starts with no_index
-  LocalIndex element = 0;
-};
+using Edge = std::array<LocalIndex, 2>;
 
-/// Calls visit(face) for each face with at least three distinct nodes, element by element.
-template <class Visit>
-void for_each_face(const mesh::Mesh& mesh, Visit visit) {
-  LocalIndex element = 0;
-  for_each_element(mesh, [&](std::span<const LocalIndex> nodes, mesh::Shape shape) {
-    for (int f = 0; f < mesh::faces_per_element(shape); ++f) {
-      Face face{mesh::face_nodes(shape, nodes.data(), f), element};
-      std::ranges::sort(face.nodes);
-      if (face.nodes[1] != no_index) visit(face);
-    }
-    ++element;
+/// The two elements of each face that two share.
+std::vector<Edge> shared_faces(const mesh::Mesh& mesh) {
+  const mesh::FaceRows rows(mesh);
+  std::vector<Edge> edges;
+  edges.reserve(rows.faces() / 2);
+  rows.for_each_row([&](std::span<const mesh::KeyedFace> row) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      for (std::size_t j = i + 1; j < row.size(); ++j)
+        if (row[i].same_nodes(row[j]) && row[i].element != row[j].element)
+          edges.push_back({row[i].element, row[j].element});
   });
+  return edges;
 }
 
-std::size_t lowest_node(const Face& face) {
-  return static_cast<std::size_t>(face.nodes[0] == no_index ? face.nodes[1] : face.nodes[0]);
-}
-
-using Edge = std::pair<LocalIndex, LocalIndex>;
-
-/// Faces in rows by their lowest node, where equal ones are found among a dozen.
-Ragged<Face> faces_by_lowest_node(const mesh::Mesh& mesh) {
-  Ragged<Face> faces;
-  faces.offsets.assign(mesh.coordinates.size() + 1, 0);
-  for_each_face(mesh, [&](const Face& face) { ++faces.offsets[lowest_node(face) + 1]; });
-  std::partial_sum(faces.offsets.begin(), faces.offsets.end(), faces.offsets.begin());
-  faces.values.resize(static_cast<std::size_t>(faces.offsets.back()));
-  std::vector<LocalIndex> next(faces.offsets.begin(), faces.offsets.end() - 1);
-  for_each_face(mesh,
-                [&](const Face& face) { faces.values[static_cast<std::size_t>(next[lowest_node(face)]++)] = face; });
-  return faces;
+/// Sorts each row; elements that share several faces keep one edge.
+void sort_rows(Ragged<LocalIndex>& graph) {
+  auto end = graph.values.begin();
+  LocalIndex first = 0;
+  for (std::size_t e = 0; e + 1 < graph.offsets.size(); ++e) {
+    const auto begin = graph.values.begin() + first, last = graph.values.begin() + graph.offsets[e + 1];
+    first = graph.offsets[e + 1];
+    std::sort(begin, last);
+    const auto repeated = std::unique(begin, last);
+    end = end == begin ? repeated : std::copy(begin, repeated, end);
+    graph.offsets[e + 1] = static_cast<LocalIndex>(end - graph.values.begin());
+  }
+  graph.values.erase(end, graph.values.end());
 }
 
 }  // namespace
 
 Ragged<LocalIndex> dual_graph(const mesh::Mesh& mesh) {
-  const Ragged<Face> faces = faces_by_lowest_node(mesh);
-  std::vector<Edge> edges;
-  for (LocalIndex r = 0; r < faces.rows(); ++r) {
-    const std::span<const Face> row = faces.row(r);
-    for (std::size_t i = 0; i < row.size(); ++i)
-      for (std::size_t j = i + 1; j < row.size(); ++j) {
-        if (row[i].nodes != row[j].nodes || row[i].element == row[j].element) continue;
-        edges.emplace_back(row[i].element, row[j].element);
-        edges.emplace_back(row[j].element, row[i].element);
-      }
-  }
-  std::ranges::sort(edges);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-
+  const std::vector<Edge> edges = shared_faces(mesh);
   Ragged<LocalIndex> graph;
-  const LocalIndex elements = first_of_block(mesh).back();
-  auto edge = edges.begin();
-  for (LocalIndex e = 0; e < elements; ++e) {
-    for (; edge != edges.end() && edge->first == e; ++edge) graph.values.push_back(edge->second);
-    graph.close_row();
+  // counted two places on, so that filling moves the starts where they belong
+  std::vector<LocalIndex>& offsets = graph.offsets;
+  offsets.assign(static_cast<std::size_t>(first_of_block(mesh).back()) + 2, 0);
+  for (const Edge& edge : edges)
+    for (const LocalIndex e : edge) ++offsets[static_cast<std::size_t>(e) + 2];
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  graph.values.resize(static_cast<std::size_t>(offsets.back()));
+  const auto add = [&](LocalIndex from, LocalIndex to) {
+    graph.values[static_cast<std::size_t>(offsets[static_cast<std::size_t>(from) + 1]++)] = to;
+  };
+  for (const Edge& edge : edges) {
+    add(edge[0], edge[1]);
+    add(edge[1], edge[0]);
   }
+  offsets.pop_back();
+  sort_rows(graph);
   return graph;
 }
 

@@ -13,7 +13,22 @@ namespace brunt::partition {
 
 namespace {
 
-// Writer and Reader have the same functions, so that one list of fields (`fields` below) serves both ways.
+// Counter, Writer and Reader have the same functions, so that one list of fields (`fields` below) serves all ways.
+
+/// How many bytes a Writer will write.
+class Counter {
+ public:
+  std::size_t bytes = 0;
+
+  template <class T>
+  void plain(const T* /*first*/, std::size_t count) {
+    bytes += count * sizeof(T);
+  }
+  std::size_t size(std::size_t count) {
+    bytes += sizeof(std::uint64_t);
+    return count;
+  }
+};
 
 class Writer {
  public:
@@ -89,14 +104,24 @@ void field(Stream& stream, mesh::LocalBlock& block) {
   field(stream, block.nodes);
 }
 
-template <class T>
-void field(Writer& stream, std::map<std::string, T>& map) {
+template <class Stream, class T>
+void write_map(Stream& stream, std::map<std::string, T>& map) {
   stream.size(map.size());
   for (auto& [name, value] : map) {
     std::string key = name;
     field(stream, key);
     field(stream, value);
   }
+}
+
+template <class T>
+void field(Counter& stream, std::map<std::string, T>& map) {
+  write_map(stream, map);
+}
+
+template <class T>
+void field(Writer& stream, std::map<std::string, T>& map) {
+  write_map(stream, map);
 }
 
 template <class T>
@@ -132,7 +157,10 @@ void fields(Stream& stream, mesh::LocalMesh& piece) {
 }  // namespace
 
 std::vector<std::byte> pack(mesh::LocalMesh piece) {
+  Counter counter;
+  fields(counter, piece);
   Writer writer;
+  writer.bytes.reserve(counter.bytes);
   fields(writer, piece);
   return std::move(writer.bytes);
 }

@@ -44,7 +44,10 @@ Cutter::Cutter(const mesh::CanonicalMesh& whole, std::span<const Rank> part, int
   demand(part.size() == at(first_.back()), "each element has a part");
   demand(std::ranges::all_of(part, [&](Rank r) { return r >= 0 && r < parts; }), "each part is a rank");
   sharing_ = share_nodes(whole.mesh, part);
-  for (std::size_t e = 0; e < part.size(); ++e) element_[at(part[e])].push_back(static_cast<GlobalIndex>(e));
+  std::vector<std::size_t> count(at(parts), 0);
+  for (const Rank rank : part) ++count[at(rank)];
+  for (std::size_t r = 0; r < count.size(); ++r) element_[r].reserve(count[r]);
+  for (std::size_t e = 0; e < part.size(); ++e) element_[at(part[e])].push_back(static_cast<LocalIndex>(e));
   exterior_ = by_rank(mesh::exterior_sides(whole.mesh), part, parts);
   for (const auto& [name, sides] : whole.mesh.side_sets) side_sets_[name] = by_rank(sides, part, parts);
 }
@@ -80,24 +83,32 @@ Cutter::RankSides Cutter::by_rank(const std::vector<mesh::Side>& sides, std::spa
   return sorted;
 }
 
-std::vector<LocalIndex> Cutter::nodes_of(Rank rank) const {
+std::vector<LocalIndex> Cutter::nodes_of(Rank rank) {
   std::vector<LocalIndex> nodes;
+  const auto add = [&](LocalIndex node) {
+    if (local_[at(node)] != no_index) return;
+    local_[at(node)] = 0;
+    nodes.push_back(node);
+  };
   for (std::size_t b = 0; b < whole_.mesh.blocks.size(); ++b) {
     const mesh::Block& block = whole_.mesh.blocks[b];
     const auto& elements = element_[at(rank)];
     for (auto e = std::ranges::lower_bound(elements, first_[b]); e != elements.end() && *e < first_[b + 1]; ++e) {
       const LocalIndex* corner = block.element(static_cast<LocalIndex>(*e) - first_[b]);
-      nodes.insert(nodes.end(), corner, corner + mesh::nodes_per_element(block.shape));
+      std::for_each_n(corner, mesh::nodes_per_element(block.shape), add);
     }
   }
-  if (rank == 0) nodes.insert(nodes.end(), untouched_.begin(), untouched_.end());
-  sort_unique(nodes);
+  if (rank == 0) std::ranges::for_each(untouched_, add);
+  std::ranges::sort(nodes);
   return nodes;
 }
 
 void Cutter::cut_nodes(mesh::LocalMesh& piece, const std::vector<LocalIndex>& nodes, Rank rank) const {
   const mesh::Mesh& mesh = whole_.mesh;
   auto row = sharing_.shared.begin();
+  piece.coordinates.reserve(nodes.size());
+  for (auto* gids : {&piece.node_gid, &piece.input_node, &piece.node_id}) gids->reserve(nodes.size());
+  piece.owner.reserve(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const LocalIndex node = nodes[i];
     piece.coordinates.push_back(mesh.coordinates[at(node)]);
@@ -123,6 +134,10 @@ void Cutter::cut_blocks(mesh::LocalMesh& piece, Rank rank) const {
     piece.block_id.push_back(block.id);
     mesh::LocalBlock& local = piece.blocks.emplace_back();
     local.shape = block.shape;
+    const auto count = at(std::lower_bound(e, elements.end(), first_[b + 1]) - e);
+    local.gid.reserve(count);
+    local.input.reserve(count);
+    local.nodes.reserve(count * at(mesh::nodes_per_element(block.shape)));
     for (; e != elements.end() && *e < first_[b + 1]; ++e) {
       const auto in_block = static_cast<LocalIndex>(*e) - first_[b];
       local.gid.push_back(*e);

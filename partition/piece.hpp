@@ -25,7 +25,8 @@ class Cutter {
 
   [[nodiscard]] std::size_t gid(const mesh::Side& side) const;
   [[nodiscard]] RankSides by_rank(const std::vector<mesh::Side>& sides, std::span<const Rank> part, int parts) const;
-  [[nodiscard]] std::vector<LocalIndex> nodes_of(Rank rank) const;
+  /// Marks them in local_.
+  [[nodiscard]] std::vector<LocalIndex> nodes_of(Rank rank);
   [[nodiscard]] std::vector<mesh::ExteriorFace> faces(const std::vector<mesh::Side>& sides) const;
   void cut_nodes(mesh::LocalMesh& piece, const std::vector<LocalIndex>& nodes, Rank rank) const;
   void cut_blocks(mesh::LocalMesh& piece, Rank rank) const;
@@ -35,8 +36,8 @@ class Cutter {
   std::vector<LocalIndex> first_;  // element gid of each block's first element
   std::vector<std::int32_t> body_;
   Sharing sharing_;
-  std::vector<LocalIndex> untouched_;              // nodes without an element
-  std::vector<std::vector<GlobalIndex>> element_;  // gids by rank, ascending
+  std::vector<LocalIndex> untouched_;             // nodes without an element
+  std::vector<std::vector<LocalIndex>> element_;  // gids by rank, ascending
   RankSides exterior_;
   std::map<std::string, RankSides> side_sets_;
   std::vector<LocalIndex> local_;  // of each node in the piece at hand, else no_index

@@ -65,7 +65,7 @@ mesh::Mesh assemble(const scene::Input& input, std::vector<std::string>& warning
     const std::string where = file ? input.at(entry.key + ".file") + ": " + file->file : input.at(entry.key);
     try {
       mesh::Mesh piece = generate(entry);
-      const mesh::CheckReport report = mesh::check(piece);
+      const mesh::CheckReport report = mesh::check(piece, file ? mesh::MeshSource::file : mesh::MeshSource::generated);
       for (const std::string& fault : report.faults) faults.push_back(where + ": " + fault);
       for (const std::string& warning : report.warnings) warnings.push_back(where + ": " + warning);
       for (std::string& note : piece.notes) note = (file ? file->file : entry.key) + ": " + note;

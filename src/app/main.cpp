@@ -46,6 +46,9 @@ void add_run(CLI::App& program, app::RunOptions& options, Command& chosen) {
   run->add_option("--restart", options.restart, "Go on from a checkpoint, or from the latest of a result folder")
       ->type_name("PATH")
       ->check(no_path);
+  run->add_option("--partition", options.partition, "Which rank computes what: a file of brunt partition --write")
+      ->type_name("FILE")
+      ->check(no_path);
   run->add_flag("--force", options.force, "Replace the results of an earlier run");
   run->add_flag("--quiet", options.quiet, "Nothing on the terminal but faults (log.txt is written all the same)");
   run->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::run(ranks, options); }; });
@@ -73,6 +76,15 @@ void add_partition(CLI::App& program, app::PartitionOptions& options, Command& c
   CLI::App* partition = program.add_subcommand("partition", "Split the mesh of a scene and tell how good the split is");
   partition->add_option("scene", options.scene, "Scene file (YAML)")->required();
   partition->add_option("-n", options.parts, "Number of parts")->required()->check(no_count_of_parts);
+  partition
+      ->add_option("--from", options.from,
+                   "Weigh elements and contact by the times that ranks measured: a checkpoint, or the latest of a "
+                   "result folder")
+      ->type_name("CHECKPOINT")
+      ->check(no_path);
+  partition->add_option("--write", options.write, "Write the partition, for brunt run --partition")
+      ->type_name("FILE")
+      ->check(no_path);
   add_overrides(*partition, options.overrides);
   partition->callback(
       [&] { chosen = [&](const comm::Communicator& ranks) { return app::partition(ranks, options); }; });

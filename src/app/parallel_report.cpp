@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "parallel_report.hpp"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
 #include <vector>
 
+#include "start_up.hpp"
 #include "weights.hpp"
 
 namespace brunt::app {
 namespace {
-
-/// Largest resident memory of this process since its start [bytes].
-double peak_memory() {
-  constexpr double unit = 1024;  // ru_maxrss counts kibibytes on Linux
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return unit * static_cast<double>(usage.ru_maxrss);
-}
 
 /// Cost of the elements of this rank, in units of a one-point hexahedron.
 double element_cost(const model::Model& model) {

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "bodies.hpp"
+#include "brunt/io/partition_file.hpp"
 #include "brunt/io/text_file.hpp"
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/fingerprint.hpp"
@@ -27,6 +28,7 @@
 #include "partition/dual_graph.hpp"
 #include "partition/split.hpp"
 #include "removal.hpp"
+#include "same_scene.hpp"
 #include "weights.hpp"
 
 namespace brunt::app {
@@ -40,6 +42,20 @@ void share_accepted(const comm::Communicator& ranks, std::vector<contact::Accept
   ranks.broadcast(bytes);
   accepted.resize(bytes.size() / sizeof(contact::AcceptedOverlap));
   if (!bytes.empty()) std::memcpy(accepted.data(), bytes.data(), bytes.size());
+}
+
+/// The parts of the elements as a file gives them. Root only; throws InputError.
+std::vector<Rank> given_partition(const Prepared& run, const mesh::CanonicalMesh& whole, const std::string& path) {
+  io::PartitionFile given = io::read_partition(path);
+  refuse_other_scene(path, {given.fingerprint, given.scene}, {run.fingerprint, run.scene_values});
+  const int ranks = run.links.ranks.size();
+  if (given.parts != ranks)
+    throw InputError(fmt::format("{}: is of {} parts, which this run of {} rank{} cannot take; expected one of -n {}",
+                                 path, given.parts, ranks, ranks == 1 ? "" : "s", ranks));
+  const auto elements = static_cast<std::size_t>(partition::first_of_block(whole.mesh).back());
+  if (given.part.size() != elements)
+    throw InputError(fmt::format("{}: is of {} elements, the scene has {}", path, given.part.size(), elements));
+  return std::move(given.part);
 }
 
 /// Refuses what implicit scenes cannot do, and sizes what their steps need. Collective.
@@ -73,9 +89,12 @@ scene::Input read_input(const comm::Communicator& ranks, const std::string& scen
   return scene::read_scene(text, scene_file, overrides);
 }
 
-mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::string>& warnings) {
-  mesh::CanonicalMesh whole = mesh::canonical_order(assemble(input, warnings));
+mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::string>& warnings, StartUp* start_up) {
+  mesh::Mesh bodies = assemble(input, warnings);
+  if (start_up) start_up->end(StartStage::reading);
+  mesh::CanonicalMesh whole = mesh::canonical_order(std::move(bodies));
   scene::select(input, whole);
+  if (start_up) start_up->end(StartStage::ordering);
   return whole;
 }
 
@@ -132,7 +151,7 @@ void refuse_overlaps(Prepared& run) {
 }
 
 std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
-                                  const std::vector<std::string>& overrides) {
+                                  const std::vector<std::string>& overrides, const std::string& partition) {
   auto prepared = std::make_unique<Prepared>(Prepared{
       {}, {}, {}, {}, {}, {}, {}, time::Links{ranks, {}, {}, {}, {}, {}, {}, {}}, nullptr, {}, {}, {}, {}, {}});
   prepared->input =
@@ -141,19 +160,25 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   std::vector<Rank> part;
   on_root(ranks, [&] {
     prepared->warnings = prepared->input.warnings;
-    whole = whole_mesh(prepared->input, prepared->warnings);
+    whole = whole_mesh(prepared->input, prepared->warnings, &prepared->start_up);
     prepared->left_out = left_out_lines(whole.mesh);
     prepared->overlaps = treat_overlaps(prepared->input, whole);
     for (std::string& line : scene::nearest_nodes(prepared->input, whole))
       prepared->overlaps.report.notes.push_back(std::move(line));
     for (std::string& line : warn_of_coarse_slaves(prepared->input, whole))
       prepared->warnings.push_back(std::move(line));
-    part = partition::split(partition::dual_graph(whole.mesh), weigh(prepared->input, whole), ranks.size());
+    prepared->start_up.end(StartStage::checking);
+    part = partition.empty()
+               ? partition::split(partition::dual_graph(whole.mesh), weigh(prepared->input, whole), ranks.size())
+               : given_partition(*prepared, whole, partition);
   });
+  prepared->start_up.end(StartStage::partitioning);
   share_accepted(ranks, prepared->overlaps.accepted);
   prepared->overlaps.recovered = ranks.any(prepared->overlaps.recovered);
   mesh::LocalMesh local = partition::distribute(ranks, whole, part);
   whole = {};
+  release_freed_memory();
+  prepared->start_up.end(StartStage::distributing);
 
   std::vector<std::string> faults;
   try {
@@ -177,6 +202,8 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   if (std::ranges::find(prepared->input.probes, scene::Probe::Kind::contact, &scene::Probe::kind) !=
       prepared->input.probes.end())
     prepared->contact_memory.assign(contact_memory_width * prepared->input.probes.size(), 0.0);
+  release_freed_memory();
+  prepared->start_up.end(StartStage::building);
   return prepared;
 }
 

@@ -18,6 +18,8 @@
 #include "brunt/time/links.hpp"
 #include "driven_parts.hpp"
 #include "guards.hpp"
+#include "start_up.hpp"
+#include "step_work.hpp"
 #include "treat_overlaps.hpp"
 
 namespace brunt::app {
@@ -64,6 +66,9 @@ struct Prepared {
   std::string scene_values{};  ///< what the fingerprint is made of, so that a restart can say what differs
   std::string scene_yaml{};    ///< the whole scene after its overrides
 
+  StartUp start_up{};
+  StepWork work{};  ///< of this rank in this start
+
   /// All arrays of the state, the sums and the history of contact among them. Collective.
   model::Registry registry();
   /// Makes the state what a checkpoint has filled the registry with.
@@ -77,11 +82,13 @@ scene::Input read_input(const comm::Communicator& ranks, const std::string& scen
                         std::string* values = nullptr, std::string* yaml = nullptr);
 
 /// The whole mesh of a scene, checked and in canonical order, with the scene's selections as sets. Root only.
-mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::string>& warnings);
+mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::string>& warnings,
+                               StartUp* start_up = nullptr);
 
-/// Collective; throws InputError on all ranks.
+/// `partition`: a file that says which rank computes which element; empty: that is decided here. Collective; throws
+/// InputError on all ranks.
 std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
-                                  const std::vector<std::string>& overrides);
+                                  const std::vector<std::string>& overrides, const std::string& partition = "");
 
 /// Ends the phase of relaxation: initial velocities, t = 0, ledgers and sums from zero. Collective.
 void begin_run(Prepared& run);

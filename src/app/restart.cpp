@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "brunt/core/error.hpp"
-#include "brunt/scene/fingerprint.hpp"
 #include "failure.hpp"
+#include "same_scene.hpp"
 
 namespace brunt::app {
 namespace {
@@ -23,21 +23,6 @@ void refuse_past_end(const Prepared& run, const std::string& checkpoint) {
     throw InputError(fmt::format("{}: {} are done already: {} stands at step {}; accepted: more steps",
                                  run.input.at("run.steps"), *limits.steps, checkpoint,
                                  static_cast<GlobalIndex>(state.step)));
-}
-
-/// The scene may not have changed, but for what concerns output and end.
-void refuse_other_scene(const Prepared& run, const io::CheckpointHeader& header, const std::string& checkpoint) {
-  if (header.fingerprint == run.fingerprint || header.scene.empty()) return;
-  const std::vector<std::string> different = scene::differences(header.scene, run.scene_values);
-  if (different.empty()) return;
-  constexpr std::size_t most = 3;
-  std::string listed;
-  for (std::size_t k = 0; k < std::min(most, different.size()); ++k) listed += (k > 0 ? "; " : "") + different[k];
-  if (different.size() > most) listed += fmt::format("; {} more keys differ", different.size() - most);
-  throw InputError(
-      fmt::format("{}: written by another scene: {}; accepted: changes of title, output, history, checkpoint, "
-                  "run.end, run.steps, run.min_step_ratio and run.wall_limit",
-                  checkpoint, listed));
 }
 
 /// The last one before a checkpoint that can be read and is of this scene; empty where there is none. Collective.
@@ -80,7 +65,7 @@ io::CheckpointHeader restart_from(Prepared& run, const std::string& checkpoint) 
   std::vector<std::string> faults;
   try {
     header = io::read_checkpoint_header(ranks, checkpoint);
-    refuse_other_scene(run, header, checkpoint);
+    refuse_other_scene(checkpoint, {header.fingerprint, header.scene}, {run.fingerprint, run.scene_values});
     header = io::read_checkpoint(ranks, checkpoint, run.fingerprint, run.registry());
   } catch (const InputError& error) {
     faults = error.faults();

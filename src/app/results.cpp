@@ -166,13 +166,17 @@ std::string Results::save_last_good() {
 std::string Results::write_checkpoint() {
   watch_driven();
   const Recording recording = record();
+  last_good_.release();  // the checkpoint is as good, and there is room for what is written
   checkpoint_step_ = run_.state.step;
   io::CheckpointHeader header{static_cast<GlobalIndex>(run_.state.step), run_.state.time, run_.fingerprint,
                               run_.scene_values};
   // after a guard the file has rows of later steps
   const bool rows_known = history_ && static_cast<double>(history_->last_step()) < run_.state.step;
   header.history_rows = run_.links.ranks.max(rows_known ? history_->rows() : GlobalIndex{-1});
-  return io::write_checkpoint(run_.links.ranks, folder_, header, run_.registry());
+  if (run_.work.steps == 0) return io::write_checkpoint(run_.links.ranks, folder_, header, run_.registry());
+  const io::RankWork work{run_.work.of_elements() / run_.work.steps, run_.work.of_contact() / run_.work.steps,
+                          pairs_of_elements(run_.model, run_.contact.get())};
+  return io::write_checkpoint(run_.links.ranks, folder_, header, run_.registry(), &work);
 }
 
 void Results::seal() {
@@ -196,6 +200,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   for (std::size_t p = 0; p < phases; ++p)
     if (p != static_cast<std::size_t>(Phase::output)) measured += seconds[p];
   const nlohmann::ordered_json parallel = parallel_summary(ranks, run_.model, {cost.passes, cost.sent, cost.timers});
+  const nlohmann::ordered_json start_up = run_.start_up.report(ranks);
   if (!ranks.is_root()) return;
 
   const auto elements = static_cast<double>(run_.model.mesh.global_elements);
@@ -212,6 +217,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   summary["ranks"] = ranks.size();
   summary["wall_s"] = wall_seconds;
   summary["loop_s"] = cost.seconds;
+  summary["start_up"] = start_up;
   summary["ns_per_element_step"] = cost.passes > 0 ? loop * 1e9 * ranks.size() / (elements * cost.passes) : 0.0;
   const char* names[phases] = {"element", "search", "enforcement", "halo", "other", "output"};
   const double scale = std::max(loop, measured);

@@ -81,7 +81,7 @@ void report_iterations(const Prepared& run, Log& log) {
 int run(const comm::Communicator& ranks, const RunOptions& options) {
   const Clock::time_point start = Clock::now();
   Log log(ranks.is_root(), options.quiet);
-  const std::unique_ptr<Prepared> prepared = prepare(ranks, options.scene, options.overrides);
+  const std::unique_ptr<Prepared> prepared = prepare(ranks, options.scene, options.overrides, options.partition);
   refuse_overlaps(*prepared);
   demand_first_step(*prepared);
   const std::string checkpoint = options.restart.empty() ? "" : checkpoint_of(ranks, options.restart);
@@ -113,6 +113,8 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   catch_signals();
   Results results(*prepared, folder, restart ? std::optional(kept_records(*prepared)) : std::nullopt, log);
   if (restart) results.warn_of_missing_rows(*restart);
+  release_freed_memory();
+  prepared->start_up.end(StartStage::opening);
   Loop loop(*prepared, results, log, start);
   Outcome outcome = loop.go();
   if (!outcome.message.empty()) log.fault("stopped: " + outcome.message);

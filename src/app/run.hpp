@@ -13,7 +13,8 @@ struct RunOptions {
   std::string scene;
   std::string out;  ///< empty: SCENE.out beside the scene's name
   std::vector<std::string> overrides;
-  std::string restart;  ///< result folder or checkpoint file; empty: from the start
+  std::string restart;    ///< result folder or checkpoint file; empty: from the start
+  std::string partition;  ///< file of `brunt partition --write`; empty: the usual partition
   bool force = false;
   bool quiet = false;
 };

@@ -116,13 +116,14 @@ void Loop::pass(bool last) {
     results_.watch_folds();
     results_.watch_driven();
   }
-  const time::StepReport step = time::evaluate(run_.model, run_.state, run_.scratch, run_.links, control);
+  const bool sampled = static_cast<GlobalIndex>(state.step) % steps_between_samples == 0;
+  const time::StepReport step = evaluate(control, sampled);
   if (step.stop) stop_for_element(step);
   watch_step(step);
   remove_due(run_, log_);
   if (fields) results_.read_fields();
   if (row) results_.read_probes();
-  time::advance(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);
+  advance(step, sampled);
   if (!last) ++passes_;
   if (!last) watch_iterations();
   if (fields) results_.write_fields(&step);
@@ -138,6 +139,23 @@ void Loop::pass(bool last) {
     }
   }
   if (static_cast<GlobalIndex>(state.step) % 20 == 0) log_.progress(progress(state, input.run), time_left());
+}
+
+time::StepReport Loop::evaluate(const time::StepControl& control, bool sampled) {
+  const WorkSample sample(run_.work.evaluate, sampled);
+  return time::evaluate(run_.model, run_.state, run_.scratch, run_.links, control);
+}
+
+void Loop::advance(const time::StepReport& step, bool sampled) {
+  const double motion = run_.links.timers.seconds(Phase::other);
+  {
+    const WorkSample sample(run_.work.advance, sampled);
+    time::advance(run_.model, run_.state, run_.scratch, run_.links, run_.contact.get(), step);
+  }
+  if (!sampled) return;
+  run_.work.contact = run_.contact != nullptr;
+  run_.work.motion += run_.links.timers.seconds(Phase::other) - motion;
+  ++run_.work.steps;
 }
 
 void Loop::pass_implicit() {

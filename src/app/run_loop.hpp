@@ -53,6 +53,10 @@ class Loop {
   /// One step, with what is to be written about t_n.
   void pass(bool last);
 
+  /// The two halves of an explicit step; `sampled`: their work is measured.
+  time::StepReport evaluate(const time::StepControl& control, bool sampled);
+  void advance(const time::StepReport& step, bool sampled);
+
   /// The same of an implicit run, where records are of the end of the step; `last`: what the end of a run has to write.
   void pass_implicit();
   void record_implicit(bool last);

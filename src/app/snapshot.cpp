@@ -22,6 +22,9 @@ void for_saved(const model::Registry& registry, Visit&& visit) {
 
 void Snapshot::take(const model::Registry& registry) {
   values_.clear();
+  std::size_t count = 0;
+  for_saved(registry, [&](double) { ++count; });
+  values_.reserve(count);
   for_saved(registry, [&](double value) { values_.push_back(value); });
   tables_.resize(registry.tables.size());
   for (std::size_t t = 0; t < tables_.size(); ++t) tables_[t] = *registry.tables[t];

@@ -14,6 +14,8 @@ class Snapshot {
   void take(const model::Registry& registry);
   /// Fills the arrays and tables of the same registry with what was taken.
   void give_back(const model::Registry& registry) const;
+  /// Forgets the copy and gives its memory back.
+  void release() { *this = {}; }
 
  private:
   std::vector<double> values_;

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <limits>
 
+#include "brunt/comm/message_time.hpp"
 #include "brunt/comm/native.hpp"
 #include "brunt/core/error.hpp"
 
@@ -169,6 +170,7 @@ double Communicator::min(double value) const {
 
 void Communicator::max(std::span<double> values) const {
   count_collective(*this, values.size_bytes());
+  const MessageTime timed;
   to_keys(values);
   MPI_Allreduce(MPI_IN_PLACE, values.data(), count_of(values.size()), MPI_INT64_T, MPI_MAX, native_->comm);
   from_keys(values);
@@ -183,6 +185,7 @@ void Communicator::begin_max(std::span<double> values) const {
 }
 
 void Communicator::end_max(std::span<double> values) const {
+  const MessageTime timed;
   MPI_Wait(&native_->pending, MPI_STATUS_IGNORE);  // NOLINT(clang-analyzer-optin.mpi.MPI-Checker): of begin_max
   from_keys(values);
 }
@@ -194,12 +197,14 @@ GlobalIndex Communicator::sum(GlobalIndex value) const {
 
 void Communicator::sum(std::span<GlobalIndex> values) const {
   count_collective(*this, values.size_bytes());
+  const MessageTime timed;
   // unsigned: overflow of a signed sum is undefined
   MPI_Allreduce(MPI_IN_PLACE, values.data(), count_of(values.size()), MPI_UINT64_T, MPI_SUM, native_->comm);
 }
 
 void Communicator::max_and_sum(std::span<double> largest, std::span<GlobalIndex> sums) const {
   demand(largest.size() <= Mixed::room && sums.size() <= Mixed::room, "a reduction carries six maxima and six sums");
+  const MessageTime timed;
   Mixed mixed{};
   for (std::size_t k = 0; k < largest.size(); ++k) mixed.largest[k] = ordered(largest[k]);
   for (std::size_t k = 0; k < sums.size(); ++k) mixed.sum[k] = static_cast<std::uint64_t>(sums[k]);
@@ -211,6 +216,7 @@ void Communicator::max_and_sum(std::span<double> largest, std::span<GlobalIndex>
 
 GlobalIndex Communicator::max(GlobalIndex value) const {
   count_collective(*this, sizeof value);
+  const MessageTime timed;
   MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT64_T, MPI_MAX, native_->comm);
   return value;
 }
@@ -220,6 +226,7 @@ bool Communicator::any(bool value) const {
 }
 
 GlobalIndex Communicator::sum_before(GlobalIndex value) const {
+  const MessageTime timed;
   GlobalIndex before = 0;
   count_collective(*this, sizeof value);
   MPI_Exscan(&value, &before, 1, MPI_INT64_T, MPI_SUM, native_->comm);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "brunt/comm/message_time.hpp"
 #include "brunt/comm/native.hpp"
 #include "brunt/core/error.hpp"
 
@@ -87,7 +88,10 @@ void exact_sum(const Communicator& ranks, std::span<ExactAccumulator> sums, std:
   message.resize(sums.size() * stride);
   for (std::size_t i = 0; i < sums.size(); ++i) std::ranges::copy(sums[i].raw(), message.data() + i * stride);
   count_collective(ranks, message.size() * sizeof(std::int64_t));
-  MPI_Allreduce(MPI_IN_PLACE, message.data(), static_cast<int>(message.size()), MPI_INT64_T, MPI_SUM, native(ranks));
+  {
+    const MessageTime timed;
+    MPI_Allreduce(MPI_IN_PLACE, message.data(), static_cast<int>(message.size()), MPI_INT64_T, MPI_SUM, native(ranks));
+  }
   for (std::size_t i = 0; i < sums.size(); ++i) {
     ExactAccumulator total;
     std::copy_n(message.data() + i * stride, stride, total.raw().data());

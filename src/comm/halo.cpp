@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "brunt/comm/message_time.hpp"
 #include "brunt/comm/native.hpp"
 #include "brunt/core/error.hpp"
 
@@ -126,6 +127,7 @@ LocalIndex Halo::leaves() const {
 
 void Halo::begin(std::span<const double> roots, std::span<double> leaves, int width) const {
   if (!forest_) return;
+  const MessageTime timed;
   forest_->demand_sizes(roots.size(), leaves.size(), width);
   count_exchange(forest_->ranks, forest_->to_leaves, width);
   check(PetscSFBcastBegin(forest_->sf, forest_->type_of(width), roots.data(), leaves.data(), MPI_REPLACE),
@@ -134,12 +136,14 @@ void Halo::begin(std::span<const double> roots, std::span<double> leaves, int wi
 
 void Halo::end(std::span<const double> roots, std::span<double> leaves, int width) const {
   if (!forest_) return;
+  const MessageTime timed;
   check(PetscSFBcastEnd(forest_->sf, forest_->type_of(width), roots.data(), leaves.data(), MPI_REPLACE),
         "PetscSFBcastEnd");
 }
 
 void Halo::backward(std::span<const double> leaves, std::span<double> roots, int width) const {
   if (!forest_) return;
+  const MessageTime timed;
   forest_->demand_sizes(roots.size(), leaves.size(), width);
   count_exchange(forest_->ranks, forest_->to_roots, width);
   MPI_Datatype type = forest_->type_of(width);

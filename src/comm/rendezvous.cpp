@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "brunt/comm/message_time.hpp"
 #include "brunt/comm/native.hpp"
 #include "brunt/core/error.hpp"
 
@@ -32,6 +33,7 @@ Ragged<std::byte> room_for_incoming(const Communicator& ranks, const std::vector
 }  // namespace
 
 Ragged<std::byte> exchange_bytes(const Communicator& ranks, const Ragged<std::byte>& outgoing) {
+  const MessageTime timed;
   demand(outgoing.rows() == ranks.size(), "an exchange has one row for each rank");
   demand(outgoing.values.size() == static_cast<std::size_t>(outgoing.offsets.back()),
          "the rows of an exchange hold less than 2 GiB");

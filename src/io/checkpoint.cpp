@@ -16,19 +16,20 @@
 #include "checkpoint_records.hpp"
 #include "checkpoint_tables.hpp"
 #include "disk_space.hpp"
+#include "measured_tables.hpp"
 #include "on_root.hpp"
 
 namespace brunt::io {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr GlobalIndex format_version = 3;
-constexpr std::size_t longest_attribute = 60000;  // HDF5 takes 64 kB
+constexpr GlobalIndex format_version = 4, oldest_readable = 3;  // 4: /measured
+constexpr std::size_t longest_attribute = 60000;                // HDF5 takes 64 kB
 
-GlobalIndex header_hash(const CheckpointHeader& header, GlobalIndex nodes) {
+GlobalIndex header_hash(const CheckpointHeader& header, GlobalIndex nodes, GlobalIndex format = format_version) {
   const auto time = std::bit_cast<std::uint64_t>(header.time);
   return static_cast<GlobalIndex>(
-      model::hash_text(fmt::format("{} {} {} {} {}", format_version, header.step, time, nodes, header.fingerprint)));
+      model::hash_text(fmt::format("{} {} {} {} {}", format, header.step, time, nodes, header.fingerprint)));
 }
 
 GlobalIndex table_hash(const comm::Communicator& ranks, const SavedTable& table, GlobalIndex first,
@@ -38,7 +39,8 @@ GlobalIndex table_hash(const comm::Communicator& ranks, const SavedTable& table,
   return ranks.sum(static_cast<GlobalIndex>(mine));
 }
 
-void write_tables(Hdf5File& file, const CheckpointHeader& header, const model::Registry& registry) {
+void write_tables(Hdf5File& file, const CheckpointHeader& header, const model::Registry& registry,
+                  const RankWork* work) {
   file.set_attribute("/", "format", format_version);
   file.set_attribute("/", "fingerprint", header.fingerprint);
   file.set_attribute("/", "step", header.step);
@@ -58,12 +60,16 @@ void write_tables(Hdf5File& file, const CheckpointHeader& header, const model::R
     file.set_attribute(table.path, "hash", hash);
   }
   for (const RecordTable* table : registry.tables) write_records(file, *table);
+  if (work) write_measured(file, *work, registry, layout);
 }
 
-GlobalIndex bytes_of(const comm::Communicator& ranks, const model::Registry& registry) {
+GlobalIndex bytes_of(const comm::Communicator& ranks, const model::Registry& registry, bool measured) {
   GlobalIndex bytes = 16384;
   for (const SavedTable& table : saved_tables(registry)) bytes += table_bytes(table.rows, table.array->components);
   for (const RecordTable* table : registry.tables) bytes += record_bytes(ranks, *table);
+  if (!measured) return bytes;
+  bytes += table_bytes(ranks.size(), 2);
+  for (const GlobalIndex count : registry.block_count) bytes += table_bytes(count, 2);
   return bytes;
 }
 
@@ -95,14 +101,14 @@ CheckpointHeader sound_header(const Hdf5File& file) {
   if (!file.has_attribute("/", "fingerprint"))
     throw InputError(file.path() + ": is no checkpoint; those of a result folder are called checkpoint_*.h5");
   const GlobalIndex version = file.integer_attribute("/", "format");
-  if (version != format_version)
-    throw InputError(fmt::format("{}: checkpoint format {} is not known (this program reads {})", file.path(), version,
-                                 format_version));
+  if (version < oldest_readable || version > format_version)
+    throw InputError(fmt::format("{}: checkpoint format {} is not known (this program reads {} to {})", file.path(),
+                                 version, oldest_readable, format_version));
   CheckpointHeader header;
   header.step = file.integer_attribute("/", "step");
   header.time = file.real_attribute("/", "time");
   header.fingerprint = file.text_attribute("/", "fingerprint");
-  if (file.integer_attribute("/", "hash") != header_hash(header, file.integer_attribute("/", "nodes")))
+  if (file.integer_attribute("/", "hash") != header_hash(header, file.integer_attribute("/", "nodes"), version))
     throw InputError(file.path() + ": the header is damaged (its hash differs from the stored one)");
   if (file.has_attribute("/", "scene")) header.scene = file.text_attribute("/", "scene");
   if (file.has_attribute("/", "history_rows")) header.history_rows = file.integer_attribute("/", "history_rows");
@@ -123,7 +129,7 @@ void check_same_tables(const Hdf5File& file, const std::vector<SavedTable>& tabl
   for (const RecordTable* table : records)
     for (const std::string& path : {keys_path(*table), values_path(*table)}) wanted.push_back(path.substr(1));
   std::sort(wanted.begin(), wanted.end());
-  const std::vector<std::string> stored = file.datasets("/");
+  const std::vector<std::string> stored = state_tables(file);
   std::vector<std::string> faults;
   for (const std::string& name : without(wanted, stored))
     faults.push_back(fmt::format("{}: does not fit this model: it has no table {}", file.path(), name));
@@ -153,13 +159,13 @@ std::vector<double> sound_rows(const Hdf5File& file, const SavedTable& table, co
 }  // namespace
 
 std::string write_checkpoint(const comm::Communicator& ranks, const std::string& folder, const CheckpointHeader& header,
-                             const model::Registry& registry) {
+                             const model::Registry& registry, const RankWork* work) {
   std::string path = fmt::format("{}/checkpoint_{:09}.h5", folder, header.step);
   const std::string draft = path + ".tmp";
   try {
-    demand_disk_space(ranks, draft, bytes_of(ranks, registry));
+    demand_disk_space(ranks, draft, bytes_of(ranks, registry, work != nullptr));
     Hdf5File file(ranks, draft, Hdf5File::Mode::create);
-    write_tables(file, header, registry);
+    write_tables(file, header, registry, work);
     file.close();
   } catch (const MachineError&) {
     std::error_code ignored;  // what matters is why the checkpoint failed

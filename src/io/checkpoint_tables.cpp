@@ -64,12 +64,22 @@ RowRange TableLayout::rows(const SavedTable& table) const {
 
 std::vector<double> TableLayout::to_blocks(const SavedTable& table) const {
   const model::StateArray& array = *table.array;
-  std::vector<double> values;
-  for (LocalIndex i = 0; i < held(array); ++i)
-    for (int c = 0; c < array.components; ++c) values.push_back(array.at(entity(array, i), c));
-  if (array.entity == Entity::global) return values;
-  std::vector<double> block(static_cast<std::size_t>(rows(table).count) * static_cast<std::size_t>(array.components));
-  redistribution(array).to_blocks(values, block, array.components);
+  const auto width = static_cast<std::size_t>(array.components);
+  std::vector<double> block(static_cast<std::size_t>(rows(table).count) * width);
+  if (array.entity == Entity::global) {
+    for (std::size_t k = 0; k < block.size(); ++k)
+      block[k] = array.at(static_cast<LocalIndex>(k / width), static_cast<int>(k % width));
+    return block;
+  }
+  // column by column: a whole table three times over would be most of the memory of a run
+  std::vector<double> held_column(static_cast<std::size_t>(held(array))),
+      column(static_cast<std::size_t>(rows(table).count));
+  for (int c = 0; c < array.components; ++c) {
+    for (LocalIndex i = 0; i < held(array); ++i)
+      held_column[static_cast<std::size_t>(i)] = array.at(entity(array, i), c);
+    redistribution(array).to_blocks(held_column, column, 1);
+    for (std::size_t i = 0; i < column.size(); ++i) block[i * width + static_cast<std::size_t>(c)] = column[i];
+  }
   return block;
 }
 

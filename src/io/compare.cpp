@@ -15,6 +15,7 @@
 #include "brunt/io/record_pairs.hpp"
 #include "brunt/io/state_file.hpp"
 #include "compare_tables.hpp"
+#include "measured_tables.hpp"
 
 namespace brunt::io {
 namespace {
@@ -115,7 +116,7 @@ void compare_states(const comm::Communicator& ranks, const std::string& path_a, 
 void compare_checkpoints(const comm::Communicator& ranks, const std::string& path_a, const std::string& path_b,
                          Comparison& result) {
   const Hdf5File a(ranks, path_a, Hdf5File::Mode::read), b(ranks, path_b, Hdf5File::Mode::read);
-  const std::vector<std::string> names_a = a.datasets("/"), names_b = b.datasets("/");
+  const std::vector<std::string> names_a = state_tables(a), names_b = state_tables(b);
   std::vector<std::string> all;
   std::set_union(names_a.begin(), names_a.end(), names_b.begin(), names_b.end(), std::back_inserter(all));
   const double time = a.real_attribute("/", "time");

@@ -17,38 +17,40 @@ constexpr double xdmf_tetrahedron = 6, xdmf_hexahedron = 9;
 StateBlock state_block(const mesh::LocalMesh& mesh, std::size_t b) {
   const mesh::LocalBlock& local = mesh.blocks[b];
   StateBlock block{mesh.block_name[b], mesh.block_id[b], local.shape, local.input, {}, {}};
+  block.nodes.reserve(local.nodes.size());
   for (const LocalIndex node : local.nodes) block.nodes.push_back(mesh.input_node[static_cast<std::size_t>(node)]);
   return block;
 }
 
-std::vector<double> as_doubles(const std::vector<GlobalIndex>& values) {
-  return {values.begin(), values.end()};  // exact: indices stay below 2^53
-}
-
-// Rows of integers that each rank holds by index, brought into blocks and written from row `offset` of the table on.
+// Rows of `width` integers, `rows` of them held here by index, brought into blocks and written from row `offset` of the
+// table on. value(row, column): as a double, which is exact below 2^53. Columns travel one by one, for less memory.
+template <class Value>
 void write_integers(Hdf5File& file, const std::string& table, GlobalIndex offset,
-                    const comm::BlockRedistribution& redistribution, const std::vector<double>& held, int width) {
+                    const comm::BlockRedistribution& redistribution, std::size_t rows, int width, Value value) {
   const Rank rank = file.ranks().rank();
   const comm::BlockLayout& layout = redistribution.layout();
-  std::vector<double> block(static_cast<std::size_t>(layout.count(rank)) * static_cast<std::size_t>(width));
-  redistribution.to_blocks(held, block, width);
-  std::vector<std::int64_t> integers;
-  integers.reserve(block.size());
-  for (const double value : block) integers.push_back(std::llround(value));
+  const auto columns = static_cast<std::size_t>(width);
+  std::vector<double> held(rows), block(static_cast<std::size_t>(layout.count(rank)));
+  std::vector<std::int64_t> integers(block.size() * columns);
+  for (std::size_t c = 0; c < columns; ++c) {
+    for (std::size_t i = 0; i < rows; ++i) held[i] = value(i, c);
+    redistribution.to_blocks(held, block, 1);
+    for (std::size_t i = 0; i < block.size(); ++i) integers[i * columns + c] = std::llround(block[i]);
+  }
   const GlobalIndex table_width = file.extent(table).width;
   file.write(table, offset + layout.first(rank) * width / table_width, std::span<const std::int64_t>(integers));
 }
 
 // The nodes of each element, led by the type of the cell where shapes are mixed.
-std::vector<double> cells(const StateBlock& block, bool mixed) {
-  if (!mixed) return as_doubles(block.nodes);
-  const auto width = static_cast<std::size_t>(nodes_per_element(block.shape));
-  std::vector<double> stream;
-  for (std::size_t i = 0; i < block.nodes.size(); ++i) {
-    if (i % width == 0) stream.push_back(block.shape == mesh::Shape::hex8 ? xdmf_hexahedron : xdmf_tetrahedron);
-    stream.push_back(static_cast<double>(block.nodes[i]));
-  }
-  return stream;
+void write_cells(Hdf5File& file, GlobalIndex offset, const comm::BlockRedistribution& redistribution,
+                 const StateBlock& block, bool mixed) {
+  const auto nodes = static_cast<std::size_t>(nodes_per_element(block.shape));
+  const double type = block.shape == mesh::Shape::hex8 ? xdmf_hexahedron : xdmf_tetrahedron;
+  const std::size_t lead = mixed ? 1 : 0;
+  write_integers(file, "/mesh/connectivity", offset, redistribution, block.element.size(),
+                 static_cast<int>(nodes + lead), [&](std::size_t i, std::size_t c) {
+                   return c < lead ? type : static_cast<double>(block.nodes[i * nodes + c - lead]);
+                 });
 }
 
 std::vector<GlobalIndex> element_counts(const comm::Communicator& ranks, const StateMesh& mesh) {
@@ -74,6 +76,9 @@ StateMesh state_mesh(const mesh::LocalMesh& mesh, Rank rank) {
   StateMesh result;
   result.global_nodes = mesh.global_nodes;
   result.global_elements = mesh.global_elements;
+  const auto owned = static_cast<std::size_t>(std::ranges::count(mesh.owner, rank));
+  for (auto* indices : {&result.node, &result.node_id}) indices->reserve(owned);
+  result.coordinates.reserve(3 * owned);
   for (std::size_t i = 0; i < mesh.node_gid.size(); ++i) {
     if (mesh.owner[i] != rank) continue;
     result.node.push_back(mesh.input_node[i]);
@@ -102,7 +107,7 @@ void StateFile::write_connectivity(const StateMesh& mesh) {
     for (GlobalIndex& element : in_block) element -= first;
     const int width = nodes_per_element(block.shape) + (kind.mixed ? 1 : 0);
     const comm::BlockRedistribution rows(ranks_, counts[b], in_block);
-    write_integers(*file_, "/mesh/connectivity", offset, rows, cells(block, kind.mixed), width);
+    write_cells(*file_, offset, rows, block, kind.mixed);
     const std::string group = fmt::format("/mesh/block_{}", b);
     file_->create_group(group);
     file_->set_attribute(group, "name", block.name);
@@ -123,12 +128,14 @@ void StateFile::write_mesh(const StateMesh& mesh) {
   nodes_.to_blocks(mesh.coordinates, block, 3);
   file_->write("/mesh/coordinates", nodes_.layout().first(ranks_.rank()), std::span<const double>(block));
   file_->create_integers("/mesh/node_id", global_nodes_, 1);
-  write_integers(*file_, "/mesh/node_id", 0, nodes_, as_doubles(mesh.node_id), 1);
+  write_integers(*file_, "/mesh/node_id", 0, nodes_, mesh.node_id.size(), 1,
+                 [&](std::size_t i, std::size_t) { return static_cast<double>(mesh.node_id[i]); });
   std::vector<double> element_block;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
     element_block.insert(element_block.end(), mesh.blocks[b].element.size(), static_cast<double>(b));
   file_->create_integers("/mesh/element_block", global_elements_, 1);
-  write_integers(*file_, "/mesh/element_block", 0, elements_, element_block, 1);
+  write_integers(*file_, "/mesh/element_block", 0, elements_, element_block.size(), 1,
+                 [&](std::size_t i, std::size_t) { return element_block[i]; });
   write_connectivity(mesh);
 }
 

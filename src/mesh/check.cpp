@@ -166,7 +166,7 @@ void warn_coincident(const Mesh& mesh, std::vector<std::string>& warnings) {
 
 }  // namespace
 
-CheckReport check(const Mesh& mesh) {
+CheckReport check(const Mesh& mesh, MeshSource source) {
   CheckReport report;
   check_blocks(mesh, report.faults);
   check_coordinates(mesh, report.faults);
@@ -174,8 +174,9 @@ CheckReport check(const Mesh& mesh) {
   if (!report.faults.empty()) return report;  // what follows reads coordinates through the indices
   check_repeats(mesh, report.faults);
   check_jacobians(mesh, report.faults);
-  check_duplicate_elements(mesh, report.faults);
   warn_unused(mesh, report.warnings);
+  if (source == MeshSource::generated) return report;
+  check_duplicate_elements(mesh, report.faults);
   warn_coincident(mesh, report.warnings);
   return report;
 }

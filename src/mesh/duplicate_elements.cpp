@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <unordered_map>
@@ -183,6 +184,7 @@ std::vector<std::string> coincident_elements(const Mesh& mesh, const std::vector
     Element a, b;
   };
   std::map<std::pair<LocalIndex, LocalIndex>, Found> found;
+  if (std::ranges::adjacent_find(piece, std::ranges::not_equal_to{}) == piece.end()) return {};  // one piece alone
   PlaceFinder(mesh, piece).each_pair([&](const Element& a, const Element& b) {
     Found& pair = found[{a.block, b.block}];
     if (pair.count++ == 0) pair = {1, a, b};

@@ -27,11 +27,14 @@ NamedNodes::NamedNodes(const Input& input, const mesh::CanonicalMesh& whole) : i
 }
 
 NamedNodes::Nodes NamedNodes::of_part(const std::string& part) const {
-  Nodes nodes;
+  std::vector<char> touched(whole_.mesh.coordinates.size(), 0);
   for (std::size_t b = 0; b < part_of_block_.size(); ++b)
     if (part_of_block_[b] == part)
-      nodes.insert(nodes.end(), whole_.mesh.blocks[b].nodes.begin(), whole_.mesh.blocks[b].nodes.end());
-  sort_unique(nodes);
+      for (const LocalIndex node : whole_.mesh.blocks[b].nodes) touched[static_cast<std::size_t>(node)] = 1;
+  Nodes nodes;
+  nodes.reserve(static_cast<std::size_t>(std::ranges::count(touched, 1)));
+  for (std::size_t i = 0; i < touched.size(); ++i)
+    if (touched[i] != 0) nodes.push_back(static_cast<LocalIndex>(i));
   return nodes;
 }
 

@@ -5,6 +5,7 @@
 //
 // Layout: attributes of /: format, fingerprint, scene, history_rows, step, time, nodes, and `hash` of the header;
 //         /nodes/NAME, /elements/NAME, /globals/NAME: tables [entities][components] with the attribute `hash`;
+//         /measured: what the ranks measured of their own work (measured_work.hpp), no part of the state;
 //         /records/NAME/keys, /records/NAME/values (with `hash`): records that come and go.
 #pragma once
 #include <optional>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "brunt/comm/communicator.hpp"
+#include "brunt/io/measured_work.hpp"
 #include "brunt/model/registry.hpp"
 
 namespace brunt::io {
@@ -27,9 +29,10 @@ struct CheckpointHeader {
 };
 
 /// Writes folder/checkpoint_<step, 9 digits>.h5 and returns its path; older ones but the last before are removed.
-/// Collective. Throws MachineError with path and reason on all ranks; the checkpoints before stay as they were.
+/// `work`: of this rank, where it was measured. Collective. Throws MachineError with path and reason on all ranks; the
+/// checkpoints before stay as they were.
 std::string write_checkpoint(const comm::Communicator& ranks, const std::string& folder, const CheckpointHeader& header,
-                             const model::Registry& registry);
+                             const model::Registry& registry, const RankWork* work = nullptr);
 
 /// Step, time and fingerprint alone. Collective; throws InputError.
 [[nodiscard]] CheckpointHeader read_checkpoint_header(const comm::Communicator& ranks, const std::string& path);

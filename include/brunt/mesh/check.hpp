@@ -20,6 +20,8 @@ struct CheckReport {
 /// collapsed to a node) and tetrahedron (a face, and an edge of the opposite face). Warnings: nodes that no element
 /// uses; distinct nodes of one body at the same place (to 1e-9 of the mesh's size). At most ten lines of a kind, then
 /// the number of those left out. Jacobians count as positive above 1e-12 of the product of the three edge lengths.
-CheckReport check(const Mesh& mesh);
+/// A body that was generated has no element and no node twice: that is not looked for.
+enum class MeshSource { file, generated };
+CheckReport check(const Mesh& mesh, MeshSource source = MeshSource::file);
 
 }  // namespace brunt::mesh

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// A partition that a later run takes: which rank computes which element.
+//
+// Layout: attributes of /: partition_format, parts, fingerprint, scene; /part [elements]: in canonical order.
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brunt/core/types.hpp"
+
+namespace brunt::io {
+
+struct PartitionFile {
+  int parts = 1;
+  std::string fingerprint, scene;  ///< as in a checkpoint: of which scene
+  std::vector<Rank> part;          ///< of each element in canonical order
+};
+
+/// Both for the root alone. Writing throws MachineError; reading throws InputError that names the file where it is no
+/// partition or a part of it is out of range.
+void write_partition(const std::string& path, const PartitionFile& partition);
+[[nodiscard]] PartitionFile read_partition(const std::string& path);
+
+}  // namespace brunt::io

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// All faces of a mesh in rows by their lowest node, where equal ones are found among a dozen: linear in the mesh. Four
+// bytes a face and a node are kept; the nodes of a face are read from its element when its row is visited.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "brunt/mesh/mesh.hpp"
+#include "brunt/mesh/topology.hpp"
+
+namespace brunt::mesh {
+
+/// A face with at least three distinct nodes.
+struct KeyedFace {
+  std::array<LocalIndex, 4> key{};  ///< its nodes ascending, the same for all elements that share it; a triangle's
+                                    ///< begin with no_index
+  LocalIndex element = 0;           ///< over all blocks in order
+  std::int32_t face = 0;            ///< of the element, as in core/cells.hpp
+  [[nodiscard]] bool same_nodes(const KeyedFace& other) const {
+    return key[3] == other.key[3] && key[2] == other.key[2] && key[1] == other.key[1] && key[0] == other.key[0];
+  }
+};
+
+class FaceRows {
+ public:
+  /// Keeps a reference to the mesh.
+  explicit FaceRows(const Mesh& mesh);
+
+  [[nodiscard]] std::size_t faces() const { return code_.size(); }
+
+  /// Calls visit(std::span<const KeyedFace>) for the faces of each node that is the lowest of some, ascending by node;
+  /// in a row they ascend by element and face.
+  template <class Visit>
+  void for_each_row(Visit&& visit) const {
+    std::vector<KeyedFace> row;
+    for (std::size_t node = 0; node + 1 < first_.size(); ++node) {
+      if (first_[node] == first_[node + 1]) continue;
+      row.clear();
+      for (std::uint32_t i = first_[node]; i < first_[node + 1]; ++i) row.push_back(face_of(code_[i]));
+      visit(std::span<const KeyedFace>(row));
+    }
+  }
+
+  /// Of a face that was visited.
+  [[nodiscard]] Side side(const KeyedFace& face) const {
+    const std::size_t block = block_of(face.element);
+    return {static_cast<LocalIndex>(block), face.element - block_first_[block], face.face};
+  }
+
+ private:
+  [[nodiscard]] std::size_t block_of(LocalIndex element) const;
+  [[nodiscard]] KeyedFace face_of(std::uint32_t code) const;
+
+  const Mesh& mesh_;
+  std::vector<LocalIndex> block_first_;  // element of each block's first; the last entry counts all
+  std::vector<std::uint32_t> first_;     // of each node's row; the last entry counts all faces
+  std::vector<std::uint32_t> code_;      // 8 element + face
+};
+
+}  // namespace brunt::mesh

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The nodes of an element's face, for loops over all of them.
+#pragma once
+#include <array>
+
+#include "brunt/core/cells.hpp"
+#include "brunt/mesh/mesh.hpp"
+
+namespace brunt::mesh {
+
+constexpr std::array<LocalIndex, 4> no_face{no_index, no_index, no_index, no_index};
+
+/// Distinct ones in order, then no_index; `no_face` where fewer than three are distinct.
+inline std::array<LocalIndex, 4> without_repeats(const std::array<LocalIndex, 4>& corners) {
+  std::array<LocalIndex, 4> nodes = no_face;
+  std::size_t count = 0;
+  for (const LocalIndex node : corners) {
+    const bool repeated =
+        (count > 0 && nodes[0] == node) || (count > 1 && nodes[1] == node) || (count > 2 && nodes[2] == node);
+    if (!repeated && node != no_index) nodes[count++] = node;
+  }
+  return count < 3 ? no_face : nodes;
+}
+
+/// As mesh::face_nodes; nearly all faces have no node twice.
+inline std::array<LocalIndex, 4> corners_of_face(Shape shape, const LocalIndex* element, int face) {
+  const auto f = static_cast<std::size_t>(face);
+  if (shape == Shape::hex8) {
+    const auto& c = cells::hex_faces[f];
+    const std::array<LocalIndex, 4> n{element[c[0]], element[c[1]], element[c[2]], element[c[3]]};
+    const bool repeats =
+        (n[0] == n[1]) | (n[1] == n[2]) | (n[2] == n[3]) | (n[3] == n[0]) | (n[0] == n[2]) | (n[1] == n[3]);
+    return repeats ? without_repeats(n) : n;
+  }
+  const auto& c = cells::tet_faces[f];
+  const std::array<LocalIndex, 4> n{element[c[0]], element[c[1]], element[c[2]], no_index};
+  const bool repeats = (n[0] == n[1]) | (n[1] == n[2]) | (n[2] == n[0]);
+  return repeats ? without_repeats(n) : n;
+}
+
+}  // namespace brunt::mesh

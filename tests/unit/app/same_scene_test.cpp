@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files of another scene are refused with the keys that differ.
+#include "app/same_scene.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "brunt/core/error.hpp"
+
+using namespace brunt;
+
+TEST_CASE("same scene: the keys that differ are named") {
+  CHECK_NOTHROW(app::refuse_other_scene("f.h5", {"1", "a=1\n"}, {"1", "a=2\n"}));
+  CHECK_NOTHROW(app::refuse_other_scene("f.h5", {"1", ""}, {"2", "a=2\n"}));
+  CHECK_NOTHROW(app::refuse_other_scene("f.h5", {"1", "a=1\n"}, {"2", "a=1\n"}));
+  CHECK_THROWS_WITH(app::refuse_other_scene("f.h5", {"1", "a=1\nb=2\n"}, {"2", "a=3\nb=2\n"}),
+                    Catch::Contains("f.h5: written by another scene: a is 1 there and 3 here"));
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// A partition is read back; other files and parts out of range are refused by name.
+#include "brunt/io/partition_file.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "brunt/core/error.hpp"
+#include "brunt/io/hdf5.hpp"
+#include "scratch_folder.hpp"
+
+using namespace brunt;
+
+namespace {
+
+std::string fault_of(const std::string& path) {
+  try {
+    (void)io::read_partition(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("partition file: read back, others refused") {
+  const comm::Communicator self = comm::Communicator::self();
+  const test::ScratchFolder folder(self);
+  const std::string path = folder / "p.h5";
+  io::write_partition(path, {3, "f", "a=1\n", {0, 2, 1, 1}});
+  const io::PartitionFile read = io::read_partition(path);
+  CHECK(read.parts == 3);
+  CHECK(read.fingerprint == "f");
+  CHECK(read.scene == "a=1\n");
+  CHECK(read.part == std::vector<Rank>{0, 2, 1, 1});
+
+  CHECK_THAT(fault_of(folder / "none.h5"), Catch::Contains("none.h5"));
+  io::Hdf5File(self, folder / "other.h5", io::Hdf5File::Mode::create).close();
+  CHECK_THAT(fault_of(folder / "other.h5"), Catch::Contains("is no partition"));
+  io::write_partition(path, {2, "f", "", {0, 2}});
+  CHECK_THAT(fault_of(path), Catch::Contains("out of range: 2"));
+}
