@@ -55,7 +55,8 @@ class Model(unittest.TestCase):
                 shares = [share for _, _, share in line]
                 self.assertEqual(shares[0], 1, name)
                 self.assertTrue(all(0 < share <= 1 for share in shares), name)
-                self.assertEqual(shares, sorted(shares, reverse=True), name)
+                if "strong" in name:
+                    self.assertEqual(shares, sorted(shares, reverse=True), name)
         sent = model.counts(prediction.blocks(1e6, True), 1)
         self.assertEqual((sent.messages, sent.bytes), (0, 0))
 
