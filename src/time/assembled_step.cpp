@@ -9,9 +9,9 @@
 namespace brunt::time {
 namespace {
 
-/// Times the elements' stable step: of a length where damping counts as springs. The bound holds for any. Where the mesh
-/// allows more, damping counts for too much (by 1 % of the step with the default bulk viscosity); where it allows less,
-/// all stiffness counts as if it were damping, which costs more.
+/// Times the elements' stable step: of a length where damping counts as springs. The bound holds for any. Where the
+/// mesh allows more, damping counts for too much (by 1 % of the step with the default bulk viscosity); where it allows
+/// less, all stiffness counts as if it were damping, which costs more.
 constexpr double expected_gain = 1.1;
 
 /// In the place of a removed element its batch kept what a living one has; which one depends on the ranks.

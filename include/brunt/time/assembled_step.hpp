@@ -26,8 +26,8 @@ namespace brunt::time {
 constexpr double lanczos_share = 0.1;
 /// Probability with which that is not enough in one estimate.
 constexpr double lanczos_risk = 1e-6;
-/// Steps from one estimate to the next: some thirty products at a quarter of a step each are less than 2 % of them.
-constexpr int estimate_span = 500;
+/// Steps from one estimate to the next: some thirty products at half a step each are less than 2 % of them.
+constexpr int estimate_span = 1000;
 
 /// Part of the state: saved and hashed.
 struct AssembledStep {
