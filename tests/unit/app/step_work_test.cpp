@@ -18,7 +18,7 @@ TEST_CASE("step work: samples are taken where they are on") {
     while (comm::processor_seconds() < end) {
     }
   }
-  CHECK(on >= 0.002);
+  CHECK(on >= 0.0019);  // of 0.002, less rounding
   CHECK(off == 0);
 }
 

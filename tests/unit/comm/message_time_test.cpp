@@ -30,7 +30,7 @@ TEST_CASE("message time: booked while messages are timed, and not else") {
     work(0.002);
   }
   comm::time_messages(false);
-  CHECK(comm::message_seconds() - before >= 0.002);
+  CHECK(comm::message_seconds() - before >= 0.0019);  // of 0.002, less rounding
   const double after = comm::message_seconds();
   work(0.001);
   CHECK(comm::message_seconds() == after);
