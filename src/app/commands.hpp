@@ -22,7 +22,7 @@ struct PartitionOptions {
   std::vector<std::string> overrides;
   int parts = 1;
   std::string from;   ///< checkpoint, or result folder, of which the measured times are the weights; empty: estimates
-  std::string write;  ///< file for `brunt run --partition`; empty: none
+  std::string write;  ///< folder for `brunt run --partition`; empty: none
 };
 int partition(const comm::Communicator& ranks, const PartitionOptions& options);
 

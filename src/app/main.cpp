@@ -46,8 +46,8 @@ void add_run(CLI::App& program, app::RunOptions& options, Command& chosen) {
   run->add_option("--restart", options.restart, "Go on from a checkpoint, or from the latest of a result folder")
       ->type_name("PATH")
       ->check(no_path);
-  run->add_option("--partition", options.partition, "Which rank computes what: a file of brunt partition --write")
-      ->type_name("FILE")
+  run->add_option("--partition", options.partition, "Which rank computes what: a folder of brunt partition --write")
+      ->type_name("DIR")
       ->check(no_path);
   run->add_flag("--force", options.force, "Replace the results of an earlier run");
   run->add_flag("--quiet", options.quiet, "Nothing on the terminal but faults (log.txt is written all the same)");
@@ -82,8 +82,8 @@ void add_partition(CLI::App& program, app::PartitionOptions& options, Command& c
                    "result folder")
       ->type_name("CHECKPOINT")
       ->check(no_path);
-  partition->add_option("--write", options.write, "Write the partition, for brunt run --partition")
-      ->type_name("FILE")
+  partition->add_option("--write", options.write, "Write the partition to this new folder, for brunt run --partition")
+      ->type_name("DIR")
       ->check(no_path);
   add_overrides(*partition, options.overrides);
   partition->callback(

@@ -75,7 +75,7 @@ io::MeasuredWork measured_work(const std::string& checkpoint, const SceneIdentit
 
 /// Nothing is overwritten.
 void demand_new(const std::string& path) {
-  if (std::filesystem::exists(path)) throw InputError(path + ": exists; expected the name of a new file");
+  if (std::filesystem::exists(path)) throw InputError(path + ": exists; expected the name of a new folder");
 }
 
 }  // namespace

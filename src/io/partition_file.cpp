@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <filesystem>
+#include <system_error>
 
 #include "brunt/core/error.hpp"
 #include "brunt/io/hdf5.hpp"
@@ -13,10 +15,17 @@ namespace {
 
 constexpr GlobalIndex format_version = 1;
 
+std::string file_in(const std::string& folder) {
+  return (std::filesystem::path(folder) / "partition.h5").string();
+}
+
 }  // namespace
 
-void write_partition(const std::string& path, const PartitionFile& partition) {
-  Hdf5File file(comm::Communicator::self(), path, Hdf5File::Mode::create);
+void write_partition(const std::string& folder, const PartitionFile& partition) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) throw MachineError(fmt::format("{}: cannot be made: {}", folder, failed.message()));
+  Hdf5File file(comm::Communicator::self(), file_in(folder), Hdf5File::Mode::create);
   file.set_attribute("/", "partition_format", format_version);
   file.set_attribute("/", "parts", GlobalIndex{partition.parts});
   file.set_attribute("/", "fingerprint", partition.fingerprint);
@@ -28,11 +37,14 @@ void write_partition(const std::string& path, const PartitionFile& partition) {
   file.close();
 }
 
-PartitionFile read_partition(const std::string& path) {
+PartitionFile read_partition(const std::string& folder) {
+  const std::string path = file_in(folder);
+  if (!std::filesystem::exists(path))
+    throw InputError(folder + ": is no partition; expected a folder of `brunt partition ... --write DIR`");
   const Hdf5File file(comm::Communicator::self(), path, Hdf5File::Mode::read);
   if (!file.has_attribute("/", "partition_format") || !file.has_attribute("/", "fingerprint") ||
       !file.contains("/part"))
-    throw InputError(path + ": is no partition; expected a file of `brunt partition ... --write FILE`");
+    throw InputError(path + ": is no partition; expected what `brunt partition ... --write DIR` has written");
   if (const GlobalIndex version = file.integer_attribute("/", "partition_format"); version != format_version)
     throw InputError(fmt::format("{}: unknown partition format {}; expected {}", path, version, format_version));
   PartitionFile partition;

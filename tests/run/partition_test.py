@@ -37,14 +37,14 @@ class Partition(Program):
         self.assertGreater(self.summary("one")["contact"]["steps"], 0, "nothing touches: the test proves nothing")
         self.run_scene(2, "scene.yaml", "--out", "two")
         for parts in (2, 3):
-            done = self.brunt("partition", "scene.yaml", "-n", str(parts), "--from", "two", "--write", f"p{parts}.h5")
+            done = self.brunt("partition", "scene.yaml", "-n", str(parts), "--from", "two", "--write", f"p{parts}")
             self.assertEqual(done.returncode, 0, done.stderr)
             before, after = map(float, re.search(r"imbalance of contact time +([\d.]+) as measured, ([\d.]+)", done.stdout).groups())
             self.assertGreaterEqual(before, 1)
             self.assertLess(after, 1.1, done.stdout)
-            self.run_scene(parts, "scene.yaml", "--out", f"on{parts}", "--restart", "two", "--partition", f"p{parts}.h5", "--set", "run.steps=90")
+            self.run_scene(parts, "scene.yaml", "--out", f"on{parts}", "--restart", "two", "--partition", f"p{parts}", "--set", "run.steps=90")
             self.assertEqual(self.summary(f"on{parts}")["state_hash"], self.summary("one")["state_hash"])
-        self.run_scene(2, "scene.yaml", "--out", "fresh", "--partition", "p2.h5", "--set", "run.steps=90")
+        self.run_scene(2, "scene.yaml", "--out", "fresh", "--partition", "p2", "--set", "run.steps=90")
         self.assertEqual(self.summary("fresh")["state_hash"], self.summary("one")["state_hash"])
 
     def test_start_up_is_told(self):
@@ -64,13 +64,13 @@ class Partition(Program):
         self.assertIn("text.h5", self.refused(*partition, "--from", "text.h5"))
         self.assertIn("is no checkpoint", self.refused(*partition, "--from", "out/state.h5"))
         self.assertIn("another scene: materials.m.young", self.refused(*partition, "--from", "out", "--set", "materials.m.young=2"))
-        self.assertEqual(self.brunt(*partition, "--write", "p.h5").returncode, 0)
-        self.assertIn("p.h5: exists", self.refused(*partition, "--write", "p.h5"))
+        self.assertEqual(self.brunt(*partition, "--write", "p").returncode, 0)
+        self.assertIn("p: exists", self.refused(*partition, "--write", "p"))
         run = ("run", "scene.yaml", "--out", "new", "--partition")
-        self.assertIn("is of 2 parts", self.refused(*run, "p.h5"))
-        self.assertIn("none.h5", self.refused(*run, "none.h5"))
-        self.assertIn("is no partition", self.refused(*run, "out/state.h5"))
-        self.assertIn("another scene: materials.m.young", self.refused(*run, "p.h5", "--set", "materials.m.young=2"))
+        self.assertIn("is of 2 parts", self.refused(*run, "p"))
+        self.assertIn("none", self.refused(*run, "none"))
+        self.assertIn("is no partition", self.refused(*run, "out"))
+        self.assertIn("another scene: materials.m.young", self.refused(*run, "p", "--set", "materials.m.young=2"))
         self.assertFalse(os.path.exists(os.path.join(self.folder, "new")))
 
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A partition that a later run takes: which rank computes which element.
 //
-// Layout: attributes of /: partition_format, parts, fingerprint, scene; /part [elements]: in canonical order.
+// Layout of partition.h5 in its folder: attributes of /: partition_format, parts, fingerprint, scene; /part [elements]:
+// in canonical order.
 #pragma once
 #include <span>
 #include <string>
@@ -17,9 +18,9 @@ struct PartitionFile {
   std::vector<Rank> part;          ///< of each element in canonical order
 };
 
-/// Both for the root alone. Writing throws MachineError; reading throws InputError that names the file where it is no
-/// partition or a part of it is out of range.
-void write_partition(const std::string& path, const PartitionFile& partition);
-[[nodiscard]] PartitionFile read_partition(const std::string& path);
+/// Both for the root alone. Writing makes the folder, and throws MachineError; reading throws InputError that names
+/// what is no partition or has a part out of range.
+void write_partition(const std::string& folder, const PartitionFile& partition);
+[[nodiscard]] PartitionFile read_partition(const std::string& folder);
 
 }  // namespace brunt::io

@@ -26,7 +26,7 @@ std::string fault_of(const std::string& path) {
 TEST_CASE("partition file: read back, others refused") {
   const comm::Communicator self = comm::Communicator::self();
   const test::ScratchFolder folder(self);
-  const std::string path = folder / "p.h5";
+  const std::string path = folder / "p";
   io::write_partition(path, {3, "f", "a=1\n", {0, 2, 1, 1}});
   const io::PartitionFile read = io::read_partition(path);
   CHECK(read.parts == 3);
@@ -34,9 +34,10 @@ TEST_CASE("partition file: read back, others refused") {
   CHECK(read.scene == "a=1\n");
   CHECK(read.part == std::vector<Rank>{0, 2, 1, 1});
 
-  CHECK_THAT(fault_of(folder / "none.h5"), Catch::Contains("none.h5"));
-  io::Hdf5File(self, folder / "other.h5", io::Hdf5File::Mode::create).close();
-  CHECK_THAT(fault_of(folder / "other.h5"), Catch::Contains("is no partition"));
+  CHECK_THAT(fault_of(folder / "none"), Catch::Contains("none"));
+  io::write_partition(folder / "other", {1, "f", "", {0}});
+  io::Hdf5File(self, folder / "other/partition.h5", io::Hdf5File::Mode::create).close();
+  CHECK_THAT(fault_of(folder / "other"), Catch::Contains("is no partition"));
   io::write_partition(path, {2, "f", "", {0, 2}});
   CHECK_THAT(fault_of(path), Catch::Contains("out of range: 2"));
 }
