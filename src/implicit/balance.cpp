@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/implicit/balance.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -87,6 +88,43 @@ void find_contact_forces(const Scene& scene, Solver& solver, std::span<const dou
   }
 }
 
+/// Directions that supports and walls leave free at contact's nodes, on all ranks. Collective.
+void gather_movable(const WallContact& walls, const Unknowns& unknowns, std::size_t locals, ContactNodes& nodes) {
+  std::vector<double> local(9 * locals), everywhere(9 * nodes.gid.size());
+  for (std::size_t k = 0; k < nodes.own.size(); ++k) {
+    if (nodes.own[k] == no_index) continue;
+    const auto own = static_cast<std::size_t>(nodes.own[k]);
+    const WallAction* action = action_of(walls, own);
+    const Mat3& movable = action != nullptr ? action->free : nodes.free[k];
+    std::copy_n(movable.data(), 9, &local[9 * static_cast<std::size_t>(unknowns.node[own])]);
+  }
+  nodes.gather.forward(local, everywhere, 9);
+  for (std::size_t k = 0; k < nodes.gid.size(); ++k) nodes.movable[k] = Eigen::Map<const Mat3>(&everywhere[9 * k]);
+}
+
+/// What is left at a node (place in Unknowns::node) without supports and walls.
+Vec3 left_at(const Scene& scene, const Solver& solver, LocalIndex own) {
+  const auto i = static_cast<std::size_t>(solver.unknowns.node[static_cast<std::size_t>(own)]);
+  const NodeForces forces = forces_on(scene, solver, i);
+  return forces.inertia - forces.now - forces.before - of(solver.trial.contact_force, i);
+}
+
+/// Nodes that ties hold to places in the same walls leave them: after a look at what walls would do. Collective.
+void let_ties_carry(const Scene& scene, Solver& solver) {
+  const auto tied = [](const Interface& face) { return face.pair.tied; };
+  if (!solver.walls.any() || std::ranges::none_of(solver.contact.interfaces, tied)) return;
+  for (WallNode& node : solver.walls.nodes) node.tied.setZero();
+  ContactNodes& nodes = solver.contact.nodes;
+  for (const LocalIndex own : nodes.own)
+    if (own != no_index) (void)supported(scene, solver, static_cast<std::size_t>(own), left_at(scene, solver, own));
+  gather_movable(solver.walls, solver.unknowns, scene.state.nodes.size(), nodes);
+  const std::vector<Mat3> carried = carried_by_ties(solver.contact);
+  for (std::size_t k = 0; k < carried.size(); ++k)
+    if (nodes.own[k] != no_index && !carried[k].isZero(0))
+      solver.walls.nodes[static_cast<std::size_t>(solver.walls.node_of[static_cast<std::size_t>(nodes.own[k])])].tied =
+          carried[k];
+}
+
 }  // namespace
 
 bool find_forces(const Scene& scene, Solver& solver, std::span<const double> u) {
@@ -112,6 +150,7 @@ bool find_forces(const Scene& scene, Solver& solver, std::span<const double> u) 
 
 void balance(const Scene& scene, Solver& solver, std::span<double> residual) {
   Trial& trial = solver.trial;
+  let_ties_carry(scene, solver);
   std::array<comm::ExactAccumulator, 3> sums;
   for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k) {
     const auto i = static_cast<std::size_t>(solver.unknowns.node[k]);
@@ -129,7 +168,13 @@ void balance(const Scene& scene, Solver& solver, std::span<double> residual) {
     for (std::size_t c = 0; c < 3; ++c) residual[3 * k + c] = left[static_cast<int>(c)];
   }
   const std::span<double> multipliers = residual.subspan(3 * solver.unknowns.node.size());
-  if (solver.contact.any()) multiplier_residuals(solver.contact, multipliers);
+  if (solver.contact.any()) {
+    if (solver.walls.any())
+      gather_movable(solver.walls, solver.unknowns, scene.state.nodes.size(), solver.contact.nodes);
+    if (solver.walls.any() || std::ranges::any_of(solver.contact.interfaces, &Interface::presses))
+      leave_out_redundant(solver.contact);  // else it is as at the start
+    multiplier_residuals(solver.contact, multipliers);
+  }
   for (const double left : multipliers) sums[0].add(left * left);
   std::array<double, 3> value{};
   comm::exact_sum(scene.links.ranks, sums, value);

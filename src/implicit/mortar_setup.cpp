@@ -113,7 +113,7 @@ void lay_nodes(const comm::Communicator& ranks, const model::Model& model, const
     nodes.here.push_back(held ? static_cast<LocalIndex>(here - model.mesh.node_gid.begin()) : no_index);
   }
   nodes.gather = comm::Halo(ranks, model.nodes(), source);
-  nodes.rows = nodes.free;
+  nodes.rows = nodes.movable = nodes.free;
   nodes.x = nodes.x_before = nodes.reference;
   nodes.force.assign(nodes.gid.size(), Vec3::Zero());
   nodes.friction_force = nodes.force;
@@ -312,14 +312,15 @@ MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& m
   for (Interface& face : contact.interfaces) {
     if (face.pair.tied) {
       face.tie = contact::tie(face.rows);
-      face.tied = contact::tied_directions(face.surfaces, face.topology, face.search.candidates, contact.nodes.x,
-                                           face.tie, contact.nodes.free);
-      note_redundant(face, contact.notes);
+      contact::find_places_below(face.surfaces, face.topology, face.search.candidates, contact.nodes.x, face.tie);
       contact::nodal_normals(face.surfaces, face.topology, contact.nodes.x, face.tie.normals);
     }
     for (std::size_t row = 0; row < face.count(); ++row)
       face.touches[row] = face.rows.covered[row] > 0 && std::abs(face.mean_gap(row)) <= touching * face.topology.edge;
   }
+  leave_out_redundant(contact);
+  for (const Interface& face : contact.interfaces)
+    if (face.pair.tied) note_redundant(face, contact.notes);
   keep_contact(contact);
   contact.impulses.assign(contact.interfaces.size() * static_cast<std::size_t>(interface_force_width), 0.0);
   contact.forces_before = contact.impulses;

@@ -25,6 +25,7 @@ struct ContactNodes {
   std::vector<LocalIndex> here;      ///< of each: local index where this rank holds it, or no_index
   std::vector<Mat3> rows;            ///< of each of this rank: multiplies its rows, supports and walls taken out
   std::vector<Mat3> free;            ///< of each: projector on the directions that supports leave free
+  std::vector<Mat3> movable;         ///< likewise of those that walls leave free too, at the iterate
   comm::Halo gather;                 ///< from all ranks' nodes to these
   std::vector<Vec3> reference, x;    ///< at the start, at the iterate [length]
   std::vector<Vec3> x_before;        ///< at t_n [length]
@@ -66,12 +67,14 @@ struct Interface {
   contact::FrictionHistory history;
   contact::TieStart tie;
   std::vector<Mat3> tied;             ///< of ties, a row each: projector on the directions that its multipliers hold
+  std::vector<Mat3> given_apart;      ///< likewise those along which the slave and the place under it are both held
   std::vector<std::uint8_t> touches;  ///< rows that touch at the start: in the set from the first iterate on
   bool at_start = false;              ///< that iterate: what touches is stiff there, though nothing presses yet
 
   [[nodiscard]] int multipliers() const {  ///< unknowns a row
     return pair.tied ? 3 : pair.enforce == contact::MortarPair::Enforce::penalty ? 0 : 1;
   }
+  [[nodiscard]] bool presses() const { return !pair.tied; }
   /// Over the part of the row that lies under the master [length]; 0 where none does.
   [[nodiscard]] double mean_gap(std::size_t row) const {
     return rows.covered[row] > 0 ? rows.gaps[row] / rows.covered[row] : 0.0;
@@ -130,6 +133,14 @@ enum class Iterate : std::int8_t {
 
 /// Pairs, rows, active sets and forces at the gathered positions.
 void find_contact(MortarContact& contact, Iterate iterate);
+
+/// Leaves out multipliers that are redundant: of rows that nothing can satisfy or that others imply over the directions
+/// that are free at the iterate, ContactNodes::movable. Their rows say that they are zero. Call after find_contact.
+void leave_out_redundant(MortarContact& contact);
+
+/// Of each of contact's nodes: projector on directions along which walls hold it and supports or walls hold the place
+/// that it is tied to. The tie carries what presses it to that place: no wall need do so, nor find out whether it does.
+std::vector<Mat3> carried_by_ties(const MortarContact& contact);
 
 /// What contact along the normals gives to the bodies in the step, where it acts as at the end of it [energy].
 double given_in_step(const MortarContact& contact);

@@ -28,6 +28,7 @@ struct WallChoice {
 struct WallAction {
   WallChoice choice;
   Mat3 rows = Mat3::Identity();                   ///< multiplies the node's rows of the matrix
+  Mat3 free = Mat3::Identity();                   ///< projector on directions that neither supports nor walls hold
   Mat3 own = Mat3::Zero();                        ///< added to its diagonal block [force/length]
   Vec3 left = Vec3::Zero();                       ///< of the node's equations [force]
   double pressure[WallChoice::most] = {0, 0, 0};  ///< of each wall along its normal [force]
@@ -37,6 +38,7 @@ struct WallAction {
 struct WallQuestion {
   std::span<const WallMeeting> meetings;  ///< at most WallChoice::most
   Mat3 free = Mat3::Identity();           ///< projector on the directions that supports leave free
+  Mat3 tied = Mat3::Zero();               ///< projector on directions along which ties hold the node in its walls
   Vec3 left = Vec3::Zero();               ///< left without walls, along `free`: inertia less what acts [force]
   Vec3 travel = Vec3::Zero();             ///< since t_n, that which supports give included [length]
   Vec3 friction_before = Vec3::Zero();    ///< at t_n [force]
