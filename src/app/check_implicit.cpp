@@ -54,7 +54,8 @@ std::string cost_line(Prepared& run, double steps) {
 }  // namespace
 
 std::string duration_text(double seconds) {
-  if (seconds < 120) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 10) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 120) return fmt::format("{:.0f} s", seconds);
   if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
   if (seconds < 1e7) return fmt::format("{:.1f} h", seconds / 3600);
   return fmt::format("{:.3g} days", seconds / 86400);
