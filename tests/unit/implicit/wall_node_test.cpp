@@ -25,7 +25,8 @@ struct Springs {
   [[nodiscard]] WallAction at(const Vec3& travel, const WallChoice& solved) const {
     std::vector<WallMeeting> meetings = walls;
     for (WallMeeting& wall : meetings) wall.gap += wall.normal.dot(travel);
-    return act({meetings, free, free * (spring * travel - load), travel, Vec3::Zero(), stiffness, first}, solved);
+    return act({meetings, free, Mat3::Zero(), free * (spring * travel - load), travel, Vec3::Zero(), stiffness, first},
+               solved);
   }
   [[nodiscard]] double left_at(const Vec3& travel, const WallChoice& solved) const {
     return (at(travel, solved).left + stiffness * (travel - free * travel)).norm();
@@ -196,7 +197,7 @@ TEST_CASE("a node that supports drive along a wall has friction against all of i
   solved.active[0] = true;
   const Mat3 free = Vec3(0, 1, 1).asDiagonal();
   const WallAction action =
-      act({{&wall, 1}, free, Vec3(0, 0.5, 10), Vec3(3, 4, 0), Vec3::Zero(), stiffness, false}, solved);
+      act({{&wall, 1}, free, Mat3::Zero(), Vec3(0, 0.5, 10), Vec3(3, 4, 0), Vec3::Zero(), stiffness, false}, solved);
   CHECK(action.choice.slides);
   CHECK(action.pressure[0] == Approx(10));
   CHECK((action.friction - Vec3(-1.8, -2.4, 0)).norm() < 1e-14);
@@ -208,7 +209,8 @@ TEST_CASE("friction of a bilateral wall goes by the size of its pressure, and go
   WallMeeting wall{Vec3::UnitZ(), 0, 0.5, true};
   WallChoice solved;
   const WallAction action =
-      act({{&wall, 1}, Mat3::Identity(), Vec3(2, 0, -10), Vec3::Zero(), Vec3(2, 0, 1), stiffness, false}, solved);
+      act({{&wall, 1}, Mat3::Identity(), Mat3::Zero(), Vec3(2, 0, -10), Vec3::Zero(), Vec3(2, 0, 1), stiffness, false},
+          solved);
   CHECK_FALSE(action.choice.slides);
   CHECK(action.friction == Vec3(2, 0, 0));
   CHECK(action.left.norm() < 1e-14);
