@@ -11,7 +11,7 @@ using namespace brunt;
 
 namespace {
 
-std::string scene_text(const std::string& scheme, const std::string& wall) {
+std::string at_wall(const std::string& scheme, const std::string& wall) {
   return "units: none\nmesh: {box: {part: a, size: [1, 1, 1], elements: [1, 1, 1]}}\n"
          "materials: {m: {model: neo_hookean, density: 1, young: 100, poisson: 0.3}}\n"
          "parts: {a: {material: m, element: hex8_full}}\ncurves: {still: [[0, 0]]}\n"
@@ -24,13 +24,13 @@ std::string scene_text(const std::string& scheme, const std::string& wall) {
 
 TEST_CASE("schemes have the names of a scene") {
   for (const char* name : {"static", "contact_implicit", "hht", "newmark"}) {
-    const auto read = scene::read_scene(scene_text(name, ""), "scene.yaml");
+    const auto read = scene::read_scene(at_wall(name, ""), "scene.yaml");
     CHECK(std::string(app::name_of(read.implicit->scheme)) == name);
   }
 }
 
 TEST_CASE("steps with contact are counted") {
-  support::PreparedScene prepared(scene_text("contact_implicit", ""));
+  support::PreparedScene prepared(at_wall("contact_implicit", ""));
   app::Prepared& run = *prepared.run;
   app::implicit_step(run);  // down to -.1: nothing touches
   CHECK(run.implicit->work.contact_steps == 0);
@@ -45,7 +45,7 @@ TEST_CASE("walls at rest make energy where they have given a hundredth, moving o
     const support::PreparedScene prepared(text);
     return app::walls_make_energy(*prepared.run, ledger, 1.0);
   };
-  CHECK(told(scene_text("newmark", ""), 0.02));
-  CHECK_FALSE(told(scene_text("newmark", ""), 0.005));
-  CHECK_FALSE(told(scene_text("newmark", ", motion: still"), 0.02));
+  CHECK(told(at_wall("newmark", ""), 0.02));
+  CHECK_FALSE(told(at_wall("newmark", ""), 0.005));
+  CHECK_FALSE(told(at_wall("newmark", ", motion: still"), 0.02));
 }

@@ -2,6 +2,8 @@
 // What implicit scenes may not ask for, and what is said of them: one line a fault.
 #include "app/implicit_rules.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 #include "brunt/scene/read.hpp"
@@ -13,10 +15,11 @@ namespace {
 
 scene::Input input(const std::string& more, const std::string& solver = "solver: {scheme: contact_implicit}\n") {
   return scene::read_scene(
-      "units: none\nmesh: {file: of_the_test}\n"
-      "materials: {m: {model: neo_hookean, density: 1, young: 1, poisson: 0.3}}\n"
-      "parts: {a: {block: a, material: m, element: hex8_full}, b: {block: b, material: m, element: hex8_full}}\n" +
-          solver + more,
+      fmt::format("units: none\nmesh: {{file: of_the_test}}\n"
+                  "materials: {{m: {{model: neo_hookean, density: 1, young: 1, poisson: 0.3}}}}\n"
+                  "parts: {{a: {{block: a, material: m, element: hex8_full}}, b: {{block: b, material: m, element: "
+                  "hex8_full}}}}\n{}{}",
+                  solver, more),
       "scene.yaml");
 }
 
@@ -56,11 +59,10 @@ TEST_CASE("implicit rules: elements without stiffness against hourglass modes ar
 }
 
 TEST_CASE("implicit rules: what becomes of an overlap of the start depends on the scheme") {
-  const std::string contact = "run: {end: 1}\ncontact: [{between: [a, b], method: mortar, initial_overlap: warn}]\n";
-  const auto note = [&](const std::string& scheme, const std::string& more = "") {
-    const auto notes =
-        app::notes_of_overlaps(input(more.empty() ? contact : contact.substr(0, contact.size() - 3) + more + "}]\n",
-                                     "solver: {scheme: " + scheme + "}\n"));
+  const auto note = [](const std::string& scheme, const std::string& more = "") {
+    const auto notes = app::notes_of_overlaps(input(
+        fmt::format("run: {{end: 1}}\ncontact: [{{between: [a, b], method: mortar, initial_overlap: warn{}}}]\n", more),
+        fmt::format("solver: {{scheme: {}}}\n", scheme)));
     REQUIRE(notes.size() == 1);
     return notes[0];
   };

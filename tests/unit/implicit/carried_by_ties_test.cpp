@@ -44,7 +44,9 @@ bool is_seam(const Vec3& X) {
 }  // namespace
 
 TEST_CASE("a tie carries the slave's nodes of a seam on a floor, and its rows are whole") {
-  Simulation body = side_by_side("rigid_walls: [{name: floor, point: [0, 0, 0], normal: [0, 0, 1]}]\n");
+  Simulation body = side_by_side(
+      "gravity: {vector: [0, 0, -10]}\n"
+      "rigid_walls: [{name: floor, point: [0, 0, 0], normal: [0, 0, 1]}]\n");
   const Scene scene{body.model, body.state, body.scratch, body.links};
   Solver solver = make_solver(scene, settings());
   begin_step(scene, solver, 0.01, 0.01);
