@@ -40,11 +40,16 @@ class Parser(argparse.ArgumentParser):
         sys.exit(WRONG_INPUT)
 
 
-def rank_count(text):
-    """The value of -np."""
-    if not text.isdigit() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"'{text}' is no number of ranks; accepted: a whole number from 1 up")
-    return int(text)
+def counted(noun):
+    """A type of argument: how many of them, one at least."""
+    def count(text):
+        if not (text.isascii() and text.isdigit()) or int(text) < 1:
+            raise argparse.ArgumentTypeError(f"'{text}' is no number of {noun}; accepted: a whole number from 1 up")
+        return int(text)
+    return count
+
+
+rank_count = counted("ranks")  # the value of -np
 
 
 def finite_number(text):

@@ -19,6 +19,12 @@ class Refused(Exception):
         self.code = code
 
 
+def overflows(parts, after_days):
+    """Is a part as large as the unit before it? 3:99 is a slip of the hand."""
+    hours = after_days and int(parts[0]) >= 24
+    return hours or any(int(part) >= 60 for part in parts[1:])
+
+
 def seconds_of(text):
     """[s] of a time limit as Slurm writes it, or as brunt's run.wall_limit does."""
     with_units = re.fullmatch(r"(?=.)(?:(\d+)d)?(?:(\d+)h)?(?:(\d+)m)?(?:(\d+)s)?", text)
@@ -26,7 +32,7 @@ def seconds_of(text):
     parts = rest.split(":")
     if with_units:
         seconds = sum(int(count or 0) * unit for count, unit in zip(with_units.groups(), UNITS.values()))
-    elif all(part.isdecimal() for part in ([days] if dash else []) + parts) and len(parts) <= 3:
+    elif all(part.isdecimal() for part in ([days] if dash else []) + parts) and len(parts) <= 3 and not overflows(parts, bool(dash)):
         units = (3600, 60, 1) if dash or len(parts) == 3 else (60, 1)  # days-hours[:minutes[:seconds]], or minutes[:seconds]
         seconds = int(days or 0) * 86400 + sum(int(part) * unit for part, unit in zip(parts, units))
     else:

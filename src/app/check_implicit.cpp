@@ -54,7 +54,8 @@ std::string cost_line(Prepared& run, double steps) {
 }  // namespace
 
 std::string duration_text(double seconds) {
-  if (seconds < 120) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 10) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 120) return fmt::format("{:.0f} s", seconds);
   if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
   if (seconds < 1e7) return fmt::format("{:.1f} h", seconds / 3600);
   return fmt::format("{:.3g} days", seconds / 86400);
@@ -70,7 +71,8 @@ std::vector<std::string> implicit_check(Prepared& run, const std::string& time_u
   for (const implicit::Interface& face : solver.contact.interfaces) lines.push_back(interface_line(run, face.pair));
   const std::size_t bodies = implicit::body_unknowns * solver.bodies.trial.size();
   lines.push_back(fmt::format("{:<16} {} displacements, {} multipliers{}", "unknowns", solver.unknowns.total,
-                              solver.contact.z_before.size(), bodies > 0 ? fmt::format(", {} of rigid bodies", bodies) : ""));
+                              solver.contact.z_before.size(),
+                              bodies > 0 ? fmt::format(", {} of rigid bodies", bodies) : ""));
   const double steps = steps_until_end(run, settings.step);
   lines.push_back(fmt::format("{:<16} {:.0f} of that size, if none is halved", "steps", steps));
   lines.push_back(cost_line(run, steps));

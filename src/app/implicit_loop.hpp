@@ -16,7 +16,8 @@ const char* name_of(model::Scheme scheme);
 /// The four that implicit steps see of a prepared run.
 implicit::Scene implicit_scene(Prepared& run);
 
-/// One step from t_n to t_{n+1}. Throws GuardError where none can be found: the state is that of t_n then. Collective.
+/// One step from t_n to t_{n+1}. Throws GuardError where none can be found: the state is that of t_n then. Also where
+/// it is found, but supports drive the two sides of a tie apart. Collective.
 void implicit_step(Prepared& run);
 
 /// Fields, history and table at t_n, between steps.

@@ -109,6 +109,41 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
   return faults;
 }
 
+std::string likely_cause_in_implicit(Fault fault) {
+  switch (fault) {
+    case Fault::internal:
+      return "likely cause: a hypoelastic law (elastic, j2) that is strained far and in turns, whose stresses have no "
+             "potential. Take neo_hookean, or smaller elements";
+    case Fault::friction:
+      return "likely cause: sticking rows that take back what they stored while their facets turn; take a smaller "
+             "solver.step, or smaller elements";
+    case Fault::contact:
+      return "likely cause: bodies that meet at more than a facet's depth in one step; take a smaller solver.step";
+    default:
+      break;
+  }
+  return "likely cause: motions that the step does not resolve; take a smaller solver.step, or a smaller "
+         "solver.tolerance where Newton's iteration leaves too much";
+}
+
+std::vector<std::string> notes_of_overlaps(const scene::Input& input) {
+  std::vector<std::string> notes;
+  if (!input.implicit) return notes;
+  const bool keeps = input.implicit->scheme == model::Scheme::contact_implicit;
+  for (std::size_t k = 0; k < input.contact.size(); ++k) {
+    const scene::ContactEntry& entry = input.contact[k];
+    if (!entry.mortar || entry.tied || entry.initial_overlap != contact::OverlapRule::warn) continue;
+    const bool penalty = entry.enforce == contact::MortarPair::Enforce::penalty;
+    notes.push_back(fmt::format(
+        "{}: {}", input.at(fmt::format("contact.{}.initial_overlap", k)),
+        penalty ? "an overlap of the start has the pressure of the penalty from the first step on"
+        : keeps ? "an overlap of the start stays: contact_implicit recovers of it what contact has taken in energy, "
+                  "which is nothing for bodies at rest"
+                : "the first step closes an overlap of the start, which strains the bodies"));
+  }
+  return notes;
+}
+
 std::vector<std::string> warnings_of_implicit(const scene::Input& input, const model::Model& model) {
   std::vector<std::string> warnings;
   const GlobalIndex unknowns = 3 * model.mesh.global_nodes;

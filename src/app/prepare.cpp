@@ -21,6 +21,7 @@
 #include "brunt/time/relaxation.hpp"
 #include "coarse_slave_warnings.hpp"
 #include "contact_setup.hpp"
+#include "driven_apart.hpp"
 #include "failure.hpp"
 #include "implicit_loop.hpp"
 #include "implicit_rules.hpp"
@@ -69,6 +70,9 @@ void make_implicit(Prepared& run) {
       implicit::SolverOwner(new implicit::Solver(implicit::make_solver(implicit_scene(run), *run.input.implicit)));
   if (run.links.ranks.is_root())
     for (const std::string& note : run.implicit->contact.notes) run.overlaps.report.notes.push_back(note);
+  if (run.links.ranks.is_root() && run.overlaps.recovered)
+    for (std::string& note : notes_of_overlaps(run.input)) run.overlaps.report.notes.push_back(std::move(note));
+  refuse_driven_apart(run);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brunt/core/error.hpp"
+#include "brunt/implicit/driven_apart.hpp"
 #include "brunt/io/checkpoint.hpp"
 #include "brunt/io/summary.hpp"
 #include "brunt/model/hash.hpp"
@@ -244,7 +245,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   const double turned = std::max(run_.extremes.momentum_scale, e.contact_totals.push) * extent_;
   summary["angular_momentum_error"] = turned > 0 ? e.contact_totals.spin.norm() / turned : 0.0;
   summary["max_penetration"] = e.contact_totals.penetration;
-  summary["driven_penetration"] = run_.driven.largest();
+  summary["driven_penetration"] = run_.implicit ? implicit::driven_penetration(*run_.implicit) : run_.driven.largest();
   const auto solved = static_cast<double>(std::max<GlobalIndex>(contact_.solved_steps, 1));
   summary["contact"] = {{"searches", contact_.searches},
                         {"pairs", e.contact_totals.pairs},
@@ -252,7 +253,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
                         {"iterations_mean", static_cast<double>(contact_.iterations) / solved},
                         {"iterations_max", contact_.most_iterations},
                         {"residual_max", contact_.largest_residual},
-                        {"steps", contact_.solved_steps},
+                        {"steps", run_.implicit ? run_.implicit->work.contact_steps : contact_.solved_steps},
                         {"steps_at_limit", contact_.steps_at_limit}};
   if (run_.implicit) summary["implicit"] = implicit_summary(run_);
   summary["state_hash"] = model::hash_digits(hash_);

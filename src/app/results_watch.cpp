@@ -11,8 +11,10 @@
 #include "brunt/core/error.hpp"
 #include "brunt/force/folded.hpp"
 #include "brunt/scene/units.hpp"
+#include "driven_apart.hpp"
 #include "element_place.hpp"
 #include "implicit_loop.hpp"
+#include "implicit_rules.hpp"
 #include "results.hpp"
 
 namespace brunt::app {
@@ -78,8 +80,9 @@ void Results::watch(const time::Ledger& ledger, double time) {
     reported = true;
     const std::string text = fmt::format(
         "{}{}; {}", text_of(finding, time), where(finding.fault),
-        makes_energy ? "the trapezoidal rule with exact multipliers makes energy: take scheme: contact_implicit"
-                     : likely_cause(finding.fault));
+        makes_energy    ? "the trapezoidal rule with exact multipliers makes energy: take scheme: contact_implicit"
+        : run_.implicit ? likely_cause_in_implicit(finding.fault)
+                        : likely_cause(finding.fault));
     if (stop) throw GuardError(text);
     log_.warning(text + " (told once)");
   }
@@ -113,8 +116,10 @@ void Results::watch_folds() {
 }
 
 void Results::watch_driven() {
-  if (!run_.contact) return;
   const Recording recording = record();
+  if (run_.implicit)
+    for (const std::string& warning : watch_driven_through(run_)) log_.warning(warning);
+  if (!run_.contact || run_.implicit) return;
   for (const std::string& warning : run_.driven.look(run_.links.ranks, *run_.contact, run_.model, run_.state,
                                                      scene::find_unit_system(run_.input.units)->length))
     log_.warning(warning);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/implicit/balance.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -96,6 +97,44 @@ void find_contact_forces(const Scene& scene, Solver& solver, std::span<const dou
   share(solver.unknowns, trial.friction_force);
 }
 
+/// Of contact's nodes that this rank owns: directions that supports and walls leave free. Walls push nodes of rigid
+/// bodies as springs do, which hold nothing.
+std::vector<Mat3> movable_now(const Solver& solver) {
+  const ContactNodes& nodes = solver.contact.nodes;
+  std::vector<Mat3> movable(nodes.free.begin(), nodes.free.begin() + static_cast<std::ptrdiff_t>(nodes.lasting));
+  for (std::size_t k = 0; k < nodes.lasting && solver.walls.any(); ++k) {
+    if (nodes.own[k] == no_index || solver.bodies.carries(static_cast<std::size_t>(nodes.own[k]))) continue;
+    if (const WallAction* action = action_of(solver.walls, static_cast<std::size_t>(nodes.own[k])))
+      movable[k] = action->free;
+  }
+  return movable;
+}
+
+/// What is left at a node (place in Unknowns::node) without supports and walls.
+Vec3 left_at(const Scene& scene, const Solver& solver, std::size_t own) {
+  const auto i = static_cast<std::size_t>(solver.unknowns.node[own]);
+  const NodeForces forces = forces_on(scene, solver, own);
+  return forces.inertia - forces.now - forces.before - of(solver.trial.contact_force, i);
+}
+
+/// Nodes that ties hold to places in the same walls leave them: after a look at what walls would do. Collective.
+void let_ties_carry(const Scene& scene, Solver& solver) {
+  const auto tied = [](const Interface& face) { return face.pair.tied; };
+  if (!solver.walls.any() || std::ranges::none_of(solver.contact.interfaces, tied)) return;
+  for (WallNode& node : solver.walls.nodes) node.tied.setZero();
+  const ContactNodes& nodes = solver.contact.nodes;
+  for (std::size_t k = 0; k < nodes.lasting; ++k)
+    if (const LocalIndex own = nodes.own[k]; own != no_index) {
+      const auto at = static_cast<std::size_t>(own);
+      (void)supported(scene, solver, at, left_at(scene, solver, at));
+    }
+  const std::vector<Mat3> carried = carried_by_ties(scene.links.ranks, movable_now(solver), solver.contact);
+  for (std::size_t k = 0; k < carried.size(); ++k)
+    if (nodes.own[k] != no_index && !carried[k].isZero(0))
+      solver.walls.nodes[static_cast<std::size_t>(solver.walls.node_of[static_cast<std::size_t>(nodes.own[k])])].tied =
+          carried[k];
+}
+
 }  // namespace
 
 bool find_forces(const Scene& scene, Solver& solver, std::span<const double> u) {
@@ -122,6 +161,7 @@ bool find_forces(const Scene& scene, Solver& solver, std::span<const double> u) 
 
 void balance(const Scene& scene, Solver& solver, std::span<double> residual) {
   Trial& trial = solver.trial;
+  let_ties_carry(scene, solver);
   std::array<comm::ExactAccumulator, 3> sums;
   begin_left(solver.bodies);
   for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k) {
@@ -145,7 +185,12 @@ void balance(const Scene& scene, Solver& solver, std::span<double> residual) {
     for (std::size_t c = 0; c < 3; ++c) residual[3 * k + c] = left[static_cast<int>(c)];
   }
   const std::span<double> multipliers = residual.subspan(3 * solver.unknowns.node.size(), solver.contact.own.size());
-  if (solver.contact.any()) multiplier_residuals(solver.contact, multipliers);
+  if (solver.contact.any()) {
+    if (solver.walls.any() ||
+        (solver.contact.may_imply && std::ranges::any_of(solver.contact.interfaces, &Interface::presses)))
+      leave_out_redundant(scene.links.ranks, movable_now(solver), solver.contact);  // else it is as at the start
+    multiplier_residuals(solver.contact, multipliers);
+  }
   for (const double left : multipliers) sums[0].add(left * left);
   if (solver.bodies.any()) balance_bodies(scene, solver, residual, sums);
   std::array<double, 3> value{};

@@ -69,16 +69,6 @@ double affordable(const MortarContact& contact) {
   return needed > contact.budget ? contact.budget / needed : 1.0;
 }
 
-/// Rows of which no node can give way along the normal: their multiplier would have no equation.
-void leave_out_immovable(const ContactNodes& nodes, Interface& face) {
-  for (std::size_t row = 0; row < face.count(); ++row) {
-    if (face.active[row] == 0) continue;
-    const Vec3& normal = face.rows.normals[row];
-    const auto free = [&](LocalIndex node) { return !(nodes.free[static_cast<std::size_t>(node)] * normal).isZero(); };
-    if (std::ranges::none_of(face.rows.weights.nodes.row(static_cast<LocalIndex>(row)), free)) face.active[row] = 0;
-  }
-}
-
 void find_tractions(const ContactNodes& nodes, Interface& face) {
   if (face.friction.coefficient > 0)
     contact::friction_tractions(face.rows, nodes.x, face.z, face.friction, face.history, face.tractions, face.states);
@@ -138,7 +128,6 @@ void find_contact(const comm::Communicator& ranks, MortarContact& contact, Itera
     if (face.pair.tied) continue;
     if (face.keeps(contact)) find_least_gaps(face, contact.recovery);
     find_pressures(face, iterate == Iterate::first_of_run);
-    leave_out_immovable(nodes, face);
     find_tractions(nodes, face);
   }
   sum_forces(ranks, contact);

@@ -53,7 +53,8 @@ struct NodeTold {
   GlobalIndex gid = 0;
   Rank owner = 0;
   LocalIndex node = 0;  ///< of the owner
-  std::array<double, 9> free{};
+  std::int32_t several = 0;
+  std::array<double, 9> free{}, movable{};
 };
 struct FacetTold {
   GlobalIndex key = 0;
@@ -64,8 +65,9 @@ struct FacetTold {
 
 NodeTold told(const ContactNodes& nodes, LocalIndex place) {
   const auto k = static_cast<std::size_t>(place);
-  NodeTold node{nodes.gid[k], nodes.source[k].rank, nodes.source[k].index};
+  NodeTold node{nodes.gid[k], nodes.source[k].rank, nodes.source[k].index, nodes.several[k]};
   Eigen::Map<Mat3>(node.free.data()) = nodes.free[k];
+  Eigen::Map<Mat3>(node.movable.data()) = nodes.movable[k];
   return node;
 }
 
@@ -140,7 +142,8 @@ void add_remembered(const MortarContact& contact, std::vector<NodeTold>& nodes) 
 void lay_nodes(const comm::Communicator& ranks, std::vector<NodeTold> told, ContactNodes& nodes) {
   std::ranges::sort(told, {}, &NodeTold::gid);
   const LocalIndex of_rank = nodes.gather.roots();
-  for (auto* array : {&nodes.rows, &nodes.free}) array->resize(nodes.lasting);
+  for (auto* array : {&nodes.rows, &nodes.free, &nodes.movable}) array->resize(nodes.lasting);
+  nodes.several.resize(nodes.lasting);
   nodes.gid.resize(nodes.lasting);
   nodes.source.resize(nodes.lasting);
   nodes.own.resize(nodes.lasting);
@@ -150,6 +153,8 @@ void lay_nodes(const comm::Communicator& ranks, std::vector<NodeTold> told, Cont
     nodes.source.push_back({node.owner, node.node});
     nodes.own.push_back(no_index);
     nodes.free.emplace_back(Eigen::Map<const Mat3>(node.free.data()));
+    nodes.movable.emplace_back(Eigen::Map<const Mat3>(node.movable.data()));
+    nodes.several.push_back(static_cast<std::uint8_t>(node.several));
   }
   nodes.rows.resize(nodes.gid.size(), Mat3::Identity());
   nodes.gather = comm::Halo(ranks, of_rank, nodes.source);
@@ -177,6 +182,15 @@ std::vector<Vec3> from_owners(const ContactNodes& nodes, std::span<const Vec3> v
   std::vector<Vec3> all;
   for (std::size_t k = 0; k < nodes.gid.size(); ++k) all.emplace_back(&here[3 * k]);
   return all;
+}
+
+void share_movable(std::span<const Mat3> movable, ContactNodes& nodes) {
+  std::vector<double> local(9 * static_cast<std::size_t>(nodes.gather.roots())), here(9 * nodes.gid.size());
+  for (std::size_t k = 0; k < nodes.lasting; ++k)
+    if (nodes.own[k] != no_index)
+      std::copy_n(movable[k].data(), 9, &local[9 * static_cast<std::size_t>(nodes.source[k].index)]);
+  nodes.gather.forward(local, here, 9);
+  for (std::size_t k = 0; k < nodes.gid.size(); ++k) nodes.movable[k] = Eigen::Map<const Mat3>(&here[9 * k]);
 }
 
 bool masters_wear_out(const comm::Communicator& ranks, const MortarContact& contact) {

@@ -126,8 +126,7 @@ void lay_tie(const WholeSurfaces& whole, Interface& face) {
   contact::mortar_rows(face.surfaces, face.topology, face.search.candidates, whole.reference,
                        *contact::make_mortar_scratch(), face.rows);
   face.tie = contact::tie(face.rows);
-  face.tied = contact::tied_directions(face.surfaces, face.topology, face.search.candidates, whole.reference, face.tie,
-                                       whole.free);
+  contact::find_places_below(face.surfaces, face.topology, face.search.candidates, whole.reference, face.tie);
 }
 
 /// Both sides wholly held: nothing can give way.
@@ -147,13 +146,16 @@ void refuse_held(const model::Model& model, const WholeSurfaces& whole, const In
                     face.pair.entry, part(face.pair.slave), part(face.pair.master)));
 }
 
-void note_redundant(const Interface& face, std::vector<std::string>& notes) {
-  std::size_t covered = 0, redundant = 0;
+/// Collective.
+void note_redundant(const comm::Communicator& ranks, const Interface& face, std::vector<std::string>& notes) {
+  GlobalIndex covered = 0, redundant = 0;
   for (std::size_t row = 0; row < face.count(); ++row) {
     if (face.tie.covered[row] == 0) continue;
     ++covered;
     if (!face.tied[row].isIdentity()) ++redundant;
   }
+  covered = ranks.sum(covered);
+  redundant = ranks.sum(redundant);
   if (redundant > 0)
     notes.push_back(
         fmt::format("{}: {} of {} tied nodes have no multiplier along directions in which supports hold both "
@@ -198,16 +200,16 @@ MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& m
   if (model.mortar.empty()) return contact;
   const WholeSurfaces whole = tell_surfaces(ranks, model);
   std::vector<WholeInterface> interfaces;
-  for (const MortarPair& pair : model.mortar) {
-    interfaces.push_back(make_interface(model, whole, pair));
-    if (pair.tied) note_redundant(interfaces.back().face, contact.notes);
-  }
+  for (const MortarPair& pair : model.mortar) interfaces.push_back(make_interface(model, whole, pair));
   share_out(ranks, model, unknowns, whole, std::move(interfaces), contact);
   number_multipliers(unknowns, contact);
   find_contact(ranks, contact, Iterate::first_of_step);
   for (Interface& face : contact.interfaces)
     for (std::size_t row = 0; row < face.count() && !face.pair.tied; ++row)
       face.touches[row] = face.rows.covered[row] > 0 && std::abs(face.mean_gap(row)) <= touching * face.topology.edge;
+  leave_out_redundant(ranks, contact.nodes.free, contact);
+  for (const Interface& face : contact.interfaces)
+    if (face.pair.tied) note_redundant(ranks, face, contact.notes);
   keep_contact(contact);
   contact.impulses.assign(contact.interfaces.size() * static_cast<std::size_t>(interface_force_width), 0.0);
   contact.forces_before = contact.impulses;

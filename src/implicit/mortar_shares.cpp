@@ -91,8 +91,10 @@ void keep_nodes(Rank rank, const WholeSurfaces& whole, const WholeInterface& of,
   of_side(of.master, true);
   for (const std::size_t facet : part.facets) kept.keep(of.slave.facets[facet]);
   if (!of.face.pair.tied) return;
-  for (const std::size_t row : part.rows)
+  for (const std::size_t row : part.rows) {
     for (const LocalIndex node : of.face.tie.weights.nodes.row(static_cast<LocalIndex>(row))) kept.keep(node);
+    kept.keep(of.face.tie.below[row].nodes);
+  }
 }
 
 /// Rows of all ranks to all rows in order, and to the rows beside.
@@ -148,12 +150,13 @@ void lay_tie(const Interface& all, const Part& part, const Kept& kept, Interface
     face.tie.weights.blocks.insert(face.tie.weights.blocks.end(), weights.begin(), weights.end());
     face.tie.gap_vectors.push_back(all.tie.gap_vectors[row]);
     face.tie.covered.push_back(all.tie.covered[row]);
-    face.tied.push_back(all.tied[row]);
+    face.tie.below.push_back({kept.place(all.tie.below[row].nodes), all.tie.below[row].weights});
   }
 }
 
 void lay_nodes(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns,
-               const WholeSurfaces& whole, const std::vector<std::size_t>& kept, ContactNodes& nodes) {
+               const WholeSurfaces& whole, const std::vector<std::size_t>& kept,
+               const std::vector<std::uint8_t>& several, ContactNodes& nodes) {
   nodes.lasting = kept.size();
   for (const std::size_t k : kept) {
     const NodeRecord& record = whole.nodes[k];
@@ -164,13 +167,38 @@ void lay_nodes(const comm::Communicator& ranks, const model::Model& model, const
       own = static_cast<LocalIndex>(std::ranges::lower_bound(unknowns.node, record.node) - unknowns.node.begin());
     nodes.own.push_back(own);
     nodes.free.push_back(whole.free[k]);
+    nodes.several.push_back(several[k]);
     nodes.x.push_back(whole.reference[k]);
   }
   nodes.gather = comm::Halo(ranks, model.nodes(), nodes.source);
-  nodes.rows = nodes.free;
-  nodes.x_before = nodes.x_told = nodes.x;
+  nodes.rows = nodes.movable = nodes.free;
+  nodes.reference = nodes.x_before = nodes.x_told = nodes.x;
   nodes.force.assign(nodes.lasting, Vec3::Zero());
   nodes.friction_force = nodes.force;
+}
+
+/// A flag for each node: surfaces of several interfaces with multipliers have it.
+std::vector<std::uint8_t> nodes_of_several(const WholeSurfaces& whole, const std::vector<WholeInterface>& interfaces) {
+  std::vector<std::uint8_t> several(whole.nodes.size(), 0);
+  std::vector<std::int32_t> seen(whole.nodes.size(), -1);
+  for (std::size_t k = 0; k < interfaces.size(); ++k) {
+    if (interfaces[k].face.multipliers() == 0) continue;
+    const auto interface = static_cast<std::int32_t>(k);
+    for (const WholeSide* side : {&interfaces[k].slave, &interfaces[k].master})
+      for (const FacetNodes& facet : side->facets)
+        for (const LocalIndex place : facet) {
+          if (place == no_index) continue;
+          const auto node = static_cast<std::size_t>(place);
+          if (seen[node] >= 0 && seen[node] != interface) several[node] = 1;
+          seen[node] = interface;
+        }
+  }
+  return several;
+}
+
+bool has_supports(const WholeSurfaces& whole, const std::vector<LocalIndex>& nodes) {
+  return std::ranges::any_of(
+      nodes, [&](LocalIndex node) { return !whole.free[static_cast<std::size_t>(node)].isIdentity(0); });
 }
 
 /// The part of `of` that this rank has, with nodes as places of those kept.
@@ -216,7 +244,12 @@ void share_out(const comm::Communicator& ranks, const model::Model& model, const
     parts.push_back(part_of(ranks.rank(), whole, of.face));
     keep_nodes(ranks.rank(), whole, of, parts.back(), kept);
   }
-  lay_nodes(ranks, model, unknowns, whole, kept.list(), contact.nodes);
+  const std::vector<std::uint8_t> several = nodes_of_several(whole, interfaces);
+  lay_nodes(ranks, model, unknowns, whole, kept.list(), several, contact.nodes);
+  contact.shares_nodes = std::ranges::count(several, std::uint8_t{1}) > 0;
+  contact.may_imply = contact.shares_nodes || std::ranges::any_of(interfaces, [&](const WholeInterface& of) {
+                        return of.face.multipliers() > 0 && has_supports(whole, of.face.surfaces.rows);
+                      });
   for (std::size_t k = 0; k < interfaces.size(); ++k)
     contact.interfaces.push_back(interface_of(ranks, whole, interfaces[k], parts[k], kept, contact.nodes.x));
   for (Interface& face : contact.interfaces)

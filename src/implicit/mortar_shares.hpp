@@ -25,6 +25,9 @@ void search(Interface& face, std::span<const Vec3> x);
 /// Values of nodes that ranks own, `values` of lasting nodes, to all that hold them. Collective.
 std::vector<Vec3> from_owners(const ContactNodes& nodes, std::span<const Vec3> values);
 
+/// What is free at nodes that this rank owns, to all that hold them: ContactNodes::movable. Collective.
+void share_movable(std::span<const Mat3> movable, ContactNodes& nodes);
+
 /// Has a node made its way since masters were told of? Collective.
 bool masters_wear_out(const comm::Communicator& ranks, const MortarContact& contact);
 

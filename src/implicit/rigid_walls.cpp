@@ -96,6 +96,7 @@ void begin_walls(const model::Model& model, const model::State& state, const Unk
     look_at_nearest(model, walls, x, node);
     node.solved = first_choice(model, walls, node, x);
     node.action = {};
+    node.tied.setZero();
   }
   for (std::size_t w = 0; w < model.walls.size(); ++w)
     if (model.walls[w].moves) walls.place[w] += model::integral(model.walls[w].motion, time_before, time);
@@ -116,6 +117,7 @@ const WallAction* meet_walls(const model::Model& model, const Vec3& x, std::size
   }
   question.meetings = {meetings.data(), count};
   question.first = walls.first;
+  question.tied = node.tied;
   node.action = node.springs ? spring(question, node.solved) : act(question, node.solved);
   return &node.action;
 }

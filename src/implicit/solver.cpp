@@ -119,6 +119,7 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
                 {},
                 {},
                 {},
+                {},
                 std::move(bodies)};
   solver.u.resize(rows.size());
   solver.contact.keeps_gaps = settings.scheme == model::Scheme::contact_implicit;
@@ -140,6 +141,7 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
     solver.trial.wall_force.assign(3 * scene.state.nodes.size(), 0.0);
     solver.trial.wall_friction = solver.memory.wall_force = solver.memory.wall_friction = solver.trial.wall_force;
   }
+  solver.driven.assign(2 * (solver.contact.interfaces.size() + model.walls.size()), 0.0);
   start_memory(scene, solver);
   tally(ranks, solver.contact);
   show_bodies(model, scene.state, scene.scratch);
@@ -187,6 +189,9 @@ void add_arrays(const model::Model& model, Solver& solver, model::Registry& regi
     global("wall_impulses", solver.walls.impulse.data(), solver.walls.impulse.size());
     global("wall_forces", solver.walls.force.data(), solver.walls.force.size());
   }
+  if (!solver.driven.empty())  // says nothing of the bodies
+    registry.arrays.push_back({"driven_through", model::StateArray::Entity::global, -1, 1,
+                               static_cast<int>(solver.driven.size()), solver.driven.data(), 1, 1, 1, 0, true, false});
   registry.arrays.push_back({"step_length", model::StateArray::Entity::global, -1, 1, step_length_values,
                              &memory.length.level, 1, step_length_values, 1, 0, true, true});
 }

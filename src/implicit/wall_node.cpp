@@ -78,6 +78,8 @@ void choose_active(const WallQuestion& question, const WallChoice& solved, WallC
     else
       choice.active[w] =
           meeting.bilateral || (solved.active[w] ? pressure[w] : 0.0) - question.stiffness * meeting.gap > 0;
+    const bool tied = (meeting.normal - question.tied * meeting.normal).norm() < redundant;
+    choice.active[w] = choice.active[w] && !tied;
   }
 }
 
@@ -130,7 +132,7 @@ WallAction act(const WallQuestion& question, const WallChoice& solved) {
   choose_active(question, solved, action.choice);
   const Held held = hold(question, action.choice.active);
   action.left = held.slides * question.left;
-  action.rows = held.slides;
+  action.rows = action.free = held.slides;
   if (held.count == 0) return action;
   std::ranges::copy(pressures(held, question.left), action.pressure);
   bool rubs = false;

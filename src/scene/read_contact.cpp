@@ -134,7 +134,9 @@ void read_mortar(Section& entry, ContactEntry& contact) {
     if (wrong) fault(entry.at(key), why);
   };
   const bool itself = contact.between.size() == 2 && contact.between[0] == contact.between[1];
-  if (contact.between.empty() || itself)
+  const bool all =
+      entry.has("between") && entry.at("between").tree != nullptr && entry.at("between").tree->text == "all";
+  if ((all && !contact.tied) || (itself && !contact.tied))  // what ties may not be between, or is no pair, is told
     fault(entry.has("between") ? entry.at("between") : entry.key(),
           "mortar contact is between two parts; accepted with method: mortar: [a, b]");
   refuse(entry.has("exclude"), "exclude", "is for between: all; accepted: none with method: mortar");

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // `solver`: how an implicit scene goes through time. Read after `run`, whose end gives the default of the step.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "brunt/scene/sections.hpp"
@@ -26,14 +29,22 @@ void check_bounds(Section& section, const ImplicitSolver& solver) {
     fault(section.at("max_step"), "is below step; accepted: a number, step at least");
 }
 
+const Choices<Scheme>& schemes() {
+  static const Choices<Scheme> all{{{"static", Scheme::statics},
+                                    {"contact_implicit", Scheme::contact_implicit},
+                                    {"hht", Scheme::hht},
+                                    {"newmark", Scheme::newmark}},
+                                   {}};
+  return all;
+}
+
+bool is_scheme(const std::string& word) {
+  return std::ranges::find(schemes().now, word, &std::pair<std::string, Scheme>::first) != schemes().now.end();
+}
+
 void read_map(Section& section, ImplicitSolver& solver) {
-  static const Choices<Scheme> schemes{{{"static", Scheme::statics},
-                                        {"contact_implicit", Scheme::contact_implicit},
-                                        {"hht", Scheme::hht},
-                                        {"newmark", Scheme::newmark}},
-                                       {}};
   static const Choices<LinearSolver> linears{{{"direct", LinearSolver::direct}, {"mumps", LinearSolver::mumps}}, {}};
-  section.optional("scheme", solver.scheme, schemes);
+  section.optional("scheme", solver.scheme, schemes());
   section.optional("step", solver.step, positive);
   section.optional("tolerance", solver.tolerance, below_one);
   section.optional("linear", solver.linear, linears);
@@ -59,6 +70,8 @@ void read_solver(Section& scene, Input& input) {
   ImplicitSolver solver;
   if (key.tree && key.tree->kind == Tree::Kind::value) {
     static const Choices<bool> words{{{"implicit", true}, {"explicit", false}}, {}};
+    if (const std::string& word = key.tree->text; is_scheme(word))
+      return fault(key, fmt::format("'{0}' is a scheme; accepted: {{scheme: {0}}}, implicit, explicit", word));
     bool implicit = false;
     if (!read(key, implicit, words) || !implicit) return;
     if (!fill_defaults(input, solver)) {

@@ -135,10 +135,12 @@ class Selector {
   void require_in_front(const RigidWall& wall, const std::string& key) {
     const std::vector<std::int32_t> body = mesh::bodies(whole_.mesh);
     std::map<std::int32_t, std::array<double, 2>> range;  // of the height over the wall
+    std::map<std::int32_t, std::size_t> block_of;
     for_each_corner([&](std::size_t block, std::size_t element, LocalIndex node) {
       if (!acts_on(wall.parts, block)) return;
       const Vec3& X = whole_.mesh.coordinates[static_cast<std::size_t>(node)];
       const double height = (X + whole_.origin - wall.point).dot(wall.normal.normalized());
+      block_of.try_emplace(body[element], block);
       auto& [lowest, highest] = range.try_emplace(body[element], std::array{height, height}).first->second;
       lowest = std::min(lowest, height);
       highest = std::max(highest, height);
@@ -150,12 +152,28 @@ class Selector {
         report(key, "goes through a body, which reaches {:g} behind the wall; accepted: bodies on one side of it",
                -heights[0]);
     }
-    if (!wall.parts.empty() || range.empty() || nearest > named_.on_plane()) return;
+    const bool some_in_front = !wall.parts.empty() || range.empty() || nearest > named_.on_plane();
+    if (some_in_front && input_.implicit) require_none_behind(range, block_of, key);
+    if (some_in_front) return;
     report(key + ".normal",
            "all bodies lie behind the wall (the nearest by {:g}), where it never stops them; accepted: a normal that "
            "points "
            "towards the bodies, or rigid_walls[].parts, the parts that the wall acts on",
            std::max(0.0, -nearest));
+  }
+
+  /// Implicit steps know one side of a wall alone: what lies behind it is pressed.
+  void require_none_behind(const std::map<std::int32_t, std::array<double, 2>>& range,
+                           const std::map<std::int32_t, std::size_t>& block_of, const std::string& key) {
+    for (const auto& [number, heights] : range) {
+      if (heights[1] > named_.on_plane() || heights[0] >= -named_.on_plane()) continue;
+      report(
+          key,
+          "a body of part '{}' lies behind the wall, by up to {:g}: an implicit step would press it through at once; "
+          "accepted: bodies in front of it, or rigid_walls[].parts, the parts that the wall acts on",
+          named_.part_of_block()[block_of.at(number)], -heights[0]);
+      return;
+    }
   }
 
   void add_surface() { whole_.mesh.node_sets[surface_set] = named_.of_sides(mesh::exterior_sides(whole_.mesh)); }

@@ -134,13 +134,20 @@ class Submit(unittest.TestCase):
         self.write("halving.yaml", STUDY + "bisect: {}\n")
         self.write("broken.yaml", "units: [SI\n")
         self.write("empty.yaml", "")
+        self.write("README.md", "# A page\n\n- `code`: text\n    and *more*: of it\n")
+        self.write("prose.md", "Words alone.\n")
         os.mkdir(os.path.join(self.folder, "there"))
         faults = [("out of range", ["scene.yaml", "-np", "2", "--time", time]) for time in ("0", "0:00", "0h", "59s", "0-0:0")]
-        faults += [("invalid --time", ["scene.yaml", "-np", "2", "--time", time]) for time in ("", "soon", "-5", "1:2:3:4", "1.5h", "4h30", "nan")]
+        faults += [("invalid --time", ["scene.yaml", "-np", "2", "--time", time]) for time in ("", "soon", "-5", "1:2:3:4", "1.5h", "4h30", "nan", "3:99",
+                                                                                                "1:60:00", "1-24", "1-2:60")]
         faults += [(phrase, [*words, "-np", "2", "--time", "5"]) for phrase, words in (
             ("cannot read none.yaml", ["none.yaml"]), ("rowless.yaml: runs: missing", ["rowless.yaml"]),
             ("runless.yaml: runs: missing", ["runless.yaml"]), ("bisect", ["halving.yaml"]), ("invalid YAML", ["broken.yaml"]),
             ("neither scene nor study", ["empty.yaml"]), ("exists", ["scene.yaml", "--out", "there"]),
+            ("README.md:3: invalid YAML: found character '`' that cannot start any token; expected a scene or a study", ["README.md"]),
+            ("prose.md: is neither scene nor study", ["prose.md"]), ("'0' is no number of nodes", ["scene.yaml", "--nodes", "0"]),
+            ("invalid --set 'foo'; expected KEY.PATH=VALUE", ["scene.yaml", "--set", "foo"]),
+            ("invalid --set '=3'", ["scene.yaml", "--set", "=3"]),
             ("no checkpoint", ["scene.yaml", "--out", "there", "--restart"]), ("--nodes 3", ["scene.yaml", "--nodes", "3"]),
             ("no option of a study", ["study.yaml", "--out", "x"]), ("invalid --slurm", ["scene.yaml", "--slurm", "two words"]),
             ("characters that can be printed", ["scene.yaml", "--set", "title=a\nb"]), ("unknown option '--nodse'", ["scene.yaml", "--nodse"]))]

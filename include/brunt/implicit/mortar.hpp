@@ -30,7 +30,10 @@ struct ContactNodes {
   std::vector<LocalIndex> own;           ///< of each: its place in Unknowns::node where this rank owns it, or no_index
   std::vector<Mat3> rows;                ///< of each of this rank: multiplies its rows, supports and walls taken out
   std::vector<Mat3> free;                ///< of each: projector on the directions that supports leave free
+  std::vector<Mat3> movable;             ///< likewise of those that walls leave free too, as it was last shared
+  std::vector<std::uint8_t> several;     ///< of each: surfaces of several interfaces have it
   comm::Halo gather;                     ///< from all ranks' nodes to these
+  std::vector<Vec3> reference;           ///< of lasting ones, at the start [length]
   std::vector<Vec3> x;                   ///< at the iterate [length]
   std::vector<Vec3> x_before;            ///< at t_n [length]
   std::vector<Vec3> x_told;              ///< of lasting ones, when masters were last told of [length]
@@ -88,12 +91,14 @@ struct Interface {
   contact::FrictionHistory history;
   contact::TieStart tie;
   std::vector<Mat3> tied;             ///< of ties, a row each: projector on the directions that its multipliers hold
+  std::vector<Mat3> given_apart;      ///< likewise those along which the slave and the place under it are both held
   std::vector<std::uint8_t> touches;  ///< rows that touch at the start: in the set from the first iterate on
   bool at_start = false;              ///< that iterate: what touches is stiff there, though nothing presses yet
 
   [[nodiscard]] int multipliers() const {  ///< unknowns a row
     return pair.tied ? 3 : pair.enforce == contact::MortarPair::Enforce::penalty ? 0 : 1;
   }
+  [[nodiscard]] bool presses() const { return !pair.tied; }
   /// Over the part of the row that lies under the master [length]; 0 where none does.
   [[nodiscard]] double mean_gap(std::size_t row) const {
     return rows.covered[row] > 0 ? rows.gaps[row] / rows.covered[row] : 0.0;
@@ -125,6 +130,8 @@ struct MortarContact {
   double budget = 0;                 ///< what recovery may give in this step, by its forecast [energy]
   double recovery = 0;               ///< share of `recovered` in this step, 0 to 1
   double travel = 0;                 ///< that nodes may make until masters are told of anew [length]
+  bool shares_nodes = false;         ///< on some rank there are ContactNodes::several
+  bool may_imply = false;            ///< without walls too rows may imply others: shared nodes, slaves at supports
   std::vector<std::string> notes{};  ///< of the start: multipliers that are left out, and why
   std::vector<double> z_before{};    ///< multipliers of all interfaces at t_n, the same on every rank: saved
   std::vector<double> traction_before{};  ///< tangential tractions at t_n of all rows with friction, three each: saved
@@ -158,6 +165,17 @@ enum class Iterate : std::int8_t {
 
 /// Pairs, rows, active sets and forces at the gathered positions. Collective.
 void find_contact(const comm::Communicator& ranks, MortarContact& contact, Iterate iterate);
+
+/// Leaves out multipliers that are redundant: of rows that nothing can satisfy or that others imply over the directions
+/// that are free at the iterate. Their rows say that they are zero. movable: of each of contact's nodes that this rank
+/// owns, projector on the directions that supports and walls leave free now. Call after find_contact. Collective.
+void leave_out_redundant(const comm::Communicator& ranks, std::span<const Mat3> movable, MortarContact& contact);
+
+/// Of each of contact's nodes that this rank owns: projector on directions along which walls hold it and supports or
+/// walls hold the place that it is tied to. The tie carries what presses it to that place: no wall need do so, nor find
+/// out whether it does. movable: as above. Collective.
+std::vector<Mat3> carried_by_ties(const comm::Communicator& ranks, std::span<const Mat3> movable,
+                                  MortarContact& contact);
 
 /// What contact along the normals gives to the bodies in the step, where it acts as at the end of it [energy].
 /// Collective.

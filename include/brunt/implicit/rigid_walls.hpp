@@ -19,9 +19,10 @@ struct WallNode {
   std::int32_t first = 0, count = 0;      ///< its entries in WallContact::wall
   std::int32_t kept[WallChoice::most]{};  ///< walls looked at in this step: its nearest
   std::int32_t looked_at = 0;
-  bool springs = false;  ///< of a rigid body: walls push it as springs do (wall_spring.hpp)
-  WallChoice solved;     ///< what the last linear solve took the walls to do
-  WallAction action;     ///< at the iterate
+  bool springs = false;      ///< of a rigid body: walls push it as springs do (wall_spring.hpp)
+  Mat3 tied = Mat3::Zero();  ///< projector on directions along which a tie holds it in its walls, at the iterate
+  WallChoice solved;         ///< what the last linear solve took the walls to do
+  WallAction action;         ///< at the iterate
 };
 
 /// What walls have done since t = 0: saved.

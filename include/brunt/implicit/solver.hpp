@@ -72,7 +72,8 @@ constexpr int contact_account_width = sizeof(ContactAccount) / sizeof(double);
 /// What has been done so far in this program.
 struct Work {
   GlobalIndex steps = 0, iterations = 0, most_iterations = 0, halved = 0;
-  double contact_seconds = 0;  ///< pairs, segments, rows, their slopes
+  GlobalIndex contact_steps = 0;  ///< at the end of which contact, a tie or a wall acts
+  double contact_seconds = 0;     ///< pairs, segments, rows, their slopes
   double factorise_seconds = 0, tangent_seconds = 0, force_seconds = 0, solve_seconds = 0;
   double factor_bytes = 0;  ///< largest
   NewtonTable newton{};
@@ -93,6 +94,8 @@ struct Solver {
   double support_stiffness = 0;  ///< of held directions in the system [force/length]
   Memory memory;
   ContactAccount contact_account;
+  std::vector<double> driven;  ///< of each interface, then each wall: since when [time] and how deep [length] supports
+                               ///< drive bodies through each other there, 0 where they do not: saved
   Trial trial;
   Work work;
   RigidBodies bodies{};

@@ -28,6 +28,7 @@ struct WallChoice {
 struct WallAction {
   WallChoice choice;
   Mat3 rows = Mat3::Identity();                   ///< multiplies the node's rows of the matrix
+  Mat3 free = Mat3::Identity();                   ///< projector on directions that neither supports nor walls hold
   Mat3 own = Mat3::Zero();                        ///< added to its diagonal block [force/length]
   Vec3 left = Vec3::Zero();                       ///< of the node's equations [force]
   double pressure[WallChoice::most] = {0, 0, 0};  ///< of each wall along its normal [force]
@@ -42,6 +43,7 @@ struct WallQuestion {
   Vec3 friction_before = Vec3::Zero();    ///< at t_n [force]
   double stiffness = 0;                   ///< of held directions in the matrix: does not enter pressures [force/length]
   bool first = false;  ///< the first iterate of a step: the choice given stands, and what lies behind a wall is pressed
+  Mat3 tied = Mat3::Zero();  ///< projector on directions along which ties hold the node in its walls
 };
 
 /// The primal-dual active set: a wall presses where pressure - stiffness gap > 0. Friction is a spring of `sticking`

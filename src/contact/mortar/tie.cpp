@@ -2,10 +2,7 @@
 #include "brunt/contact/mortar/tie.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 
 #include "add_block.hpp"
@@ -17,13 +14,11 @@ namespace brunt::contact {
 
 namespace {
 
-/// Sum of the projectors on the free directions of the nodes that have a share in the master's place under a node.
-Mat3 freedom_below(const MortarSurfaces& surfaces, std::span<const LocalIndex> facets,
-                   const Ragged<LocalIndex>& candidates, std::span<const Vec3> x, const Vec3& place,
-                   std::span<const Mat3> free) {
-  constexpr double share = 1e-6;  // coordinates in single precision
+/// The facet point nearest to a place, of the facets that may lie under these.
+MasterPlace place_below(const MortarSurfaces& surfaces, std::span<const LocalIndex> facets,
+                        const Ragged<LocalIndex>& candidates, std::span<const Vec3> x, const Vec3& place) {
   double nearest = std::numeric_limits<double>::infinity();
-  Mat3 sum = Mat3::Identity();
+  MasterPlace below;
   for (const LocalIndex facet : facets)
     for (const LocalIndex master : candidates.row(facet)) {
       const FacetNodes& nodes = surfaces.master[static_cast<std::size_t>(master)];
@@ -31,104 +26,61 @@ Mat3 freedom_below(const MortarSurfaces& surfaces, std::span<const LocalIndex> f
       const std::optional<geometry::FacePoint> point = geometry::closest_point(place, corners.span());
       if (!point || !((point->point - place).norm() < nearest)) continue;
       nearest = (point->point - place).norm();
-      sum = Mat3::Zero();
-      for (std::size_t c = 0; c < corners.count; ++c)
-        if (point->weights[c] > share) sum += free[static_cast<std::size_t>(nodes[c])];
+      below = {nodes, {}};
+      for (std::size_t c = 0; c < corners.count; ++c) below.weights[c] = point->weights[c];
     }
-  return sum;
-}
-
-/// Scalar equations of held slave nodes over the free directions of all nodes, in echelon form: an equation that those
-/// before it imply has nothing left. (Equations of free slave nodes have their own unknowns there and are never
-/// implied.)
-class Echelon {
- public:
-  using Line = std::map<LocalIndex, double>;  ///< by 3 node + axis
-
-  /// False: implied.
-  bool add(Line line) {
-    constexpr double rounding = 1e-6;  // of the largest entry: what a pivot of integrals must have to be one
-    const double size = largest(line)->second;
-    for (const auto& [pivot, kept] : lines_) {
-      const auto at = line.find(pivot);
-      if (at == line.end()) continue;
-      const double factor = at->second;
-      for (const auto& [column, value] : kept) line[column] -= factor * value;
-      line.erase(pivot);
-    }
-    if (line.empty()) return false;
-    const auto pivot = largest(line);
-    const double value = pivot->second;
-    if (!(std::abs(value) > rounding * std::abs(size))) return false;
-    const LocalIndex column = pivot->first;
-    for (auto& entry : line) entry.second /= value;
-    lines_.emplace_back(column, std::move(line));
-    return true;
-  }
-
- private:
-  static Line::const_iterator largest(const Line& line) {
-    return std::ranges::max_element(line, {}, [](const auto& entry) { return std::abs(entry.second); });
-  }
-  std::vector<std::pair<LocalIndex, Line>> lines_;
-};
-
-/// The equation of one row along a direction.
-Echelon::Line line_of(const TieStart& start, LocalIndex row, const Vec3& direction, std::span<const Mat3> free) {
-  constexpr double none = 1e-12;  // of what is covered
-  Echelon::Line line;
-  const std::span<const LocalIndex> nodes = start.weights.nodes.row(row);
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    const Vec3 part = start.weights.row(row)[k] * (free[static_cast<std::size_t>(nodes[k])] * direction);
-    for (int axis = 0; axis < 3; ++axis)
-      if (std::abs(part[axis]) > none * start.covered[static_cast<std::size_t>(row)])
-        line[3 * nodes[k] + axis] = part[axis];
-  }
-  return line;
-}
-
-/// Where a slave with more nodes than the master is driven, there are more equations than unknowns.
-void leave_out_implied(const MortarSurfaces& surfaces, const TieStart& start, std::span<const Mat3> free,
-                       std::vector<Mat3>& tied) {
-  Echelon echelon;
-  for (std::size_t row = 0; row < tied.size(); ++row) {
-    const Mat3 held = tied[row] * (Mat3::Identity() - free[static_cast<std::size_t>(surfaces.rows[row])]) * tied[row];
-    if (held.isZero()) continue;
-    const Eigen::SelfAdjointEigenSolver<Mat3> axes(held);
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      if (axes.eigenvalues()[k] < 0.5) continue;
-      const Vec3 direction = axes.eigenvectors().col(k);
-      Echelon::Line line = line_of(start, static_cast<LocalIndex>(row), direction, free);
-      if (line.empty() || !echelon.add(std::move(line))) tied[row] -= direction * direction.transpose();
-    }
-  }
+  return below;
 }
 
 }  // namespace
 
-std::vector<Mat3> tied_directions(const MortarSurfaces& surfaces, const MortarTopology& topology,
-                                  const Ragged<LocalIndex>& candidates, std::span<const Vec3> x, const TieStart& start,
-                                  std::span<const Mat3> free) {
+void find_places_below(const MortarSurfaces& surfaces, const MortarTopology& topology,
+                       const Ragged<LocalIndex>& candidates, std::span<const Vec3> x, TieStart& start) {
+  start.below.assign(surfaces.rows.size(), {});
+  for (std::size_t row = 0; row < surfaces.rows.size(); ++row)
+    if (start.covered[row] > 0)
+      start.below[row] = place_below(surfaces, topology.facets_around.row(static_cast<LocalIndex>(row)), candidates, x,
+                                     x[static_cast<std::size_t>(surfaces.rows[row])]);
+}
+
+Mat3 freedom_of(const MasterPlace& place, std::span<const Mat3> free) {
+  if (place.nodes[0] == no_index) return Mat3::Identity();
+  Mat3 sum = Mat3::Zero();
+  for (std::size_t c = 0; c < place.nodes.size(); ++c)
+    if (has_share(place.weights[c])) sum += free[static_cast<std::size_t>(place.nodes[c])];
+  return sum;
+}
+
+Mat3 held_by_all(const Mat3& freedom) {
   constexpr double none = 1e-9;  // eigenvalues of sums of projectors: directions that no node is free along
+  Mat3 held = Mat3::Zero();
+  const Eigen::SelfAdjointEigenSolver<Mat3> axes(freedom);
+  for (Eigen::Index k = 0; k < 3; ++k)
+    if (axes.eigenvalues()[k] < none) held += axes.eigenvectors().col(k) * axes.eigenvectors().col(k).transpose();
+  return held;
+}
+
+std::vector<Mat3> tied_directions(const MortarSurfaces& surfaces, const TieStart& start, std::span<const Mat3> free) {
   std::vector<Mat3> tied(surfaces.rows.size(), Mat3::Zero());
   for (std::size_t row = 0; row < tied.size(); ++row) {
     if (start.covered[row] == 0) continue;
     tied[row] = Mat3::Identity();
     const auto node = static_cast<std::size_t>(surfaces.rows[row]);
     if (free[node].isIdentity()) continue;
-    const auto around = topology.facets_around.row(static_cast<LocalIndex>(row));
-    const Mat3 all = free[node] + freedom_below(surfaces, around, candidates, x, x[node], free);
-    const Eigen::SelfAdjointEigenSolver<Mat3> axes(all);
-    for (Eigen::Index k = 0; k < 3; ++k)
-      if (axes.eigenvalues()[k] < none)
-        tied[row] -= axes.eigenvectors().col(k) * axes.eigenvectors().col(k).transpose();
+    tied[row] -= held_by_all(free[node] + freedom_of(start.below[row], free));
   }
-  leave_out_implied(surfaces, start, free, tied);
   return tied;
 }
 
+Vec3 offset_from_below(const MasterPlace& place, const Vec3& of_slave, std::span<const Vec3> of_nodes) {
+  Vec3 offset = of_slave;
+  for (std::size_t c = 0; c < place.nodes.size(); ++c)
+    if (place.nodes[c] != no_index) offset -= place.weights[c] * of_nodes[static_cast<std::size_t>(place.nodes[c])];
+  return offset;
+}
+
 TieStart tie(const MortarRows& rows) {
-  return {rows.weights, rows.normals, rows.gap_vectors, rows.covered};
+  return {rows.weights, rows.normals, rows.gap_vectors, rows.covered, {}};
 }
 
 void tie_residuals(const TieStart& start, std::span<const Vec3> x, std::span<const Vec3> normals,

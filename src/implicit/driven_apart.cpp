@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/implicit/driven_apart.hpp"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "brunt/comm/rendezvous.hpp"
+#include "brunt/model/curve.hpp"
+
+namespace brunt::implicit {
+namespace {
+
+/// Displacement that a drive gives from t = 0 to a time; nothing of an acceleration, which needs the velocity there.
+double travel_of(const model::Drive& drive, double time) {
+  switch (drive.gives) {
+    case model::Drive::Gives::displacement:
+      return drive.scale * (model::value_at(drive.curve, time) - model::value_at(drive.curve, 0));
+    case model::Drive::Gives::velocity:
+      return drive.scale * model::integral(drive.curve, 0, time);
+    case model::Drive::Gives::acceleration:
+      break;
+  }
+  return 0;
+}
+
+bool accelerates(const model::Model& model, const model::ConstrainedNode& node) {
+  return std::ranges::any_of(node.drive, [&](std::int32_t drive) {
+    return drive >= 0 && model.drives[static_cast<std::size_t>(drive)].gives == model::Drive::Gives::acceleration;
+  });
+}
+
+/// Is what supports give a body more than shifts from t = 0 on?
+bool is_hard_to_foresee(const model::Model& model, const model::RigidBody& body) {
+  for (std::size_t c = 0; c < body.drive.size(); ++c)
+    if (body.drive[c] &&
+        (c >= 3 || model.drives[static_cast<std::size_t>(*body.drive[c])].gives == model::Drive::Gives::acceleration))
+      return true;
+  return false;
+}
+
+/// The corner of a place with the largest share.
+LocalIndex nearest_node(const contact::MasterPlace& place) {
+  const auto most = std::ranges::max_element(place.weights) - place.weights.begin();
+  return place.nodes[static_cast<std::size_t>(most)];
+}
+
+/// A row that opens, and its turn among all.
+struct Opening {
+  double share = 0;  ///< of a facet's edge
+  GlobalIndex of_implied = 0, interface = 0, place = 0;
+  GlobalIndex slave = -1, master = -1;
+  std::array<double, 3> apart{}, reference{};
+};
+
+/// The wider one, else that whose turn comes first.
+bool comes_before(const Opening& a, const Opening& b) {
+  if (a.share != b.share) return a.share > b.share;
+  return std::tie(a.of_implied, a.interface, a.place) < std::tie(b.of_implied, b.interface, b.place);
+}
+
+/// Keeps the row of this rank that opens most, over a facet's edge.
+class Widest {
+ public:
+  explicit Widest(const MortarContact& contact) : contact_(contact) {}
+
+  void look(bool of_implied, std::size_t interface, std::size_t row, const Vec3& apart) {
+    const Interface& face = contact_.interfaces[interface];
+    const double share = apart.norm() / face.topology.edge;
+    if (!(share > agreed)) return;
+    const auto slave = static_cast<std::size_t>(face.surfaces.rows[row]);
+    const LocalIndex master = nearest_node(face.tie.below[row]);
+    Opening opening{share, of_implied ? 1 : 0, static_cast<GlobalIndex>(interface), face.place[row]};
+    opening.slave = contact_.nodes.gid[slave];
+    if (master != no_index) opening.master = contact_.nodes.gid[static_cast<std::size_t>(master)];
+    Eigen::Map<Vec3>(opening.apart.data()) = apart;
+    Eigen::Map<Vec3>(opening.reference.data()) = contact_.nodes.reference[slave];
+    if (found_.empty() || comes_before(opening, found_[0])) found_ = {opening};
+  }
+  /// Of all ranks. Collective.
+  [[nodiscard]] std::optional<DrivenApart> of_all(const comm::Communicator& ranks) const {
+    if (!ranks.any(!found_.empty())) return {};
+    const std::vector<Opening> all =
+        comm::exchange(ranks, std::vector<std::vector<Opening>>(static_cast<std::size_t>(ranks.size()), found_)).values;
+    const Opening widest = *std::ranges::min_element(all, comes_before);
+    return DrivenApart{static_cast<std::size_t>(widest.interface), widest.slave, widest.master,
+                       Vec3(widest.apart.data()), Vec3(widest.reference.data())};
+  }
+
+ private:
+  const MortarContact& contact_;
+  std::vector<Opening> found_;  ///< one or none
+};
+
+/// Along directions in which the slave node and the place under it are held. displacement: of lasting nodes.
+void look_at_places(const MortarContact& contact, std::span<const Vec3> displacement, Widest& widest) {
+  for (std::size_t k = 0; k < contact.interfaces.size(); ++k) {
+    const Interface& face = contact.interfaces[k];
+    for (std::size_t row = 0; face.pair.tied && row < face.count(); ++row) {
+      if (face.given_apart[row].isZero(0)) continue;
+      const Vec3& of_slave = displacement[static_cast<std::size_t>(face.surfaces.rows[row])];
+      widest.look(false, k, row,
+                  face.given_apart[row] * contact::offset_from_below(face.tie.below[row], of_slave, displacement));
+    }
+  }
+}
+
+/// Along directions in which other rows imply a row's equation.
+void look_at_implied(const MortarContact& contact, Widest& widest) {
+  for (std::size_t k = 0; k < contact.interfaces.size(); ++k) {
+    const Interface& face = contact.interfaces[k];
+    if (!face.pair.tied) continue;
+    std::vector<Vec3> left;
+    contact::tie_residuals(face.tie, contact.nodes.x, face.rows.normals, left);
+    for (std::size_t row = 0; row < face.count(); ++row) {
+      if (face.tie.covered[row] == 0) continue;
+      const Mat3 implied = Mat3::Identity() - face.given_apart[row] - face.tied[row];
+      if (!implied.isZero()) widest.look(true, k, row, implied * left[row]);
+    }
+  }
+}
+
+/// Of nodes of this rank, four each: travel that supports give from t = 0 to `time`, and 1 where it is not known.
+std::vector<double> travel_by_supports(const model::Model& model, double time) {
+  std::vector<double> travel(4 * static_cast<std::size_t>(model.nodes()), 0.0);
+  const auto give = [&](LocalIndex node, std::size_t axis, std::int32_t drive) {
+    travel[4 * static_cast<std::size_t>(node) + axis] = travel_of(model.drives[static_cast<std::size_t>(drive)], time);
+  };
+  for (const model::ConstrainedNode& node : model.constrained) {
+    for (std::size_t c = 0; c < 3; ++c)
+      if (node.drive[c] >= 0) give(node.node, c, node.drive[c]);
+    if (accelerates(model, node)) travel[4 * static_cast<std::size_t>(node.node) + 3] = 1;
+  }
+  for (const model::RigidBody& body : model.bodies)
+    for (const LocalIndex node : body.nodes) {
+      for (std::size_t c = 0; c < 3; ++c)
+        if (body.drive[c]) give(node, c, *body.drive[c]);
+      if (is_hard_to_foresee(model, body)) travel[4 * static_cast<std::size_t>(node) + 3] = 1;
+    }
+  return travel;
+}
+
+}  // namespace
+
+std::optional<DrivenApart> driven_apart(const comm::Communicator& ranks, const MortarContact& contact) {
+  if (std::ranges::none_of(contact.interfaces, [](const Interface& face) { return face.pair.tied; })) return {};
+  std::vector<Vec3> displacement;
+  for (std::size_t k = 0; k < contact.nodes.lasting; ++k)
+    displacement.emplace_back(contact.nodes.x[k] - contact.nodes.reference[k]);
+  Widest widest(contact);
+  look_at_places(contact, displacement, widest);
+  look_at_implied(contact, widest);
+  return widest.of_all(ranks);
+}
+
+std::optional<DrivenApart> driven_apart_at(const comm::Communicator& ranks, const model::Model& model, double time,
+                                           const MortarContact& contact) {
+  std::vector<double> here(4 * contact.nodes.gid.size());
+  contact.nodes.gather.forward(travel_by_supports(model, time), here, 4);
+  std::vector<Vec3> displacement;
+  bool unknown = false;
+  for (std::size_t k = 0; k < contact.nodes.lasting; ++k) {
+    displacement.emplace_back(&here[4 * k]);
+    unknown = unknown || here[4 * k + 3] != 0;
+  }
+  if (ranks.any(unknown)) return {};
+  Widest widest(contact);
+  look_at_places(contact, displacement, widest);
+  return widest.of_all(ranks);
+}
+
+std::vector<double> turning_times(const model::Model& model, double end) {
+  std::vector<double> times{end};
+  for (const model::Drive& drive : model.drives)
+    for (const auto& [time, value] : drive.curve)
+      if (time > 0 && time < end) times.push_back(time);
+  std::ranges::sort(times);
+  const auto repeated = std::ranges::unique(times);
+  times.erase(repeated.begin(), repeated.end());
+  return times;
+}
+
+}  // namespace brunt::implicit

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bodies that supports drive through each other or through walls, where contact can do nothing but report it.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "brunt/implicit/driven_apart.hpp"
+#include "nodal.hpp"
+
+namespace brunt::implicit {
+namespace {
+
+constexpr double held = 1e-6;       // sine below which a direction is held: as `redundant` of wall_node.cpp
+constexpr double of_carried = 1e4;  // likewise of nodes that ties hold: a hundredth of an edge, as meshes that do not
+                                    // match leave of a curved seam
+constexpr double of_touching = 10;  // a node is behind a wall from so many times the distance at which it touches
+
+/// How far the rows of this rank that nothing can move lie in the master, the deepest [length].
+double depth_of(const ContactNodes& nodes, const Interface& face) {
+  double deepest = 0;
+  for (std::size_t row = 0; row < face.count(); ++row) {
+    const double depth = -face.mean_gap(row);
+    if (!(depth > agreed * face.topology.edge && depth > deepest)) continue;
+    const Vec3& normal = face.rows.normals[row];
+    const auto moves = [&](LocalIndex node) {
+      return (nodes.free[static_cast<std::size_t>(node)] * normal).norm() > held;
+    };
+    if (std::ranges::none_of(face.rows.weights.nodes.row(static_cast<LocalIndex>(row)), moves)) deepest = depth;
+  }
+  return deepest;
+}
+
+struct AtWall {
+  double depth = 0;               ///< [length]
+  std::int32_t block = no_index;  ///< of the deepest node
+};
+
+std::int32_t block_of(const model::Model& model, LocalIndex node) {
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    if (std::ranges::find(model.blocks[b].node, node) != model.blocks[b].node.end())
+      return static_cast<std::int32_t>(b);
+  return no_index;
+}
+
+/// Of each wall: the deepest of the nodes of this rank that supports hold along its normal.
+std::vector<AtWall> held_behind_walls(const Scene& scene, const Solver& solver) {
+  std::vector<AtWall> found(scene.model.walls.size());
+  const WallContact& walls = solver.walls;
+  for (const WallNode& node : walls.nodes) {
+    const auto i = static_cast<std::size_t>(solver.unknowns.node[node.own]);
+    const bool carried = !node.tied.isZero(0);
+    if (solver.held[i] == no_index && !carried) continue;
+    Mat3 free = Mat3::Identity() - node.tied;
+    if (solver.held[i] != no_index)
+      free = scene.model.constrained[static_cast<std::size_t>(solver.held[i])].free * free;
+    const Vec3 x = of(scene.model.reference[i]) + of(scene.state.displacement[i]);
+    for (std::int32_t k = 0; k < node.looked_at; ++k) {
+      const auto w = static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(node.kept[k])]);
+      const Vec3& normal = scene.model.walls[w].normal;
+      const double depth = walls.place[w] - normal.dot(x);
+      const double least = carried ? of_carried : of_touching;
+      if (!(depth > least * walls.touching && depth > found[w].depth) || (free * normal).norm() > held) continue;
+      found[w] = {depth, block_of(scene.model, solver.unknowns.node[node.own])};
+    }
+  }
+  return found;
+}
+
+/// Deepens a pair of the memory; true where it is new.
+bool deepen(double depth, double time, double* since_and_depth) {
+  if (!(depth > since_and_depth[1])) return false;
+  const bool fresh = since_and_depth[1] == 0;
+  if (fresh) since_and_depth[0] = time;
+  since_and_depth[1] = depth;
+  return fresh;
+}
+
+std::string warning_of(const std::string& one, const std::string& other, double since, double depth,
+                       const std::string& length_unit) {
+  return fmt::format(
+      "supports move part '{}' and {} through each other: since t = {:g} nodes that are held along the normal lie "
+      "behind what cannot give way, now {:.3g}{} deep. Contact does nothing there (reported once for a pair; "
+      "driven_penetration in summary.json is the largest depth)",
+      one, other, since, depth, length_unit.empty() ? "" : " " + length_unit);
+}
+
+}  // namespace
+
+std::vector<std::string> watch_driven(const Scene& scene, Solver& solver, const std::string& length_unit) {
+  std::vector<std::string> warnings;
+  if (!scene.links.ranks.any(!scene.model.constrained.empty())) return warnings;
+  const auto part = [&](std::int32_t block) -> const std::string& {
+    return scene.model.blocks[static_cast<std::size_t>(block)].part;
+  };
+  double* next = solver.driven.data();
+  std::vector<double> depths;
+  for (const Interface& face : solver.contact.interfaces)
+    depths.push_back(face.pair.tied ? 0.0 : depth_of(solver.contact.nodes, face));
+  if (!depths.empty()) scene.links.ranks.max(depths);
+  for (std::size_t k = 0; k < depths.size(); ++k) {
+    const Interface& face = solver.contact.interfaces[k];
+    const double depth = depths[k];
+    if (deepen(depth, scene.state.time, next))
+      warnings.push_back(warning_of(part(face.pair.slave), fmt::format("part '{}'", part(face.pair.master)), next[0],
+                                    depth, length_unit));
+    next += 2;
+  }
+  const std::vector<AtWall> here = held_behind_walls(scene, solver);
+  for (std::size_t w = 0; w < here.size(); ++w) {
+    const double depth = scene.links.ranks.max(here[w].depth);
+    const GlobalIndex block = scene.links.ranks.max(GlobalIndex{here[w].depth == depth ? here[w].block : no_index});
+    if (deepen(depth, scene.state.time, next))
+      warnings.push_back(warning_of(part(static_cast<std::int32_t>(block)),
+                                    fmt::format("rigid wall '{}'", scene.model.walls[w].name), next[0], depth,
+                                    length_unit));
+    next += 2;
+  }
+  return warnings;
+}
+
+double driven_penetration(const Solver& solver) {
+  double deepest = 0;
+  for (std::size_t k = 1; k < solver.driven.size(); k += 2) deepest = std::max(deepest, solver.driven[k]);
+  return deepest;
+}
+
+}  // namespace brunt::implicit

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// What implicit scenes may not ask for, and what is said of them: one line a fault.
+#include "app/implicit_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+
+#include "brunt/scene/read.hpp"
+
+using namespace brunt;
+using Catch::Contains;
+
+namespace {
+
+scene::Input input(const std::string& more, const std::string& solver = "solver: {scheme: contact_implicit}\n") {
+  return scene::read_scene(
+      fmt::format("units: none\nmesh: {{file: of_the_test}}\n"
+                  "materials: {{m: {{model: neo_hookean, density: 1, young: 1, poisson: 0.3}}}}\n"
+                  "parts: {{a: {{block: a, material: m, element: hex8_full}}, b: {{block: b, material: m, element: "
+                  "hex8_full}}}}\n{}{}",
+                  solver, more),
+      "scene.yaml");
+}
+
+std::vector<std::string> faults(const std::string& more, const std::string& solver = "solver: implicit\n") {
+  return app::faults_of_implicit(input(more, solver), {});
+}
+
+}  // namespace
+
+TEST_CASE("implicit rules: keys of explicit scenes are refused, each in a line that names the other") {
+  CHECK(faults("run: {end: 1}\n").empty());
+  const std::vector<std::string> told = faults("run: {end: 1, cfl: 0.5}\ndamping: {alpha: 1}\n");
+  REQUIRE(told.size() == 2);
+  CHECK_THAT(told[0], Contains("scene.yaml:6: run.cfl: ") && Contains("accepted: solver.step"));
+  CHECK_THAT(told[1], Contains("damping: is for explicit scenes"));
+}
+
+TEST_CASE("implicit rules: contact is mortar contact in implicit scenes, and not in explicit ones") {
+  REQUIRE(faults("run: {end: 1}\ncontact: [{between: [a, b]}]\n").size() == 1);
+  CHECK(faults("run: {end: 1}\ncontact: [{between: [a, b], method: mortar}]\n").empty());
+  const auto told = faults("run: {end: 1}\ncontact: [{between: [a, b], method: mortar}]\n", "");
+  REQUIRE(told.size() == 1);
+  CHECK_THAT(told[0], Contains("mortar contact is for implicit scenes"));
+  const auto offset = faults("run: {end: 1}\ncontact: [{between: [a, b], method: mortar, initial_overlap: offset}]\n");
+  REQUIRE(offset.size() == 1);
+  CHECK_THAT(offset[0], Contains("offset is for explicit scenes"));
+}
+
+TEST_CASE("implicit rules: elements without stiffness against hourglass modes are refused") {
+  model::Model model;
+  model.blocks.resize(1);
+  model.blocks[0].part = std::string("a");
+  model.blocks[0].kind = element::ElementKind::hex8;
+  const auto told = app::faults_of_implicit(input("run: {end: 1}\n"), model);
+  REQUIRE(told.size() == 1);
+  CHECK_THAT(told[0], Contains("parts.a.element: hex8 has no stiffness against its hourglass modes"));
+}
+
+TEST_CASE("implicit rules: what becomes of an overlap of the start depends on the scheme") {
+  const auto note = [](const std::string& scheme, const std::string& more = "") {
+    const auto notes = app::notes_of_overlaps(input(
+        fmt::format("run: {{end: 1}}\ncontact: [{{between: [a, b], method: mortar, initial_overlap: warn{}}}]\n", more),
+        fmt::format("solver: {{scheme: {}}}\n", scheme)));
+    REQUIRE(notes.size() == 1);
+    return notes[0];
+  };
+  CHECK_THAT(note("contact_implicit"), Contains("contact.0.initial_overlap: ") && Contains("stays"));
+  CHECK_THAT(note("static"), Contains("the first step closes"));
+  CHECK_THAT(note("static", ", enforce: penalty"), Contains("pressure of the penalty"));
+  CHECK(app::notes_of_overlaps(input("run: {end: 1}\ncontact: [{between: [a, b], method: mortar}]\n")).empty());
+}
+
+TEST_CASE("implicit rules: causes name the step of the solver") {
+  for (const app::Fault fault : {app::Fault::balance, app::Fault::damping, app::Fault::contact, app::Fault::friction}) {
+    CHECK_THAT(app::likely_cause_in_implicit(fault), Contains("solver.step"));
+    CHECK_THAT(app::likely_cause_in_implicit(fault), !Contains("run.cfl"));
+  }
+}
