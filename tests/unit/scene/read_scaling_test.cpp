@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The section `scaling`: what it may name, and what is said where it names something else.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 #include "brunt/core/error.hpp"
@@ -13,7 +15,7 @@ using namespace brunt::scene;
 namespace {
 
 std::string with(const std::string& scaling) {
-  return std::string(small_scene) + "\nscaling: " + scaling + "\n";
+  return fmt::format("{}\nscaling: {}\n", small_scene, scaling);
 }
 
 std::vector<std::string> faults_of(const std::string& scaling) {
