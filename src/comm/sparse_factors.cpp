@@ -203,33 +203,45 @@ Factorised SparseFactors::factorise(RowRange&& rows, bool same_pattern) {
   return done;
 }
 
-/// s with entries s_i a_ij s_j of at most some 1: displacements, multipliers and bodies of any stiffness side by side.
-std::vector<double> SparseFactors::equilibration() {
-  std::vector<double> s(static_cast<std::size_t>(rows_.rows()), 1.0), next = s;
+SparseFactors::Equilibration SparseFactors::equilibration() {
+  const std::size_t rows = static_cast<std::size_t>(rows_.rows()), columns = static_cast<std::size_t>(rows_.unknowns);
+  Equilibration of{std::vector<double>(rows, 1.0), std::vector<double>(columns, 1.0)};
+  std::vector<double> in_column(columns);
   for (int sweep = 0; sweep < scaling_sweeps; ++sweep) {
-    const std::span<const double> every = of_all_ranks(s);
-    for (std::size_t i = 0; i < s.size(); ++i) {
+    std::vector<double> row = of.row;
+    std::ranges::fill(in_column, 0.0);
+    for (std::size_t i = 0; i < rows; ++i) {
       double largest = 0;
-      for (auto k = static_cast<std::size_t>(rows_.begin[i]); k < static_cast<std::size_t>(rows_.begin[i + 1]); ++k)
-        largest = std::max(largest, std::abs(rows_.value[k]) * every[static_cast<std::size_t>(rows_.column[k])]);
-      if (largest > 0) next[i] = std::sqrt(s[i] / largest);
+      for (auto k = static_cast<std::size_t>(rows_.begin[i]); k < static_cast<std::size_t>(rows_.begin[i + 1]); ++k) {
+        const auto j = static_cast<std::size_t>(rows_.column[k]);
+        const double value = std::abs(rows_.value[k]) * of.row[i] * of.column[j];
+        largest = std::max(largest, value);
+        in_column[j] = std::max(in_column[j], value);
+      }
+      if (largest > 0) row[i] /= std::sqrt(largest);
     }
-    s = next;
+    MPI_Allreduce(MPI_IN_PLACE, in_column.data(), static_cast<int>(columns), MPI_DOUBLE, MPI_MAX, comm_);
+    of.row = row;
+    for (std::size_t j = 0; j < columns; ++j)
+      if (in_column[j] > 0) of.column[j] /= std::sqrt(in_column[j]);
   }
-  return s;
+  PetscInt first = 0;
+  MatGetOwnershipRange(matrix_, &first, nullptr);
+  of.column = {of.column.begin() + first, of.column.begin() + first + static_cast<std::ptrdiff_t>(rows)};
+  return of;
 }
 
 /// Inverse iteration on the equilibrated matrix; the direction that grows is kept in `floating_`.
 bool SparseFactors::is_singular() {
-  const std::vector<double> s = equilibration();
-  std::vector<double> z(s.size()), b(s.size()), y(s.size());
+  const Equilibration scale = equilibration();
+  std::vector<double> z(scale.row.size()), b(z.size()), y(z.size());
   for (std::size_t i = 0; i < z.size(); ++i) z[i] = std::sin(static_cast<double>(i + 1));
   double size = 1;
   for (int step = 0; step < inverse_iterations; ++step) {
-    for (std::size_t i = 0; i < z.size(); ++i) b[i] = z[i] / s[i];
+    for (std::size_t i = 0; i < z.size(); ++i) b[i] = z[i] / scale.row[i];
     substitute(b, y);
     size = 0;
-    for (std::size_t i = 0; i < z.size(); ++i) keep_largest(size, std::abs(z[i] = y[i] / s[i]));
+    for (std::size_t i = 0; i < z.size(); ++i) keep_largest(size, std::abs(z[i] = y[i] / scale.column[i]));
     size = largest_of_ranks(comm_, size);
     for (double& value : z) value /= size;
   }

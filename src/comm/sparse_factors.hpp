@@ -40,7 +40,12 @@ class SparseFactors {
   void analyse(PetscInt relaxation);
   void make_matrix();
   bool is_singular();
-  std::vector<double> equilibration();
+  /// What multiplies rows and columns of this rank until all of them have a largest entry near 1: equations of contact
+  /// and pressures have units of their own, so rows and columns of one number are not alike.
+  struct Equilibration {
+    std::vector<double> row, column;
+  };
+  Equilibration equilibration();
   std::span<const double> of_all_ranks(std::span<const double> own);
   void free_factors();
   void substitute(std::span<const double> b, std::span<double> x);

@@ -156,6 +156,22 @@ TEST_CASE("a slender cantilever and a soft body on a stiff one are held") {
   }
 }
 
+TEST_CASE("equations and multipliers in units of their own are no sign of a body that floats") {
+  for (const double unit : {1e-9, 1e9}) {
+    SparseMatrix tied = tied_blocks(4), floats = tied;
+    floats.clear();
+    add_block(floats, {.elements = {3, 3, 3}});
+    for (std::size_t row = 0; row < tied.size(); ++row)
+      if (!tied[row].contains(static_cast<GlobalIndex>(row)) || tied[row].at(static_cast<GlobalIndex>(row)) == 0)
+        for (auto& [column, value] : tied[row]) value *= unit;  // a multiplier's equation, not its column
+    for (auto& [column, value] : floats[7]) value *= unit;
+    LinearSystem system = system_of(tied);
+    solution(system, tied);
+    LinearSystem free = system_of(floats);
+    CHECK(free.factorise(rows_of(floats, all_rows(floats))).status == FactorStatus::singular);
+  }
+}
+
 TEST_CASE("a row of zeros, a row twice: singular, and usable again afterwards") {
   const SparseMatrix good = held_block(2);
   SparseMatrix empty_row = good, twice = good;
