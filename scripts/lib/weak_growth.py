@@ -65,6 +65,8 @@ class Growth:
             raise Fault(f"{path}: cannot be read ({' '.join(str(error).split())}); accepted: a scene file") from error
         self.path = path
         scaling = self.tree.get("scaling") if isinstance(self.tree, dict) else None
+        if isinstance(scaling, dict) and set(scaling) - {"weak"}:
+            raise Fault(f"{path}: scaling.{sorted(set(scaling) - {'weak'}, key=str)[0]}: unknown key; accepted: weak")
         self.directions = scaling.get("weak") if isinstance(scaling, dict) else None
         if not isinstance(self.directions, list) or not self.directions:
             raise Fault(f"{path}: scaling.weak: missing; accepted: --weak with a scene whose scaling.weak lists what grows, such as "
@@ -80,6 +82,8 @@ class Growth:
             direction = self.directions[d]
             if not isinstance(direction, dict) or "counts" not in direction or set(direction) - {"counts", "lengths"}:
                 self.fault(f"scaling.weak.{d}", "is no direction of growth", "a map {counts: [...], lengths: [...]}")
+            if not direction["counts"]:
+                self.fault(f"scaling.weak.{d}.counts", "is empty", "a list of paths such as mesh.0.box.elements.0")
             for name, kind in (("counts", int), ("lengths", float)):
                 for k, path in enumerate(direction.get(name) or []):
                     self.multiply(grown, f"scaling.weak.{d}.{name}.{k}", str(path), kind, factor)
@@ -87,6 +91,8 @@ class Growth:
 
     def multiply(self, grown, key, path, kind, factor):
         values = values_at(self.tree, path)
+        if kind is int and "elements" not in path.split("."):
+            self.fault(key, f"'{path}' names no number of elements", "paths such as mesh.0.box.elements.0")
         if not values:
             self.fault(key, f"'{path}' leads to nothing in this scene", "a key path, as for --set")
         for place, value in values:

@@ -57,19 +57,33 @@ bool is_number(const Tree& value) {
   return read(Key{&value, value.place, "", &aside}, number, any_number);
 }
 
-using Check = bool (*)(const Tree&);
+/// What a list of paths may name.
+struct Kind {
+  bool (*is_good)(const Tree&);
+  std::string_view step;  ///< that the path has, if any
+  std::string_view accepted;
+};
+constexpr Kind counts{is_count, "elements", "paths of numbers of elements, such as mesh.0.box.elements.0"};
+constexpr Kind lengths{is_number, "", "paths of numbers, such as mesh.0.box.size.0"};
 
-void check_paths(Section& direction, std::string_view name, const Tree& scene, Check is_good,
-                 std::string_view accepted) {
+void check_paths(Section& direction, std::string_view name, const Tree& scene, const Kind& kind) {
   if (!direction.has(name)) return;
+  const std::string_view step = kind.step, accepted = kind.accepted;
   const std::string list = fmt::format("a list of {}", accepted);
-  for (const Key& entry : items(direction.at(name), list)) {
+  const std::vector<Key> entries = items(direction.at(name), list);
+  if (entries.empty() && direction.at(name).tree->kind == Tree::Kind::list && !step.empty())
+    fault(direction.at(name), fmt::format("is empty; accepted: {}", list));
+  for (const Key& entry : entries) {
     std::string path;
     if (!read(entry, path, accepted)) continue;
     const std::vector<const Tree*> values = values_at(scene, path);
-    if (values.empty()) {
+    if (const std::vector<std::string> steps = steps_of(path);
+        !step.empty() && std::ranges::find(steps, step) == steps.end()) {
+      fault(entry, fmt::format("'{}' names no number of elements; accepted: {}", path, accepted));
+    } else if (values.empty()) {
       fault(entry, fmt::format("'{}' leads to nothing in this scene; accepted: {}", path, accepted));
-    } else if (const auto bad = std::ranges::find_if_not(values, [&](const Tree* v) { return is_good(*v); });
+    } else if (const auto bad =
+                   std::ranges::find_if_not(values, [&good = kind.is_good](const Tree* v) { return good(*v); });
                bad != values.end()) {
       const std::string there = (*bad)->kind == Tree::Kind::value ? fmt::format("'{}'", (*bad)->text) : "no value";
       fault(entry, fmt::format("'{}' leads to {}; accepted: {}", path, there, accepted));
@@ -94,9 +108,8 @@ void read_scaling(Section& scene) {
     Section direction(key, "a map {counts: [...], lengths: [...]}");
     if (direction.is_map() && !direction.has("counts"))
       lacking(direction.key(), {"counts"}, "no counts are given; accepted: counts: [mesh.0.box.elements.0]");
-    check_paths(direction, "counts", *scene.key().tree, is_count,
-                "paths of whole numbers from 1 up, such as mesh.0.box.elements.0");
-    check_paths(direction, "lengths", *scene.key().tree, is_number, "paths of numbers, such as mesh.0.box.size.0");
+    check_paths(direction, "counts", *scene.key().tree, counts);
+    check_paths(direction, "lengths", *scene.key().tree, lengths);
   }
 }
 

@@ -100,8 +100,9 @@ class Scaling(unittest.TestCase):
     def test_says_what_is_wrong_with_the_growth(self):
         self.assert_refused("scaling.weak: missing", "--weak", growth="")
         for growth, phrase in (("{counts: [mesh.7.box.elements.0]}", "scaling.weak.0.counts.0: 'mesh.7.box.elements.0' leads to nothing"),
-                               ("{counts: [mesh.0.box.size.0]}", "scaling.weak.0.counts.0: 'mesh.0.box.size.0' leads to"),
-                               ("{counts: [mesh.1.box.at.0]}", "whole numbers from 1 up"),
+                               ("{counts: [mesh.0.box.size.0]}", "scaling.weak.0.counts.0: 'mesh.0.box.size.0' names no number of elements"),
+                               ("{counts: []}", "scaling.weak.0.counts: is empty"),
+                               ("{counts: [mesh.1.box.at.0]}", "names no number of elements"),
                                ("{count: [mesh.0.box.elements.0]}", "scaling.weak.0")):
             with self.subTest(growth=growth):
                 self.assert_refused(phrase, "--weak", "-np", "1", growth=f"\nscaling: {{weak: [{growth}]}}\n")

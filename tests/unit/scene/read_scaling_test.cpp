@@ -48,8 +48,10 @@ TEST_CASE("scaling: counts and lengths of one to three directions, one by one or
 TEST_CASE("scaling: a wrong entry is one line that names it", "[scene]") {
   check_message("{weak: [{counts: [mesh.0.box.elements.0, mesh.5.box.elements.0]}]}", "scaling.weak.0.counts.1",
                 "'mesh.5.box.elements.0' leads to nothing");
-  check_message("{weak: [{counts: [mesh.0.box.part]}]}", "scaling.weak.0.counts.0", "leads to 'left'");
-  check_message("{weak: [{counts: [mesh.1.box.at.1]}]}", "scaling.weak.0.counts.0", "leads to '0'");
+  check_message("{weak: [{counts: [mesh.0.box.part]}]}", "scaling.weak.0.counts.0", "names no number of elements");
+  check_message("{weak: [{counts: [mesh.1.box.at.1]}]}", "scaling.weak.0.counts.0", "names no number of elements");
+  check_message("{weak: [{counts: [mesh.0.box.size.0]}]}", "scaling.weak.0.counts.0", "names no number of elements");
+  check_message("{weak: [{counts: []}]}", "scaling.weak.0.counts", "is empty");
   check_message("{weak: [{counts: [mesh.0.box.elements]}]}", "scaling.weak.0.counts.0", "leads to no value");
   check_message("{weak: [{counts: [mesh.*.box.elements.0], lengths: [mesh.0.box.part]}]}", "scaling.weak.0.lengths.0",
                 "paths of numbers");
