@@ -1,14 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Rigid parts in implicit scenes: what they stand on, punches, joints, walls, ranks, restarts, messages. Needs BRUNT and BRUNT_RUN."""
-import csv
 import math
 import unittest
 
 import numpy
 
 from rigid_test import joined_mesh
-from run_test import Program
+from scene_program import SceneProgram
 
 LAWS = "materials: {m: {model: neo_hookean, density: 2, young: 1000, poisson: 0.3}, hard: {model: rigid, density: 20}}\n"
 # Meshes that do not match, off every axis of symmetry.
@@ -45,16 +44,7 @@ run: {end: 0.05}
 """
 
 
-class Rigid(Program):
-    def rows(self, result):
-        table = csv.DictReader(self.text(result, "history.csv").splitlines())
-        return [{name.split(" [")[0]: float(value) for name, value in row.items()} for row in table]
-
-    def go(self, scene, ranks=1, out="out", code=0):
-        self.write("scene.yaml", scene)
-        told = self.run_scene(ranks, "scene.yaml", "--out", out, "--force", code=code)
-        return told if code else self.rows(out)
-
+class Rigid(SceneProgram):
     def refused(self, scene, *told):
         lines = [line for line in self.go(scene, code=2).splitlines() if "scene.yaml" in line]
         self.assertEqual(len(lines), 1, lines)

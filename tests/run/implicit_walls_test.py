@@ -1,11 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Rigid walls in implicit scenes: what they carry, moving ones, impact, friction, corners, ranks, restarts. Needs BRUNT and BRUNT_RUN."""
-import csv
 import math
 import unittest
 
-from run_test import Program
+from scene_program import SceneProgram
 
 BLOCK = """\
 units: none
@@ -26,16 +25,7 @@ probes: [{name: floor, wall: floor}]
 """
 
 
-class Walls(Program):
-    def rows(self, result):
-        table = csv.DictReader(self.text(result, "history.csv").splitlines())
-        return [{name.split(" [")[0]: float(value) for name, value in row.items()} for row in table]
-
-    def go(self, scene, ranks=1, out="out", code=0):
-        self.write("scene.yaml", scene)
-        told = self.run_scene(ranks, "scene.yaml", "--out", out, "--force", code=code)
-        return told if code else self.rows(out)
-
+class Walls(SceneProgram):
     def test_a_floor_and_a_corner_carry_the_weight(self):
         floor = "{name: floor, point: [0, 0, 0], normal: [0, 0, 1]}"
         rows = self.go(BLOCK + MIRRORS + f"gravity: {{vector: [0, 0, -1]}}\nrigid_walls: [{floor}]\nprobes: [{{name: w, wall: floor}}]\n" + STATIC)

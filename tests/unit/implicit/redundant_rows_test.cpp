@@ -4,42 +4,16 @@
 #include <catch2/catch.hpp>
 
 #include "brunt/implicit/solver.hpp"
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "support/simulation.hpp"
+#include "support/side_by_side.hpp"
 
 using namespace brunt;
 using namespace brunt::implicit;
 using test::Simulation;
 
-namespace {
-
-/// Two blocks side by side, the right one finer; `more` of the scene.
-Simulation side_by_side(const std::string& more) {
-  mesh::Mesh mesh = mesh::box("left", {1, 1, 1}, {2, 2, 2}), right = mesh::box("right", {1, 1, 1}, {3, 3, 3});
-  for (Vec3& x : right.coordinates) x += Vec3(1, 0, 0);
-  mesh::append(mesh, std::move(right));
-  return {std::move(mesh),
-          "materials: {m: {model: neo_hookean, density: 2, young: 100, poisson: 0.3}}\n"
-          "parts: {left: {material: m, element: hex8_full}, right: {material: m, element: hex8_full}}\n"
-          "contact: [{between: [left, right], method: mortar}]\n" +
-              more};
-}
-
-model::ImplicitSolver settings() {
-  model::ImplicitSolver settings;
-  settings.scheme = model::Scheme::contact_implicit;
-  settings.step = settings.max_step = 0.01;
-  settings.min_step = 1e-5;
-  return settings;
-}
-
-}  // namespace
-
 TEST_CASE("rows of contact that no node can follow have no multiplier") {
-  Simulation body = side_by_side("fixed: [{part: left, dofs: [x]}, {part: right, dofs: [y]}]\n");
+  Simulation body = test::side_by_side("", "fixed: [{part: left, dofs: [x]}, {part: right, dofs: [y]}]\n");
   const Scene scene{body.model, body.state, body.scratch, body.links};
-  Solver solver = make_solver(scene, settings());
+  Solver solver = make_solver(scene, test::short_steps());
   MortarContact& contact = solver.contact;
   Interface& face = contact.interfaces[0];
   const auto pressed = [&] { return std::ranges::count(face.active, std::uint8_t{1}); };
