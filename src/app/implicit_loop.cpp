@@ -64,7 +64,7 @@ implicit::Scene implicit_scene(Prepared& run) {
 void implicit_step(Prepared& run) {
   implicit::advance(implicit_scene(run), *run.implicit, [&](GlobalIndex gid) { return name_of_node(run, gid); });
   implicit::Solver& solver = *run.implicit;
-  const bool acts = implicit::count(solver.contact).active + implicit::pressed(run.links.ranks, solver.walls) > 0;
+  const bool acts = solver.contact.counts.active + implicit::pressed(run.links.ranks, solver.walls) > 0;
   solver.work.contact_steps += acts ? 1 : 0;
   stop_where_driven_apart(run);
 }

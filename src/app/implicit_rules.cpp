@@ -118,7 +118,9 @@ std::string likely_cause_in_implicit(Fault fault) {
       return "likely cause: sticking rows that take back what they stored while their facets turn; take a smaller "
              "solver.step, or smaller elements";
     case Fault::contact:
-      return "likely cause: bodies that meet at more than a facet's depth in one step; take a smaller solver.step";
+      return "likely cause: bodies that meet at more than a facet's depth in one step, or (but with contact_implicit) "
+             "slide "
+             "over coarse facets; take a smaller solver.step, or smaller elements";
     default:
       break;
   }

@@ -134,6 +134,7 @@ class Mortar(Program):
         first = self.summary("out1")
         for ranks in (2, 3, 4):
             self.assertEqual(self.summary(f"out{ranks}")["state_hash"], first["state_hash"])
+            self.assertEqual(self.summary(f"out{ranks}")["contact"]["steps"], first["contact"]["steps"])
             self.assertEqual(self.text(f"out{ranks}", "history.csv"), self.text("out1", "history.csv"))
         self.assertLess(first["momentum_error"], 1e-11)
         self.assertLess(first["energy"]["error_ratio"], 1e-11)
