@@ -99,7 +99,7 @@ def adopt(times):
     with open(path, encoding="utf-8") as stream:
         text = stream.read()
     for name, value in measured(times).items():
-        text = re.sub(rf"^(  {name}: )\S+", rf"\g<1>{value:.3e}", text, flags=re.M)
+        text = re.sub(rf"^  {name}: \S+ *(#|$)", lambda found: f"  {name}: {value:.3e}".ljust(29) + found[1], text, flags=re.M)
     with open(path, "w", encoding="utf-8") as stream:
         stream.write(text)
 
