@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "brunt/element/batch.hpp"
+#include "support/eigenvalues.hpp"
 #include "support/material_point.hpp"
 
 namespace brunt::test {
@@ -13,19 +14,9 @@ using Corners = Eigen::Matrix<double, 3, nodes>;
 template <int nodes>
 using Stiffness = Eigen::Matrix<double, 3 * nodes, 3 * nodes>;
 
-inline Corners<8> unit_cube() {
-  Corners<8> X;
-  X << 0, 1, 1, 0, 0, 1, 1, 0,  //
-      0, 0, 1, 1, 0, 0, 1, 1,   //
-      0, 0, 0, 0, 1, 1, 1, 1;
-  return X;
-}
-
+[[nodiscard]] Corners<8> unit_cube();
 /// A cube with its corners moved by at most `size` along each axis.
-inline Corners<8> distorted_cube(std::mt19937& engine, double size) {
-  std::uniform_real_distribution<double> shift(-size, size);
-  return unit_cube() + Corners<8>::NullaryExpr([&] { return shift(engine); });
-}
+[[nodiscard]] Corners<8> distorted_cube(std::mt19937& engine, double size);
 
 template <class Kernel>
 struct ElementBench {
@@ -84,12 +75,5 @@ struct ElementBench {
   Positions X;
   std::vector<Pack> history;
 };
-
-/// Ascending eigenvalues of the symmetric part.
-template <class Form>
-Eigen::VectorXd eigenvalues(const Form& K) {
-  const Eigen::MatrixXd symmetric = 0.5 * (K + K.transpose());
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvalues();
-}
 
 }  // namespace brunt::test

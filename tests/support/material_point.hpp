@@ -13,32 +13,14 @@ namespace brunt::test {
 
 using Matrix = Eigen::Matrix3d;
 
-inline Matrix symmetric_matrix(const Pack* s, int lane = 0) {
-  Matrix m;
-  m << s[0][lane], s[3][lane], s[5][lane], s[3][lane], s[1][lane], s[4][lane], s[5][lane], s[4][lane], s[2][lane];
-  return m;
-}
-
-inline void set_symmetric(const Matrix& m, Pack (&s)[6]) {
-  const double entry[6] = {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(2, 0)};
-  for (int c = 0; c < 6; ++c) s[c] = broadcast(entry[c]);
-}
-
-inline void set_full(const Matrix& m, Pack (&F)[9]) {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) F[3 * i + j] = broadcast(m(i, j));
-}
-
+[[nodiscard]] Matrix symmetric_matrix(const Pack* s, int lane = 0);
+void set_symmetric(const Matrix& m, Pack (&s)[6]);
+void set_full(const Matrix& m, Pack (&F)[9]);
 /// Entries uniform in [-size, size].
-inline Matrix random_matrix(std::mt19937& engine, double size) {
-  std::uniform_real_distribution<double> entry(-size, size);
-  return Matrix::NullaryExpr([&] { return entry(engine); });
-}
-
-inline double equivalent(const Matrix& s) {
-  const Matrix deviator = s - Matrix::Identity() * (s.trace() / 3);
-  return std::sqrt(1.5) * deviator.norm();
-}
+[[nodiscard]] Matrix random_matrix(std::mt19937& engine, double size);
+[[nodiscard]] double equivalent(const Matrix& s);
+/// Gradient of the displacement increment from `before` to `after` in the midpoint configuration.
+[[nodiscard]] Matrix midpoint_gradient(const Matrix& before, const Matrix& after);
 
 /// A rate law and its state.
 template <class Response>
@@ -53,9 +35,8 @@ struct RatePoint {
   }
   /// The step an element makes: gradient of the displacement increment in the midpoint configuration.
   void deform(const Matrix& before, const Matrix& after) {
-    const Matrix gradient = (after - before) * (0.5 * (before + after)).inverse();
     Pack L[9];
-    set_full(gradient, L);
+    set_full(midpoint_gradient(before, after), L);
     const element::PointMemory<Pack> memory{stress, tensors, scalars, log_strain};
     const element::PointMemory<const Pack> committed{stress, tensors, scalars, log_strain};
     Pack s[6];
@@ -77,11 +58,8 @@ Matrix cauchy_stress(const Response& law, const Matrix& F) {
 using Matrix9 = Eigen::Matrix<double, 9, 9>;
 
 /// The quadratic form lambda tr(L)^2 + 2 mu L : L on the nine entries of L.
-inline Matrix9 bound_form(double lambda, double mu) {
-  const Matrix unit = Matrix::Identity();
-  const Eigen::Map<const Eigen::Matrix<double, 9, 1>> trace(unit.data());
-  return 2 * mu * Matrix9::Identity() + lambda * trace * trace.transpose();
-}
+[[nodiscard]] Matrix9 bound_form(double lambda, double mu);
+[[nodiscard]] double smallest_eigenvalue(const Matrix9& form);
 
 /// The form L : d(nominal stress)/dt for velocity gradients L; `nominal(H)` is the nominal stress after the
 /// displacement gradient H, by central differences.
@@ -95,10 +73,6 @@ Matrix9 stiffness_form(const Nominal& nominal, double step) {
     form.col(c) = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(rate.data());
   }
   return 0.5 * (form + form.transpose());
-}
-
-inline double smallest_eigenvalue(const Matrix9& form) {
-  return Eigen::SelfAdjointEigenSolver<Matrix9>(form).eigenvalues()[0];
 }
 
 }  // namespace brunt::test

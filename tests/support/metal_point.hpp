@@ -21,7 +21,7 @@ struct MetalPoint {
   /// From one deformation gradient to the next in a time dt, as an element does it.
   void deform(const Matrix& before, const Matrix& after, double dt, double viscous_work = 0) {
     Pack L[9], s[6], lambda, mu;
-    set_full((after - before) * (0.5 * (before + after)).inverse() / dt, L);
+    set_full(midpoint_gradient(before, after) / dt, L);
     volume = after.determinant();
     const element::PointMemory<Pack> memory{stress, nullptr, scalars, nullptr};
     const element::PointMemory<const Pack> committed{stress, nullptr, scalars, nullptr};
