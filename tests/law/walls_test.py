@@ -8,6 +8,7 @@ import unittest
 import budget
 import includes
 import kinds
+import links
 import text
 import unit_folders
 
@@ -99,6 +100,19 @@ class Walls(unittest.TestCase):
         self.write("src/mesh/a.cpp", "int x;  // TO" + "DO later\n")
         self.assertEqual(len(text.check_licence(self.root)[0]), 1)
         self.assertIn("a.cpp:1", text.check_leftovers(self.root)[0][0])
+
+    def link_faults(self, page):
+        self.write("README.md", page)
+        self.write("room/README.md", "# A room\n\n## What `it` does: [twice](x)\n\n## Same\n\n## Same\n")
+        return "\n".join(links.faults(self.root)[0]).replace("room/README.md:3: x: no such file", "").strip()
+
+    def test_links_that_lead_somewhere(self):
+        self.assertEqual(self.link_faults("# Top\n[a](room/README.md#what-it-does-twice) [b](room) [c](#top) [d](https://x.org/none)\n"
+                                          "[e](room/README.md#same-1) `[f](none)`\n```\n[g](none)\n```\n"), "")
+
+    def test_links_to_nowhere(self):
+        self.assertIn("README.md:2: none.md: no such file", self.link_faults("# Top\n![a](none.md)\n"))
+        self.assertIn("README.md:3: room/README.md#a-roof: no such heading", self.link_faults("```\n```\n[a](room/README.md#a-roof)\n"))
 
 
 if __name__ == "__main__":
