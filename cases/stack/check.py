@@ -49,7 +49,7 @@ def main():
     case = Case(__file__)
     check(case, "at rest", case.scene(), case.run(), 1e4)
     if case.long:
-        million = {"run.end": 53.5, "history.every": 0.02, "output.every": 50}
+        million = {"run.end": 68, "history.every": 0.02, "output.every": 50}
         check(case, "1e6 steps", case.scene(overrides=million), case.run(overrides=million, name="million"), 1e6)
     short = {"run.steps": 600}
     case.assert_same_on_ranks((1, 2, 3, 4) if case.long else (1, 3), overrides=short)

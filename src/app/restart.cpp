@@ -66,6 +66,8 @@ io::CheckpointHeader restart_from(Prepared& run, const std::string& checkpoint) 
   try {
     header = io::read_checkpoint_header(ranks, checkpoint);
     refuse_other_scene(checkpoint, {header.fingerprint, header.scene}, {run.fingerprint, run.scene_values});
+    // one of a program that did not save it begins anew
+    run.assembled = time::AssembledStep{.baseline = std::move(run.assembled.baseline)};
     header = io::read_checkpoint(ranks, checkpoint, run.fingerprint, run.registry());
   } catch (const InputError& error) {
     faults = error.faults();

@@ -121,6 +121,16 @@ std::vector<std::string> without(const std::vector<std::string>& names, const st
   return rest;
 }
 
+/// Tables of the model without those that a checkpoint may lack and this one does.
+std::vector<SavedTable> tables_to_read(const Hdf5File& file, const model::Registry& registry) {
+  std::vector<SavedTable> tables = saved_tables(registry);
+  const std::vector<std::string> stored = state_tables(file);
+  std::erase_if(tables, [&](const SavedTable& table) {
+    return !table.array->expected && !std::ranges::binary_search(stored, table.path.substr(1));
+  });
+  return tables;
+}
+
 void check_same_tables(const Hdf5File& file, const std::vector<SavedTable>& tables,
                        const std::vector<RecordTable*>& records) {
   std::vector<std::string> wanted;
@@ -190,7 +200,7 @@ CheckpointHeader read_checkpoint(const comm::Communicator& ranks, const std::str
   if (header.fingerprint != fingerprint)
     throw InputError(fmt::format("{}: written by another scene or program version (\"{}\", this run is \"{}\")", path,
                                  header.fingerprint, fingerprint));
-  const std::vector<SavedTable> tables = saved_tables(registry);
+  const std::vector<SavedTable> tables = tables_to_read(file, registry);
   check_same_tables(file, tables, registry.tables);
   const TableLayout layout(ranks, registry, TableLayout::Nodes::all);
   std::vector<std::vector<double>> rows;

@@ -33,7 +33,13 @@ int lanczos_products(double unknowns) {
 }
 
 bool estimate_is_due(const AssembledStep& assembled, const model::State& state) {
-  return assembled.step < 0 || state.step - assembled.step >= estimate_span;
+  if (assembled.step < 0) return true;
+  return assembled.outdated > 0 && state.step >= estimate_span * assembled.estimates &&
+         state.step >= assembled.step + estimate_pause;
+}
+
+void outdate(AssembledStep& assembled) {
+  assembled.outdated = 1;
 }
 
 double assembled_rate(const model::Model& model, const model::State& state, Links& links, force::LinearElements& linear,
@@ -43,9 +49,13 @@ double assembled_rate(const model::Model& model, const model::State& state, Link
   // elements bound stiffness with damping by 4 rate^2, dashpots of hourglass modes by as much again
   const double scale = 8 * element_rate * element_rate;
   const int products = lanczos_products(3.0 * static_cast<double>(model.mesh.global_nodes));
-  const double found = largest_eigenvalue(model, state, links, linear, scale, products);
+  // where damping makes it so stiff (see below) the mesh gives next to nothing over its elements
+  static_assert(1 + worth_a_step < expected_gain);
+  const double no_gain = 4 * element_rate / (dt * (1 + worth_a_step));
+  const double enough = no_gain * (1 - lanczos_share) / scale;
+  const double found = largest_eigenvalue(model, state, links, linear, scale, products, enough);
+  if (!(found > 0) || found >= enough) return element_rate;
   const double stiffness = scale * found / (1 - lanczos_share);
-  if (!(found > 0)) return element_rate;
   // a shorter step than dt makes damping count for more, by dt over it at most
   const double allowed = 2 / std::sqrt(stiffness);
   const double stable = allowed >= dt ? allowed : 4 / (stiffness * dt);
@@ -56,29 +66,36 @@ void estimate(const model::Model& model, const model::State& state, Links& links
               double element_rate, AssembledStep& assembled) {
   assembled.step = state.step;
   assembled.rate = 0;
-  if (!(element_rate > 0) || !std::isfinite(element_rate)) return;
+  assembled.element_rate = element_rate;
+  assembled.outdated = 0;
+  if (linear.empty() || !(element_rate > 0) || !std::isfinite(element_rate)) return;
+  ++assembled.estimates;
   force::take_baseline(linear, assembled.baseline);
   clear_removed(state, assembled.baseline);
   assembled.rate = assembled_rate(model, state, links, linear, element_rate);
 }
 
-double bounding_rate(const AssembledStep& assembled, const model::State& state, double growth, double element_rate) {
-  if (!(assembled.rate > 0)) return element_rate;
-  const double grown = state.step == assembled.step ? 1.0 : std::max(growth, 1.0);
-  return std::min(element_rate, assembled.rate * std::sqrt(grown));
+double bounding_rate(AssembledStep& assembled, const model::State& state, double growth, double element_rate) {
+  if (state.step == assembled.step) growth = 1;
+  const double stiffened = std::sqrt(std::max(growth, 1.0)), changed = element_rate / assembled.element_rate;
+  constexpr double much = 1 + worth_a_step;
+  if (stiffened > much || changed * much < 1 || (changed > much && assembled.rate == 0)) outdate(assembled);
+  return assembled.rate > 0 ? std::min(element_rate, assembled.rate * stiffened) : element_rate;
 }
 
 void add_arrays(const model::Model& model, AssembledStep& assembled, std::vector<model::StateArray>& arrays) {
   using Entity = model::StateArray::Entity;
   for (auto [name, value] :
-       {std::pair{"assembled_rate", &assembled.rate}, std::pair{"assembled_step", &assembled.step}})
-    arrays.push_back({name, Entity::global, -1, 1, 1, value, 1, 1, 1, 0, true, true});
+       {std::pair{"assembled_rate", &assembled.rate}, std::pair{"assembled_element_rate", &assembled.element_rate},
+        std::pair{"assembled_step", &assembled.step}, std::pair{"assembled_estimates", &assembled.estimates},
+        std::pair{"assembled_outdated", &assembled.outdated}})
+    arrays.push_back({name, Entity::global, -1, 1, 1, value, 1, 1, 1, 0, true, true, false});
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const model::ElementBlock& block = model.blocks[b];
     if (material::is_rigid(block.law)) continue;
     arrays.push_back({"block/" + block.part + "/assembled_baseline", Entity::element, static_cast<std::int32_t>(b),
                       block.count, 2, assembled.baseline[b].data(), pack_width, 2 * pack_width, pack_width, 1, true,
-                      true});
+                      true, false});
   }
 }
 

@@ -51,12 +51,13 @@ class Lanczos {
     if (!model.bodies.empty()) weigh();
   }
 
-  double run(int products) {
+  double run(int products, double enough) {
     begin();
     std::vector<double> diagonal, beside;
     for (int k = 0; k < products; ++k) {
       multiply();
       diagonal.push_back(along());
+      if (largest_of_tridiagonal(diagonal, beside) >= enough) return enough;
       const double beta = subtract(diagonal.back(), k > 0 ? beside.back() : 0.0);
       // beside the eigenvalues of order 1 that the iteration looks for: it has seen all that the start holds
       constexpr double nothing = 1e-6;
@@ -189,8 +190,8 @@ double largest_of_tridiagonal(const std::vector<double>& diagonal, const std::ve
 }
 
 double largest_eigenvalue(const model::Model& model, const model::State& state, Links& links,
-                          const force::LinearElements& linear, double scale, int products) {
-  return Lanczos(model, state, links, linear, scale).run(products);
+                          const force::LinearElements& linear, double scale, int products, double enough) {
+  return Lanczos(model, state, links, linear, scale).run(products, enough);
 }
 
 }  // namespace brunt::time

@@ -102,8 +102,9 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
                     const StepControl& control) {
   StepReport report;
   AssembledStep* assembled = control.assembled;
+  const bool due = assembled && estimate_is_due(*assembled, state);
   force::LinearElements linear;
-  if (assembled && estimate_is_due(*assembled, state)) linear = force::sized_linear(model);
+  if (due) linear = force::sized_linear(model);
   {
     const auto timed = links.timers.measure(Phase::element);
     const force::StepWatch watch = assembled ? force::StepWatch{assembled->baseline, linear} : force::StepWatch{};
@@ -119,7 +120,9 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
   }
   report.stop = reduced[1] > 0;
   report.bound = report.rate = reduced[0];
-  if (!linear.empty() && !report.stop) {
+  // where run.step is below what the elements allow, the mesh has nothing to give
+  if (!(control.cfl < control.largest * report.rate)) linear.clear();
+  if (due && !report.stop) {
     const auto timed = links.timers.measure(Phase::element);
     estimate(model, state, links, linear, report.rate, *assembled);
   }

@@ -88,7 +88,7 @@ class Ranks(Program):
                     self.run_scene(ranks, "rubber.yaml", "--out", f"{method}{ranks}")
                     wanted.append(self.summary(f"{method}{ranks}")["state_hash"])
                 self.assertEqual(len(set(wanted)), 1)
-                self.run_scene(2, "rubber.yaml", "--out", f"{method}_part", "--set", "run.steps=30")
+                self.run_scene(2, "rubber.yaml", "--out", f"{method}_part", "--set", "run.steps=20")
                 self.assertGreater(self.summary(f"{method}_part")["contact"]["active"], 0)
                 self.run_scene(3, "rubber.yaml", "--out", f"{method}_part", "--restart", f"{method}_part", "--set", "run.steps=60")
                 self.assertEqual(self.summary(f"{method}_part")["state_hash"], wanted[0])

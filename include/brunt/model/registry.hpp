@@ -25,6 +25,7 @@ struct StateArray {
   double* data = nullptr;
   int lanes = 1, batch_stride = 0, component_stride = 1, lane_stride = 0;
   bool saved = true, hashed = true;
+  bool expected = true;  ///< false: a checkpoint may lack it, and then it stays as it is
 
   [[nodiscard]] double& at(LocalIndex entity_index, int c) const {
     return data[static_cast<std::ptrdiff_t>(entity_index / lanes) * batch_stride +

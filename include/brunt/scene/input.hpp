@@ -213,7 +213,7 @@ struct Run {
   std::optional<double> end;
   std::optional<GlobalIndex> steps;
   double cfl = 0.9;
-  StepBound step_bound = StepBound::element;
+  StepBound step_bound = StepBound::assembled;
   std::optional<double> step;        ///< largest step [time]
   double min_step_ratio = 1e-4;      ///< of the first step: below it the run stops
   std::optional<double> wall_limit;  ///< [s] of wall-clock time

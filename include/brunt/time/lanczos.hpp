@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The largest frequency of a mesh of linear elements, from below.
 #pragma once
+#include <limits>
 #include <vector>
 
 #include "brunt/force/assembled.hpp"
@@ -14,8 +15,9 @@ double largest_of_tridiagonal(const std::vector<double>& diagonal, const std::ve
 
 /// The largest eigenvalue of (inverse mass times stiffness)/scale that so many of Lanczos' products from a random
 /// motion see: never above the largest. `scale` is at least that. The motion follows from global node numbers and the
-/// step, sums are exact: the same bits on any number of ranks. Collective.
+/// step, sums are exact: the same bits on any number of ranks. Ends early where it has found `enough`. Collective.
 double largest_eigenvalue(const model::Model& model, const model::State& state, Links& links,
-                          const force::LinearElements& linear, double scale, int products);
+                          const force::LinearElements& linear, double scale, int products,
+                          double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace brunt::time

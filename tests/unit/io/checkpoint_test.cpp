@@ -2,11 +2,16 @@
 // Checkpoints: damage is found, other models are refused, the last two are kept, a full disk loses nothing.
 #include "brunt/io/checkpoint.hpp"
 
+#include <fmt/format.h>
+
+#include <bit>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 
 #include "brunt/core/error.hpp"
+#include "brunt/io/hdf5.hpp"
+#include "brunt/model/hash.hpp"
 #include "file_size_limit.hpp"
 #include "scratch_folder.hpp"
 #include "small_model.hpp"
@@ -129,6 +134,58 @@ TEST_CASE_METHOD(Fixture, "checkpoint: another scene, other arrays, other counts
   model::Registry larger = model.registry;
   larger.global_nodes += 1;
   CHECK_THAT(fault_of(path, larger), Catch::Contains("nodes/velocity is 23 x 3, expected 24 x 3"));
+}
+
+TEST_CASE_METHOD(Fixture, "checkpoint: format 3, which had no measured times, is read; an older one is refused") {
+  const io::RankWork work{0.25, 0.125, {std::vector<double>(11, 0.0), std::vector<double>(5, 0.0)}};
+  const std::string path = io::write_checkpoint(self, folder.path(), {7, 0.5, "scene"}, model.registry, &work);
+  const std::string old = folder / "old.h5";
+  const auto make = [&](GlobalIndex format) {
+    const io::Hdf5File from(self, path, io::Hdf5File::Mode::read);
+    io::Hdf5File file(self, old, io::Hdf5File::Mode::create);
+    for (const std::string& name : from.datasets("/")) {
+      if (name.starts_with("measured/")) continue;
+      const io::Hdf5File::Extent extent = from.extent("/" + name);
+      std::vector<double> rows(static_cast<std::size_t>(extent.rows) * static_cast<std::size_t>(extent.width));
+      from.read("/" + name, 0, std::span<double>(rows));
+      file.create_doubles("/" + name, extent.rows, extent.width);
+      file.write("/" + name, 0, std::span<const double>(rows));
+      file.set_attribute("/" + name, "hash", from.integer_attribute("/" + name, "hash"));
+    }
+    const std::string header =
+        fmt::format("{} 7 {} {} scene", format, std::bit_cast<std::uint64_t>(0.5), test::SmallModel::nodes);
+    file.set_attribute("/", "format", format);
+    file.set_attribute("/", "fingerprint", std::string("scene"));
+    file.set_attribute("/", "step", GlobalIndex{7});
+    file.set_attribute("/", "time", 0.5);
+    file.set_attribute("/", "nodes", test::SmallModel::nodes);
+    file.set_attribute("/", "hash", static_cast<GlobalIndex>(model::hash_text(header)));
+    file.close();
+  };
+  make(3);
+  test::SmallModel target(self);
+  CHECK(target.wrong_values() > 0);
+  const io::CheckpointHeader header = io::read_checkpoint(self, old, "scene", target.registry);
+  CHECK((header.step == 7 && header.time == 0.5));
+  CHECK(target.wrong_values() == 0);
+  make(2);
+  CHECK_THAT(fault_of(old, target.registry),
+             Catch::Contains("checkpoint format 2 is not known") && Catch::Contains("reads 3 to 4"));
+}
+
+TEST_CASE_METHOD(Fixture, "checkpoint: what it may lack stays as it is, and is read where it is there") {
+  const std::string path = write(1);
+  double later = 5;
+  model::Registry more = model.registry;
+  more.arrays.push_back({"later", model::StateArray::Entity::global, -1, 1, 1, &later, 1, 1});
+  CHECK_THAT(fault_of(path, more), Catch::Contains("no table globals/later"));
+  more.arrays.back().expected = false;
+  CHECK(fault_of(path, more).empty());
+  CHECK(later == 5);
+  io::write_checkpoint(self, folder.path(), {1, 0.5, "scene"}, more);
+  later = 6;
+  CHECK(fault_of(path, more).empty());
+  CHECK(later == 5);
 }
 
 TEST_CASE_METHOD(Fixture, "checkpoint: a full disk is a MachineError and leaves the checkpoints before as they were") {

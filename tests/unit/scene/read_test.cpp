@@ -71,7 +71,7 @@ probes:
   - {name: squeeze, contact: [rod, target]}
   - {name: wall, wall: press}
   - {name: foot, set: foot, field: reaction}
-run: {end: 80.0e-6, steps: 1e4, cfl: 0.5, step_bound: assembled, wall_limit: 3h55m}
+run: {end: 80.0e-6, steps: 1e4, cfl: 0.5, step_bound: element, wall_limit: 3h55m}
 output: {every: 2.0e-6, fields: [displacement, velocity, stress, plastic_strain, contact_pressure, gap]}
 history: {every: 1.0e-7}
 checkpoint: {every: 20.0e-6}
@@ -111,6 +111,7 @@ TEST_CASE("a small scene is read with its defaults", "[scene]") {
   CHECK(input.contact[0].initial_overlap == contact::OverlapRule::error);
   CHECK(input.run.end == 1e-3);
   CHECK_FALSE(input.run.steps);
+  CHECK(input.run.step_bound == StepBound::assembled);
   CHECK_FALSE(input.history_every);
   CHECK(input.warnings.empty());
 }
@@ -236,7 +237,7 @@ TEST_CASE("contact, probes and the run are read", "[scene]") {
   CHECK(input.run.end == 80e-6);
   CHECK(input.run.steps == 10000);
   CHECK(input.run.cfl == 0.5);
-  CHECK(input.run.step_bound == StepBound::assembled);
+  CHECK(input.run.step_bound == StepBound::element);
   CHECK(input.run.wall_limit == 14100);
   CHECK(input.output.fields.size() == 6);
   CHECK(input.history_every == 1e-7);

@@ -116,7 +116,7 @@ TEST_CASE("what has stiffened since the estimate bounds the mesh that has been d
     }
 }
 
-TEST_CASE("estimates come when they are due, are the same when asked again, and are forgotten with what is removed") {
+TEST_CASE("estimates: the first at once, the same when asked again; others where they may give more and are paid for") {
   Simulation run(mesh::box("a", {4, 4, 4}, {4, 4, 4}),
                  std::string(materials) + "parts: {a: {material: soft}}\nremove: [{part: a, at: 0.05}]\n");
   run.bound_by_mesh();
@@ -125,12 +125,55 @@ TEST_CASE("estimates come when they are due, are the same when asked again, and 
   const time::StepReport first = evaluate(), again = evaluate();
   CHECK(first.bound == again.bound);
   CHECK(first.bound < 0.8 * first.rate);
-  CHECK_FALSE(time::estimate_is_due(run.assembled, run.state));
-  run.state.step = time::estimate_span;
-  CHECK(time::estimate_is_due(run.assembled, run.state));
+  CHECK(run.assembled.estimates == 1);
+  const auto due_at = [&](int step) {
+    run.state.step = step;
+    return time::estimate_is_due(run.assembled, run.state);
+  };
+  CHECK_FALSE(due_at(0));
+  CHECK_FALSE(due_at(10 * time::estimate_span));  // nothing has changed
+  time::outdate(run.assembled);
+  CHECK_FALSE(due_at(time::estimate_span - 1));
+  CHECK(due_at(time::estimate_span));
+  run.assembled.step = time::estimate_span - 1;
+  CHECK_FALSE(due_at(time::estimate_span));
+  CHECK(due_at(time::estimate_span - 1 + time::estimate_pause));
   run.state.step = 1;
   run.assembled.rate = 0;
   CHECK(evaluate().bound == first.rate);
+}
+
+TEST_CASE("an estimate is outdated where elements have stiffened or softened by more than matters") {
+  Simulation run(mesh::box("a", {4, 4, 4}, {4, 4, 4}), std::string(materials) + "parts: {a: {material: soft}}\n");
+  time::AssembledStep assembled{
+      .rate = 0.7, .element_rate = 1, .step = 0, .estimates = 1, .outdated = 0, .baseline = {}};
+  run.state.step = 5;
+  const auto outdated = [&](double growth, double element_rate) {
+    assembled.outdated = 0;
+    const double bound = time::bounding_rate(assembled, run.state, growth, element_rate);
+    CHECK(bound <= element_rate);
+    CHECK(bound >= std::min(element_rate, assembled.rate));
+    return assembled.outdated > 0;
+  };
+  const double much = 1 + time::worth_a_step;
+  CHECK_FALSE(outdated(0.9, 1));
+  CHECK_FALSE(outdated(0.99 * much * much, 1));
+  CHECK(outdated(1.01 * much * much, 1));
+  CHECK_FALSE(outdated(1, 1.01 / much));
+  CHECK(outdated(1, 0.99 / much));
+  assembled.rate = 0;  // none was made since the elements allowed all that was asked for
+  CHECK_FALSE(outdated(1, 0.99 * much));
+  CHECK(outdated(1, 1.01 * much));
+}
+
+TEST_CASE("no estimate where the longest step asked for is below that of the elements") {
+  Simulation run(mesh::box("a", {4, 4, 4}, {4, 4, 4}), std::string(materials) + "parts: {a: {material: soft}}\n");
+  run.bound_by_mesh();
+  run.control.largest = 1e-3;
+  run.step();
+  CHECK(run.assembled.estimates == 0);
+  CHECK(run.report.bound == run.report.rate);
+  CHECK(run.report.dt == 1e-3);
 }
 
 TEST_CASE("a free element has its own bound", "[oracle]") {

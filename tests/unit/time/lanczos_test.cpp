@@ -52,6 +52,11 @@ TEST_CASE(
     };
     const double exact = found(400);
     CHECK(found(500) == Approx(exact).epsilon(1e-10));
+    const auto until = [&](double enough) {
+      return time::largest_eigenvalue(run.model, run.state, run.links, linear, scale, 400, enough);
+    };
+    CHECK(until(0.5 * exact) == 0.5 * exact);
+    CHECK(until(1.1 * exact) == exact);
     const int products = time::lanczos_products(3.0 * static_cast<double>(run.model.mesh.global_nodes));
     double least = 1;
     for (int draw = 0; draw < 40; ++draw) {
