@@ -124,7 +124,8 @@ nlohmann::ordered_json implicit_summary(const Prepared& run) {
           {"tangent_s", work.tangent_seconds},
           {"factorise_s", work.factorise_seconds},
           {"solve_s", work.solve_seconds},
-          {"factor_bytes", work.factor_bytes}};
+          {"factor_bytes", work.factor_bytes},
+          {"factor_flops", work.factor_flops}};
 }
 
 }  // namespace brunt::app

@@ -16,7 +16,7 @@ struct Graph {
 };
 
 /// Neighbours of each unknown in the pattern of A + A^T, itself not among them.
-Graph symmetric_graph(std::span<const PetscInt> begin, std::span<const PetscInt> column) {
+Graph symmetric_graph(std::span<const SolverIndex> begin, std::span<const SolverIndex> column) {
   const std::size_t n = begin.size() - 1;
   std::vector<std::vector<idx_t>> rows(n);
   for (std::size_t i = 0; i < n; ++i)
@@ -38,13 +38,13 @@ Graph symmetric_graph(std::span<const PetscInt> begin, std::span<const PetscInt>
 
 }  // namespace
 
-std::vector<PetscInt> elimination_order(std::span<const PetscInt> begin, std::span<const PetscInt> column) {
+std::vector<SolverIndex> elimination_order(std::span<const SolverIndex> begin, std::span<const SolverIndex> column) {
   Graph graph = symmetric_graph(begin, column);
   auto n = static_cast<idx_t>(begin.size() - 1);
   std::vector<idx_t> order(static_cast<std::size_t>(n)), position(order.size());
   if (graph.neighbour.empty()) {  // nothing fills in, and METIS takes no graph without edges
-    std::vector<PetscInt> as_given(order.size());
-    for (std::size_t i = 0; i < as_given.size(); ++i) as_given[i] = static_cast<PetscInt>(i);
+    std::vector<SolverIndex> as_given(order.size());
+    for (std::size_t i = 0; i < as_given.size(); ++i) as_given[i] = static_cast<SolverIndex>(i);
     return as_given;
   }
   const int status =

@@ -18,7 +18,7 @@ class GatheredRows final : public RowLayout {
       row_of_rank_.push_back(array_of<GlobalIndex>(bytes));
   }
 
-  [[nodiscard]] MPI_Comm solver_ranks() const override { return ranks_.is_root() ? PETSC_COMM_SELF : MPI_COMM_NULL; }
+  [[nodiscard]] MPI_Comm solver_ranks() const override { return ranks_.is_root() ? MPI_COMM_SELF : MPI_COMM_NULL; }
 
   bool to_solver(const SparseRows& rows, RowRange& range) override {
     const auto lengths = ranks_.gather(std::as_bytes(std::span(rows.begin)));
@@ -61,12 +61,13 @@ class GatheredRows final : public RowLayout {
 
  private:
   void lay_begins(const std::vector<std::vector<std::byte>>& lengths, RowRange& range) const {
-    range.unknowns = static_cast<PetscInt>(unknowns_);
+    range.unknowns = static_cast<SolverIndex>(unknowns_);
     range.begin.assign(static_cast<std::size_t>(unknowns_) + 1, 0);
     for (std::size_t r = 0; r < row_of_rank_.size(); ++r) {
       const auto begin = array_of<std::int64_t>(lengths[r]);
       for (std::size_t i = 0; i < row_of_rank_[r].size(); ++i)
-        range.begin[static_cast<std::size_t>(row_of_rank_[r][i]) + 1] = static_cast<PetscInt>(begin[i + 1] - begin[i]);
+        range.begin[static_cast<std::size_t>(row_of_rank_[r][i]) + 1] =
+            static_cast<SolverIndex>(begin[i + 1] - begin[i]);
     }
     for (std::size_t i = 1; i < range.begin.size(); ++i) range.begin[i] += range.begin[i - 1];
   }
@@ -78,7 +79,7 @@ class GatheredRows final : public RowLayout {
       for (auto k = static_cast<std::size_t>(begin[i]); k < static_cast<std::size_t>(begin[i + 1]); ++k, ++at) {
         GlobalIndex column = 0;
         std::memcpy(&column, columns.data() + k * sizeof(column), sizeof(column));
-        range.column[at] = static_cast<PetscInt>(column);
+        range.column[at] = static_cast<SolverIndex>(column);
         std::memcpy(&range.value[at], values.data() + k * sizeof(double), sizeof(double));
       }
     }
@@ -87,7 +88,7 @@ class GatheredRows final : public RowLayout {
   Communicator ranks_;
   GlobalIndex unknowns_;
   std::vector<std::vector<GlobalIndex>> row_of_rank_;  // on the root
-  std::vector<PetscInt> last_begin_, last_column_;
+  std::vector<SolverIndex> last_begin_, last_column_;
 };
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "brunt/core/error.hpp"
 #include "bytes.hpp"
 #include "one_thread.hpp"
-#include "petsc_errors.hpp"
 #include "row_layout.hpp"
 #include "sparse_factors.hpp"
 
@@ -58,17 +57,18 @@ GlobalIndex first_not_finite(const Communicator& ranks, const SparseRows& rows) 
 /// What the root found, on all ranks.
 void share(const Communicator& ranks, Factorised& done) {
   struct Found {
-    double memory;
+    double memory, operations;
     GlobalIndex null_pivots;
     FactorStatus status;
     bool analysed;
   };
-  Found found{done.memory, done.null_pivots, done.status, done.analysed};
+  Found found{done.memory, done.operations, done.null_pivots, done.status, done.analysed};
   const auto raw = std::as_bytes(std::span(&found, 1));
   std::vector<std::byte> bytes(raw.begin(), raw.end());
   ranks.broadcast(bytes);
   found = array_of<Found>(bytes).front();
   done.memory = found.memory;
+  done.operations = found.operations;
   done.null_pivots = found.null_pivots;
   done.status = found.status;
   done.analysed = found.analysed;
@@ -91,7 +91,8 @@ struct LinearSystem::Solver {
 LinearSystem::LinearSystem(const Communicator& ranks, LinearMethod method, GlobalIndex unknowns,
                            std::span<const GlobalIndex> owned_rows)
     : solver_(std::make_shared<Solver>(Solver{ranks, unknowns, {}, {}, {}, {}})) {
-  demand(unknowns > 0 && unknowns < std::numeric_limits<PetscInt>::max(), "a linear system has 1 to 2^31 - 1 unknowns");
+  demand(unknowns > 0 && unknowns < std::numeric_limits<SolverIndex>::max(),
+         "a linear system has 1 to 2^31 - 1 unknowns");
   demand_each_row_once(ranks, unknowns, owned_rows);
   keep_blas_on_one_thread();
   solver_->owned.assign(owned_rows.begin(), owned_rows.end());
@@ -110,7 +111,7 @@ Factorised LinearSystem::factorise(const SparseRows& rows) {
   if (const GlobalIndex row = first_not_finite(own.ranks, rows); row != none) {
     done.status = FactorStatus::not_finite;
     done.row = row;
-  } else if (entries > std::numeric_limits<PetscInt>::max()) {
+  } else if (entries > std::numeric_limits<SolverIndex>::max()) {
     done.status = FactorStatus::out_of_memory;
     done.message = "the matrix has " + std::to_string(entries) + " entries, more than 2^31 - 1";
   } else {
@@ -135,7 +136,7 @@ double LinearSystem::solve(std::span<const double> rhs, std::span<double> x) {
   if (own.factors) {
     try {
       error = own.factors->solve(b, solution);
-    } catch (const PetscFailure& failed) {
+    } catch (const MachineError& failed) {
       failure = failed.what();
     }
   }
@@ -154,7 +155,7 @@ std::vector<double> LinearSystem::null_direction(GlobalIndex which) {
   if (own.factors) {
     try {
       direction = own.factors->null_vector(which);
-    } catch (const PetscFailure&) {
+    } catch (const MachineError&) {
       direction.clear();
     }
   }

@@ -19,21 +19,21 @@ class RenumberedRows final : public RowLayout {
     for (const std::vector<std::byte>& bytes : ranks.gather(std::as_bytes(owned)))
       in_order.insert(in_order.end(), bytes.begin(), bytes.end());
     ranks.broadcast(in_order);
-    PetscInt number = 0;
+    SolverIndex number = 0;
     for (const GlobalIndex row : array_of<GlobalIndex>(in_order)) number_of_[static_cast<std::size_t>(row)] = number++;
   }
 
   [[nodiscard]] MPI_Comm solver_ranks() const override { return native(ranks_); }
 
   bool to_solver(const SparseRows& rows, RowRange& range) override {
-    range.unknowns = static_cast<PetscInt>(number_of_.size());
+    range.unknowns = static_cast<SolverIndex>(number_of_.size());
     range.begin.assign(rows.begin.begin(), rows.begin.end());
-    std::vector<std::pair<PetscInt, double>> entries;
+    std::vector<std::pair<SolverIndex, double>> entries;
     for (std::size_t i = 0; i + 1 < rows.begin.size(); ++i) {
       entries.clear();
       for (auto k = static_cast<std::size_t>(rows.begin[i]); k < static_cast<std::size_t>(rows.begin[i + 1]); ++k)
         entries.emplace_back(number_of_[static_cast<std::size_t>(rows.column[k])], rows.value[k]);
-      std::ranges::sort(entries, {}, &std::pair<PetscInt, double>::first);
+      std::ranges::sort(entries, {}, &std::pair<SolverIndex, double>::first);
       for (const auto& [column, value] : entries) {
         range.column.push_back(column);
         range.value.push_back(value);
@@ -56,8 +56,8 @@ class RenumberedRows final : public RowLayout {
 
  private:
   Communicator ranks_;
-  std::vector<PetscInt> number_of_;  // the solver's, of every canonical row
-  std::vector<PetscInt> last_begin_, last_column_;
+  std::vector<SolverIndex> number_of_;  // the solver's, of every canonical row
+  std::vector<SolverIndex> last_begin_, last_column_;
 };
 
 }  // namespace

@@ -2,12 +2,14 @@
 // How the rows that ranks own become the rows that a solver wants, and vectors with them: all on the root in canonical
 // order, or each rank's own behind those of the ranks below it. Every member is collective.
 #pragma once
+#include <mpi.h>
+
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "brunt/comm/linear_system.hpp"
-#include "sparse_factors.hpp"
+#include "row_range.hpp"
 
 namespace brunt::comm {
 

@@ -107,6 +107,7 @@ Attempt iterate(const Scene& scene, Solver& solver) {
   problem.solve = [&](std::span<const double>, std::span<const double> residual, std::span<double> correction) {
     attempt.factors = factorise_tangent(scene, solver);
     solver.work.factor_bytes = std::max(solver.work.factor_bytes, attempt.factors.memory);
+    solver.work.factor_flops = std::max(solver.work.factor_flops, attempt.factors.operations);
     if (!attempt.factors.ok()) {
       if (attempt.factors.status == comm::FactorStatus::singular) attempt.floating = solver.system.null_direction();
       return false;

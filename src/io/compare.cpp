@@ -16,6 +16,7 @@
 #include "brunt/io/state_file.hpp"
 #include "compare_tables.hpp"
 #include "measured_tables.hpp"
+#include "natural_scales.hpp"
 
 namespace brunt::io {
 namespace {
@@ -102,6 +103,7 @@ void compare_states(const comm::Communicator& ranks, const std::string& path_a, 
       times.name_place(fmt::format("step {}", records_a[i].step));
   }
   result.fields.push_back(times.finish());
+  const double size = size_of_mesh(a);
   for (const StateRecord::Table& table : common_tables(records_a, records_b, result)) {
     FieldTally tally(table_path(table));
     for (const auto& [i, j] : pairs.both) {
@@ -109,7 +111,7 @@ void compare_states(const comm::Communicator& ranks, const std::string& path_a, 
       const LargestDifference at = largest_difference(a, records_a[i].group + name, b, records_b[j].group + name);
       if (tally.take(at.difference, at.magnitude, records_a[i].time)) tally.name_place(place_text(a, table.place, at));
     }
-    result.fields.push_back(tally.finish());
+    result.fields.push_back(tally.finish(natural_scale(table.name, size)));
   }
 }
 
@@ -148,13 +150,15 @@ std::vector<Instant> instants_of(const History& history) {
   return instants;
 }
 
-void compare_histories(const std::string& path_a, const std::string& path_b, Comparison& result) {
+/// size: of the mesh [length], 0 where it is not known.
+void compare_histories(const std::string& path_a, const std::string& path_b, double size, Comparison& result) {
   const History a = read_history(path_a), b = read_history(path_b);
   const std::vector<Instant> instants_a = instants_of(a), instants_b = instants_of(b);
   const RecordPairs pairs = pair_up(instants_a, instants_b, "history row", result);
   for (const std::string& name : b.names)
     if (std::find(a.names.begin(), a.names.end(), name) == a.names.end())
       result.mismatches.push_back(fmt::format("history: column {} is not in A", name));
+  const std::vector<double> scales = natural_scales(a, b, size);
   for (std::size_t i = 0; i < a.names.size(); ++i) {
     const auto found = std::find(b.names.begin(), b.names.end(), a.names[i]);
     if (found == b.names.end()) {
@@ -170,7 +174,7 @@ void compare_histories(const std::string& path_a, const std::string& path_b, Com
       if (tally.take(difference_of(in_a, in_b), magnitude, instants_a[row_a].time))
         tally.name_place(fmt::format("step {}", instants_a[row_a].step));
     }
-    result.fields.push_back(tally.finish());
+    result.fields.push_back(tally.finish(scales[i]));
   }
 }
 
@@ -221,13 +225,14 @@ Comparison compare_results(const comm::Communicator& ranks, const std::string& a
     throw InputError(a + " and " + b + ": results of different kinds cannot be compared");
   if (kind == Kind::state) compare_states(ranks, file_a, file_b, result);
   if (kind == Kind::checkpoint) compare_checkpoints(ranks, file_a, file_b, result);
-  if (kind == Kind::history) compare_histories(file_a, file_b, result);
+  if (kind == Kind::history) compare_histories(file_a, file_b, 0, result);
   if (kind != Kind::folder) return result;
   const bool states = in_both(a, b, "state.h5", result), histories = in_both(a, b, "history.csv", result);
   if (!states && !histories && result.mismatches.empty())
     throw InputError(a + " and " + b + ": neither state.h5 nor history.csv to compare");
   if (states) compare_states(ranks, a + "/state.h5", b + "/state.h5", result);
-  if (histories) compare_histories(a + "/history.csv", b + "/history.csv", result);
+  const double size = states ? size_of_mesh(Hdf5File(ranks, a + "/state.h5", Hdf5File::Mode::read)) : 0;
+  if (histories) compare_histories(a + "/history.csv", b + "/history.csv", size, result);
   return result;
 }
 

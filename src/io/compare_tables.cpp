@@ -69,10 +69,11 @@ bool FieldTally::take(double difference, double magnitude, double time) {
   return true;
 }
 
-FieldDifference FieldTally::finish() const {
+FieldDifference FieldTally::finish(double natural_scale) const {
   FieldDifference result = result_;
+  const double scale = std::max(magnitude_, natural_scale);
   if (result.absolute > 0)
-    result.relative = magnitude_ > 0 ? result.absolute / magnitude_ : std::numeric_limits<double>::infinity();
+    result.relative = scale > 0 ? result.absolute / scale : std::numeric_limits<double>::infinity();
   return result;
 }
 

@@ -22,15 +22,15 @@ double difference_of(double a, double b);
 LargestDifference largest_difference(const Hdf5File& a, const std::string& name_a, const Hdf5File& b,
                                      const std::string& name_b);
 
-/// Takes a record's result into the field's: keeps the first largest difference; `relative` holds the magnitude until
-/// `finish`.
+/// Takes a record's result into the field's: keeps the first largest difference, and the largest magnitude.
 class FieldTally {
  public:
   explicit FieldTally(std::string field) { result_.field = std::move(field); }
   /// True if this is the largest so far and the caller should name the place.
   bool take(double difference, double magnitude, double time);
   void name_place(std::string where) { result_.where = std::move(where); }
-  [[nodiscard]] FieldDifference finish() const;
+  /// natural_scale: what the field is compared with at least.
+  [[nodiscard]] FieldDifference finish(double natural_scale = 0) const;
 
  private:
   FieldDifference result_;

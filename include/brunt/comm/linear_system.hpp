@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sparse linear systems A x = b over the ranks, solved directly: the one face of PETSc's matrices and of MUMPS.
+// Sparse linear systems A x = b over the ranks, solved directly: the one face of MUMPS.
 // A may be unsymmetric and may have zeros on its diagonal (saddle point systems). Rows and unknowns are numbered
 // canonically, 0 .. unknowns - 1, a function of the problem and not of the ranks, and each row is complete on its
 // owner.
@@ -42,6 +42,7 @@ struct Factorised {
   GlobalIndex null_pivots = 0;  ///< of `singular`: the dimension of the null space
   GlobalIndex row = -1;         ///< of `not_finite`
   double memory = 0;            ///< [bytes] that factors and work space take, of all ranks together
+  double operations = 0;        ///< [flop] of the elimination, of all ranks together
   double seconds = 0;           ///< [s] wall time of the call
   bool analysed = false;        ///< whether elimination was ordered anew (it is where the pattern changed)
   std::string message;          ///< of `failed` and `out_of_memory`

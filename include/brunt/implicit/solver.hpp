@@ -75,7 +75,7 @@ struct Work {
   GlobalIndex contact_steps = 0;  ///< at the end of which contact, a tie or a wall acts
   double contact_seconds = 0;     ///< pairs, segments, rows, their slopes
   double factorise_seconds = 0, tangent_seconds = 0, force_seconds = 0, solve_seconds = 0;
-  double factor_bytes = 0;  ///< largest
+  double factor_bytes = 0, factor_flops = 0;  ///< largest of one factorisation
   NewtonTable newton{};
 };
 

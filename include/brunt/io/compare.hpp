@@ -8,11 +8,14 @@
 
 namespace brunt::io {
 
-/// One field over all records. NaN on either side counts as an infinite difference.
+/// One field over all records. The scale is the largest magnitude of the field in A or B over all records; where a
+/// field is a small difference of large quantities it is at least what these are: of gaps and penetrations the size of
+/// the mesh, of energies the largest term of the balance, of momenta sqrt(2 mass kinetic), which bounds them. NaN on
+/// either side counts as an infinite difference.
 struct FieldDifference {
   std::string field;    ///< "node/displacement", "history/kinetic", "nodes/velocity" (of a checkpoint)
   double absolute = 0;  ///< largest |a - b|
-  double relative = 0;  ///< that over the largest magnitude of the field in A or B, over all records
+  double relative = 0;  ///< that over the field's scale, see below
   double time = 0;      ///< of the first record with the largest difference
   std::string where;    ///< entity and component there: "node 17 [2]"; "step 40" in a history
 };
