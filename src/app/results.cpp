@@ -79,7 +79,7 @@ Results::Results(Prepared& run, std::string folder, const std::optional<KeptReco
   });
   io::StateMesh mesh = io::state_mesh(run.model.mesh, run.links.ranks.rank());
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) mesh.blocks[b].part = run.model.blocks[b].part;
-  states_ = std::make_unique<io::StateFile>(run.links.ranks, folder_, mesh,
+  states_ = std::make_unique<io::StateFile>(run.links.ranks, folder_, std::move(mesh),
                                             kept ? std::optional(kept->fields) : std::nullopt);
   const scene::UnitSystem& units = units_of(run);
   if (units.metre > 0)

@@ -72,7 +72,7 @@ std::vector<StateRecord> state_records(const Hdf5File& file) {
   return records;
 }
 
-StateFile::StateFile(const comm::Communicator& ranks, std::string folder, const StateMesh& mesh,
+StateFile::StateFile(const comm::Communicator& ranks, std::string folder, StateMesh mesh,
                      std::optional<GlobalIndex> restart_step)
     : ranks_(ranks),
       folder_(std::move(folder)),
@@ -87,7 +87,7 @@ StateFile::StateFile(const comm::Communicator& ranks, std::string folder, const 
     start(mesh);
 }
 
-void StateFile::start(const StateMesh& mesh) {
+void StateFile::start(StateMesh& mesh) {
   const GlobalIndex bytes = 65536 + table_bytes(global_nodes_, 4) + table_bytes(global_elements_, 10);
   demand_disk_space(ranks_, folder_ + "/state.h5", bytes);
   file_ = std::make_unique<Hdf5File>(ranks_, folder_ + "/state.h5", Hdf5File::Mode::create);

@@ -60,6 +60,9 @@ class StepBound(Program):
         whole = self.go(1, "np1")
         for ranks in (2, 3, 4):
             self.assertEqual(self.go(ranks, f"np{ranks}")["state_hash"], whole["state_hash"], ranks)
+        with h5py.File(os.path.join(self.folder, "np1", "checkpoint_000001100.h5")) as file:
+            # the second one when elements had gone and it was paid for
+            self.assertEqual([file[f"globals/assembled_{name}"][0] for name in ("estimates", "step")], [2, 1000])
         # before, at and after an estimate
         for steps in (3, 731, 1000):
             self.go(2, f"first{steps}", "--set", f"run.steps={steps}")

@@ -31,7 +31,7 @@ struct StateBlock {
   GlobalIndex id = 0;  ///< the input's block id
   mesh::Shape shape = mesh::Shape::hex8;
   std::vector<GlobalIndex> element;  ///< of this rank: position in the input; a block's elements are contiguous there
-  std::vector<GlobalIndex> nodes;    ///< nodes_per_element a row: positions of nodes in the input
+  std::vector<LocalIndex> nodes;     ///< nodes_per_element a row: positions of nodes in the input, as of a whole mesh
   std::string part{};                ///< of the scene; empty: not known
 };
 
@@ -80,7 +80,8 @@ class StateFile {
   /// Starts folder/state.h5 anew, or with `restart_step` continues it: records of later steps are dropped, and it is an
   /// InputError if the file is no state file of this mesh (counts of nodes, elements, blocks); without a file there it
   /// is started. Collective, as everything here; throws MachineError.
-  StateFile(const comm::Communicator& ranks, std::string folder, const StateMesh& mesh,
+  /// What has been written of the mesh is let go.
+  StateFile(const comm::Communicator& ranks, std::string folder, StateMesh mesh,
             std::optional<GlobalIndex> restart_step = std::nullopt);
 
   /// Says in which unit a quantity (time, length, ...) is: an attribute unit_QUANTITY of the file.
@@ -88,9 +89,9 @@ class StateFile {
   void write(GlobalIndex step, double time, std::span<const StateField> fields);
 
  private:
-  void start(const StateMesh& mesh);
+  void start(StateMesh& mesh);
   void resume(const StateMesh& mesh, GlobalIndex restart_step);
-  void write_mesh(const StateMesh& mesh);
+  void write_mesh(StateMesh& mesh);
   void write_connectivity(const StateMesh& mesh);
   void write_xdmf() const;
 

@@ -29,7 +29,8 @@ class SmallMesh {
     for (const GlobalIndex e : {1, 0}) {
       if (e % n != r) continue;
       mesh.blocks[0].element.push_back(e);
-      for (const GlobalIndex corner : {0, 1, 4, 3, 6, 7, 10, 9}) mesh.blocks[0].nodes.push_back(corner + e);
+      for (const GlobalIndex corner : {0, 1, 4, 3, 6, 7, 10, 9})
+        mesh.blocks[0].nodes.push_back(static_cast<LocalIndex>(corner + e));
     }
     if (2 % n == r) {
       mesh.blocks[1].element = {2};

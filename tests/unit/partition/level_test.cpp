@@ -96,3 +96,21 @@ TEST_CASE("METIS and levelling together stay within a thousandth") {
     CHECK(part == partition::split(graph, weights, parts));
   }
 }
+
+TEST_CASE("a border of steps becomes shorter, within the load allowed, and the same each time") {
+  const Scene scene{partition::test::box({12, 12, 12})};
+  std::vector<Rank> part;  // steps of single elements on a plane
+  for (int e = 0; e < 12 * 12 * 12; ++e) {
+    const int i = e % 12, j = e / 12 % 12, k = e / 144;
+    part.push_back(i < 6 || (i == 6 && j % 4 == 1 && k % 4 == 2) ? 0 : 1);
+  }
+  const GlobalIndex before = scene.quality(part, 2).edge_cut;
+  std::vector<Rank> again = part;
+  partition::smooth(scene.graph, scene.weights, 2, 0.01, part);
+  const partition::Quality q = scene.quality(part, 2);
+  CHECK(before == 144 + 4 * 9);
+  CHECK(q.edge_cut == 144);
+  CHECK(q.element_imbalance <= 1.01);
+  partition::smooth(scene.graph, scene.weights, 2, 0.01, again);
+  CHECK(again == part);
+}
