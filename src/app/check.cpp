@@ -137,8 +137,8 @@ void print_advice(const Prepared& run) {
   for (const model::ElementBlock& block : run.model.blocks)
     if (block.kind == element::ElementKind::hex8 && std::holds_alternative<material::NeoHookean>(block.law))
       fmt::print(
-          "advice           part {}: take element hex8_full if it is crushed to less than half of its height; hex8 "
-          "folds from about a third on, and is too soft then\n",
+          "advice           part {}: use element hex8_full if it is compressed to less than half of its height; hex8 "
+          "folds at about a third of the height and is too soft beyond that\n",
           block.part);
 }
 
@@ -151,14 +151,14 @@ void print_gaps(const Prepared& run) {
                gaps.overlaps.size() == 1 ? "" : "s");
   else if (std::ranges::any_of(gaps.piercings,
                                [](const setup::Piercing& p) { return p.rule == setup::OverlapRule::warn; }))
-    fmt::print("smallest gap     none: parts pierce each other, listed above\n");
+    fmt::print("smallest gap     none: parts intersect each other, listed above\n");
   else if (!gaps.shared.empty())
-    fmt::print("smallest gap     none: parts lie in one place, listed above\n");
+    fmt::print("smallest gap     none: parts coincide, listed above\n");
   else if (gaps.smallest >= 0)
     fmt::print("smallest gap     {} between {} and {}\n", scene::with_length(gaps.smallest, run.input.units, 6),
                run.model.blocks[gaps.block].part, run.model.blocks[gaps.other_block].part);
   else if (!run.input.contact.empty())
-    fmt::print("smallest gap     no two parts are nearer than an element's edge\n");
+    fmt::print("smallest gap     no two parts are closer than the edge of an element\n");
 }
 
 void print_overlaps(const scene::Input& input, const OverlapReport& report, bool all) {
@@ -182,7 +182,7 @@ void print_contact(const Prepared& run) {
   }
   for (const scene::RigidWall& wall : run.input.rigid_walls)
     fmt::print("rigid wall       {}: {}{}{}\n", wall.name, friction_text(wall.friction),
-               wall.bilateral ? ", holds both ways" : "",
+               wall.bilateral ? ", acts in both directions" : "",
                wall.parts.empty() ? "" : fmt::format(", acts on {}", fmt::join(wall.parts, ", ")));
   if (!run.input.contact.empty() && !run.implicit) {
     const contact::EnforcementSettings& settings = run.input.enforcement.settings;
@@ -203,7 +203,7 @@ void print_cost(const Prepared& run, const time::StepReport& step, const StepCos
   const int ranks = run.links.ranks.size();
   const auto elements = static_cast<double>(run.model.mesh.global_elements);
   fmt::print(
-      "estimated cost   {} on {} rank{} without output ({:.0f} ns per element-step and rank in {} steps tried)\n",
+      "estimated cost   {} on {} rank{} without output ({:.0f} ns per element, step and rank, measured in {} steps)\n",
       duration_text(steps * cost.seconds), ranks, ranks == 1 ? "" : "s", cost.seconds * 1e9 * ranks / elements,
       cost.steps);
 }
@@ -220,7 +220,9 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   const std::vector<std::string> listing = list_scene(*run);
   const std::vector<Extent> extents = part_extents(*run);
   const time::StepReport step = time::evaluate(run->model, run->state, run->scratch, run->links, step_control(*run));
-  if (ranks.any(step.stop)) throw InputError(options.scene + ": an element has no volume in its initial position");
+  if (ranks.any(step.stop))
+    throw InputError(options.scene +
+                     ": invalid mesh: an element has no volume in its initial position; expected positive volumes");
   const scene::UnitSystem& units = *scene::find_unit_system(run->input.units);
   const std::vector<std::string> implicit =
       run->implicit ? implicit_check(*run, units.time) : std::vector<std::string>{};

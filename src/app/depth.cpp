@@ -99,8 +99,8 @@ void print_summary(const std::vector<DepthRow>& rows, std::size_t poses) {
   if (times.empty()) return;
   std::ranges::sort(times);
   fmt::print(
-      "{} poses, {} answers of bodies that overlap, the deepest {:.6g}; a query took {:.3g} ms in the median, "
-      "{:.3g} ms at most\n",
+      "{} poses, {} answers for overlapping bodies, the deepest {:.6g}; time of a query: median {:.3g} ms, largest "
+      "{:.3g} ms\n",
       poses, overlapping, deepest, 1e3 * times[times.size() / 2], 1e3 * times.back());
 }
 

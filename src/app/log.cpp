@@ -40,11 +40,12 @@ void Log::open(const std::string& folder, bool append) {
   if (!speaks_) return;
   const std::string path = folder + "/log.txt";
   file_ = std::fopen(path.c_str(), "a");
-  if (!file_) throw MachineError(path + ": cannot be written");
+  if (!file_) throw MachineError(path + ": cannot write the file");
   // see io::prepare_result_folder, since which another run may have come; a file system may have no locks
   if (flock(fileno(file_), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    throw InputError(folder + ": another run is writing there; choose another folder with --out");
-  if (!append && ftruncate(fileno(file_), 0) != 0) throw MachineError(path + ": cannot be written");
+    throw InputError(folder +
+                     ": invalid result folder: another run writes into it; expected another folder, see --out");
+  if (!append && ftruncate(fileno(file_), 0) != 0) throw MachineError(path + ": cannot write the file");
   fmt::print(file_, "{}", before_open_);
   std::fflush(file_);
 }

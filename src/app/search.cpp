@@ -36,14 +36,14 @@ struct TextScene {
 
 TextScene read_text_scene(const std::string& path) {
   std::ifstream in(path);
-  if (!in) throw InputError(path + ": cannot be read");
+  if (!in) throw InputError(path + ": cannot read the file; expected a text scene");
   std::string format, name;
   long long n = -1, m = -1;
   if (!(in >> format >> name >> n >> m) || format != "scene1" || n < 0 || m < 0 || n > 2000000000 || m > 2000000000)
-    throw InputError(path + ":1: not a search scene; accepted: scene1 NAME n m");
+    throw InputError(path + ":1: invalid search scene; expected scene1 NAME n m");
   TextScene scene;
   const auto fault = [&](long long line, const char* what) {
-    return InputError(fmt::format("{}:{}: accepted: {}", path, line, what));
+    return InputError(fmt::format("{}:{}: invalid line; expected {}", path, line, what));
   };
   for (long long i = 0; i < n; ++i) {
     Vec3 x;

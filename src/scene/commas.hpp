@@ -14,7 +14,7 @@ using IsValue = bool (*)(std::string_view text);
 [[nodiscard]] bool is_number(std::string_view text);
 
 /// Tells the fault of a value that has commas and would be one without them, or with points; false where it has none.
-bool comma_in_value(const Key& key, std::string_view accepted, IsValue is_value = is_number);
+bool comma_in_value(const Key& key, std::string_view expected, IsValue is_value = is_number);
 
 /// What to say of a list of numbers that is longer than `size` because decimal commas part its entries.
 [[nodiscard]] std::string comma_in_list(const Tree& list, std::size_t size);

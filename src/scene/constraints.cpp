@@ -28,9 +28,10 @@ void hold(const Input& input, const model::Model& model, HeldNodes& held, const 
     for (const Held& other : held[node]) {
       const bool both_at_rest = what.drive < 0 && other.drive < 0;
       if (both_at_rest || std::abs(what.direction.dot(other.direction)) < 1e-12 || reported) continue;
-      faults.push_back(fmt::format(
-          "{}: node {} is in {} too, which holds the same direction differently; accepted: one of them there",
-          input.at(what.source), model.mesh.node_id[static_cast<std::size_t>(node)], other.source));
+      faults.push_back(
+          fmt::format("{}: invalid constraint: node {} is also constrained in the same direction by {}; expected one "
+                      "constraint for each direction of a node",
+                      input.at(what.source), model.mesh.node_id[static_cast<std::size_t>(node)], other.source));
       reported = true;
     }
     held[node].push_back(what);

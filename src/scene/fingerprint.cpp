@@ -85,7 +85,8 @@ std::vector<std::string> differences(const std::string& there, const std::string
   std::vector<std::string> different;
   for (const auto& [path, values] : both)
     if (values[0] != values[1])
-      different.push_back(fmt::format("{} is {} there and {} here", path, reported(values[0]), reported(values[1])));
+      different.push_back(fmt::format("{} is {} in the earlier run and {} in this scene", path, reported(values[0]),
+                                      reported(values[1])));
   return different;
 }
 

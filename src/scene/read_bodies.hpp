@@ -19,7 +19,7 @@ struct Extent {
 
 /// The keys `elements` and `bias`; a fault where something is wrong, and an even division stays.
 bool read_divisions(Section& body, std::span<const Extent> extents, std::span<mesh::Division> divisions,
-                    std::string_view accepted);
+                    std::string_view expected);
 
 /// A mesh is held with 32-bit indices, and its numbers of nodes and corners must fit.
 void demand_countable(Section& body, double nodes, double elements);

@@ -20,7 +20,8 @@ void read_name(Section& entry, Probe& probe) {
            !(c >= '0' && c <= '9') && !(c >= 'a' && c <= 'z') && !(c >= 'A' && c <= 'Z');
   });
   if (!good) {
-    fault(entry.at("name"), fmt::format("'{}' cannot head a column; accepted: letters, digits, _, -, .", probe.name));
+    fault(entry.at("name"),
+          fmt::format("invalid name '{}' of a column; expected letters, digits, '_', '-' or '.'", probe.name));
   }
 }
 
@@ -43,8 +44,8 @@ void read_field(Section& entry, Probe& probe) {
 void read_section_parts(Section& section, Probe& probe) {
   const bool one = section.has("part"), many = section.has("parts");
   if (one == many) {
-    const std::string what = one ? "part and parts are both given; accepted: one of them"
-                                 : "no part is given; accepted: part: name, or parts: [a, b]";
+    const std::string what = one ? "invalid section: part and parts are both given; expected one of them"
+                                 : "missing part; expected part: name, or parts: [a, b]";
     return one ? fault(section.key(), what) : lacking(section.key(), {"part", "parts"}, what);
   }
   std::string name;
@@ -60,7 +61,7 @@ void read_section(const Key& key, Probe& probe) {
   read_section_parts(section, probe);
   const bool set = section.has("set"), plane = section.has("point") || section.has("normal");
   if (set && plane) {
-    fault(section.key(), "set and a plane are both given; accepted: set: name, or point and normal");
+    fault(section.key(), "invalid section: set and a plane are both given; expected set: name, or point and normal");
   } else if (set) {
     section.required("set", probe.where, "the name of a set");
   } else {
@@ -80,7 +81,7 @@ void read_parts(const Key& key, Probe& probe) {
     read(key, probe.where, Named::part);
     return;
   }
-  const std::vector<Key> parts = items(key, "a part a, two parts [a, b], or [a, a]", 2);
+  const std::vector<Key> parts = items(key, "a part a, two parts [a, b], or [a, a] for self-contact", 2);
   if (parts.size() != 2) return;
   if (read(parts[0], probe.where, Named::part)) read(parts[1], probe.other, Named::part);
 }
@@ -122,8 +123,8 @@ void read_place(Section& entry, Probe& probe) {
   }
   if (places != 1) {
     entry.has("field");  // known, whatever the place
-    const std::string what =
-        fmt::format("{} places to probe; accepted: one of node, near, set, part, wall, contact, section", places);
+    const std::string what = fmt::format(
+        "invalid probe: {} places are given; expected one of node, near, set, part, wall, contact, section", places);
     return places > 0 ? fault(entry.key(), what)
                       : lacking(entry.key(), {"node", "near", "set", "part", "wall", "contact", "section"}, what);
   }

@@ -46,10 +46,11 @@ void check_uses(const Input& input, Section& scene) {
     const bool required = use.kind == Named::material || use.kind == Named::part;
     if (required && scene.at(sections[kind]).tree == nullptr) continue;
     const std::string what = fmt::format("unknown {} '{}'", words[kind], use.name);
-    const std::string accepted =
-        names.empty() ? fmt::format("; accepted: a name defined in {}, which is empty", sections[kind])
-                      : fmt::format(", nearest is '{}'; accepted: {}", nearest(use.name, names), listed(names));
-    findings.faults.add(use.place, use.path, what + accepted);
+    const std::string expected =
+        names.empty()
+            ? fmt::format("; expected a name defined in {}, which is empty", sections[kind])
+            : fmt::format(" (did you mean '{}'?); expected one of {}", nearest(use.name, names), listed(names));
+    findings.faults.add(use.place, use.path, what + expected);
   }
 }
 
@@ -84,7 +85,8 @@ void check_bodies(const Input& input, Section& scene) {
     const Key key = mesh_key(scene, position++);
     if (part.empty()) continue;
     if (std::find(bodies.begin(), bodies.end(), part) != bodies.end()) {
-      fault(key, fmt::format("a second body of the part '{}'; accepted: a part of its own for each body", part));
+      fault(key,
+            fmt::format("invalid body: part '{}' already has one; expected a part of its own for each body", part));
       continue;
     }
     bodies.push_back(part);
@@ -92,8 +94,7 @@ void check_bodies(const Input& input, Section& scene) {
         std::any_of(input.parts.begin(), input.parts.end(), [&](const Part& known) { return known.block == part; });
     if (!has_part && !input.parts.empty()) {
       fault(key,
-            fmt::format("the generated body '{0}' has no entry in parts; accepted: parts: {{{0}: {{material: ...}}}}",
-                        part));
+            fmt::format("missing part of the generated body '{0}'; expected parts: {{{0}: {{material: ...}}}}", part));
     }
   }
   for (const Part& part : input.parts) {
@@ -101,8 +102,9 @@ void check_bodies(const Input& input, Section& scene) {
     if (std::find(bodies.begin(), bodies.end(), part.block) != bodies.end()) continue;
     Section parts(scene.at("parts"), "");
     for (const std::string& name : parts.key().tree->keys) parts.has(name);
-    fault(parts.at(part.name), fmt::format("no body of the mesh makes the block '{}', nearest is '{}'; accepted: {}",
-                                           part.block, nearest(part.block, bodies), listed(bodies)));
+    fault(parts.at(part.name),
+          fmt::format("unknown block '{}' (did you mean '{}'?): no body of the mesh has this name; expected one of {}",
+                      part.block, nearest(part.block, bodies), listed(bodies)));
   }
 }
 
@@ -115,8 +117,9 @@ void check_displacements(const Input& input, Section& scene) {
     const double start = value_at(curve->second, 0.0);
     if (start == 0) continue;
     const Key key = items(scene.at("prescribed"), "")[k];
-    fault(key, fmt::format("curve '{}' is {:g} at t = 0, so the nodes would jump; accepted: a displacement of 0 there",
-                           motion.curve, start));
+    fault(key,
+          fmt::format("invalid curve '{}': its displacement at t = 0 is {:g}, a jump of the nodes; expected 0 at t = 0",
+                      motion.curve, start));
   }
 }
 
@@ -124,19 +127,21 @@ void check_displacements(const Input& input, Section& scene) {
 /// zero are a mistake.
 std::string fault_of_contact_probe(const Input& input, const Probe& probe) {
   const auto touches = [&](const std::string& other) { return deciding_entry(input, probe.where, other).has_value(); };
-  if (input.contact.empty()) return "the scene has no contact; accepted: parts that an entry of contact lets touch";
+  if (input.contact.empty())
+    return "invalid probe: the scene has no contact; expected parts between which contact is defined";
   if (probe.other == probe.where && !touches(probe.where))
     return fmt::format(
-        "part '{0}' has no contact with itself; accepted: a part that an entry of contact lets touch itself (between: "
-        "all, or between: [{0}, {0}])",
+        "invalid probe: part '{0}' has no contact with itself; expected an entry of contact with between: all, or "
+        "between: [{0}, {0}]",
         probe.where);
   if (!probe.other.empty() && probe.other != probe.where && !touches(probe.other))
-    return fmt::format("no entry of contact lets '{}' touch '{}'; accepted: parts that an entry lets touch",
-                       probe.where, probe.other);
+    return fmt::format(
+        "invalid probe: no entry of contact covers '{}' and '{}'; expected parts between which contact is defined",
+        probe.where, probe.other);
   const auto is_met = [&](const Part& part) { return part.name != probe.where && touches(part.name); };
   if (probe.other.empty() && std::ranges::none_of(input.parts, is_met))
     return fmt::format(
-        "part '{}' has contact with no other part; accepted: a part that an entry of contact lets touch another",
+        "invalid probe: part '{}' has no contact with any other part; expected a part with contact to another one",
         probe.where);
   return {};
 }
@@ -175,8 +180,9 @@ void check_twice(const Key& section, const std::vector<std::string>& names, std:
       continue;
     }
     const Tree& entry = section.tree->children[std::min(i, section.tree->children.size() - 1)];
-    section.findings->faults.add(entry.place, fmt::format("{}.{}", section.path, i),
-                                 fmt::format("duplicate name '{}'; accepted: each {} its own name", names[i], what));
+    section.findings->faults.add(
+        entry.place, fmt::format("{}.{}", section.path, i),
+        fmt::format("invalid name '{}': used twice; expected a name of its own for each {}", names[i], what));
   }
 }
 
@@ -197,7 +203,7 @@ void check_references(Input& input, Section& scene) {
     if (std::find(parts.begin(), parts.end(), set.name) == parts.end()) continue;
     Section sets(scene.at("sets"), "");
     for (const std::string& name : sets.key().tree->keys) sets.has(name);
-    fault(sets.at(set.name), "duplicate name: a part is called so too; accepted: a name of its own");
+    fault(sets.at(set.name), "invalid name: a part has the same name; expected another name");
   }
 }
 

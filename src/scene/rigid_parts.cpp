@@ -87,11 +87,11 @@ void refuse_node_supports(const Input& input, const BodyOfNode& bodies, const me
     for (const LocalIndex node : set->second) {
       const std::size_t body = bodies.of(node);
       if (body == BodyOfNode::none) continue;
-      faults.push_back(
-          reported(input, fmt::format("{}.{}", list, k),
-                   "node {} of '{}' belongs to the rigid part '{}', which moves as a whole; accepted: part: "
-                   "{}, or nodes of deformable parts alone",
-                   whole.mesh.node_id[static_cast<std::size_t>(node)], where, bodies.part(body), bodies.part(body)));
+      faults.push_back(reported(input, fmt::format("{}.{}", list, k),
+                                "invalid selection: node {} of '{}' belongs to the rigid part '{}', which moves as a "
+                                "whole; expected part: {}, or nodes of deformable parts only",
+                                whole.mesh.node_id[static_cast<std::size_t>(node)], where, bodies.part(body),
+                                bodies.part(body)));
       return;
     }
   };
@@ -112,11 +112,10 @@ void select_motions(const Input& input, const BodyOfNode& bodies, mesh::Canonica
     const std::vector<std::size_t> counts = bodies.count(set->second);
     for (std::size_t body = 0; body < counts.size(); ++body)
       if (counts[body] > 0 && counts[body] < bodies.size(body) && !is_part(input.initial[k].where))
-        faults.push_back(
-            reported(input, fmt::format("initial.{}", k),
-                     "'{}' has {} of the {} nodes of the rigid part '{}', which moves as a whole; accepted: "
-                     "all of them, or none",
-                     input.initial[k].where, counts[body], bodies.size(body), bodies.part(body)));
+        faults.push_back(reported(input, fmt::format("initial.{}", k),
+                                  "invalid selection: '{}' has {} of the {} nodes of the rigid part '{}', which moves "
+                                  "as a whole; expected all of these nodes, or none",
+                                  input.initial[k].where, counts[body], bodies.size(body), bodies.part(body)));
     std::vector<LocalIndex> moved;
     if (names_rigid_part(input, input.initial[k].where))
       moved = bodies.nodes_of(bodies.find(input.initial[k].where));
@@ -214,14 +213,16 @@ void check_probes(const Input& input, std::vector<std::string>& faults) {
     const bool of_body = probe.field == "rotation" || probe.field == "angular_velocity" || probe.field == "force" ||
                          probe.field == "moment" || probe.field == "reaction_moment";
     if (of_body && !names_rigid_part(input, probe.where))
-      faults.push_back(reported(input, fmt::format("probes.{}.field", k),
-                                "'{}' is of rigid parts, and '{}' is deformable; accepted: displacement, velocity, "
-                                "position, reaction, mass, center, momentum, angular_momentum, energy",
-                                probe.field, probe.where));
+      faults.push_back(
+          reported(input, fmt::format("probes.{}.field", k),
+                   "invalid field '{}': it exists for rigid parts only, and '{}' is deformable; expected displacement, "
+                   "velocity, position, reaction, mass, center, momentum, angular_momentum or energy",
+                   probe.field, probe.where));
     for (const std::string& part : probe.parts)
       if (names_rigid_part(input, part))
         faults.push_back(reported(input, fmt::format("probes.{}.section", k),
-                                  "'{}' is rigid: no forces are known inside it; accepted: deformable parts", part));
+                                  "invalid part '{}': a rigid part has no internal forces; expected a deformable part",
+                                  part));
   }
 }
 
@@ -231,11 +232,10 @@ void refuse_two_supports(const Input& input, std::vector<std::string>& faults) {
     const Prescribed& entry = input.prescribed[k];
     if (!names_rigid_part(input, entry.where)) continue;
     const auto clash = [&](const char* list, std::size_t other) {
-      faults.push_back(
-          reported(input, fmt::format("prescribed.{}", k),
-                   "{} of '{}' is in {}.{} too, which holds the same direction differently; accepted: one of "
-                   "them there",
-                   dof_name(entry.dof), entry.where, list, other));
+      faults.push_back(reported(
+          input, fmt::format("prescribed.{}", k),
+          "invalid motion: {} of '{}' is also constrained by {}.{}; expected one entry for each degree of freedom",
+          dof_name(entry.dof), entry.where, list, other));
     };
     for (std::size_t other = 0; other < k; ++other)
       if (input.prescribed[other].where == entry.where && input.prescribed[other].dof == entry.dof)
@@ -273,12 +273,11 @@ std::vector<std::string> faults_of_rigid_parts(const Input& input) {
   for (const Part& part : input.parts)
     if (part.rigid && !is_rigid(input, part))
       faults.push_back(reported(input, fmt::format("parts.{}.rigid", part.name),
-                                "the material '{}' is not rigid; accepted: with a material of model: rigid",
+                                "invalid material '{}': it is not rigid; expected a material of model: rigid",
                                 part.material));
   const auto rotation_of_nodes = [&](const std::string& key) {
-    faults.push_back(reported(input, key,
-                              "rx, ry and rz are rotations of rigid parts; accepted: part: a rigid part, or x, "
-                              "y, z"));
+    faults.push_back(
+        reported(input, key, "invalid rotation rx, ry or rz of nodes; expected part: a rigid part, or x, y, z"));
   };
   for (std::size_t k = 0; k < input.fixed.size(); ++k)
     if (turns(input.fixed[k]) && !names_rigid_part(input, input.fixed[k].where))
@@ -293,15 +292,14 @@ std::vector<std::string> faults_of_rigid_parts(const Input& input) {
   const bool holds_bodies = method == contact::Method::rate || method == contact::Method::row_sum;
   const auto rigid = [&](const Part& part) { return is_rigid(input, part); };
   if (!input.parts.empty() && !input.implicit && std::ranges::all_of(input.parts, rigid) && !input.run.step)
-    faults.push_back(
-        reported(input, "run",
-                 "step is missing: all parts are rigid, and no element bounds the step; accepted: step: a time > "
-                 "0, in which bodies turn by some hundredths of a radian"));
+    faults.push_back(reported(input, "run",
+                              "missing step: all parts are rigid, and no element limits the step; expected step: a "
+                              "time > 0 during which bodies rotate by a few hundredths of a radian"));
   if (!input.contact.empty() && !holds_bodies && std::ranges::any_of(input.parts, rigid))
-    faults.push_back(
-        reported(input, "enforcement.method", "the method is not for rigid parts; accepted: rate or row_sum"));
+    faults.push_back(reported(input, "enforcement.method", "invalid method for rigid parts; expected rate or row_sum"));
   if (input.relaxation && std::ranges::all_of(input.parts, rigid))
-    faults.push_back(reported(input, "relaxation", "all parts are rigid; accepted: at least one deformable part"));
+    faults.push_back(reported(input, "relaxation",
+                              "invalid relaxation: all parts are rigid; expected at least one deformable part"));
   return faults;
 }
 
@@ -313,8 +311,8 @@ std::vector<std::string> select_bodies(const Input& input, std::span<const std::
   const BodyOfNode bodies(input, part_of_block, whole);
   if (const auto& shared = bodies.shared())
     faults.push_back(reported(input, "parts." + bodies.part(shared->second),
-                              "shares node {} with '{}', which is rigid too; accepted: rigid: {{joins: {}}} for one "
-                              "body of both, or bodies without common nodes",
+                              "invalid mesh: node {} is shared with '{}', which is also rigid; expected rigid: "
+                              "{{joins: {}}} for one body, or bodies without common nodes",
                               whole.mesh.node_id[shared->node], bodies.part(shared->first),
                               bodies.part(shared->first)));
   for (std::size_t b = 0; b < part_of_block.size(); ++b)

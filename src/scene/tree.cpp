@@ -31,7 +31,7 @@ std::optional<Entry> joined_entry(std::string_view text) {
 }
 
 std::string no_blank(const Entry& entry) {
-  return fmt::format("no blank behind the colon of '{0}:{1}'; accepted: {0}: {1}", entry.first, entry.second);
+  return fmt::format("missing space after the colon of '{0}:{1}'; expected {0}: {1}", entry.first, entry.second);
 }
 
 /// Turns YAML's nodes into ours. Without a line number of its own (an override), every piece stands at `base`.
@@ -75,7 +75,7 @@ struct Converter {
   void add(Tree& map, const YAML::Node& key, const YAML::Node& value, const std::string& path) {
     const Place at = place(key.Mark());
     if (!key.IsScalar()) {
-      faults.add(at, path, "a key is no plain text; accepted: key: value");
+      faults.add(at, path, "invalid key: not plain text; expected key: value");
       return;
     }
     const std::string& name = key.Scalar();
@@ -93,7 +93,7 @@ struct Converter {
     }
     if (const Tree* first = map.find(name)) {
       const std::string before = first->place.line > 0 ? fmt::format(" (first in line {})", first->place.line) : "";
-      faults.add(at, join(path, name), fmt::format("duplicate key{}; accepted: each key once", before));
+      faults.add(at, join(path, name), fmt::format("invalid key: given twice{}; expected each key once", before));
       return;
     }
     map.keys.push_back(name);
@@ -109,7 +109,7 @@ bool indented_by_tabs(const std::string& text, const std::string& file, Faults& 
     const std::size_t first = line.find_first_not_of(" \t\r");
     if (first == std::string::npos || line[first] == '#') continue;
     if (line.find('\t') >= first) continue;
-    faults.add({file, number}, "", "a tab indents this line; accepted: spaces");
+    faults.add({file, number}, "", "invalid indentation by a tab; expected spaces");
     return true;
   }
   return false;
@@ -129,15 +129,16 @@ Tree* Tree::find(std::string_view key) {
 Tree parse_yaml(const std::string& text, const std::string& file, Faults& faults) {
   const Place start{file, 1};
   if (text.find('\0') != std::string::npos) {
-    faults.add(start, "", "the file holds zero bytes; accepted: a scene in YAML, as text");
+    faults.add(start, "", "cannot read the scene: the file contains zero bytes; expected text in YAML");
     return {};
   }
   if (indented_by_tabs(text, file, faults)) return {};
   const std::optional<YAML::Node> document = load_yaml(text, start, faults);
   if (!document) return {};
   if (document->IsNull()) {
-    faults.add(start, "",
-               "the file is empty or no map of keys; accepted: a scene with units, mesh, materials, parts and run");
+    faults.add(
+        start, "",
+        "cannot read the scene: the file is empty or has no keys; expected units, mesh, materials, parts and run");
     return {};
   }
   return Converter{start, faults}.convert(*document, start, "");

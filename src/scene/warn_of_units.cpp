@@ -33,7 +33,7 @@ bool is_american(const UnitSystem& units) {
 std::string better_system(double density, bool american) {
   for (const UnitSystem& other : unit_systems())
     if (other.metre > 0 && is_american(other) == american && of_solids.holds(density_in_si(density, other)))
-      return fmt::format("; in {}, of units {}, it would be {:.4g} kg/m^3", other.density, other.name,
+      return fmt::format("; read in {}, of units {}, it would be {:.4g} kg/m^3", other.density, other.name,
                          density_in_si(density, other));
   return {};
 }
@@ -54,7 +54,7 @@ bool warn_of_density(Section& material, double density, const UnitSystem& units,
   if (of_matter.holds(in_si)) return false;
   std::string what = fmt::format("{}: {:g} {}", place_of(material.at("density")), density, units.density);
   if (units.name != "SI") what += fmt::format(" ({:.3g} kg/m^3)", in_si);
-  what += fmt::format(" is no density of matter ({:g} to {:g} kg/m^3)", of_matter.low, of_matter.high);
+  what += fmt::format(" is outside the densities of known matter, {:g} to {:g} kg/m^3", of_matter.low, of_matter.high);
   const std::string weight = as_weight(density, units);
   const std::string other = better_system(density, false);
   const std::string american = is_american(units) || other.empty() ? better_system(density, true) : "";
@@ -92,7 +92,7 @@ std::string better_unit(double stiffness, double density, const UnitSystem& unit
     best_speed = speed;
   }
   if (best == nullptr) return {};
-  return fmt::format("; stresses are in {} here: if {} is in {}, they run at {:.3g} m/s", units.stress, modulus,
+  return fmt::format("; stresses are in {} here: with {} in {} the wave speed is {:.3g} m/s", units.stress, modulus,
                      best->name, best_speed);
 }
 
@@ -111,8 +111,8 @@ void warn_of_speed(Section& material, const material::Law& law, const UnitSystem
   if (of_waves.holds(speed) && !is_heavy_and_soft(speed, density, units)) return;
   const char* modulus = material.has("young") ? "young" : "bulk";
   std::string what = fmt::format(
-      "{}: with this stiffness and density waves run at {:.3g} m/s, as in no known matter (metals 1000 to 6000, rubber "
-      "50 to 2000)",
+      "{}: this stiffness and density give a wave speed of {:.3g} m/s, outside that of known matter (metals 1000 to "
+      "6000, rubber 50 to 2000)",
       place_of(material.at(modulus)), speed);
   what += better_unit(stiffness, density, units, modulus);
   input.warnings.push_back(what);

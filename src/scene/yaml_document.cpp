@@ -43,12 +43,14 @@ class Survey : public YAML::EventHandler {
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const bool within = std::ranges::any_of(open_, [&](const Level& level) { return level.anchor == anchor; });
-    if (within) throw Refused{mark, "an alias stands within its own anchor; accepted: an alias after its anchor's end"};
+    if (within)
+      throw Refused{mark, "invalid alias within its own anchor; expected an alias after the end of its anchor"};
     const Extent& extent = extents_[anchor];
     repeated_ += extent.values;
     if (repeated_ > most_repeated_values)
-      throw Refused{mark, fmt::format("aliases repeat more than {} values up to this line; accepted: at most {}",
-                                      most_repeated_values, most_repeated_values)};
+      throw Refused{mark,
+                    fmt::format("out of range: aliases repeat more than {} values up to this line; expected at most {}",
+                                most_repeated_values, most_repeated_values)};
     demand_depth(mark, open_.size() + extent.levels);
     if (!open_.empty()) {
       open_.back().extent.values += extent.values;
@@ -67,7 +69,7 @@ class Survey : public YAML::EventHandler {
 
   static void demand_depth(const YAML::Mark& mark, std::size_t levels) {
     if (levels > static_cast<std::size_t>(deepest_document))
-      throw Refused{mark, fmt::format("more than {} levels of lists and maps within each other; accepted: at most {}",
+      throw Refused{mark, fmt::format("out of range: more than {} nested levels of lists and maps; expected at most {}",
                                       deepest_document, deepest_document)};
   }
 
@@ -124,7 +126,7 @@ std::optional<YAML::Mark> survey(const std::string& text) {
 std::optional<YAML::Node> load_yaml(const std::string& text, const Place& base, Faults& faults) {
   const auto at = [&](int line) { return base.line > 0 ? Place{base.source, line} : base; };
   if (const std::optional<YamlFault> open = unclosed_quote(text)) {
-    faults.add(at(open->line), "", "YAML syntax error: " + open->what);
+    faults.add(at(open->line), "", "invalid YAML: " + open->what);
     return std::nullopt;
   }
   try {
@@ -132,13 +134,13 @@ std::optional<YAML::Node> load_yaml(const std::string& text, const Place& base, 
     YAML::Node document = YAML::Load(text);
     if (!second) return document;
     faults.add(at(second->line + 1), "",
-               "a second YAML document starts here; accepted: one, all top keys in one column");
+               "invalid second YAML document; expected one document, with all top keys in one column");
   } catch (const Refused& refused) {
     faults.add(at(refused.mark.line + 1), "", refused.what);
   } catch (const YAML::Exception& error) {
     const YamlFault fault = explain(text, error);
     const std::string column = base.line > 0 && fault.column > 0 ? fmt::format(", column {}", fault.column) : "";
-    faults.add(fault.line > 0 ? at(fault.line) : base, "", fmt::format("YAML syntax error{}: {}", column, fault.what));
+    faults.add(fault.line > 0 ? at(fault.line) : base, "", fmt::format("invalid YAML{}: {}", column, fault.what));
   }
   return std::nullopt;
 }

@@ -11,7 +11,7 @@ namespace brunt::scene {
 struct YamlFault {
   int line = 0;      ///< from 1; 0: of the whole text
   int column = 0;    ///< from 1; 0: of the whole line
-  std::string what;  ///< "...; accepted: ..."
+  std::string what;  ///< "...; expected: ..."
 };
 
 /// A quoted text that the end of the text leaves open (the parser takes the rest of the text for its content).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Typed reading of a scene's tree: each `read` checks one value, says what is accepted if it is wrong, and leaves the
+// Typed reading of a scene's tree: each `read` checks one value, says what is expected if it is wrong, and leaves the
 // target as it was.
 #pragma once
 #include <array>
@@ -51,12 +51,12 @@ struct Key {
 void fault(const Key& key, std::string_view what);
 /// "FILE:LINE: KEY PATH", without a line where the key comes from the command line: how warnings begin.
 std::string place_of(const Key& key);
-/// "WHAT IS THERE; accepted: ACCEPTED": always false, so that a reader can return it.
-bool wrong(const Key& key, std::string_view accepted);
+/// "WHAT IS THERE; expected: ACCEPTED": always false, so that a reader can return it.
+bool wrong(const Key& key, std::string_view expected);
 /// The fault of a map that has none of the keys `names`.
 void lacking(const Key& map, std::vector<std::string> names, std::string_view what);
 /// The fault of a value or key that belongs to a later version: always false.
-bool later(const Key& key, std::string_view what, std::string_view accepted);
+bool later(const Key& key, std::string_view what, std::string_view expected);
 
 struct Range {
   double low, high;
@@ -91,25 +91,25 @@ bool read(const Key& key, std::optional<double>& target, const Range& range);
 bool read(const Key& key, GlobalIndex& target, Count count);
 bool read(const Key& key, int& target, Count count);
 bool read(const Key& key, bool& target);
-bool read(const Key& key, std::string& target, std::string_view accepted);
+bool read(const Key& key, std::string& target, std::string_view expected);
 bool read(const Key& key, std::string& target, Named kind);  ///< also notes the reference
 bool read(const Key& key, Vec3& target, Vector kind);
 
 /// Entries of a list of `size` entries (any number for 0); nothing and a fault if it is something else.
-std::vector<Key> items(const Key& key, std::string_view accepted, std::size_t size = 0);
+std::vector<Key> items(const Key& key, std::string_view expected, std::size_t size = 0);
 /// Entries of a map of names; nothing and a fault if it is something else.
-std::vector<std::pair<std::string, Key>> entries(const Key& key, std::string_view accepted);
+std::vector<std::pair<std::string, Key>> entries(const Key& key, std::string_view expected);
 
 template <std::size_t N>
-bool read(const Key& key, std::array<int, N>& target, Count count, std::string_view accepted) {
-  const std::vector<Key> counts = items(key, accepted, N);
+bool read(const Key& key, std::array<int, N>& target, Count count, std::string_view expected) {
+  const std::vector<Key> counts = items(key, expected, N);
   bool good = counts.size() == N;
   for (std::size_t i = 0; i < counts.size(); ++i) good = read(counts[i], target[i], count) && good;
   return good;
 }
 template <std::size_t N>
-bool read(const Key& key, std::array<double, N>& target, const Range& range, std::string_view accepted) {
-  const std::vector<Key> numbers = items(key, accepted, N);
+bool read(const Key& key, std::array<double, N>& target, const Range& range, std::string_view expected) {
+  const std::vector<Key> numbers = items(key, expected, N);
   bool good = numbers.size() == N;
   for (std::size_t i = 0; i < numbers.size(); ++i) good = read(numbers[i], target[i], range) && good;
   return good;
@@ -134,7 +134,7 @@ bool read(const Key& key, std::span<bool> marked, const Choices<int>& directions
 /// faults that name the nearest known key.
 class Section {
  public:
-  Section(const Key& key, std::string_view accepted);
+  Section(const Key& key, std::string_view expected);
   Section(const Section&) = delete;
   Section& operator=(const Section&) = delete;
   ~Section();
@@ -146,7 +146,7 @@ class Section {
   /// The value of a key, or a missing one.
   Key at(std::string_view name);
   /// A key of the vocabulary that this version does not have: a fault if it is there.
-  void not_yet(std::string_view name, std::string_view accepted);
+  void not_yet(std::string_view name, std::string_view expected);
 
   /// Reads the key into a target; that it is missing is a fault.
   template <class... Target>

@@ -101,7 +101,7 @@ void take_row_sums(EnforcementScratch& scratch) {
   scratch.row_sum.resize(scratch.row_sum_parts.size() / row_sum_width);
   for (std::size_t node = 0; node < scratch.row_sum.size(); ++node) {
     const double* parts = &scratch.row_sum_parts[node * row_sum_width];
-    demand(parts[bin_slices] <= binned_terms, "more rows on one contact node than its sums can hold");
+    demand(parts[bin_slices] <= binned_terms, "the sums of a contact node have room for all its rows");
     scratch.row_sum[node] = binned_value(parts);
   }
 }
@@ -208,7 +208,8 @@ void EnforcementScratch::reserve_bodies(std::size_t rows, std::size_t nodes, std
 
 void demand_finite(double largest) {
   if (!std::isfinite(largest))
-    throw GuardError("contact: an impulse is not finite; the velocities that came in are not, or grew without bound");
+    throw GuardError(
+        "contact: an impulse is not finite; the predicted velocities are not finite, or increased without bound");
 }
 
 Vec3 relative_velocity(const Row& row, std::span<const Vec3> velocity) {
