@@ -8,6 +8,7 @@ import unittest
 import budget
 import includes
 import kinds
+import messages
 import text
 import unit_folders
 
@@ -99,6 +100,18 @@ class Walls(unittest.TestCase):
         self.write("src/mesh/a.cpp", "int x;  // TO" + "DO later\n")
         self.assertEqual(len(text.check_licence(self.root)[0]), 1)
         self.assertIn("a.cpp:1", text.check_leftovers(self.root)[0][0])
+
+    def test_messages_out_of_form(self):
+        self.write("src/scene/a.cpp", 'void f() { fault(key, "invalid size of the box; expected a number > 0"); }\n')
+        self.write("scripts/run", '#!/usr/bin/env bash\nfail 2 "missing value of --out; expected a folder"\n')
+        self.assertEqual(messages.check_sources(self.root)[0] + messages.check_scripts(self.root)[0], [])
+        self.write("src/scene/a.cpp", 'void f() { fault(key, "the box is too small"); }\n')
+        self.write("src/scene/b.cpp", 'void f() { fault(key, "the box is "\n"flat; expected a number > 0"); }\n')
+        self.write("src/scene/c.cpp", 'const char* text = "invalid size, which is no number; expected one";\n')
+        self.write("scripts/run", '#!/usr/bin/env bash\nfail 2 "--out has no value at all"\n')
+        faults = "\n".join(messages.check_sources(self.root)[0] + messages.check_scripts(self.root)[0])
+        for phrase in ("a.cpp:1: no 'expected'", "b.cpp:1: none of invalid", "c.cpp:1: 'is no number'", "run:2: no 'expected'"):
+            self.assertIn(phrase, faults)
 
 
 if __name__ == "__main__":
