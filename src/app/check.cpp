@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `brunt check`: what a run would start from, without running it.
+// `brunt check`: the initial state of a run, without running it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,13 +54,13 @@ std::vector<PartFigures> part_figures(const Prepared& run) {
   return figures;
 }
 
-/// What a step costs here and now, contact included.
+/// The cost of a step on this machine, including contact.
 struct StepCost {
   double seconds = 0;
   int steps = 0;  ///< measured
 };
 
-/// Takes some steps with nothing written, the first one (it searches and fills caches) untimed. Collective.
+/// Performs some steps without output; the first one (it searches and fills caches) is not timed. Collective.
 StepCost measure_steps(Prepared& run, const time::StepReport& first) {
   using Clock = std::chrono::steady_clock;
   constexpr double patience = 0.5;  // s
@@ -99,7 +99,7 @@ std::string parts_of(const Prepared& run, const model::RigidBody& body) {
   return text;
 }
 
-/// What forces on a rigid body meet: with the masses of deformable elements on its nodes.
+/// The effective inertia of a rigid part: with the masses of deformable elements on its nodes.
 void print_bodies(const Prepared& run, const scene::UnitSystem& units) {
   for (const model::RigidBody& body : run.model.bodies) {
     const rigid::MassProperties& mass = body.body.mass;
@@ -113,7 +113,7 @@ void print_bodies(const Prepared& run, const scene::UnitSystem& units) {
   }
 }
 
-/// Least and greatest coordinate of each part, and of all where there are several [length].
+/// Smallest and largest coordinate of each part, and of all parts if there are several [length].
 void print_extents(const Prepared& run, const std::vector<Extent>& extents, const scene::UnitSystem& units) {
   const auto line = [&](const std::string& what, const Extent& extent) {
     std::string text;
@@ -126,9 +126,9 @@ void print_extents(const Prepared& run, const std::vector<Extent>& extents, cons
   if (extents.size() > 1) line("all", together(extents));
 }
 
-/// The one-point hexahedron sees its mean deformation gradient. Flattened to about a third of its height it folds
-/// rather than to store more energy: the hourglass springs that hinder this are measured for bending
-/// (src/scene/README.md, parts).
+/// The one-point hexahedron evaluates its mean deformation gradient only. Compressed to about a third of its height it
+/// folds instead of storing more energy: the hourglass stiffness is calibrated for bending (src/scene/README.md,
+/// parts).
 void print_advice(const Prepared& run) {
   const scene::Input& input = run.input;
   const bool pressed =
@@ -142,7 +142,7 @@ void print_advice(const Prepared& run) {
           block.part);
 }
 
-/// Bodies that overlap have no smallest gap: other places of theirs may be apart, which says nothing.
+/// Overlapping bodies have no smallest gap; distances elsewhere between them are not meaningful.
 void print_gaps(const Prepared& run) {
   const setup::InitialGaps& gaps = run.overlaps.gaps;
   if (!gaps.overlaps.empty())
@@ -174,7 +174,7 @@ std::string friction_text(const contact::FrictionLaw& law) {
   return law.lag == 0 ? text : text + fmt::format(", lag {:g}", law.lag);
 }
 
-/// What may touch what, and how it is held apart.
+/// The contact pairs and their enforcement.
 void print_contact(const Prepared& run) {
   for (const scene::ContactEntry& entry : run.input.contact) {
     const std::string parts = entry.between.empty() ? "all" : entry.between[0] + " and " + entry.between[1];

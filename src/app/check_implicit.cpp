@@ -33,9 +33,9 @@ double steps_until_end(const Prepared& run, double step) {
   return steps;
 }
 
-/// What steps will take, from one iteration after the first step; or why there is no such step.
+/// The cost of the steps, from one iteration after the first step; or the reason why there is no such step.
 std::string cost_line(Prepared& run, double steps) {
-  constexpr double iterations = 4;  // of a step with contact, in the mean over the cases
+  constexpr double iterations = 4;  // iterations of a step with contact, mean over the cases
   using Clock = std::chrono::steady_clock;
   try {
     implicit_step(run);

@@ -42,7 +42,7 @@ void share(const comm::Communicator& ranks, TriangleSurface& surface) {
   for (const std::array<double, 3>& x : points) surface.points.emplace_back(x.data());
 }
 
-/// A surface that crosses itself has no clear inside there, and its mass counts twice.
+/// A surface that intersects itself has no unique interior there, and its mass is counted twice.
 void note_crossings(NamedSurface& named) {
   const geometry::SelfCrossings crossings = geometry::self_crossings(geometry::build_slab_tree(named.surface));
   if (crossings.count == 0) return;

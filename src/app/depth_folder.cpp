@@ -75,7 +75,7 @@ void DepthFolder::finish(const nlohmann::ordered_json& all) const {
   io::replace_text(folder_ + "/depth.json", all.dump(1) + "\n");
 }
 
-/// A row that a killed run left unfinished is dropped.
+/// Removes an incomplete last row of a killed run.
 void DepthFolder::keep_whole_rows(const std::string& path) {
   std::string text = io::read_text(path);
   const io::CsvRecords whole = io::csv_records(text);

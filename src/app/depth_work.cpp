@@ -33,7 +33,7 @@ depth::Body body_of(const NamedSurface& named, const std::vector<std::vector<Vec
   }
 }
 
-/// Bounds are proven only if pieces lie in their body, so that at least their corners are looked at. where: of pieces.
+/// Bounds are proven only if pieces lie in their body, so at least their corners are checked. where: of pieces.
 depth::Body body_with(const NamedSurface& named, const std::vector<std::vector<Vec3>>& pieces,
                       const std::string& where) {
   constexpr double rounding = 1e-9;  // of the body's radius: corners on the surface, written with ten digits
@@ -81,7 +81,7 @@ DepthWork work_of_files(const comm::Communicator& ranks, const DepthOptions& opt
   return work;
 }
 
-/// Parts that share points are one body where they do, and touch there by design.
+/// Parts that share points are connected there, and touch by design.
 bool share_points(const TriangleSurface& a, const TriangleSurface& b) {
   const auto sorted = [](const TriangleSurface& s) {
     std::vector<std::array<double, 3>> points;

@@ -16,8 +16,8 @@ void observe(const time::Ledger& ledger, Extremes& seen) {
     seen.begun = 1;
     seen.start_total = ledger.total();
     for (int c = 0; c < 3; ++c) seen.start_momentum[c] = own_momentum[c];
-    // what bodies bring may be gone within the first step, where contact or a support stops them at once: the
-    // velocities on both sides of t = 0 then have no product, but the total has what was taken
+    // The initial kinetic energy may vanish within the first step, if contact or a support stops the bodies at once:
+    // the product of the velocities on both sides of t = 0 is then zero, but the total includes the energy taken.
     seen.largest_energy = seen.largest_bodies = std::abs(seen.start_total);
     seen.momentum_scale = own_momentum.norm();
   }
@@ -48,8 +48,8 @@ double settling_energy(double mass, double gravity, double dt, double tolerance,
 }
 
 std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding) {
-  // a moving wall gives too, so does contact where bodies began inside each other, and at the first instant all there
-  // is may be rounding of either sign
+  // A moving wall supplies energy, and so does contact between initially overlapping bodies. At the first instant the
+  // whole energy may be rounding of either sign.
   const double parted = recovered ? std::max(-ledger.contact, 0.0) : 0.0;
   const double given =
       std::max(seen.start_total, 0.0) + std::max(ledger.external, 0.0) + std::max(-ledger.walls, 0.0) + parted;

@@ -14,7 +14,7 @@
 namespace brunt::app {
 namespace {
 
-/// Keys of explicit scenes, and why they mean nothing here.
+/// Keys of explicit scenes, and their fault in an implicit one.
 constexpr std::array<std::pair<const char*, const char*>, 7> explicit_keys{{
     {"run.cfl", "invalid in an implicit scene, which has no stable step; expected solver.step"},
     {"run.step_bound", "invalid in an implicit scene, which has no stable step; expected solver.step"},
@@ -41,7 +41,7 @@ void check_part(const scene::Input& input, const model::ElementBlock& block, std
     faults.push_back(fmt::format("{}: invalid in an implicit scene; expected no erosion", input.at(key + ".erosion")));
 }
 
-/// Rigid parts: what schemes, mortar contact and walls can do with them.
+/// Rigid parts: limits of schemes, mortar contact and walls.
 void check_bodies(const scene::Input& input, const model::Model& model, std::vector<std::string>& faults) {
   if (model.bodies.empty()) return;
   const auto rigid = [&](std::int32_t b) { return material::is_rigid(model.blocks[static_cast<std::size_t>(b)].law); };

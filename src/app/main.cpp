@@ -23,7 +23,7 @@ namespace {
 using namespace brunt;
 using Command = std::function<int(const comm::Communicator&)>;
 
-/// One value each, so that a scene may stand behind them.
+/// One value each, so that a scene may follow.
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
   command.add_option("--set", overrides, "Change a value of the scene, such as run.end=1.0e-5 (repeatable)")
       ->type_name("KEY.PATH=VALUE")
@@ -32,7 +32,7 @@ void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-/// `--out "$FOLDER"` of a variable that is not set.
+/// `--out "$FOLDER"` with an unset variable.
 std::string no_path(const std::string& text) {
   return text.empty() ? "invalid empty path; expected a file or folder" : std::string{};
 }
@@ -63,7 +63,7 @@ void add_check(CLI::App& program, app::CheckOptions& options, Command& chosen) {
   check->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::check(ranks, options); }; });
 }
 
-/// CLI11 takes -np 2 for -n p and says of that only what it is not.
+/// CLI11 reads -np 2 as -n p, and its own message would not say what is expected.
 std::string no_count_of_parts(const std::string& text) {
   constexpr int most = 1000000;
   int parts = 0;
@@ -91,7 +91,7 @@ void add_partition(CLI::App& program, app::PartitionOptions& options, Command& c
       [&] { chosen = [&](const comm::Communicator& ranks) { return app::partition(ranks, options); }; });
 }
 
-/// CLI11 prints the largest number there is with all its digits.
+/// CLI11's own range check prints the largest double with all its digits.
 std::string no_tolerance(const std::string& text) {
   double tolerance = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), tolerance);
@@ -126,7 +126,7 @@ void add_search(CLI::App& program, app::SearchOptions& options, Command& chosen)
   search->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::search(ranks, options); }; });
 }
 
-/// A number >= 0; CLI11 prints the largest number there is with all its digits.
+/// A number >= 0; CLI11's own range check prints the largest double with all its digits.
 std::string no_number(const std::string& text) {
   double value = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -195,14 +195,14 @@ void add_depth(CLI::App& program, app::DepthOptions& options, Command& chosen) {
       [&] { chosen = [&](const comm::Communicator& ranks) { return app::depth_command(ranks, options); }; });
 }
 
-/// CLI11 would say only that a command is missing.
+/// CLI11 would only report that a command is missing.
 bool names_unknown_command(const CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return false;
   const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
   return std::ranges::none_of(commands, [&](const CLI::App* command) { return command->get_name() == argv[1]; });
 }
 
-/// CLI11 speaks on every rank; one of them is enough.
+/// CLI11 prints on every rank; the output of one is sufficient.
 int parse_failure(const CLI::App& program, const CLI::ParseError& error, bool root) {
   if (!root) return error.get_exit_code() == 0 ? 0 : 2;
   if (error.get_exit_code() == 0) return program.exit(error);

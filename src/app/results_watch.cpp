@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Results looks at besides writing: guards and warnings.
+// The part of Results that evaluates guards and warnings.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::string where_friction_gives(const Prepared& run) {
       master < 0 ? "a rigid wall" : "part '" + run.model.blocks[static_cast<std::size_t>(master)].part + "'");
 }
 
-/// Springs that stay are another thing than those of `stiffness` where there is plastic flow alone.
+/// Elastic hourglass springs differ from those of `stiffness` only in plastic flow.
 const char* remedy_of_folds(const material::Law& law) {
   if (std::holds_alternative<material::J2>(law)) return "hourglass: {kind: elastic} or element: hex8_full";
   if (std::holds_alternative<material::NeoHookean>(law)) return "element: hex8_full";
@@ -50,7 +50,7 @@ const char* remedy_of_folds(const material::Law& law) {
 
 }  // namespace
 
-/// Which element or contact gives: a search, for messages alone. Collective.
+/// The element or contact with the fault: a search, for messages only. Collective.
 std::string Results::where(Fault fault) const {
   if (fault == Fault::hourglass || fault == Fault::bulk) {
     const ElementPlace place = place_of_least(run_, fault == Fault::hourglass ? "hourglass_energy" : "bulk_energy");
@@ -69,7 +69,8 @@ void Results::watch(const time::Ledger& ledger, double time) {
         settling_energy(ledger.mass, run_.model.gravity.norm(), run_.state.dt, run_.model.contact.enforcement.tolerance,
                         run_.contact->derived.detection.tolerances->recovery);
   if (run_.implicit) rounding += implicit_rounding(run_, extent_);
-  // once exact multipliers alternate from step to step they feed energy in every one: what is above the warning grows
+  // Once exact multipliers alternate from step to step they supply energy in every step, so an energy above the warning
+  // continues to grow.
   const bool trapezoidal = run_.input.implicit && run_.input.implicit->scheme == model::Scheme::newmark;
   const std::string growth = energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding);
   for (const Finding& finding : judge(ledger, run_.extremes, rounding, run_.overlaps.recovered)) {
@@ -131,7 +132,7 @@ void Results::report_at_end() {
 }
 
 void Results::report_parted() {
-  // of two equal bodies, one of which was at rest: a restitution of 0.97, since the loss is (1 - e^2)/2
+  // For two equal bodies, one of them initially at rest: a restitution of 0.97, since the loss is (1 - e^2)/2.
   constexpr double tolerated = 0.03;
   const double share = taken_by_parted(last_ledger_, run_.extremes);
   const auto rigid = [](const model::ElementBlock& block) { return material::is_rigid(block.law); };
@@ -145,7 +146,8 @@ void Results::report_parted() {
 }
 
 void Results::report_hourglass() {
-  // The usual bound in crash analysis; of the largest, since bodies that fly on after an impact have little left.
+  // The usual bound in crash analysis; relative to the largest value, since bodies that separate after an impact have
+  // little internal energy.
   constexpr double tolerated = 0.1;
   const double hourglass = last_ledger_.hourglass, internal = run_.extremes.largest_internal;
   if (!(hourglass > tolerated * internal) || hourglass < 1e-3 * run_.extremes.largest_energy) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes of straight-edged elements are smaller than round bodies: by how much, and what helps.
+// Meshes with straight edges are smaller than round bodies: the difference, and sufficient numbers of elements.
 #include "brunt/mesh/round_bodies.hpp"
 
 #include <fmt/core.h>
@@ -12,8 +12,8 @@
 namespace brunt::app {
 namespace {
 
-/// Share of volume, and of the radius by which the centre is off, above which a warning is due: the accuracy that cases
-/// are held to.
+/// Share of the volume, and of the radius for the centre, above which a warning is given: the accuracy required of the
+/// cases.
 constexpr double worth_a_warning = 0.01;
 
 struct Difference {

@@ -23,7 +23,7 @@
 namespace brunt::app {
 namespace {
 
-/// A run goes on in the folder of its checkpoint; in another one there are results of another run.
+/// A run continues in the folder of its checkpoint; another folder contains results of another run.
 io::ExistingResults existing_results(const RunOptions& options, const std::string& checkpoint,
                                      const std::string& folder) {
   std::error_code no_folder;
@@ -33,20 +33,20 @@ io::ExistingResults existing_results(const RunOptions& options, const std::strin
   return options.force ? io::ExistingResults::replace : io::ExistingResults::refuse;
 }
 
-/// Does the folder's summary tell of this very state?
+/// Whether the summary of the folder describes this state.
 bool is_reported(const comm::Communicator& ranks, const std::string& folder, GlobalIndex step) {
   return ranks.any(ranks.is_root() && io::summarised_steps(folder) == step);
 }
 
-/// What this start has read, for whoever looks at the results later.
+/// Records what this start has read.
 void record_scene(const Prepared& run, const RunOptions& options, const std::string& folder) {
   io::replace_text(folder + "/scene_as_run.yaml",
                    fmt::format("# {} as read by {}, with its overrides; paths of files are relative to that scene\n{}",
                                std::filesystem::path(options.scene).filename().string(), version(), run.scene_yaml));
 }
 
-/// Explicit runs evaluate the step of the checkpoint again: its own records come anew. Implicit runs do not; a record
-/// that is not due there was written because the run had come to its end.
+/// Explicit runs evaluate the step of the checkpoint again, and write its records again. Implicit runs do not; a record
+/// that is not due there was written at the end of the run.
 KeptRecords kept_records(const Prepared& run) {
   const model::State& state = run.state;
   const auto step = static_cast<GlobalIndex>(state.step);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `brunt search`: contact search alone on a text scene of nodes and boxes, dealt out over the ranks; within a rank by
-// the method in use, one of the paper, or trees.
+// `brunt search`: the contact search alone on a text scene of nodes and boxes, distributed over the ranks; within a
+// rank by the method of `brunt run`, a method of the paper, or trees.
 #include "brunt/contact/search/search.hpp"
 
 #include <fmt/core.h>

@@ -9,7 +9,7 @@
 
 namespace brunt::app {
 
-/// An element keeps its step for as long as its edges and its volume keep their size.
+/// An element keeps its stable step as long as its edges and its volume keep their size.
 const char* cause_of_collapse(const ElementPlace& place) {
   constexpr double much = 0.1;
   if (place.shortest_edge < much || place.volume < much)
@@ -19,8 +19,8 @@ const char* cause_of_collapse(const ElementPlace& place) {
          "with strain";
 }
 
-/// B-bar averages the change of volume over the element: a corner's own volume meets the deviatoric stress alone, which
-/// plastic flow bounds, so that little work turns the corner inside out.
+/// B-bar averages the change of volume over the element. The volume of a single corner is resisted by the deviatoric
+/// stress only, which plastic flow limits, so little work inverts the corner.
 const char* cause_of_lost_volume(const model::ElementBlock& block) {
   if (block.kind != element::ElementKind::hex8_bbar || !std::holds_alternative<material::J2>(block.law)) return "";
   return ". Likely cause: a concentrated load on a corner of hex8_bbar, which constrains the mean volume of an element "

@@ -53,7 +53,7 @@ void write_tables(Hdf5File& file, const CheckpointHeader& header, const model::R
   for (const SavedTable& table : saved_tables(registry)) {
     std::vector<double> rows = layout.to_blocks(table);
     const GlobalIndex hash = table_hash(file.ranks(), table, layout.rows(table).first, rows);
-    // The same on every rank: one copy is enough.
+    // Equal on every rank, so one copy suffices.
     if (table.array->entity == model::StateArray::Entity::global && !file.ranks().is_root()) rows.clear();
     file.create_doubles(table.path, table.rows, table.array->components);
     file.write(table.path, layout.rows(table).first, std::span<const double>(rows));
@@ -88,7 +88,7 @@ std::map<GlobalIndex, std::string> checkpoints_in(const std::string& folder) {
   return found;
 }
 
-// Keeps the checkpoint just written and the last before it; later ones belong to a run that was given up.
+// Keeps the new checkpoint and the previous one; later ones belong to an abandoned run.
 void prune(const std::string& folder, GlobalIndex step) {
   const auto found = checkpoints_in(folder);
   auto before = found.lower_bound(step);

@@ -29,7 +29,7 @@ std::string place_text(const Hdf5File& file, Place place, const LargestDifferenc
   return fmt::format("node {} [{}]", id, at.component);
 }
 
-// The mesh is compared exactly: fields of different meshes have nothing to do with each other.
+// The mesh is compared exactly: fields of different meshes are not comparable.
 bool same_mesh(const Hdf5File& a, const Hdf5File& b, Comparison& result) {
   for (const char* what : {"nodes", "elements", "blocks"}) {
     const GlobalIndex in_a = a.integer_attribute("/", what), in_b = b.integer_attribute("/", what);

@@ -29,7 +29,7 @@ std::vector<fs::path> result_files(const fs::path& folder) {
   return found;
 }
 
-// A place where nothing may be written is the user's choice; a disk that is full or fails is the machine's fault.
+// A folder without write permission is a wrong input; a full or failing disk is a failure of the machine.
 [[noreturn]] void refuse_place(const fs::path& folder, const std::error_code& error) {
   for (const std::errc fault : {std::errc::no_space_on_device, std::errc::io_error, std::errc::not_enough_memory})
     if (error == fault) throw MachineError(folder.string() + ": " + error.message());
@@ -45,7 +45,7 @@ void check_writable(const fs::path& folder) {
   fs::remove(probe);
 }
 
-/// A run holds a lock on its log.txt as long as it lasts.
+/// A run keeps a lock on its log.txt during its lifetime.
 void refuse_run_in_progress(const fs::path& folder) {
   const int log = ::open((folder / "log.txt").c_str(), O_RDONLY);
   if (log < 0) return;

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 9> free_to_change{"title",     "output", 
 /// A value of the scene, by the path of its key.
 using Value = std::pair<std::string, std::string>;
 
-/// Keys in alphabetical order, so that a scene written in another order is the same scene.
+/// Keys in alphabetical order, so that the order of keys in the file does not matter.
 void append(const Tree& tree, const std::string& path, std::vector<Value>& values) {
   if (std::ranges::find(free_to_change, path) != free_to_change.end()) return;
   if (tree.kind == Tree::Kind::value) {

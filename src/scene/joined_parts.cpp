@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several parts as one rigid body: the parts that join another one, which gives the body its name.
+// Several parts as one rigid body: parts that join another one, which names the body.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ void check_join(const Input& input, const Part& part, std::vector<std::string>& 
   const std::string key = "parts." + part.name + ".rigid";
   const auto fault = [&](const std::string& what) { faults.push_back(fmt::format("{}: {}", input.at(key), what)); };
   const Part* lead = find_part(input, rigid.joins);
-  if (lead == nullptr) return;  // told where names are looked up
+  if (lead == nullptr) return;  // reported when names are resolved
   if (lead == &part)
     fault("invalid joins: the part refers to itself; expected the name of another rigid part");
   else if (!is_rigid(input, *lead))

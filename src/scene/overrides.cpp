@@ -57,7 +57,7 @@ void apply(Tree& scene, const std::string& path, const Tree& value, const Place&
   for (const std::string& step : steps) {
     const bool lone_mesh = walked == "mesh" && at->kind == Tree::Kind::map && step == "0";
     walked += (walked.empty() ? "" : ".") + step;
-    if (lone_mesh) continue;  // a mesh of one body may be written without the list
+    if (lone_mesh) continue;  // a mesh of one body may be written without a list
     if (at->kind == Tree::Kind::value) {
       faults.add(place, walked,
                  "invalid path: the key above it has a single value; expected a path through maps and lists");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which part each block of the mesh is.
+// Assigns the parts to the blocks of the mesh.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ const char* fitting_elements(mesh::Shape shape) {
   return shape == mesh::Shape::hex8 ? "hex8, hex8_full or hex8_bbar" : "tet4";
 }
 
-/// "7" or "7 (bar)": either may stand in a scene.
+/// "7" or "7 (bar)": a scene may use either.
 std::string shown(const mesh::Block& block) {
   return fmt::format("{}{}", block.id, block.name.empty() ? "" : " (" + block.name + ")");
 }

@@ -14,7 +14,7 @@ namespace {
 using Overlap = contact::OverlapRule;
 using Slave = ContactEntry::Slave;
 
-/// Two parts, or one twice: contact with itself.
+/// Two parts, or one given twice: self-contact.
 bool read_pair(const Key& key, std::array<std::string, 2>& pair, std::string_view expected) {
   const std::vector<Key> names = items(key, expected, 2);
   return names.size() == 2 && read(names[0], pair[0], Named::part) && read(names[1], pair[1], Named::part);
@@ -58,14 +58,14 @@ void read_slave(const Key& key, ContactEntry& contact) {
   contact.slave = chosen % 2 == 1 ? Slave::first : Slave::second;
 }
 
-/// Words of the vocabulary of which this version has one meaning only.
+/// Keys of which only one value exists in this version.
 void read_settled(Section& entry) {
   if (entry.has("thickness") && entry.at("thickness").tree->text != "auto") {
     later(entry.at("thickness"), "a thickness of contact", "auto");
   }
 }
 
-/// Settings that would do nothing.
+/// Warns of settings without effect.
 void judge_passes(Section& entry, const ContactEntry& contact, Input& input) {
   const bool two = contact.passes == contact::Passes::two || contact.passes == contact::Passes::averaged;
   if (two && contact.slave != Slave::automatic && entry.has("slave"))
@@ -77,7 +77,7 @@ void judge_passes(Section& entry, const ContactEntry& contact, Input& input) {
     warn(entry.at("passes"), "no effect with tied: true: a tie has one pass", input);
 }
 
-/// What the method that holds so far cannot do.
+/// Faults of combinations that the present method does not support.
 void judge_method(const Key& whole, const ContactEntry& contact, const Input& input) {
   using contact::Method;
   const Method method = input.enforcement.settings.method;
@@ -100,7 +100,7 @@ void judge_tied(Section& entry, const ContactEntry& contact) {
   if (contact.friction.any()) fault(key, "invalid friction of tied parts; expected no friction with tied: true");
 }
 
-/// A later entry that names two tied parts unties them: what is meant is to be said.
+/// A later entry that names two tied parts releases their tie; a warning asks for an explicit statement.
 void judge_untied(const Key& whole, Section& entry, const ContactEntry& contact, Input& input) {
   if (contact.tied || contact.between.empty() || entry.has("tied")) return;
   const std::set<std::string> pair(contact.between.begin(), contact.between.end());
@@ -116,7 +116,7 @@ void judge_untied(const Key& whole, Section& entry, const ContactEntry& contact,
        input);
 }
 
-/// method: mortar and its keys. Other methods are read with the figures of enforcement.
+/// method: mortar and its keys. For other methods, the keys of enforcement are read.
 void read_mortar(Section& entry, ContactEntry& contact) {
   const bool named = entry.has("method") && entry.at("method").tree->kind == Tree::Kind::value;
   contact.mortar = named && entry.at("method").tree->text == "mortar";
@@ -137,7 +137,7 @@ void read_mortar(Section& entry, ContactEntry& contact) {
   const bool itself = contact.between.size() == 2 && contact.between[0] == contact.between[1];
   const bool all =
       entry.has("between") && entry.at("between").tree != nullptr && entry.at("between").tree->text == "all";
-  if ((all && !contact.tied) || (itself && !contact.tied))  // what ties may not be between, or is no pair, is told
+  if ((all && !contact.tied) || (itself && !contact.tied))  // conflicts with ties are reported elsewhere
     fault(entry.has("between") ? entry.at("between") : entry.key(),
           "invalid between for method: mortar; expected two parts [a, b]");
   refuse(entry.has("exclude"), "exclude", "invalid with method: mortar; expected this key with between: all only");
@@ -170,7 +170,7 @@ ContactEntry read_entry(Section& entry, contact::Passes passes_before) {
   entry.optional("self", contact.self);
   if (entry.optional("tied", contact.tied) && contact.tied) {
     judge_tied(entry, contact);
-    contact.initial_overlap = Overlap::offset;  // ties hold nodes where they are
+    contact.initial_overlap = Overlap::offset;  // ties keep nodes at their positions
   }
   entry.optional("initial_overlap", contact.initial_overlap, overlaps);
   if (contact.tied && contact.initial_overlap == Overlap::place)

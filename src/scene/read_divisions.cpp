@@ -35,7 +35,7 @@ bool read_sizes(const Key& key, const Extent& extent, mesh::Division& division) 
     }
     sizes.push_back(one);
   }
-  if (extent.high <= extent.low) return false;  // its lengths are at fault already
+  if (extent.high <= extent.low) return false;  // its lengths are already faults
   try {
     division = mesh::by_sizes(sizes, extent.low, extent.high);
   } catch (const InputError& error) {

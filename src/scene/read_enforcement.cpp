@@ -14,7 +14,7 @@ using contact::Criterion;
 using contact::Method;
 using contact::Rebuild;
 
-/// The keys, and whether two say the same.
+/// The keys, and whether two settings agree.
 struct Figure {
   const char* name;
   bool (*same)(const Enforcement&, const Enforcement&);
@@ -38,7 +38,7 @@ constexpr std::array figures{
     Figure{"competing", [](const Enforcement& a, const Enforcement& b) { return a.competing == b.competing; }},
     Figure{"rebuild", [](const Enforcement& a, const Enforcement& b) { return a.rebuild == b.rebuild; }}};
 
-/// When lists are rebuilt changes no result: a check of that, not a choice of method.
+/// The time of rebuilding lists changes no result: this key serves tests.
 void read_rebuild(const Key& key, Rebuild& rebuild) {
   const bool word = key.tree->kind == Tree::Kind::value;
   if (word && (key.tree->text == "auto" || key.tree->text == "random")) {

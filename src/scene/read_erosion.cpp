@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When elements of a part are deleted.
+// Criteria by which elements of a part are removed.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces that keep their direction, and the phase that finds a static state before t = 0.
+// Forces of constant direction, and the phase that finds a static state before t = 0.
 #include <fmt/format.h>
 
 #include "brunt/scene/sections.hpp"
@@ -43,7 +43,7 @@ void read_list(Section& scene, std::string_view name, std::string_view expected,
   }
 }
 
-/// A static state needs a load that calls for it.
+/// A static state requires a load.
 void read_relaxation(const Key& key, Input& input) {
   Section section(key, "a map {tolerance: number, max_steps: count}");
   Relaxation relaxation;

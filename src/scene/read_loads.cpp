@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves, holds and loads the bodies.
+// Motions, supports and loads of the bodies.
 #include <fmt/format.h>
 
 #include <algorithm>

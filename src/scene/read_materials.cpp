@@ -87,7 +87,8 @@ material::Law read_law(Section& material) {
                                      {}};
   Model model{};
   if (!material.required("model", model, models)) {
-    for (const std::string& name : material.key().tree->keys) material.has(name);  // whose keys, nobody knows
+    for (const std::string& name : material.key().tree->keys)
+      material.has(name);  // the keys of an unknown model cannot be checked
     return material::Elastic{};
   }
   switch (model) {

@@ -11,8 +11,8 @@ using material::RateFactor;
 const Choices<RateFactor::Form> rate_forms{
     {{"logarithm", RateFactor::Form::logarithm}, {"power", RateFactor::Form::power}}, {}};
 
-/// Yield stresses of metals lie within these shares of Young's modulus: lead and tin have 1e-4 at least, whiskers 0.1.
-/// What lies outside is a unit mixed up.
+/// Yield stresses of metals lie within these shares of Young's modulus: at least 1e-4 for lead and tin, 0.1 for
+/// whiskers. Values outside are errors of units.
 constexpr double least_yield = 1e-6, largest_yield = 0.2;
 
 void check_yield(Section& material, const char* name, double yield, double young) {
@@ -26,7 +26,7 @@ double young_of(const material::Metal& law) {
   return law.bulk > 0 ? 9 * law.bulk * law.shear / (3 * law.bulk + law.shear) : 0;
 }
 
-/// density, young and poisson (with an equation of state also shear alone), which gives the bulk modulus then.
+/// density, young and poisson (with an equation of state also shear only, and the bulk modulus follows from it).
 void read_moduli(Section& material, const Range& shear, material::Metal& law) {
   material.required("density", law.density, positive);
   if (material.has("eos")) read_eos(material, law);
@@ -48,7 +48,7 @@ void read_moduli(Section& material, const Range& shear, material::Metal& law) {
       eos.model == material::EquationOfState::Model::mie_gruneisen ? law.density * eos.c * eos.c : eos.polynomial[1];
 }
 
-/// Where temperature matters: heat_capacity, taylor_quinney, temperature (at the start; of itself `room`).
+/// Keys of laws with temperature: heat_capacity, taylor_quinney, temperature (at the start; default `room`).
 void read_heat(Section& material, double room, material::Heat& heat) {
   material.optional("heat_capacity", heat.capacity, positive);
   material.optional("taylor_quinney", heat.taylor_quinney, share);
@@ -127,7 +127,7 @@ material::Metal read_piecewise_linear(Section& material) {
     material.required("yield", yield, positive);
     check_yield(material, "yield", yield, young_of(law));
     material.optional("hardening", hardening, not_negative);
-    constexpr double far = 1000;  // of plastic strain: no element gets there
+    constexpr double far = 1000;  // of plastic strain: beyond any physical value
     strength.table = {{0, yield}, {far, yield + far * hardening}};
   }
   if (material.has("cowper_symonds")) {
@@ -140,7 +140,7 @@ material::Metal read_piecewise_linear(Section& material) {
   }
   read_rate_steps(material, law);
   read_heat(material, 0, law.heat);
-  if (strength.table.empty()) strength.table = {{0, 1}};  // a fault has been told
+  if (strength.table.empty()) strength.table = {{0, 1}};  // a fault has been reported
   law.strength = strength;
   read_damage(material, law);
   return law;
@@ -176,7 +176,7 @@ material::Foam read_foam(Section& material) {
   } else {
     lacking(material.key(), {"yield_table"}, fmt::format("missing yield_table; expected {}", expected));
   }
-  if (law.table.empty()) law.table = {{0, 1}};  // a fault has been told
+  if (law.table.empty()) law.table = {{0, 1}};  // a fault has been reported
   law.tension = law.table.front()[1];
   material.optional("tension", law.tension, not_negative);
   return law;

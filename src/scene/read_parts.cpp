@@ -35,8 +35,8 @@ void read_bulk(const Key& key, BulkViscosity& bulk) {
   section.optional("quadratic", bulk.quadratic, not_negative);
 }
 
-/// The tensor of [xx, yy, zz, xy, yz, zx]. A body has the moments of a mass distribution: none is negative, and none
-/// exceeds the sum of the others. A moment of zero would let nothing turn the body about that axis.
+/// The tensor of [xx, yy, zz, xy, yz, zx]. Principal moments of a mass distribution are not negative, and none exceeds
+/// the sum of the others. A zero moment would allow no rotation about its axis.
 void read_inertia(const Key& key, RigidGiven& given) {
   constexpr std::string_view expected = "[xx, yy, zz, xy, yz, zx] about the centre";
   std::array<double, 6> value{};

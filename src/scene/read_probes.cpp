@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probes: what the history records beside energies and momentum.
+// Probes: quantities that the history records in addition to energies and momentum.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using Kind = Probe::Kind;
 
-/// A probe's name heads columns of a table of comma-separated values.
+/// The name of a probe is part of column headers in a table of comma-separated values.
 void read_name(Section& entry, Probe& probe) {
   if (!entry.required("name", probe.name, "a name")) return;
   const bool good = std::none_of(probe.name.begin(), probe.name.end(), [](char c) {
@@ -40,7 +40,7 @@ void read_field(Section& entry, Probe& probe) {
   }
 }
 
-/// Of the parts whose elements count: `part` or `parts`.
+/// The parts whose elements count: `part` or `parts`.
 void read_section_parts(Section& section, Probe& probe) {
   const bool one = section.has("part"), many = section.has("parts");
   if (one == many) {
@@ -122,7 +122,7 @@ void read_place(Section& entry, Probe& probe) {
     read_section(entry.at("section"), probe);
   }
   if (places != 1) {
-    entry.has("field");  // known, whatever the place
+    entry.has("field");  // a known key at any place
     const std::string what = fmt::format(
         "invalid probe: {} places are given; expected one of node, near, set, part, wall, contact, section", places);
     return places > 0 ? fault(entry.key(), what)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cylinders, spheres and tubes: what is kept of them, and their noses.
+// Cylinders, spheres and tubes: halves, quarters and sectors, and noses.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,11 +11,12 @@
 namespace brunt::scene {
 namespace {
 
-/// An axis from 1, with the sign of the side that is kept.
+/// The axis, from 1, with the sign of the side that is kept.
 const Choices<int> sides_of_section{{{"x", 1}, {"-x", -1}, {"y", 2}, {"-y", -2}}, {}};
 const Choices<int> sides{{{"x", 1}, {"-x", -1}, {"y", 2}, {"-y", -2}, {"z", 3}, {"-z", -3}}, {}};
 
-constexpr double widest_element = 30;  ///< [degrees] around a sector: its area is 5 % less than the sector's
+constexpr double widest_element =
+    30;  ///< [degrees] in a sector: its area is then 5 % less than that of the exact sector
 
 /// `half`, a list of sides that are kept, at most one of an axis; `quarter` is the same with two of them.
 void read_half(Section& body, std::array<int, 3>& half, const Choices<int>& choices) {
@@ -57,7 +58,7 @@ void read_sector(Section& body, mesh::RoundForm& form) {
   form.sector = {from, to};
 }
 
-/// The length of a cone follows from its half angle, that from the axis to its side.
+/// The length of a cone follows from its half angle, which is measured from the axis to its side.
 void read_cone(Section& nose, mesh::Nose& form, double radius) {
   const bool by_length = nose.has("length"), by_angle = nose.has("half_angle");
   constexpr std::string_view expected = "one of length and half_angle";
@@ -74,7 +75,7 @@ void read_cone(Section& nose, mesh::Nose& form, double radius) {
   }
 }
 
-/// A blunt end with its edge cut off at 45 degrees is a short cone.
+/// A chamfered blunt end is a short cone of 45 degrees.
 void read_chamfer(Section& nose, mesh::Nose& form, double radius) {
   double chamfer = 0;
   if (!nose.optional("chamfer", chamfer, positive)) return;
@@ -184,7 +185,7 @@ TubeMesh read_tube(Section& body) {
   TubeMesh tube{.part = {}, .elements = {1, 3, 1}, .half = {}};
   body.required("part", tube.part, part_name);
   read_sector(body, tube.half);
-  const bool sector = body.has("sector");  // a wrong one is a fault already
+  const bool sector = body.has("sector");  // an invalid one has been reported
   const bool inner = body.required("inner_radius", tube.inner_radius, sector ? not_negative : positive);
   const bool outer = body.required("outer_radius", tube.outer_radius, positive);
   if (inner && outer && tube.outer_radius <= tube.inner_radius) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long to run and what to write.
+// Duration of the run, and its output.
 #include <fmt/format.h>
 
 #include <algorithm>

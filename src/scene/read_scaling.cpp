@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a scene grows with the number of ranks: read for `scripts/scaling --weak`, which multiplies what is named here. A
-// run of the scene itself only checks that it is there.
+// The growth of a scene with the number of ranks: read for `scripts/scaling --weak`, which multiplies the named values.
+// A run of the scene only checks that they exist.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,10 +57,10 @@ bool is_number(const Tree& value) {
   return read(Key{&value, value.place, "", &aside}, number, any_number);
 }
 
-/// What a list of paths may name.
+/// The values that a list of paths may name.
 struct Kind {
   bool (*is_good)(const Tree&);
-  std::string_view step;  ///< that the path has, if any
+  std::string_view step;  ///< required in the path, if any
   std::string_view expected;
 };
 constexpr Kind counts{is_count, "elements", "paths of numbers of elements, such as mesh.0.box.elements.0"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `solver`: how an implicit scene goes through time. Read after `run`, whose end gives the default of the step.
+// `solver`: implicit time integration. Read after `run`, whose end determines the default of the step.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr Range to_a_third{0, 1.0 / 3.0, true, true, "a number from 0 to 1/3"};
 constexpr std::string_view expected =
     "implicit, explicit, or a map {scheme, step, min_step, max_step, tolerance, linear, alpha}";
 
-/// The bounds of the step lie on both sides of it.
+/// The bounds of the step must enclose it.
 void check_bounds(Section& section, const ImplicitSolver& solver) {
   constexpr double rounding = 1e-9;
   if (solver.min_step > (1 + rounding) * solver.step)
@@ -54,7 +54,7 @@ void read_map(Section& section, ImplicitSolver& solver) {
   section.optional("max_step", solver.max_step, positive);
 }
 
-/// What the scene does not say.
+/// Fills in defaults.
 bool fill_defaults(const Input& input, ImplicitSolver& solver) {
   if (solver.step == 0 && input.run.end) solver.step = *input.run.end / default_steps;
   if (solver.min_step == 0) solver.min_step = solver.step * std::exp2(-default_halvings);
@@ -77,7 +77,7 @@ void read_solver(Section& scene, Input& input) {
     bool implicit = false;
     if (!read(key, implicit, words) || !implicit) return;
     if (!fill_defaults(input, solver)) {
-      if (!input.run.steps) return;  // which is a fault of `run`
+      if (!input.run.steps) return;  // reported as a fault of `run`
       fault(key, "missing step; expected a map with step: time, or run.end, a hundredth of which is the step");
     }
     input.implicit = solver;

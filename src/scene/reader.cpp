@@ -31,7 +31,7 @@ bool is_plain_value(const Key& key) {
   return key.tree != nullptr && key.tree->kind == Tree::Kind::value && !key.tree->quoted;
 }
 
-/// A number written in full, such as 3, -2.5, 80.0e-6, .5; also inf and nan, which the caller refuses.
+/// A complete number, such as 3, -2.5, 80.0e-6, .5; also inf and nan, which the caller rejects.
 std::optional<double> number_in(const Key& key) {
   if (!is_plain_value(key)) return {};
   std::string_view text = key.tree->text;
@@ -110,7 +110,7 @@ bool read(const Key& key, GlobalIndex& target, Count count) {
   const std::string expected = fmt::format("an integer from {} to {}", count.low, count.high);
   const std::optional<double> number = number_in(key);
   if (!number) return !comma_in_value(key, expected) && wrong(key, expected);
-  constexpr double exact = 9007199254740992.0;  // 2^53: integers up to here are doubles
+  constexpr double exact = 9007199254740992.0;  // 2^53: integers up to this value are exact doubles
   const bool integer = std::abs(*number) < exact && std::trunc(*number) == *number;
   const GlobalIndex value = integer ? static_cast<GlobalIndex>(*number) : 0;
   if (!integer || value < count.low || value > count.high) {

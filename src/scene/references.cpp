@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be checked only when the whole scene is read: names used are defined, defined once, and every body has its
-// part. Sets and blocks of mesh files are not known here; they are checked when the model is built.
+// Checks that require the complete scene: names that are used must be defined, and only once, and every body must have
+// a part. Sets and blocks of mesh files are unknown here; they are checked when the model is built.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::vector<std::string> defined(const Input& input, Named kind) {
   return names;
 }
 
-/// Names of a required section that is not there are no faults of their own.
+/// Names of a missing required section are not reported separately.
 void check_uses(const Input& input, Section& scene) {
   Findings& findings = *scene.key().findings;
   constexpr std::array words{"material", "curve", "part", "rigid wall"};
@@ -74,7 +74,7 @@ Key mesh_key(Section& scene, std::size_t i) {
   return items(mesh, "")[i];
 }
 
-/// Every generated body has a part, and where the whole mesh is generated every part has a body.
+/// Every generated body needs a part; if the whole mesh is generated, every part needs a body.
 void check_bodies(const Input& input, Section& scene) {
   std::vector<std::string> bodies;
   bool any_file = input.mesh.empty();
@@ -108,7 +108,7 @@ void check_bodies(const Input& input, Section& scene) {
   }
 }
 
-/// A displacement is measured from where the nodes begin: a curve that begins elsewhere would let them jump.
+/// A displacement is measured from the initial position: a curve with another initial value would be a jump.
 void check_displacements(const Input& input, Section& scene) {
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
     const Prescribed& motion = input.prescribed[k];
@@ -123,8 +123,8 @@ void check_displacements(const Input& input, Section& scene) {
   }
 }
 
-/// What is wrong with a probe of contact whose parts are known; empty: nothing. Columns that never hold anything but
-/// zero are a mistake.
+/// The fault of a probe of contact with known parts; empty if it is valid. Columns that could only contain zeros are
+/// faults.
 std::string fault_of_contact_probe(const Input& input, const Probe& probe) {
   const auto touches = [&](const std::string& other) { return deciding_entry(input, probe.where, other).has_value(); };
   if (input.contact.empty())
@@ -161,7 +161,7 @@ void check_contact_probes(const Input& input, Section& scene) {
   }
 }
 
-/// What only deformable elements have.
+/// Warns of keys that apply to deformable elements only.
 void warn_of_unused_keys(Input& input, Section& scene) {
   if (input.parts.empty()) return;
   for (const auto& [part, entry] : entries(scene.at("parts"), "")) {
@@ -172,7 +172,7 @@ void warn_of_unused_keys(Input& input, Section& scene) {
   }
 }
 
-/// A name that would be two things where one is looked up.
+/// A name with two meanings.
 void check_twice(const Key& section, const std::vector<std::string>& names, std::string_view what) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) ==

@@ -22,7 +22,7 @@ bool turns(const Fixed& entry) {
   return std::ranges::find(entry.turns, true) != entry.turns.end();
 }
 
-/// For each node the body that it belongs to, by the block of the part that leads the body; the first of two is told.
+/// The body of each node, by the block of the part that leads it; the first node of two bodies is reported.
 class BodyOfNode {
  public:
   BodyOfNode(const Input& input, std::span<const std::string> part_of_block, const mesh::CanonicalMesh& whole)
@@ -50,7 +50,7 @@ class BodyOfNode {
 
   [[nodiscard]] std::size_t of(LocalIndex node) const { return body_[static_cast<std::size_t>(node)]; }
   [[nodiscard]] const std::string& part(std::size_t body) const { return part_[body]; }
-  /// The body that this part leads.
+  /// The body led by this part.
   [[nodiscard]] std::size_t find(const std::string& part) const {
     const auto found = std::ranges::find(part_, part);
     return found == part_.end() ? none : static_cast<std::size_t>(found - part_.begin());
@@ -63,7 +63,7 @@ class BodyOfNode {
       if (body_[i] == body) nodes.push_back(static_cast<LocalIndex>(i));
     return nodes;
   }
-  /// How many nodes of each body these are.
+  /// The number of nodes of each body among these.
   [[nodiscard]] std::vector<std::size_t> count(const std::vector<LocalIndex>& nodes) const {
     std::vector<std::size_t> counts(size_.size(), 0);
     for (const LocalIndex node : nodes)
@@ -77,7 +77,7 @@ class BodyOfNode {
   std::optional<Shared> shared_;
 };
 
-/// Supports of single nodes of a body: it moves as a whole.
+/// Supports of single nodes of a body are faults, since it moves as a whole.
 void refuse_node_supports(const Input& input, const BodyOfNode& bodies, const mesh::CanonicalMesh& whole,
                           std::vector<std::string>& faults) {
   const auto look = [&](const char* list, std::size_t k, const std::string& where) {
@@ -99,8 +99,8 @@ void refuse_node_supports(const Input& input, const BodyOfNode& bodies, const me
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) look("prescribed", k, input.prescribed[k].where);
 }
 
-/// An entry of `initial` moves a body where it names it or selects all of its nodes. Another part may share some of
-/// them.
+/// An entry of `initial` defines the motion of a body if it names the body or selects all of its nodes. Another part
+/// may share some of them.
 void select_motions(const Input& input, const BodyOfNode& bodies, mesh::CanonicalMesh& whole,
                     std::vector<std::string>& faults) {
   const auto is_part = [&](const std::string& where) {
@@ -128,7 +128,7 @@ void select_motions(const Input& input, const BodyOfNode& bodies, mesh::Canonica
   }
 }
 
-/// Nodes of bodies that deformable elements or loads act on.
+/// Nodes of bodies on which deformable elements or loads act.
 std::vector<LocalIndex> forced_nodes(const Input& input, const BodyOfNode& bodies,
                                      std::span<const std::string> part_of_block, const mesh::CanonicalMesh& whole) {
   std::vector<LocalIndex> nodes;
@@ -157,7 +157,7 @@ std::vector<LocalIndex> forced_nodes(const Input& input, const BodyOfNode& bodie
   return nodes;
 }
 
-/// What mass properties are given, less the mesh's origin.
+/// The given mass properties, relative to the origin of the mesh.
 model::GivenMass given_mass(const Part& part, const Vec3& origin) {
   if (!part.rigid) return {};
   model::GivenMass given{part.rigid->mass, part.rigid->centre, part.rigid->inertia};
@@ -165,7 +165,7 @@ model::GivenMass given_mass(const Part& part, const Vec3& origin) {
   return given;
 }
 
-/// The last entry of `initial` that holds for the body's nodes here.
+/// The last entry of `initial` that applies to the body's nodes here.
 model::StartMotion start_motion(const Input& input, const mesh::LocalMesh& mesh, const model::RigidBody& body) {
   model::StartMotion start;
   if (body.nodes.empty()) return start;
@@ -206,7 +206,7 @@ std::string dof_name(int dof) {
   return fmt::format("{}{}", dof < 3 ? "" : "r", "xyz"[dof % 3]);
 }
 
-/// Fields that only rigid bodies have, and a section, which they have not.
+/// Probes of fields that only rigid bodies have, and of sections, which they do not have.
 void check_probes(const Input& input, std::vector<std::string>& faults) {
   for (std::size_t k = 0; k < input.probes.size(); ++k) {
     const Probe& probe = input.probes[k];
@@ -226,7 +226,7 @@ void check_probes(const Input& input, std::vector<std::string>& faults) {
   }
 }
 
-/// A degree of freedom that is driven twice, or driven and held.
+/// A degree of freedom that is driven twice, or driven and fixed.
 void refuse_two_supports(const Input& input, std::vector<std::string>& faults) {
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
     const Prescribed& entry = input.prescribed[k];

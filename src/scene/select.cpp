@@ -29,7 +29,7 @@ class Selector {
   Selector(const Input& input, mesh::CanonicalMesh& whole, std::vector<std::string>& faults)
       : input_(input), whole_(whole), faults_(faults), named_(input, whole) {}
 
-  /// A set of the scene that names none of the mesh is told where it is defined, used or not.
+  /// A set of the scene that refers to an unknown set of the mesh is reported at its definition, whether used or not.
   void check_definitions() {
     for (const SetEntry& set : input_.sets) {
       const std::string key = fmt::format("sets.{}", set.name);
@@ -45,7 +45,7 @@ class Selector {
     }
   }
 
-  /// What a set of the scene selects, if anything.
+  /// Stores the selection of a set of the scene, if any.
   void add_defined(const std::string& reserved, const SetEntry& set) {
     if (std::optional<Nodes> found = named_.of_entry(set)) whole_.mesh.node_sets[reserved] = std::move(*found);
   }
@@ -75,7 +75,8 @@ class Selector {
     whole_.mesh.side_sets[reserved] = found->second;
   }
 
-  /// Faces over which a total force is spread: those of a side set, else the exterior ones with all nodes in the set.
+  /// Faces over which a total force is distributed: those of a side set, otherwise the exterior ones with all nodes in
+  /// the set.
   void add_faces(const std::string& reserved, const std::string& where, const std::string& key) {
     for (const SetEntry& set : input_.sets)
       if (set.name == where && set.side_set) return add_sides(reserved, where, key);
@@ -136,8 +137,8 @@ class Selector {
     whole_.mesh.node_sets[reserved] = std::move(nodes);
   }
 
-  /// All that is behind a wall is solid: no body starts on both sides of it, nor all bodies behind it, wherever the
-  /// wall moves, unless it names the parts that it acts on.
+  /// The region behind a wall is solid. Unless the wall names its parts, no body may start on both sides of it, nor all
+  /// bodies behind it.
   void require_in_front(const RigidWall& wall, const std::string& key) {
     const std::vector<std::int32_t> body = mesh::bodies(whole_.mesh);
     std::map<std::int32_t, std::array<double, 2>> range;  // of the height over the wall
@@ -169,7 +170,7 @@ class Selector {
            std::max(0.0, -nearest));
   }
 
-  /// Implicit steps know one side of a wall alone: what lies behind it is pressed.
+  /// An implicit step would push bodies behind a wall through it.
   void require_none_behind(const std::map<std::int32_t, std::array<double, 2>>& range,
                            const std::map<std::int32_t, std::size_t>& block_of, const std::string& key) {
     for (const auto& [number, heights] : range) {
@@ -207,12 +208,12 @@ class Selector {
         for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c) visit(b, element, block.element(e)[c]);
     }
   }
-  /// Is the block's part one of these? All are where none is named.
+  /// Whether the wall acts on the block's part. Without names it acts on all.
   [[nodiscard]] bool acts_on(const std::vector<std::string>& parts, std::size_t block) const {
     return parts.empty() || std::ranges::find(parts, named_.part_of_block()[block]) != parts.end();
   }
 
-  /// Is there another set of its name in the mesh? {foot: {node_set: foot}} is the same one.
+  /// Whether the mesh has a different set of this name. {foot: {node_set: foot}} is the same one.
   [[nodiscard]] bool shadows(const SetEntry& set) const {
     const bool nodes = whole_.mesh.node_sets.contains(set.name), sides = whole_.mesh.side_sets.contains(set.name);
     const bool bare = !set.part && !set.box;
@@ -248,7 +249,7 @@ class Selector {
            of_other_kind ? fmt::format(" (it has a {} of that name)", other) : "", expected(word, known));
   }
 
-  /// Where the nodes of the mesh are.
+  /// The region of the mesh, for messages.
   [[nodiscard]] std::string extent() const {
     Vec3 low = Vec3::Constant(1e300), high = -low;
     for (const Vec3& X : whole_.mesh.coordinates) {
@@ -280,7 +281,7 @@ class Selector {
   mesh::CanonicalMesh& whole_;
   std::vector<std::string>& faults_;
   NamedNodes named_;
-  std::set<std::string> undefined_;  ///< sets of the scene that name none of the mesh
+  std::set<std::string> undefined_;  ///< sets of the scene that refer to unknown sets of the mesh
 };
 
 /// Key of what an entry selects by: its `part` or its `set`.

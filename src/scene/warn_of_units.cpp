@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Are a material's figures plausible in the scene's units? Mixed-up units are the commonest mistake that runs.
+// Plausibility of material constants in the units of the scene: wrong units are the most common error in scenes that
+// run.
 #include <fmt/format.h>
 
 #include <array>
@@ -29,7 +30,7 @@ bool is_american(const UnitSystem& units) {
   return units.force == "lbf";
 }
 
-/// The first system, American or not, in which the number would be the density of a solid: what to say of it.
+/// The first system, American or not, in which the number would be the density of a solid.
 std::string better_system(double density, bool american) {
   for (const UnitSystem& other : unit_systems())
     if (other.metre > 0 && is_american(other) == american && of_solids.holds(density_in_si(density, other)))
@@ -38,7 +39,8 @@ std::string better_system(double density, bool american) {
   return {};
 }
 
-/// American tables have weights: 0.283 lbf/in^3 of steel is 7.33e-4 lbf.s^2/in^4. Empty where the number is none.
+/// American tables list weights: 0.283 lbf/in^3 of steel is 7.33e-4 lbf.s^2/in^4. Empty if the number is no such
+/// weight.
 std::string as_weight(double density, const UnitSystem& units) {
   constexpr double standard_gravity = 9.80665;  // m/s^2
   if (!is_american(units)) return {};
@@ -77,8 +79,8 @@ constexpr std::array<StressUnit, 8> stress_units{{{"Pa", 1},
                                                   {"Msi", 1e6 * psi},
                                                   {"psf", psi / 144}}};
 
-/// The first unit in which waves would run as they commonly do; of American ones psi, ksi and Msi all may, so there it
-/// is the one that comes nearest to metals. Empty where there is none.
+/// The first unit that gives a usual wave speed. Of the American units psi, ksi and Msi may all do so; the result is
+/// the one nearest to metals. Empty if there is none.
 std::string better_unit(double stiffness, double density, const UnitSystem& units, const char* modulus) {
   constexpr double of_metals = 4000;  // m/s
   const StressUnit* best = nullptr;
@@ -96,8 +98,8 @@ std::string better_unit(double stiffness, double density, const UnitSystem& unit
                      best->name, best_speed);
 }
 
-/// Slow waves are for soft matter, which is light: 29000 ksi of steel read as psi give 180 m/s. In American units only,
-/// where ksi and psi are mixed up.
+/// Slow waves occur in soft and light matter: 29000 ksi of steel read as psi give 180 m/s. For American units only,
+/// where ksi and psi are easily confused.
 bool is_heavy_and_soft(double speed, double density, const UnitSystem& units) {
   constexpr double heavy = 2500, slow = 300;  // kg/m^3, m/s
   return is_american(units) && density > heavy && speed < slow;
@@ -124,7 +126,7 @@ void warn_of_units(Section& material, const material::Law& law, Input& input) {
   const UnitSystem* units = find_unit_system(input.units);
   const double density = std::visit([](const auto& some) { return some.density; }, law);
   if (units == nullptr || units->metre == 0 || !(density > 0)) return;
-  if (warn_of_density(material, density, *units, input)) return;  // the speed would only say it again
+  if (warn_of_density(material, density, *units, input)) return;  // a warning of the speed would repeat it
   const material::ElasticModuli moduli = material::initial_moduli(law);
   if (moduli.lambda + 2 * moduli.mu > 0) warn_of_speed(material, law, *units, input);
 }

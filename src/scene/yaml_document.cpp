@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The document is walked event by event before its nodes are made: what aliases repeat is counted, not copied.
+// The document is traversed event by event before its nodes are created: repetitions by aliases are counted, not
+// copied.
 #include "yaml_document.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@
 namespace brunt::scene {
 namespace {
 
-/// What is valid YAML but no scene that can be read.
+/// Valid YAML that cannot be a scene.
 struct Refused {
   YAML::Mark mark;
   std::string what;
@@ -96,7 +97,7 @@ class Survey : public YAML::EventHandler {
   std::size_t repeated_ = 0;
 };
 
-/// Notes where a document starts and lets everything else pass.
+/// Records where a document starts and ignores everything else.
 struct DocumentStart : YAML::EventHandler {
   YAML::Mark mark = YAML::Mark::null_mark();
   void OnDocumentStart(const YAML::Mark& at) override { mark = at; }
@@ -110,8 +111,8 @@ struct DocumentStart : YAML::EventHandler {
   void OnMapEnd() override {}
 };
 
-/// Surveys the first document; where a second one starts, if there is one. (YAML::LoadAll is no way to ask: it never
-/// returns on a text that starts with a comma.)
+/// Surveys the first document; the start of a second one, if there is one. (YAML::LoadAll cannot be used: it does not
+/// return for a text that starts with a comma.)
 std::optional<YAML::Mark> survey(const std::string& text) {
   std::istringstream stream(text);
   YAML::Parser parser(stream);

@@ -29,8 +29,8 @@ double weight_of(const RowMatrix& rows, std::size_t q, std::size_t entry, double
   return weight * free_share(law, length, mobility);
 }
 
-/// Can an impulse in this row change its rate? Else the row is left out: prescribed motion has the authority. (Coulomb
-/// friction needs a pressure: it is nothing where both sides are held along the normal.)
+/// Whether an impulse in this row can change its rate. Otherwise the row is ignored: prescribed motion takes
+/// precedence. (Coulomb friction requires a pressure: it is zero if both sides are constrained along the normal.)
 bool can_act(const System& system, std::size_t q) {
   const RowMatrix& rows = system.rows;
   const RowLaw& law = rows.laws[q];
