@@ -93,7 +93,7 @@ class Growth:
     def multiply(self, grown, key, path, kind, factor):
         values = values_at(self.tree, path)
         if kind is int and "elements" not in path.split("."):
-            self.fault(key, f"invalid path '{path}': it names no number of elements", "paths such as mesh.0.box.elements.0")
+            self.fault(key, f"invalid path '{path}': not a number of elements", "paths such as mesh.0.box.elements.0")
         if not values:
             self.fault(key, f"unknown path '{path}' in this scene", "a key path, as for --set")
         for place, value in values:

@@ -147,7 +147,7 @@ std::vector<Vec3> axes_named(const std::string& text) {
   for (const std::string_view name : io::comma_fields(text)) {
     const std::size_t axis = std::string_view("xyz").find(name);
     if (name.size() != 1 || axis == std::string_view::npos)
-      throw InputError("invalid --along '" + text + "': expected one or more of x,y,z");
+      throw InputError("invalid --along '" + text + "': expected one or more of x, y, z, as in --along x,z");
     axes.push_back(Vec3::Unit(static_cast<Eigen::Index>(axis)));
   }
   return axes;

@@ -74,7 +74,7 @@ DepthWork work_of_files(const comm::Communicator& ranks, const DepthOptions& opt
       options.poses.empty() ? std::vector<Placement>{pose_of(options.at, options.turn)} : read_poses(options.poses);
   for (const Placement& pose : poses) {
     if (!(pose.translation.cwiseAbs().maxCoeff() < farthest_place))
-      throw InputError(fmt::format("out of range: pose {} of A is too far away; expected x, y, z below {:g}",
+      throw InputError(fmt::format("out of range: position of pose {} of A; expected |x|, |y|, |z| < {:g}",
                                    work.poses.size(), farthest_place));
     work.poses.push_back({0, 1, pose});
   }

@@ -21,7 +21,7 @@ constexpr std::array<std::pair<const char*, const char*>, 7> explicit_keys{{
     {"run.step", "invalid in an implicit scene; expected solver.step"},
     {"run.min_step_ratio", "invalid in an implicit scene; expected solver.min_step"},
     {"enforcement", "invalid in an implicit scene, whose contact has no rate constraint; expected no enforcement"},
-    {"relaxation", "invalid in an implicit scene; expected solver.scheme: static"},
+    {"relaxation", "invalid in an implicit scene; expected solver.scheme: static for a static solution"},
     {"damping", "invalid in an implicit scene; expected solver.scheme: hht, which damps the high frequencies"},
 }};
 
@@ -53,9 +53,9 @@ void check_bodies(const scene::Input& input, const model::Model& model, std::vec
         "{}: invalid scheme: all parts are rigid, and nothing deforms; expected contact_implicit, or a deformable part",
         input.at("solver.scheme")));
   if (scheme == model::Scheme::newmark || scheme == model::Scheme::hht)
-    faults.push_back(fmt::format(
-        "{}: invalid scheme for rigid parts: it has no rotations of them; expected contact_implicit or static",
-        input.at("solver.scheme")));
+    faults.push_back(
+        fmt::format("{}: invalid scheme for rigid parts: it cannot rotate them; expected contact_implicit or static",
+                    input.at("solver.scheme")));
   for (const contact::MortarPair& pair : model.mortar)
     if (rigid(pair.slave) && rigid(pair.master))
       faults.push_back(fmt::format(

@@ -79,7 +79,7 @@ void check_paths(Section& direction, std::string_view name, const Tree& scene, c
     const std::vector<const Tree*> values = values_at(scene, path);
     if (const std::vector<std::string> steps = steps_of(path);
         !step.empty() && std::ranges::find(steps, step) == steps.end()) {
-      fault(entry, fmt::format("invalid path '{}': it names no number of elements; expected {}", path, expected));
+      fault(entry, fmt::format("invalid path '{}': not a number of elements; expected {}", path, expected));
     } else if (values.empty()) {
       fault(entry, fmt::format("unknown path '{}' in this scene; expected {}", path, expected));
     } else if (const auto bad =

@@ -100,7 +100,7 @@ class Scaling(unittest.TestCase):
     def test_says_what_is_wrong_with_the_growth(self):
         self.assert_refused("scaling.weak: missing", "--weak", growth="")
         for growth, phrase in (("{counts: [mesh.7.box.elements.0]}", "scaling.weak.0.counts.0: unknown path 'mesh.7.box.elements.0'"),
-                               ("{counts: [mesh.0.box.size.0]}", "scaling.weak.0.counts.0: invalid path 'mesh.0.box.size.0': it names no number of elements"),
+                               ("{counts: [mesh.0.box.size.0]}", "scaling.weak.0.counts.0: invalid path 'mesh.0.box.size.0': not a number of elements"),
                                ("{counts: []}", "scaling.weak.0.counts: is empty"),
                                ("{counts: [mesh.1.box.at.0]}", "names no number of elements"),
                                ("{count: [mesh.0.box.elements.0]}", "scaling.weak.0")):
