@@ -184,7 +184,7 @@ Weights weigh(const mesh::Mesh& mesh, std::span<const mesh::Side> exterior, std:
 }
 
 std::vector<Rank> split(const Ragged<LocalIndex>& graph, const Weights& weights, int parts) {
-  demand(parts >= 1, "a mesh is split into one part or more");
+  demand(parts >= 1, "a mesh is split into at least one part");
   const LocalIndex elements = graph.rows();
   if (parts == 1 || elements / parts < fewest_elements_a_part) return contiguous(elements, parts);
   const LocalIndex size = cluster_size(elements, parts);

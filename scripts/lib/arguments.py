@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the scripts in Python share: options told wrong, and pictures that cannot be written, are one line and exit code 2."""
+"""Shared by the Python scripts: parsing of options and writing of pictures. A wrong option, or a picture that cannot be written, gives one
+line on the error stream and exit code 2."""
 import argparse
 import math
 import os
@@ -9,13 +10,13 @@ WRONG_INPUT = 2  # as of brunt itself
 
 
 def shorter(name, most):
-    """With the middle left out, where it is longer: ends tell names apart."""
+    """The name without its middle where it is longer than `most`: names mostly differ at their ends."""
     head = most // 2 - 1
     return name if len(name) <= most else f"{name[:head]}\u2026{name[head + 1 - most:]}"
 
 
 class Fault(Exception):
-    """Wrong input: one line that says what is wrong and what is accepted."""
+    """Wrong input: one line with what is wrong and what is expected."""
 
 
 def fail_as(program):
@@ -32,7 +33,7 @@ class Parser(argparse.ArgumentParser):
         for word in sys.argv[1:] if args is None else args:
             name = word.split("=")[0]
             if name.startswith("--") and not any(option.startswith(name) for option in known):
-                self.error(f"unknown option '{name}'; accepted: {', '.join(known)}")
+                self.error(f"unknown option '{name}'; expected one of {', '.join(known)}")
         return super().parse_args(args, namespace)
 
     def error(self, message):
@@ -44,7 +45,7 @@ def counted(noun):
     """A type of argument: how many of them, one at least."""
     def count(text):
         if not (text.isascii() and text.isdigit()) or int(text) < 1:
-            raise argparse.ArgumentTypeError(f"'{text}' is no number of {noun}; accepted: a whole number from 1 up")
+            raise argparse.ArgumentTypeError(f"invalid number of {noun} '{text}'; expected an integer >= 1")
         return int(text)
     return count
 
@@ -53,37 +54,37 @@ rank_count = counted("ranks")  # the value of -np
 
 
 def finite_number(text):
-    """float takes nan and inf too, of which no picture can be made."""
+    """float() also accepts nan and inf, which no picture can show."""
     try:
         number = float(text)
     except ValueError:
         number = math.nan
     if not math.isfinite(number):
-        raise argparse.ArgumentTypeError(f"'{text}' is no finite number; accepted: a number, such as 0.5 or 1.0e-3")
+        raise argparse.ArgumentTypeError(f"invalid number '{text}'; expected a finite number, such as 0.5 or 1.0e-3")
     return number
 
 
 def names(text):
-    """A list with commas."""
+    """A list of names separated by commas."""
     found = [name.strip() for name in text.split(",")]
     if not all(found):
-        raise argparse.ArgumentTypeError(f"'{text}' has an empty name; accepted: names with commas between them, such as bar,plate")
+        raise argparse.ArgumentTypeError(f"invalid list '{text}': an empty name; expected names separated by commas, such as bar,plate")
     return found
 
 
 def refuse_place(path, fail):
-    """Fails where no picture can be: before the work is done that leads to it."""
+    """Fails where no picture can be written, before the picture is computed."""
     folder = os.path.dirname(os.path.abspath(path))
     if not os.path.isdir(folder):
-        fail(f"{path}: there is no folder {folder}; accepted: a file in a folder that is there")
+        fail(f"{path}: invalid output: folder {folder} does not exist; expected a file in an existing folder")
     if os.path.isdir(path):
-        fail(f"{path}: is a folder; accepted: the name of a picture, such as {os.path.join(path, 'picture.png')}")
+        fail(f"{path}: invalid output: it is a folder; expected the name of a picture, such as {os.path.join(path, 'picture.png')}")
     if not os.access(folder, os.W_OK):
-        fail(f"{path}: nothing can be written in {folder}; accepted: a file in a folder of your own")
+        fail(f"{path}: invalid output: {folder} is not writable; expected a file in a writable folder")
 
 
 def write_picture(figure, path, fail, **options):
     try:
         figure.savefig(path, **options)
     except (OSError, ValueError) as error:  # a full disk; an ending of no kind of picture
-        fail(f"{path}: cannot be written ({getattr(error, 'strerror', None) or error})")
+        fail(f"{path}: cannot write the file ({getattr(error, 'strerror', None) or error})")

@@ -3,32 +3,32 @@
 import math
 
 KEYS = ("key", "between", "column", "threshold", "within")
-ACCEPTED = "a map of key, between: [a, b], column, threshold, within"
+EXPECTED = "a map of key, between: [a, b], column, threshold, within"
 
 
 class Bisection:
     def __init__(self, study):
-        self.study, tree = study, study.value("bisect", dict, ACCEPTED)
+        self.study, tree = study, study.value("bisect", dict, EXPECTED)
         for key in tree:
             if key not in KEYS:
-                study.stop(f"bisect.{key}: unknown key; accepted: {', '.join(KEYS)}")
+                study.stop(f"bisect.{key}: unknown key; expected one of {', '.join(KEYS)}")
         for key in KEYS:
             if key not in tree:
-                study.stop(f"bisect.{key}: missing; accepted: {ACCEPTED}")
+                study.stop(f"bisect.{key}: missing; expected {EXPECTED}")
         self.key, self.column = str(tree["key"]), str(tree["column"])
         ends = tree["between"]
         if not isinstance(ends, list) or len(ends) != 2:
-            study.stop("bisect.between: accepted: two different numbers")
+            study.stop("bisect.between: invalid interval; expected two different numbers")
         self.ends = tuple(self.number("between", end) for end in ends)
         if self.ends[0] == self.ends[1]:
-            study.stop("bisect.between: accepted: two different numbers")
+            study.stop("bisect.between: invalid interval; expected two different numbers")
         self.threshold, self.within = self.number("threshold", tree["threshold"]), self.number("within", tree["within"])
         if self.within <= 0:
-            study.stop(f"bisect.within: {self.within:g} is out of range; accepted: a number > 0")
+            study.stop(f"bisect.within: out of range: {self.within:g}; expected a number > 0")
 
     def number(self, key, value):
         if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
-            self.study.stop(f"bisect.{key}: accepted: finite numbers, got {value!r}")
+            self.study.stop(f"bisect.{key}: invalid number {value!r}; expected a finite number")
         return float(value)
 
     def bracket(self, value_at):

@@ -13,17 +13,17 @@ def survey(text):
 
     def demand_depth(event, levels):
         if levels > DEEPEST:
-            refuse(event, f"more than {DEEPEST} levels of lists and maps within each other; accepted: at most {DEEPEST}")
+            refuse(event, f"out of range: more than {DEEPEST} nested levels of lists and maps; expected at most {DEEPEST}")
 
     extents, opened, repeated = {}, [], 0  # by anchor: [values, levels]; a level: [anchor, values, levels]
     for event in yaml.parse(text, Loader=yaml.SafeLoader):
         if isinstance(event, yaml.AliasEvent):
             if any(level[0] == event.anchor for level in opened):
-                refuse(event, "an alias stands within its own anchor; accepted: an alias after its anchor's end")
+                refuse(event, "invalid alias within its own anchor; expected an alias after the end of its anchor")
             values, levels = extents.get(event.anchor, (0, 0))
             repeated += values
             if repeated > MOST_REPEATED:
-                refuse(event, f"aliases repeat more than {MOST_REPEATED} values up to this line; accepted: at most {MOST_REPEATED}")
+                refuse(event, f"out of range: aliases repeat more than {MOST_REPEATED} values up to this line; expected at most {MOST_REPEATED}")
             demand_depth(event, len(opened) + levels)
         elif isinstance(event, yaml.ScalarEvent):
             values, levels = 1, 0

@@ -1,11 +1,11 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: Apache-2.0
-# What the scripts share: where the project is, how it is built, what MPI needs on this machine. Sourced, never run.
+# Shared by the scripts: location and build of the project, environment of MPI. Sourced, never run.
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 export BRUNT="${BRUNT:-$project/build/release/brunt}"  # the program that run, demo and study start
 
-# fail CODE MESSAGE: says what is wrong and ends the script with this code (2 wrong input, 4 the machine).
+# fail CODE MESSAGE: prints the message and ends the script with this code (2 wrong input, 4 failure of the machine).
 fail() {
   local code=$1
   shift
@@ -26,10 +26,10 @@ build() {
     fail 4 "the build failed (see above)"
 }
 
-# mpi_environment RANKS: exports what Open MPI needs for RANKS ranks here; what the user has set stays.
+# mpi_environment RANKS: exports settings of Open MPI for RANKS ranks; settings of the user are kept.
 mpi_environment() {
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-  # Ranks are never tied to cores: two jobs of one rank would otherwise share core 0.
+  # Ranks are never bound to cores: two jobs of one rank would otherwise share core 0.
   export OMPI_MCA_hwloc_base_binding_policy="${OMPI_MCA_hwloc_base_binding_policy:-none}"
   export OMPI_MCA_rmaps_base_oversubscribe=1
   # Where mpirun ends the ranks itself, it waits this long [s] (twice) between SIGTERM and SIGKILL, needed or not: enough
@@ -42,7 +42,7 @@ mpi_environment() {
   if [ "${SLURM_JOB_NUM_NODES:-1}" -eq 1 ] && [ -z "${OMPI_MCA_orte_default_hostfile:-}" ]; then
     export OMPI_MCA_pml="${OMPI_MCA_pml:-ob1}" OMPI_MCA_btl="${OMPI_MCA_btl:-self,vader}"
     export OMPI_MCA_btl_vader_single_copy_mechanism="${OMPI_MCA_btl_vader_single_copy_mechanism:-none}"
-    # ranks that wait give way: with a core for each it costs nothing, and a core that others use as well is enough then
+    # waiting ranks yield: without cost if each has a core, and necessary if cores are shared
     if [ "$1" -ge "$(nproc)" ]; then
       export OMPI_MCA_mpi_yield_when_idle="${OMPI_MCA_mpi_yield_when_idle:-1}"
     fi

@@ -32,7 +32,7 @@ def read_ply(path):
         faces = np.frombuffer(body, np.dtype([("n", "u1"), ("corner", "<i4", 3)]), counts["face"], 24 * counts["vertex"])
         return points[faces["corner"]]
     except (OSError, ValueError, KeyError, IndexError) as error:
-        raise Fault(f"{path}: cannot be read as a surface of brunt depth: {error}") from None
+        raise Fault(f"{path}: cannot read the surface ({error}); expected a PLY file of brunt depth") from None
 
 
 def clipped(corners, planes):
@@ -64,7 +64,7 @@ def rows_of(folder):
         rows = [row for row in csv.DictReader(stream) if row["overlap"] == "1" and row["found"] == "1"]
     rows = [row for row in rows if os.path.exists(stem(folder, row) + "_after.ply")]
     if not rows:
-        raise Fault(f"{folder}: holds no surfaces before and after; accepted: a folder of brunt depth with ten poses or fewer")
+        raise Fault(f"{folder}: missing surfaces before and after the motion; expected a folder of brunt depth with at most ten poses")
     return rows
 
 

@@ -38,19 +38,19 @@ class History:
         try:
             values = np.array(whole, dtype=float).reshape(len(whole), len(rows[0]))
         except ValueError as error:
-            raise Fault(f"{self.path}: {error}") from error
+            raise Fault(f"{self.path}: invalid row ({error}); expected numbers") from error
         self.columns = {name: values[:, i] for i, name in enumerate(self.units)}
 
     def read(self):
         if not os.path.isfile(self.path):
-            raise Fault(f"{self.path}: no such file; accepted: a result folder, or its history.csv")
+            raise Fault(f"{self.path}: cannot read the file: it does not exist; expected a result folder, or its history.csv")
         try:
             with open(self.path, newline="", encoding="utf-8") as file:
                 rows = list(csv.reader(file))
         except (OSError, UnicodeDecodeError, csv.Error) as error:
-            raise Fault(f"{self.path}: cannot be read ({error})") from error
+            raise Fault(f"{self.path}: cannot read the file ({error}); expected a history.csv of brunt run") from error
         if len(rows) < 2 or not rows[0] or rows[0][0] != "step" or len(set(rows[0])) != len(rows[0]):
-            raise Fault(f"{self.path}: no history to draw (expected a header that begins with step, and rows)")
+            raise Fault(f"{self.path}: missing history; expected a header that begins with step, and rows")
         return rows
 
     def __len__(self):

@@ -55,10 +55,10 @@ def parts_shown(state, look):
     parts = state.parts()
     for name in look.hide + look.only:
         if name not in parts:
-            raise Fault(f"no part {name}; accepted: {', '.join(sorted(set(parts)))}")
+            raise Fault(f"unknown part {name}; expected one of {', '.join(sorted(set(parts)))}")
     shown = [(not look.only or part in look.only) and part not in look.hide for part in parts]
     if not any(shown):
-        raise Fault("all parts are hidden; accepted: one part at least that is shown")
+        raise Fault("invalid selection: all parts are hidden; expected at least one visible part")
     return shown
 
 
@@ -68,8 +68,8 @@ def take(state, record, look):
     points = state.positions(record, look.deform)
     if not np.isfinite(points).all():
         if look.deform not in (0.0, 1.0):
-            raise Fault(f"--deform {look.deform:g}: makes places that are no finite numbers; accepted: a smaller factor")
-        raise Fault(f"the displacement of step {record.attrs['step']} is not finite; accepted: an earlier --time")
+            raise Fault(f"out of range: --deform {look.deform:g} gives positions that are not finite; expected a smaller factor")
+        raise Fault(f"invalid displacement of step {record.attrs['step']}: it is not finite; expected an earlier --time")
     blocks, shown = state.blocks(), state.alive(record)
     for (_, first, connectivity), seen in zip(blocks, parts_shown(state, look)):
         shown[first:first + len(connectivity)] &= seen
@@ -233,4 +233,4 @@ def write_film(path, images, frames_per_second, fail):
         images[0].save(path, format=kind, save_all=True, append_images=images[1:], duration=pause, loop=0,
                        **({"quality": 85} if kind == "WEBP" else {}))
     except (OSError, ValueError) as error:
-        fail(f"{path}: cannot be written ({getattr(error, 'strerror', None) or error})")
+        fail(f"{path}: cannot write the file ({getattr(error, 'strerror', None) or error})")

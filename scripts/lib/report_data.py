@@ -20,9 +20,9 @@ class Result:
         self.folder = folder
         self.missing = []
         if not os.path.isdir(folder):
-            raise Fault(f"{folder}: no such folder; accepted: a result folder of brunt run")
+            raise Fault(f"{folder}: cannot read the folder: it does not exist; expected a result folder of brunt run")
         if not any(os.path.isfile(self.path(name)) for name in ("summary.json", "history.csv", "state.h5", "log.txt")):
-            raise Fault(f"{folder}: holds no results; accepted: a result folder of brunt run (with summary.json, state.h5, ...)")
+            raise Fault(f"{folder}: missing results; expected a result folder of brunt run (with summary.json, state.h5, ...)")
         self.summary = self.read_summary()
         self.log = self.read_log()
         self.scene_text, self.scene = self.read_scene()

@@ -38,7 +38,7 @@ def seconds_of(text):
     else:
         raise Refused(f"invalid --time '{text}'; {TIMES}")
     if seconds < 60:
-        raise Refused(f"--time '{text}' is out of range; {TIMES}, from one minute up")
+        raise Refused(f"out of range: --time '{text}'; {TIMES}, at least one minute")
     return seconds
 
 
@@ -60,7 +60,7 @@ NO_SLURM = ("expected a machine from which jobs are submitted (scripts/setup --s
 def demand_slurm():
     missing = [name for name in ("sbatch", "sinfo") if not shutil.which(name)]
     if missing:
-        raise Refused(f"no Slurm here: {' and '.join(missing)} not found; {NO_SLURM}")
+        raise Refused(f"missing Slurm: {' and '.join(missing)} not found; {NO_SLURM}")
 
 
 def ask(*command, text=None):
@@ -70,9 +70,9 @@ def ask(*command, text=None):
         return done.stdout
     told = "; ".join(re.sub(r"^\w+: ((error|fatal): )?", "", line) for line in done.stderr.splitlines() if line.strip())
     if "configuration source" in told:
-        raise Refused(f"no Slurm here: {command[0]} finds no configuration; {NO_SLURM}")
+        raise Refused(f"missing Slurm: {command[0]} finds no configuration; {NO_SLURM}")
     silent = re.search(r"[Uu]nable to contact|Connection refused|authentication error", told)  # the machine, not the input
-    raise Refused(f"{command[0]}: {told or 'failed without a word'}", MACHINE if silent else WRONG_INPUT)
+    raise Refused(f"{command[0]}: {told or 'failed without a message'}", MACHINE if silent else WRONG_INPUT)
 
 
 def demand_partition(name, seconds):
@@ -83,7 +83,7 @@ def demand_partition(name, seconds):
     for found, marked, limit in lines:
         is_meant = found == name if name is not None else marked.endswith("*")
         if is_meant and limit[0].isdigit() and seconds > seconds_of(limit):
-            raise Refused(f"--time {time_text(seconds)} is out of range; expected at most {limit}, the limit of partition {found}")
+            raise Refused(f"out of range: --time {time_text(seconds)}; expected at most {limit}, the limit of partition {found}")
 
 
 def option_text(value):

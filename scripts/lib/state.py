@@ -18,11 +18,11 @@ class State:
     def __init__(self, result):
         self.path = os.path.join(result, "state.h5") if os.path.isdir(result) else result
         if not os.path.isfile(self.path):
-            raise Fault(f"{self.path}: no such file; accepted: a result folder, or its state.h5")
+            raise Fault(f"{self.path}: cannot read the file: it does not exist; expected a result folder, or its state.h5")
         try:
             self.file = h5py.File(self.path, "r")
         except OSError as error:
-            raise Fault(f"{self.path}: is no state file or cannot be read ({error})") from error
+            raise Fault(f"{self.path}: cannot read the state file ({error}); expected a state.h5 of brunt run") from error
         self.records = self.complete_records()
 
     def complete_records(self):
@@ -32,17 +32,17 @@ class State:
 
     def demand_mesh(self):
         if "mesh/coordinates" not in self.file:
-            raise Fault(f"{self.path}: has no mesh; accepted: a result folder, or its state.h5")
+            raise Fault(f"{self.path}: missing mesh; expected a result folder, or its state.h5")
 
     def record_at(self, time):
         if not self.records:
-            raise Fault("the file holds no complete record; accepted: a state.h5 in which a run has written one")
+            raise Fault("missing record; expected a state.h5 with at least one complete record")
         if time is None:
             return self.records[-1]
         first, last = self.records[0].attrs["time"], self.records[-1].attrs["time"]
         slack = 0.01 * (last - first)  # a record stands at the first step at or past its time
         if not first - slack <= time <= last + slack:
-            raise Fault(f"--time {time:g}: there is no record near; accepted: a time from {first:g} to {last:g}")
+            raise Fault(f"out of range: --time {time:g}; expected a time from {first:g} to {last:g}")
         return min(self.records, key=lambda record: abs(record.attrs["time"] - time))
 
     def unit_of(self, quantity):
@@ -101,7 +101,7 @@ def field_values(record, name):
             continue
         values = record[place][base][...]
         if values.ndim == 1 and component:
-            raise Fault(f"{base} is one number a place, without a component {component}; accepted: {base}")
+            raise Fault(f"unknown component {component} of the scalar field {base}; expected {base}")
         if values.ndim == 1:
             return values, place == "node", base
         names = COMPONENTS.get(values.shape[1], [str(c) for c in range(values.shape[1])])
@@ -111,9 +111,9 @@ def field_values(record, name):
             return von_mises(values), place == "node", f"{base} (von Mises)"
         if component in ("", "magnitude"):
             return np.linalg.norm(values, axis=1), place == "node", f"{base} (magnitude)"
-        raise Fault(f"{base} has no component {component}; accepted: {', '.join(names)}, magnitude")
+        raise Fault(f"unknown component {component} of {base}; expected one of {', '.join(names)}, magnitude")
     known = sorted(f"{n}" for place in ("node", "element") if place in record for n in record[place])
-    raise Fault(f"no field {base}; accepted: {', '.join(known)}, part (output.fields of the scene says which are written)")
+    raise Fault(f"unknown field {base}; expected one of {', '.join(known)}, part (output.fields of the scene lists the fields that are written)")
 
 
 def von_mises(s):

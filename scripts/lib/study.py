@@ -25,16 +25,17 @@ class Study:
             with open(path, encoding="utf-8") as stream:
                 self.tree = bounded_yaml.load(stream.read())
         except OSError as error:
-            self.stop(f"cannot be read ({error.strerror}); accepted: a study file")
+            self.stop(f"cannot read the file ({error.strerror}); expected a study file")
         except UnicodeDecodeError as error:
-            self.stop(f"cannot be read ({error}); accepted: a study file")
+            self.stop(f"cannot read the file ({error}); expected a study file")
         except yaml.YAMLError as error:
-            self.stop(" ".join(str(error).split()))
+            what = " ".join(str(error).split())
+            self.stop(what if "; expected" in what else f"invalid YAML: {what}; expected a study file")
         if not isinstance(self.tree, dict):
-            self.stop(f"is no study; accepted: a map of {', '.join(keys)}")
+            self.stop(f"invalid study; expected a map of {', '.join(keys)}")
         for key in self.tree:
             if key not in keys:
-                self.stop(f"{key}: unknown key; accepted: {', '.join(keys)}")
+                self.stop(f"{key}: unknown key; expected one of {', '.join(keys)}")
 
     def stop(self, what):
         print(f"{self.program}: {self.path}: {what}", file=sys.stderr)
@@ -44,33 +45,33 @@ class Study:
         try:
             os.makedirs(self.results, exist_ok=True)
         except OSError as error:
-            self.stop(f"no folder {self.results} for results ({error.strerror}); accepted: a study where files may be written")
+            self.stop(f"cannot create the folder {self.results} ({error.strerror}); expected a study in a writable folder")
 
-    def value(self, key, kind, accepted, default=None):
+    def value(self, key, kind, expected, default=None):
         """The value of a key, of one kind and not empty; without a default the key must be there."""
         found = self.tree.get(key, default)
         if not isinstance(found, kind) or isinstance(found, bool) or not found:
-            self.stop(f"{key}: missing or of the wrong kind; accepted: {accepted}")
+            self.stop(f"{key}: missing or of the wrong kind; expected {expected}")
         return found
 
     def count(self, key, default):
-        found = self.value(key, int, "a whole number from 1 up", default)
+        found = self.value(key, int, "an integer >= 1", default)
         if found < 1:
-            self.stop(f"{key}: {found} is out of range; accepted: a whole number from 1 up")
+            self.stop(f"{key}: out of range: {found}; expected an integer >= 1")
         return found
 
     def demand_folder_name(self, key, name):
         """Results go to a folder of this name: it must be one within that of the study."""
         name = str(name)
         if name in ("", ".", "..") or any(c == "/" or not c.isprintable() for c in name):
-            self.stop(f"{key}: {name!r} is no name of a folder; accepted: a name without '/', such as coarse")
+            self.stop(f"{key}: invalid name {name!r} of a folder; expected a name without '/', such as coarse")
 
     def override_maps(self, key, default=None):
         """A map of names to overrides {key path: value}, which may be empty."""
         maps = self.value(key, dict, "a map of name: overrides", default)
         for name, overrides in maps.items():
             if not isinstance(overrides or {}, dict):
-                self.stop(f"{key}.{name}: accepted: a map of key path: value")
+                self.stop(f"{key}.{name}: invalid overrides; expected a map of key path: value")
         return {str(name): dict(overrides or {}) for name, overrides in maps.items()}
 
 

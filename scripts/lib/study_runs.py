@@ -19,7 +19,7 @@ class Run(NamedTuple):
 def existing(study, key, path):
     whole = os.path.join(study.folder, path)
     if not os.path.isfile(whole):
-        study.stop(f"{key}: {os.path.normpath(whole)} is not there; accepted: a scene file, found from the study's folder")
+        study.stop(f"{key}: cannot read {os.path.normpath(whole)}: it does not exist; expected a scene file, relative to the study's folder")
     return whole
 
 
@@ -28,12 +28,12 @@ def scenes_of(study):
     if "scenes" not in study.tree:
         return {"": existing(study, "scene", study.value("scene", str, "a file"))}
     if "scene" in study.tree:
-        study.stop("scene: scenes is given too; accepted: one of the two")
+        study.stop("scene: invalid together with scenes; expected one of the two")
     scenes = study.value("scenes", dict, "a map of name: file")
     for name, path in scenes.items():
         study.demand_folder_name(f"scenes.{name}", name)
         if not isinstance(path, str):
-            study.stop(f"scenes.{name}: accepted: a file")
+            study.stop(f"scenes.{name}: invalid scene; expected a file")
     return {str(name): existing(study, f"scenes.{name}", path) for name, path in scenes.items()}
 
 
@@ -42,7 +42,7 @@ def demand_ranks(study, runs, common):
         study.demand_folder_name(f"runs.{name}", name)
         own = overrides.get("ranks", common)
         if not isinstance(own, int) or isinstance(own, bool) or own < 1:
-            study.stop(f"runs.{name}.ranks: {own} is out of range; accepted: a whole number from 1 up")
+            study.stop(f"runs.{name}.ranks: out of range: {own}; expected an integer >= 1")
 
 
 def runs_of(study, ranks=None):
@@ -67,7 +67,7 @@ def folder_of(study, label):
 
 def refuse_bisect(study):
     if "bisect" in study.tree:
-        study.stop("bisect: each of its runs follows from the one before; expected a study without it")
+        study.stop("bisect: invalid here, since each of its runs depends on the one before; expected a study without it")
 
 
 def lines_of(study, runs):
@@ -75,5 +75,5 @@ def lines_of(study, runs):
     lines = [shlex.join([os.path.abspath(run.scene), folder_of(study, run.label), *set_options(run.overrides)]) for run in runs]
     for run, line in zip(runs, lines):
         if "\n" in line:
-            study.stop(f"runs.{run.label[-1]}: a value has several lines; expected values and paths of one line each")
+            study.stop(f"runs.{run.label[-1]}: invalid value of several lines; expected values and paths of one line each")
     return lines

@@ -62,18 +62,19 @@ class Growth:
             for place, text in given.items():
                 put(self.tree, place, text)
         except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
-            raise Fault(f"{path}: cannot be read ({' '.join(str(error).split())}); accepted: a scene file") from error
+            what = " ".join(str(error).split())
+            raise Fault(f"{path}: {what}" if "; expected" in what else f"{path}: cannot read the file ({what}); expected a scene file") from error
         self.path = path
         scaling = self.tree.get("scaling") if isinstance(self.tree, dict) else None
         if isinstance(scaling, dict) and set(scaling) - {"weak"}:
-            raise Fault(f"{path}: scaling.{sorted(set(scaling) - {'weak'}, key=str)[0]}: unknown key; accepted: weak")
+            raise Fault(f"{path}: scaling.{sorted(set(scaling) - {'weak'}, key=str)[0]}: unknown key; expected weak")
         self.directions = scaling.get("weak") if isinstance(scaling, dict) else None
         if not isinstance(self.directions, list) or not self.directions:
-            raise Fault(f"{path}: scaling.weak: missing; accepted: --weak with a scene whose scaling.weak lists what grows, such as "
+            raise Fault(f"{path}: scaling.weak: missing; expected a list of growing quantities for --weak, such as "
                         "[{counts: [mesh.0.box.elements.0], lengths: [mesh.0.box.size.0]}]")
 
-    def fault(self, key, what, accepted):
-        raise Fault(f"{self.path}: {key}: {what}; accepted: {accepted}")
+    def fault(self, key, what, expected):
+        raise Fault(f"{self.path}: {key}: {what}; expected {expected}")
 
     def overrides(self, ranks):
         """{key path: value} of the scene on so many ranks."""
@@ -81,9 +82,9 @@ class Growth:
         for d, factor in enumerate(factors_of(ranks, len(self.directions))):
             direction = self.directions[d]
             if not isinstance(direction, dict) or "counts" not in direction or set(direction) - {"counts", "lengths"}:
-                self.fault(f"scaling.weak.{d}", "is no direction of growth", "a map {counts: [...], lengths: [...]}")
+                self.fault(f"scaling.weak.{d}", "invalid direction of growth", "a map {counts: [...], lengths: [...]}")
             if not direction["counts"]:
-                self.fault(f"scaling.weak.{d}.counts", "is empty", "a list of paths such as mesh.0.box.elements.0")
+                self.fault(f"scaling.weak.{d}.counts", "missing entries", "a list of paths such as mesh.0.box.elements.0")
             for name, kind in (("counts", int), ("lengths", float)):
                 for k, path in enumerate(direction.get(name) or []):
                     self.multiply(grown, f"scaling.weak.{d}.{name}.{k}", str(path), kind, factor)
@@ -92,14 +93,14 @@ class Growth:
     def multiply(self, grown, key, path, kind, factor):
         values = values_at(self.tree, path)
         if kind is int and "elements" not in path.split("."):
-            self.fault(key, f"'{path}' names no number of elements", "paths such as mesh.0.box.elements.0")
+            self.fault(key, f"invalid path '{path}': not a number of elements", "paths such as mesh.0.box.elements.0")
         if not values:
-            self.fault(key, f"'{path}' leads to nothing in this scene", "a key path, as for --set")
+            self.fault(key, f"unknown path '{path}' in this scene", "a key path, as for --set")
         for place, value in values:
             try:
                 number = kind(value) if not isinstance(value, (bool, list, dict)) else None
             except (TypeError, ValueError):
                 number = None
             if number is None or (kind is int and (number < 1 or str(value).strip() != str(number))):
-                self.fault(key, f"'{path}' leads to {value!r}", "whole numbers from 1 up" if kind is int else "numbers")
+                self.fault(key, f"invalid path '{path}': it leads to {value!r}", "integers >= 1" if kind is int else "numbers")
             grown[place] = number * factor

@@ -90,7 +90,7 @@ mesh::Mesh assemble(const scene::Input& input, std::vector<std::string>& warning
 std::vector<std::string> left_out_lines(const mesh::Mesh& mesh) {
   std::vector<std::string> lines;
   for (const mesh::LeftOut& block : mesh.left_out)
-    lines.push_back(fmt::format("left out: block {}, {} element{} of type {}",
+    lines.push_back(fmt::format("excluded: block {}, {} element{} of type {}",
                                 block.name.empty() ? std::to_string(block.id) : block.name, block.count,
                                 block.count == 1 ? "" : "s", block.type));
   lines.insert(lines.end(), mesh.notes.begin(), mesh.notes.end());

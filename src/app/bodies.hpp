@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bodies of a scene's mesh: generated or read, put in their places, checked, joined.
+// The bodies of a scene's mesh: generated or read, placed, checked and assembled.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace brunt::app {
 
-/// All bodies in one mesh. Throws InputError with the faults of all of them; `warnings` gets what a user should know.
+/// All bodies in one mesh. Throws InputError with the faults of all of them; `warnings` receives warnings for the user.
 mesh::Mesh assemble(const scene::Input& input, std::vector<std::string>& warnings);
 
-/// One line for each round body that is generated, by how far its mesh differs from the exact body; a warning where its
-/// volume differs by more than 1 %, or its centre lies off by more than 1 % of its radius.
+/// One line for each generated round body, with the difference between its mesh and the exact body; a warning if its
+/// volume differs by more than 1 %, or its centre by more than 1 % of its radius.
 struct RoundBodies {
   std::vector<std::string> lines, warnings;
 };
 RoundBodies round_bodies(const scene::Input& input);
 
-/// One line for each block of the files that is left out, and for each set that lost something by it.
+/// One line for each excluded block of the files, and for each set that lost members.
 std::vector<std::string> left_out_lines(const mesh::Mesh& mesh);
 
 }  // namespace brunt::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What probes read of a rigid part: every rank knows it, so nothing here is collective.
+// Quantities of rigid parts for probes: every rank knows them, so nothing here is collective.
 #pragma once
 #include <optional>
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace brunt::app {
 
-/// Place of the part's body in Model::bodies; none of a deformable part.
+/// Position of the part's body in Model::bodies; none for a deformable part.
 std::optional<std::size_t> body_of_part(const model::Model& model, const std::string& part);
 
-/// At t_n: position of the centre of mass in the scene's coordinates, its displacement, `rotation` as a rotation vector
-/// (axis times angle, at most pi long); at the half step before: velocity of the centre, angular_velocity. Before the
-/// step moves on.
+/// At t_n: position of the centre of mass in the scene's coordinates, its displacement, and `rotation` as a rotation
+/// vector (axis times angle, of length at most pi); at the previous half step: velocity of the centre and
+/// angular_velocity. Before the step advances.
 Vec3 body_motion(const Prepared& run, std::size_t body, std::string_view field);
 
-/// Since t = 0: `force` and `moment` (about the centre of mass) of all that acts on the body but its supports,
-/// `reaction` and `reaction_moment` of these.
+/// Since t = 0: `force` and `moment` (about the centre of mass) of everything that acts on the body except its
+/// supports; `reaction` and `reaction_moment` of the supports.
 Vec3 body_impulse(const Prepared& run, std::size_t body, std::string_view field);
 
 /// Of the part without the masses of deformable elements on its nodes, as the sums of app/part_sums.

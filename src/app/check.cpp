@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `brunt check`: what a run would start from, without running it.
+// `brunt check`: the initial state of a run, without running it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,13 +54,13 @@ std::vector<PartFigures> part_figures(const Prepared& run) {
   return figures;
 }
 
-/// What a step costs here and now, contact included.
+/// The cost of a step on this machine, including contact.
 struct StepCost {
   double seconds = 0;
   int steps = 0;  ///< measured
 };
 
-/// Takes some steps with nothing written, the first one (it searches and fills caches) untimed. Collective.
+/// Performs some steps without output; the first one (it searches and fills caches) is not timed. Collective.
 StepCost measure_steps(Prepared& run, const time::StepReport& first) {
   using Clock = std::chrono::steady_clock;
   constexpr double patience = 0.5;  // s
@@ -99,7 +99,7 @@ std::string parts_of(const Prepared& run, const model::RigidBody& body) {
   return text;
 }
 
-/// What forces on a rigid body meet: with the masses of deformable elements on its nodes.
+/// The effective inertia of a rigid part: with the masses of deformable elements on its nodes.
 void print_bodies(const Prepared& run, const scene::UnitSystem& units) {
   for (const model::RigidBody& body : run.model.bodies) {
     const rigid::MassProperties& mass = body.body.mass;
@@ -113,7 +113,7 @@ void print_bodies(const Prepared& run, const scene::UnitSystem& units) {
   }
 }
 
-/// Least and greatest coordinate of each part, and of all where there are several [length].
+/// Smallest and largest coordinate of each part, and of all parts if there are several [length].
 void print_extents(const Prepared& run, const std::vector<Extent>& extents, const scene::UnitSystem& units) {
   const auto line = [&](const std::string& what, const Extent& extent) {
     std::string text;
@@ -126,9 +126,9 @@ void print_extents(const Prepared& run, const std::vector<Extent>& extents, cons
   if (extents.size() > 1) line("all", together(extents));
 }
 
-/// The one-point hexahedron sees its mean deformation gradient. Flattened to about a third of its height it folds
-/// rather than to store more energy: the hourglass springs that hinder this are measured for bending
-/// (src/scene/README.md, parts).
+/// The one-point hexahedron evaluates its mean deformation gradient only. Compressed to about a third of its height it
+/// folds instead of storing more energy: the hourglass stiffness is calibrated for bending (src/scene/README.md,
+/// parts).
 void print_advice(const Prepared& run) {
   const scene::Input& input = run.input;
   const bool pressed =
@@ -137,12 +137,12 @@ void print_advice(const Prepared& run) {
   for (const model::ElementBlock& block : run.model.blocks)
     if (block.kind == element::ElementKind::hex8 && std::holds_alternative<material::NeoHookean>(block.law))
       fmt::print(
-          "advice           part {}: take element hex8_full if it is crushed to less than half of its height; hex8 "
-          "folds from about a third on, and is too soft then\n",
+          "advice           part {}: use element hex8_full if it is compressed to less than half of its height; hex8 "
+          "folds at about a third of the height and is too soft beyond that\n",
           block.part);
 }
 
-/// Bodies that overlap have no smallest gap: other places of theirs may be apart, which says nothing.
+/// Overlapping bodies have no smallest gap; distances elsewhere between them are not meaningful.
 void print_gaps(const Prepared& run) {
   const setup::InitialGaps& gaps = run.overlaps.gaps;
   if (!gaps.overlaps.empty())
@@ -151,14 +151,14 @@ void print_gaps(const Prepared& run) {
                gaps.overlaps.size() == 1 ? "" : "s");
   else if (std::ranges::any_of(gaps.piercings,
                                [](const setup::Piercing& p) { return p.rule == setup::OverlapRule::warn; }))
-    fmt::print("smallest gap     none: parts pierce each other, listed above\n");
+    fmt::print("smallest gap     none: parts intersect each other, listed above\n");
   else if (!gaps.shared.empty())
-    fmt::print("smallest gap     none: parts lie in one place, listed above\n");
+    fmt::print("smallest gap     none: parts coincide, listed above\n");
   else if (gaps.smallest >= 0)
     fmt::print("smallest gap     {} between {} and {}\n", scene::with_length(gaps.smallest, run.input.units, 6),
                run.model.blocks[gaps.block].part, run.model.blocks[gaps.other_block].part);
   else if (!run.input.contact.empty())
-    fmt::print("smallest gap     no two parts are nearer than an element's edge\n");
+    fmt::print("smallest gap     no two parts are closer than the edge of an element\n");
 }
 
 void print_overlaps(const scene::Input& input, const OverlapReport& report, bool all) {
@@ -174,7 +174,7 @@ std::string friction_text(const contact::FrictionLaw& law) {
   return law.lag == 0 ? text : text + fmt::format(", lag {:g}", law.lag);
 }
 
-/// What may touch what, and how it is held apart.
+/// The contact pairs and their enforcement.
 void print_contact(const Prepared& run) {
   for (const scene::ContactEntry& entry : run.input.contact) {
     const std::string parts = entry.between.empty() ? "all" : entry.between[0] + " and " + entry.between[1];
@@ -182,7 +182,7 @@ void print_contact(const Prepared& run) {
   }
   for (const scene::RigidWall& wall : run.input.rigid_walls)
     fmt::print("rigid wall       {}: {}{}{}\n", wall.name, friction_text(wall.friction),
-               wall.bilateral ? ", holds both ways" : "",
+               wall.bilateral ? ", acts in both directions" : "",
                wall.parts.empty() ? "" : fmt::format(", acts on {}", fmt::join(wall.parts, ", ")));
   if (!run.input.contact.empty() && !run.implicit) {
     const contact::EnforcementSettings& settings = run.input.enforcement.settings;
@@ -203,7 +203,7 @@ void print_cost(const Prepared& run, const time::StepReport& step, const StepCos
   const int ranks = run.links.ranks.size();
   const auto elements = static_cast<double>(run.model.mesh.global_elements);
   fmt::print(
-      "estimated cost   {} on {} rank{} without output ({:.0f} ns per element-step and rank in {} steps tried)\n",
+      "estimated cost   {} on {} rank{} without output ({:.0f} ns per element, step and rank, measured in {} steps)\n",
       duration_text(steps * cost.seconds), ranks, ranks == 1 ? "" : "s", cost.seconds * 1e9 * ranks / elements,
       cost.steps);
 }
@@ -220,7 +220,9 @@ int check(const comm::Communicator& ranks, const CheckOptions& options) {
   const std::vector<std::string> listing = list_scene(*run);
   const std::vector<Extent> extents = part_extents(*run);
   const time::StepReport step = time::evaluate(run->model, run->state, run->scratch, run->links, step_control(*run));
-  if (ranks.any(step.stop)) throw InputError(options.scene + ": an element has no volume in its initial position");
+  if (ranks.any(step.stop))
+    throw InputError(options.scene +
+                     ": invalid mesh: an element has no volume in its initial position; expected positive volumes");
   const scene::UnitSystem& units = *scene::find_unit_system(run->input.units);
   const std::vector<std::string> implicit =
       run->implicit ? implicit_check(*run, units.time) : std::vector<std::string>{};

@@ -33,20 +33,20 @@ double steps_until_end(const Prepared& run, double step) {
   return steps;
 }
 
-/// What steps will take, from one iteration after the first step; or why there is no such step.
+/// The cost of the steps, from one iteration after the first step; or the reason why there is no such step.
 std::string cost_line(Prepared& run, double steps) {
-  constexpr double iterations = 4;  // of a step with contact, in the mean over the cases
+  constexpr double iterations = 4;  // iterations of a step with contact, mean over the cases
   using Clock = std::chrono::steady_clock;
   try {
     implicit_step(run);
   } catch (const GuardError& error) {
-    return fmt::format("{:<16} none is found: {}", "first step", error.what());
+    return fmt::format("{:<16} not found: {}", "first step", error.what());
   }
   const Clock::time_point start = Clock::now();
   (void)implicit::factorise_tangent(implicit_scene(run), *run.implicit);
   const double seconds = run.links.ranks.max(std::chrono::duration<double>(Clock::now() - start).count());
   const int ranks = run.links.ranks.size();
-  return fmt::format("{:<16} {} on {} rank{} without output ({:g} iterations a step, {:.2g} s each: one was tried)",
+  return fmt::format("{:<16} {} on {} rank{} without output ({:g} iterations a step, {:.2g} s each, measured in one)",
                      "estimated cost", duration_text(steps * iterations * seconds), ranks, ranks == 1 ? "" : "s",
                      iterations, seconds);
 }
@@ -74,7 +74,7 @@ std::vector<std::string> implicit_check(Prepared& run, const std::string& time_u
                               solver.contact.z_before.size(),
                               bodies > 0 ? fmt::format(", {} of rigid bodies", bodies) : ""));
   const double steps = steps_until_end(run, settings.step);
-  lines.push_back(fmt::format("{:<16} {:.0f} of that size, if none is halved", "steps", steps));
+  lines.push_back(fmt::format("{:<16} {:.0f} of that size, unless steps are halved", "steps", steps));
   lines.push_back(cost_line(run, steps));
   return lines;
 }

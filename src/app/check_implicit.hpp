@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `brunt check` tells of an implicit scene in place of stable steps.
+// The report of `brunt check` for an implicit scene, in place of stable steps.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace brunt::app {
 
-/// Solver, interfaces, unknowns, number of steps and what they will cost, from one step that is tried. Collective.
+/// Solver, interfaces, unknowns, number of steps and their cost, measured in one trial step. Collective.
 std::vector<std::string> implicit_check(Prepared& run, const std::string& time_unit);
 
-/// A duration as a user reads it; `seconds` of wall clock.
+/// A duration in readable units; `seconds` of wall clock.
 std::string duration_text(double seconds);
 
 }  // namespace brunt::app

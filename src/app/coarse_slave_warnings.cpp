@@ -13,13 +13,13 @@ namespace {
 std::string describe(const scene::Input& input, const std::string& slave, const std::string& master, double coarse,
                      double fine, bool tied) {
   const std::string finer = fmt::format(
-      "{}: part '{}' is the slave of '{}', whose faces are much finer where they meet (edges of {:.3g} "
-      "against {:.3g})",
+      "{}: part '{}' is the slave of '{}', whose faces are much finer in the contact region (edges of {:.3g} against "
+      "{:.3g})",
       input.at(scene::contact_key(input, slave, master) + ".slave"), slave, master, fine, coarse);
-  if (tied) return finer + fmt::format(": '{}' hangs on few nodes; say slave: {}", master, master);
+  if (tied) return finer + fmt::format(": few nodes of '{}' carry the tie; use slave: {}", master, master);
   return finer + fmt::format(
-                     ": its nodes sink in between those of '{}', or pass through, and max_penetration does not "
-                     "count them; say slave: {}, or passes: two",
+                     ": its nodes penetrate or pass between those of '{}', and max_penetration does not count them; "
+                     "use slave: {}, or passes: two",
                      slave, master);
 }
 

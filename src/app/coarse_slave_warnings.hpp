@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the user is told of pairs of which the scene names the coarser side as the slave.
+// Warnings about pairs for which the scene names the coarser side as the slave.
 #pragma once
 #include <string>
 #include <vector>

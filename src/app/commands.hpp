@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands beside `run`. Each is collective, returns the exit code and throws InputError on all ranks.
+// The commands other than `run`. Each is collective, returns the exit code and throws InputError on all ranks.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ namespace brunt::app {
 struct CheckOptions {
   std::string scene;
   std::vector<std::string> overrides;
-  bool all = false;  ///< every overlap, not the deepest alone
+  bool all = false;  ///< every overlap, not only the deepest ones
 };
 /// Parts, masses, sets, supports, loads, contact, stable step, gaps and overlaps at the start, estimated cost.
 int check(const comm::Communicator& ranks, const CheckOptions& options);
@@ -21,7 +21,7 @@ struct PartitionOptions {
   std::string scene;
   std::vector<std::string> overrides;
   int parts = 1;
-  std::string from;   ///< checkpoint, or result folder, of which the measured times are the weights; empty: estimates
+  std::string from;   ///< checkpoint, or result folder, whose measured times are the weights; empty: estimates
   std::string write;  ///< folder for `brunt run --partition`; empty: none
 };
 int partition(const comm::Communicator& ranks, const PartitionOptions& options);

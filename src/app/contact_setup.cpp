@@ -46,14 +46,14 @@ void report_ties(Prepared& run) {
       const std::size_t ab = pairs.place(a, b), ba = pairs.place(b, a);
       const GlobalIndex there = nodes[ab], back = a == b ? 0 : nodes[ba];
       if (there + back == 0)
-        faults.push_back(fmt::format(
-            "{}: {} and {} are tied, but no node of the slave is near a face of the other; accepted: parts that "
-            "meet within a quarter of the face's edge and half of its element",
-            run.input.at(scene::contact_key(run.input, one, other) + ".tied"), one, other));
+        faults.push_back(
+            fmt::format("{}: invalid tie of {} and {}: no slave node is near a face of the other part; expected parts "
+                        "that meet within a quarter of the face's edge and half of its element",
+                        run.input.at(scene::contact_key(run.input, one, other) + ".tied"), one, other));
       const auto tell = [&](GlobalIndex tied, GlobalIndex left, const std::string& slave, const std::string& master) {
         if (tied + left == 0) return;
         std::string line = fmt::format("tied: {} nodes of {} to {}", tied, slave, master);
-        if (left > 0) line += fmt::format("; {} near it are not, since they lie beside its faces", left);
+        if (left > 0) line += fmt::format("; {} nearby are not tied, since they lie beside its faces", left);
         run.overlaps.report.notes.push_back(std::move(line));
       };
       tell(there, beside[ab], one, other);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `brunt depth`: how far two bodies overlap and the smallest motion that separates them, pose by pose. Poses are dealt
-// to the ranks as they become free.
+// `brunt depth`: the penetration depth of two bodies and the smallest motion that separates them, pose by pose. Poses
+// are distributed to the ranks as they become idle.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,17 +19,18 @@
 namespace brunt::app {
 namespace {
 
-/// Poses of a sequence that start from each other; the first of a chain starts anew, so that chains may be dealt out.
+/// Number of consecutive poses that start from each other; the first of a chain starts anew, so chains can be
+/// distributed.
 constexpr GlobalIndex chain_length = 32;
 /// Most boxes of --certify: some seconds to a minute (2e4 to 2.5e5 boxes a second, src/depth/README.md).
 constexpr std::int64_t default_boxes = 1'000'000;
 
-/// Then all ranks work on each pose together.
+/// All ranks then work on each pose together.
 bool is_certified(const DepthOptions& options) {
   return options.certify > 0 || options.boxes > 0 || options.limit > 0;
 }
 
-/// A slice of the boxes on each rank; the verdicts on all.
+/// Each rank evaluates a slice of the boxes; all receive the verdicts.
 void judge_on_all(const comm::Communicator& ranks, const depth::Encounter& encounter, depth::Metric metric,
                   double upper, std::span<const depth::CoverBox> boxes, std::span<depth::CoverVerdict> verdicts) {
   const comm::BlockLayout layout{static_cast<GlobalIndex>(boxes.size()), ranks.size()};
@@ -99,8 +100,8 @@ void print_summary(const std::vector<DepthRow>& rows, std::size_t poses) {
   if (times.empty()) return;
   std::ranges::sort(times);
   fmt::print(
-      "{} poses, {} answers of bodies that overlap, the deepest {:.6g}; a query took {:.3g} ms in the median, "
-      "{:.3g} ms at most\n",
+      "{} poses, {} answers for overlapping bodies, the deepest {:.6g}; time of a query: median {:.3g} ms, largest "
+      "{:.3g} ms\n",
       poses, overlapping, deepest, 1e3 * times[times.size() / 2], 1e3 * times.back());
 }
 

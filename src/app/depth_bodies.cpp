@@ -42,14 +42,14 @@ void share(const comm::Communicator& ranks, TriangleSurface& surface) {
   for (const std::array<double, 3>& x : points) surface.points.emplace_back(x.data());
 }
 
-/// A surface that crosses itself has no clear inside there, and its mass counts twice.
+/// A surface that intersects itself has no unique interior there, and its mass is counted twice.
 void note_crossings(NamedSurface& named) {
   const geometry::SelfCrossings crossings = geometry::self_crossings(geometry::build_slab_tree(named.surface));
   if (crossings.count == 0) return;
-  named.notes.push_back(fmt::format(
-      "warning: {}: {} pairs of triangles cross or touch each other, the first {} and {}: mass counts twice "
-      "where the surface is inside itself, and bounds are not proven there",
-      named.name, crossings.count, crossings.first_a + 1, crossings.first_b + 1));
+  named.notes.push_back(
+      fmt::format("warning: {}: {} pairs of triangles intersect or touch each other, the first {} and {}: mass is "
+                  "counted twice where the surface overlaps itself, and bounds are not proven there",
+                  named.name, crossings.count, crossings.first_a + 1, crossings.first_b + 1));
 }
 
 NamedSurface closed_surface_of(const std::string& path, double merge) {
@@ -58,10 +58,10 @@ NamedSurface closed_surface_of(const std::string& path, double merge) {
   const double tolerance = merge >= 0 ? merge : geometry::default_tolerance(file.surface, file.single_precision);
   geometry::MergedSurface merged = geometry::merge_points(file.surface, tolerance);
   if (merged.merged_points > 0)
-    named.notes.push_back(fmt::format("{}: {} points merged into others within {:.3g}, the farthest at {:.3g}{}", path,
-                                      merged.merged_points, tolerance, merged.largest_distance,
+    named.notes.push_back(fmt::format("{}: {} points merged with others within {:.3g}, the largest distance {:.3g}{}",
+                                      path, merged.merged_points, tolerance, merged.largest_distance,
                                       merged.dropped_triangles > 0
-                                          ? fmt::format("; {} triangles without area dropped", merged.dropped_triangles)
+                                          ? fmt::format("; {} triangles without area removed", merged.dropped_triangles)
                                           : ""));
   const geometry::SurfaceFaults faults = geometry::check_closed(merged.surface);
   if (!faults.sound()) throw InputError(geometry::describe(faults, merged.surface, path));
@@ -76,16 +76,16 @@ std::vector<std::vector<Vec3>> pieces_of(const YAML::Node& node, const std::stri
   const auto fault = [&](const std::string& what) {
     return InputError(where + ": " + what + "; expected a list of pieces, each a list of 4 or more points [x, y, z]");
   };
-  if (!node.IsSequence()) throw fault("invalid");
+  if (!node.IsSequence()) throw fault("invalid list of pieces");
   for (std::size_t k = 0; k < node.size(); ++k) {
-    if (!node[k].IsSequence() || node[k].size() < 4) throw fault(fmt::format("piece {} is invalid", k + 1));
+    if (!node[k].IsSequence() || node[k].size() < 4) throw fault(fmt::format("invalid piece {}", k + 1));
     std::vector<Vec3>& piece = pieces.emplace_back();
     for (const YAML::Node& point : node[k]) {
-      if (!point.IsSequence() || point.size() != 3) throw fault(fmt::format("piece {} has an invalid point", k + 1));
+      if (!point.IsSequence() || point.size() != 3) throw fault(fmt::format("invalid point in piece {}", k + 1));
       for (int c = 0; c < 3; ++c) {
         double value = 0;
         if (!YAML::convert<double>::decode(point[c], value) || !std::isfinite(value))
-          throw fault(fmt::format("piece {} has an invalid number", k + 1));
+          throw fault(fmt::format("invalid number in piece {}", k + 1));
         if (c == 0) piece.emplace_back(Vec3::Zero());
         piece.back()[c] = value;
       }
@@ -142,13 +142,13 @@ ConvexPieces read_pieces(const std::string& path) {
   try {
     tree = YAML::Load(io::read_text(path));
   } catch (const YAML::Exception& error) {
-    throw InputError(
-        fmt::format("{}:{}: {}; expected {{a: [pieces], b: [pieces]}}", path, error.mark.line + 1, error.msg));
+    throw InputError(fmt::format("{}:{}: invalid YAML: {}; expected {{a: [pieces], b: [pieces]}}", path,
+                                 error.mark.line + 1, error.msg));
   }
-  if (!tree.IsMap()) throw InputError(path + ": invalid; expected {a: [pieces], b: [pieces]}");
+  if (!tree.IsMap()) throw InputError(path + ": invalid pieces; expected {a: [pieces], b: [pieces]}");
   for (const auto& entry : tree)
     if (const auto key = entry.first.as<std::string>(""); key != "a" && key != "b")
-      throw InputError(fmt::format("{}: unknown key '{}'; expected a, b", path, key));
+      throw InputError(fmt::format("{}: unknown key '{}'; expected a or b", path, key));
   return {pieces_of(tree["a"], path + ": a"), pieces_of(tree["b"], path + ": b")};
 }
 

@@ -30,30 +30,32 @@ DepthFolder::DepthFolder(const DepthOptions& options, const std::string& fingerp
   if (options.force)
     for (const fs::path& path : {csv, finished, asked}) fs::remove(path);
   if (fs::exists(finished))
-    throw InputError(folder_ +
-                     ": holds results of an earlier run; choose another folder with --out or replace them "
-                     "with --force");
+    throw InputError(
+        folder_ +
+        ": invalid result folder: it contains results; expected another folder (--out), or --force to replace them");
   std::error_code error;
   fs::create_directories(folder_, error);
-  if (error) throw InputError(fmt::format("--out {}: cannot be made: {}; expected a folder", folder_, error.message()));
+  if (error)
+    throw InputError(
+        fmt::format("--out {}: invalid folder ({}); expected a folder that can be created", folder_, error.message()));
   if (fs::exists(csv)) {
     if (!fs::exists(asked) || io::read_text(asked.string()) != fingerprint)
       throw InputError(folder_ +
-                       ": holds unfinished results of another question; choose another folder with --out or "
-                       "replace them with --force");
+                       ": invalid result folder: it contains unfinished results of another query; expected another "
+                       "folder (--out), or --force to replace them");
     keep_whole_rows(csv.string());
   } else {
     io::replace_text(asked.string(), fingerprint);
     io::replace_text(csv.string(), csv_header());
   }
   rows_.open(csv, std::ios::app | std::ios::binary);
-  if (!rows_) throw MachineError(csv.string() + ": cannot be written");
+  if (!rows_) throw MachineError(csv.string() + ": cannot write the file");
 }
 
 void DepthFolder::add(const DepthRow& row) {
   if (folder_.empty()) return;
   rows_ << csv_row(row) << std::flush;
-  if (!rows_) throw MachineError(folder_ + "/depth.csv: cannot be written");
+  if (!rows_) throw MachineError(folder_ + "/depth.csv: cannot write the file");
 }
 
 void DepthFolder::write_surfaces(const DepthWork& work, const std::vector<DepthRow>& rows) const {
@@ -73,7 +75,7 @@ void DepthFolder::finish(const nlohmann::ordered_json& all) const {
   io::replace_text(folder_ + "/depth.json", all.dump(1) + "\n");
 }
 
-/// A row that a killed run left unfinished is dropped.
+/// Removes an incomplete last row of a killed run.
 void DepthFolder::keep_whole_rows(const std::string& path) {
   std::string text = io::read_text(path);
   const io::CsvRecords whole = io::csv_records(text);

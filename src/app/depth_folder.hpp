@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result folder of `brunt depth`: depth.csv, row by row; depth.json and surfaces at the end. An unfinished one is
-// gone on with.
+// The result folder of `brunt depth`: depth.csv, row by row; depth.json and surfaces at the end. An unfinished folder
+// is continued.
 #pragma once
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -15,8 +15,8 @@ namespace brunt::app {
 /// For the root rank.
 class DepthFolder {
  public:
-  /// Without `--out` nothing is ever written. fingerprint: of the question; an unfinished folder of another one is
-  /// refused, and so is one with results, unless forced. Throws InputError.
+  /// Without `--out` nothing is written. fingerprint: of the query; an unfinished folder of another query is rejected,
+  /// and so is one with results, unless forced. Throws InputError.
   DepthFolder(const DepthOptions& options, const std::string& fingerprint);
 
   [[nodiscard]] const std::vector<EarlierRow>& earlier() const { return earlier_; }  ///< rows of an unfinished run

@@ -40,7 +40,7 @@ class Reader {
   explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
   template <class T>
   void get(T& value) {
-    demand(at_ + sizeof value <= bytes_.size(), "a message holds what was put into it");
+    demand(at_ + sizeof value <= bytes_.size(), "a message contains what was packed into it");
     std::memcpy(&value, bytes_.data() + at_, sizeof value);
     at_ += sizeof value;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `brunt depth` is asked for.
+// Options of `brunt depth`.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -19,7 +19,7 @@ struct DepthOptions {
   std::string pieces;      ///< file of convex pieces
   std::string out;         ///< folder; empty: none
   double clearance = 0;    ///< left between the surfaces [length]
-  double certify = 0;      ///< wanted gap of depth and bound over depth; 0: no search
+  double certify = 0;      ///< required (depth - bound) / depth; 0: no search
   std::int64_t boxes = 0;  ///< most boxes of that search; 0: the default
   double limit = 0;        ///< most time of that search a pose [s]; 0: none
   double merge = -1;       ///< tolerance of merged points [length]; < 0: of the format

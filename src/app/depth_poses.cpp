@@ -60,19 +60,20 @@ struct Columns {
 
 Columns columns_of(std::string_view header, const std::string& place) {
   constexpr const char* expected =
-      "; expected columns x, y, z and, where the body turns, axis_x, axis_y, axis_z, degrees or qw, qx, qy, qz";
+      "; expected columns x, y, z and, for a rotation, axis_x, axis_y, axis_z, degrees or qw, qx, qy, qz";
   Columns columns;
   columns.at.fill(std::string_view::npos);
   for (const std::string_view name : io::comma_fields(header)) {
     const auto found = std::ranges::find(known, name);
     if (found == known.end()) throw InputError(fmt::format("{}: unknown column '{}'{}", place, name, expected));
     std::size_t& at = columns.at[static_cast<std::size_t>(found - known.begin())];
-    if (at != std::string_view::npos) throw InputError(fmt::format("{}: column '{}' twice{}", place, name, expected));
+    if (at != std::string_view::npos)
+      throw InputError(fmt::format("{}: invalid second column '{}'{}", place, name, expected));
     at = columns.count++;
   }
   const bool axis = columns.has_any(3, 7), quaternion = columns.has_any(7, 11);
   if (!columns.has(0, 3) || (axis && !columns.has(3, 7)) || (quaternion && !columns.has(7, 11)) || (axis && quaternion))
-    throw InputError(fmt::format("{}: columns are missing or contradict each other{}", place, expected));
+    throw InputError(fmt::format("{}: missing or conflicting columns{}", place, expected));
   return columns;
 }
 
@@ -87,7 +88,7 @@ Placement pose_of_row(const Columns& columns, const std::vector<double>& row, co
   } else if (columns.has(7, 11)) {
     const Eigen::Quaterniond turn(value(7), value(8), value(9), value(10));
     if (!(turn.norm() > 0))
-      throw InputError(fmt::format("{}: invalid quaternion; expected one that is not zero", place));
+      throw InputError(fmt::format("{}: invalid quaternion [0, 0, 0, 0]; expected one that is not zero", place));
     pose.rotation = turn.normalized().toRotationMatrix();
   }
   return pose;
@@ -132,10 +133,11 @@ std::vector<Placement> read_poses(const std::string& path) {
       row.push_back(*value);
     }
     if (row.size() != columns->count)
-      throw InputError(fmt::format("{}: {} values; expected {}, one a column", place, row.size(), columns->count));
+      throw InputError(fmt::format("{}: invalid row of {} values; expected {}, one for each column", place, row.size(),
+                                   columns->count));
     poses.push_back(pose_of_row(*columns, row, place));
   }
-  if (poses.empty()) throw InputError(path + ": no pose; expected a header line and a line a pose");
+  if (poses.empty()) throw InputError(path + ": missing poses; expected a header line and one line for each pose");
   return poses;
 }
 
@@ -145,7 +147,7 @@ std::vector<Vec3> axes_named(const std::string& text) {
   for (const std::string_view name : io::comma_fields(text)) {
     const std::size_t axis = std::string_view("xyz").find(name);
     if (name.size() != 1 || axis == std::string_view::npos)
-      throw InputError("invalid --along '" + text + "': expected one or more of x,y,z");
+      throw InputError("invalid --along '" + text + "': expected one or more of x, y, z, as in --along x,z");
     axes.push_back(Vec3::Unit(static_cast<Eigen::Index>(axis)));
   }
   return axes;

@@ -57,7 +57,7 @@ std::string described(const DepthRow& row) {
   if (!answer.overlap) return fmt::format("{} and {} do not overlap: distance {:.6g}\n", row.a, row.b, answer.distance);
   std::string text = fmt::format("{} in {}, {}: ", row.a, row.b, name_of(row.metric));
   if (!answer.found)
-    return text + fmt::format("no admitted motion separates them; no shorter one than {:.6g} can\n", answer.bound);
+    return text + fmt::format("no admissible motion separates them; none shorter than {:.6g} exists\n", answer.bound);
   text += fmt::format("depth {:.9g}, bound {:.6g} (no motion shorter than it separates them)\n", answer.depth,
                       answer.bound);
   const PlacedScrew screw = placed_screw(row);
@@ -66,7 +66,7 @@ std::string described(const DepthRow& row) {
                         text_of(screw.axis), text_of(screw.point), screw.slide);
   else
     text += fmt::format("  move {:.6g} along {}\n", screw.slide, text_of(screw.axis));
-  text += "  placement after it, rows of the matrix (rotation, translation):\n";
+  text += "  placement after the motion, rows of the matrix (rotation, translation):\n";
   for (int r = 0; r < 3; ++r)
     text +=
         fmt::format("    {:12.9f} {:12.9f} {:12.9f}  {:.9g}\n", answer.placement.rotation(r, 0),
@@ -76,7 +76,7 @@ std::string described(const DepthRow& row) {
   for (std::size_t k = 0; k < answer.contacts.size() && k < most_listed; ++k)
     text += fmt::format("    {} normal {}\n", text_of(answer.contacts[k].point), text_of(answer.contacts[k].normal));
   if (answer.contacts.size() > most_listed) text += "    ...\n";
-  return text + fmt::format("  {} walks, {} steps, {} collision queries, {:.3g} ms\n", answer.walks, answer.steps,
+  return text + fmt::format("  {} descents, {} steps, {} collision queries, {:.3g} ms\n", answer.walks, answer.steps,
                             answer.queries, 1e3 * row.seconds);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `brunt depth` tells of an answer: text for a terminal, a JSON object.
+// Output of an answer of `brunt depth`: text for a terminal, a JSON object.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One answer of `brunt depth`, with what it was asked about.
+// One answer of `brunt depth`, with its query.
 #pragma once
 #include <cstdint>
 #include <string>

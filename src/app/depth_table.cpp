@@ -45,7 +45,7 @@ class Record {
  public:
   Record(std::span<const std::string> fields, const std::string& place) : fields_(fields), place_(place) {
     if (fields.size() != column::count)
-      fail(fmt::format("{} fields; expected {}", fields.size(), std::size_t{column::count}));
+      fail(fmt::format("invalid row of {} fields; expected {}", fields.size(), std::size_t{column::count}));
   }
   [[nodiscard]] const std::string& text(std::size_t k) const { return fields_[k]; }
   template <class T>

@@ -28,29 +28,31 @@ depth::Body body_of(const NamedSurface& named, const std::vector<std::vector<Vec
   try {
     return depth::make_body(named.surface, {.pieces = pieces});
   } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("{}: {}; expected a body thicker than 1e-6 of its length", named.name, error.what()));
+    throw InputError(
+        fmt::format("{}: invalid body: {}; expected a thickness above 1e-6 of its length", named.name, error.what()));
   }
 }
 
-/// Bounds are proven only if pieces lie in their body, so that at least their corners are looked at. where: of pieces.
+/// Bounds are proven only if pieces lie in their body, so at least their corners are checked. where: of pieces.
 depth::Body body_with(const NamedSurface& named, const std::vector<std::vector<Vec3>>& pieces,
                       const std::string& where) {
   constexpr double rounding = 1e-9;  // of the body's radius: corners on the surface, written with ten digits
   const auto fault = [&](std::size_t k, const char* what) {
-    return InputError(fmt::format("{}: piece {} {}; expected convex pieces inside {}", where, k + 1, what, named.name));
+    return InputError(
+        fmt::format("{}: invalid piece {}: {}; expected convex pieces inside {}", where, k + 1, what, named.name));
   };
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     try {
       (void)depth::convex_piece(pieces[k]);
     } catch (const std::invalid_argument&) {
-      throw fault(k, "lies in a plane");
+      throw fault(k, "it lies in a plane");
     }
   }
   depth::Body body = body_of(named, pieces);
   for (std::size_t k = 0; k < pieces.size(); ++k)
     for (const Vec3& x : pieces[k])
       if (geometry::point_depth(body.tree, x).depth < -rounding * body.shape.radius)
-        throw fault(k, "has a corner outside of the body");
+        throw fault(k, "a corner lies outside the body");
   return body;
 }
 
@@ -72,15 +74,14 @@ DepthWork work_of_files(const comm::Communicator& ranks, const DepthOptions& opt
       options.poses.empty() ? std::vector<Placement>{pose_of(options.at, options.turn)} : read_poses(options.poses);
   for (const Placement& pose : poses) {
     if (!(pose.translation.cwiseAbs().maxCoeff() < farthest_place))
-      throw InputError(
-          fmt::format("pose {}: A stands at a distance whose square is no number; expected x, y, z below {:g}",
-                      work.poses.size(), farthest_place));
+      throw InputError(fmt::format("out of range: position of pose {} of A; expected |x|, |y|, |z| < {:g}",
+                                   work.poses.size(), farthest_place));
     work.poses.push_back({0, 1, pose});
   }
   return work;
 }
 
-/// Parts that share points are one body where they do, and touch there by design.
+/// Parts that share points are connected there, and touch by design.
 bool share_points(const TriangleSurface& a, const TriangleSurface& b) {
   const auto sorted = [](const TriangleSurface& s) {
     std::vector<std::array<double, 3>> points;
@@ -99,7 +100,8 @@ bool share_points(const TriangleSurface& a, const TriangleSurface& b) {
 
 DepthWork work_of_scene(const comm::Communicator& ranks, const DepthOptions& options) {
   if (!options.at.empty() || !options.turn.empty() || !options.poses.empty() || !options.pieces.empty())
-    throw InputError(options.a + ": a scene places its parts itself; expected no --at, --turn, --poses or --pieces");
+    throw InputError(options.a +
+                     ": invalid options: a scene places its own parts; expected no --at, --turn, --poses or --pieces");
   DepthWork work;
   work.surfaces = surfaces_of_scene(ranks, read_input(ranks, options.a, options.overrides));
   for (const NamedSurface& named : work.surfaces) work.bodies.push_back(body_of(named));
@@ -125,10 +127,10 @@ std::vector<depth::Metric> metrics_of(const DepthOptions& options) {
 
 DepthWork depth_work(const comm::Communicator& ranks, const DepthOptions& options) {
   if (!options.along.empty() && (options.metrics.size() != 1 || options.metrics[0] != "translation"))
-    throw InputError("--along holds for translations; expected --metric translation with it");
+    throw InputError("invalid --along: expected --metric translation as the only metric");
   if (options.b.empty() != is_scene(options.a))
-    throw InputError(options.b.empty() ? options.a + ": one surface; expected two, A and B, or a scene (.yaml)"
-                                       : options.a + ": a scene stands alone; expected no second file");
+    throw InputError(options.b.empty() ? options.a + ": missing second surface; expected A and B, or a scene (.yaml)"
+                                       : options.a + ": invalid second file with a scene; expected the scene only");
   const std::vector<Vec3> along = axes_named(options.along);
   DepthWork work = options.b.empty() ? work_of_scene(ranks, options) : work_of_files(ranks, options);
   work.along = along;

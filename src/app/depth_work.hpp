@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that `brunt depth` is asked: bodies, and which of them stands where.
+// The work of a `brunt depth` command: bodies, and their poses.
 #pragma once
 #include <string>
 #include <vector>
@@ -30,7 +30,7 @@ struct DepthWork {
 /// throws InputError on all ranks.
 [[nodiscard]] DepthWork depth_work(const comm::Communicator& ranks, const DepthOptions& options);
 
-/// What the rows of a run depend on, but for its number of ranks.
+/// Everything on which the rows of a run depend, except its number of ranks.
 [[nodiscard]] std::string fingerprint_of(const DepthOptions& options, const DepthWork& work);
 
 }  // namespace brunt::app

@@ -58,8 +58,8 @@ std::string text_of(const Prepared& run, const implicit::DrivenApart& found, dou
   };
   const Vec3 direction = found.apart.normalized(), place = found.place + run.model.mesh.origin;
   return fmt::format(
-      "{}: at [{:g}, {:g}, {:g}] part '{}', moved by {}, and part '{}', moved by {}, are driven apart by {} at "
-      "t = {:g}: the tie cannot hold there",
+      "{}: invalid tie: at [{:g}, {:g}, {:g}] part '{}', moved by {}, and part '{}', moved by {}, are separated by {} "
+      "at t = {:g}, and the tie cannot hold there",
       pair.entry, place[0], place[1], place[2], part(pair.slave), name_of_support(run, found.slave, direction),
       part(pair.master), name_of_support(run, found.master, direction),
       scene::with_length(found.apart.norm(), run.input.units, 3), time);
@@ -73,7 +73,7 @@ void refuse_driven_apart(Prepared& run) {
   if (std::ranges::none_of(contact.interfaces, [](const implicit::Interface& face) { return face.pair.tied; })) return;
   for (const double time : implicit::turning_times(run.model, *run.input.run.end))
     if (const auto found = implicit::driven_apart_at(run.links.ranks, run.model, time, contact))
-      throw InputError(text_of(run, *found, time) + "; accepted: motions that agree on both sides");
+      throw InputError(text_of(run, *found, time) + "; expected the same motion on both sides");
 }
 
 void stop_where_driven_apart(Prepared& run) {

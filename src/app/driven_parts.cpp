@@ -92,10 +92,8 @@ std::string warning_of(std::span<const double> record, const model::Model& model
            : fmt::format("part '{}'", part(record[master_block]));
   return fmt::format(
       "supports move part '{}' and {} through each other: since t = {:g} nodes that are held along the normal lie "
-      "behind "
-      "{} that cannot give way, now {:.3g}{} deep. Contact does nothing there (reported once for a pair; "
-      "driven_penetration in "
-      "summary.json is the largest depth)",
+      "behind {} that cannot yield; the depth is now {:.3g}{}. Contact has no effect there (reported once for each "
+      "pair; driven_penetration in summary.json is the largest depth)",
       part(record[slave_block]), other, record[since], wall ? "a wall" : "faces", record[depth],
       length_unit.empty() ? "" : " " + length_unit);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts that supports move through each other, or through a rigid wall, where contact can do nothing: which pairs,
-// since when, and how deep.
+// Parts that supports move through each other, or through a rigid wall, where contact has no effect: the pairs, their
+// first time, and the depth.
 #pragma once
 #include <string>
 #include <vector>
@@ -14,13 +14,13 @@ namespace brunt::app {
 /// The first pairs of parts that were found, the same on all ranks. As plain numbers, so that a checkpoint holds them.
 class DrivenParts {
  public:
-  /// Room for the pairs, where the scene has any that could be driven; else nothing is done or saved.
+  /// Memory for the pairs, if the scene has any that could be driven; otherwise nothing is done or saved.
   void prepare(const contact::Contact* contact);
-  /// time: where the clock of `contact` stood at 0.
+  /// time: the time at which the clock of `contact` was 0.
   void start_clock(double time) { clock_start_ = time; }
-  /// Takes over what the ranks have found, and follows the nodes that were the first to come through: contact looks but
-  /// a share of an element behind a face, so that the depth of such a node is measured from the face that it came
-  /// through, until it leaves the column behind that face. Returns a warning for each pair that is new. Collective.
+  /// Collects the findings of the ranks, and follows the nodes that passed through first. Contact examines only a share
+  /// of an element behind a face, so the depth of such a node is measured from the face through which it came, until it
+  /// leaves the column behind that face. Returns a warning for each new pair. Collective.
   std::vector<std::string> look(const comm::Communicator& ranks, const contact::Contact& contact,
                                 const model::Model& model, const model::State& state, const std::string& length_unit);
   [[nodiscard]] double largest() const;  ///< depth of all pairs [length]

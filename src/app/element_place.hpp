@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which element a message is about: its number, part, place, and how far it is pressed together. All calls are
-// collective, and name the same element on any number of ranks.
+// The element of a message: its number, part, position and compression. All calls are collective, and name the same
+// element on any number of ranks.
 #pragma once
 #include <string>
 
@@ -17,7 +17,7 @@ struct ElementPlace {
   double volume = 1;           ///< over that of the reference
 };
 
-/// Of the element that this rank names (block -1: it names none), the one with the largest position in the input.
+/// For the element that this rank names (block -1: none), the one with the largest position in the input.
 ElementPlace place_of(const Prepared& run, std::int32_t block, LocalIndex element);
 
 /// The element whose history field of this name is least.

@@ -17,7 +17,7 @@ int code_of(ExitCode code) {
   return static_cast<int>(code);
 }
 
-/// The other ranks may be waiting for this one in a collective call: only ending them all frees them.
+/// The other ranks may wait for this one in a collective call: only ending all of them releases them.
 int fail_alone(const comm::Communicator& ranks, const std::string& what) {
   fmt::print(stderr, "brunt: rank {}: {}\n", ranks.rank(), what);
   leave_exit_code(code_of(ExitCode::machine), true);

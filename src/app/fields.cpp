@@ -51,7 +51,7 @@ io::StateField mises(const Prepared& run) {
   return field;
 }
 
-/// 1, or 0 for elements that have been removed: what pictures leave out.
+/// 1, or 0 for removed elements, which pictures omit.
 io::StateField alive(const Prepared& run) {
   io::StateField field{"alive", io::Place::element, 1, {}};
   for (std::size_t b = 0; b < run.model.blocks.size(); ++b)

@@ -16,8 +16,8 @@ void observe(const time::Ledger& ledger, Extremes& seen) {
     seen.begun = 1;
     seen.start_total = ledger.total();
     for (int c = 0; c < 3; ++c) seen.start_momentum[c] = own_momentum[c];
-    // what bodies bring may be gone within the first step, where contact or a support stops them at once: the
-    // velocities on both sides of t = 0 then have no product, but the total has what was taken
+    // The initial kinetic energy may vanish within the first step, if contact or a support stops the bodies at once:
+    // the product of the velocities on both sides of t = 0 is then zero, but the total includes the energy taken.
     seen.largest_energy = seen.largest_bodies = std::abs(seen.start_total);
     seen.momentum_scale = own_momentum.norm();
   }
@@ -48,15 +48,15 @@ double settling_energy(double mass, double gravity, double dt, double tolerance,
 }
 
 std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding) {
-  // a moving wall gives too, so does contact where bodies began inside each other, and at the first instant all there
-  // is may be rounding of either sign
+  // A moving wall supplies energy, and so does contact between initially overlapping bodies. At the first instant the
+  // whole energy may be rounding of either sign.
   const double parted = recovered ? std::max(-ledger.contact, 0.0) : 0.0;
   const double given =
       std::max(seen.start_total, 0.0) + std::max(ledger.external, 0.0) + std::max(-ledger.walls, 0.0) + parted;
   const double scale = std::max({seen.largest_energy, std::abs(ledger.internal), std::abs(seen.start_total)});
   if (std::isfinite(ledger.total()) && ledger.kinetic <= 1.5 * given + 1e-3 * scale + rounding) return {};
   return fmt::format(
-      "kinetic {:g} of {:g} given; the step may be too large for the materials or the elements too "
+      "kinetic energy {:g}, supplied energy {:g}; the step may be too large for the materials, or elements too "
       "distorted",
       ledger.kinetic, given);
 }
@@ -79,7 +79,7 @@ std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, dou
 
 std::string text_of(const Finding& finding, double time) {
   if (finding.fault == Fault::balance)
-    return fmt::format("the energy balance is off by {:.3g} at t = {:g}, {:.2g} % of the largest energy so far",
+    return fmt::format("the error of the energy balance is {:.3g} at t = {:g}, {:.2g} % of the largest energy so far",
                        finding.energy, time, 100 * finding.share);
   constexpr std::array names{"",
                              "hourglass energy",
@@ -87,33 +87,33 @@ std::string text_of(const Finding& finding, double time) {
                              "energy of damping",
                              "energy of sliding friction",
                              "internal energy",
-                             "energy taken by contact"};
-  return fmt::format("{} is {:.3g} at t = {:g}, {:.2g} % of the largest energy so far, and cannot be negative",
+                             "energy dissipated by contact"};
+  return fmt::format("{} is {:.3g} at t = {:g}, {:.2g} % of the largest energy so far, but must not be negative",
                      names[static_cast<std::size_t>(finding.fault)], finding.energy, time, 100 * finding.share);
 }
 
 std::string likely_cause(Fault fault) {
   switch (fault) {
     case Fault::balance:
-      return "likely cause: single velocities or stresses so large that sums lose all others; the step may be too "
-             "large for the materials (see run.cfl) or the elements too distorted";
+      return "likely cause: very large velocities or stresses of a few nodes or elements; the step may be too large "
+             "for the materials (see run.cfl), or elements too distorted";
     case Fault::hourglass:
-      return "likely cause: the element has changed its shape so much that its hourglass springs are stiffer or softer "
-             "than when they were loaded. Take element: hex8_full or hex8_bbar there, or smaller elements";
+      return "likely cause: the element has deformed so much that its hourglass stiffness differs from that during "
+             "loading. Use element: hex8_full or hex8_bbar there, or smaller elements";
     case Fault::bulk:
-      return "likely cause: the element is folded or nearly flat. Take smaller elements there, or element: hex8_full";
+      return "likely cause: the element is folded or nearly flat. Use smaller elements there, or element: hex8_full";
     case Fault::damping:
-      return "likely cause: velocities that change their sign in every step; take a smaller run.cfl";
+      return "likely cause: velocities that change their sign in every step; use a smaller run.cfl";
     case Fault::friction:
-      return "likely cause: nodes that stick are taken back against their load where faces of the master are much "
-             "larger than their own, or turn fast. Take smaller elements there, or passes: two";
+      return "likely cause: sticking nodes are returned against their load where the faces of the master are much "
+             "larger than their own, or rotate fast. Use smaller elements there, or passes: two";
     case Fault::internal:
-      return "likely cause: elements that are folded, or a hypoelastic law (elastic, j2) that is strained far and in "
-             "turns, whose stresses have no potential. Take neo_hookean, or smaller elements";
+      return "likely cause: folded elements, or large cyclic strains of a hypoelastic law (elastic, j2), whose "
+             "stresses have no potential. Use neo_hookean, or smaller elements";
     case Fault::contact:
-      return "likely cause: nodes are pushed out of faces that they never crossed, as in bodies pressed to a small "
-             "part of "
-             "their thickness that meet themselves (self: false in contact), or in folded elements";
+      return "likely cause: nodes are pushed out of faces that they never crossed, for example in bodies that are "
+             "compressed to a small part of their thickness and touch themselves (use self: false in contact), or in "
+             "folded elements";
   }
   return {};
 }

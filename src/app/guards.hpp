@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The guards of a run: what its ledgers have shown so far, and what of it says that the energy cannot be right. Pure
-// functions of ledgers.
+// The guards of a run: extremes of its ledgers so far, and the conclusions about errors of the energy. Pure functions
+// of ledgers.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace brunt::app {
 
-/// What the whole run has seen since t = 0, the same on every rank. Doubles only: a checkpoint holds it with the state.
+/// Extremes of the whole run since t = 0, the same on every rank. Doubles only: a checkpoint stores them with the
+/// state.
 struct Extremes {
   double first_dt = 0;          ///< the first step that the elements allowed [time]; 0 before it
   double begun = 0;             ///< 1 once a ledger was seen
@@ -24,30 +25,30 @@ struct Extremes {
 };
 constexpr int extremes_width = sizeof(Extremes) / sizeof(double);
 
-/// Largest change of the total over the largest energy, both of the run so far. Of each step by itself the first ones
-/// of a run from rest would divide rounding by no energy.
+/// Largest change of the total divided by the largest energy, both over the run so far. A ratio of each single step
+/// would divide rounding errors by zero energy in the first steps of a run from rest.
 double error_ratio(const Extremes& seen);
 
 /// Takes a ledger into account.
 void observe(const time::Ledger& ledger, Extremes& seen);
 
 /// Energies below this are rounding [energy]. A position is rounded to about 1e-16 of its distance from the model's
-/// origin, and so moves by up to 4 eps `extent` in a step without any cause; where bodies touch, contact answers to
-/// that with up to 1e-12 of an edge (measured on bodies at rest). The result is the energy, twice the kinetic one, of
-/// all mass at the speed of one such move in one step: it follows units, size and step.
+/// origin, and so moves by up to 4 eps `extent` in a step without a cause. Where bodies touch, contact responds with up
+/// to 1e-12 of an edge (measured on bodies at rest). The result is twice the kinetic energy of the whole mass at the
+/// speed of one such motion in one step: it follows units, size and step.
 double rounding_energy(double mass, double extent, double edge, double dt);
 
-/// What bodies at rest give and take by the tolerance of contact [energy]. A step leaves a residual of tolerance g dt
-/// of what weight adds to velocities, and recovery takes back so small a share of a penetration a step that it settles
-/// at tolerance g dt^2 / recovery: the result is the weight times this. Bodies that deform store more by their weight;
-/// rigid bodies at rest have no other energy to compare with.
+/// Energy exchanged by bodies at rest due to the tolerance of contact [energy]. A step leaves a residual of tolerance g
+/// dt of the velocity due to weight, and recovery takes back such a small share of a penetration in each step that it
+/// settles at tolerance g dt^2 / recovery: the result is the weight times this depth. Deformable bodies store more
+/// energy by their weight; rigid bodies at rest have no other energy for comparison.
 double settling_energy(double mass, double gravity, double dt, double tolerance, double recovery);
 
-/// Kinetic energy from nowhere, which a closed ledger does not show. recovered: contact may give, since the scene lets
-/// it part bodies that began inside each other. Empty, or what is wrong.
+/// Kinetic energy without a source, which a closed ledger does not show. recovered: contact may supply energy, since
+/// the scene lets it separate initially overlapping bodies. Empty, or the message.
 std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding);
 
-/// What a ledger may show to be wrong besides.
+/// Further errors that a ledger may show.
 enum class Fault {
   balance,    ///< the total has changed
   hourglass,  ///< a column that cannot be negative is so
@@ -66,12 +67,12 @@ struct Finding {
   bool stop = false;
 };
 
-/// Shares of the largest energy so far: engineers accept 1 % as the error of an energy balance; at ten times that the
-/// motion itself is wrong by a third of its speed (energy goes with the square).
+/// Shares of the largest energy so far: 1 % is the usual bound of the error of an energy balance; at ten times this the
+/// velocities are wrong by a third (energy is proportional to the square).
 constexpr double warned_share = 0.01, stopped_share = 0.1;
 
-/// What is above warned_share, in the order of Fault. rounding: see rounding_energy; shares are of at least ten times
-/// this, so that what rounding makes stays below the warning. recovered: see energy_growth.
+/// Findings above warned_share, in the order of Fault. rounding: see rounding_energy; shares refer to at least ten
+/// times this value, so that rounding stays below the warning. recovered: see energy_growth.
 std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding, bool recovered = false);
 
 /// The sentence for it, without the place: what is wrong, and the likely cause.
@@ -79,8 +80,8 @@ std::string text_of(const Finding& finding, double time);
 /// What to do about it, or where it comes from.
 std::string likely_cause(Fault fault);
 
-/// Share of the largest energy of the bodies that contact has taken, where bodies have met and none touches another any
-/// more; else 0. Of two bodies that bounce off each other elastically it should be nothing.
+/// Share of the largest energy of the bodies that contact has taken, if bodies have touched and none touches another
+/// one any more; otherwise 0. For two elastic bodies it should be zero.
 double taken_by_parted(const time::Ledger& ledger, const Extremes& seen);
 
 }  // namespace brunt::app

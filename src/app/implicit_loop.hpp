@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The steps of an implicit run, and what is to be written about each t_n.
+// The steps of an implicit run, and the output at each t_n.
 #pragma once
 #include <nlohmann/json.hpp>
 
@@ -10,14 +10,14 @@
 
 namespace brunt::app {
 
-/// As a scene names it.
+/// The name in a scene.
 const char* name_of(model::Scheme scheme);
 
-/// The four that implicit steps see of a prepared run.
+/// The parts of a prepared run that implicit steps use.
 implicit::Scene implicit_scene(Prepared& run);
 
-/// One step from t_n to t_{n+1}. Throws GuardError where none can be found: the state is that of t_n then. Also where
-/// it is found, but supports drive the two sides of a tie apart. Collective.
+/// One step from t_n to t_{n+1}. Throws GuardError if none is found, with the state of t_n; also if it is found, but
+/// supports separate the two sides of a tie. Collective.
 void implicit_step(Prepared& run);
 
 /// Fields, history and table at t_n, between steps.
@@ -26,11 +26,11 @@ struct ImplicitRecord {
 };
 void write_implicit_record(Prepared& run, Results& results, const ImplicitRecord& record, double seconds_left);
 
-/// What rounding of places leaves in the balance of energy: forces that Newton's iteration cannot see, along travels of
+/// Rounding of positions in the balance of energy: forces that Newton's method cannot resolve, times displacements of
 /// the size of the model [energy].
 double implicit_rounding(const Prepared& run, double extent);
 
-/// Walls that do not move give nothing, but newmark and hht make energy where bodies meet them.
+/// Walls at rest supply no energy, but newmark and hht generate energy when bodies hit them.
 bool walls_make_energy(const Prepared& run, const time::Ledger& ledger, double largest_energy);
 
 /// "implicit" of summary.json. The same on all ranks.

@@ -14,15 +14,15 @@
 namespace brunt::app {
 namespace {
 
-/// Keys of explicit scenes, and why they mean nothing here.
+/// Keys of explicit scenes, and their fault in an implicit one.
 constexpr std::array<std::pair<const char*, const char*>, 7> explicit_keys{{
-    {"run.cfl", "no stable step bounds an implicit scene; accepted: solver.step"},
-    {"run.step_bound", "no stable step bounds an implicit scene; accepted: solver.step"},
-    {"run.step", "the step of an implicit scene is the solver's; accepted: solver.step"},
-    {"run.min_step_ratio", "the least step of an implicit scene is the solver's; accepted: solver.min_step"},
-    {"enforcement", "contact of implicit scenes is not enforced by the rate constraint; accepted: no enforcement"},
-    {"relaxation", "a static state is found directly; accepted: solver.scheme: static"},
-    {"damping", "is for explicit scenes; accepted: solver.scheme: hht, which damps what the step does not resolve"},
+    {"run.cfl", "invalid in an implicit scene, which has no stable step; expected solver.step"},
+    {"run.step_bound", "invalid in an implicit scene, which has no stable step; expected solver.step"},
+    {"run.step", "invalid in an implicit scene; expected solver.step"},
+    {"run.min_step_ratio", "invalid in an implicit scene; expected solver.min_step"},
+    {"enforcement", "invalid in an implicit scene, whose contact has no rate constraint; expected no enforcement"},
+    {"relaxation", "invalid in an implicit scene; expected solver.scheme: static for a static solution"},
+    {"damping", "invalid in an implicit scene; expected solver.scheme: hht, which damps the high frequencies"},
 }};
 
 void check_part(const scene::Input& input, const model::ElementBlock& block, std::vector<std::string>& faults) {
@@ -30,18 +30,18 @@ void check_part(const scene::Input& input, const model::ElementBlock& block, std
   if (material::is_rigid(block.law)) return;
   if (!force::gives_tangents(block.kind))
     faults.push_back(
-        fmt::format("{}: {} has no stiffness against its hourglass modes; accepted in an implicit scene: hex8_full, "
-                    "hex8_bbar, tet4",
+        fmt::format("{}: invalid element {}: it has no stiffness against hourglass modes; expected hex8_full, "
+                    "hex8_bbar or tet4 in an implicit scene",
                     input.at(key + ".element"), element::name_of(block.kind)));
   else if (!force::gives_tangents(block.law))
-    faults.push_back(fmt::format("{}: {} has no tangent; accepted in an implicit scene: elastic, j2, neo_hookean",
-                                 input.at(key + ".material"), block.material));
+    faults.push_back(fmt::format(
+        "{}: invalid material {}: its law has no tangent; expected elastic, j2 or neo_hookean in an implicit scene",
+        input.at(key + ".material"), block.material));
   if (block.erosion)
-    faults.push_back(fmt::format("{}: is for explicit scenes; accepted: no erosion in an implicit scene",
-                                 input.at(key + ".erosion")));
+    faults.push_back(fmt::format("{}: invalid in an implicit scene; expected no erosion", input.at(key + ".erosion")));
 }
 
-/// Rigid parts: what schemes, mortar contact and walls can do with them.
+/// Rigid parts: limits of schemes, mortar contact and walls.
 void check_bodies(const scene::Input& input, const model::Model& model, std::vector<std::string>& faults) {
   if (model.bodies.empty()) return;
   const auto rigid = [&](std::int32_t b) { return material::is_rigid(model.blocks[static_cast<std::size_t>(b)].law); };
@@ -49,22 +49,20 @@ void check_bodies(const scene::Input& input, const model::Model& model, std::vec
   const model::Scheme scheme = input.implicit->scheme;
   if (scheme == model::Scheme::statics &&
       std::ranges::all_of(model.blocks, [](const model::ElementBlock& block) { return material::is_rigid(block.law); }))
-    faults.push_back(
-        fmt::format("{}: all parts are rigid, and nothing deforms; accepted: contact_implicit, or a part "
-                    "that deforms",
-                    input.at("solver.scheme")));
+    faults.push_back(fmt::format(
+        "{}: invalid scheme: all parts are rigid, and nothing deforms; expected contact_implicit, or a deformable part",
+        input.at("solver.scheme")));
   if (scheme == model::Scheme::newmark || scheme == model::Scheme::hht)
     faults.push_back(
-        fmt::format("{}: has no rotations of rigid parts; accepted with rigid parts: contact_implicit, static",
+        fmt::format("{}: invalid scheme for rigid parts: it cannot rotate them; expected contact_implicit or static",
                     input.at("solver.scheme")));
   for (const contact::MortarPair& pair : model.mortar)
     if (rigid(pair.slave) && rigid(pair.master))
-      faults.push_back(
-          fmt::format("{}: {} and {} are both rigid, and mortar contact is of a part that deforms; accepted: between a "
-                      "deformable part and another",
-                      pair.entry, part(pair.slave), part(pair.master)));
+      faults.push_back(fmt::format(
+          "{}: invalid pair: {} and {} are both rigid; expected at least one deformable part in mortar contact",
+          pair.entry, part(pair.slave), part(pair.master)));
     else if (rigid(pair.slave) && !pair.choose_slave)
-      faults.push_back(fmt::format("{}: {} is rigid and cannot be the slave; accepted: slave: {}", pair.entry,
+      faults.push_back(fmt::format("{}: invalid slave {}: it is rigid; expected slave: {}", pair.entry,
                                    part(pair.slave), part(pair.master)));
 }
 
@@ -76,8 +74,8 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
     for (std::size_t k = 0; k < input.contact.size(); ++k)
       if (input.contact[k].mortar)
         faults.push_back(
-            fmt::format("{}: mortar contact is for implicit scenes; accepted in an explicit one: method: rate "
-                        "(the default) and the others, or solver: implicit",
+            fmt::format("{}: invalid method: mortar contact exists in implicit scenes only; expected method: rate (the "
+                        "default) or another explicit one, or solver: implicit",
                         input.at(fmt::format("contact.{}.method", k))));
     return faults;
   }
@@ -86,46 +84,45 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
   for (const model::ElementBlock& block : model.blocks) check_part(input, block, faults);
   check_bodies(input, model, faults);
   if (!model.removals.empty())
-    faults.push_back(fmt::format("{}: is for explicit scenes; accepted: no removals", input.at("remove")));
+    faults.push_back(fmt::format("{}: invalid in an implicit scene; expected no removals", input.at("remove")));
   for (std::size_t w = 0; w < model.walls.size(); ++w)
     if (const contact::FrictionLaw& law = model.walls[w].friction; law.kinetic != law.fixed || law.lag > 0)
-      faults.push_back(fmt::format("{}: an implicit scene has one coefficient; accepted: a number, 0 or more",
+      faults.push_back(fmt::format("{}: invalid friction of a wall in an implicit scene; expected one coefficient >= 0",
                                    input.at(fmt::format("rigid_walls.{}.friction", w))));
   for (std::size_t k = 0; k < input.contact.size(); ++k)
     if (input.contact[k].mortar && !input.contact[k].tied &&
         input.contact[k].initial_overlap == contact::OverlapRule::offset)
-      faults.push_back(fmt::format(
-          "{}: offset is for explicit scenes as yet; accepted in an implicit scene: error, warn, move, place",
-          input.at(fmt::format("contact.{}.initial_overlap", k))));
+      faults.push_back(
+          fmt::format("{}: invalid initial_overlap: offset in an implicit scene; expected error, warn, move or place",
+                      input.at(fmt::format("contact.{}.initial_overlap", k))));
   for (std::size_t k = 0; k < input.contact.size(); ++k)
     if (!input.contact[k].mortar)
       faults.push_back(
-          fmt::format("{}: an implicit scene has mortar contact alone; accepted: {{between: [a, b], method: "
-                      "mortar}}",
+          fmt::format("{}: invalid contact in an implicit scene; expected {{between: [a, b], method: mortar}}",
                       input.at(fmt::format("contact.{}", k))));
   if (model.books_interface)
     faults.push_back(fmt::format(
-        "{}: energies of parts that share nodes are for explicit scenes; accepted: other probes", input.at("probes")));
+        "{}: invalid probe of energy for parts that share nodes in an implicit scene; expected other probes",
+        input.at("probes")));
   return faults;
 }
 
 std::string likely_cause_in_implicit(Fault fault) {
   switch (fault) {
     case Fault::internal:
-      return "likely cause: a hypoelastic law (elastic, j2) that is strained far and in turns, whose stresses have no "
-             "potential. Take neo_hookean, or smaller elements";
+      return "likely cause: large cyclic strains of a hypoelastic law (elastic, j2), whose stresses have no potential. "
+             "Use neo_hookean, or smaller elements";
     case Fault::friction:
-      return "likely cause: sticking rows that take back what they stored while their facets turn; take a smaller "
-             "solver.step, or smaller elements";
+      return "likely cause: sticking nodes release stored energy while their facets rotate; use a smaller solver.step, "
+             "or smaller elements";
     case Fault::contact:
-      return "likely cause: bodies that meet at more than a facet's depth in one step, or (but with contact_implicit) "
-             "slide "
-             "over coarse facets; take a smaller solver.step, or smaller elements";
+      return "likely cause: bodies that penetrate by more than the size of a facet in one step, or (except with "
+             "contact_implicit) slide over coarse facets; use a smaller solver.step, or smaller elements";
     default:
       break;
   }
-  return "likely cause: motions that the step does not resolve; take a smaller solver.step, or a smaller "
-         "solver.tolerance where Newton's iteration leaves too much";
+  return "likely cause: motions that the step does not resolve; use a smaller solver.step, or a smaller "
+         "solver.tolerance where the residual of Newton's method is too large";
 }
 
 std::vector<std::string> notes_of_overlaps(const scene::Input& input) {
@@ -136,12 +133,11 @@ std::vector<std::string> notes_of_overlaps(const scene::Input& input) {
     const scene::ContactEntry& entry = input.contact[k];
     if (!entry.mortar || entry.tied || entry.initial_overlap != contact::OverlapRule::warn) continue;
     const bool penalty = entry.enforce == contact::MortarPair::Enforce::penalty;
-    notes.push_back(fmt::format(
-        "{}: {}", input.at(fmt::format("contact.{}.initial_overlap", k)),
-        penalty ? "an overlap of the start has the pressure of the penalty from the first step on"
-        : keeps ? "an overlap of the start stays: contact_implicit recovers of it what contact has taken in energy, "
-                  "which is nothing for bodies at rest"
-                : "the first step closes an overlap of the start, which strains the bodies"));
+    notes.push_back(fmt::format("{}: {}", input.at(fmt::format("contact.{}.initial_overlap", k)),
+                                penalty ? "the penalty pressure acts on an initial overlap from the first step on"
+                                : keeps ? "an initial overlap remains: contact_implicit recovers only what contact has "
+                                          "dissipated, which is zero for bodies at rest"
+                                        : "the first step closes an initial overlap, which strains the bodies"));
   }
   return notes;
 }
@@ -152,8 +148,8 @@ std::vector<std::string> warnings_of_implicit(const scene::Input& input, const m
   if (input.implicit && input.implicit->linear == model::LinearSolver::direct &&
       unknowns > comm::LinearSystem::most_for_direct)
     warnings.push_back(
-        fmt::format("{}: direct factorises {} unknowns on one rank, which may take minutes and tens of GB a time; "
-                    "mumps uses all ranks (its results have not the same bits on other numbers of ranks)",
+        fmt::format("{}: direct factorises {} unknowns on one rank, which may take minutes and tens of GB for each "
+                    "factorisation; mumps uses all ranks (its results differ in rounding for other numbers of ranks)",
                     input.at("solver.linear"), unknowns));
   return warnings;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an implicit scene may not ask for: each a line with its place and what is accepted.
+// Faults of implicit scenes: each is a line with its place and the expected values.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,16 +10,16 @@
 
 namespace brunt::app {
 
-/// What explicit scenes may not ask for of implicit ones, too. The same on all ranks.
+/// Includes the faults of explicit scenes with keys of implicit ones. The same on all ranks.
 std::vector<std::string> faults_of_implicit(const scene::Input& input, const model::Model& model);
 
-/// What becomes of overlaps with initial_overlap: warn, a line for each entry that has it.
+/// Notes on the treatment of overlaps with initial_overlap: warn, a line for each entry that has it.
 std::vector<std::string> notes_of_overlaps(const scene::Input& input);
 
-/// Likely cause of what is wrong with the energies of an implicit run.
+/// Likely cause of an error of the energies in an implicit run.
 std::string likely_cause_in_implicit(Fault fault);
 
-/// What works, but not as well as it could.
+/// Valid settings that perform poorly.
 std::vector<std::string> warnings_of_implicit(const scene::Input& input, const model::Model& model);
 
 }  // namespace brunt::app

@@ -23,12 +23,12 @@ int info(const comm::Communicator& ranks) {
   MPI_Get_library_version(mpi, &length);
   const std::string library(mpi, static_cast<std::size_t>(length));
   fmt::print("{}\n", version());
-  fmt::print("compiled     {} for {}\n", __VERSION__, BRUNT_PORTABLE ? "any CPU with AVX2" : "the CPU at hand");
+  fmt::print("compiled     {} for {}\n", __VERSION__, BRUNT_PORTABLE ? "any CPU with AVX2" : "the CPU of the build");
   fmt::print("MPI          {}\n", library.substr(0, library.find(',')));
   fmt::print("PETSc        {}.{}.{}\n", PETSC_VERSION_MAJOR, PETSC_VERSION_MINOR, PETSC_VERSION_SUBMINOR);
   fmt::print("METIS        {}.{}.{}\n", METIS_VER_MAJOR, METIS_VER_MINOR, METIS_VER_SUBMINOR);
   fmt::print("Eigen        {}.{}.{}\n", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
-  fmt::print("limits       2^31 - 1 nodes or elements a rank, and in the mesh as the root reads it\n");
+  fmt::print("limits       2^31 - 1 nodes or elements on each rank, and in the mesh that the root reads\n");
   fmt::print("elements     hex8 (one point, hourglass control), hex8_full (2x2x2), hex8_bbar (2x2x2, B-bar), tet4\n");
   fmt::print("materials    elastic, j2 (linear or tabulated, isotropic to kinematic), neo_hookean, rigid\n");
   fmt::print("             johnson_cook, piecewise_linear, hydrodynamic, crushable_foam; damage and erosion\n");

@@ -16,8 +16,8 @@ namespace brunt::app {
 
 namespace {
 
-/// Does a person look on? mpirun gives a rank a terminal even where its own output goes to a file: then it is the
-/// output of the process that started this one which tells.
+/// Whether a person reads the output. mpirun gives a rank a terminal even if its own output goes to a file, so the
+/// output of the parent process is examined.
 bool is_looked_on() {
   if (isatty(STDOUT_FILENO) == 0) return false;
   if (!std::getenv("OMPI_COMM_WORLD_SIZE")) return true;
@@ -40,11 +40,12 @@ void Log::open(const std::string& folder, bool append) {
   if (!speaks_) return;
   const std::string path = folder + "/log.txt";
   file_ = std::fopen(path.c_str(), "a");
-  if (!file_) throw MachineError(path + ": cannot be written");
-  // see io::prepare_result_folder, since which another run may have come; a file system may have no locks
+  if (!file_) throw MachineError(path + ": cannot write the file");
+  // see io::prepare_result_folder: another run may have started since, and a file system may have no locks
   if (flock(fileno(file_), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    throw InputError(folder + ": another run is writing there; choose another folder with --out");
-  if (!append && ftruncate(fileno(file_), 0) != 0) throw MachineError(path + ": cannot be written");
+    throw InputError(folder +
+                     ": invalid result folder: another run writes into it; expected another folder, see --out");
+  if (!append && ftruncate(fileno(file_), 0) != 0) throw MachineError(path + ": cannot write the file");
   fmt::print(file_, "{}", before_open_);
   std::fflush(file_);
 }

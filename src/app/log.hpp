@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the user sees: lines on the terminal and, the same, in log.txt; a progress bar on the terminal alone.
+// Output for the user: lines on the terminal and in log.txt; a progress bar on the terminal only.
 #pragma once
 #include <chrono>
 #include <cstdio>
@@ -15,14 +15,14 @@ class Log {
   Log(const Log&) = delete;
   Log& operator=(const Log&) = delete;
 
-  /// Starts log.txt in the folder, or goes on in it, and holds the folder for this run. What was said before is written
-  /// to it first. Throws InputError where another run holds the folder; for the root alone (app::on_root).
+  /// Starts or continues log.txt in the folder, and locks the folder for this run. Earlier lines are written to it
+  /// first. Throws InputError if another run has locked the folder; for the root only (app::on_root).
   void open(const std::string& folder, bool append);
   void line(const std::string& text);
   void warning(const std::string& text);
-  /// A line that is also told where the terminal is to stay quiet.
+  /// A line that is also printed if the terminal is quiet.
   void fault(const std::string& text);
-  /// Redraws the bar in place, now and then, if the terminal is one; `share` 0..1.
+  /// Redraws the bar from time to time, if the output is a terminal; `share` 0..1.
   void progress(double share, double seconds_left);
   [[nodiscard]] int warnings() const { return warnings_; }
 
@@ -39,8 +39,8 @@ class Log {
 /// A duration as h:mm:ss; a dash below 0.
 std::string clock_text(double seconds);
 
-/// `value` with as many digits as tell it from `limit` written as {:g}, two at least: a message that says "above" shows
-/// it.
+/// `value` with enough digits to distinguish it from `limit` written as {:g}, at least two: a message with "above" then
+/// shows a difference.
 std::string reported_from(double value, double limit);
 
 }  // namespace brunt::app

@@ -23,62 +23,63 @@ namespace {
 using namespace brunt;
 using Command = std::function<int(const comm::Communicator&)>;
 
-/// One value each, so that a scene may stand behind them.
+/// One value each, so that a scene may follow.
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
-  command.add_option("--set", overrides, "Change a value of the scene, such as run.end=1.0e-5; repeatable")
+  command.add_option("--set", overrides, "Change a value of the scene, such as run.end=1.0e-5 (repeatable)")
       ->type_name("KEY.PATH=VALUE")
       ->allow_extra_args(false)
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-/// `--out "$FOLDER"` of a variable that is not set.
+/// `--out "$FOLDER"` with an unset variable.
 std::string no_path(const std::string& text) {
-  return text.empty() ? "'' is no path; accepted: a file or folder" : std::string{};
+  return text.empty() ? "invalid empty path; expected a file or folder" : std::string{};
 }
 
 void add_run(CLI::App& program, app::RunOptions& options, Command& chosen) {
   CLI::App* run = program.add_subcommand("run", "Run a scene");
   run->add_option("scene", options.scene, "Scene file (YAML)")->required();
-  run->footer("Results, key by key with units: src/io/README.md. Keys of a scene: src/scene/README.md");
-  run->add_option("--out", options.out, "Result folder; default: SCENE.out")->type_name("FOLDER")->check(no_path);
+  run->footer("Reference: results src/io/README.md, keys of a scene src/scene/README.md");
+  run->add_option("--out", options.out, "Result folder (default SCENE.out)")->type_name("FOLDER")->check(no_path);
   add_overrides(*run, options.overrides);
-  run->add_option("--restart", options.restart, "Go on from a checkpoint, or from the latest of a result folder")
+  run->add_option("--restart", options.restart, "Continue from a checkpoint, or from the latest one of a result folder")
       ->type_name("PATH")
       ->check(no_path);
-  run->add_option("--partition", options.partition, "Which rank computes what: a folder of brunt partition --write")
+  run->add_option("--partition", options.partition, "Use the partition in a folder written by brunt partition --write")
       ->type_name("DIR")
       ->check(no_path);
   run->add_flag("--force", options.force, "Replace the results of an earlier run");
-  run->add_flag("--quiet", options.quiet, "Nothing on the terminal but faults (log.txt is written all the same)");
+  run->add_flag("--quiet", options.quiet, "Print errors only; log.txt is written as usual");
   run->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::run(ranks, options); }; });
 }
 
 void add_check(CLI::App& program, app::CheckOptions& options, Command& chosen) {
-  CLI::App* check = program.add_subcommand("check", "Read and validate a scene, list what is in it; runs nothing");
+  CLI::App* check = program.add_subcommand("check", "Read and validate a scene and list its contents, without a run");
   check->add_option("scene", options.scene, "Scene file (YAML)")->required();
   add_overrides(*check, options.overrides);
   check->add_flag("--all", options.all,
-                  "List every node that overlaps at the start; without it the ten deepest of each pair of parts");
+                  "List every node that overlaps initially (default: the ten deepest of each pair of parts)");
   check->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::check(ranks, options); }; });
 }
 
-/// CLI11 takes -np 2 for -n p and says of that only what it is not.
+/// CLI11 reads -np 2 as -n p, and its own message would not say what is expected.
 std::string no_count_of_parts(const std::string& text) {
   constexpr int most = 1000000;
   int parts = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parts);
   if (error == std::errc{} && end == text.data() + text.size() && parts >= 1 && parts <= most) return {};
-  return fmt::format("'{}' is no number of parts; accepted: a whole number from 1 to {}, as in -n 4", text, most);
+  return fmt::format("invalid number of parts '{}'; expected an integer from 1 to {}, as in -n 4", text, most);
 }
 
 void add_partition(CLI::App& program, app::PartitionOptions& options, Command& chosen) {
-  CLI::App* partition = program.add_subcommand("partition", "Split the mesh of a scene and tell how good the split is");
+  CLI::App* partition =
+      program.add_subcommand("partition", "Partition the mesh of a scene and report the quality of the partition");
   partition->add_option("scene", options.scene, "Scene file (YAML)")->required();
   partition->add_option("-n", options.parts, "Number of parts")->required()->check(no_count_of_parts);
   partition
       ->add_option("--from", options.from,
-                   "Weigh elements and contact by the times that ranks measured: a checkpoint, or the latest of a "
+                   "Weight elements and contact by the times measured in a run: a checkpoint, or the latest one of a "
                    "result folder")
       ->type_name("CHECKPOINT")
       ->check(no_path);
@@ -90,41 +91,42 @@ void add_partition(CLI::App& program, app::PartitionOptions& options, Command& c
       [&] { chosen = [&](const comm::Communicator& ranks) { return app::partition(ranks, options); }; });
 }
 
-/// CLI11 prints the largest number there is with all its digits.
+/// CLI11's own range check prints the largest double with all its digits.
 std::string no_tolerance(const std::string& text) {
   double tolerance = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), tolerance);
   if (error == std::errc{} && end == text.data() + text.size() && std::isfinite(tolerance) && tolerance >= 0) return {};
-  return fmt::format("'{}' is no tolerance; accepted: a number >= 0, as in --tol 1e-9", text);
+  return fmt::format("invalid --tol '{}': expected a number >= 0, as in --tol 1e-9", text);
 }
 
 void add_compare(CLI::App& program, app::CompareOptions& options, Command& chosen) {
-  CLI::App* compare = program.add_subcommand("compare", "Largest difference of two results, field by field");
+  CLI::App* compare = program.add_subcommand("compare", "Report the largest difference of two results, field by field");
   compare->add_option("a", options.a, "Result folder, state.h5, checkpoint or history.csv")->required();
-  compare->add_option("b", options.b, "The same of another run")->required();
-  compare->add_option("--tol", options.tolerance, "Largest relative difference allowed; default 0")
+  compare->add_option("b", options.b, "The same kind of result of another run")->required();
+  compare->add_option("--tol", options.tolerance, "Largest admissible relative difference (default 0)")
       ->check(no_tolerance);
   compare->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::compare(ranks, options); }; });
 }
 
 void add_search(CLI::App& program, app::SearchOptions& options, Command& chosen) {
   CLI::App* search =
-      program.add_subcommand("search", "Contact search alone, on a text scene of nodes and boxes or of facets");
+      program.add_subcommand("search", "Run the contact search alone, on a text scene of nodes and boxes or of facets");
   search
       ->add_option("file", options.file,
-                   "Text scene: scene1 NAME n m, nodes, boxes; or facets1 NAME n m d, nodes, facets")
+                   "Text scene: scene1 NAME n m, then nodes and boxes; or facets1 NAME n m d, then nodes and facets")
       ->required();
   search
-      ->add_option(
-          "--method", options.method,
-          "blocks: the one in use; bucket, binary: those of the paper; kdop: trees of 18-DOPs, alone for facets")
+      ->add_option("--method", options.method,
+                   "blocks: the method of brunt run; bucket, binary: the methods of the paper; kdop: trees of 18-DOPs, "
+                   "the only one for facets")
       ->check(CLI::IsMember({"blocks", "bucket", "binary", "kdop"}));
-  search->add_option("--repeat", options.repeat, "Time the best of so many runs")->check(CLI::Range(1, 1000));
-  search->add_flag("--list", options.list, "Print the pairs, a line `face node` each, of facets `slave master`");
+  search->add_option("--repeat", options.repeat, "Number of repetitions; the shortest time is reported")
+      ->check(CLI::Range(1, 1000));
+  search->add_flag("--list", options.list, "Print the pairs, one a line: `face node`, or `slave master` for facets");
   search->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::search(ranks, options); }; });
 }
 
-/// A number >= 0; CLI11 prints the largest number there is with all its digits.
+/// A number >= 0; CLI11's own range check prints the largest double with all its digits.
 std::string no_number(const std::string& text) {
   double value = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -141,12 +143,14 @@ std::string no_time(std::string& text) {
 void add_depth(CLI::App& program, app::DepthOptions& options, Command& chosen) {
   CLI::App* depth = program.add_subcommand(
       "depth", "Penetration depth of two closed surfaces: the smallest rigid motion of A that separates it from B");
-  depth->footer("Surfaces: STL, OBJ, PLY. A turns about the origin of its file, then it is moved. src/depth/README.md");
-  depth->add_option("a", options.a, "Surface of the body that moves, or a scene (YAML): all its overlapping parts")
+  depth->footer(
+      "Surfaces: STL, OBJ, PLY. A is rotated about the origin of its file, then translated. Reference: "
+      "src/depth/README.md");
+  depth->add_option("a", options.a, "Surface of the moving body, or a scene (YAML): all its overlapping parts")
       ->required();
-  depth->add_option("b", options.b, "Surface of the body that stays");
-  depth->add_option("--at", options.at, "Where A stands; default 0,0,0")->type_name("X,Y,Z");
-  depth->add_option("--turn", options.turn, "How A is turned first")->type_name("X,Y,Z,DEGREES");
+  depth->add_option("b", options.b, "Surface of the fixed body");
+  depth->add_option("--at", options.at, "Translation of A (default 0,0,0)")->type_name("X,Y,Z");
+  depth->add_option("--turn", options.turn, "Rotation of A, before the translation")->type_name("X,Y,Z,DEGREES");
   depth->add_option("--poses", options.poses, "Poses of A: x,y,z and axis_x,axis_y,axis_z,degrees or qw,qx,qy,qz")
       ->type_name("FILE.csv")
       ->check(no_path)
@@ -154,33 +158,35 @@ void add_depth(CLI::App& program, app::DepthOptions& options, Command& chosen) {
       ->excludes("--turn");
   depth
       ->add_option("--metric", options.metrics,
-                   "Length of a motion: displacement (largest of a point, default), object_norm (root mean square), "
-                   "translation (no turning); repeatable")
+                   "Norm of a motion: displacement (the largest of all points, default), object_norm (root mean "
+                   "square), translation (without rotation); repeatable")
       ->check(CLI::IsMember({"displacement", "object_norm", "translation"}))
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  depth->add_option("--along", options.along, "Axes along which translations are admitted, such as x,y")
+  depth->add_option("--along", options.along, "Axes along which translations are admissible, such as x,y")
       ->type_name("AXES");
   depth->add_option("--clearance", options.clearance, "Gap to leave between the surfaces [length]")->check(no_number);
-  depth->add_flag("--careful", options.careful, "More starts: a better answer in more time");
+  depth->add_flag("--careful", options.careful, "Use more starting points: a better result in more time");
   depth
-      ->add_option("--certify", options.certify,
-                   "Search all motions until (depth - bound) / depth is no more than this")
+      ->add_option("--certify", options.certify, "Search all motions until (depth - bound) / depth is at most this gap")
       ->type_name("GAP")
       ->check(no_number);
-  depth->add_option("--boxes", options.boxes, "End that search after so many boxes (equal bits)")
+  depth->add_option("--boxes", options.boxes, "End the certified search after this number of boxes (reproducible)")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
-  depth->add_option("--limit", options.limit, "End that search after so many seconds (no equal bits)")
+  depth->add_option("--limit", options.limit, "End the certified search after this time in seconds (not reproducible)")
       ->type_name("TIME")
       ->transform(CLI::Validator(no_time, "TIME"));
-  depth->add_option("--pieces", options.pieces, "Convex pieces inside A and B, for better bounds (YAML)")
+  depth->add_option("--pieces", options.pieces, "Convex pieces inside A and B (YAML), for better bounds")
       ->type_name("FILE")
       ->check(no_path);
-  depth->add_option("--merge", options.merge, "Points nearer to each other become one [length]")->check(no_number);
+  depth->add_option("--merge", options.merge, "Merge points that are closer to each other than this [length]")
+      ->check(no_number);
   depth->add_flag("--sequence", options.sequence,
-                  "Start each pose from the answer of the one before as well, in chains of 32: one walk more a query");
+                  "Start each pose also from the result of the previous one, in chains of 32 poses");
   depth->add_flag("--json", options.json, "Print JSON instead of text");
-  depth->add_option("--out", options.out, "Folder for depth.csv, depth.json and surfaces before and after (PLY)")
+  depth
+      ->add_option("--out", options.out,
+                   "Folder for depth.csv, depth.json and the surfaces before and after the motion (PLY)")
       ->type_name("FOLDER")
       ->check(no_path);
   depth->add_flag("--force", options.force, "Replace the results of an earlier run");
@@ -189,14 +195,14 @@ void add_depth(CLI::App& program, app::DepthOptions& options, Command& chosen) {
       [&] { chosen = [&](const comm::Communicator& ranks) { return app::depth_command(ranks, options); }; });
 }
 
-/// CLI11 would say only that a command is missing.
+/// CLI11 would only report that a command is missing.
 bool names_unknown_command(const CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return false;
   const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
   return std::ranges::none_of(commands, [&](const CLI::App* command) { return command->get_name() == argv[1]; });
 }
 
-/// CLI11 speaks on every rank; one of them is enough.
+/// CLI11 prints on every rank; the output of one is sufficient.
 int parse_failure(const CLI::App& program, const CLI::ParseError& error, bool root) {
   if (!root) return error.get_exit_code() == 0 ? 0 : 2;
   if (error.get_exit_code() == 0) return program.exit(error);
@@ -221,11 +227,11 @@ int run_command(const comm::Communicator& ranks, int argc, char** argv) {
   add_compare(program, compare, chosen);
   add_search(program, search, chosen);
   add_depth(program, depth, chosen);
-  program.add_subcommand("info", "Version, libraries, limits, elements and materials")->callback([&] {
+  program.add_subcommand("info", "Print version, libraries, limits, elements and materials")->callback([&] {
     chosen = app::info;
   });
   if (names_unknown_command(program, argc, argv)) {
-    if (ranks.is_root()) fmt::print(stderr, "brunt: no command '{}'; see brunt --help\n", argv[1]);
+    if (ranks.is_root()) fmt::print(stderr, "brunt: unknown command '{}'; see brunt --help\n", argv[1]);
     return 2;
   }
   try {

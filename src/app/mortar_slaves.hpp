@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where mortar contact will have its work, for the split over the ranks.
+// Prediction of the work of mortar contact, for the partition.
 #pragma once
 #include <vector>
 
@@ -8,9 +8,9 @@
 
 namespace brunt::app {
 
-/// Faces of the slaves of mortar interfaces that are nearer to the box around their master than a face is long, or all
-/// of a slave of which none is: they may meet later. Of sides that the scene leaves to the program the finer is the
-/// slave. Ties count too, whose normals turn. None without mortar contact.
+/// Faces of the slaves of mortar interfaces that are closer to the bounding box of their master than the length of a
+/// face, or all faces of a slave without such faces, since they may touch later. If the program chooses the slave, the
+/// finer side is used. Ties count too, since their normals rotate. Empty without mortar contact.
 std::vector<mesh::Side> mortar_slaves(const scene::Input& input, const mesh::Mesh& mesh);
 
 }  // namespace brunt::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the user is told where initial_overlap: move cannot be done.
+// Messages if initial_overlap: move fails.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace brunt::app {
 
-/// None where the moves were done. held: the scene's key of each list of held nodes.
+/// Empty if the moves succeeded. held: the scene's key of each list of constrained nodes.
 std::vector<std::string> report_refused_moves(const scene::Input& input, const mesh::Mesh& mesh,
                                               const std::vector<std::string>& held, const setup::OverlapMoves& moves);
 

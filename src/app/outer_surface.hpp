@@ -6,8 +6,8 @@
 
 namespace brunt::app {
 
-/// The surface of one block, in triangles: of the two diagonals of a warped face the one that the body is larger with.
-/// Points are those of the mesh, in its order.
+/// The surface of one block in triangles: for a warped face, the diagonal with the larger volume of the body. Points
+/// are those of the mesh, in its order.
 [[nodiscard]] TriangleSurface outer_surface(const mesh::Mesh& mesh, std::size_t block);
 
 }  // namespace brunt::app

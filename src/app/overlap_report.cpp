@@ -44,25 +44,25 @@ struct Reporter {
   }
 
   [[nodiscard]] std::string describe(const InitialOverlap& deepest, std::size_t nodes, std::size_t too_deep) const {
-    std::string line = fmt::format("{}: node {} of part '{}' lies {} inside part '{}' at the start",
+    std::string line = fmt::format("{}: initial overlap: node {} of part '{}' lies {} inside part '{}'",
                                    where(deepest.block, deepest.other_block), node(deepest.node), part(deepest.block),
                                    length(deepest.penetration), part(deepest.other_block));
     if (deepest.is_within_itself()) line += " (one body, which overlaps itself)";
     if (nodes > 1)
       line += fmt::format(
-          ", the deepest of {} nodes of the two parts that overlap (brunt check lists them: the deepest, with --all "
-          "every one)",
+          ", the deepest of {} overlapping nodes of the two parts (brunt check lists the deepest, with --all every "
+          "one)",
           nodes);
     if (too_deep > 0)
-      line += fmt::format("; {} of them so deep that contact does not see them, or sees them from the wrong side",
-                          too_deep);
+      line +=
+          fmt::format("; {} of them are too deep for contact to detect, or are detected from the wrong side", too_deep);
     return line + fmt::format("; node {} is {}", node(deepest.node), place(deepest.node));
   }
 
   [[nodiscard]] std::string describe(const Piercing& piercing) const {
     return fmt::format(
-        "{}: part '{}' pierces part '{}' ({} edge{}; first: nodes {}-{} through face {}) without a node "
-        "inside: contact would see them from the wrong side",
+        "{}: initial overlap: part '{}' intersects part '{}' ({} edge{}; first: nodes {}-{} through face {}) without a "
+        "node inside, and contact would detect the edges from the wrong side",
         where(piercing.block, piercing.other_block), part(piercing.block), part(piercing.other_block), piercing.edges,
         piercing.edges == 1 ? "" : "s", node(piercing.edge[0]), node(piercing.edge[1]),
         name_of_face(mesh, piercing.face));
@@ -70,8 +70,8 @@ struct Reporter {
 
   [[nodiscard]] std::string describe(const SharedSpace& shared) const {
     return fmt::format(
-        "{}: part '{}' lies in the place of part '{}' ({} of its elements are inside; first: element {}), with all "
-        "surface nodes of the two on each other's faces: contact would see nothing",
+        "{}: initial overlap: part '{}' coincides with part '{}' ({} of its elements are inside; first: element {}): "
+        "all surface nodes of each part lie on faces of the other, and contact would detect nothing",
         where(shared.block, shared.other_block), part(shared.block), part(shared.other_block), shared.elements,
         shared.first);
   }
@@ -102,7 +102,7 @@ std::string listed(const Reporter& reporter, const InitialOverlap& overlap) {
       "node {:>8} of {:<16} {} inside {}{}{}, {}", reporter.node(overlap.node), reporter.part(overlap.block),
       reporter.length(overlap.penetration), reporter.part(overlap.other_block),
       overlap.face[0] == no_index ? "" : fmt::format(", behind its face {}", name_of_face(reporter.mesh, overlap.face)),
-      overlap.too_deep ? ", deeper than contact looks" : "", reporter.place(overlap.node));
+      overlap.too_deep ? ", too deep for contact" : "", reporter.place(overlap.node));
 }
 
 std::string listed(const Reporter& reporter, const Piercing& piercing) {
@@ -128,7 +128,7 @@ void list_overlaps(const Reporter& reporter, const InitialGaps& gaps, OverlapRep
   for (const auto& [pair, count] : nodes)
     if (count > most)
       report.deepest.push_back(
-          fmt::format("... and {} more nodes of {} and {}, no deeper; brunt check --all lists them", count - most,
+          fmt::format("... and {} more nodes of {} and {}, none deeper; brunt check --all lists them", count - most,
                       reporter.input.parts[pair.first].name, reporter.input.parts[pair.second].name));
   const auto list_all = [&](const auto& of_one_kind) {
     for (const auto& one : of_one_kind) {
@@ -177,20 +177,18 @@ OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh,
   for (const Piercing& piercing : gaps.piercings) judge(piercing.rule, false, reporter.describe(piercing));
   for (const SharedSpace& shared : gaps.shared) judge(shared.rule, false, reporter.describe(shared));
   if (refused)
-    report.faults.push_back(input.at("contact") +
-                            ": accepted: parts that do not overlap, or initial_overlap: warn "
-                            "(recovered slowly), place (parts moved apart before the run), move (nodes moved out) or "
-                            "offset (kept as zero gap)");
-  if (untreatable)
-    report.faults.push_back(input.at("contact") +
-                            ": initial_overlap: move and offset treat nodes that are less than a quarter of a "
-                            "face's edge and half an element inside; move the parts apart, or accept "
-                            "initial_overlap: place");
-  if (moves_itself)
     report.faults.push_back(
         input.at("contact") +
-        ": initial_overlap: move and place do not part a body from itself; mend its mesh, or accept "
-        "the overlap with warn (recovered slowly) or offset (kept as zero gap)");
+        ": invalid initial overlap; expected parts that do not overlap, or initial_overlap: warn (recovered slowly), "
+        "place (parts moved apart before the run), move (nodes moved out) or offset (kept as zero gap)");
+  if (untreatable)
+    report.faults.push_back(input.at("contact") +
+                            ": invalid initial_overlap: move and offset treat nodes less than a quarter of a face's "
+                            "edge and half an element inside; expected parts farther apart, or initial_overlap: place");
+  if (moves_itself)
+    report.faults.push_back(input.at("contact") +
+                            ": invalid initial_overlap: move and place do not separate a body from itself; expected a "
+                            "corrected mesh, or warn (recovered slowly) or offset (kept as zero gap)");
   return report;
 }
 

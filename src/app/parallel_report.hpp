@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the ranks share the work of a run: neighbours, imbalance, messages and memory, for summary.json.
+// Distribution of the work of a run over the ranks: neighbours, imbalance, messages and memory, for summary.json.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace brunt::app {
 
-/// What one rank did in the loop of a run, output left out.
+/// The work of one rank in the loop of a run, without output.
 struct RankWork {
   double steps = 0;
   comm::Traffic sent;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the parts of a scene lie at the start.
+// Initial extents of the parts of a scene.
 #pragma once
 #include <array>
 #include <span>

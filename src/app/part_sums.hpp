@@ -11,7 +11,7 @@
 
 namespace brunt::app {
 
-/// The parts and nodes that a probe of a part looks at, on this rank.
+/// The parts and nodes of a probe of a part, on this rank.
 struct PartNodes {
   std::size_t block = 0;
   std::vector<LocalIndex> own;  ///< nodes that this rank owns and no other part has

@@ -69,13 +69,15 @@ io::MeasuredWork measured_work(const std::string& checkpoint, const SceneIdentit
   refuse_other_scene(checkpoint, {header.fingerprint, header.scene}, scene);
   io::MeasuredWork work = io::read_measured_work(checkpoint);
   if (work.rank.size() != elements)
-    throw InputError(fmt::format("{}: is of {} elements, the scene has {}", checkpoint, work.rank.size(), elements));
+    throw InputError(fmt::format("{}: invalid checkpoint of {} elements; expected {} as in the scene", checkpoint,
+                                 work.rank.size(), elements));
   return work;
 }
 
 /// Nothing is overwritten.
 void demand_new(const std::string& path) {
-  if (std::filesystem::exists(path)) throw InputError(path + ": exists; expected the name of a new folder");
+  if (std::filesystem::exists(path))
+    throw InputError(path + ": invalid folder: it exists; expected the name of a new folder");
 }
 
 }  // namespace

@@ -41,10 +41,9 @@ struct Placer {
     const std::string &a = part(block_of(ends.a, ends.a_surface)), &b = part(block_of(ends.b, ends.b_surface));
     const bool held = !scene.assembly.members[ends.a].moves() && !scene.assembly.members[ends.b].moves();
     return fmt::format(
-        "{}: initial_overlap: place cannot separate parts '{}' and '{}'{}; expected room for them, and one of them "
-        "free "
-        "to move",
-        input.at(scene::contact_key(input, a, b)), a, b, held ? ", which are both held" : "");
+        "{}: invalid initial_overlap: place cannot separate parts '{}' and '{}'{}; expected free space, and at least "
+        "one part that can move",
+        input.at(scene::contact_key(input, a, b)), a, b, held ? ", which are both fixed" : "");
   }
 
   /// The least limit that holds for the member, and its entry of `contact`.
@@ -72,7 +71,7 @@ struct Placer {
       const std::optional<Limit> limit = limit_of(k);
       if (!limit || answer.farthest[k] <= worst * (1 + over_limit) * limit->length) continue;
       worst = answer.farthest[k] / limit->length;
-      fault = fmt::format("{}: initial_overlap: place would move {} by {}; expected at most {}",
+      fault = fmt::format("{}: out of range: initial_overlap: place would move {} by {}; expected at most {}",
                           input.at(fmt::format("contact.{}.limit", limit->entry)), name(k), length(answer.farthest[k]),
                           length(limit->length));
     }

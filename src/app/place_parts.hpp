@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// initial_overlap: place - whole parts move apart as rigid bodies before anything else sees the mesh.
+// initial_overlap: place - whole parts are moved apart as rigid bodies at the start of the set-up.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,13 +12,13 @@ namespace brunt::app {
 
 struct PlacedParts {
   std::vector<std::string> notes;   ///< a line for all, then one for each part that moved
-  std::vector<std::string> faults;  ///< why it cannot be done; the mesh is as it was then
+  std::vector<std::string> faults;  ///< why it failed; the mesh is then unchanged
 };
 
-/// Moves the coordinates of parts by the least sum of mass times object norm squared (depth/assembly.hpp) so that no
-/// pair with the rule `place` or `error` overlaps. Parts that only touch are parted by the clearance of 1e-8 of the
-/// largest radius. Sets have been chosen before. Rigid walls, and planes of symmetry for parts that have no node in
-/// them, are not looked at: see placed_beyond.hpp.
+/// Moves the coordinates of parts by the smallest sum of mass times object norm squared (depth/assembly.hpp) for which
+/// no pair with the rule `place` or `error` overlaps. Parts that only touch are separated by the clearance of 1e-8 of
+/// the largest radius. Sets have been selected before. Rigid walls, and planes of symmetry for parts without nodes in
+/// them, are not considered: see placed_beyond.hpp.
 [[nodiscard]] PlacedParts place_parts(const scene::Input& input, mesh::Mesh& mesh, const setup::StartRules& rules);
 
 }  // namespace brunt::app

@@ -64,7 +64,7 @@ std::vector<std::string> placed_beyond(const scene::Input& input, const mesh::Me
   std::vector<std::string> warnings;
   const std::vector<PartNodes> parts = nodes_of_parts(input, mesh, before);
   const auto warn = [&](const std::string& key, const std::string& part, double depth, const std::string& what) {
-    warnings.push_back(fmt::format("{}: initial_overlap: place puts part '{}' {} {}", input.at(key), part,
+    warnings.push_back(fmt::format("{}: initial_overlap: place moves part '{}' {} {}", input.at(key), part,
                                    scene::with_length(depth, input.units), what));
   };
   for (std::size_t p = 0; p < parts.size(); ++p) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid walls and planes of symmetry that initial_overlap: place does not see.
+// Rigid walls and planes of symmetry that initial_overlap: place does not consider.
 #pragma once
 #include <span>
 #include <string>

@@ -51,11 +51,12 @@ std::vector<Rank> given_partition(const Prepared& run, const mesh::CanonicalMesh
   refuse_other_scene(path, {given.fingerprint, given.scene}, {run.fingerprint, run.scene_values});
   const int ranks = run.links.ranks.size();
   if (given.parts != ranks)
-    throw InputError(fmt::format("{}: is of {} parts, which this run of {} rank{} cannot take; expected one of -n {}",
+    throw InputError(fmt::format("{}: invalid partition of {} parts for a run of {} rank{}; expected one of -n {}",
                                  path, given.parts, ranks, ranks == 1 ? "" : "s", ranks));
   const auto elements = static_cast<std::size_t>(partition::first_of_block(whole.mesh).back());
   if (given.part.size() != elements)
-    throw InputError(fmt::format("{}: is of {} elements, the scene has {}", path, given.part.size(), elements));
+    throw InputError(fmt::format("{}: invalid partition of {} elements; expected {} as in the scene", path,
+                                 given.part.size(), elements));
   return std::move(given.part);
 }
 
@@ -83,7 +84,7 @@ scene::Input read_input(const comm::Communicator& ranks, const std::string& scen
   std::string text;
   on_root(ranks, [&] {
     if (std::filesystem::is_directory(scene_file))
-      throw InputError(scene_file + ": is a folder; give the scene file in it");
+      throw InputError(scene_file + ": invalid scene: it is a folder; expected the scene file in it");
     text = io::read_text(scene_file);
   });
   ranks.broadcast(text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a scene file to everything that a run needs, on all ranks.
+// From a scene file to all data of a run, on all ranks.
 #pragma once
 #include <array>
 #include <memory>
@@ -27,17 +27,17 @@ namespace brunt::app {
 /// Of each probe in Prepared::contact_memory.
 constexpr std::size_t contact_memory_width = 5;
 
-/// What has eroded since this program began.
+/// Elements eroded since this program started.
 struct ErosionAccount {
-  bool any = false;                          ///< does any part erode?
+  bool any = false;                          ///< whether any part erodes
   std::vector<time::ErosionCount> counts{};  ///< by block
   std::vector<time::ErosionCount> now{};     ///< likewise, of the last step
-  GlobalIndex steps = 0;                     ///< in which elements went
+  GlobalIndex steps = 0;                     ///< steps in which elements were removed
 };
 
 struct Prepared {
   scene::Input input;
-  std::string fingerprint;            ///< what may not change over a restart
+  std::string fingerprint;            ///< of the data that must not change at a restart
   std::vector<std::string> warnings;  ///< on the root
   TreatedOverlaps overlaps;           ///< on the root, but for what is accepted or recovered
   model::Model model;
@@ -46,11 +46,11 @@ struct Prepared {
   time::Links links;
   std::unique_ptr<contact::Contact> contact;        ///< null without contact and walls
   std::vector<std::array<std::string, 2>> tracked;  ///< parts of contacts whose impulses are summed, as in the probes
-  std::vector<double> contact_sums;                 ///< exact sums of contact as a checkpoint holds them
-  contact::HistoryTables contact_history;           ///< what contact remembers, likewise
+  std::vector<double> contact_sums;                 ///< exact sums of contact in the form of a checkpoint
+  contact::HistoryTables contact_history;           ///< history of contact, likewise
 
   std::vector<double> force_memory;  ///< of force probes: impulse (3) and time of the last row
-  Extremes extremes;                 ///< what the run has seen since t = 0
+  Extremes extremes;                 ///< extremes since t = 0
 
   std::vector<std::string>
       left_out{};  ///< on the root: blocks of mesh files that are ignored, and what sets lost by it
@@ -71,7 +71,7 @@ struct Prepared {
 
   /// All arrays of the state, the sums and the history of contact among them. Collective.
   model::Registry registry();
-  /// Makes the state what a checkpoint has filled the registry with.
+  /// Updates the state after a checkpoint has filled the registry.
   void after_restart();
 };
 
@@ -85,16 +85,16 @@ scene::Input read_input(const comm::Communicator& ranks, const std::string& scen
 mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::string>& warnings,
                                StartUp* start_up = nullptr);
 
-/// `partition`: a file that says which rank computes which element; empty: that is decided here. Collective; throws
+/// `partition`: a file with the rank of each element; empty: the partition is computed here. Collective; throws
 /// InputError on all ranks.
 std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
                                   const std::vector<std::string>& overrides, const std::string& partition = "");
 
-/// Ends the phase of relaxation: initial velocities, t = 0, ledgers and sums from zero. Collective.
+/// Ends the relaxation phase: initial velocities, t = 0, ledgers and sums from zero. Collective.
 void begin_run(Prepared& run);
 
-/// Refuses the overlaps at the start that the scene does not allow; the others become warnings. Collective; throws
-/// InputError on all ranks.
+/// Rejects initial overlaps that the scene does not admit; the others become warnings. Collective; throws InputError on
+/// all ranks.
 void refuse_overlaps(Prepared& run);
 
 }  // namespace brunt::app

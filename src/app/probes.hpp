@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values that the user watches at nodes, sets, walls and contacts: columns of history.csv.
+// Probes: values at nodes, sets, walls and contacts as columns of history.csv.
 #pragma once
 #include <array>
 #include <optional>
@@ -21,7 +21,7 @@ class Probes {
 
   [[nodiscard]] const std::vector<io::HistoryColumn>& columns() const { return columns_; }
 
-  /// Reads what belongs to t_n (motion of nodes and sets), before the step moves on. Collective.
+  /// Reads the values at t_n (motion of nodes and sets), before the step advances. Collective.
   void read_motion(const Prepared& run);
   /// Reads impulses up to t_{n+1/2}, after the step, and returns all values in the order of the columns: forces are
   /// means since the last row, with the impulse beside them. Collective.

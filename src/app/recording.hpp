@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What writing and watching cost, told apart from the steps: seconds and messages.
+// Cost of output and guards, separated from the steps: seconds and messages.
 #pragma once
 #include "brunt/comm/traffic.hpp"
 #include "brunt/core/timers.hpp"
@@ -7,7 +7,7 @@
 
 namespace brunt::app {
 
-/// Books the time and the messages from its making to its end to output. None within another.
+/// Counts the time and the messages between its construction and its destruction as output. A nested one has no effect.
 class Recording {
  public:
   Recording(time::Links& links, comm::Traffic& sent)

@@ -83,8 +83,8 @@ void demand_first_step(Prepared& run) {
   if (std::isfinite(step.dt)) return;
   const auto part = std::ranges::find_if(run.input.parts, [](const scene::Part& p) { return p.erosion.has_value(); });
   throw InputError(run.input.at(fmt::format("parts.{}.erosion", part->name)) +
-                   ": all elements that could give a step meet a criterion at the start; accepted: criteria that they "
-                   "do not meet then, or run.step");
+                   ": invalid criteria: every element that could determine the step meets one at the start; expected "
+                   "criteria that are not met at the start, or run.step");
 }
 
 void remove_due(Prepared& run, Log& log) {

@@ -17,10 +17,10 @@ void refuse_past_end(const Prepared& run, const std::string& checkpoint) {
   const scene::Run& limits = run.input.run;
   const model::State& state = run.state;
   if (limits.end && state.time_before >= *limits.end)
-    throw InputError(fmt::format("{}: {:g} is past already: {} stands at t = {:g}; accepted: a later time",
+    throw InputError(fmt::format("{}: out of range: {:g} has passed: {} is at t = {:g}; expected a later time",
                                  run.input.at("run.end"), *limits.end, checkpoint, state.time));
   if (limits.steps && state.step > static_cast<double>(*limits.steps))
-    throw InputError(fmt::format("{}: {} are done already: {} stands at step {}; accepted: more steps",
+    throw InputError(fmt::format("{}: out of range: {} steps are done: {} is at step {}; expected more steps",
                                  run.input.at("run.steps"), *limits.steps, checkpoint,
                                  static_cast<GlobalIndex>(state.step)));
 }
@@ -49,10 +49,12 @@ std::string whole_before(Prepared& run, const std::string& checkpoint) {
 std::string checkpoint_of(const comm::Communicator& ranks, const std::string& restart) {
   std::string path = restart;
   on_root(ranks, [&] {
-    if (!std::filesystem::exists(restart)) throw InputError(restart + ": no such file or folder to restart from");
+    if (!std::filesystem::exists(restart))
+      throw InputError(restart +
+                       ": cannot read the restart: no such file or folder; expected a checkpoint or a result folder");
     if (!std::filesystem::is_directory(restart)) return;
     const std::optional<std::string> latest = io::latest_checkpoint(restart);
-    if (!latest) throw InputError(restart + ": has no checkpoint_*.h5 to restart from");
+    if (!latest) throw InputError(restart + ": missing checkpoint_*.h5; expected a checkpoint in the folder");
     path = *latest;
   });
   ranks.broadcast(path);
@@ -74,7 +76,7 @@ io::CheckpointHeader restart_from(Prepared& run, const std::string& checkpoint) 
   }
   if (!faults.empty()) {
     if (const std::string before = whole_before(run, checkpoint); !before.empty())
-      faults.back() += fmt::format("; the one before is whole and of this scene: --restart {}", before);
+      faults.back() += fmt::format("; the previous checkpoint is intact and of this scene: --restart {}", before);
     throw InputError(std::move(faults));
   }
   run.after_restart();

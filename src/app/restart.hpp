@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Going on from a checkpoint: which one, whether it fits the scene, and what to do where it is damaged.
+// Restart from a checkpoint: its choice, whether it belongs to the scene, and the alternative to a damaged one.
 #pragma once
 #include <string>
 
@@ -8,11 +8,11 @@
 
 namespace brunt::app {
 
-/// The checkpoint that `--restart` means: a file, or the latest of a folder. Collective; throws InputError.
+/// The checkpoint of `--restart`: a file, or the latest one of a folder. Collective; throws InputError.
 std::string checkpoint_of(const comm::Communicator& ranks, const std::string& restart);
 
-/// Makes the state that of the checkpoint. Collective; throws InputError that says which keys of the scene differ, or
-/// which whole checkpoint stands before a damaged one.
+/// Sets the state to that of the checkpoint. Collective; throws InputError with the keys of the scene that differ, or
+/// with the last intact checkpoint before a damaged one.
 io::CheckpointHeader restart_from(Prepared& run, const std::string& checkpoint);
 
 }  // namespace brunt::app

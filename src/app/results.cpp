@@ -97,8 +97,8 @@ void Results::warn_of_missing_rows(const io::CheckpointHeader& checkpoint) {
   const std::string path = folder_ + "/history.csv";
   if (const auto gap = io::history_gap(path, checkpoint.history_rows, checkpoint.time))
     log_.warning(
-        fmt::format("{}: {} of the {} rows up to this checkpoint are missing (widest gap: from t = {:g} to t = {:g}); "
-                    "the run goes on without them",
+        fmt::format("{}: {} of the {} rows up to this checkpoint are missing (largest gap: from t = {:g} to t = {:g}); "
+                    "the run continues without them",
                     path, gap->missing, checkpoint.history_rows, gap->from, gap->to));
 }
 

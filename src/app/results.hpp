@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All files of a run: history, fields, checkpoints, summary, and what of them goes to the terminal.
+// All files of a run: history, fields, checkpoints, summary, and their output on the terminal.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -21,30 +21,30 @@
 
 namespace brunt::app {
 
-/// Which t_n a record is of.
+/// The t_n of a record.
 struct RecordTime {
   GlobalIndex step = 0;
   double time = 0;
 };
 
-/// The loop as it ended: what is written after it is not its cost.
+/// The loop at its end: later output is not part of its cost.
 struct LoopCost {
   double seconds = 0, passes = 0;  ///< wall clock [s], output included; steps
   Timers timers;
   comm::Traffic sent{};  ///< by this rank in the loop, output left out
 };
 
-/// The last steps of which a run that goes on keeps the records that it finds.
+/// The last steps whose records are kept when a run is continued.
 struct KeptRecords {
   GlobalIndex fields, rows;
 };
 
 class Results {
  public:
-  /// Opens the files of the folder; `kept`: goes on in them. Collective.
+  /// Opens the files of the folder; `kept`: continues them. Collective.
   Results(Prepared& run, std::string folder, const std::optional<KeptRecords>& kept, Log& log);
 
-  /// Tells of rows that history.csv had when the checkpoint was written and has no more.
+  /// Warns of rows that history.csv had when the checkpoint was written and that are missing now.
   void warn_of_missing_rows(const io::CheckpointHeader& checkpoint);
 
   /// Between evaluate and advance: fields and probes of t_n.
@@ -54,28 +54,27 @@ class Results {
   void write_fields(const time::StepReport* step);
   /// The row of t_n; in explicit runs after advance.
   void write_history(const time::Ledger& ledger, const time::StepReport& step, const RecordTime& at);
-  /// Keeps account of a ledger; warns where the energy may not be right, throws GuardError where it cannot be.
-  /// Collective.
+  /// Evaluates a ledger; warns if the energy may be wrong, throws GuardError if it is. Collective.
   void watch(const time::Ledger& ledger, double time);
-  /// Counts elements folded at x_n, and warns of the first that are seen. Collective.
+  /// Counts the elements folded at x_n, and warns of the first ones. Collective.
   void watch_folds();
-  /// Warns of parts that supports move through each other, and follows how deep. Collective.
+  /// Warns of parts that supports move through each other, and records the depth. Collective.
   void watch_driven();
-  /// Warns where hourglass control has taken up more than belongs to it, or contact more than an impact loses.
+  /// Warns if hourglass control took up too much energy, or contact more than the loss of an impact.
   void report_at_end();
   std::string write_checkpoint();
-  /// Remembers the state of t_n, which all guards have let pass. Collective.
+  /// Stores the state of t_n, which all guards have accepted. Collective.
   void remember_good();
-  /// After a guard: a checkpoint of the remembered state, which becomes the state of the run; nothing, and empty, where
-  /// a newer checkpoint was written. Collective.
+  /// After a guard: writes a checkpoint of the stored state, which becomes the state of the run; does nothing and
+  /// returns an empty path if a newer checkpoint exists. Collective.
   std::string save_last_good();
-  /// Remembers where the run stands: the summary is about this state, also if one more record is taken. Collective.
+  /// Stores the state of the run for the summary, even if one more record is written. Collective.
   void seal();
   void write_summary(const std::string& stopped_by, int exit_code, double wall_seconds, const LoopCost& cost);
   void table_header();
   /// `seconds_left`: of the wall clock until the end, as far as can be told; below 0: not yet.
   void table_line(const time::Ledger& ledger, const time::StepReport& step, const RecordTime& at, double seconds_left);
-  /// Books what follows to output, up to the end of what is returned.
+  /// Counts the time until the returned object is destroyed as output.
   [[nodiscard]] Recording record() { return {run_.links, sent_}; }
   [[nodiscard]] const comm::Traffic& sent() const { return sent_; }  ///< by this rank, for output
   [[nodiscard]] const std::string& folder() const { return folder_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Results looks at besides writing: guards and warnings.
+// The part of Results that evaluates guards and warnings.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,11 +37,11 @@ std::string where_friction_gives(const Prepared& run) {
   ranks.max(place);
   const GlobalIndex master = ranks.max(mine ? GlobalIndex{here.master_block} : GlobalIndex{-2});
   return fmt::format(
-      "; in the last step it gave most at {} on {}", text_of_point(run, {place[0], place[1], place[2]}),
+      "; in the last step the largest contribution was at {} on {}", text_of_point(run, {place[0], place[1], place[2]}),
       master < 0 ? "a rigid wall" : "part '" + run.model.blocks[static_cast<std::size_t>(master)].part + "'");
 }
 
-/// Springs that stay are another thing than those of `stiffness` where there is plastic flow alone.
+/// Elastic hourglass springs differ from those of `stiffness` only in plastic flow.
 const char* remedy_of_folds(const material::Law& law) {
   if (std::holds_alternative<material::J2>(law)) return "hourglass: {kind: elastic} or element: hex8_full";
   if (std::holds_alternative<material::NeoHookean>(law)) return "element: hex8_full";
@@ -50,11 +50,11 @@ const char* remedy_of_folds(const material::Law& law) {
 
 }  // namespace
 
-/// Which element or contact gives: a search, for messages alone. Collective.
+/// The element or contact with the fault: a search, for messages only. Collective.
 std::string Results::where(Fault fault) const {
   if (fault == Fault::hourglass || fault == Fault::bulk) {
     const ElementPlace place = place_of_least(run_, fault == Fault::hourglass ? "hourglass_energy" : "bulk_energy");
-    return place.element < 0 ? "" : "; least of all is that of " + text_of(place);
+    return place.element < 0 ? "" : "; the smallest value is in " + text_of(place);
   }
   return fault == Fault::friction ? where_friction_gives(run_) : "";
 }
@@ -69,7 +69,8 @@ void Results::watch(const time::Ledger& ledger, double time) {
         settling_energy(ledger.mass, run_.model.gravity.norm(), run_.state.dt, run_.model.contact.enforcement.tolerance,
                         run_.contact->derived.detection.tolerances->recovery);
   if (run_.implicit) rounding += implicit_rounding(run_, extent_);
-  // once exact multipliers alternate from step to step they feed energy in every one: what is above the warning grows
+  // Once exact multipliers alternate from step to step they supply energy in every step, so an energy above the warning
+  // continues to grow.
   const bool trapezoidal = run_.input.implicit && run_.input.implicit->scheme == model::Scheme::newmark;
   const std::string growth = energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding);
   for (const Finding& finding : judge(ledger, run_.extremes, rounding, run_.overlaps.recovered)) {
@@ -80,17 +81,17 @@ void Results::watch(const time::Ledger& ledger, double time) {
     reported = true;
     const std::string text = fmt::format(
         "{}{}; {}", text_of(finding, time), where(finding.fault),
-        makes_energy    ? "the trapezoidal rule with exact multipliers makes energy: take scheme: contact_implicit"
+        makes_energy    ? "the trapezoidal rule with exact multipliers generates energy: use scheme: contact_implicit"
         : run_.implicit ? likely_cause_in_implicit(finding.fault)
                         : likely_cause(finding.fault));
     if (stop) throw GuardError(text);
-    log_.warning(text + " (told once)");
+    log_.warning(text + " (reported once)");
   }
   if (walls_make_energy(run_, ledger, run_.extremes.largest_energy))
-    throw GuardError(fmt::format(
-        "walls at rest have given {:.3g} by t = {:g}, more than 1 % of the largest energy so far; exact constraints of "
-        "newmark and hht make energy in impacts: take scheme: contact_implicit",
-        -ledger.walls, time));
+    throw GuardError(
+        fmt::format("walls at rest have supplied {:.3g} by t = {:g}, more than 1 % of the largest energy so far; the "
+                    "exact constraints of newmark and hht generate energy in impacts: use scheme: contact_implicit",
+                    -ledger.walls, time));
   if (!growth.empty())
     throw GuardError(fmt::format("energy grows at t = {:g}: {}{}", time, growth,
                                  folded_ > 0 ? fmt::format(" ({} hex8 elements are folded)", folded_) : ""));
@@ -105,12 +106,12 @@ void Results::watch_folds() {
     const double worst = ranks.min(here.worst);
     const GlobalIndex element = ranks.max(here.worst == worst ? here.element : -1);
     const auto block = static_cast<std::size_t>(ranks.max(GlobalIndex{here.element == element ? here.block : -1}));
-    log_.warning(fmt::format(
-        "{} hex8 element{} folded at t = {:g}, step {}, with a corner inside out; worst is element {} (position in the "
-        "input) of part '{}'. Contact loses nodes behind folded faces and may give energy. Take {} (told once; "
-        "folded_elements in summary.json is the largest number seen)",
-        count, count == 1 ? " is" : "s are", run_.state.time, static_cast<GlobalIndex>(run_.state.step), element + 1,
-        run_.model.blocks[block].part, remedy_of_folds(run_.model.blocks[block].law)));
+    log_.warning(
+        fmt::format("{} hex8 element{} folded at t = {:g}, step {}, with an inverted corner; the worst is element {} "
+                    "(position in the input) of part '{}'. Contact loses nodes behind folded faces and may generate "
+                    "energy. Use {} (reported once; folded_elements in summary.json is the largest number)",
+                    count, count == 1 ? " is" : "s are", run_.state.time, static_cast<GlobalIndex>(run_.state.step),
+                    element + 1, run_.model.blocks[block].part, remedy_of_folds(run_.model.blocks[block].law)));
   }
   folded_ = std::max(folded_, count);
 }
@@ -131,31 +132,30 @@ void Results::report_at_end() {
 }
 
 void Results::report_parted() {
-  // of two equal bodies, one of which was at rest: a restitution of 0.97, since the loss is (1 - e^2)/2
+  // For two equal bodies, one of them initially at rest: a restitution of 0.97, since the loss is (1 - e^2)/2.
   constexpr double tolerated = 0.03;
   const double share = taken_by_parted(last_ledger_, run_.extremes);
   const auto rigid = [](const model::ElementBlock& block) { return material::is_rigid(block.law); };
   if (!(share > tolerated) || std::ranges::all_of(run_.model.blocks, rigid)) return;
   log_.warning(fmt::format(
-      "contact took {:.2g} % of the largest energy of the bodies, which have parted again: an elastic impact "
-      "loses nothing. Contact takes the motion of the layer of elements that meets first, and bodies with "
-      "few elements through their thickness rebound too slowly. Take more of them along the impact{}",
+      "contact dissipated {:.2g} % of the largest energy of the bodies, which have separated again, although an "
+      "elastic impact is lossless. Contact removes the momentum difference of the first layer of elements, so bodies "
+      "with few elements through their thickness rebound too slowly. Use more elements in the direction of impact{}",
       100 * share,
-      run_.model.bodies.empty()
-          ? ""
-          : " (of rigid parts that meet each other or a rigid wall the loss is as it should be)"));
+      run_.model.bodies.empty() ? "" : " (for rigid parts that hit each other or a rigid wall the loss is correct)"));
 }
 
 void Results::report_hourglass() {
-  // The usual bound in crash analysis; of the largest, since bodies that fly on after an impact have little left.
+  // The usual bound in crash analysis; relative to the largest value, since bodies that separate after an impact have
+  // little internal energy.
   constexpr double tolerated = 0.1;
   const double hourglass = last_ledger_.hourglass, internal = run_.extremes.largest_internal;
   if (!(hourglass > tolerated * internal) || hourglass < 1e-3 * run_.extremes.largest_energy) return;
-  log_.warning(fmt::format(
-      "hourglass energy is {:.2g} % of the largest internal energy (10 % is the usual bound): the hex8 elements are "
-      "too coarse for how they bend. Take smaller ones, or element: hex8_bbar where metal bends and folds, hourglass: "
-      "{{kind: elastic}} where corners or edges of solid bodies strike",
-      100 * hourglass / internal));
+  log_.warning(
+      fmt::format("hourglass energy is {:.2g} % of the largest internal energy (10 % is the usual bound): the hex8 "
+                  "elements are too coarse to represent bending. Use smaller elements, or element: hex8_bbar where "
+                  "metal bends and folds, or hourglass: {{kind: elastic}} where corners or edges of solid bodies hit",
+                  100 * hourglass / internal));
 }
 
 }  // namespace brunt::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes of straight-edged elements are smaller than round bodies: by how much, and what helps.
+// Meshes with straight edges are smaller than round bodies: the difference, and sufficient numbers of elements.
 #include "brunt/mesh/round_bodies.hpp"
 
 #include <fmt/core.h>
@@ -12,8 +12,8 @@
 namespace brunt::app {
 namespace {
 
-/// Share of volume, and of the radius by which the centre is off, above which a warning is due: the accuracy that cases
-/// are held to.
+/// Share of the volume, and of the radius for the centre, above which a warning is given: the accuracy required of the
+/// cases.
 constexpr double worth_a_warning = 0.01;
 
 struct Difference {
@@ -43,7 +43,7 @@ std::string help(const scene::SphereMesh& body, const Difference& found) {
     return difference(mesh::sphere(body.part, body.radius, elements, {finer, body.half}),
                       mesh::exact_sphere(body.radius, body.half), body.radius);
   };
-  std::string text = fmt::format("about {} elements across the radius would be enough",
+  std::string text = fmt::format("about {} elements across the radius would suffice",
                                  enough_elements(body.elements, found, [&](int n) { return with(n, body.finer); }));
   for (double finer = body.finer; finer > 1.2;) {
     finer = std::max(1.0, 0.8 * finer);
@@ -57,7 +57,7 @@ std::string help(const scene::CylinderMesh& body, const Difference& found) {
     return difference(mesh::cylinder(body.part, body.radius, body.length, {elements, 1}, body.half),
                       mesh::exact_tube(0, body.radius, body.length, body.half), body.radius);
   };
-  return fmt::format("about {} elements across the radius would be enough",
+  return fmt::format("about {} elements across the radius would suffice",
                      enough_elements(body.elements[0], found, with));
 }
 
@@ -68,7 +68,7 @@ std::string help(const scene::TubeMesh& body, const Difference& found) {
         mesh::exact_tube(body.inner_radius, body.outer_radius, body.length, body.half), body.outer_radius);
   };
   const int enough = 4 * enough_elements((body.elements[1] + 3) / 4, found, with);
-  return fmt::format("about {} elements around would be enough", enough);
+  return fmt::format("about {} elements around would suffice", enough);
 }
 
 std::string help(const scene::TorusMesh& body, const Difference& found) {
@@ -80,7 +80,7 @@ std::string help(const scene::TorusMesh& body, const Difference& found) {
         mesh::exact_torus(body.radius, body.tube[0], body.tube[1]), body.radius + body.tube[1]);
   };
   const int enough = enough_elements(tube, found, with);
-  return fmt::format("about {} elements around the ring and {} around the tube would be enough", around_ring(enough),
+  return fmt::format("about {} elements around the ring and {} around the tube would suffice", around_ring(enough),
                      enough);
 }
 
@@ -88,7 +88,7 @@ template <class Body>
 void compare(const scene::Input& input, const scene::MeshEntry& entry, const Body& body, double radius,
              const mesh::Mesh& mesh, const mesh::Moments& exact, RoundBodies& result) {
   const Difference found = difference(mesh, exact, radius);
-  const std::string text = fmt::format("{:.2f} % of the exact body's volume, centre {:.2g} of the radius off",
+  const std::string text = fmt::format("{:.2f} % of the exact volume, and a centre off by {:.2g} of the radius",
                                        100 * (1 + found.volume), found.centre < 1e-12 ? 0.0 : found.centre);
   result.lines.push_back(fmt::format("{}: {}", body.part, text));
   if (found.largest() <= worth_a_warning) return;

@@ -23,7 +23,7 @@
 namespace brunt::app {
 namespace {
 
-/// A run goes on in the folder of its checkpoint; in another one there are results of another run.
+/// A run continues in the folder of its checkpoint; another folder contains results of another run.
 io::ExistingResults existing_results(const RunOptions& options, const std::string& checkpoint,
                                      const std::string& folder) {
   std::error_code no_folder;
@@ -33,21 +33,20 @@ io::ExistingResults existing_results(const RunOptions& options, const std::strin
   return options.force ? io::ExistingResults::replace : io::ExistingResults::refuse;
 }
 
-/// Does the folder's summary tell of this very state?
+/// Whether the summary of the folder describes this state.
 bool is_reported(const comm::Communicator& ranks, const std::string& folder, GlobalIndex step) {
   return ranks.any(ranks.is_root() && io::summarised_steps(folder) == step);
 }
 
-/// What this start has read, for whoever looks at the results later.
+/// Records what this start has read.
 void record_scene(const Prepared& run, const RunOptions& options, const std::string& folder) {
-  io::replace_text(
-      folder + "/scene_as_run.yaml",
-      fmt::format("# {} as {} has read it, with its overrides; paths of files are relative to that scene\n{}",
-                  std::filesystem::path(options.scene).filename().string(), version(), run.scene_yaml));
+  io::replace_text(folder + "/scene_as_run.yaml",
+                   fmt::format("# {} as read by {}, with its overrides; paths of files are relative to that scene\n{}",
+                               std::filesystem::path(options.scene).filename().string(), version(), run.scene_yaml));
 }
 
-/// Explicit runs evaluate the step of the checkpoint again: its own records come anew. Implicit runs do not; a record
-/// that is not due there was written because the run had come to its end.
+/// Explicit runs evaluate the step of the checkpoint again, and write its records again. Implicit runs do not; a record
+/// that is not due there was written at the end of the run.
 KeptRecords kept_records(const Prepared& run) {
   const model::State& state = run.state;
   const auto step = static_cast<GlobalIndex>(state.step);
@@ -71,7 +70,7 @@ void report_iterations(const Prepared& run, Log& log) {
   const contact::ContactStatistics& contact = run.contact->ledger.statistics;
   if (contact.steps_at_limit > 0)
     log.line(
-        fmt::format("contact: {} of {} steps with contact ended at max_iterations {}, with residuals of {:.2g} at most",
+        fmt::format("contact: {} of {} steps with contact ended at max_iterations {}, with residuals of at most {:.2g}",
                     contact.steps_at_limit, contact.solved_steps, run.model.contact.enforcement.max_iterations,
                     contact.largest_residual));
 }
@@ -101,12 +100,12 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   const bool over = restart && at_end(prepared->state, prepared->input.run);
   if (over)
     log.warning(
-        fmt::format("nothing is left to run: the checkpoint stands at t = {:g}, step {}, where this run ends; a "
-                    "later run.end (or more run.steps) would go on from there",
+        fmt::format("nothing to run: the checkpoint is at t = {:g}, step {}, the end of this run; a later run.end (or "
+                    "more run.steps) continues from there",
                     prepared->state.time, restart->step));
 
   if (over && existing == io::ExistingResults::keep && is_reported(ranks, folder, restart->step)) {
-    log.line("the results in " + folder + " stay as they are");
+    log.line("; the results in " + folder + " remain unchanged");
     return static_cast<int>(ExitCode::done);
   }
   on_root(ranks, [&] { record_scene(*prepared, options, folder); });
@@ -119,9 +118,9 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   Outcome outcome = loop.go();
   if (!outcome.message.empty()) log.fault("stopped: " + outcome.message);
   if (const double past = overshoot(prepared->state, prepared->input.run); past > 0.01 && !over)
-    log.warning(
-        fmt::format("the run ended at t = {:g}, {:.2g} % past its end: steps are never cut, and this run has few",
-                    prepared->state.time, 100 * past));
+    log.warning(fmt::format(
+        "the run ended at t = {:g}, {:.2g} % after its end: steps are never shortened, and this run has few",
+        prepared->state.time, 100 * past));
   report_iterations(*prepared, log);
   if (outcome.code != ExitCode::guard) results.write_checkpoint();
   results.seal();

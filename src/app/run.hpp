@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `brunt run`: the loop over time steps, and when to write what.
+// `brunt run`: the loop over time steps, and the schedule of output.
 #pragma once
 #include <optional>
 #include <string>

@@ -66,9 +66,8 @@ bool Loop::come_to_rest(Outcome& outcome) {
     if (now.stopped) report_stage(phase);
     if (!now.at_rest) continue;
     log_.line(
-        fmt::format("relaxation: at rest after {:.0f} steps; unbalanced forces are {:.2g} of the loads, nodes have "
-                    "moved by {:.3g} "
-                    "at most",
+        fmt::format("relaxation: at rest after {:.0f} steps; unbalanced forces are {:.2g} of the loads, the largest "
+                    "displacement is {:.3g}",
                     phase.steps, phase.residual, largest_displacement(run_)));
     begin_run(run_);
     start_ = Clock::now();
@@ -215,12 +214,12 @@ void Loop::watch_step(const time::StepReport& step) {
   if (step.stable_dt >= ratio * first) return;
   const bool mine = step.elements.rate == step.rate;
   const ElementPlace place = place_of(run_, mine ? step.elements.block : -1, step.elements.element);
-  throw GuardError(fmt::format(
-      "the stable step has fallen to {:g} at t = {:g}, step {}, below run.min_step_ratio {:g} of the first, {:g}: by "
-      "{}, whose shortest edge is {:.2g} and whose volume {:.2g} of what they were. Likely cause: {}; a smaller "
-      "run.min_step_ratio goes on from the checkpoint",
-      step.stable_dt, run_.state.time, static_cast<GlobalIndex>(run_.state.step), ratio, first, text_of(place),
-      place.shortest_edge, place.volume, cause_of_collapse(place)));
+  throw GuardError(
+      fmt::format("the stable step has decreased to {:g} at t = {:g}, step {}, below run.min_step_ratio {:g} of the "
+                  "first, {:g}: due to {}, whose shortest edge is {:.2g} and whose volume {:.2g} of the initial one. "
+                  "Likely cause: {}; with a smaller run.min_step_ratio the run continues from the checkpoint",
+                  step.stable_dt, run_.state.time, static_cast<GlobalIndex>(run_.state.step), ratio, first,
+                  text_of(place), place.shortest_edge, place.volume, cause_of_collapse(place)));
 }
 
 void Loop::watch_iterations() {
@@ -229,12 +228,12 @@ void Loop::watch_iterations() {
   const contact::EnforcementSettings& settings = run_.model.contact.enforcement;
   log_.warning(fmt::format(
       "contact: the iteration of step {} (t = {:g}) ended at max_iterations {} with a residual of {}, above the "
-      "tolerance of {:g}: what is left may disturb the motion; raise enforcement.max_iterations{} (told once)",
+      "tolerance of {:g}: the remainder may disturb the motion; increase enforcement.max_iterations{} (reported once)",
       static_cast<GlobalIndex>(run_.state.step) - 1, run_.state.time_before, settings.max_iterations,
       reported_from(run_.contact->ledger.statistics.last.residual, settings.tolerance), settings.tolerance,
       run_.contact->settings.rigid.supported
-          ? "; no number is enough where supports drive a rigid part into what cannot give way while it may turn or "
-            "slide: hold these motions too, or do not drive it there"
+          ? "; no number suffices where supports move a rigid part into an obstacle that cannot yield while the part "
+            "may rotate or slide: constrain these motions too, or do not move it there"
           : ""));
 }
 
@@ -242,8 +241,8 @@ void Loop::stop_for_element(const time::StepReport& step) {
   const ElementPlace place = place_of(run_, step.elements.inverted_block, step.elements.inverted_element);
   const char* cause =
       place.block < 0 ? "" : cause_of_lost_volume(run_.model.blocks[static_cast<std::size_t>(place.block)]);
-  throw GuardError(fmt::format("{} has no volume left or is not a number at t = {:g}, step {}{}", text_of(place),
-                               run_.state.time, static_cast<GlobalIndex>(run_.state.step), cause));
+  throw GuardError(fmt::format("{} has no volume left, or values that are not finite, at t = {:g}, step {}{}",
+                               text_of(place), run_.state.time, static_cast<GlobalIndex>(run_.state.step), cause));
 }
 
 }  // namespace brunt::app

@@ -20,8 +20,8 @@ void refuse_other_scene(const std::string& path, const SceneIdentity& of_file, c
   for (std::size_t k = 0; k < std::min(most, different.size()); ++k) listed += (k > 0 ? "; " : "") + different[k];
   if (different.size() > most) listed += fmt::format("; {} more keys differ", different.size() - most);
   throw InputError(
-      fmt::format("{}: written by another scene: {}; accepted: changes of title, output, history, checkpoint, "
-                  "run.end, run.steps, run.min_step_ratio and run.wall_limit",
+      fmt::format("{}: invalid for this scene: written by another one: {}; expected changes of title, output, history, "
+                  "checkpoint, run.end, run.steps, run.min_step_ratio and run.wall_limit only",
                   path, listed));
 }
 

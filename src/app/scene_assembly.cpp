@@ -158,12 +158,13 @@ std::vector<depth::Member> freedoms_of_members(const scene::Input& input, const 
 depth::Body body_of_block(const mesh::Mesh& mesh, std::size_t block, const std::string& who) {
   const TriangleSurface surface = outer_surface(mesh, block);
   const geometry::SurfaceFaults faults = geometry::check_closed(surface);
-  if (surface.triangles.empty()) throw InputError(who + ": has no volume; expected solid elements");
+  if (surface.triangles.empty()) throw InputError(who + ": missing volume; expected solid elements");
   if (!faults.sound()) throw InputError(geometry::describe(faults, surface, who));
   try {
     return depth::make_body(surface);
   } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("{}: {}; expected a body thicker than 1e-6 of its length", who, error.what()));
+    throw InputError(
+        fmt::format("{}: invalid body: {}; expected a thickness above 1e-6 of its length", who, error.what()));
   }
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a scene as rigid bodies that may be placed: what moves as one, what is held, what must not overlap.
+// The parts of a scene as rigid bodies that may be placed: which move as one, which are constrained, and which must not
+// overlap.
 //
-// Parts are one member where they share nodes, are tied, or are one rigid body. A member may move if one of its parts
-// takes part in a pair with `initial_overlap: place`. A direction in which a node of it is held (fixed, symmetry,
-// prescribed) is held for all of it, and with any held node it does not turn. A rigid body whose centre of mass the
-// scene gives stays, one whose inertia it gives does not turn.
+// Parts are one member if they share nodes, are tied, or are one rigid body. A member may move if one of its parts
+// belongs to a pair with `initial_overlap: place`. A direction in which one of its nodes is constrained (fixed,
+// symmetry, prescribed) is constrained for the whole member, and with any constrained node it does not rotate. A rigid
+// body with a given centre of mass does not move, one with a given inertia does not rotate.
 #pragma once
 #include <memory>
 #include <string>
@@ -27,7 +28,7 @@ struct SceneAssembly {
 [[nodiscard]] std::vector<std::size_t> members_of_blocks(const scene::Input& input, const mesh::Mesh& mesh,
                                                          const setup::StartRules& rules);
 
-/// What the scene lets each member do, whatever its contact: only `basis` and `turns` of the members tell anything.
+/// The admissible motions of each member, independent of contact: only `basis` and `turns` of the members are used.
 [[nodiscard]] std::vector<depth::Member> freedoms_of_members(const scene::Input& input, const mesh::Mesh& mesh,
                                                              const std::vector<std::size_t>& member_of);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene makes of its mesh, in lines for `brunt check`: bodies, sets, motions, supports and loads, with the
-// numbers of nodes and faces that they select.
+// The scene applied to its mesh, in lines for `brunt check`: bodies, sets, motions, supports and loads, with the
+// numbers of selected nodes and faces.
 #pragma once
 #include <string>
 #include <vector>

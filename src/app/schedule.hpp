@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When records are due, from the state alone, so that a restart finds the same steps.
+// Times of records, determined from the state only, so that a restart gives the same steps.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,15 +10,15 @@
 
 namespace brunt::app {
 
-/// True at the first step at or past each multiple of `every` (t = 0 too). slack: a share of `every` by which a step
-/// may miss it.
+/// True at the first step at or after each multiple of `every` (including t = 0). slack: the share of `every` by which
+/// a step may miss it.
 inline bool due(const model::State& state, const std::optional<double>& every, double slack = 0) {
   if (!every) return false;
   if (state.step == 0) return true;
   return std::floor(state.time / *every + slack) > std::floor(state.time_before / *every + slack);
 }
 
-/// Steps of implicit runs are of the user's length: times that they are to meet are met but for rounding.
+/// Steps of implicit runs have the user's length: they meet given times up to rounding.
 constexpr double implicit_slack = 1e-9;
 
 /// True where history is to have a row: as the scene says, else some 200 over the run, but five steps apart at least (a
@@ -38,7 +38,7 @@ inline bool implicit_row_due(const model::State& state, const scene::Input& inpu
   return !input.history_every || due(state, input.history_every, implicit_slack);
 }
 
-/// How far the run has gone past its end, as a share of it.
+/// Time after the end of the run, as a share of it.
 inline double overshoot(const model::State& state, const scene::Run& run) {
   return run.end ? std::max(0.0, state.time / *run.end - 1) : 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `brunt search`: contact search alone on a text scene of nodes and boxes, dealt out over the ranks; within a rank by
-// the method in use, one of the paper, or trees.
+// `brunt search`: the contact search alone on a text scene of nodes and boxes, distributed over the ranks; within a
+// rank by the method of `brunt run`, a method of the paper, or trees.
 #include "brunt/contact/search/search.hpp"
 
 #include <fmt/core.h>
@@ -36,14 +36,14 @@ struct TextScene {
 
 TextScene read_text_scene(const std::string& path) {
   std::ifstream in(path);
-  if (!in) throw InputError(path + ": cannot be read");
+  if (!in) throw InputError(path + ": cannot read the file; expected a text scene");
   std::string format, name;
   long long n = -1, m = -1;
   if (!(in >> format >> name >> n >> m) || format != "scene1" || n < 0 || m < 0 || n > 2000000000 || m > 2000000000)
-    throw InputError(path + ":1: not a search scene; accepted: scene1 NAME n m");
+    throw InputError(path + ":1: invalid search scene; expected scene1 NAME n m");
   TextScene scene;
   const auto fault = [&](long long line, const char* what) {
-    return InputError(fmt::format("{}:{}: accepted: {}", path, line, what));
+    return InputError(fmt::format("{}:{}: invalid line; expected {}", path, line, what));
   };
   for (long long i = 0; i < n; ++i) {
     Vec3 x;

@@ -58,9 +58,9 @@ FacetScene read_facet_scene(const std::string& path) {
   constexpr long long most = 2000000000;
   if (!(header >> format >> name >> n >> m >> scene.distance) || n < 0 || m < 0 || n > most || m > most ||
       scene.distance < 0)
-    throw InputError(path + ":1: not a scene of facets; accepted: facets1 NAME n m d, with a distance d >= 0");
-  const auto fault = [&](long long line, const char* accepted) {
-    return InputError(fmt::format("{}:{}: accepted: {}", path, line, accepted));
+    throw InputError(path + ":1: invalid scene of facets; expected facets1 NAME n m d, with a distance d >= 0");
+  const auto fault = [&](long long line, const char* expected) {
+    return InputError(fmt::format("{}:{}: invalid line; expected {}", path, line, expected));
   };
   scene.nodes = n;
   std::vector<Vec3> nodes;
@@ -75,7 +75,7 @@ FacetScene read_facet_scene(const std::string& path) {
       throw fault(n + i + 2, "side n0 n1 n2 n3, with the side 0 (slave) or 1 (master)");
     for (std::size_t k = 0; k < 4; ++k)
       if (corners[k] >= n || corners[k] < (k == 3 ? -1 : 0))
-        throw fault(n + i + 2, "node ids from 0 to n - 1, the last of a triangle -1");
+        throw fault(n + i + 2, "node ids from 0 to n - 1, with -1 as the last one of a triangle");
     scene.sides[static_cast<std::size_t>(side)].push_back(facet_of(i, corners, nodes, scene.distance));
   }
   return scene;
@@ -172,8 +172,8 @@ SearchResult search_facets(const comm::Communicator& ranks, const SearchOptions&
   FacetScene whole;
   on_root(ranks, [&] {
     if (options.method != "kdop")
-      throw InputError(fmt::format("{}:1: --method {} searches scenes of nodes and boxes; accepted: --method kdop",
-                                   options.file, options.method));
+      throw InputError(
+          fmt::format("{}:1: invalid --method {} for facets; expected --method kdop", options.file, options.method));
     whole = read_facet_scene(options.file);
   });
   const FacetScene dealt = deal_scene(ranks, whole);

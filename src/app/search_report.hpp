@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What searches of text scenes of any format have in common: the scene dealt out over the ranks, times, the result.
+// Common parts of searches of all text scenes: distribution over the ranks, times, the result.
 #pragma once
 #include <chrono>
 #include <cstdint>

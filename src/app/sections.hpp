@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The force that the material in front of a section hands to the nodes of the section: the sum of the corner forces of
-// its elements there.
+// The force of the material in front of a section on the nodes of the section: the sum of the corner forces of its
+// elements there.
 #pragma once
 #include <array>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests from outside: SIGUSR1 checkpoint and go on; SIGUSR2, SIGTERM, SIGINT checkpoint and stop.
+// External requests: SIGUSR1 checkpoint and continue; SIGUSR2, SIGTERM, SIGINT checkpoint and stop.
 #pragma once
 
 namespace brunt::app {
@@ -11,7 +11,7 @@ struct Requests {
 
 void catch_signals();
 
-/// What has been asked of this rank since the last call.
+/// The requests to this rank since the last call.
 Requests take_requests();
 
 }  // namespace brunt::app

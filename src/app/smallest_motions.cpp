@@ -70,18 +70,18 @@ std::optional<MotionOut> motion_out(const Overlapping& a, const Overlapping& b, 
   std::string line = fmt::format("moving '{}' by {} along {} separates them (translation)", a.name,
                                  length(straight.depth), vector(straight.motion.shift.normalized()));
   if (!anywhere || !a.freedom.turns)
-    return MotionOut{straight.depth, line + fmt::format("; no motion below {} does", length(straight.bound))};
+    return MotionOut{straight.depth, line + fmt::format("; no motion below {} separates them", length(straight.bound))};
   query.metric = depth::Metric::displacement;
   query.tries.push_back(straight.placement);
   query.careful = true;
   const depth::Answer turned = depth::penetration_depth(a.body, b.body, query);
   if (turned.found && turned.depth < shorter * straight.depth) {
     const Vec3 turn = depth::rotation_vector(turned.motion.turn);
-    line += fmt::format(", or by {} with a turn of {:.3g} degrees about {}", length(turned.depth),
+    line += fmt::format(", or by {} with a rotation of {:.3g} degrees about {}", length(turned.depth),
                         turn.norm() * 180 / std::numbers::pi, vector(turn.normalized()));
   }
   return MotionOut{turned.found ? std::min(straight.depth, turned.depth) : straight.depth,
-                   line + fmt::format("; no motion below {} does", length(turned.bound))};
+                   line + fmt::format("; no motion below {} separates them", length(turned.bound))};
 }
 
 /// The lighter one moves, or the one that needs less where the scene holds the lighter one in some way.
@@ -91,14 +91,13 @@ std::string described(const Overlapping& a, const Overlapping& b, const std::str
   const std::string head = fmt::format("parts '{}' and '{}' overlap: ", a.name, b.name);
   const bool a_first = a.mass <= b.mass;
   const Overlapping &first = a_first ? a : b, &second = a_first ? b : a;
-  if (!a.freedom.moves() && !b.freedom.moves())
-    return head + "both are held, so that neither may move out of the other";
+  if (!a.freedom.moves() && !b.freedom.moves()) return head + "both are fixed, so neither can move out of the other";
   const std::optional<MotionOut> one = motion_out(first, second, units);
   if (one && first.freedom.turns) return head + one->line;
   const std::optional<MotionOut> other = motion_out(second, first, units);
   if (one && (!other || one->length <= other->length)) return head + one->line;
   if (other) return head + other->line;
-  return head + "no motion that the scene admits was found that separates them";
+  return head + "no admissible motion was found that separates them";
 }
 
 }  // namespace
@@ -121,7 +120,7 @@ std::vector<std::string> smallest_motions(const scene::Input& input) {
         if (!bodies.contains(block))
           bodies.emplace(block, body_of_block(mesh, block, "part '" + input.parts[part_of[block]].name + "'"));
     } catch (const InputError& error) {
-      lines.push_back(fmt::format("parts '{}' and '{}' overlap: no smallest motion, {}", name_a, name_b,
+      lines.push_back(fmt::format("parts '{}' and '{}' overlap: no smallest motion: {}", name_a, name_b,
                                   error.faults().empty() ? std::string() : error.faults().front()));
       continue;
     }

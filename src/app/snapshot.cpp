@@ -33,10 +33,10 @@ void Snapshot::take(const model::Registry& registry) {
 void Snapshot::give_back(const model::Registry& registry) const {
   std::size_t next = 0;
   for_saved(registry, [&](double& value) {
-    demand(next < values_.size(), "a snapshot is given back to the arrays it was taken of");
+    demand(next < values_.size(), "a snapshot is restored to the arrays it was taken of");
     value = values_[next++];
   });
-  demand(tables_.size() == registry.tables.size(), "a snapshot is given back to the tables it was taken of");
+  demand(tables_.size() == registry.tables.size(), "a snapshot is restored to the tables it was taken of");
   for (std::size_t t = 0; t < tables_.size(); ++t) *registry.tables[t] = tables_[t];
 }
 

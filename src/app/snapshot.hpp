@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A copy of the saved state in memory, to go back to where a run was still right.
+// A copy of the saved state in memory, for a return to the last valid state of a run.
 #pragma once
 #include <vector>
 
@@ -10,11 +10,11 @@ namespace brunt::app {
 class Snapshot {
  public:
   [[nodiscard]] bool empty() const { return values_.empty(); }
-  /// Copies what a checkpoint would hold of this rank. Allocates at the first call, and where records have come in.
+  /// Copies the data of this rank that a checkpoint would contain. Allocates at the first call, and for new records.
   void take(const model::Registry& registry);
-  /// Fills the arrays and tables of the same registry with what was taken.
+  /// Restores the arrays and tables of the same registry.
   void give_back(const model::Registry& registry) const;
-  /// Forgets the copy and gives its memory back.
+  /// Deletes the copy and releases its memory.
   void release() { *this = {}; }
 
  private:

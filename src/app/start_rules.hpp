@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what a scene says to what the geometry of the start asks for (room setup).
+// From the scene to the rules for the initial geometry (room setup).
 #pragma once
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace brunt::app {
 
-/// What contact is told of the blocks of a mesh, in their order.
+/// Settings of contact for the blocks of a mesh, in their order.
 struct BlockMaterials {
   std::vector<std::string> part;
   std::vector<double> density;  ///< [mass/length^3]
@@ -22,15 +22,15 @@ BlockMaterials block_materials(const scene::Input& input, const mesh::Mesh& mesh
 /// mesh: with the selections of the scene, where it has planes of symmetry.
 setup::StartRules start_rules(const scene::Input& input, const mesh::Mesh& mesh);
 
-/// How the nodes move at first, and for how long.
+/// Initial motion of the nodes, and its duration.
 struct FirstMotion {
   std::vector<Vec3> velocity;  ///< of each node [length/time]
   double duration = 0;         ///< of the run [time]; infinite where only its steps are given
 };
 FirstMotion first_motion(const scene::Input& input, const mesh::CanonicalMesh& whole);
 
-/// Nodes that the scene holds, and by which entry: "fixed.0". mesh: with the selections of the scene; it must outlive
-/// the result.
+/// Constrained nodes, and the entry that constrains them: "fixed.0". mesh: with the selections of the scene; it must
+/// outlive the result.
 struct HeldByScene {
   std::vector<setup::HeldNodes> nodes;
   std::vector<std::string> key;

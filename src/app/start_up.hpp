@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the time before the first step goes, and how far memory has grown by then.
+// Time before the first step, and growth of memory by stage.
 #pragma once
 #include <array>
 #include <chrono>
@@ -10,7 +10,7 @@
 
 namespace brunt::app {
 
-/// In this order; the first four are of the root alone, for which the other ranks wait.
+/// In this order; the first four are executed by the root only, while the other ranks wait.
 enum class StartStage {
   reading,       ///< the scene; its mesh files read or bodies generated, and checked
   ordering,      ///< the canonical order, and what the scene selects
@@ -24,7 +24,7 @@ constexpr std::size_t start_stages = 7;
 
 class StartUp {
  public:
-  /// Ends a stage, which began where the one before ended.
+  /// Ends a stage, which began at the end of the previous one.
   void end(StartStage stage);
 
   /// By stage: seconds of the root, and the largest resident memory of any rank up to the end of the stage. Collective.
@@ -39,7 +39,7 @@ class StartUp {
 /// Largest resident memory of this process so far [bytes].
 [[nodiscard]] double peak_memory();
 
-/// Gives memory that was freed back to the system, which keeps it else for what is asked of it later.
+/// Returns freed memory to the system, which would otherwise keep it for later allocations.
 void release_freed_memory();
 
 }  // namespace brunt::app

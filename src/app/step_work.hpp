@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a rank's own part of a step costs, without waiting for others: weights of the next partition. Results do not
+// The cost of a rank's own part of a step, without waiting for others: weights of the next partition. Results do not
 // depend on it.
 #pragma once
 #include <vector>

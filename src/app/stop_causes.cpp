@@ -9,29 +9,29 @@
 
 namespace brunt::app {
 
-/// An element keeps its step for as long as its edges and its volume keep their size.
+/// An element keeps its stable step as long as its edges and its volume keep their size.
 const char* cause_of_collapse(const ElementPlace& place) {
   constexpr double much = 0.1;
   if (place.shortest_edge < much || place.volume < much)
-    return "it is pressed flat, by a sharp or much smaller body or under a load that its law cannot carry; take "
-           "smaller "
-           "elements there, or a law that hardens under pressure";
-  return "it is folded or sheared so far that a wave crosses it in no time, or its law stiffens with its strain";
+    return "the element is flattened by a sharp or much smaller body, or by a load that its law cannot carry; use "
+           "smaller elements there, or a law that hardens under pressure";
+  return "the element is folded or sheared so far that a wave crosses it in a very short time, or its law stiffens "
+         "with strain";
 }
 
-/// B-bar averages the change of volume over the element: a corner's own volume meets the deviatoric stress alone, which
-/// plastic flow bounds, so that little work turns the corner inside out.
+/// B-bar averages the change of volume over the element. The volume of a single corner is resisted by the deviatoric
+/// stress only, which plastic flow limits, so little work inverts the corner.
 const char* cause_of_lost_volume(const model::ElementBlock& block) {
   if (block.kind != element::ElementKind::hex8_bbar || !std::holds_alternative<material::J2>(block.law)) return "";
-  return ". Likely cause: a sharp load on a corner of hex8_bbar, which holds an element's mean volume alone and yields "
-         "in all else; take element: hex8_full, or hex8 with hourglass: {kind: elastic}, for bodies that strike "
-         "others by edges and corners";
+  return ". Likely cause: a concentrated load on a corner of hex8_bbar, which constrains the mean volume of an element "
+         "only and yields otherwise; use element: hex8_full, or hex8 with hourglass: {kind: elastic}, for bodies that "
+         "hit others with edges and corners";
 }
 
 std::string not_at_rest(const model::Relaxation& phase, const scene::Relaxation& asked) {
   return fmt::format(
       "relaxation: not at rest after {} steps (max_steps): {:.0f} % of the loads, unbalanced forces {:.2g} of them, "
-      "tolerance {:g}; bodies that nothing supports never come to rest",
+      "tolerance {:g}; bodies without supports never come to rest",
       asked.max_steps, 100 * phase.stage / time::relaxation_stages, phase.residual, asked.tolerance);
 }
 

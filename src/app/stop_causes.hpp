@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a user is told of why a run cannot go on.
+// Causes for the user why a run cannot continue.
 #pragma once
 #include <string>
 
@@ -8,10 +8,10 @@
 
 namespace brunt::app {
 
-/// Why the stable step of this element has fallen.
+/// Cause of the decrease of this element's stable step.
 const char* cause_of_collapse(const ElementPlace& place);
 
-/// Why an element of this block may have lost its volume; empty: nothing is known.
+/// Possible cause of the loss of volume of an element of this block; empty: unknown.
 const char* cause_of_lost_volume(const model::ElementBlock& block);
 
 std::string not_at_rest(const model::Relaxation& phase, const scene::Relaxation& asked);

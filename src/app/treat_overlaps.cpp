@@ -38,9 +38,9 @@ std::vector<std::string> place(const scene::Input& input, mesh::Mesh& mesh, cons
   report.warnings = std::move(after.warnings);
   report.faults = std::move(after.faults);
   if (report.faults.empty() && any_to_place(treated.gaps))
-    report.faults.push_back(input.at("contact") + ": initial_overlap: place leaves an overlap: " +
-                            (after.list.empty() ? "of parts that move as one" : after.list.front()) +
-                            "; expected parts whose surfaces do not cross themselves");
+    report.faults.push_back(input.at("contact") + ": invalid initial_overlap: place leaves an overlap: " +
+                            (after.list.empty() ? "of parts that move as one body" : after.list.front()) +
+                            "; expected parts whose surfaces do not intersect themselves");
   if (report.faults.empty()) return placed_beyond(input, mesh, before);
   mesh.coordinates = before;
   return {};
@@ -77,7 +77,7 @@ TreatedOverlaps treat_overlaps(const scene::Input& input, mesh::CanonicalMesh& w
     const std::vector<contact::AcceptedOverlap> accepted = setup::accepted_overlaps(treated.gaps.overlaps);
     double largest = 0;
     for (const contact::AcceptedOverlap& overlap : accepted) largest = std::max(largest, overlap.penetration);
-    treated.report.notes.push_back(fmt::format("initial overlaps: {} node{} keep theirs as zero gap, {} at most",
+    treated.report.notes.push_back(fmt::format("initial overlaps: {} node{} kept as zero gap, {} at most",
                                                accepted.size(), accepted.size() == 1 ? "" : "s",
                                                scene::with_length(largest, input.units)));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Overlaps at the start, as the scene wants them treated.
+// Treatment of initial overlaps as requested by the scene.
 #pragma once
 #include <vector>
 
@@ -14,13 +14,13 @@ namespace brunt::app {
 struct TreatedOverlaps {
   setup::InitialGaps gaps;  ///< of the mesh after parts were placed and nodes moved
   OverlapReport report;
-  std::vector<contact::AcceptedOverlap> accepted;  ///< what `offset` keeps, as contact wants it
-  bool recovered = false;  ///< some are left to contact (`warn`), which gives the bodies energy in parting them
+  std::vector<contact::AcceptedOverlap> accepted;  ///< overlaps kept by `offset`, in the form for contact
+  bool recovered = false;  ///< some are left to contact (`warn`), which supplies energy when it separates the bodies
 };
 
-/// Places parts and moves nodes of the mesh where the scene says so. What the scene does not allow, or cannot have as
-/// it asks, is told in the report's faults; nothing is moved then. A function of the scene and the mesh, so a restart
-/// has the same.
+/// Places parts and moves nodes of the mesh as requested by the scene. Inadmissible overlaps, and requests that cannot
+/// be satisfied, become faults of the report, and nothing is moved. A function of the scene and the mesh, so a restart
+/// has the same result.
 TreatedOverlaps treat_overlaps(const scene::Input& input, mesh::CanonicalMesh& whole);
 
 }  // namespace brunt::app

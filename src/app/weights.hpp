@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the elements of a scene cost, for the split over the ranks.
+// Costs of the elements of a scene, for the partition.
 #pragma once
 #include "brunt/element/options.hpp"
 #include "brunt/mesh/canonical.hpp"

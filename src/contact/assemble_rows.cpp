@@ -14,7 +14,7 @@
 namespace brunt::contact {
 namespace {
 
-/// A node that belongs to several blocks has the roughest one's friction.
+/// For a node of several blocks, the largest friction coefficient applies.
 FrictionLaw friction_of(const Contact& contact, const Row& row, std::span<const Wall> walls) {
   if (row.is_wall()) return walls[static_cast<std::size_t>(row.key.master)].friction;
   const PairTable& pairs = contact.settings.specification.pairs;
@@ -67,9 +67,9 @@ void assign_passes(const Contact& contact, double dt, std::span<Row> rows) {
   }
 }
 
-/// Between bodies of six degrees of freedom each nearly all rows are redundant, and contradict each other by the little
-/// that their gaps and drifts differ from a motion of the bodies: rigid, they would brace themselves against each other
-/// without end.
+/// Between bodies with six degrees of freedom each nearly all rows are redundant, and incompatible by the small
+/// difference of their gaps and drifts from a rigid motion: the impulses of rigid rows would grow against each other
+/// without limit.
 void soften_rows_of_bodies(const StepInput& input, const Carriers& carriers, const ContactNodes& nodes, double softness,
                            std::span<Row> rows) {
   if (carriers.bodies.empty() || softness == 0) return;

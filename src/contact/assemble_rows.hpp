@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What rows are given besides what detection finds: their passes, friction, and the slabs of the printed method; and
-// what of them is remembered.
+// Properties of rows that detection does not set: their passes, friction, and the slabs of the printed method; and the
+// history of rows.
 #pragma once
 #include "brunt/contact/contact.hpp"
 

@@ -14,7 +14,8 @@ void add_vector(std::array<comm::ExactAccumulator, 3>& sum, const Vec3& value) {
   for (std::size_t c = 0; c < 3; ++c) sum[c].add(value[static_cast<int>(c)]);
 }
 
-/// Takes what impulses do at these relative velocities from the sums: half of p . r along the normal, the rest across.
+/// Subtracts the work of impulses at these relative velocities from the sums: half of p . r along the normal, the
+/// remainder across it.
 void book_work(const Row& row, const Vec3& impulse, const Vec3& relative, WorkSums& sums) {
   const double push = row.normal.dot(impulse);
   (row.is_wall() ? sums.walls : sums.contact).add(-0.5 * push * row.normal.dot(relative));
@@ -31,7 +32,7 @@ Vec3 both_relative_velocities(const ContactNodes& nodes, const Row& row) {
   return relative_velocity(row, nodes.velocity) + relative_velocity(row, old_velocity);
 }
 
-/// About the slave: what the nodes take sums to zero.
+/// About the slave: the impulses on the nodes sum to zero.
 Vec3 spin_of(const ContactNodes& nodes, const Row& row, const Vec3& impulse) {
   const auto place = [&](std::size_t i) -> const Vec3& {
     return nodes.motion[static_cast<std::size_t>(row.nodes[i])].position;
@@ -42,7 +43,7 @@ Vec3 spin_of(const ContactNodes& nodes, const Row& row, const Vec3& impulse) {
   return spin;
 }
 
-/// C p^2 / 2 of each, as springs (see enforcement/softness.hpp).
+/// C p^2 / 2 of each row, as for springs (see enforcement/softness.hpp).
 comm::ExactAccumulator stored_in_soft_rows(const Contact& contact) {
   const StepData& step = contact.step;
   comm::ExactAccumulator stored;

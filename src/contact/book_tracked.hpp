@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Impulses of the contacts that probes watch.
+// Impulses of contacts with probes.
 #pragma once
 #include <span>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which slaves and masters of this rank and its ghosts may touch: the search of one rebuild, before contact nodes are
+// Slaves and masters of this rank and its ghosts that may touch: the search of one rebuild, before contact nodes are
 // numbered.
 #pragma once
 #include <span>
@@ -37,8 +37,8 @@ struct CandidatePairs {
   std::vector<CandidatePair> pairs;  ///< by slave, then master body and key (edges: gids)
 };
 
-/// What lies within the detection's reach of a master with this longest edge, even after both sides have moved towards
-/// each other by the motion allowed (which may stretch an edge by twice that).
+/// The reach of detection from a master with this longest edge, after both sides have moved towards each other by the
+/// admissible motion (which may stretch an edge by twice this).
 geometry::Box capture_box(const ListBuild& build, std::span<const Vec3> corners, double edge, double element_depth);
 
 template <class Ghost>

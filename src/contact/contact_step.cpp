@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact in one time step, THE page: gather, detect, assemble rows, solve, remember, scatter, book.
+// Contact in one time step, the central file: gather, detect, assemble rows, solve, store history, scatter, record
+// work.
 //
 //   rows:   G v >= required, friction across the normals       of positions x_n, predicted velocities v* and history
 //   solve:  v = v* + W G^T p, p admitted by the rows           iterated; W the mobility of the nodes
@@ -23,7 +24,7 @@ void begin_step(Contact& contact, double dt) {
   contact.step.impulses.clear();
 }
 
-/// What a step leaves in which nothing is near anything.
+/// Results of a step without candidates.
 void stay_idle(Contact& contact) {
   ++contact.ledger.statistics.idle_steps;
   contact.history.clear();
@@ -55,7 +56,7 @@ void correct(Contact& contact, const StepInput& input) {
   const EnforcementResult result = solve(contact, input);
   remember(contact, input);
   book_iterations(result, contact.derived.enforcement, contact.ledger.statistics);
-  if (!result.acted) return;  // v* is what it was
+  if (!result.acted) return;  // v* is unchanged
   scatter(contact, input.velocity);
   book_impulses(contact);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of a step from the candidate lists, and whether any candidates can meet at all.
+// The rows of a step from the candidate lists, and whether any candidates can touch at all.
 #pragma once
 #include "brunt/contact/contact.hpp"
 
 namespace brunt::contact {
 
-/// No candidates, or too far from each other for the motion since they were listed; the same on every rank.
+/// No candidates, or too far apart for the motion since the lists were created; the same on every rank.
 bool nothing_can_meet(const Contact& contact);
 
 /// Fills step.rows, in the order of their keys: faces, edges, walls, ties. Measures the separation of new lists, and

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges near edges: rims against all, so that flat ones, which are most, are not searched against each other.
+// Pairs of edges: rims against all edges, so that flat edges, the most frequent ones, are not searched against each
+// other.
 #include <algorithm>
 #include <array>
 #include <cmath>

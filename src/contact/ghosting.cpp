@@ -23,7 +23,7 @@ CellKey mix(CellKey value) {  // finaliser of splitmix64
   return value ^ (value >> 31);
 }
 
-/// Two cells with one key would only ghost a face too many.
+/// Two cells with the same key would only cause an additional ghost face.
 CellKey key_of(int level, const std::array<std::int64_t, 3>& cell) {
   CellKey key = mix(static_cast<CellKey>(level) + 1);
   for (const std::int64_t index : cell) key = mix(key + static_cast<CellKey>(index) * 0x9E3779B97F4A7C15ULL);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What contact learns from the bodies before anything moves: the overlaps that the scene keeps, as detection sees them
-// (the same faces and normals as in a step), and which nodes are tied.
+// Initial data of contact: the overlaps that the scene keeps, as detection finds them (with the same faces and normals
+// as in a step), and the tied nodes.
 #pragma once
 #include "brunt/contact/contact.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How contact's files see arrays, and when they ask for them.
+// Access to large arrays with prefetching.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -12,8 +12,8 @@ std::span<double> as_doubles(std::vector<T>& values) {
   return {reinterpret_cast<double*>(values.data()), values.size() * sizeof(T) / sizeof(double)};
 }
 
-/// Nodes on the surface lie apart from each other, and what all nodes have does not fit the cache: they are asked for
-/// so many nodes before they are needed.
+/// Surface nodes are far apart in memory, and the data of all nodes do not fit the cache: they are prefetched this many
+/// nodes ahead.
 constexpr std::size_t far_ahead = 16;
 
 }  // namespace brunt::contact

@@ -169,7 +169,7 @@ void rebuild(Contact& contact, const StepInput& input) {
 }
 
 void search(Contact& contact, const StepInput& input, const VelocitySpan& velocities) {
-  demand(input.walls.size() == contact.ledger.sums.wall_impulse.size(), "contact was made for another number of walls");
+  demand(input.walls.size() == contact.ledger.sums.wall_impulse.size(), "the number of walls is that of the contact");
   ListState& state = contact.list_state;
   state.are_new = must_rebuild(contact) || motion_is_used_up(contact, input, velocities);
   if (state.are_new) rebuild(contact, input);

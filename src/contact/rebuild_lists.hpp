@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// When the lists of contact are rebuilt, and all that is sized with them.
+// Rebuilding of the contact lists, and of all arrays whose sizes depend on them.
 #pragma once
 #include "brunt/contact/contact.hpp"
 
 namespace brunt::contact {
 
-/// Lists for the positions and predicted velocities of now. Collective.
+/// Lists for the present positions and predicted velocities. Collective.
 void rebuild(Contact& contact, const StepInput& input);
 
 }  // namespace brunt::contact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records of contact's history go home after a restart, on however many ranks: to where their rows are made.
+// Sends records of contact's history to the ranks that create their rows, after a restart on any number of ranks.
 #include <algorithm>
 #include <vector>
 
@@ -24,8 +24,8 @@ std::vector<GlobalIndex> slaves_here(const Surface& surface, Rank rank) {
   return slaves;
 }
 
-/// Records meet those who ask for their slaves at a desk that both know: the slave's gid names it. Returns every record
-/// of the slaves asked for. Collective.
+/// Records and the ranks that need them are matched at a rank determined by the slave's gid. Returns every record of
+/// the requested slaves. Collective.
 template <class Record>
 std::vector<Record> fetch(const comm::Communicator& ranks, const std::vector<Record>& records,
                           const std::vector<GlobalIndex>& slaves) {

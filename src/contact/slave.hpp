@@ -19,8 +19,8 @@ inline std::span<const std::int32_t> blocks_of_slave(const Contact& contact, con
   return contact.surface.blocks.row(surface_slave(contact, row));
 }
 
-/// The slave node's share of each face around it, as far as the face looks against the normal: sides of a body carry
-/// nothing [length^2].
+/// The slave node's share of each face around it, projected on the plane across the normal: sides of a body carry no
+/// load [length^2].
 double area_of_slave(const Contact& contact, const Row& row);
 
 }  // namespace brunt::contact

@@ -119,7 +119,7 @@ void append_tie_rows(Contact& contact, const Carriers& carriers, double dt, std:
 void demand_ties_hold(const Contact& contact) {
   const TieScene scene = tie_scene(contact, 1);
   if (contact.ranks.any(!std::ranges::all_of(contact.tied.ties, [&](const Tie& tie) { return holds(tie, scene); })))
-    throw GuardError("contact: tied parts have been torn from each other: a face is out of reach of a node tied to it");
+    throw GuardError("contact: a tie is broken: a face is out of reach of a node tied to it");
 }
 
 void drop_tied_rows(const Contact& contact, std::vector<Row>& rows) {

@@ -8,15 +8,15 @@ namespace brunt::contact {
 /// From lists and positions of contact nodes at the start.
 TiedParts find_tied_parts(const Contact& contact);
 
-/// Drops the ties of which the face has gone, or all of the slave's elements in the part that is tied. faces: that are
-/// left on this rank, ascending by key; contact.surface is theirs already. Collective.
+/// Removes the ties whose face was removed, or whose slave has lost all elements in the tied part. faces: remaining on
+/// this rank, ascending by key; contact.surface already refers to them. Collective.
 void release_ties(Contact& contact, std::span<const mesh::ExteriorFace> faces);
 
-/// Asked of new lists on all ranks, so that all stop: throws GuardError where tied parts have been torn from each
-/// other. Collective.
+/// Checks new lists on all ranks, so that all stop: throws GuardError if a tie is broken. Collective.
 void demand_ties_hold(const Contact& contact);
 
-/// A tied node has nothing but its tie to do with that body, nor have edges of tied parts with each other.
+/// A tied node has no contact with that body other than its tie, nor do edges of tied parts have contact with each
+/// other.
 void drop_tied_rows(const Contact& contact, std::vector<Row>& rows);
 
 /// A row a tie.

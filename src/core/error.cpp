@@ -20,7 +20,8 @@ InputError::InputError(std::vector<std::string> faults)
     : std::runtime_error(joined(faults)), faults_(std::move(faults)) {}
 
 void demand(bool holds, std::string_view what) {
-  if (!holds) throw std::logic_error("internal error (please report): " + std::string(what));
+  if (!holds)
+    throw std::logic_error("internal error (please report it): this condition does not hold: " + std::string(what));
 }
 
 }  // namespace brunt

@@ -187,13 +187,13 @@ InnerCells inner_cells(const geometry::SlabTree& tree, const MetricShape& shape,
 }
 
 Body make_body(const TriangleSurface& surface, const BodyOptions& options) {
-  if (surface.triangles.empty()) throw std::invalid_argument("a surface without triangles");
+  if (surface.triangles.empty()) throw std::invalid_argument("the surface has no triangles");
   Body body;
   body.tree = geometry::build_slab_tree(surface);
   body.mass = rigid::surface_properties(surface, 1);
   const double diagonal = (body.tree.box.high - body.tree.box.low).norm();
   if (!(body.mass.mass > least_volume * diagonal * diagonal * diagonal))
-    throw std::invalid_argument("a surface without a positive volume");
+    throw std::invalid_argument("the volume of the surface is not positive");
   std::vector<Vec3> used;
   used.reserve(3 * surface.triangles.size());
   std::vector<char> taken(surface.points.size(), 0);

@@ -69,7 +69,7 @@ ConvexPiece convex_piece(std::span<const Vec3> points) {
   }
   const double size = (high - low).norm();
   const std::vector<Facet> facets = facets_of(points, size);
-  if (facets.size() < 4) throw std::invalid_argument("a convex piece without volume");
+  if (facets.size() < 4) throw std::invalid_argument("the convex piece has no volume");
   ConvexPiece piece;
   for (const Facet& facet : facets) add_direction(piece.normals, facet.normal);
   const auto on = [&](const Vec3& x, const Facet& facet) {

@@ -41,8 +41,9 @@ void element_tangents(const model::Model& model, LocalIndex block, std::span<con
   const model::ElementBlock& of = model.blocks[static_cast<std::size_t>(block)];
   const Tangents tangents = tangents_of(of.kind);
   if (tangents == nullptr)
-    throw InputError(fmt::format("part {}: element {} has no tangent; accepted: hex8_full, hex8_bbar, tet4", of.part,
-                                 element::name_of(of.kind)));
+    throw InputError(
+        fmt::format("part {}: invalid element {}: it has no tangent; expected hex8_full, hex8_bbar or tet4", of.part,
+                    element::name_of(of.kind)));
   tangents(of, {model, block, elements, motion, committed, matrices});
 }
 

@@ -80,7 +80,8 @@ constexpr Tangents tangents_of() {
   return [](const model::ElementBlock& block, const TangentPass& pass) {
     Choice::with_kernel(block, pass.motion.viscous, [&](const auto& kernel) {
       if constexpr (element::Thermodynamic<std::decay_t<decltype(kernel.law)>>)
-        throw InputError("part " + block.part + ": its material has no tangent; accepted: elastic, j2, neo_hookean");
+        throw InputError("part " + block.part +
+                         ": invalid material: its law has no tangent; expected elastic, j2 or neo_hookean");
       else
         run_tangents(kernel, block, pass);
     });

@@ -135,7 +135,7 @@ std::vector<std::string> describe(const SurfaceFaults& faults, const TriangleSur
   std::vector<std::string> lines;
   const auto edges = [&](const EdgeFaults& fault, std::string_view what, std::string_view expected) {
     if (fault.count == 0) return;
-    lines.push_back(fmt::format("{}: {}, the first from {} to {}; expected {}", name, what,
+    lines.push_back(fmt::format("{}: invalid surface: {}, the first from {} to {}; expected {}", name, what,
                                 place(surface.points[at(fault.points[0])]), place(surface.points[at(fault.points[1])]),
                                 expected));
   };
@@ -143,24 +143,25 @@ std::vector<std::string> describe(const SurfaceFaults& faults, const TriangleSur
     if (fault.count == 0) return;
     const Shell& first = faults.shells[at(fault.first)];
     const Vec3& x = surface.points[at(surface.triangles[at(first.first_triangle)][0])];
-    lines.push_back(fmt::format("{}: {} of {} {}, the first at {}, of volume {:.6g}; expected {}", name, fault.count,
-                                plural(std::ssize(faults.shells), "shell"), what, place(x), first.volume, expected));
+    lines.push_back(fmt::format("{}: invalid surface: {} of {} {}, the first at {}, of volume {:.6g}; expected {}",
+                                name, fault.count, plural(std::ssize(faults.shells), "shell"), what, place(x),
+                                first.volume, expected));
   };
   edges(faults.open, plural(faults.open.count, "open edge"), "a closed surface");
   edges(faults.non_manifold, plural(faults.non_manifold.count, "edge") + " of more than two triangles",
         "two triangles at each edge");
-  edges(faults.reversed, plural(faults.reversed.count, "edge") + " that two triangles run along in the same direction",
+  edges(faults.reversed, plural(faults.reversed.count, "edge") + " that two triangles traverse in the same direction",
         "no reversed triangles");
   if (faults.no_area.count > 0) {
     const Vec3& x = surface.points[at(surface.triangles[at(faults.no_area.first)][0])];
-    lines.push_back(fmt::format("{}: {} without area, the first is number {} at {}; expected none", name,
-                                plural(faults.no_area.count, "triangle"), faults.no_area.first + 1, place(x)));
+    lines.push_back(fmt::format("{}: invalid surface: {} without area, the first is number {} at {}; expected none",
+                                name, plural(faults.no_area.count, "triangle"), faults.no_area.first + 1, place(x)));
   }
   const bool all = faults.inside_out.count > 0 && faults.volume < 0;
   shell(faults.inside_out, "inside out",
         all ? "triangles counter-clockwise seen from outside; all of them may be reversed"
             : "triangles counter-clockwise seen from outside");
-  shell(faults.doubled, "inside another without being a cavity", "cavities of reversed triangles");
+  shell(faults.doubled, "inside another one without being a cavity", "cavities of reversed triangles");
   return lines;
 }
 

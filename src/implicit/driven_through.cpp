@@ -79,8 +79,8 @@ std::string warning_of(const std::string& one, const std::string& other, double 
                        const std::string& length_unit) {
   return fmt::format(
       "supports move part '{}' and {} through each other: since t = {:g} nodes that are held along the normal lie "
-      "behind what cannot give way, now {:.3g}{} deep. Contact does nothing there (reported once for a pair; "
-      "driven_penetration in summary.json is the largest depth)",
+      "behind a surface that cannot yield; the depth is now {:.3g}{}. Contact has no effect there (reported once for "
+      "each pair; driven_penetration in summary.json is the largest depth)",
       one, other, since, depth, length_unit.empty() ? "" : " " + length_unit);
 }
 

@@ -135,15 +135,14 @@ void refuse_held(const model::Model& model, const WholeSurfaces& whole, const In
     return model.blocks[static_cast<std::size_t>(b)].part;
   };
   if (face.surfaces.slave.empty() || face.surfaces.master.empty())
-    throw InputError(fmt::format("{}: {} has no face that could meet {}; accepted: parts with exterior faces",
-                                 face.pair.entry,
-                                 part(face.surfaces.slave.empty() ? face.pair.slave : face.pair.master),
-                                 part(face.surfaces.slave.empty() ? face.pair.master : face.pair.slave)));
-  if (!can_move(whole, face.surfaces.slave) && !can_move(whole, face.surfaces.master))
     throw InputError(
-        fmt::format("{}: all nodes of the surfaces of {} and {} are held; accepted: a pair of which "
-                    "one can give way",
-                    face.pair.entry, part(face.pair.slave), part(face.pair.master)));
+        fmt::format("{}: invalid pair: {} has no face that could touch {}; expected parts with exterior faces",
+                    face.pair.entry, part(face.surfaces.slave.empty() ? face.pair.slave : face.pair.master),
+                    part(face.surfaces.slave.empty() ? face.pair.master : face.pair.slave)));
+  if (!can_move(whole, face.surfaces.slave) && !can_move(whole, face.surfaces.master))
+    throw InputError(fmt::format(
+        "{}: invalid pair: all surface nodes of {} and {} are constrained; expected a pair of which one part can move",
+        face.pair.entry, part(face.pair.slave), part(face.pair.master)));
 }
 
 /// Collective.
@@ -158,8 +157,8 @@ void note_redundant(const comm::Communicator& ranks, const Interface& face, std:
   redundant = ranks.sum(redundant);
   if (redundant > 0)
     notes.push_back(
-        fmt::format("{}: {} of {} tied nodes have no multiplier along directions in which supports hold both "
-                    "sides or other multipliers say the same",
+        fmt::format("{}: {} of {} tied nodes have no multiplier in directions that supports constrain on both sides, "
+                    "or in which other multipliers are redundant",
                     face.pair.entry, redundant, covered));
 }
 

@@ -130,13 +130,13 @@ Attempt iterate(const Scene& scene, Solver& solver) {
 std::string cause_of(const Attempt& attempt, const Trial& trial) {
   switch (attempt.newton.reason) {
     case comm::NewtonReason::inadmissible:
-      return "an element loses its volume at an iterate";
+      return "an element loses its volume during the iteration";
     case comm::NewtonReason::singular:
-      return "the stiffness is singular: the body has lost its stability, or nothing holds it";
+      return "the stiffness matrix is singular: the body has lost its stability or lacks supports";
     default:
       break;
   }
-  return fmt::format("forces left are {:.2g} of those that act after {} iterations",
+  return fmt::format("unbalanced forces are {:.2g} of the acting ones after {} iterations",
                      trial.ratios.empty() ? 1.0 : trial.ratios.back(), attempt.newton.iterations);
 }
 
@@ -152,9 +152,8 @@ void refuse_hopeless(const Scene& scene, const Solver& solver, const Attempt& at
     return;
   const Unbalanced most = largest_of(scene, solver, attempt.floating);
   throw GuardError(
-      fmt::format("{} is free to float at t = {:g}, step {}: nothing holds it ({} motion{} without resistance). A "
-                  "static state needs "
-                  "supports, symmetry or ties against each rigid motion",
+      fmt::format("{} can move freely at t = {:g}, step {}: missing supports ({} motion{} without resistance). A "
+                  "static state needs supports, symmetry or ties against each rigid-body motion",
                   place(most.gid), scene.state.time, static_cast<GlobalIndex>(scene.state.step),
                   attempt.factors.null_pivots, attempt.factors.null_pivots == 1 ? "" : "s"));
 }
@@ -162,12 +161,12 @@ void refuse_hopeless(const Scene& scene, const Solver& solver, const Attempt& at
 [[noreturn]] void stop(const Scene& scene, const Solver& solver, const Attempt& attempt,
                        const std::function<std::string(GlobalIndex)>& place) {
   throw GuardError(fmt::format(
-      "Newton's iteration fails at t = {:g}, step {}, with the least step {:g} (solver.min_step {:g}): {}{}",
+      "Newton's method fails at t = {:g}, step {}, with the smallest step {:g} (solver.min_step {:g}): {}{}",
       scene.state.time, static_cast<GlobalIndex>(scene.state.step), solver.trial.rule.dt, solver.settings.min_step,
       cause_of(attempt, solver.trial),
-      attempt.worst.gid >= 0
-          ? fmt::format("; most is left at {}, {:.3g} [force]", place(attempt.worst.gid), attempt.worst.force)
-          : ""));
+      attempt.worst.gid >= 0 ? fmt::format("; the largest unbalanced force is at {}, {:.3g} [force]",
+                                           place(attempt.worst.gid), attempt.worst.force)
+                             : ""));
 }
 
 /// Contact may give back what it has taken, and no more: the bodies never have more energy than at the start.

@@ -95,12 +95,16 @@ class MeshMaker {
     std::vector<bool> taken(part.elements.size(), false);
     for (const auto& [set, line] : part.sections) {
       const auto found = part.element_sets.find(set);
-      if (found == part.element_sets.end()) deck_.fail(line, fmt::format("*SOLID SECTION: no element set '{}'", set));
+      if (found == part.element_sets.end())
+        deck_.fail(
+            line, fmt::format("unknown element set '{}' of *SOLID SECTION; expected an element set of this part", set));
       for (const AbaqusMember& member : found->second.members) {
         if (part.other_at.contains(member.number)) continue;
         const LocalIndex e = element_of(part, member.number, line);
         if (taken[static_cast<std::size_t>(e)] && names[static_cast<std::size_t>(e)] != set)
-          deck_.fail(line, fmt::format("element {} is in another *SOLID SECTION as well", member.number));
+          deck_.fail(line, fmt::format("invalid *SOLID SECTION: element {} already belongs to another one; expected "
+                                       "one section for each element",
+                                       member.number));
         taken[static_cast<std::size_t>(e)] = true;
         names[static_cast<std::size_t>(e)] = set;
       }
@@ -108,7 +112,10 @@ class MeshMaker {
     const auto free = std::ranges::find(taken, false);
     if (free != taken.end()) {
       const AbaqusElement& element = part.elements[static_cast<std::size_t>(free - taken.begin())];
-      deck_.fail(element.line, fmt::format("element {} is in no *SOLID SECTION, as others are", element.number));
+      deck_.fail(element.line,
+                 fmt::format(
+                     "missing *SOLID SECTION for element {}; expected a section for each solid element, or none at all",
+                     element.number));
     }
     return names;
   }
@@ -179,7 +186,9 @@ class MeshMaker {
 
   LocalIndex element_of(const AbaqusPart& part, std::int64_t number, int line) const {
     const auto found = part.element_at.find(number);
-    if (found == part.element_at.end()) deck_.fail(line, fmt::format("no solid element {}", number));
+    if (found == part.element_at.end())
+      deck_.fail(line,
+                 fmt::format("unknown solid element {}; expected the number of a solid element of this part", number));
     return found->second;
   }
 
@@ -245,9 +254,11 @@ class MeshMaker {
     const Block& block = mesh_.blocks[static_cast<std::size_t>(b)];
     const auto all = sides_of(element.corners);
     if (piece.face < 0)
-      deck_.fail(piece.line, fmt::format("element {} is a solid and has no side of a shell", element.number));
+      deck_.fail(piece.line,
+                 fmt::format("invalid side of a shell: element {} is a solid; expected S1 to S6", element.number));
     if (piece.face > static_cast<int>(all.size()))
-      deck_.fail(piece.line, fmt::format("element {} has no face S{}", element.number, piece.face));
+      deck_.fail(piece.line, fmt::format("invalid face of element {}: it has no S{}; expected a face of its type",
+                                         element.number, piece.face));
     std::array<LocalIndex, 4> wanted{no_index, no_index, no_index, no_index};
     if (piece.face > 0) {
       const FaceCorners& corners = all[static_cast<std::size_t>(piece.face - 1)];
@@ -285,8 +296,8 @@ Mesh read_abaqus(const std::string& path, const std::vector<std::string>& ignore
   };
   if (std::ranges::none_of(model.instances, has_elements) && std::ranges::none_of(model.instances, has_refused))
     throw InputError(path + (model.parts.size() > 1 && model.instances.empty()
-                                 ? ": parts, but no *INSTANCE of them"
-                                 : ": no solid elements; accepted: C3D4, C3D5, C3D6, C3D8 and their variants"));
+                                 ? ": missing *INSTANCE of the parts; expected an *INSTANCE for each part that is used"
+                                 : ": missing solid elements; expected C3D4, C3D5, C3D6, C3D8 or their variants"));
   return leave_out(path, MeshMaker(deck, model).make(), ignore);
 }
 

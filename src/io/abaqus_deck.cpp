@@ -58,7 +58,8 @@ void AbaqusDeck::read_file(const std::string& path, int depth) {
     const std::string_view line = trimmed(text.substr(from, end - from));
     from = end + 1;
     ++line_of_file;
-    if (count_ == std::numeric_limits<int>::max()) fail(count_, "more lines than can be counted (2^31)");
+    if (count_ == std::numeric_limits<int>::max())
+      fail(count_, "out of range: the deck has more than 2^31 lines; expected fewer");
     const int number = ++count_;
     if (line.empty() || line.starts_with("**")) continue;
     if (line.front() == '*' || goes_on) {
@@ -70,7 +71,7 @@ void AbaqusDeck::read_file(const std::string& path, int depth) {
       take_inclusion(path, depth);
       if (runs_.size() > runs) runs_.push_back({path, count_ + 1, line_of_file + 1});
     } else {
-      if (cards_.empty()) fail(number, "data before the first keyword; a line that begins with * is wanted");
+      if (cards_.empty()) fail(number, "invalid data before the first keyword; expected a line that begins with *");
       cards_.back().data.push_back({line, number});
     }
   }
@@ -84,7 +85,7 @@ void AbaqusDeck::take_inclusion(const std::string& path, int depth) {
   if (!whole && (std::ranges::find(with_data, card.keyword) == with_data.end() || !card.has("INPUT"))) return;
   const std::string name = card.value("INPUT");
   const int line = card.line;
-  if (name.empty()) fail(line, fmt::format("*{} has no file; accepted: INPUT=FILE", card.keyword));
+  if (name.empty()) fail(line, fmt::format("missing file of *{}; expected INPUT=FILE", card.keyword));
   if (whole) cards_.pop_back();  // what the file holds may go on the card before
   include(path, name, line, depth);
 }
@@ -96,17 +97,22 @@ void AbaqusDeck::include(const std::string& from, const std::string& name, int l
   const std::string path = (fs::path(from).parent_path() / name).lexically_normal().string();
   std::error_code unreadable;
   const std::string named = path == name ? fmt::format("'{}'", name) : fmt::format("'{}' ({})", name, path);
-  if (!fs::exists(path, unreadable)) fail(line, fmt::format("included file {} is not there", named));
-  if (!fs::is_regular_file(path, unreadable)) fail(line, fmt::format("included file {} is no regular file", named));
+  if (!fs::exists(path, unreadable))
+    fail(line, fmt::format("cannot read the included file {}: it does not exist; expected an existing file", named));
+  if (!fs::is_regular_file(path, unreadable))
+    fail(line,
+         fmt::format("cannot read the included file {}: it is not a regular file; expected a regular file", named));
   if (std::ranges::find(open_, fs::weakly_canonical(path).string()) != open_.end())
-    fail(line, fmt::format("included file {} includes itself", named));
-  if (depth + 1 > deepest) fail(line, fmt::format("more than {} files include each other", deepest));
-  if (++included_ > most_files) fail(line, fmt::format("more than {} files are included", most_files));
+    fail(line, fmt::format("invalid included file {}: it includes itself; expected another file", named));
+  if (depth + 1 > deepest)
+    fail(line, fmt::format("out of range: more than {} nested included files; expected fewer", deepest));
+  if (++included_ > most_files)
+    fail(line, fmt::format("out of range: more than {} included files; expected fewer", most_files));
   try {
     read_file(path, depth + 1);
   } catch (const InputError& error) {
     if (runs_.back().path == path || !std::string_view(error.what()).starts_with(path + ": cannot")) throw;
-    fail(line, fmt::format("included file {} cannot be read", named));
+    fail(line, fmt::format("cannot read the included file {}; expected a readable file", named));
   }
 }
 
@@ -119,17 +125,17 @@ void AbaqusDeck::add_card(std::string_view text, int line) {
     }
     const auto equals = field.find('=');
     const std::string name = in_capitals(trimmed(field.substr(0, equals)));
-    if (name.empty()) fail(line, fmt::format("*{}: a parameter without a name", card.keyword));
+    if (name.empty()) fail(line, fmt::format("missing name of a parameter of *{}; expected NAME=VALUE", card.keyword));
     card.parameter[name] = equals == std::string_view::npos ? "" : unquoted(trimmed(field.substr(equals + 1)));
   }
-  if (card.keyword.empty()) fail(line, "a star without a keyword");
+  if (card.keyword.empty()) fail(line, "missing keyword after the star; expected *KEYWORD");
 }
 
 std::int64_t AbaqusDeck::integer(const DeckLine& line, std::string_view field, std::string_view what) const {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc{} || end != field.data() + field.size())
-    fail(line.number, fmt::format("'{}' where {} should stand", field.substr(0, 40), what));
+    fail(line.number, fmt::format("invalid value '{}'; expected {}", field.substr(0, 40), what));
   return value;
 }
 
@@ -141,7 +147,7 @@ double AbaqusDeck::real(const DeckLine& line, std::string_view field, std::strin
   double value = 0;
   const auto [end, error] = std::from_chars(written.data(), written.data() + written.size(), value);
   if (error != std::errc{} || end != written.data() + written.size() || !std::isfinite(value))
-    fail(line.number, fmt::format("'{}' where {} should stand", field.substr(0, 40), what));
+    fail(line.number, fmt::format("invalid value '{}'; expected {}", field.substr(0, 40), what));
   return value;
 }
 

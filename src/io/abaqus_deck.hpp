@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An Abaqus input file as cards: a keyword, its parameters, and the lines of data that follow.
+// An Abaqus input file as cards: a keyword, its parameters, and the following lines of data.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -12,7 +12,7 @@ namespace brunt::io {
 
 struct DeckLine {
   std::string_view text;
-  int number = 0;  ///< counted over all files in the order of reading: `AbaqusDeck::place` tells file and line
+  int number = 0;  ///< counted over all files in the order of reading: `AbaqusDeck::place` gives file and line
 };
 
 struct DeckCard {
@@ -23,14 +23,14 @@ struct DeckCard {
   std::vector<DeckLine> data;  ///< without comments and blank lines
 
   [[nodiscard]] bool has(const std::string& name) const { return parameter.contains(name); }
-  /// Empty where it is not there.
+  /// Empty if it is not given.
   [[nodiscard]] std::string value(const std::string& name) const;
 };
 
 class AbaqusDeck {
  public:
-  /// Reads the file and those that it includes (*INCLUDE, and INPUT= of *NODE, *ELEMENT, *NSET, *ELSET), each found
-  /// from the folder of the file that names it. Throws InputError if a file cannot be read or includes itself.
+  /// Reads the file and the files that it includes (*INCLUDE, and INPUT= of *NODE, *ELEMENT, *NSET, *ELSET), relative
+  /// to the folder of the including file. Throws InputError if a file cannot be read or includes itself.
   explicit AbaqusDeck(const std::string& path);
 
   [[nodiscard]] const std::vector<DeckCard>& cards() const { return cards_; }
@@ -41,7 +41,7 @@ class AbaqusDeck {
   [[noreturn]] void fail(int line, const std::string& what) const;
 
  private:
-  /// Lines that follow each other in one file.
+  /// Consecutive lines of one file.
   struct Run {
     std::string path;
     int first_number = 0, first_line = 0;
@@ -60,10 +60,10 @@ class AbaqusDeck {
   std::vector<DeckCard> cards_;
 };
 
-/// What stands between commas, without blanks at its ends; an empty last field is none.
+/// The fields between commas, trimmed; an empty last field does not count.
 std::vector<std::string_view> fields_of(std::string_view line);
 
-/// Labels are the same in capitals and small letters.
+/// Labels do not depend on the case of letters.
 std::string in_capitals(std::string_view text);
 
 }  // namespace brunt::io

@@ -29,9 +29,9 @@ ElementType type_of(const DeckCard& card) {
   if (solid && (count == "4" || count == "5" || count == "6" || count == "8"))
     type.corners = count[0] - '0';
   else if (solid && !count.empty())
-    type.fault = fmt::format("element type {} is of second order; accepted: {}", type.name, element_types);
+    type.fault = fmt::format("invalid element type {} of second order; expected {}", type.name, element_types);
   else
-    type.fault = fmt::format("element type '{}' is not a solid; accepted: {}", card.value("TYPE"), element_types);
+    type.fault = fmt::format("invalid element type '{}': not a solid; expected {}", card.value("TYPE"), element_types);
   return type;
 }
 
@@ -42,7 +42,9 @@ class ModelReader {
   AbaqusModel read() {
     for (const DeckCard& card : deck_.cards()) read_card(card);
     if (inside_ != Inside::nothing)
-      deck_.fail(opened_at_, "this part, assembly or instance has no end: the file is cut off");
+      deck_.fail(opened_at_,
+                 "missing end of this part, assembly or instance: the file is truncated; expected *END PART, *END "
+                 "ASSEMBLY or *END INSTANCE");
     if (!model_.parts[0].elements.empty() || !model_.parts[0].others.empty())
       model_.instances.insert(model_.instances.begin(), AbaqusInstance{});
     return std::move(model_);
@@ -56,7 +58,9 @@ class ModelReader {
                                               "ELGEN", "ELCOPY", "SYSTEM", "PARAMETER"};
     const std::string& word = card.keyword;
     if (makers.contains(word))
-      deck_.fail(card.line, fmt::format("*{} is not read; accepted: nodes and elements written out", word));
+      deck_.fail(card.line, fmt::format("invalid keyword *{}: generated nodes and elements are not supported; expected "
+                                        "nodes and elements written out",
+                                        word));
     if (word == "PART") return begin(card, Inside::nothing, Inside::part);
     if (word == "ASSEMBLY") return begin(card, Inside::nothing, Inside::assembly);
     if (word == "INSTANCE") return begin(card, Inside::assembly, Inside::instance);
@@ -84,13 +88,16 @@ class ModelReader {
 
   std::string name_of(const DeckCard& card, const std::string& parameter) const {
     std::string name = card.value(parameter);
-    if (name.empty()) deck_.fail(card.line, fmt::format("*{} has no {}=", card.keyword, parameter));
+    if (name.empty())
+      deck_.fail(card.line, fmt::format("missing parameter of *{}; expected {}=NAME", card.keyword, parameter));
     return name;
   }
 
   void begin(const DeckCard& card, Inside from, Inside to) {
     if (inside_ != from)
-      deck_.fail(card.line, fmt::format("*{} does not belong here: another one is not at its end", card.keyword));
+      deck_.fail(
+          card.line,
+          fmt::format("invalid *{} at this place: another block is still open; expected its *END first", card.keyword));
     inside_ = to;
     opened_at_ = card.line;
     if (to == Inside::part) {
@@ -101,7 +108,9 @@ class ModelReader {
   }
 
   void end(const DeckCard& card, Inside from, Inside to) {
-    if (inside_ != from) deck_.fail(card.line, fmt::format("*{} without its beginning", card.keyword));
+    if (inside_ != from)
+      deck_.fail(card.line,
+                 fmt::format("invalid *{} without its beginning; expected the opening keyword above", card.keyword));
     inside_ = to;
     part_ = 0;
   }
@@ -113,7 +122,8 @@ class ModelReader {
     const auto found = std::ranges::find_if(
         model_.parts, [&](const AbaqusPart& p) { return !p.name.empty() && in_capitals(p.name) == wanted; });
     if (found == model_.parts.end())
-      deck_.fail(card.line, fmt::format("instance '{}': no part '{}' above", instance.name, card.value("PART")));
+      deck_.fail(card.line, fmt::format("invalid instance '{}': unknown part '{}'; expected a part defined above",
+                                        instance.name, card.value("PART")));
     instance.part = static_cast<std::size_t>(found - model_.parts.begin());
     if (!card.data.empty()) {
       const auto shift = reals(card.data[0], 3);
@@ -124,7 +134,7 @@ class ModelReader {
       instance.axis = {Vec3(turn[0], turn[1], turn[2]), Vec3(turn[3], turn[4], turn[5])};
       instance.degrees = turn[6];
       if ((*instance.axis)[0] == (*instance.axis)[1])
-        deck_.fail(card.data[1].number, "the axis of the rotation has two points in one place");
+        deck_.fail(card.data[1].number, "invalid axis of rotation: its two points coincide; expected different points");
     }
     model_.instances.push_back(instance);
   }
@@ -133,7 +143,7 @@ class ModelReader {
     std::vector<double> values;
     for (const std::string_view field : fields_of(line.text)) values.push_back(deck_.real(line, field, "a number"));
     if (values.size() > count)
-      deck_.fail(line.number, fmt::format("{} numbers, {} at most are wanted", values.size(), count));
+      deck_.fail(line.number, fmt::format("invalid line of {} numbers; expected at most {}", values.size(), count));
     values.resize(count, 0);
     return values;
   }
@@ -148,7 +158,7 @@ class ModelReader {
       for (std::size_t c = 0; c < 3 && c + 1 < fields.size(); ++c)
         place[static_cast<int>(c)] = deck_.real(line, fields[c + 1], "a coordinate");
       if (!to.node_at.emplace(number, static_cast<LocalIndex>(to.coordinates.size())).second)
-        deck_.fail(line.number, fmt::format("node {} is there twice", number));
+        deck_.fail(line.number, fmt::format("invalid node {}: defined twice; expected each node once", number));
       to.node_number.push_back(number);
       to.coordinates.push_back(place);
       if (set != nullptr) set->members.push_back({"", number});
@@ -169,21 +179,25 @@ class ModelReader {
         for (const std::string_view field : fields_of(card.data[i].text)) fields.emplace_back(&card.data[i], field);
         if (fields.size() > static_cast<std::size_t>(corners)) break;
         if (i + 1 == card.data.size())
-          deck_.fail(card.data[i].number,
-                     fmt::format("{} numbers where an element and its {} nodes should stand", fields.size(), corners));
+          deck_.fail(
+              card.data[i].number,
+              fmt::format(
+                  "missing node numbers: {} numbers are given; expected the number of an element and of its {} nodes",
+                  fields.size(), corners));
       }
-      AbaqusElement element{.number = deck_.integer(*fields[0].first, fields[0].second, "an element's number"),
+      AbaqusElement element{.number = deck_.integer(*fields[0].first, fields[0].second, "the number of an element"),
                             .corners = corners,
                             .line = first_line};
       if (fields.size() != static_cast<std::size_t>(corners) + 1)
-        deck_.fail(first_line,
-                   fmt::format("element {} has {} nodes, its type {}", element.number, fields.size() - 1, corners));
+        deck_.fail(first_line, fmt::format("invalid element {} of {} nodes; expected {} nodes for its type",
+                                           element.number, fields.size() - 1, corners));
       for (std::size_t k = 0; k < static_cast<std::size_t>(corners); ++k)
         element.nodes[k] =
             node_at(deck_.integer(*fields[k + 1].first, fields[k + 1].second, "a node's number"), first_line);
       if (to.other_at.contains(element.number) ||
           !to.element_at.emplace(element.number, static_cast<LocalIndex>(to.elements.size())).second)
-        deck_.fail(first_line, fmt::format("element {} is there twice", element.number));
+        deck_.fail(first_line,
+                   fmt::format("invalid element {}: defined twice; expected each element once", element.number));
       to.elements.push_back(element);
       to.dealt.push_back(dealt);
       if (set != nullptr) set->members.push_back({"", element.number});
@@ -196,9 +210,9 @@ class ModelReader {
     bool goes_on = false;
     for (const DeckLine& line : card.data) {
       if (!goes_on) {
-        const std::int64_t number = deck_.integer(line, fields_of(line.text)[0], "an element's number");
+        const std::int64_t number = deck_.integer(line, fields_of(line.text)[0], "the number of an element");
         if (to.element_at.contains(number) || !to.other_at.emplace(number, to.others.size()).second)
-          deck_.fail(line.number, fmt::format("element {} is there twice", number));
+          deck_.fail(line.number, fmt::format("invalid element {}: defined twice; expected each element once", number));
         to.others.push_back({number, type.name, dealt, type.fault, card.line});
         if (set != nullptr) set->members.push_back({"", number});
       }
@@ -209,7 +223,8 @@ class ModelReader {
 
   LocalIndex node_at(std::int64_t number, int line) {
     const auto found = part().node_at.find(number);
-    if (found == part().node_at.end()) deck_.fail(line, fmt::format("no node {} above", number));
+    if (found == part().node_at.end())
+      deck_.fail(line, fmt::format("unknown node {}; expected a node defined above", number));
     return found->second;
   }
 
@@ -226,14 +241,15 @@ class ModelReader {
     for (const DeckLine& line : card.data) {
       const auto fields = fields_of(line.text);
       if (card.has("GENERATE")) {
-        if (fields.size() < 2) deck_.fail(line.number, "GENERATE: first, last and step are wanted");
+        if (fields.size() < 2) deck_.fail(line.number, "missing values of GENERATE; expected first, last and step");
         const std::int64_t first = deck_.integer(line, fields[0], "a number"),
                            last = deck_.integer(line, fields[1], "a number"),
                            step = fields.size() > 2 ? deck_.integer(line, fields[2], "a step") : 1;
         if (step < 1 || first < 0 || last < first || (last - first) / step >= most_members())
-          deck_.fail(line.number,
-                     fmt::format("GENERATE {}, {}, {}: accepted: first <= last, step >= 1, of numbers that there are",
-                                 first, last, step));
+          deck_.fail(
+              line.number,
+              fmt::format("out of range: GENERATE {}, {}, {}; expected first <= last, step >= 1, and existing numbers",
+                          first, last, step));
         for (std::int64_t number = first; number <= last; number += step) set.members.push_back({instance, number});
         continue;
       }
@@ -254,7 +270,7 @@ class ModelReader {
   void need_instance(const std::string& instance, int line) const {
     const auto is_it = [&](const AbaqusInstance& i) { return in_capitals(i.name) == instance; };
     if (std::ranges::none_of(model_.instances, is_it))
-      deck_.fail(line, fmt::format("no instance '{}' above", instance));
+      deck_.fail(line, fmt::format("unknown instance '{}'; expected an instance defined above", instance));
   }
 
   /// A number, a set, or either of them behind INSTANCE and a point.
@@ -280,7 +296,7 @@ class ModelReader {
       for (AbaqusMember& member : members) member.instance = instance;
       return members;
     }
-    deck_.fail(line.number, fmt::format("'{}' is no number and no set above", field));
+    deck_.fail(line.number, fmt::format("unknown set '{}'; expected a number, or a set defined above", field));
   }
 
   void add_surface(const DeckCard& card) {
@@ -297,7 +313,7 @@ class ModelReader {
         if (shell_sides.contains(face))
           piece.face = -1;
         else if (face.size() != 2 || face[0] != 'S' || face[1] < '1' || face[1] > '6')
-          deck_.fail(line.number, fmt::format("face '{}'; accepted: S1 to S6, or none", fields[1]));
+          deck_.fail(line.number, fmt::format("invalid face '{}'; expected S1 to S6, or none", fields[1]));
         else
           piece.face = face[1] - '0';
       }

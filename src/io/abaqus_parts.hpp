@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of an Abaqus input file makes a mesh: parts, where they stand, sets and surfaces.
+// The parts of an Abaqus input file that define a mesh: parts, their positions, sets and surfaces.
 #pragma once
 #include <array>
 #include <map>
@@ -19,12 +19,12 @@ struct AbaqusElement {
   std::array<LocalIndex, 8> nodes{};  ///< positions in the part
 };
 
-/// An element that is not read: of its block's listing alone.
+/// An element of an unsupported type, of which only the block is listed.
 struct AbaqusOther {
   std::int64_t number = 0;
   std::string type;   ///< in capitals
   std::string dealt;  ///< element set of its card, in capitals
-  std::string fault;  ///< why it is not read; empty: lines and surfaces beside solids, which are passed over
+  std::string fault;  ///< why it is not supported; empty: lines and surfaces beside solids, which are ignored
   int line = 0;       ///< of its card
 };
 
@@ -58,7 +58,7 @@ struct AbaqusScope {
 };
 
 struct AbaqusPart : AbaqusScope {
-  std::string name;  ///< empty: what stands outside of parts
+  std::string name;  ///< empty: content outside of parts
   std::vector<std::int64_t> node_number;
   std::vector<Vec3> coordinates;
   std::unordered_map<std::int64_t, LocalIndex> node_at, element_at;  ///< by number
@@ -71,7 +71,7 @@ struct AbaqusPart : AbaqusScope {
 };
 
 struct AbaqusInstance {
-  std::string name;  ///< empty: of what stands outside of parts
+  std::string name;  ///< empty: content outside of parts
   std::size_t part = 0;
   Vec3 shift = Vec3::Zero();
   std::optional<std::array<Vec3, 2>> axis;  ///< two points, after the shift
@@ -79,13 +79,14 @@ struct AbaqusInstance {
 };
 
 struct AbaqusModel {
-  std::vector<AbaqusPart> parts;  ///< the first is what stands outside of parts
+  std::vector<AbaqusPart> parts;  ///< the first one is the content outside of parts
   std::vector<AbaqusInstance> instances;
   AbaqusScope assembly;
 };
 
-/// Throws InputError with the line for what is not as the Abaqus keywords reference has it, and for what would change
-/// the mesh and is not read: generated nodes and elements. Elements other than solid ones of first order are `others`.
+/// Throws InputError with the line for content that violates the Abaqus keywords reference, and for generated nodes and
+/// elements, which would change the mesh and are not supported. Elements other than solid ones of first order are
+/// `others`.
 AbaqusModel read_abaqus_model(const AbaqusDeck& deck);
 
 }  // namespace brunt::io

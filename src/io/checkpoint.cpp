@@ -53,7 +53,7 @@ void write_tables(Hdf5File& file, const CheckpointHeader& header, const model::R
   for (const SavedTable& table : saved_tables(registry)) {
     std::vector<double> rows = layout.to_blocks(table);
     const GlobalIndex hash = table_hash(file.ranks(), table, layout.rows(table).first, rows);
-    // The same on every rank: one copy is enough.
+    // Equal on every rank, so one copy suffices.
     if (table.array->entity == model::StateArray::Entity::global && !file.ranks().is_root()) rows.clear();
     file.create_doubles(table.path, table.rows, table.array->components);
     file.write(table.path, layout.rows(table).first, std::span<const double>(rows));
@@ -88,7 +88,7 @@ std::map<GlobalIndex, std::string> checkpoints_in(const std::string& folder) {
   return found;
 }
 
-// Keeps the checkpoint just written and the last before it; later ones belong to a run that was given up.
+// Keeps the new checkpoint and the previous one; later ones belong to an abandoned run.
 void prune(const std::string& folder, GlobalIndex step) {
   const auto found = checkpoints_in(folder);
   auto before = found.lower_bound(step);
@@ -99,17 +99,19 @@ void prune(const std::string& folder, GlobalIndex step) {
 
 CheckpointHeader sound_header(const Hdf5File& file) {
   if (!file.has_attribute("/", "fingerprint"))
-    throw InputError(file.path() + ": is no checkpoint; those of a result folder are called checkpoint_*.h5");
+    throw InputError(file.path() + ": invalid checkpoint; expected a file checkpoint_*.h5 of a result folder");
   const GlobalIndex version = file.integer_attribute("/", "format");
   if (version < oldest_readable || version > format_version)
-    throw InputError(fmt::format("{}: checkpoint format {} is not known (this program reads {} to {})", file.path(),
-                                 version, oldest_readable, format_version));
+    throw InputError(fmt::format("{}: unknown checkpoint format {}; expected {} to {}", file.path(), version,
+                                 oldest_readable, format_version));
   CheckpointHeader header;
   header.step = file.integer_attribute("/", "step");
   header.time = file.real_attribute("/", "time");
   header.fingerprint = file.text_attribute("/", "fingerprint");
   if (file.integer_attribute("/", "hash") != header_hash(header, file.integer_attribute("/", "nodes"), version))
-    throw InputError(file.path() + ": the header is damaged (its hash differs from the stored one)");
+    throw InputError(
+        file.path() +
+        ": invalid header of the checkpoint: its hash differs from the stored one; expected an undamaged file");
   if (file.has_attribute("/", "scene")) header.scene = file.text_attribute("/", "scene");
   if (file.has_attribute("/", "history_rows")) header.history_rows = file.integer_attribute("/", "history_rows");
   return header;
@@ -142,14 +144,16 @@ void check_same_tables(const Hdf5File& file, const std::vector<SavedTable>& tabl
   const std::vector<std::string> stored = state_tables(file);
   std::vector<std::string> faults;
   for (const std::string& name : without(wanted, stored))
-    faults.push_back(fmt::format("{}: does not fit this model: it has no table {}", file.path(), name));
+    faults.push_back(fmt::format(
+        "{}: invalid for this model: missing table {}; expected a checkpoint of the same model", file.path(), name));
   for (const std::string& name : without(stored, wanted))
-    faults.push_back(fmt::format("{}: does not fit this model, which has no {}", file.path(), name));
+    faults.push_back(fmt::format(
+        "{}: invalid for this model: unknown table {}; expected a checkpoint of the same model", file.path(), name));
   if (!faults.empty()) throw InputError(std::move(faults));
   for (const SavedTable& table : tables) {
     const Hdf5File::Extent found = file.extent(table.path);
     if (found != Hdf5File::Extent{table.rows, table.array->components, Hdf5File::Type::doubles})
-      faults.push_back(fmt::format("{}: does not fit this model: {} is {} x {}, expected {} x {}", file.path(),
+      faults.push_back(fmt::format("{}: invalid for this model: {} has the size {} x {}; expected {} x {}", file.path(),
                                    table.path.substr(1), found.rows, found.width, table.rows, table.array->components));
   }
   for (const RecordTable* table : records)
@@ -161,8 +165,9 @@ std::vector<double> sound_rows(const Hdf5File& file, const SavedTable& table, co
   std::vector<double> rows(static_cast<std::size_t>(range.count) * static_cast<std::size_t>(table.array->components));
   file.read(table.path, range.first, std::span<double>(rows));
   if (table_hash(file.ranks(), table, range.first, rows) != file.integer_attribute(table.path, "hash"))
-    throw InputError(fmt::format("{}: {} is damaged (the hash of its values differs from the stored one)", file.path(),
-                                 table.path.substr(1)));
+    throw InputError(
+        fmt::format("{}: invalid values of {}: their hash differs from the stored one; expected an undamaged file",
+                    file.path(), table.path.substr(1)));
   return rows;
 }
 
@@ -198,8 +203,9 @@ CheckpointHeader read_checkpoint(const comm::Communicator& ranks, const std::str
   const Hdf5File file(ranks, path, Hdf5File::Mode::read);
   CheckpointHeader header = sound_header(file);
   if (header.fingerprint != fingerprint)
-    throw InputError(fmt::format("{}: written by another scene or program version (\"{}\", this run is \"{}\")", path,
-                                 header.fingerprint, fingerprint));
+    throw InputError(
+        fmt::format("{}: invalid fingerprint \"{}\": written by another scene or program version; expected \"{}\"",
+                    path, header.fingerprint, fingerprint));
   const std::vector<SavedTable> tables = tables_to_read(file, registry);
   check_same_tables(file, tables, registry.tables);
   const TableLayout layout(ranks, registry, TableLayout::Nodes::all);

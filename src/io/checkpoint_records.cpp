@@ -45,8 +45,7 @@ std::vector<std::string> record_faults(const Hdf5File& file, const RecordTable& 
       values == Hdf5File::Extent{keys.rows, table.value_width, Hdf5File::Type::doubles})
     return {};
   return {fmt::format(
-      "{}: does not fit this model: records/{} has keys {} x {} and values {} x {}, expected {} and {} "
-      "columns",
+      "{}: invalid for this model: records/{} has keys {} x {} and values {} x {}; expected {} and {} columns",
       file.path(), table.name, keys.rows, keys.width, values.rows, values.width, table.key_width, table.value_width)};
 }
 
@@ -61,8 +60,9 @@ RecordTable read_records(const Hdf5File& file, const RecordTable& table) {
   file.read(keys_path(table), first, std::span<GlobalIndex>(read.keys));
   file.read(values_path(table), first, std::span<double>(read.values));
   if (hash_of_all(ranks, read) != file.integer_attribute(values_path(table), "hash"))
-    throw InputError(fmt::format("{}: records/{} is damaged (the hash of its values differs from the stored one)",
-                                 file.path(), table.name));
+    throw InputError(fmt::format(
+        "{}: invalid values of records/{}: their hash differs from the stored one; expected an undamaged file",
+        file.path(), table.name));
   return read;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Record tables of a registry in a checkpoint: /records/NAME/keys and /records/NAME/values with the attribute `hash`.
-// Their rows stand in the order of the ranks that wrote them; whoever reads them sends them home.
+// Their rows are in the order of the ranks that wrote them; the caller sends them to their owners.
 #pragma once
 #include <string>
 #include <vector>
@@ -13,16 +13,16 @@ namespace brunt::io {
 std::string keys_path(const RecordTable& table);
 std::string values_path(const RecordTable& table);
 
-/// What the file takes for the records of all ranks. Collective.
+/// The size of the records of all ranks in the file. Collective.
 GlobalIndex record_bytes(const comm::Communicator& ranks, const RecordTable& table);
 
 /// Collective.
 void write_records(Hdf5File& file, const RecordTable& table);
 
-/// How the file's tables differ from what `table` wants; both are there.
+/// Differences between the file's tables and `table`; both exist.
 std::vector<std::string> record_faults(const Hdf5File& file, const RecordTable& table);
 
-/// A share of the file's records. Throws InputError where they are damaged. Collective.
+/// A share of the file's records. Throws InputError if they are damaged. Collective.
 RecordTable read_records(const Hdf5File& file, const RecordTable& table);
 
 }  // namespace brunt::io

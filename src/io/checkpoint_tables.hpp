@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The saved arrays of a registry as tables in canonical order, each rank holding a block of rows.
+// The saved arrays of a registry as tables in canonical order; each rank has a block of rows.
 #pragma once
 #include <string>
 #include <vector>
@@ -24,7 +24,7 @@ struct RowRange {
   LocalIndex count = 0;
 };
 
-/// Carries arrays between where they live and the block layout.
+/// Moves arrays between the ranks' layout and the block layout.
 class TableLayout {
  public:
   enum class Nodes { owned, all };  ///< write owned nodes; read all of this rank

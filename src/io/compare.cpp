@@ -30,7 +30,7 @@ std::string place_text(const Hdf5File& file, Place place, const LargestDifferenc
   return fmt::format("node {} [{}]", id, at.component);
 }
 
-// The mesh is compared exactly: fields of different meshes have nothing to do with each other.
+// The mesh is compared exactly: fields of different meshes are not comparable.
 bool same_mesh(const Hdf5File& a, const Hdf5File& b, Comparison& result) {
   for (const char* what : {"nodes", "elements", "blocks"}) {
     const GlobalIndex in_a = a.integer_attribute("/", what), in_b = b.integer_attribute("/", what);
@@ -40,7 +40,7 @@ bool same_mesh(const Hdf5File& a, const Hdf5File& b, Comparison& result) {
   for (const std::string& name : a.datasets("/mesh")) {
     const std::string table = fmt::format("/mesh/{}", name);
     if (!b.contains(table) || a.extent(table) != b.extent(table))
-      result.mismatches.push_back(fmt::format("mesh: {} has another size in B", name));
+      result.mismatches.push_back(fmt::format("mesh: the size of {} differs in B", name));
     else if (largest_difference(a, table, b, table).difference > 0)
       result.mismatches.push_back(fmt::format("mesh: {} differs", name));
   }
@@ -70,7 +70,7 @@ std::vector<StateRecord::Table> common_tables(const std::vector<StateRecord>& a,
           common.push_back(table);
         } else {
           result.mismatches.push_back(
-              fmt::format("{} is not in every record of both with the same components", table_path(table)));
+              fmt::format("{} is not in every record of both results with the same components", table_path(table)));
           reported.insert(table_path(table));
         }
       }
@@ -131,7 +131,7 @@ void compare_checkpoints(const comm::Communicator& ranks, const std::string& pat
     if (!in_a || !in_b) {
       result.mismatches.push_back(fmt::format("{} is not in {}", name, in_a ? "B" : "A"));
     } else if (a.extent(table) != b.extent(table)) {
-      result.mismatches.push_back(fmt::format("{} has another size in B", name));
+      result.mismatches.push_back(fmt::format("the size of {} differs in B", name));
     } else {
       FieldTally tally(name);
       const LargestDifference at = largest_difference(a, table, b, table);
@@ -190,11 +190,14 @@ Kind kind_of(const std::string& path) {
 std::string file_in(const std::string& folder, Kind kind) {
   if (kind == Kind::checkpoint) {
     const std::optional<std::string> latest = latest_checkpoint(folder);
-    if (!latest) throw InputError(folder + ": has no checkpoint_*.h5 to compare");
+    if (!latest) throw InputError(folder + ": missing checkpoint to compare; expected a file checkpoint_*.h5");
     return *latest;
   }
   std::string path = (fs::path(folder) / (kind == Kind::history ? "history.csv" : "state.h5")).string();
-  if (!fs::exists(path)) throw InputError(path + ": does not exist (the other side of the comparison is such a file)");
+  if (!fs::exists(path))
+    throw InputError(path +
+                     ": cannot read the file: it does not exist; expected it, since the other side of the comparison "
+                     "is such a file");
   return path;
 }
 
@@ -215,21 +218,23 @@ bool Comparison::within(double tolerance) const {
 Comparison compare_results(const comm::Communicator& ranks, const std::string& a, const std::string& b) {
   Comparison result;
   for (const std::string& path : {a, b})
-    if (!fs::exists(path)) throw InputError(path + ": does not exist (expected a result folder or file)");
+    if (!fs::exists(path))
+      throw InputError(path + ": cannot read the result: it does not exist; expected a result folder or file");
   const Kind kind = kind_of(a) == Kind::folder ? kind_of(b) : kind_of(a);
   const auto file_of = [&](const std::string& path) {
     return kind != Kind::folder && kind_of(path) == Kind::folder ? file_in(path, kind) : path;
   };
   const std::string file_a = file_of(a), file_b = file_of(b);
   if (kind_of(file_a) != kind_of(file_b))
-    throw InputError(a + " and " + b + ": results of different kinds cannot be compared");
+    throw InputError(a + " and " + b +
+                     ": invalid comparison of results of different kinds; expected two results of one kind");
   if (kind == Kind::state) compare_states(ranks, file_a, file_b, result);
   if (kind == Kind::checkpoint) compare_checkpoints(ranks, file_a, file_b, result);
   if (kind == Kind::history) compare_histories(file_a, file_b, 0, result);
   if (kind != Kind::folder) return result;
   const bool states = in_both(a, b, "state.h5", result), histories = in_both(a, b, "history.csv", result);
   if (!states && !histories && result.mismatches.empty())
-    throw InputError(a + " and " + b + ": neither state.h5 nor history.csv to compare");
+    throw InputError(a + " and " + b + ": missing files to compare; expected state.h5 or history.csv");
   if (states) compare_states(ranks, a + "/state.h5", b + "/state.h5", result);
   const double size = states ? size_of_mesh(Hdf5File(ranks, a + "/state.h5", Hdf5File::Mode::read)) : 0;
   if (histories) compare_histories(a + "/history.csv", b + "/history.csv", size, result);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a file may grow, asked before the ranks write together: if the disk fills up inside a collective HDF5 call,
-// the ranks that fail leave it and the others wait for ever.
+// Tests whether a file may grow, before the ranks write together: if the disk fills up inside a collective HDF5 call,
+// the failing ranks leave it and the others wait for ever.
 #pragma once
 #include <string>
 
@@ -9,11 +9,11 @@
 
 namespace brunt::io {
 
-/// Lets the file (made if need be) grow by `bytes` and shrinks it again. Throws MachineError on all ranks if the disk,
-/// a quota or a limit refuses; file systems that cannot allocate ahead are taken at their word. Collective.
+/// Lets the file (created if necessary) grow by `bytes` and shrinks it again. Throws MachineError on all ranks if the
+/// disk, a quota or a limit refuses; file systems without allocation in advance are trusted. Collective.
 void demand_disk_space(const comm::Communicator& ranks, const std::string& path, GlobalIndex bytes);
 
-/// What a table takes, with its share of the file's own records.
+/// The size of a table with its share of the file's own records.
 constexpr GlobalIndex table_bytes(GlobalIndex rows, int width) {
   return rows * width * 8 + 4096;
 }

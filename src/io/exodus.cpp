@@ -29,7 +29,7 @@ class ExodusFile {
   explicit ExodusFile(const std::string& path) : path_(path) {
     std::error_code unreadable;
     const auto size = std::filesystem::file_size(path, unreadable);
-    if (unreadable) fail("cannot be read: " + unreadable.message());
+    if (unreadable) fail("cannot read the file (" + unreadable.message() + "); expected a readable file");
     const std::string fault = netcdf_layout_fault(path);
     if (!fault.empty()) fail(fault);
     most_ = std::min<std::int64_t>(static_cast<std::int64_t>(size), std::numeric_limits<LocalIndex>::max() / 8);
@@ -37,7 +37,7 @@ class ExodusFile {
     int our_word = 8, file_word = 0;
     float version = 0;
     id_ = ex_open(path.c_str(), EX_READ | EX_ALL_INT64_API, &our_word, &file_word, &version);
-    if (id_ < 0) fail("is no Exodus II file that the library can open");
+    if (id_ < 0) fail("cannot read the file: not an Exodus II file that the library can open; expected Exodus II");
     ex_set_max_name_length(id_, name_length);
   }
   ~ExodusFile() {
@@ -50,11 +50,12 @@ class ExodusFile {
   [[nodiscard]] const std::string& path() const { return path_; }
   [[noreturn]] void fail(const std::string& what) const { throw InputError(path_ + ": " + what); }
   void succeed(int status, const std::string& what) const {
-    if (status < 0) fail("the library cannot read its " + what + ": damaged");
+    if (status < 0) fail("cannot read the " + what + "; expected an undamaged file");
   }
   /// Before anything is allocated: a damaged header may claim any number.
   std::size_t plausible(std::int64_t count, const std::string& what) const {
-    if (count < 0 || count > most_) fail(fmt::format("claims {} {}; the file cannot hold so many", count, what));
+    if (count < 0 || count > most_)
+      fail(fmt::format("out of range: {} {} in the header; expected no more than the file can hold", count, what));
     return static_cast<std::size_t>(count);
   }
   Integers ids(ex_entity_type type, std::int64_t count, const std::string& what) const {
@@ -129,7 +130,7 @@ BlockRead read_block(const ExodusFile& file, std::int64_t id) {
         .id = id,
         .type = header.topology,
         .count = static_cast<GlobalIndex>(count),
-        .fault = fmt::format("{}: block {}{} has elements {} with {} nodes; accepted: HEX8, TET4, WEDGE6, PYRAMID5",
+        .fault = fmt::format("{}: invalid block {}{}: elements {} with {} nodes; expected HEX8, TET4, WEDGE6, PYRAMID5",
                              file.path(), id, shown, header.topology, header.num_nodes_per_entry)};
     return read;
   }
@@ -174,7 +175,8 @@ std::vector<FileBlock> read_blocks(const ExodusFile& file, const ex_init_params&
     total += blocks.back().count;
   }
   if (total != sizes.num_elem)
-    file.fail(fmt::format("has {} elements in its blocks, its header says {}", total, sizes.num_elem));
+    file.fail(fmt::format("invalid number of elements: {} in the blocks; expected {} as in the header", total,
+                          sizes.num_elem));
   Integers numbers(static_cast<std::size_t>(total));
   file.succeed(ex_get_id_map(file.id(), EX_ELEM_MAP, numbers.data()), "element numbers");
   auto next = numbers.begin();
@@ -229,7 +231,7 @@ void read_side_sets(const ExodusFile& file, const ex_init_params& sizes, const s
     for (std::size_t i = 0; i < elements.size(); ++i) {
       const std::int64_t element = elements[i] - 1;
       if (element < 0 || element >= first.back())
-        file.fail(fmt::format("{}: element {}, the mesh has {}", what, elements[i], first.back()));
+        file.fail(fmt::format("out of range: {} has element {}; expected 1 to {}", what, elements[i], first.back()));
       const auto at =
           static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), element) - first.begin() - 1);
       if (blocks[at].block == no_index)
@@ -247,7 +249,7 @@ Mesh read_exodus(const std::string& path, const std::vector<std::string>& ignore
   const ExodusFile file(path);
   ex_init_params sizes{};
   file.succeed(ex_get_init_ext(file.id(), &sizes), "header");
-  if (sizes.num_dim != 3) file.fail(fmt::format("has {} dimensions; accepted: 3", sizes.num_dim));
+  if (sizes.num_dim != 3) file.fail(fmt::format("invalid number of dimensions, {}; expected 3", sizes.num_dim));
   FileContent content;
   read_nodes(file, sizes, content.mesh);
   const auto blocks = read_blocks(file, sizes, content);

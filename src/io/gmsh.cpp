@@ -173,17 +173,19 @@ class ForeignBlocks {
 void add_sets(const LineReader& in, const GmshFile& file, FileContent& content) {
   const SideFinder finder(file, content.mesh);
   ForeignBlocks foreign(in, file);
-  const std::string of_order = fmt::format(" (of second order, or not read); accepted: {}", gmsh_element_types);
+  const std::string of_order = fmt::format(" (of second order, or not supported); expected {}", gmsh_element_types);
   std::map<std::string, std::set<LocalIndex>> nodes;
   for (const GmshElement& element : file.elements) {
     const bool read = element.corners > 0;
     if (!read && (element.dimension == 3 || element.physical != 0))
-      foreign.add(element, fmt::format("element type {}{}", element.type, of_order));
+      foreign.add(element, fmt::format("invalid element type {}{}", element.type, of_order));
     if (!is_surface(element)) continue;
     const Side side = finder.side_of(element);
     if (side.block < 0) {
-      foreign.add(element, fmt::format("surface element {} is no face of a volume element; accepted: faces of them",
-                                       element.number));
+      foreign.add(
+          element,
+          fmt::format("invalid surface element {}: not a face of a volume element; expected faces of volume elements",
+                      element.number));
       continue;
     }
     foreign.add(element, "");
@@ -207,7 +209,7 @@ Mesh read_gmsh(const std::string& path, const std::vector<std::string>& ignore) 
   add_sets(in, file, content);
   const bool foreign_volume = std::ranges::any_of(content.foreign, [](const auto& b) { return b.dimension == 3; });
   if (content.mesh.blocks.empty() && !foreign_volume)
-    throw InputError(path + ": no volume elements; accepted: tetrahedra, hexahedra, prisms, pyramids");
+    throw InputError(path + ": missing volume elements; expected tetrahedra, hexahedra, prisms or pyramids");
   return leave_out(path, std::move(content), ignore);
 }
 

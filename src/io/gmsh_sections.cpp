@@ -23,14 +23,17 @@ class Sections {
     while (in_.next_line()) {
       const std::string section(in_.rest());
       if (section[0] != '$')
-        in_.fail(fmt::format("'{}' where a section ($Nodes, ...) should begin", section.substr(0, 40)));
+        in_.fail(
+            fmt::format("invalid text '{}'; expected the beginning of a section ($Nodes, ...)", section.substr(0, 40)));
       if (version_ == Version::unknown && section != "$MeshFormat" && section != "$Comments")
-        in_.fail("the file must begin with $MeshFormat");
+        in_.fail("invalid beginning of the file; expected $MeshFormat");
       read_section(section);
     }
-    if (version_ == Version::unknown) in_.fail("no $MeshFormat section");
-    if (!nodes_seen_) in_.fail("the file has no $Nodes section: it is cut off or holds no mesh");
-    if (!elements_seen_) in_.fail("the file has no $Elements section: it is cut off or holds no mesh");
+    if (version_ == Version::unknown) in_.fail("missing section $MeshFormat; expected it at the beginning of the file");
+    if (!nodes_seen_)
+      in_.fail("missing section $Nodes: the file is truncated or contains no mesh; expected $Nodes and $Elements");
+    if (!elements_seen_)
+      in_.fail("missing section $Elements: the file is truncated or contains no mesh; expected $Nodes and $Elements");
     return std::move(file_);
   }
 
@@ -46,12 +49,12 @@ class Sections {
     } else if (section == "$Entities") {
       read_entities();
     } else if (section == "$PartitionedEntities") {
-      in_.fail("partitioned meshes are not read; write the mesh without partitions");
+      in_.fail("invalid section: partitioned meshes are not supported; expected a mesh written without partitions");
     } else if (section == "$Nodes") {
       once(nodes_seen_, section);
       version_ == Version::two ? read_nodes_2() : read_nodes_4();
     } else if (section == "$Elements") {
-      if (!nodes_seen_) in_.fail("$Elements before $Nodes");
+      if (!nodes_seen_) in_.fail("missing section $Nodes before $Elements; expected $Nodes first");
       once(elements_seen_, section);
       version_ == Version::two ? read_elements_2() : read_elements_4();
     } else {
@@ -60,20 +63,20 @@ class Sections {
       return;
     }
     in_.need_line(end);
-    if (in_.rest() != end) in_.fail(fmt::format("'{}' where {} should stand", in_.rest().substr(0, 40), end));
+    if (in_.rest() != end) in_.fail(fmt::format("invalid text '{}'; expected {}", in_.rest().substr(0, 40), end));
   }
   void once(bool& seen, const std::string& section) {
-    if (seen) in_.fail("a second section " + section);
+    if (seen) in_.fail("invalid second section " + section + "; expected one of each");
     seen = true;
   }
 
   void read_format() {
-    in_.need_line("the format's version");
-    const double version = in_.real("the format's version");
+    in_.need_line("the version of the format");
+    const double version = in_.real("the version of the format");
     const std::int64_t binary = in_.integer("the file type");
-    constexpr auto accepted = "accepted: 2.2 and 4.1 in ASCII (gmsh -format msh22 or msh41)";
-    if (version != 2.2 && version != 4.1) in_.fail(fmt::format("MSH version {}; {}", version, accepted));
-    if (binary != 0) in_.fail(fmt::format("a binary MSH file; {}", accepted));
+    constexpr auto expected = "expected 2.2 or 4.1 in ASCII (gmsh -format msh22 or msh41)";
+    if (version != 2.2 && version != 4.1) in_.fail(fmt::format("unknown MSH version {}; {}", version, expected));
+    if (binary != 0) in_.fail(fmt::format("invalid binary MSH file; {}", expected));
     version_ = version == 2.2 ? Version::two : Version::four;
   }
 
@@ -94,19 +97,20 @@ class Sections {
     for (int dimension = 0; dimension < 4; ++dimension)
       for (std::int64_t left = count[static_cast<std::size_t>(dimension)]; left > 0; --left) {
         in_.need_line("an entity");
-        const std::int64_t entity = in_.integer("an entity's number");
+        const std::int64_t entity = in_.integer("the number of an entity");
         for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) in_.real("a bound of the entity");
         auto& groups = groups_[{dimension, entity}];
         for (std::int64_t more = in_.count("the number of physical groups"); more > 0; --more)
           groups.push_back(std::abs(in_.integer("a physical number")));
         if (dimension == 3 && groups.size() > 1)
-          in_.fail(fmt::format("volume {} is in {} physical groups; accepted: one", entity, groups.size()));
+          in_.fail(
+              fmt::format("invalid volume {}: it belongs to {} physical groups; expected one", entity, groups.size()));
       }
   }
 
   void add_node(std::int64_t number, const Vec3& x) {
     if (!index_.emplace(number, static_cast<LocalIndex>(file_.coordinates.size())).second)
-      in_.fail(fmt::format("a second node {}", number));
+      in_.fail(fmt::format("invalid node {}: defined twice; expected each node once", number));
     file_.coordinates.push_back(x);
     file_.node_number.push_back(number);
   }
@@ -129,7 +133,7 @@ class Sections {
     const std::int64_t total = in_.count("the number of nodes");
     for (; blocks > 0; --blocks) {
       in_.need_line("a block of nodes");
-      for (int i = 0; i < 3; ++i) in_.integer("an entity's dimension, number and whether it is parametric");
+      for (int i = 0; i < 3; ++i) in_.integer("the dimension and number of an entity, and whether it is parametric");
       std::vector<std::int64_t> numbers(static_cast<std::size_t>(in_.count("the number of nodes in the block")));
       for (auto& number : numbers) {
         in_.need_line("a node number");
@@ -141,7 +145,7 @@ class Sections {
       }
     }
     if (static_cast<std::int64_t>(file_.coordinates.size()) != total)
-      in_.fail(fmt::format("{} nodes in the blocks, {} promised", file_.coordinates.size(), total));
+      in_.fail(fmt::format("invalid number of nodes: {} in the blocks; expected {}", file_.coordinates.size(), total));
   }
 
   Kind kind_of(std::int64_t type) const {
@@ -188,7 +192,7 @@ class Sections {
       case 29:
         return 3;
       default:
-        in_.fail(fmt::format("element type {} is unknown; accepted: {}", type, gmsh_element_types));
+        in_.fail(fmt::format("unknown element type {}; expected {}", type, gmsh_element_types));
     }
   }
   void read_corners(GmshElement& element, const Kind& kind) {
@@ -200,10 +204,12 @@ class Sections {
       const std::int64_t number = in_.integer("a node number");
       const auto found = index_.find(number);
       if (found == index_.end())
-        in_.fail(fmt::format("element {} has node {}, which the file does not define", element.number, number));
+        in_.fail(fmt::format("invalid element {}: unknown node {}; expected nodes defined in $Nodes", element.number,
+                             number));
       element.nodes[static_cast<std::size_t>(k)] = found->second;
     }
-    if (!in_.rest().empty()) in_.fail(fmt::format("more nodes than the {} of the element's type", kind.nodes));
+    if (!in_.rest().empty())
+      in_.fail(fmt::format("invalid line: too many nodes; expected {} for this element type", kind.nodes));
   }
   void read_elements_2() {
     in_.need_line("the number of elements");
@@ -230,12 +236,13 @@ class Sections {
     std::int64_t seen = 0;
     for (; blocks > 0; --blocks) {
       in_.need_line("a block of elements");
-      const auto dimension = static_cast<int>(in_.integer("an entity's dimension"));
+      const auto dimension = static_cast<int>(in_.integer("the dimension of an entity"));
       GmshElement element;
-      element.entity = in_.integer("an entity's number");
+      element.entity = in_.integer("the number of an entity");
       element.type = static_cast<int>(in_.integer("an element type"));
       const Kind kind = kind_of(element.type);
-      if (kind.dimension != dimension) in_.fail("the element type does not fit the entity's dimension");
+      if (kind.dimension != dimension)
+        in_.fail("invalid element type for the dimension of the entity; expected a type of the same dimension");
       auto groups = groups_[{dimension, element.entity}];
       if (groups.empty()) groups.push_back(0);
       for (std::int64_t left = in_.count("the number of elements in the block"); left > 0; --left, ++seen) {
@@ -248,7 +255,7 @@ class Sections {
         }
       }
     }
-    if (seen != total) in_.fail(fmt::format("{} elements in the blocks, {} promised", seen, total));
+    if (seen != total) in_.fail(fmt::format("invalid number of elements: {} in the blocks; expected {}", seen, total));
   }
 
   LineReader& in_;

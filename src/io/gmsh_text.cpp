@@ -38,7 +38,7 @@ bool LineReader::next_line() {
 }
 
 void LineReader::need_line(std::string_view wanted) {
-  if (!next_line()) fail(fmt::format("the file ends where {} should follow: it is cut off", wanted));
+  if (!next_line()) fail(fmt::format("missing line: the file is truncated; expected {}", wanted));
 }
 
 std::string_view LineReader::rest() const {
@@ -50,7 +50,7 @@ std::string_view LineReader::rest() const {
 
 std::string_view LineReader::token(std::string_view what) {
   const std::string_view line = rest();
-  if (line.empty()) fail(fmt::format("the line ends where {} should stand", what));
+  if (line.empty()) fail(fmt::format("missing value at the end of the line; expected {}", what));
   const std::string_view word = line.substr(0, line.find_first_of(blanks));
   at_ = static_cast<std::size_t>(word.data() - text_.data()) + word.size();
   return word;
@@ -59,21 +59,22 @@ std::string_view LineReader::token(std::string_view what) {
 std::int64_t LineReader::integer(std::string_view what) {
   const std::string_view word = token(what);
   std::int64_t value = 0;
-  if (!parsed(word, value)) fail(fmt::format("'{}' where {} should stand", word.substr(0, 40), what));
+  if (!parsed(word, value)) fail(fmt::format("invalid value '{}'; expected {}", word.substr(0, 40), what));
   return value;
 }
 
 double LineReader::real(std::string_view what) {
   const std::string_view word = token(what);
   double value = 0;
-  if (!parsed(word, value)) fail(fmt::format("'{}' where {} should stand", word.substr(0, 40), what));
+  if (!parsed(word, value)) fail(fmt::format("invalid value '{}'; expected {}", word.substr(0, 40), what));
   return value;
 }
 
 std::int64_t LineReader::count(std::string_view what) {
   const std::int64_t value = integer(what);
   const auto left = static_cast<std::int64_t>(text_.size() - at_);
-  if (value < 0 || value > left) fail(fmt::format("{} is {}; the rest of the file cannot hold so many", what, value));
+  if (value < 0 || value > left)
+    fail(fmt::format("out of range: {} is {}; expected no more than the rest of the file can hold", what, value));
   return value;
 }
 
@@ -81,7 +82,7 @@ std::string LineReader::quoted(std::string_view what) {
   const std::string_view line = rest();
   const auto close = line.find('"', 1);
   if (line.empty() || line[0] != '"' || close == std::string_view::npos)
-    fail(fmt::format("{} should stand here in double quotes", what));
+    fail(fmt::format("invalid text; expected {} in double quotes", what));
   return std::string(line.substr(1, close - 1));
 }
 

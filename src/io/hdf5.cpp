@@ -39,7 +39,7 @@ Hdf5File::Hdf5File(const comm::Communicator& ranks, std::string path, Mode mode)
   if (!ranks_.any(file_ < 0)) return;
   reason = first_reason(ranks_, reason);
   if (mode == Mode::create) throw MachineError(path_ + ": cannot create the file: " + reason);
-  throw InputError(path_ + ": cannot open as an HDF5 file (missing, truncated or damaged?): " + reason);
+  throw InputError(path_ + ": cannot read the file as HDF5 (" + reason + "); expected an undamaged file");
 }
 
 Hdf5File::~Hdf5File() {

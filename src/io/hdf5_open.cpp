@@ -12,12 +12,12 @@
 namespace brunt::io {
 namespace {
 
-// A file whose closing failed (full disk) stays in HDF5's books, and HDF5 1.10 crashes when it puts them in order: at
-// exit, or in MPI_Finalize if MPI was there first. Every file is closed by its owner, so neither is needed: started
-// before main, thus before MPI, with no work at exit.
+// A file whose closing failed (full disk) remains in the tables of HDF5, and HDF5 1.10 crashes when it cleans them up:
+// at exit, or in MPI_Finalize if MPI was started first. Every file is closed by its owner, so no clean-up is needed:
+// HDF5 is started before main, hence before MPI, and without work at exit.
 [[maybe_unused]] const bool started_before_mpi = H5dont_atexit() >= 0 && H5open() >= 0;
 
-// MPI-IO hides why a file cannot be opened, so the root rank asks the operating system first.
+// MPI-IO does not report why a file cannot be opened, so the root rank asks the operating system first.
 std::string system_reason(const comm::Communicator& ranks, const std::string& path, int flags) {
   std::string reason;
   if (ranks.is_root()) {

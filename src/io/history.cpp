@@ -54,8 +54,8 @@ std::string kept_at_restart(const std::string& path, const std::string& header, 
   const std::vector<std::string> lines = whole_lines(read_text(path));
   if (lines.empty()) return header + "\n";
   if (lines.front() != header)
-    throw InputError(fmt::format("{}:1: the columns differ from those of this run: found \"{}\", expected \"{}\"", path,
-                                 lines.front(), header));
+    throw InputError(
+        fmt::format("{}:1: invalid columns \"{}\"; expected those of this run, \"{}\"", path, lines.front(), header));
   std::string kept;
   for (const std::string& line : lines)
     if (kept.empty() || std::strtoll(line.c_str(), nullptr, 10) <= restart_step) kept += line + "\n";
@@ -65,7 +65,8 @@ std::string kept_at_restart(const std::string& path, const std::string& header, 
 double number(const std::string& cell, const std::string& path, std::size_t line) {
   char* end = nullptr;
   const double value = std::strtod(cell.c_str(), &end);
-  if (cell.empty() || *end != '\0') throw InputError(fmt::format("{}:{}: \"{}\" is no number", path, line, cell));
+  if (cell.empty() || *end != '\0')
+    throw InputError(fmt::format("{}:{}: invalid value \"{}\"; expected a number", path, line, cell));
   return value;
 }
 
@@ -119,14 +120,16 @@ std::optional<HistoryGap> history_gap(const std::string& path, GlobalIndex expec
 History read_history(const std::string& path) {
   const std::vector<std::string> lines = whole_lines(read_text(path));
   if (lines.empty() || lines.front().rfind("step", 0) != 0)
-    throw InputError(path + ":1: no history: the first line must name the columns, beginning with step");
+    throw InputError(path +
+                     ":1: invalid first line of a history; expected the names of the columns, beginning with step");
   History history;
   for (const std::string& name : cells(lines.front())) history.names.push_back(name.substr(0, name.find(" [")));
   for (std::size_t i = 1; i < lines.size(); ++i) {
     std::vector<double> row;
     for (const std::string& cell : cells(lines[i])) row.push_back(number(cell, path, i + 1));
     if (row.size() != history.names.size())
-      throw InputError(fmt::format("{}:{}: {} values for {} columns", path, i + 1, row.size(), history.names.size()));
+      throw InputError(fmt::format("{}:{}: invalid row of {} values; expected one for each of {} columns", path, i + 1,
+                                   row.size(), history.names.size()));
     history.rows.push_back(std::move(row));
   }
   return history;

@@ -39,13 +39,14 @@ class Leaver {
       if (!mark(word)) unknown(word);
     for (std::size_t f = 0; f < content_.foreign.size(); ++f)
       if (const ForeignBlock& block = content_.foreign[f]; !drop_foreign_[f] && !block.fault.empty())
-        faults_.push_back(fmt::format("{}, or the block left out: ignore: [{}] beside file", block.fault,
+        faults_.push_back(fmt::format("{}, or ignore: [{}] beside file to exclude the block", block.fault,
                                       name_or_number(block.name, block.id)));
     if (!faults_.empty()) throw InputError(faults_);
     drop_foreign_sets();
     drop_blocks();
     if (content_.mesh.blocks.empty() && !content_.mesh.left_out.empty())
-      throw InputError(path_ + ": every block is left out; accepted: at least one of solid elements");
+      throw InputError(path_ +
+                       ": invalid ignore: it excludes every block; expected at least one block of solid elements");
     if (!ignore.empty()) drop_nodes();
     return std::move(content_.mesh);
   }
@@ -72,8 +73,8 @@ class Leaver {
     };
     std::ranges::for_each(content_.mesh.blocks, add);
     std::ranges::for_each(content_.foreign, add);
-    faults_.push_back(fmt::format("{}: no block '{}' to ignore; accepted: {}", path_, word,
-                                  known.empty() ? "none, it has none" : known));
+    faults_.push_back(fmt::format("{}: unknown block '{}' in ignore; expected {}", path_, word,
+                                  known.empty() ? "none, since the file has no block" : known));
   }
 
   void drop_foreign_sets() {
@@ -114,8 +115,8 @@ class Leaver {
       const std::size_t lost =
           gone + static_cast<std::size_t>(foreign == content_.foreign_sides.end() ? 0 : foreign->second);
       if (lost > 0)
-        mesh.notes.push_back(fmt::format("side set {}: {} of its {} sides belong to blocks that are left out", name,
-                                         lost, lost + sides.size()));
+        mesh.notes.push_back(
+            fmt::format("side set {}: {} of its {} sides belong to excluded blocks", name, lost, lost + sides.size()));
     }
     mesh.blocks = std::move(kept);
   }
@@ -136,7 +137,7 @@ class Leaver {
     mesh::drop_unused_nodes(mesh);
     for (const auto& [name, nodes] : mesh.node_sets)
       if (nodes.size() < before[name])
-        mesh.notes.push_back(fmt::format("node set {}: {} of its {} nodes belong to no element that is kept", name,
+        mesh.notes.push_back(fmt::format("node set {}: {} of its {} nodes belong to no remaining element", name,
                                          before[name] - nodes.size(), before[name]));
   }
 

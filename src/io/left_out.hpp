@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks of a mesh file that are left out because the user asked for it, and those that cannot be read.
+// Blocks of a mesh file that are excluded by `ignore`, and blocks of unsupported elements.
 #pragma once
 #include <map>
 #include <string>
@@ -9,28 +9,29 @@
 
 namespace brunt::io {
 
-/// A block of the file that is no block of the mesh.
+/// A block of the file that does not become a block of the mesh.
 struct ForeignBlock {
   std::string name{};
   GlobalIndex id = 0;  ///< 0: none
   std::string type{};  ///< of its elements, as the file says it
   GlobalIndex count = 0;
-  int dimension = 3;       ///< of a name that several have, the highest dimension is meant
-  std::string fault{};     ///< "PATH[:LINE]: what is wrong; accepted: ...", unless it is ignored; empty: it may stay
-  bool passed = false;     ///< is left out in any case
+  int dimension = 3;       ///< if several blocks have this name, the one of the highest dimension is meant
+  std::string fault{};     ///< "PATH[:LINE]: what is wrong; expected ...", unless it is ignored; empty: no fault
+  bool passed = false;     ///< excluded in any case
   std::string own_sets{};  ///< name of the node set and side set that go with it
 };
 
-/// What a reader found, before anything is left out.
+/// The content of a file, before anything is excluded.
 struct FileContent {
   mesh::Mesh mesh{};
   std::vector<ForeignBlock> foreign{};
   std::map<std::string, GlobalIndex> foreign_sides{};  ///< by side set: sides of elements of foreign blocks
 };
 
-/// The mesh without the blocks that `ignore` names (by name or number) and without the nodes that only they use; sets
-/// keep what is left, and notes say what they lost. Then it passes mesh::check. Throws InputError: a name that the file
-/// does not have, foreign blocks that are not ignored, no block left, faults of the mesh.
+/// The mesh without the blocks that `ignore` names (by name or number) and without the nodes that only they use. Sets
+/// keep the remaining members, and notes list the lost ones. The result is checked by mesh::check. Throws InputError
+/// for a name that the file does not have, unsupported blocks that are not ignored, no remaining block, and faults of
+/// the mesh.
 mesh::Mesh leave_out(const std::string& path, FileContent&& content, const std::vector<std::string>& ignore);
 
 /// The name that a user would write: the block's name, or its number without one.

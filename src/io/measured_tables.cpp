@@ -57,11 +57,12 @@ std::vector<std::string> state_tables(const Hdf5File& file) {
 MeasuredWork read_measured_work(const std::string& checkpoint) {
   const Hdf5File file(comm::Communicator::self(), checkpoint, Hdf5File::Mode::read);
   if (!file.has_attribute("/", "fingerprint"))
-    refuse(checkpoint, "is no checkpoint; those of a result folder are called checkpoint_*.h5");
+    refuse(checkpoint, "invalid checkpoint; expected a file checkpoint_*.h5 of a result folder");
   if (!file.contains("/measured") || !file.contains(of_ranks) || !file.contains(of_elements))
-    refuse(checkpoint, "holds no measured times; expected a checkpoint of an explicit run of some steps");
+    refuse(checkpoint, "missing measured times; expected a checkpoint of an explicit run of several steps");
   const Hdf5File::Extent ranks = file.extent(of_ranks), elements = file.extent(of_elements);
-  if (ranks.width != 2 || elements.width != 2 || ranks.rows < 1) refuse(checkpoint, "its measured times are damaged");
+  if (ranks.width != 2 || elements.width != 2 || ranks.rows < 1)
+    refuse(checkpoint, "invalid measured times; expected an undamaged file");
   std::vector<double> seconds(2 * static_cast<std::size_t>(ranks.rows));
   std::vector<std::int64_t> rows(2 * static_cast<std::size_t>(elements.rows));
   file.read(of_ranks, 0, std::span<double>(seconds));
@@ -69,12 +70,13 @@ MeasuredWork read_measured_work(const std::string& checkpoint) {
   MeasuredWork work;
   for (std::size_t r = 0; r < seconds.size(); r += 2) {
     if (!std::isfinite(seconds[r]) || !std::isfinite(seconds[r + 1]) || seconds[r] < 0 || seconds[r + 1] < 0)
-      refuse(checkpoint, "its measured times are damaged");
+      refuse(checkpoint, "invalid measured times; expected an undamaged file");
     work.element_seconds.push_back(seconds[r]);
     work.contact_seconds.push_back(seconds[r + 1]);
   }
   for (std::size_t e = 0; e < rows.size(); e += 2) {
-    if (rows[e] < 0 || rows[e] >= ranks.rows || rows[e + 1] < 0) refuse(checkpoint, "its measured times are damaged");
+    if (rows[e] < 0 || rows[e] >= ranks.rows || rows[e + 1] < 0)
+      refuse(checkpoint, "invalid measured times; expected an undamaged file");
     work.rank.push_back(static_cast<Rank>(rows[e]));
     work.pairs.push_back(static_cast<double>(rows[e + 1]));
   }

@@ -32,15 +32,17 @@ std::array<int, 8> hex_corners(int count) {
 
 mesh::Mesh read_mesh(const std::string& path, const std::vector<std::string>& ignore) {
   if (std::filesystem::is_directory(path))
-    throw InputError(fmt::format("{}: is a folder; a mesh file is wanted", path));
+    throw InputError(fmt::format("{}: invalid mesh file: it is a folder; expected a regular file", path));
   std::error_code unknown;
   if (std::filesystem::exists(path, unknown) && !std::filesystem::is_regular_file(path, unknown))
-    throw InputError(fmt::format("{}: is no regular file; a mesh file is wanted", path));
+    throw InputError(fmt::format("{}: invalid mesh file; expected a regular file", path));
   std::ifstream file(path, std::ios::binary);
   std::string start(16, '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   if (file.bad() || (!file && file.gcount() == 0))
-    throw InputError(fmt::format("{}: cannot be read, or is empty; a mesh file is wanted", path));
+    throw InputError(fmt::format(
+        "{}: cannot read the mesh file, or it is empty; expected Exodus II, Gmsh MSH 2.2 or 4.1, or Abaqus .inp",
+        path));
   if (start.starts_with("CDF") || start.starts_with("\x89HDF")) return read_exodus(path, ignore);
   if (start.starts_with("$MeshFormat") || start.starts_with("$Comments")) return read_gmsh(path, ignore);
   const auto text = start.find_first_not_of(" \t\r\n");
@@ -48,7 +50,7 @@ mesh::Mesh read_mesh(const std::string& path, const std::vector<std::string>& ig
       text != std::string::npos && start[text] == '*' && !in_capitals(start.substr(text)).starts_with("*KEYWORD");
   if (deck) return read_abaqus(path, ignore);
   throw InputError(
-      fmt::format("{}: not a mesh file of a known kind; accepted: Exodus II, Gmsh MSH 2.2 and 4.1, Abaqus .inp", path));
+      fmt::format("{}: unknown kind of mesh file; expected Exodus II, Gmsh MSH 2.2 or 4.1, or Abaqus .inp", path));
 }
 
 }  // namespace brunt::io

@@ -30,7 +30,7 @@ class Header {
     file_.read(magic, 4);
     if (!file_ || magic[0] != 'C' || magic[1] != 'D' || magic[2] != 'F') return 0;
     version_ = static_cast<unsigned char>(magic[3]);
-    if (version_ != 1 && version_ != 2 && version_ != 5) throw Broken("is netCDF of an unknown version");
+    if (version_ != 1 && version_ != 2 && version_ != 5) throw Broken("unknown version of netCDF; expected 1, 2 or 5");
     const double records = count();
     read_dimensions();
     skip_attributes();
@@ -46,7 +46,7 @@ class Header {
     std::uint64_t value = 0;
     for (int i = 0; i < bytes; ++i) {
       const int byte = file_.get();
-      if (byte < 0) throw Broken("ends within its header: it is cut off");
+      if (byte < 0) throw Broken("invalid netCDF file: truncated in its header; expected an undamaged file");
       value = (value << 8) | static_cast<std::uint64_t>(byte);
     }
     return value;
@@ -57,11 +57,13 @@ class Header {
   /// Number of entries of a list, each of which takes at least four bytes.
   std::size_t list_length() {
     const double n = count();
-    if (4 * n > size_) throw Broken("has a damaged header (a list longer than the file)");
+    if (4 * n > size_)
+      throw Broken("invalid netCDF header: a list is longer than the file; expected an undamaged file");
     return static_cast<std::size_t>(n);
   }
   void skip_padded(double bytes) {
-    if (bytes > size_) throw Broken("has a damaged header (a value longer than the file)");
+    if (bytes > size_)
+      throw Broken("invalid netCDF header: a value is longer than the file; expected an undamaged file");
     const auto n = (static_cast<std::streamoff>(bytes) + 3) / 4 * 4;
     file_.seekg(n, std::ios::cur);
   }
@@ -69,7 +71,8 @@ class Header {
   std::size_t tagged_list(std::uint64_t tag) {
     const auto found = big_endian(4);
     const auto n = list_length();
-    if (found != tag && !(found == 0 && n == 0)) throw Broken("has a damaged header (a list's mark is wrong)");
+    if (found != tag && !(found == 0 && n == 0))
+      throw Broken("invalid netCDF header: a list has the wrong tag; expected an undamaged file");
     return n;
   }
   static double type_size(std::uint64_t type) {
@@ -90,7 +93,7 @@ class Header {
       case 11:
         return 8;
       default:
-        throw Broken("has a damaged header (an unknown type)");
+        throw Broken("invalid netCDF header: a variable of unknown type; expected an undamaged file");
     }
   }
   void read_dimensions() {
@@ -117,7 +120,8 @@ class Header {
       const std::size_t rank = list_length();
       for (std::size_t d = 0; d < rank; ++d) {
         const auto id = static_cast<std::size_t>(count());
-        if (id >= dimension_.size()) throw Broken("has a damaged header (an unknown dimension)");
+        if (id >= dimension_.size())
+          throw Broken("invalid netCDF header: an unknown dimension; expected an undamaged file");
         by_record |= d == 0 && dimension_[id] == 0;
         values *= d == 0 && dimension_[id] == 0 ? 1 : dimension_[id];
       }
@@ -150,7 +154,10 @@ std::string netcdf_layout_fault(const std::string& path) {
   try {
     const double needed = Header(path, size).end_of_data();
     if (needed > size)
-      return fmt::format("is cut off or damaged: its header promises {:.0f} bytes, the file has {:.0f}", needed, size);
+      return fmt::format(
+          "invalid netCDF file, truncated or damaged: its header requires {:.0f} bytes, and the file has {:.0f}; "
+          "expected an undamaged file",
+          needed, size);
   } catch (const Broken& broken) {
     return broken.what();
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Does a classic netCDF file hold all the bytes that its header promises?
+// Checks that a classic netCDF file has all the bytes that its header requires.
 #pragma once
 #include <string>
 
 namespace brunt::io {
 
-/// Empty if so (or if the file is no classic netCDF file: HDF5 checks itself), else what is wrong.
+/// Empty if it has (or if the file is no classic netCDF file: HDF5 checks its own files), otherwise the fault.
 /// Format: NetCDF Classic Format Specification, versions 1, 2 (64-bit offset) and 5 (64-bit data).
 std::string netcdf_layout_fault(const std::string& path);
 

@@ -56,7 +56,7 @@ class ObjParser {
       if (!parse_number(word, unused))
         in_.fail(fmt::format("invalid weight or colour '{}'; expected a number", shown(word)));
     }
-    if (more > 4) in_.fail(fmt::format("{} numbers of a point; expected 3, 4, 6 or 7", more + 3));
+    if (more > 4) in_.fail(fmt::format("invalid point of {} numbers; expected 3, 4, 6 or 7", more + 3));
   }
 
   void parse_face() {
@@ -64,7 +64,7 @@ class ObjParser {
     const std::size_t begin = faces_.corners.size();
     for (std::string_view word = in_.word(); !word.empty(); word = in_.word()) faces_.corners.push_back(corner(word));
     if (const std::size_t count = faces_.corners.size() - begin; count < 3)
-      in_.fail(fmt::format("a face of {} corners; expected at least 3", count));
+      in_.fail(fmt::format("invalid face of {} corners; expected at least 3", count));
     faces_.ends.push_back(faces_.corners.size());
     faces_.places.push_back(line);
   }
@@ -77,7 +77,7 @@ class ObjParser {
       in_.fail(fmt::format("invalid corner '{}'; expected a, a/b, a//c or a/b/c of integers", shown(word)));
     const auto count = static_cast<std::int64_t>(surface_.points.size());
     if (index == 0 || index < -count || index > std::numeric_limits<LocalIndex>::max())
-      in_.fail(fmt::format("index {} of a point is out of range; expected one of {} points so far, or a later one",
+      in_.fail(fmt::format("out of range: index {} of a point; expected one of the {} points above, or a later one",
                            index, count));
     return static_cast<LocalIndex>(index > 0 ? index - 1 : count + index);
   }
@@ -98,7 +98,7 @@ class ObjParser {
     for (std::size_t face = 0, k = 0; face < faces_.ends.size(); ++face)
       for (; k < faces_.ends[face]; ++k)
         if (static_cast<std::size_t>(faces_.corners[k]) >= count)
-          throw InputError(fmt::format("{}:{}: index {} of a point is out of range; expected {} at most", name_,
+          throw InputError(fmt::format("{}:{}: out of range: index {} of a point; expected at most {}", name_,
                                        faces_.places[face], std::int64_t{faces_.corners[k]} + 1, count));
   }
 

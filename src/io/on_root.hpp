@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work that one rank does for all: files that are not HDF5.
+// Work of one rank for all: files other than HDF5.
 #pragma once
 #include <filesystem>
 #include <string>

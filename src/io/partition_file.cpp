@@ -24,7 +24,7 @@ std::string file_in(const std::string& folder) {
 void write_partition(const std::string& folder, const PartitionFile& partition) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
-  if (failed) throw MachineError(fmt::format("{}: cannot be made: {}", folder, failed.message()));
+  if (failed) throw MachineError(fmt::format("{}: cannot create the folder: {}", folder, failed.message()));
   Hdf5File file(comm::Communicator::self(), file_in(folder), Hdf5File::Mode::create);
   file.set_attribute("/", "partition_format", format_version);
   file.set_attribute("/", "parts", GlobalIndex{partition.parts});
@@ -40,11 +40,11 @@ void write_partition(const std::string& folder, const PartitionFile& partition) 
 PartitionFile read_partition(const std::string& folder) {
   const std::string path = file_in(folder);
   if (!std::filesystem::exists(path))
-    throw InputError(folder + ": is no partition; expected a folder of `brunt partition ... --write DIR`");
+    throw InputError(folder + ": invalid partition; expected a folder written by `brunt partition ... --write DIR`");
   const Hdf5File file(comm::Communicator::self(), path, Hdf5File::Mode::read);
   if (!file.has_attribute("/", "partition_format") || !file.has_attribute("/", "fingerprint") ||
       !file.contains("/part"))
-    throw InputError(path + ": is no partition; expected what `brunt partition ... --write DIR` has written");
+    throw InputError(path + ": invalid partition; expected a file written by `brunt partition ... --write DIR`");
   if (const GlobalIndex version = file.integer_attribute("/", "partition_format"); version != format_version)
     throw InputError(fmt::format("{}: unknown partition format {}; expected {}", path, version, format_version));
   PartitionFile partition;
@@ -56,8 +56,7 @@ PartitionFile read_partition(const std::string& folder) {
   partition.part.reserve(rows.size());
   for (const std::int64_t part : rows) {
     if (part < 0 || part >= partition.parts)
-      throw InputError(
-          fmt::format("{}: a part is out of range: {}; expected 0 to {}", path, part, partition.parts - 1));
+      throw InputError(fmt::format("{}: out of range: part {}; expected 0 to {}", path, part, partition.parts - 1));
     partition.part.push_back(static_cast<Rank>(part));
   }
   return partition;

@@ -89,7 +89,7 @@ class PlyParser {
 
   std::int64_t length_of(const PlyProperty& list) {
     const std::int64_t length = body_.integer(*list.length, "length of a list");
-    if (length < 0) body_.fail(fmt::format("a list of {} entries; expected a length >= 0", length));
+    if (length < 0) body_.fail(fmt::format("out of range: a list of {} entries; expected a length >= 0", length));
     body_.need_room(list.type, length);
     return length;
   }
@@ -140,11 +140,11 @@ class PlyParser {
 
   void parse_corners(const PlyProperty& list) {
     const std::int64_t length = length_of(list);
-    if (length < 3) body_.fail(fmt::format("a face of {} corners; expected at least 3", length));
+    if (length < 3) body_.fail(fmt::format("invalid face of {} corners; expected at least 3", length));
     for (std::int64_t k = 0; k < length; ++k) {
       const std::int64_t index = body_.integer(list.type, "index of a point");
       if (index < 0 || index >= vertex_.count)
-        body_.fail(fmt::format("index {} of a point is out of range; expected 0 to {}", index, vertex_.count - 1));
+        body_.fail(fmt::format("out of range: index {} of a point; expected 0 to {}", index, vertex_.count - 1));
       faces_.corners.push_back(static_cast<LocalIndex>(index));
     }
   }

@@ -14,7 +14,8 @@ PlyAsciiBody::PlyAsciiBody(std::string_view content, const std::string& name, co
 
 void PlyAsciiBody::begin(const PlyElement& element, std::int64_t entry) {
   if (!in_.next_filled_line())
-    in_.fail(fmt::format("the file is cut off; expected {} {} of {}", shown(element.name), entry + 1, element.count));
+    in_.fail(fmt::format("missing entries: the file is truncated; expected {} {} of {}", shown(element.name), entry + 1,
+                         element.count));
 }
 
 void PlyAsciiBody::end() {
@@ -37,7 +38,8 @@ double PlyAsciiBody::real(PlyType /*type*/, std::string_view what) {
 
 void PlyAsciiBody::skip(PlyType /*type*/, std::int64_t count) {
   for (std::int64_t k = 0; k < count; ++k)
-    if (in_.word().empty()) in_.fail("the line ends before the last property of the entry; expected its value");
+    if (in_.word().empty())
+      in_.fail("missing value at the end of the line; expected one for each property of the entry");
 }
 
 /// Lists end with their line at the latest.
@@ -60,13 +62,14 @@ void PlyBinaryBody::begin(const PlyElement& element, std::int64_t entry) {
 
 void PlyBinaryBody::need_end() {
   if (at_ < content_.size())
-    throw InputError(fmt::format("{}: {} bytes follow the last entry, from byte {}; expected the end of the file",
-                                 name_, content_.size() - at_, at_));
+    throw InputError(
+        fmt::format("{}: invalid content: {} bytes follow the last entry, from byte {}; expected the end of the file",
+                    name_, content_.size() - at_, at_));
 }
 
 template <class T>
 T PlyBinaryBody::take() {
-  if (content_.size() - at_ < sizeof(T)) fail("the file is cut off; expected the rest of the entry");
+  if (content_.size() - at_ < sizeof(T)) fail("missing bytes: the file is truncated; expected the rest of the entry");
   const T value = raw_number<T>(content_.data() + at_, order_);
   at_ += sizeof(T);
   return value;
@@ -90,7 +93,7 @@ std::int64_t PlyBinaryBody::integer(PlyType type, std::string_view /*what*/) {
     case PlyType::float64:
       break;
   }
-  demand(false, "an index of a PLY file has an integer type");
+  demand(false, "invalid type of an index; expected an integer type");
   return 0;
 }
 
@@ -107,7 +110,8 @@ void PlyBinaryBody::skip(PlyType type, std::int64_t count) {
 
 void PlyBinaryBody::need_room(PlyType type, std::int64_t count) const {
   const auto most = (content_.size() - at_) / size_of(type);
-  if (static_cast<std::uint64_t>(count) > most) fail("the file is cut off; expected the rest of the entry");
+  if (static_cast<std::uint64_t>(count) > most)
+    fail("missing bytes: the file is truncated; expected the rest of the entry");
 }
 
 std::string PlyBinaryBody::where(const PlyElement& element, std::int64_t entry, std::int64_t place) const {

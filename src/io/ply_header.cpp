@@ -43,7 +43,7 @@ class HeaderParser {
   PlyHeader parse() {
     in_.next_line();
     if (const std::string_view word = in_.word(); word != "ply")
-      in_.fail(fmt::format("the file begins with '{}'; expected 'ply'", shown(word)));
+      in_.fail(fmt::format("invalid beginning '{}' of the file; expected 'ply'", shown(word)));
     while (parse_line()) continue;
     if (!has_format_) in_.fail("missing format; expected 'format ascii 1.0' or a binary one");
     header_.size = std::min(in_.next(), content_.size());
@@ -55,7 +55,7 @@ class HeaderParser {
  private:
   /// False after end_header.
   bool parse_line() {
-    if (!in_.next_line()) in_.fail("the file ends in its header; expected 'end_header'");
+    if (!in_.next_line()) in_.fail("missing end of the header; expected 'end_header'");
     const std::string_view keyword = in_.word();
     if (keyword == "end_header") return false;
     if (keyword.empty() || keyword == "comment" || keyword == "obj_info") return true;
@@ -86,7 +86,7 @@ class HeaderParser {
       in_.fail(fmt::format("unknown format '{}'; expected ascii, binary_little_endian or binary_big_endian",
                            shown(encoding)));
     if (version != "1.0") in_.fail(fmt::format("unknown version '{}' of PLY; expected 1.0", shown(version)));
-    if (has_format_) in_.fail("a second format; expected one");
+    if (has_format_) in_.fail("invalid second format; expected one format");
     has_format_ = true;
   }
 
@@ -98,24 +98,24 @@ class HeaderParser {
     if (!parse_number(count, element.count) || element.count < 0)
       in_.fail(fmt::format("invalid number '{}' of entries; expected an integer >= 0", shown(count)));
     if (!element_names_.insert(element.name).second)
-      in_.fail(fmt::format("the element {} a second time; expected different names", shown(element.name)));
+      in_.fail(fmt::format("invalid second element {}; expected different names", shown(element.name)));
     header_.elements.push_back(std::move(element));
     property_names_.clear();
   }
 
   void parse_property() {
-    if (header_.elements.empty()) in_.fail("a property of no element; expected 'element' before");
+    if (header_.elements.empty()) in_.fail("invalid property without an element; expected 'element' before it");
     PlyProperty property;
     std::string_view type = in_.word();
     if (type == "list") {
       property.length = type_of(in_.word());
-      if (!is_integer(*property.length)) in_.fail("a list with a length of type float; expected an integer type");
+      if (!is_integer(*property.length)) in_.fail("invalid list with a length of type float; expected an integer type");
       type = in_.word();
     }
     property.type = type_of(type);
     property.name = need("name of the property");
     if (!property_names_.insert(property.name).second)
-      in_.fail(fmt::format("the property {} a second time; expected different names", shown(property.name)));
+      in_.fail(fmt::format("invalid second property {}; expected different names", shown(property.name)));
     header_.elements.back().properties.push_back(std::move(property));
   }
 
@@ -143,9 +143,9 @@ class HeaderParser {
       if (least == 0) continue;
       const auto count = static_cast<std::uint64_t>(element.count);
       if (count > left / least)
-        throw InputError(
-            fmt::format("{}:{}: {} entries of {} are announced; expected {} at most in the rest of the file", name_,
-                        element.line, count, shown(element.name), left / least));
+        throw InputError(fmt::format(
+            "{}:{}: out of range: {} entries of {}; expected at most {}, which the rest of the file can hold", name_,
+            element.line, count, shown(element.name), left / least));
       left -= count * least;
     }
   }

@@ -30,8 +30,9 @@ LocalIndex repeated(Corners corners, std::vector<LocalIndex>& sorted) {
 
 std::string fault_of(Split split, std::size_t corners) {
   if (split == Split::too_concave)
-    return fmt::format("the face has {} corners, too many of them concave to be split; expected triangles", corners);
-  return fmt::format("the face of {} corners crosses itself; expected a simple polygon", corners);
+    return fmt::format("invalid face of {} corners: too many of them are concave to split it; expected triangles",
+                       corners);
+  return fmt::format("invalid face of {} corners: it intersects itself; expected a simple polygon", corners);
 }
 
 class Splitter {
@@ -68,7 +69,7 @@ void split_polygons(const Polygons& polygons, const FaceWords& words, TriangleSu
   };
   constexpr auto most = static_cast<std::size_t>(std::numeric_limits<LocalIndex>::max());
   const std::size_t count = polygons.corners.size() - 2 * polygons.ends.size();
-  if (count > most) fail(0, fmt::format("the faces make {} triangles; expected {} at most", count, most));
+  if (count > most) fail(0, fmt::format("out of range: {} triangles; expected at most {}", count, most));
   surface.triangles.reserve(count);
   Splitter splitter(surface);
   std::vector<LocalIndex> sorted;
@@ -78,7 +79,7 @@ void split_polygons(const Polygons& polygons, const FaceWords& words, TriangleSu
     const Corners corners(polygons.corners.data() + begin, end - begin);
     begin = end;
     if (const LocalIndex twice = repeated(corners, sorted); twice != no_index)
-      fail(face, fmt::format("the face has the corner {} twice; expected different corners",
+      fail(face, fmt::format("invalid face: corner {} is given twice; expected different corners",
                              std::int64_t{twice} + words.first_index));
     if (const Split split = splitter.add(corners); split != Split::done) fail(face, fault_of(split, corners.size()));
   }

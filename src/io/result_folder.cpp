@@ -29,12 +29,12 @@ std::vector<fs::path> result_files(const fs::path& folder) {
   return found;
 }
 
-// A place where nothing may be written is the user's choice; a disk that is full or fails is the machine's fault.
+// A folder without write permission is a wrong input; a full or failing disk is a failure of the machine.
 [[noreturn]] void refuse_place(const fs::path& folder, const std::error_code& error) {
   for (const std::errc fault : {std::errc::no_space_on_device, std::errc::io_error, std::errc::not_enough_memory})
     if (error == fault) throw MachineError(folder.string() + ": " + error.message());
-  throw InputError(folder.string() + ": cannot be a result folder (" + error.message() +
-                   "); choose another with --out");
+  throw InputError(folder.string() + ": invalid result folder (" + error.message() +
+                   "); expected a writable folder, see --out");
 }
 
 void check_writable(const fs::path& folder) {
@@ -45,25 +45,29 @@ void check_writable(const fs::path& folder) {
   fs::remove(probe);
 }
 
-/// A run holds a lock on its log.txt as long as it lasts.
+/// A run keeps a lock on its log.txt during its lifetime.
 void refuse_run_in_progress(const fs::path& folder) {
   const int log = ::open((folder / "log.txt").c_str(), O_RDONLY);
   if (log < 0) return;
   const bool held = ::flock(log, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   ::close(log);
-  if (held) throw InputError(folder.string() + ": another run is writing there; choose another folder with --out");
+  if (held)
+    throw InputError(folder.string() +
+                     ": invalid result folder: another run writes into it; expected another folder, see --out");
 }
 
 void prepare_on_root(const fs::path& folder, ExistingResults existing) {
   if (fs::exists(folder) && !fs::is_directory(folder))
-    throw InputError(folder.string() + ": the result folder's name is taken by a file; choose another with --out");
+    throw InputError(folder.string() +
+                     ": invalid result folder: a file has this name; expected another name, see --out");
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) refuse_place(folder, error);
   const std::vector<fs::path> found = result_files(folder);
   if (!found.empty() && existing == ExistingResults::refuse)
-    throw InputError(folder.string() + ": holds results already (" + found.front().filename().string() +
-                     "); choose another folder with --out, replace them with --force or go on with --restart");
+    throw InputError(folder.string() + ": invalid result folder: it contains results (" +
+                     found.front().filename().string() +
+                     "); expected another folder (--out), --force to replace the results, or --restart to continue");
   check_writable(folder);
   refuse_run_in_progress(folder);
   if (existing == ExistingResults::replace)

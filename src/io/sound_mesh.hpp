@@ -8,7 +8,7 @@
 
 namespace brunt::io {
 
-/// Throws what mesh::check finds as one InputError, each line beginning with the path.
+/// Throws the faults found by mesh::check as one InputError, each line beginning with the path.
 mesh::Mesh sound_mesh(const std::string& path, mesh::Mesh&& mesh);
 
 /// A wedge's or pyramid's nodes as those of a hexahedron that is collapsed so that side numbers of hexahedron and

@@ -34,8 +34,8 @@ void check_same_mesh(const Hdf5File& file, const StateMesh& mesh) {
   const auto check = [&](const char* what, GlobalIndex expected) {
     const GlobalIndex found = file.integer_attribute("/", what);
     if (found != expected)
-      throw InputError(
-          fmt::format("{}: belongs to another mesh: {} {}, this run has {}", file.path(), found, what, expected));
+      throw InputError(fmt::format("{}: invalid for this run: another mesh of {} {}; expected {}", file.path(), found,
+                                   what, expected));
   };
   check("format", format_version);
   check("nodes", mesh.global_nodes);

@@ -118,7 +118,7 @@ class AsciiStl {
   }
 
   [[noreturn]] void fail(std::string_view keyword, std::string_view word) const {
-    if (word.empty()) in_.fail(fmt::format("the file ends in a solid: it is cut off; expected '{}'", keyword));
+    if (word.empty()) in_.fail(fmt::format("missing end of a solid: the file is truncated; expected '{}'", keyword));
     in_.fail(fmt::format("unknown text '{}'; expected '{}'", shown(word), keyword));
   }
 
@@ -129,11 +129,12 @@ class AsciiStl {
 
 [[noreturn]] void fail_size(std::string_view content, const std::string& name) {
   if (content.size() < header_size)
-    throw InputError(fmt::format("{}: {} bytes of neither text nor binary STL; expected at least {}", name,
-                                 content.size(), header_size));
+    throw InputError(fmt::format("{}: invalid file of {} bytes, neither text nor binary STL; expected at least {}",
+                                 name, content.size(), header_size));
   const std::uint64_t count = announced(content), expected = header_size + triangle_size * count;
-  throw InputError(fmt::format("{}: the file has {} bytes, {}; expected {} of its {} triangles", name, content.size(),
-                               content.size() < expected ? "it is cut off" : "more than its content", expected, count));
+  throw InputError(fmt::format("{}: invalid size of {} bytes, {}; expected {} for its {} triangles", name,
+                               content.size(), content.size() < expected ? "less than needed" : "more than needed",
+                               expected, count));
 }
 
 }  // namespace

@@ -52,16 +52,17 @@ SurfaceFile read_surface(const std::string& path) {
 }
 
 SurfaceFile parse_surface(std::string_view content, const std::string& name, SurfaceFormat format) {
-  if (content.empty()) throw InputError(name + ": the file is empty; expected a surface");
-  if (is_web_page(content)) throw InputError(name + ":1: the file is a web page; expected a surface");
+  if (content.empty()) throw InputError(name + ": invalid surface file: it is empty; expected a surface");
+  if (is_web_page(content)) throw InputError(name + ":1: invalid surface file: it is a web page; expected a surface");
   SurfaceFile file = parse(content, name, format);
-  if (file.surface.triangles.empty()) throw InputError(name + ": no faces; expected at least one");
+  if (file.surface.triangles.empty()) throw InputError(name + ": missing faces; expected at least one");
   return file;
 }
 
 void need_index(std::size_t count, const std::string& name, std::string_view what) {
   constexpr auto most = static_cast<std::size_t>(std::numeric_limits<LocalIndex>::max());
-  if (count > most) throw InputError(fmt::format("{}: {} {}; expected {} at most", name, count, what, most));
+  if (count > most)
+    throw InputError(fmt::format("{}: out of range: {} {}; expected at most {}", name, count, what, most));
 }
 
 }  // namespace brunt::io

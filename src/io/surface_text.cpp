@@ -120,9 +120,10 @@ std::string coordinate_fault(int axis, double value) {
   if (std::abs(value) <= largest_coordinate) return {};
   const std::string_view name = axis_names[static_cast<std::size_t>(axis)];
   // the sign of a NaN means nothing
-  if (std::isnan(value)) return fmt::format("coordinate {} is nan; expected a finite number", name);
-  if (std::isinf(value)) return fmt::format("coordinate {} is {}; expected a finite number", name, value);
-  return fmt::format("coordinate {} is {}; expected a magnitude of {} at most", name, value, largest_coordinate);
+  if (std::isnan(value)) return fmt::format("invalid coordinate {}: nan; expected a finite number", name);
+  if (std::isinf(value)) return fmt::format("invalid coordinate {}: {}; expected a finite number", name, value);
+  return fmt::format("out of range: coordinate {} is {}; expected a magnitude of at most {}", name, value,
+                     largest_coordinate);
 }
 
 std::string shown(std::string_view word) {

@@ -37,8 +37,8 @@ void rename_durably(const std::string& from, const std::string& to) {
   if (file < 0) fail(from, "open the file");
   const bool synced = ::fsync(file) == 0;
   ::close(file);
-  if (!synced) fail(from, "bring the file to disk");
-  if (std::rename(from.c_str(), to.c_str()) != 0) fail(to, "put the file in its place");
+  if (!synced) fail(from, "write the file to disk");
+  if (std::rename(from.c_str(), to.c_str()) != 0) fail(to, "rename the temporary file");
   sync_folder_of(to);
 }
 
@@ -54,7 +54,8 @@ void replace_text(const std::string& path, std::string_view text) {
 std::string read_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file || std::filesystem::is_directory(path))
-    throw InputError(path + ": cannot read the file: " + std::strerror(file ? EISDIR : errno));
+    throw InputError(path + ": cannot read the file (" + std::strerror(file ? EISDIR : errno) +
+                     "); expected a readable file");
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();

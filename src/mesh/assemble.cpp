@@ -34,23 +34,26 @@ void name_with_prefix(Mesh& piece, const std::string& prefix) {
 }
 
 void refuse_clashes(const Mesh& whole, const Mesh& piece) {
-  constexpr auto cure = "give one of them a prefix or another part name";
+  constexpr auto cure = "expected different names, by prefix or another part name";
   std::vector<std::string> faults;
   std::set<std::string> names;
   for (const Block& block : whole.blocks) names.insert(shown(block));
   for (const Block& block : piece.blocks)
-    if (names.count(shown(block))) faults.push_back(fmt::format("block {} is in two meshes; {}", shown(block), cure));
+    if (names.count(shown(block)))
+      faults.push_back(fmt::format("invalid block {}: two meshes have it; {}", shown(block), cure));
   for (const auto& [name, nodes] : piece.node_sets)
-    if (whole.node_sets.count(name)) faults.push_back(fmt::format("node set {} is in two meshes; {}", name, cure));
+    if (whole.node_sets.count(name))
+      faults.push_back(fmt::format("invalid node set {}: two meshes have it; {}", name, cure));
   for (const auto& [name, sides] : piece.side_sets)
-    if (whole.side_sets.count(name)) faults.push_back(fmt::format("side set {} is in two meshes; {}", name, cure));
+    if (whole.side_sets.count(name))
+      faults.push_back(fmt::format("invalid side set {}: two meshes have it; {}", name, cure));
   const auto corners = [](const Mesh& mesh) {
     std::size_t sum = mesh.coordinates.size();
     for (const Block& block : mesh.blocks) sum += block.nodes.size();
     return sum;
   };
   if (corners(whole) + corners(piece) > static_cast<std::size_t>(std::numeric_limits<LocalIndex>::max()))
-    faults.push_back("the bodies together are more than one mesh can hold (2^31 element corners)");
+    faults.push_back("out of range: the bodies together have 2^31 element corners or more; expected fewer");
   if (!faults.empty()) throw InputError(faults);
 }
 
@@ -83,10 +86,11 @@ Mat3 rotation(const Vec3& axis, double degrees) {
 
 void place(Mesh& mesh, double scale, const Vec3& axis, double degrees, const Vec3& at) {
   if (!(scale > 0) || !std::isfinite(scale))
-    throw InputError(fmt::format("scale must be positive (a negative one would mirror the elements), got {}", scale));
+    throw InputError(fmt::format(
+        "out of range: scale is {}; expected a number > 0 (a negative one would mirror the elements)", scale));
   if (!axis.allFinite() || !(axis.norm() > 0) || !std::isfinite(degrees))
-    throw InputError("rotate needs an axis of some length and a finite number of degrees");
-  if (!at.allFinite()) throw InputError("at must be three finite numbers");
+    throw InputError("invalid rotate; expected an axis that is not zero and a finite number of degrees");
+  if (!at.allFinite()) throw InputError("invalid at; expected three finite numbers");
   const Mat3 turn = scale * rotation(axis, degrees);
   for (Vec3& x : mesh.coordinates) x = turn * x + at;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hexahedra of a ball, or of what halves leave of it.
+// The hexahedra of a ball, or of its halves.
 #pragma once
 #include "brunt/mesh/mesh.hpp"
 #include "brunt/mesh/round_form.hpp"

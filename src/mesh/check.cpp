@@ -20,7 +20,7 @@ class Lines {
  public:
   explicit Lines(std::vector<std::string>& target) : target_(target) {}
   ~Lines() {
-    if (count_ > most) target_.push_back(fmt::format("... and {} more like the line above", count_ - most));
+    if (count_ > most) target_.push_back(fmt::format("... and {} more lines like the one above", count_ - most));
   }
   Lines(const Lines&) = delete;
   Lines& operator=(const Lines&) = delete;
@@ -46,10 +46,11 @@ void for_each_element(const Mesh& mesh, Visit visit) {
 }
 
 void check_blocks(const Mesh& mesh, std::vector<std::string>& faults) {
-  if (mesh.blocks.empty()) faults.emplace_back("the mesh has no element blocks");
+  if (mesh.blocks.empty()) faults.emplace_back("missing element blocks; expected at least one");
   Lines lines(faults);
   for (const Block& block : mesh.blocks)
-    if (block.count() == 0) lines.add(shown(block) + " has no elements");
+    if (block.count() == 0)
+      lines.add(fmt::format("invalid {}: it has no elements; expected at least one", shown(block)));
 }
 
 void check_coordinates(const Mesh& mesh, std::vector<std::string>& faults) {
@@ -57,7 +58,8 @@ void check_coordinates(const Mesh& mesh, std::vector<std::string>& faults) {
   for (std::size_t n = 0; n < mesh.coordinates.size(); ++n) {
     const Vec3& x = mesh.coordinates[n];
     if (!x.allFinite())
-      lines.add(fmt::format("node {}: coordinates ({}, {}, {}) are not finite", mesh.node_id[n], x[0], x[1], x[2]));
+      lines.add(fmt::format("invalid node {}: coordinates ({}, {}, {}); expected finite numbers", mesh.node_id[n], x[0],
+                            x[1], x[2]));
   }
 }
 
@@ -68,22 +70,23 @@ void check_indices(const Mesh& mesh, std::vector<std::string>& faults) {
   for_each_element(mesh, [&](const Block& block, const LocalIndex* element, GlobalIndex id) {
     for (int k = 0; k < nodes_per_element(block.shape); ++k)
       if (outside(element[k]))
-        lines.add(fmt::format("element {} ({}): corner {} names node position {}, the mesh has {} nodes", id,
+        lines.add(fmt::format("invalid element {} ({}): corner {} refers to node position {}; expected 1 to {}", id,
                               shown(block), k + 1, std::int64_t{element[k]} + 1, nodes));
   });
   for (const auto& [name, set] : mesh.node_sets)
     for (const LocalIndex n : set)
       if (outside(n))
-        lines.add(
-            fmt::format("node set {}: node position {}, the mesh has {} nodes", name, std::int64_t{n} + 1, nodes));
+        lines.add(fmt::format("invalid node set {}: it refers to node position {}; expected 1 to {}", name,
+                              std::int64_t{n} + 1, nodes));
   for (const auto& [name, sides] : mesh.side_sets)
     for (const Side& s : sides) {
       const bool known = s.block >= 0 && s.block < static_cast<LocalIndex>(mesh.blocks.size());
       const Block* block = known ? &mesh.blocks[static_cast<std::size_t>(s.block)] : nullptr;
       if (!block || s.element < 0 || s.element >= block->count() || s.face < 0 ||
           s.face >= faces_per_element(block->shape))
-        lines.add(fmt::format("side set {}: side {} of element position {} does not exist", name,
-                              std::int64_t{s.face} + 1, std::int64_t{s.element} + 1));
+        lines.add(fmt::format(
+            "invalid side set {}: unknown side {} of element position {}; expected sides of existing elements", name,
+            std::int64_t{s.face} + 1, std::int64_t{s.element} + 1));
     }
 }
 
@@ -91,8 +94,9 @@ void check_repeats(const Mesh& mesh, std::vector<std::string>& faults) {
   Lines lines(faults);
   for_each_element(mesh, [&](const Block& block, const LocalIndex* element, GlobalIndex id) {
     if (!corners_are_legal(block.shape, element))
-      lines.add(fmt::format("element {} ({}): its nodes repeat in a way that is no wedge, pyramid or tetrahedron", id,
-                            shown(block)));
+      lines.add(
+          fmt::format("invalid element {} ({}): repeated nodes; expected those of a wedge, pyramid or tetrahedron", id,
+                      shown(block)));
   });
 }
 
@@ -105,8 +109,10 @@ void check_jacobians(const Mesh& mesh, std::vector<std::string>& faults) {
     const std::string where =
         worst.corner < 0 ? "its centre"
                          : fmt::format("node {}", mesh.node_id[static_cast<std::size_t>(element[worst.corner])]);
-    lines.add(fmt::format("element {} ({}): the Jacobian at {} is not positive ({:.3g} of its edges' product)", id,
-                          shown(block), where, worst.scaled));
+    lines.add(
+        fmt::format("invalid element {} ({}): the Jacobian at {} is not positive ({:.3g} of the product of its edges); "
+                    "expected a positive Jacobian",
+                    id, shown(block), where, worst.scaled));
   });
 }
 
@@ -123,7 +129,7 @@ void warn_unused(const Mesh& mesh, std::vector<std::string>& warnings) {
   if (count == 0) return;
   const auto first = static_cast<std::size_t>(std::find(used.begin(), used.end(), false) - used.begin());
   warnings.push_back(
-      fmt::format("{} nodes belong to no element and are left out (the first is node {})", count, mesh.node_id[first]));
+      fmt::format("{} nodes belong to no element and are excluded (the first is node {})", count, mesh.node_id[first]));
 }
 
 void warn_coincident(const Mesh& mesh, std::vector<std::string>& warnings) {
@@ -160,8 +166,9 @@ void warn_coincident(const Mesh& mesh, std::vector<std::string>& warnings) {
     if (places[i].body == places[i - 1].body && places[i].cell == places[i - 1].cell && count++ == 0) first = i;
   if (count == 0) return;
   const auto id = [&](std::size_t i) { return mesh.node_id[static_cast<std::size_t>(places[i].node)]; };
-  warnings.push_back(fmt::format("{} nodes lie on another node of the same body (nodes {} and {} for one): a crack?",
-                                 count, id(first - 1), id(first)));
+  warnings.push_back(fmt::format(
+      "{} nodes coincide with another node of the same body (for example nodes {} and {}): the mesh has a crack there",
+      count, id(first - 1), id(first)));
 }
 
 }  // namespace

@@ -13,19 +13,22 @@ namespace brunt::mesh {
 namespace {
 
 void check_form(ParameterCheck& check, const RoundForm& form, double radius, double inner) {
-  check.holds(form.half[2] == 0, "half along its axis is one of half the length; accepted: x, y");
+  check.holds(form.half[2] == 0, "invalid half along the axis (take half of the length instead); expected x, y");
   const auto& [from, to] = form.sector;
   check.holds(from == 0 && to == 0 ? true : to > from && to - from < 360,
-              fmt::format("the sector from {} to {} degrees must be between 0 and 360 wide", from, to));
-  check.holds(!form.sector.cuts() || form.half == Half{}, "a sector stands in place of half");
+              fmt::format("out of range: the sector from {} to {} degrees; expected an angle > 0 and < 360", from, to));
+  check.holds(!form.sector.cuts() || form.half == Half{}, "invalid sector together with half; expected one of them");
   const Nose& nose = form.nose;
   if (nose.shape == Nose::Shape::none) return;
-  check.holds(nose.tip_radius == 0 || (nose.tip_radius > inner && nose.tip_radius < radius),
-              fmt::format("tip_radius {} must lie between {} and {}", nose.tip_radius, inner, radius));
-  check.holds(nose.shape != Nose::Shape::hemisphere || nose.tip_radius == 0, "a hemisphere has no flat tip");
+  check.holds(
+      nose.tip_radius == 0 || (nose.tip_radius > inner && nose.tip_radius < radius),
+      fmt::format("out of range: tip_radius is {}; expected a number > {} and < {}", nose.tip_radius, inner, radius));
+  check.holds(nose.shape != Nose::Shape::hemisphere || nose.tip_radius == 0,
+              "invalid tip_radius of a hemisphere; expected none");
   if (nose.shape == Nose::Shape::cone) check.positive("length of the nose", nose.length);
   if (nose.shape == Nose::Shape::ogive)
-    check.holds(std::isfinite(nose.crh) && nose.crh >= 0.5, fmt::format("crh must be at least 0.5, got {}", nose.crh));
+    check.holds(std::isfinite(nose.crh) && nose.crh >= 0.5,
+                fmt::format("out of range: crh is {}; expected at least 0.5", nose.crh));
 }
 
 /// Elements along a blunt nose that are as long as those across the radius are on average.
@@ -96,7 +99,7 @@ Mesh cylinder(const std::string& part, double radius, double length, const Divis
   check.divided("elements along the axis", elements[1], 1);
   check.fits(4.0 * elements[0] * elements[0] * (elements[1] + 1.0));
   check_form(check, form, radius, 0);
-  check.holds(!form.sector.cuts(), "a sector of it is a tube with the inner radius 0");
+  check.holds(!form.sector.cuts(), "invalid sector of a cylinder; expected a tube with inner_radius 0");
   check.finish();
   const RoundedCore core = rounded_core(radius, elements[0]);
   Section section = butterfly(core);
@@ -121,19 +124,22 @@ Mesh tube(const std::string& part, double inner_radius, double outer_radius, dou
   ParameterCheck check("tube " + part);
   if (!form.sector.cuts() || inner_radius != 0) check.positive("inner_radius", inner_radius);
   check.positive("outer_radius", outer_radius);
-  check.holds(inner_radius < outer_radius,
-              fmt::format("inner_radius {} must be below outer_radius {}", inner_radius, outer_radius));
+  check.holds(
+      inner_radius < outer_radius,
+      fmt::format("out of range: inner_radius is {}; expected less than outer_radius {}", inner_radius, outer_radius));
   check.positive("length", length);
   check.divided("elements through the wall", elements[0], 1);
   check.at_least("elements around", elements[1], form.sector.cuts() ? 1 : 3);
-  check.holds(elements[1].is_even(), "elements around are even");
+  check.holds(elements[1].is_even(), "invalid sizes of elements around; expected equal elements");
   check.divided("elements along the axis", elements[2], 1);
   check.fits((elements[0] + 1.0) * elements[1] * (elements[2] + 1.0));
   check_form(check, form, outer_radius, inner_radius);
   const int parts = (form.half[0] != 0 ? 2 : 1) * (form.half[1] != 0 ? 2 : 1);
-  check.holds(elements[1] % parts == 0,
-              fmt::format("{} elements around the whole cannot be cut into {} equal parts; accepted: a multiple of {}",
-                          elements[1], parts, parts));
+  check.holds(
+      elements[1] % parts == 0,
+      fmt::format(
+          "invalid number of elements around: {} cannot be divided into {} equal parts; expected a multiple of {}",
+          elements[1], parts, parts));
   check.finish();
   Rays rays{places(elements[0], inner_radius, outer_radius), {}, true};
   rays.cosines = ray_directions(elements[1], form, rays.closed);

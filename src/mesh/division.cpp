@@ -47,8 +47,8 @@ Division by_sizes(const std::vector<SizeAt>& sizes, double low, double high) {
   double cells = 0;
   for (const Interval& one : intervals(sizes, low, high)) cells += one.cells;
   if (cells >= most_by_sizes)
-    throw InputError(
-        {fmt::format("the sizes give {:.3g} elements or more; accepted: at most {}", cells, most_by_sizes)});
+    throw InputError({fmt::format("out of range: the sizes require {:.3g} elements or more; expected at most {}", cells,
+                                  most_by_sizes)});
   division.cells = static_cast<int>(cells);
   return division;
 }

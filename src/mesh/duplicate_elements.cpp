@@ -172,9 +172,10 @@ std::vector<std::string> duplicate_elements(const Mesh& mesh) {
                     [](const auto& duplicate) { return std::pair(duplicate.second.block, duplicate.second.element); });
   std::vector<std::string> lines;
   for (const auto& [a, b] : duplicates)
-    lines.push_back(fmt::format(
-        "element {} ({}) has the nodes of element {} ({}): its mass would count twice; accepted: each element once",
-        id_of(block(b), b.element), shown(block(b)), id_of(block(a), a.element), shown(block(a))));
+    lines.push_back(
+        fmt::format("invalid element {} ({}): it has the nodes of element {} ({}), so its mass would be counted twice; "
+                    "expected each element once",
+                    id_of(block(b), b.element), shown(block(b)), id_of(block(a), a.element), shown(block(a))));
   return lines;
 }
 
@@ -194,8 +195,8 @@ std::vector<std::string> coincident_elements(const Mesh& mesh, const std::vector
     const Block &one = mesh.blocks[static_cast<std::size_t>(blocks.first)],
                 &other = mesh.blocks[static_cast<std::size_t>(blocks.second)];
     lines.push_back(fmt::format(
-        "{} and {}: {} element{} lie{} corner on corner in the same place (elements {} and {}{}): mass would "
-        "count twice; accepted: each body once, independent bodies apart (at)",
+        "invalid {} and {}: {} element{} of one coincide{} with elements of the other (elements {} and {}{}), so "
+        "mass would be counted twice; expected each body once, and independent bodies apart (at)",
         shown(one), shown(other), pair.count, pair.count == 1 ? "" : "s", pair.count == 1 ? "s" : "",
         id_of(one, pair.a.element), id_of(other, pair.b.element), pair.count == 1 ? "" : " for one"));
   }

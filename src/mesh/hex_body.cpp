@@ -15,17 +15,17 @@
 namespace brunt::mesh {
 
 void ParameterCheck::positive(const char* name, double value) {
-  holds(std::isfinite(value) && value > 0, fmt::format("{} must be positive, got {}", name, value));
+  holds(std::isfinite(value) && value > 0, fmt::format("out of range: {} is {}; expected a number > 0", name, value));
 }
 
 void ParameterCheck::at_least(const char* name, int value, int least) {
-  holds(value >= least, fmt::format("{} must be at least {}, got {}", name, least, value));
+  holds(value >= least, fmt::format("out of range: {0} is {2}; expected at least {1}", name, least, value));
 }
 
 void ParameterCheck::divided(const char* name, const Division& division, int least) {
   at_least(name, division.cells, least);
   holds(std::isfinite(division.bias) && division.bias > 0,
-        fmt::format("bias of {} must be positive, got {}", name, division.bias));
+        fmt::format("out of range: bias of {} is {}; expected a number > 0", name, division.bias));
 }
 
 void ParameterCheck::holds(bool condition, const std::string& fault) {
@@ -34,7 +34,7 @@ void ParameterCheck::holds(bool condition, const std::string& fault) {
 
 void ParameterCheck::fits(double nodes) {
   const double most = std::numeric_limits<LocalIndex>::max() / 8.0;  // eight corners an element in one array
-  holds(nodes <= most, fmt::format("{:.3g} nodes are more than one mesh can hold ({:.3g})", nodes, most));
+  holds(nodes <= most, fmt::format("out of range: {:.3g} nodes in one mesh; expected at most {:.3g}", nodes, most));
 }
 
 void ParameterCheck::finish() const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the generated bodies share: checks of their parameters, extrusion of a section, sets on their surfaces.
+// Common functions of the generated bodies: checks of their parameters, extrusion of a section, sets on their surfaces.
 #pragma once
 #include <array>
 #include <functional>
@@ -17,7 +17,7 @@ struct Hexahedra {
   std::vector<LocalIndex> nodes;  ///< eight an element
 };
 
-/// Collects faults of one body's parameters; `finish` throws them together.
+/// Collects the faults of the parameters of one body; `finish` throws them together.
 class ParameterCheck {
  public:
   explicit ParameterCheck(std::string body) : body_(std::move(body)) {}

@@ -43,11 +43,11 @@ std::string resolution_fault(const Mesh& mesh, double farthest) {
       fmt::format("element {} (block {})", element_of_shortest,
                   block_of_shortest->name.empty() ? std::to_string(block_of_shortest->id) : block_of_shortest->name);
   if (!(longest <= largest_edge) || !(shortest >= smallest_edge || shortest == 0) || !std::isfinite(farthest))
-    return fmt::format("edges from {:.3g} to {:.3g} long are out of range; accepted: {:.0e} to {:.0e}", shortest,
-                       longest, smallest_edge, largest_edge);
+    return fmt::format("out of range: edges from {:.3g} to {:.3g} long; expected {:.0e} to {:.0e}", shortest, longest,
+                       smallest_edge, largest_edge);
   if (farthest > largest_to_smallest * shortest)
     return fmt::format(
-        "{}: its shortest edge, {:.3g}, is lost in the rounding of coordinates of {:.3g}; accepted: "
+        "{}: out of range: the shortest edge, {:.3g}, is below the rounding of coordinates of {:.3g}; expected "
         "coordinates up to 2^34 (1.7e10) times the shortest edge",
         element, shortest, farthest);
   return {};

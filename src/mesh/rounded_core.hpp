@@ -13,8 +13,9 @@
 namespace brunt::mesh {
 
 /// Core cells (i, j, l) lie in |i|, |j|, |l| <= half_cells; l = 0 for a disk. The core is a blend of a cube and a ball:
-/// the ball's share opens the right angles at the cube's edges, where three elements meet. The core's size and share
-/// were chosen by a scan for the best product of smallest scaled Jacobian and smallest edge (disk: 0.85, 0.75 R/n).
+/// the share of the ball widens the right angles at the edges of the cube, where three elements meet. Size and share of
+/// the core are the result of a scan for the largest product of smallest scaled Jacobian and smallest edge (disk: 0.85,
+/// 0.75 R/n).
 ///
 /// Elements across the radius may be uneven. The first `round_from` of them are what an even body of that many would
 /// be, with its lines moved; beyond, shells are circles (spheres).

@@ -37,9 +37,11 @@ Vec3 draw_down_half(const Vec3& x, double radius, double finer) {
 Mesh sphere(const std::string& part, double radius, int elements, const SphereForm& form) {
   ParameterCheck check("sphere " + part);
   check.positive("radius", radius);
-  check.holds(std::isfinite(form.finer) && form.finer >= 1, fmt::format("finer must be >= 1, got {}", form.finer));
-  check.holds(form.finer == 1 || form.half[2] <= 0,
-              "half z keeps the pole that finer does not refine; accepted: -z, or no half along z");
+  check.holds(std::isfinite(form.finer) && form.finer >= 1,
+              fmt::format("out of range: finer is {}; expected a number >= 1", form.finer));
+  check.holds(
+      form.finer == 1 || form.half[2] <= 0,
+      "invalid half z with finer: this half keeps the pole that is not refined; expected -z, or no half along z");
   check.at_least("elements across the radius", elements, 2);
   check.fits(24.0 * elements * elements * elements);
   check.finish();

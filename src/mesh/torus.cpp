@@ -61,12 +61,15 @@ Mesh torus(const std::string& part, double radius, double inner_radius, double o
   ParameterCheck check("torus " + part);
   check.positive("inner radius of the tube", inner_radius);
   check.holds(inner_radius < outer_radius,
-              fmt::format("inner radius {} of the tube must be below its outer radius {}", inner_radius, outer_radius));
+              fmt::format("out of range: the inner radius {} of the tube; expected less than its outer radius {}",
+                          inner_radius, outer_radius));
   check.holds(std::isfinite(radius) && radius > outer_radius,
-              fmt::format("radius {} must be above the outer radius {} of the tube", radius, outer_radius));
+              fmt::format("out of range: radius is {}; expected more than the outer radius {} of the tube", radius,
+                          outer_radius));
   check.at_least("elements around the ring", elements[0], 3);
   check.at_least("elements around the tube", elements[1], 3);
-  check.holds(elements[0].is_even() && elements[1].is_even(), "elements around are even");
+  check.holds(elements[0].is_even() && elements[1].is_even(),
+              "invalid sizes of elements around; expected equal elements");
   check.divided("elements through the wall", elements[2], 1);
   check.fits(1.0 * elements[0] * elements[1] * (elements[2] + 1.0));
   check.finish();

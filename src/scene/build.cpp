@@ -28,7 +28,8 @@ const Part& part_of_block(const Input& input, const mesh::LocalMesh& mesh, std::
   });
 }
 
-/// Connectivity in batches of eight: [batch][corner][lane], the last batch filled up with its last element.
+/// Connectivity in batches, one element for each lane: [batch][corner][lane]. The last batch is filled up with copies
+/// of its last element.
 AlignedVector<LocalIndex> batched(const std::vector<LocalIndex>& nodes, int corners, LocalIndex count) {
   const LocalIndex batches = (count + pack_width - 1) / pack_width;
   AlignedVector<LocalIndex> result(static_cast<std::size_t>(batches) * static_cast<std::size_t>(corners * pack_width));
@@ -79,7 +80,8 @@ void build_dead_loads(const Input& input, model::Model& model) {
   for (std::size_t k = 0; k < input.traction.size(); ++k) add(input.traction[k], selection_name("traction", k));
 }
 
-/// Nodes whose corner forces probes want unsummed: of sections, and between parts where their energies are asked for.
+/// Nodes whose corner forces probes need separately: those of sections, and those between parts whose energies are
+/// recorded.
 void watch_nodes(const Input& input, model::Model& model) {
   std::vector<LocalIndex>& watched = model.watched;
   for (std::size_t k = 0; k < input.probes.size(); ++k)
@@ -126,7 +128,7 @@ void build_loads(const Input& input, model::Model& model) {
                            blocks_of_parts(input, model.mesh, wall.parts)});
 }
 
-/// Nodes that contact, walls or constraints may still change after the prediction. Those of rigid bodies follow these.
+/// Nodes that contact, walls or constraints may still change after the prediction. Those of rigid bodies follow.
 std::vector<LocalIndex> deferred_nodes(const model::Model& model) {
   std::vector<LocalIndex> deferred;
   for (const model::ConstrainedNode& constrained : model.constrained) deferred.push_back(constrained.node);
@@ -143,7 +145,7 @@ std::vector<LocalIndex> deferred_nodes(const model::Model& model) {
   return deferred;
 }
 
-/// Interfaces of mortar contact, for each pair of its two parts, and what normals have to know of symmetry.
+/// Interfaces of mortar contact for each pair of its two parts, and the planes of symmetry that affect their normals.
 void build_mortar(const Input& input, model::Model& model) {
   const auto block_of = [&](const std::string& part) {
     return static_cast<std::int32_t>(std::ranges::find(model.blocks, part, &model::ElementBlock::part) -
@@ -160,7 +162,7 @@ void build_mortar(const Input& input, model::Model& model) {
     pair.friction = entry.friction.fixed;
     pair.tied = entry.tied;
     pair.entry = input.at(fmt::format("contact.{}", k));
-    const auto same = [&](const contact::MortarPair& other) {  // a later entry wins
+    const auto same = [&](const contact::MortarPair& other) {  // a later entry takes precedence
       return std::minmax(other.slave, other.master) == std::minmax(pair.slave, pair.master);
     };
     std::erase_if(model.mortar, same);

@@ -10,7 +10,7 @@
 namespace brunt::scene {
 namespace {
 
-constexpr std::string_view without_comma = "a number has a point and no comma";
+constexpr std::string_view without_comma = "a number has a decimal point and no comma";
 
 bool is_digit(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
@@ -37,7 +37,7 @@ bool is_number(std::string_view text) {
   return !text.empty() && end == text.data() + text.size();
 }
 
-bool comma_in_value(const Key& key, std::string_view accepted, IsValue is_value) {
+bool comma_in_value(const Key& key, std::string_view expected, IsValue is_value) {
   if (key.tree == nullptr || key.tree->kind != Tree::Kind::value) return false;
   const std::string& text = key.tree->text;
   std::string joined = text, pointed = text;
@@ -49,7 +49,7 @@ bool comma_in_value(const Key& key, std::string_view accepted, IsValue is_value)
   if (thousands || decimal)
     write = fmt::format(": write {}{}{}", thousands ? joined : "", thousands && decimal ? " or " : "",
                         decimal ? pointed : "");
-  fault(key, fmt::format("'{}': {}{}; accepted: {}", text, without_comma, write, accepted));
+  fault(key, fmt::format("invalid number '{}': {}{}; expected {}", text, without_comma, write, expected));
   return true;
 }
 
@@ -58,7 +58,7 @@ std::string comma_in_list(const Tree& list, std::size_t size) {
   const bool digits = std::all_of(list.children.begin(), list.children.end(), [](const Tree& entry) {
     return entry.kind == Tree::Kind::value && is_number(entry.text) && entry.text.find('.') == std::string::npos;
   });
-  return digits ? fmt::format(" (a comma parts entries: {})", without_comma) : "";
+  return digits ? fmt::format(" (a comma separates the entries of a list: {})", without_comma) : "";
 }
 
 bool is_rest_of_number(const Tree& before, std::string_view name) {

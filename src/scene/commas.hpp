@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Commas in numbers: of thousands ("7,800") or decimal ("0,9"), they mean another thing in every country.
+// Commas in numbers: they may separate thousands ("7,800") or decimals ("0,9"), depending on the country.
 #pragma once
 #include <string>
 #include <string_view>
@@ -8,18 +8,20 @@
 
 namespace brunt::scene {
 
-/// Does a text stand for a value?
+/// Whether a text is a value.
 using IsValue = bool (*)(std::string_view text);
 
 [[nodiscard]] bool is_number(std::string_view text);
 
-/// Tells the fault of a value that has commas and would be one without them, or with points; false where it has none.
-bool comma_in_value(const Key& key, std::string_view accepted, IsValue is_value = is_number);
+/// Adds the fault of a value that would be valid without its commas, or with points instead; returns false for other
+/// values.
+bool comma_in_value(const Key& key, std::string_view expected, IsValue is_value = is_number);
 
-/// What to say of a list of numbers that is longer than `size` because decimal commas part its entries.
+/// The remark for a list of numbers that is longer than `size` because decimal commas separate its entries.
 [[nodiscard]] std::string comma_in_list(const Tree& list, std::size_t size);
 
-/// In {density: 7,800} the comma makes a key '800' without a value: is `name` such a piece of the value before it?
+/// In {density: 7,800} the comma makes a key '800' without a value. Whether `name` is such a continuation of the
+/// previous value.
 [[nodiscard]] bool is_rest_of_number(const Tree& before, std::string_view name);
 
 }  // namespace brunt::scene

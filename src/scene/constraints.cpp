@@ -13,24 +13,25 @@
 namespace brunt::scene {
 namespace {
 
-/// One direction of a node that is not free.
+/// A constrained direction of a node.
 struct Held {
   Vec3 direction;
-  std::int32_t drive = -1;  ///< its given velocity; none: held at rest
+  std::int32_t drive = -1;  ///< its prescribed velocity; none: at rest
   std::string source;
 };
 using HeldNodes = std::map<LocalIndex, std::vector<Held>>;
 
 void hold(const Input& input, const model::Model& model, HeldNodes& held, const std::vector<LocalIndex>& nodes,
           const Held& what, std::vector<std::string>& faults) {
-  bool reported = false;  // one line an entry is enough, though thousands of nodes may clash
+  bool reported = false;  // one line for each entry, even if thousands of nodes are in conflict
   for (const LocalIndex node : nodes) {
     for (const Held& other : held[node]) {
       const bool both_at_rest = what.drive < 0 && other.drive < 0;
       if (both_at_rest || std::abs(what.direction.dot(other.direction)) < 1e-12 || reported) continue;
-      faults.push_back(fmt::format(
-          "{}: node {} is in {} too, which holds the same direction differently; accepted: one of them there",
-          input.at(what.source), model.mesh.node_id[static_cast<std::size_t>(node)], other.source));
+      faults.push_back(
+          fmt::format("{}: invalid constraint: node {} is also constrained in the same direction by {}; expected one "
+                      "constraint for each direction of a node",
+                      input.at(what.source), model.mesh.node_id[static_cast<std::size_t>(node)], other.source));
       reported = true;
     }
     held[node].push_back(what);
@@ -41,7 +42,7 @@ model::ConstrainedNode projector(LocalIndex node, const std::vector<Held>& held)
   model::ConstrainedNode constrained;
   constrained.node = node;
   for (const Held& one : held) {
-    const Vec3 rest = constrained.free * one.direction;  // what earlier directions leave of this one
+    const Vec3 rest = constrained.free * one.direction;  // component not covered by earlier directions
     if (rest.norm() > 1e-9) constrained.free -= rest.normalized() * rest.normalized().transpose();
     if (one.drive >= 0)
       for (int c = 0; c < 3; ++c)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fixed, symmetric and prescribed nodes become projectors on what is left free.
+// Converts fixed, symmetric and prescribed nodes to projectors onto their free directions.
 #pragma once
 #include "brunt/model/model.hpp"
 #include "brunt/scene/input.hpp"
 
 namespace brunt::scene {
 
-/// Fills Model::constrained and Model::drives. Throws InputError where a node is in two incompatible entries.
+/// Fills Model::constrained and Model::drives. Throws InputError for a node in two incompatible entries.
 void build_constraints(const Input& input, model::Model& model);
 
 }  // namespace brunt::scene

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the entries of `contact`, which name parts and go over each other, come to for each pair of blocks.
+// Converts the entries of `contact`, which name parts and may override each other, to a setting for each pair of
+// blocks.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -20,19 +21,19 @@ bool excludes(const ContactEntry& entry, const std::string& a, const std::string
   });
 }
 
-/// General contact finds tied parts tied and leaves them so; to untie them an entry must name them.
+/// Entries with `all` leave tied parts tied; an entry that releases the tie must name both parts.
 bool leaves_tied(const ContactEntry& entry, bool tied) {
   return tied && entry.between.empty();
 }
 
-/// The rule for a pair that an entry lets meet.
+/// The rule for a pair with contact by an entry.
 contact::PairRule rule_of(const ContactEntry& entry, bool straight) {
   using contact::PairRule;
   if (entry.slave == ContactEntry::Slave::automatic || entry.between.empty()) return PairRule::automatic;
   return (entry.slave == ContactEntry::Slave::first) == straight ? PairRule::slave : PairRule::master;
 }
 
-/// With `all` unless the entry wants it; a rigid part has no folds.
+/// Self-contact is part of `all` unless the entry excludes it; a rigid part cannot fold.
 bool never_meets_itself(const Input& input, const ContactEntry& entry, const std::string& part) {
   return (entry.between.empty() && !entry.self) || names_rigid_part(input, part);
 }
@@ -41,7 +42,7 @@ bool erodes(const Input& input, const std::string& part) {
   return std::ranges::any_of(input.parts, [&](const Part& p) { return p.name == part && p.erosion.has_value(); });
 }
 
-/// A part that erodes shows other faces than those of the start, by whose sizes a slave would be chosen.
+/// An eroding part exposes other faces than the initial ones, from whose sizes a slave would be chosen.
 contact::Passes passes_of(const Input& input, const ContactEntry& entry, const std::string& a, const std::string& b) {
   using contact::Passes;
   if (entry.tied) return Passes::one;
@@ -51,7 +52,7 @@ contact::Passes passes_of(const Input& input, const ContactEntry& entry, const s
   return !chosen && (erodes(input, a) || erodes(input, b)) ? Passes::two : Passes::automatic;
 }
 
-/// What an entry says of two blocks (one twice, or two) of parts a and b; whether it says anything.
+/// The setting of an entry for two blocks (one twice, or two) of parts a and b; whether the entry applies.
 bool apply(const Input& input, const ContactEntry& entry, const std::string& a, const std::string& b, bool itself,
            contact::PairSpecification& pair) {
   using contact::Tied;

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 9> free_to_change{"title",     "output", 
 /// A value of the scene, by the path of its key.
 using Value = std::pair<std::string, std::string>;
 
-/// Keys in alphabetical order, so that a scene written in another order is the same scene.
+/// Keys in alphabetical order, so that the order of keys in the file does not matter.
 void append(const Tree& tree, const std::string& path, std::vector<Value>& values) {
   if (std::ranges::find(free_to_change, path) != free_to_change.end()) return;
   if (tree.kind == Tree::Kind::value) {
@@ -85,7 +85,8 @@ std::vector<std::string> differences(const std::string& there, const std::string
   std::vector<std::string> different;
   for (const auto& [path, values] : both)
     if (values[0] != values[1])
-      different.push_back(fmt::format("{} is {} there and {} here", path, reported(values[0]), reported(values[1])));
+      different.push_back(fmt::format("{} is {} in the earlier run and {} in this scene", path, reported(values[0]),
+                                      reported(values[1])));
   return different;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several parts as one rigid body: the parts that join another one, which gives the body its name.
+// Several parts as one rigid body: parts that join another one, which names the body.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,16 +23,19 @@ void check_join(const Input& input, const Part& part, std::vector<std::string>& 
   const std::string key = "parts." + part.name + ".rigid";
   const auto fault = [&](const std::string& what) { faults.push_back(fmt::format("{}: {}", input.at(key), what)); };
   const Part* lead = find_part(input, rigid.joins);
-  if (lead == nullptr) return;  // told where names are looked up
+  if (lead == nullptr) return;  // reported when names are resolved
   if (lead == &part)
-    fault("the part joins itself; accepted: joins: another rigid part");
+    fault("invalid joins: the part refers to itself; expected the name of another rigid part");
   else if (!is_rigid(input, *lead))
-    fault(fmt::format("'{}' is not rigid; accepted: joins: a part with a material of model: rigid", lead->name));
+    fault(fmt::format("invalid joins: part '{}' is not rigid; expected a part whose material has model: rigid",
+                      lead->name));
   else if (joins_another(*lead))
-    fault(
-        fmt::format("'{}' joins '{}' itself; accepted: joins: {}", lead->name, lead->rigid->joins, lead->rigid->joins));
+    fault(fmt::format("invalid joins: part '{}' itself joins '{}'; expected joins: {}", lead->name, lead->rigid->joins,
+                      lead->rigid->joins));
   if (rigid.mass || rigid.centre || rigid.inertia)
-    fault(fmt::format("mass, centre and inertia are of the whole body; accepted: in parts.{}.rigid", rigid.joins));
+    fault(fmt::format(
+        "invalid mass, centre or inertia: they belong to the whole body; expected these keys in parts.{}.rigid",
+        rigid.joins));
 }
 
 }  // namespace
@@ -51,8 +54,8 @@ void check_joins(const Input& input, std::vector<std::string>& faults) {
     if (joins_another(part) && is_rigid(input, part)) check_join(input, part, faults);
   const auto of_the_body = [&](const std::string& key, const std::string& where) {
     if (const std::string& lead = lead_of(input, where); lead != where)
-      faults.push_back(
-          fmt::format("{}: '{}' is one body with '{}'; accepted: part: {}", input.at(key), where, lead, lead));
+      faults.push_back(fmt::format("{}: invalid part '{}': it is one rigid body with '{}'; expected part: {}",
+                                   input.at(key), where, lead, lead));
   };
   for (std::size_t k = 0; k < input.initial.size(); ++k)
     of_the_body(fmt::format("initial.{}", k), input.initial[k].where);
@@ -65,8 +68,8 @@ void check_joins(const Input& input, std::vector<std::string>& faults) {
     const auto& pair = input.contact[k].between;
     if (pair.size() == 2 && pair[0] != pair[1] && are_one_body(input, pair[0], pair[1]))
       faults.push_back(
-          fmt::format("{}: '{}' and '{}' are one rigid body, which does not meet itself; accepted: parts "
-                      "of two bodies",
+          fmt::format("{}: invalid pair: '{}' and '{}' are one rigid body, which has no contact with itself; expected "
+                      "parts of two bodies",
                       input.at(fmt::format("contact.{}", k)), pair[0], pair[1]));
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the names of a scene and of its mesh stand for: nodes.
+// Resolves the names of a scene and of its mesh to nodes.
 #pragma once
 #include <optional>
 #include <string>
@@ -17,13 +17,13 @@ class NamedNodes {
 
   NamedNodes(const Input& input, const mesh::CanonicalMesh& whole);
 
-  /// Parts before sets of the scene before sets of the mesh; nothing where the name is unknown.
+  /// Precedence: parts, sets of the scene, sets of the mesh; empty if the name is unknown.
   [[nodiscard]] std::optional<Nodes> of(const std::string& where) const;
   [[nodiscard]] std::optional<Nodes> of_entry(const SetEntry& set) const;
   [[nodiscard]] Nodes of_sides(const std::vector<mesh::Side>& sides) const;
 
   [[nodiscard]] const std::vector<std::string>& part_of_block() const { return part_of_block_; }
-  /// A node this near to a plane lies in it [length].
+  /// A node this close to a plane lies in it [length].
   [[nodiscard]] double on_plane() const { return on_plane_; }
 
  private:

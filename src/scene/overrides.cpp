@@ -26,7 +26,9 @@ Tree* list_entry(Tree& list, const std::string& step, const std::string& path, c
   const char* last = step.data() + step.size();
   const auto [end, error] = std::from_chars(step.data(), last, index);
   if (error == std::errc{} && end == last && index < list.children.size()) return &list.children[index];
-  faults.add(place, path, fmt::format("no such entry; accepted: an index from 0 below {}", list.children.size()));
+  faults.add(place, path,
+             fmt::format("out of range: the list has no such entry; expected an index from 0, below {}",
+                         list.children.size()));
   return nullptr;
 }
 
@@ -55,9 +57,10 @@ void apply(Tree& scene, const std::string& path, const Tree& value, const Place&
   for (const std::string& step : steps) {
     const bool lone_mesh = walked == "mesh" && at->kind == Tree::Kind::map && step == "0";
     walked += (walked.empty() ? "" : ".") + step;
-    if (lone_mesh) continue;  // a mesh of one body may be written without the list
+    if (lone_mesh) continue;  // a mesh of one body may be written without a list
     if (at->kind == Tree::Kind::value) {
-      faults.add(place, walked, "its parent is a single value; accepted: a path through maps and lists");
+      faults.add(place, walked,
+                 "invalid path: the key above it has a single value; expected a path through maps and lists");
       return;
     }
     parent = at;
@@ -79,11 +82,11 @@ void apply_overrides(Tree& scene, std::span<const std::string> overrides, Faults
     const bool empty_step =
         path.empty() || path.front() == '.' || path.back() == '.' || path.find("..") != std::string::npos;
     if (equals == std::string::npos || empty_step) {
-      faults.add(place, "", "no key with a value; accepted: --set key.path=value, such as run.end=1.0e-5");
+      faults.add(place, "", "invalid override; expected --set key.path=value, such as run.end=1.0e-5");
       continue;
     }
     if (override_text.find_first_not_of(" \t", equals + 1) == std::string::npos) {
-      faults.add(place, "", "no value is given; accepted: --set key.path=value; null takes the key away");
+      faults.add(place, "", "missing value; expected --set key.path=value (the value null removes the key)");
       continue;
     }
     const std::optional<Tree> value = parse_value(override_text.substr(equals + 1), place, faults);

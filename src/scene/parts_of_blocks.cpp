@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which part each block of the mesh is.
+// Assigns the parts to the blocks of the mesh.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ const char* fitting_elements(mesh::Shape shape) {
   return shape == mesh::Shape::hex8 ? "hex8, hex8_full or hex8_bbar" : "tet4";
 }
 
-/// "7" or "7 (bar)": either may stand in a scene.
+/// "7" or "7 (bar)": a scene may use either.
 std::string shown(const mesh::Block& block) {
   return fmt::format("{}{}", block.id, block.name.empty() ? "" : " (" + block.name + ")");
 }
@@ -26,7 +26,7 @@ std::string shown(const mesh::Block& block) {
 std::string shown_blocks(const mesh::Mesh& mesh) {
   std::vector<std::string> known;
   for (const mesh::Block& block : mesh.blocks) known.push_back(shown(block));
-  return known.empty() ? "none, the mesh has no block" : listed(known);
+  return known.empty() ? "(the mesh has no block)" : listed(known);
 }
 
 bool is_left_out(const mesh::Mesh& mesh, const std::string& word) {
@@ -49,27 +49,30 @@ std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& m
       ++b;
     if (b == mesh.blocks.size()) {
       if (is_left_out(mesh, part.block)) {
-        faults.push_back(fmt::format("{}: block '{}' is left out by ignore; accepted: {}", input.at(key + ".block"),
-                                     part.block, shown_blocks(mesh)));
+        faults.push_back(
+            fmt::format("{}: invalid block '{}': the key ignore of the mesh excludes it; expected one of {}",
+                        input.at(key + ".block"), part.block, shown_blocks(mesh)));
         continue;
       }
-      faults.push_back(fmt::format("{}: the mesh has no block '{}'; accepted: {}", input.at(key + ".block"), part.block,
-                                   shown_blocks(mesh)));
+      faults.push_back(fmt::format("{}: unknown block '{}' of the mesh; expected one of {}", input.at(key + ".block"),
+                                   part.block, shown_blocks(mesh)));
       continue;
     }
     if (part_of[b] != none)
-      faults.push_back(fmt::format("{}: block {} already belongs to part '{}'; accepted: a block of its own",
-                                   input.at(key + ".block"), part.block, input.parts[part_of[b]].name));
+      faults.push_back(fmt::format(
+          "{}: invalid block {}: it already belongs to part '{}'; expected a block of its own for each part",
+          input.at(key + ".block"), part.block, input.parts[part_of[b]].name));
     part_of[b] = p;
     if (!is_rigid(input, part) && (part.element == ElementKind::tet4) != (mesh.blocks[b].shape == mesh::Shape::tet4))
-      faults.push_back(fmt::format("{}: {} does not fit the block's elements; accepted: {}", input.at(key + ".element"),
-                                   element::name_of(part.element), fitting_elements(mesh.blocks[b].shape)));
+      faults.push_back(fmt::format("{}: invalid element {} for the shape of the block's elements; expected {}",
+                                   input.at(key + ".element"), element::name_of(part.element),
+                                   fitting_elements(mesh.blocks[b].shape)));
   }
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
     if (part_of[b] == none)
       faults.push_back(
-          fmt::format("{}: block {} of the mesh has no part; accepted: parts with NAME: {{block: {}, "
-                      "material: ...}}, or ignore: [{}] beside the mesh file",
+          fmt::format("{}: missing part for block {} of the mesh; expected NAME: {{block: {}, material: ...}} in "
+                      "parts, or ignore: [{}] in the entry of the mesh file",
                       input.at("parts"), shown(mesh.blocks[b]), mesh.blocks[b].id,
                       mesh.blocks[b].name.empty() ? std::to_string(mesh.blocks[b].id) : mesh.blocks[b].name));
   if (!faults.empty()) throw InputError(std::move(faults));

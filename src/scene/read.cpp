@@ -42,12 +42,12 @@ void note_places(const Tree& tree, const std::string& path, Places& places) {
 bool read_selection(Section& entry, std::string& where) {
   const bool part = entry.has("part"), set = entry.has("set");
   if (part && set) {
-    fault(entry.key(), "part and set are both given; accepted: one of them");
+    fault(entry.key(), "invalid selection: part and set are both given; expected one of them");
     return false;
   }
   if (part) return entry.required("part", where, Named::part);
   if (set) return entry.required("set", where, "the name of a set or part");
-  lacking(entry.key(), {"part", "set"}, "no selection is given; accepted: part: name, or set: name");
+  lacking(entry.key(), {"part", "set"}, "missing selection; expected part: name, or set: name");
   return false;
 }
 

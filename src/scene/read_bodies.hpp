@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generated bodies: how their directions are divided into elements, and the round ones.
+// Generated bodies: division of their directions into elements, and round bodies.
 #pragma once
 #include <array>
 #include <string_view>
@@ -10,18 +10,18 @@
 
 namespace brunt::scene {
 
-/// Where a direction begins and ends; nothing is divided by sizes where `high` is not above `low`.
+/// Range of a direction. Sizes are not used if `high` is not above `low`.
 struct Extent {
   double low = 0, high = 0;
   std::string_view what;   ///< the name of the direction, for messages
-  bool even_only = false;  ///< no growth and no sizes
+  bool even_only = false;  ///< no bias and no sizes
 };
 
-/// The keys `elements` and `bias`; a fault where something is wrong, and an even division stays.
+/// The keys `elements` and `bias`; after a fault the division remains uniform.
 bool read_divisions(Section& body, std::span<const Extent> extents, std::span<mesh::Division> divisions,
-                    std::string_view accepted);
+                    std::string_view expected);
 
-/// A mesh is held with 32-bit indices, and its numbers of nodes and corners must fit.
+/// A mesh has 32-bit indices, so its numbers of nodes and corners are limited.
 void demand_countable(Section& body, double nodes, double elements);
 
 CylinderMesh read_cylinder(Section& body);

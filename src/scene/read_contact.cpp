@@ -14,28 +14,28 @@ namespace {
 using Overlap = contact::OverlapRule;
 using Slave = ContactEntry::Slave;
 
-/// Two parts, or one twice: contact with itself.
-bool read_pair(const Key& key, std::array<std::string, 2>& pair, std::string_view accepted) {
-  const std::vector<Key> names = items(key, accepted, 2);
+/// Two parts, or one given twice: self-contact.
+bool read_pair(const Key& key, std::array<std::string, 2>& pair, std::string_view expected) {
+  const std::vector<Key> names = items(key, expected, 2);
   return names.size() == 2 && read(names[0], pair[0], Named::part) && read(names[1], pair[1], Named::part);
 }
 
 void read_between(Section& entry, ContactEntry& contact) {
-  constexpr std::string_view accepted = "all, or two parts [a, b]";
+  constexpr std::string_view expected = "all, or two parts [a, b]";
   const Key key = entry.at("between");
   const bool word = key.tree == nullptr || key.tree->kind != Tree::Kind::list;
   if (word) {
     static const Choices<bool> choices{{{"all", true}}, {}};
     bool all = true;
     if (key.tree == nullptr || key.tree->kind != Tree::Kind::value) {
-      wrong(key, accepted);
+      wrong(key, expected);
     } else {
       read(key, all, choices);
     }
     return;
   }
   std::array<std::string, 2> pair;
-  if (read_pair(key, pair, accepted)) contact.between = {pair[0], pair[1]};
+  if (read_pair(key, pair, expected)) contact.between = {pair[0], pair[1]};
 }
 
 void read_exclude(const Key& key, ContactEntry& contact) {
@@ -49,7 +49,8 @@ void read_slave(const Key& key, ContactEntry& contact) {
   const std::vector<std::string>& parts = contact.between;
   if (parts.empty() && key.tree->kind == Tree::Kind::value && key.tree->text != "auto")
     return fault(key,
-                 fmt::format("'{}' needs a pair of parts, between: [a, b]; accepted with 'all': auto", key.tree->text));
+                 fmt::format("invalid slave '{}' for between: all; expected auto, or an entry with between: [a, b]",
+                             key.tree->text));
   std::vector<std::string> words{"auto", "first", "second"};
   words.insert(words.end(), parts.begin(), parts.end());
   const std::size_t chosen = read_choice(key, words, {});
@@ -57,50 +58,49 @@ void read_slave(const Key& key, ContactEntry& contact) {
   contact.slave = chosen % 2 == 1 ? Slave::first : Slave::second;
 }
 
-/// Words of the vocabulary of which this version has one meaning only.
+/// Keys of which only one value exists in this version.
 void read_settled(Section& entry) {
   if (entry.has("thickness") && entry.at("thickness").tree->text != "auto") {
-    later(entry.at("thickness"), "thickness in contact", "auto");
+    later(entry.at("thickness"), "a thickness of contact", "auto");
   }
 }
 
-/// Settings that would do nothing.
+/// Warns of settings without effect.
 void judge_passes(Section& entry, const ContactEntry& contact, Input& input) {
   const bool two = contact.passes == contact::Passes::two || contact.passes == contact::Passes::averaged;
   if (two && contact.slave != Slave::automatic && entry.has("slave"))
-    warn(entry.at("slave"), "does nothing in two passes", input);
+    warn(entry.at("slave"), "no effect with two passes", input);
   if (two && contact.friction.lag > 0)
-    fault(
-        entry.has("passes") ? entry.at("passes") : entry.at("friction"),
-        "friction with a lag is for one pass (in two, rows come and go, and their lag with them); accepted: auto, one");
+    fault(entry.has("passes") ? entry.at("passes") : entry.at("friction"),
+          "invalid lag of friction with two passes; expected passes: auto or one");
   if (contact.tied && entry.has("passes") && two)
-    warn(entry.at("passes"), "does nothing where parts are tied: ties have one pass", input);
+    warn(entry.at("passes"), "no effect with tied: true: a tie has one pass", input);
 }
 
-/// What the method that holds so far cannot do.
+/// Faults of combinations that the present method does not support.
 void judge_method(const Key& whole, const ContactEntry& contact, const Input& input) {
   using contact::Method;
   const Method method = input.enforcement.settings.method;
   const bool ties = contact.tied || std::ranges::any_of(input.contact, &ContactEntry::tied);
   if (ties && method != Method::rate && method != Method::row_sum)
-    fault(whole, "tied parts are held by the rate constraint; accepted: method rate or row_sum");
+    fault(whole, "invalid tied: the enforcement method has no ties; expected method: rate or row_sum");
   if (method != Method::reference) return;
   const bool rubs = contact.friction.any() ||
                     std::ranges::any_of(input.contact, [](const ContactEntry& e) { return e.friction.any(); }) ||
                     std::ranges::any_of(input.rigid_walls, [](const RigidWall& wall) { return wall.friction.any(); });
-  if (rubs) fault(whole, "method reference is for scenes without friction; accepted: friction 0, on rigid walls too");
+  if (rubs) fault(whole, "invalid method: reference has no friction; expected friction: 0, on rigid walls as well");
 }
 
 void judge_tied(Section& entry, const ContactEntry& contact) {
   const Key key = entry.at("tied");
   const bool all = entry.has("between") && entry.at("between").tree->kind == Tree::Kind::value;
-  if (all) fault(key, "'all' cannot be tied; accepted: true where between: [a, b]");
+  if (all) fault(key, "invalid tied for between: all; expected tied: true with between: [a, b]");
   if (!contact.between.empty() && contact.between[0] == contact.between[1])
-    fault(key, "a part cannot be tied to itself; accepted: true where between: [a, b]");
-  if (contact.friction.any()) fault(key, "tied parts do not slide; accepted: true without friction");
+    fault(key, "invalid tied: a part cannot be tied to itself; expected between: [a, b] with two parts");
+  if (contact.friction.any()) fault(key, "invalid friction of tied parts; expected no friction with tied: true");
 }
 
-/// A later entry that names two tied parts unties them: what is meant is to be said.
+/// A later entry that names two tied parts releases their tie; a warning asks for an explicit statement.
 void judge_untied(const Key& whole, Section& entry, const ContactEntry& contact, Input& input) {
   if (contact.tied || contact.between.empty() || entry.has("tied")) return;
   const std::set<std::string> pair(contact.between.begin(), contact.between.end());
@@ -110,18 +110,19 @@ void judge_untied(const Key& whole, Section& entry, const ContactEntry& contact,
   const auto last = std::ranges::find_if(input.contact.rbegin(), input.contact.rend(), names_it);
   if (last == input.contact.rend() || !last->tied) return;
   warn(whole,
-       fmt::format("unties {} and {}, which contact.{} ties; with tied: false it does so without this warning",
-                   contact.between[0], contact.between[1], input.contact.rend() - last - 1),
+       fmt::format(
+           "this entry releases the tie of {} and {} defined by contact.{}; tied: false does so without this warning",
+           contact.between[0], contact.between[1], input.contact.rend() - last - 1),
        input);
 }
 
-/// method: mortar and its keys. Other methods are read with the figures of enforcement.
+/// method: mortar and its keys. For other methods, the keys of enforcement are read.
 void read_mortar(Section& entry, ContactEntry& contact) {
   const bool named = entry.has("method") && entry.at("method").tree->kind == Tree::Kind::value;
   contact.mortar = named && entry.at("method").tree->text == "mortar";
   if (!contact.mortar) {
     for (const char* key : {"multiplier", "enforce"})
-      if (entry.has(key)) fault(entry.at(key), "is for method: mortar; accepted: none otherwise");
+      if (entry.has(key)) fault(entry.at(key), "invalid without method: mortar; expected no such key");
     return;
   }
   using contact::Multiplier;
@@ -136,18 +137,17 @@ void read_mortar(Section& entry, ContactEntry& contact) {
   const bool itself = contact.between.size() == 2 && contact.between[0] == contact.between[1];
   const bool all =
       entry.has("between") && entry.at("between").tree != nullptr && entry.at("between").tree->text == "all";
-  if ((all && !contact.tied) || (itself && !contact.tied))  // what ties may not be between, or is no pair, is told
+  if ((all && !contact.tied) || (itself && !contact.tied))  // conflicts with ties are reported elsewhere
     fault(entry.has("between") ? entry.at("between") : entry.key(),
-          "mortar contact is between two parts; accepted with method: mortar: [a, b]");
-  refuse(entry.has("exclude"), "exclude", "is for between: all; accepted: none with method: mortar");
+          "invalid between for method: mortar; expected two parts [a, b]");
+  refuse(entry.has("exclude"), "exclude", "invalid with method: mortar; expected this key with between: all only");
   refuse(contact.friction.kinetic != contact.friction.fixed || contact.friction.lag > 0, "friction",
-         "mortar contact has Coulomb's law alone; accepted with method: mortar: a number >= 0");
+         "invalid friction for method: mortar, which has Coulomb's law with one coefficient; expected a number >= 0");
   refuse(contact.tied && contact.enforce == Enforce::penalty, "enforce",
-         "ties are exact; accepted where tied: lagrange");
+         "invalid enforcement of a tie; expected lagrange");
   for (const char* key : {"passes", "tolerance", "max_iterations", "softness", "partition", "stiffness", "damping",
                           "competing", "rebuild"})
-    refuse(entry.has(key), key,
-           "means nothing to mortar contact; accepted: multiplier, enforce, slave, friction, tied");
+    refuse(entry.has(key), key, "invalid with method: mortar; expected multiplier, enforce, slave, friction or tied");
 }
 
 ContactEntry read_entry(Section& entry, contact::Passes passes_before) {
@@ -170,14 +170,14 @@ ContactEntry read_entry(Section& entry, contact::Passes passes_before) {
   entry.optional("self", contact.self);
   if (entry.optional("tied", contact.tied) && contact.tied) {
     judge_tied(entry, contact);
-    contact.initial_overlap = Overlap::offset;  // ties hold nodes where they are
+    contact.initial_overlap = Overlap::offset;  // ties keep nodes at their positions
   }
   entry.optional("initial_overlap", contact.initial_overlap, overlaps);
   if (contact.tied && contact.initial_overlap == Overlap::place)
-    fault(entry.at("initial_overlap"), "tied parts are placed as one; accepted: error, warn, move, offset");
+    fault(entry.at("initial_overlap"), "invalid initial_overlap of tied parts; expected error, warn, move or offset");
   entry.optional("limit", contact.limit, positive);
   if (entry.has("limit") && contact.initial_overlap != Overlap::place)
-    fault(entry.at("limit"), "a limit is for initial_overlap: place; accepted: none otherwise");
+    fault(entry.at("limit"), "invalid without initial_overlap: place; expected no limit");
   read_settled(entry);
   read_mortar(entry, contact);
   return contact;
@@ -201,7 +201,8 @@ void read_friction(Section& entry, contact::FrictionLaw& friction) {
   law.optional("lag", friction.lag, not_negative);
   if (has_static && friction.kinetic > friction.fixed)
     fault(law.at("kinetic"),
-          fmt::format("{} is more than static {}; accepted: at most as much", friction.kinetic, friction.fixed));
+          fmt::format("invalid kinetic coefficient {}: larger than the static one, {}; expected at most the static one",
+                      friction.kinetic, friction.fixed));
 }
 
 void read_contact(Section& scene, Input& input) {
@@ -219,7 +220,8 @@ void read_contact(Section& scene, Input& input) {
       judge_untied(key, entry, contact, input);
       const contact::FrictionLaw& friction = contact.friction;
       if (friction.kinetic < friction.fixed && friction.decay == 0)
-        warn(entry.at("friction"), "without decay the coefficient stays the static one, kinetic does nothing", input);
+        warn(entry.at("friction"), "kinetic has no effect without decay: the coefficient remains the static one",
+             input);
       input.contact.push_back(contact);
     }
   enforcement.judge();

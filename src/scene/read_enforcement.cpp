@@ -14,7 +14,7 @@ using contact::Criterion;
 using contact::Method;
 using contact::Rebuild;
 
-/// The keys, and whether two say the same.
+/// The keys, and whether two settings agree.
 struct Figure {
   const char* name;
   bool (*same)(const Enforcement&, const Enforcement&);
@@ -38,7 +38,7 @@ constexpr std::array figures{
     Figure{"competing", [](const Enforcement& a, const Enforcement& b) { return a.competing == b.competing; }},
     Figure{"rebuild", [](const Enforcement& a, const Enforcement& b) { return a.rebuild == b.rebuild; }}};
 
-/// When lists are rebuilt changes no result: a check of that, not a choice of method.
+/// The time of rebuilding lists changes no result: this key serves tests.
 void read_rebuild(const Key& key, Rebuild& rebuild) {
   const bool word = key.tree->kind == Tree::Kind::value;
   if (word && (key.tree->text == "auto" || key.tree->text == "random")) {
@@ -49,7 +49,7 @@ void read_rebuild(const Key& key, Rebuild& rebuild) {
   double number = 1;
   if (!read(key, number, steps)) return;
   if (std::trunc(number) != number)
-    fault(key, fmt::format("{} is no integer; accepted: {}", key.tree->text, steps.words));
+    fault(key, fmt::format("invalid value '{}'; expected {}", key.tree->text, steps.words));
   rebuild = {Rebuild::When::every, static_cast<int>(number)};
 }
 
@@ -94,37 +94,44 @@ void EnforcementReader::read_entry(const Key& whole, Section& entry) {
   for (const Figure& figure : figures)
     if (entry.has(figure.name) && section_has(figure.name) && !figure.same(before, input_.enforcement))
       fault(entry.at(figure.name),
-            fmt::format("{}, but enforcement.{} is {}; accepted: one of the two, or the same value",
-                        entry.at(figure.name).tree->text, figure.name, section_->at(figure.name).tree->text));
+            fmt::format(
+                "invalid value {}: enforcement.{} is {}; expected the same value in both places, or one of the keys",
+                entry.at(figure.name).tree->text, figure.name, section_->at(figure.name).tree->text));
   if (entry.has("softness")) softness_ = entry.at("softness");
   judge_figures(entry);
   if (input_.enforcement.settings.method == Method::printed && !section_has("method"))
-    warn(whole, "method printed over-corrects: it rebounds and may not converge; for comparisons", input_);
+    warn(whole,
+         "method printed overcorrects the velocities: bodies rebound and the iteration may not converge; use it for "
+         "comparisons only",
+         input_);
 }
 
 void EnforcementReader::judge() {
   if (softness_ && input_.enforcement.settings.softness > 0 &&
       std::ranges::any_of(input_.contact,
                           [](const ContactEntry& entry) { return entry.passes == contact::Passes::averaged; }))
-    warn(*softness_, "does nothing where some contact has passes: averaged", input_);
+    warn(*softness_, "no effect where a contact has passes: averaged", input_);
   if (!section_) return;
   if (input_.contact.empty() && input_.rigid_walls.empty())
-    warn(section_->key(), "does nothing without contact or rigid_walls", input_);
+    warn(section_->key(), "no effect without contact or rigid_walls", input_);
   judge_figures(*section_);
   if (!section_->has("method")) return;
   const Method method = input_.enforcement.settings.method;
   if (method == Method::printed)
-    warn(section_->at("method"), "printed over-corrects: it rebounds and may not converge; for comparisons", input_);
+    warn(section_->at("method"),
+         "printed overcorrects the velocities: bodies rebound and the iteration may not converge; use it for "
+         "comparisons only",
+         input_);
   const bool rubs = std::ranges::any_of(input_.rigid_walls, [](const RigidWall& wall) { return wall.friction.any(); });
   if (method == Method::reference && input_.contact.empty() && rubs)
-    fault(section_->at("method"), "reference is for scenes without friction; accepted: friction 0 on rigid walls");
+    fault(section_->at("method"), "invalid method: reference has no friction; expected friction: 0 on rigid walls");
 }
 
 void EnforcementReader::judge_figures(Section& given) {
   const Method method = input_.enforcement.settings.method;
   const bool penalty = method == Method::penalty || method == Method::gap_penalty;
   const auto unused = [&](const char* name, bool used, const char* methods) {
-    if (given.has(name) && !used) warn(given.at(name), fmt::format("does nothing but with method {}", methods), input_);
+    if (given.has(name) && !used) warn(given.at(name), fmt::format("no effect except with method {}", methods), input_);
   };
   unused("stiffness", penalty, "gap_penalty or penalty");
   unused("damping", method == Method::penalty, "penalty");

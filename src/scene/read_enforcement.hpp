@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The section `enforcement`: what holds for all contact of a scene. Entries of `contact` may say it too: an entry keeps
-// what the entry before says where it says nothing, and the last one's holds.
+// The section `enforcement`: settings of all contact of a scene. Entries of `contact` may also contain them: an entry
+// inherits the values of the previous one, and those of the last entry apply.
 #pragma once
 #include <optional>
 #include <string_view>
@@ -12,12 +12,12 @@ namespace brunt::scene {
 
 void warn(const Key& key, std::string_view what, Input& input);
 
-/// Reads into input.enforcement: the section first, then entry by entry. A key in both has to say the same.
+/// Reads into input.enforcement: first the section, then each entry. A key given in both must have the same value.
 class EnforcementReader {
  public:
   EnforcementReader(Section& scene, Input& input);
   void read_entry(const Key& whole, Section& entry);
-  /// Of the section, when all entries are read: settings that would do nothing, or not what they seem to.
+  /// After all entries are read: warns of settings of the section without effect.
   void judge();
 
  private:

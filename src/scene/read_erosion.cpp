@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When elements of a part are deleted.
+// Criteria by which elements of a part are removed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,9 @@ model::Erosion read_erosion(const Key& key) {
   section.optional("volume", erosion.volume, below_one);
   section.optional("step", erosion.step, positive);
   if (erosion.pressure && *erosion.pressure == 0)
-    fault(section.at("pressure"), "0 deletes everything; accepted: a number > 0 (pressure) or < 0 (tension)");
+    fault(
+        section.at("pressure"),
+        "out of range: a pressure of 0 would delete every element; expected a number > 0 (pressure) or < 0 (tension)");
   static const Choices<model::Erosion::Points> points{
       {{"any", model::Erosion::Points::any}, {"mean", model::Erosion::Points::mean}}, {}};
   section.optional("points", erosion.points, points);
@@ -27,7 +29,7 @@ model::Erosion read_erosion(const Key& key) {
   constexpr std::array criteria{"damage", "plastic_strain", "pressure", "volume", "step"};
   if (section.is_map() && std::ranges::none_of(criteria, [&](const char* name) { return section.has(name); }))
     lacking(key, {"damage", "plastic_strain", "pressure", "volume", "step"},
-            "no criterion; accepted: at least one of damage, plastic_strain, pressure, volume, step");
+            "missing criterion; expected at least one of damage, plastic_strain, pressure, volume, step");
   return erosion;
 }
 
@@ -39,18 +41,20 @@ void check_erosion(const Input& input, const Part& part, const Key& key) {
   Section section(key, "a map");
   for (const char* name : {"damage", "plastic_strain", "pressure", "volume", "step", "points", "nodes"})
     section.has(name);
-  if (material::is_rigid(law)) return fault(key, "of a rigid part, which stays whole; accepted: deformable parts");
+  if (material::is_rigid(law)) return fault(key, "invalid for a rigid part; expected a deformable part");
   if (part.erosion->damage && (metal == nullptr || !metal->fracture))
     fault(section.at("damage"),
-          fmt::format("material '{}' has no damage; accepted: materials with damage: {{...}}", part.material));
+          fmt::format("invalid criterion: material '{}' has no damage; expected a material with damage: {{...}}",
+                      part.material));
   else if (part.erosion->damage && *part.erosion->damage > metal->fracture->critical)
     fault(section.at("damage"),
-          fmt::format("{:g} is never reached: damage ends at critical, {:g}; accepted: at most that",
-                      *part.erosion->damage, metal->fracture->critical));
+          fmt::format(
+              "out of range: {:g} is never reached, since damage ends at critical = {:g}; expected at most that value",
+              *part.erosion->damage, metal->fracture->critical));
   if (part.erosion->plastic_strain && metal == nullptr && !std::holds_alternative<material::J2>(law))
-    fault(
-        section.at("plastic_strain"),
-        fmt::format("material '{}' has no plastic strain; accepted: j2, johnson_cook and other metals", part.material));
+    fault(section.at("plastic_strain"), fmt::format("invalid criterion: material '{}' has no plastic strain; expected "
+                                                    "a material of model j2, johnson_cook or another metal",
+                                                    part.material));
 }
 
 }  // namespace brunt::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces that keep their direction, and the phase that finds a static state before t = 0.
+// Forces of constant direction, and the phase that finds a static state before t = 0.
 #include <fmt/format.h>
 
 #include "brunt/scene/sections.hpp"
@@ -12,10 +12,12 @@ DeadLoad read_force(Section& entry) {
   read_selection(entry, load.where);
   const bool each = entry.has("force"), total = entry.has("total");
   if (each && total)
-    fault(entry.key(), "force and total are both given; accepted: force: of each node, or total: of all together");
+    fault(entry.key(),
+          "invalid entry: force and total are both given; expected one of force: for each node, or total: for all "
+          "together");
   else if (!each && !total)
     lacking(entry.key(), {"force", "total"},
-            "no force is given; accepted: force: of each node, or total: of all together");
+            "missing force; expected force: for each node, or total: for all together");
   load.kind = total ? DeadLoad::Kind::total : DeadLoad::Kind::each_node;
   if (each) entry.required("force", load.value, Vector::any);
   if (total) entry.required("total", load.value, Vector::any);
@@ -32,16 +34,16 @@ DeadLoad read_traction(Section& entry) {
 }
 
 template <class Reader>
-void read_list(Section& scene, std::string_view name, std::string_view accepted, std::vector<DeadLoad>& loads,
+void read_list(Section& scene, std::string_view name, std::string_view expected, std::vector<DeadLoad>& loads,
                Reader reader) {
   if (!scene.has(name)) return;
-  for (const Key& key : items(scene.at(name), fmt::format("a list of {}", accepted))) {
-    Section entry(key, accepted);
+  for (const Key& key : items(scene.at(name), fmt::format("a list of {}", expected))) {
+    Section entry(key, expected);
     if (entry.is_map()) loads.push_back(reader(entry));
   }
 }
 
-/// A static state needs a load that calls for it.
+/// A static state requires a load.
 void read_relaxation(const Key& key, Input& input) {
   Section section(key, "a map {tolerance: number, max_steps: count}");
   Relaxation relaxation;
@@ -50,7 +52,7 @@ void read_relaxation(const Key& key, Input& input) {
   section.optional("max_steps", relaxation.max_steps, Count{1, 1'000'000'000'000});
   input.relaxation = relaxation;
   if (!input.gravity && input.pressure.empty() && input.forces.empty() && input.traction.empty())
-    fault(key, "the scene has no load to come to rest under; accepted: with gravity, pressure, forces or traction");
+    fault(key, "invalid without loads; expected gravity, pressure, forces or traction in the scene");
 }
 
 }  // namespace

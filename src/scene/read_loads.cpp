@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves, holds and loads the bodies.
+// Motions, supports and loads of the bodies.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,10 +15,10 @@ const Choices<int> directions{{{"x", 0}, {"y", 1}, {"z", 2}, {"rx", 3}, {"ry", 4
 
 /// Reads each entry of an optional list with `reader(Section&)`.
 template <class Reader>
-void read_list(Section& scene, std::string_view name, std::string_view accepted, Reader reader) {
+void read_list(Section& scene, std::string_view name, std::string_view expected, Reader reader) {
   if (!scene.has(name)) return;
-  for (const Key& key : items(scene.at(name), fmt::format("a list of {}", accepted))) {
-    Section entry(key, accepted);
+  for (const Key& key : items(scene.at(name), fmt::format("a list of {}", expected))) {
+    Section entry(key, expected);
     if (entry.is_map()) reader(entry);
   }
 }
@@ -33,7 +33,7 @@ InitialMotion read_motion(Section& entry) {
     rotation.optional("point", motion.spin_point, Vector::any);
     rotation.required("rate", motion.spin_rate, any_number);
   } else if (!entry.has("velocity")) {
-    lacking(entry.key(), {"velocity", "rotation"}, "no motion is given; accepted: velocity, rotation, or both");
+    lacking(entry.key(), {"velocity", "rotation"}, "missing velocity or rotation; expected one of them, or both");
   }
   return motion;
 }
@@ -63,7 +63,8 @@ Prescribed read_prescribed(Section& entry) {
   using Gives = Prescribed::Gives;
   const bool displacement = entry.has("displacement"), acceleration = entry.has("acceleration");
   if (static_cast<int>(entry.has("velocity")) + static_cast<int>(displacement) + static_cast<int>(acceleration) > 1)
-    fault(entry.key(), "more than one motion is given; accepted: one of velocity, displacement, acceleration");
+    fault(entry.key(),
+          "invalid entry: more than one kind of motion; expected one of velocity, displacement, acceleration");
   motion.gives = displacement ? Gives::displacement : acceleration ? Gives::acceleration : Gives::velocity;
   constexpr std::array names{"velocity", "displacement", "acceleration"};
   const char* name = names[static_cast<std::size_t>(motion.gives)];
@@ -90,14 +91,14 @@ Pressure read_one_pressure(Section& entry) {
 }
 
 void read_wall_parts(const Key& key, RigidWall& wall) {
-  constexpr std::string_view accepted = "a list of at least one part, each once";
-  const std::vector<Key> entries = items(key, accepted);
-  if (key.tree->kind == Tree::Kind::list && entries.empty()) wrong(key, accepted);
+  constexpr std::string_view expected = "a list of at least one part, each once";
+  const std::vector<Key> entries = items(key, expected);
+  if (key.tree->kind == Tree::Kind::list && entries.empty()) wrong(key, expected);
   for (const Key& entry : entries) {
     std::string part;
     if (!read(entry, part, Named::part)) continue;
     if (std::ranges::find(wall.parts, part) != wall.parts.end())
-      wrong(entry, accepted);
+      wrong(entry, expected);
     else
       wall.parts.push_back(part);
   }
@@ -135,7 +136,7 @@ void read_damping(const Key& key, Input& input) {
   const bool ends = section.optional("to", damping.to, not_negative);
   if (ends && damping.to <= damping.from) {
     fault(section.at("to"),
-          fmt::format("{} is not later than from {}; accepted: a later time", damping.to, damping.from));
+          fmt::format("invalid time {}: not later than from, {}; expected a later time", damping.to, damping.from));
   }
   input.damping = damping;
 }

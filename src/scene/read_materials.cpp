@@ -31,7 +31,8 @@ material::J2 read_j2(Section& material) {
   const bool has_table = material.has("hardening_table");
   for (const char* name : {"yield", "hardening"}) {
     if (has_table && material.has(name)) {
-      fault(material.at(name), "given beside hardening_table; accepted: yield and hardening, or the table alone");
+      fault(material.at(name),
+            "invalid together with hardening_table; expected yield and hardening, or the table alone");
     }
   }
   if (has_table) {
@@ -52,7 +53,7 @@ material::NeoHookean read_neo_hookean(Section& material) {
   const bool by_bulk = material.has("bulk") || material.has("shear");
   const bool by_young = material.has("young") || material.has("poisson");
   if (by_bulk && by_young) {
-    fault(material.key(), "both pairs of constants are given; accepted: young and poisson, or bulk and shear");
+    fault(material.key(), "invalid constants: both pairs are given; expected young and poisson, or bulk and shear");
   } else if (by_bulk) {
     double bulk = 0;
     material.required("bulk", bulk, positive);
@@ -86,7 +87,8 @@ material::Law read_law(Section& material) {
                                      {}};
   Model model{};
   if (!material.required("model", model, models)) {
-    for (const std::string& name : material.key().tree->keys) material.has(name);  // whose keys, nobody knows
+    for (const std::string& name : material.key().tree->keys)
+      material.has(name);  // the keys of an unknown model cannot be checked
     return material::Elastic{};
   }
   switch (model) {

@@ -34,14 +34,14 @@ MeshFile read_file(Section& entry, const std::string& scene_file, Placement& pla
     const std::filesystem::path folder = std::filesystem::path(scene_file).parent_path();
     mesh.file = (folder / mesh.file).lexically_normal().string();
   }
-  entry.optional("prefix", mesh.prefix, "text to put before the names of blocks and sets");
+  entry.optional("prefix", mesh.prefix, "a text that precedes the names of blocks and sets");
   constexpr std::string_view blocks = "a list of names or numbers of blocks of the file";
   if (entry.has("ignore"))
     for (const Key& name : items(entry.at("ignore"), blocks)) {
       std::string& block = mesh.ignore.emplace_back();
       if (read(name, block, "the name or number of a block of the file") &&
           std::count(mesh.ignore.begin(), mesh.ignore.end(), block) > 1)
-        fault(name, fmt::format("'{}' stands twice; accepted: each block once", block));
+        fault(name, fmt::format("invalid block '{}': listed twice; expected each block once", block));
     }
   read_placement(entry, placement);
   return mesh;
@@ -81,7 +81,7 @@ constexpr std::string_view body_words =
 template <class Body>
 bool read_body(Section& entry, std::string_view kind, Body (*reader)(Section&), MeshEntry& target) {
   if (!entry.has(kind)) return false;
-  Section body(entry.at(kind), "a map that says the body's part, sizes and elements");
+  Section body(entry.at(kind), "a map with the part, sizes and elements of the body");
   if (body.is_map()) target.body = reader(body);
   read_placement(body, target.placement);
   return true;
@@ -103,7 +103,7 @@ void read_entry(const Key& key, Input& input) {
     ++bodies;
     mesh.body = read_file(entry, input.file, mesh.placement);
   }
-  const std::string what = fmt::format("{} bodies in one entry; accepted: {}", bodies, body_words);
+  const std::string what = fmt::format("invalid entry: {} bodies are given; expected {}", bodies, body_words);
   if (bodies == 0) lacking(key, {"file", "box", "cylinder", "sphere", "tube", "torus", "plate"}, what);
   if (bodies > 1) fault(key, what);
   input.mesh.push_back(std::move(mesh));

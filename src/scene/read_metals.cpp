@@ -11,31 +11,29 @@ using material::RateFactor;
 const Choices<RateFactor::Form> rate_forms{
     {{"logarithm", RateFactor::Form::logarithm}, {"power", RateFactor::Form::power}}, {}};
 
-/// Yield stresses of metals lie within these shares of Young's modulus: lead and tin have 1e-4 at least, whiskers 0.1.
-/// What lies outside is a unit mixed up.
+/// Yield stresses of metals lie within these shares of Young's modulus: at least 1e-4 for lead and tin, 0.1 for
+/// whiskers. Values outside are errors of units.
 constexpr double least_yield = 1e-6, largest_yield = 0.2;
 
 void check_yield(Section& material, const char* name, double yield, double young) {
   if (!(yield > 0) || !(young > 0) || (yield >= least_yield * young && yield <= largest_yield * young)) return;
-  fault(
-      material.at(name),
-      fmt::format("a yield stress of {:g} is {:.2g} of Young's modulus {:g}; accepted: {:g} to {:g} of it, both in the "
-                  "same units",
-                  yield, yield / young, young, least_yield, largest_yield));
+  fault(material.at(name), fmt::format("out of range: the yield stress {:g} is {:.2g} of Young's modulus {:g}; "
+                                       "expected {:g} to {:g} of it, both in the same units",
+                                       yield, yield / young, young, least_yield, largest_yield));
 }
 
 double young_of(const material::Metal& law) {
   return law.bulk > 0 ? 9 * law.bulk * law.shear / (3 * law.bulk + law.shear) : 0;
 }
 
-/// density, young and poisson (with an equation of state also shear alone), which gives the bulk modulus then.
+/// density, young and poisson (with an equation of state also shear only, and the bulk modulus follows from it).
 void read_moduli(Section& material, const Range& shear, material::Metal& law) {
   material.required("density", law.density, positive);
   if (material.has("eos")) read_eos(material, law);
   if (law.eos && material.has("shear")) {
     for (const char* name : {"young", "poisson"})
       if (material.has(name))
-        fault(material.at(name), "given beside shear; accepted: young and poisson, or shear alone");
+        fault(material.at(name), "invalid together with shear; expected young and poisson, or shear alone");
     material.required("shear", law.shear, shear);
   } else {
     double young = 0, poisson = 0;
@@ -50,7 +48,7 @@ void read_moduli(Section& material, const Range& shear, material::Metal& law) {
       eos.model == material::EquationOfState::Model::mie_gruneisen ? law.density * eos.c * eos.c : eos.polynomial[1];
 }
 
-/// Where temperature matters: heat_capacity, taylor_quinney, temperature (at the start; of itself `room`).
+/// Keys of laws with temperature: heat_capacity, taylor_quinney, temperature (at the start; default `room`).
 void read_heat(Section& material, double room, material::Heat& heat) {
   material.optional("heat_capacity", heat.capacity, positive);
   material.optional("taylor_quinney", heat.taylor_quinney, share);
@@ -66,22 +64,22 @@ void read_rate_steps(Section& material, material::Metal& law) {
 }  // namespace
 
 void read_hardening_table(const Key& key, std::vector<std::array<double, 2>>& table) {
-  constexpr std::string_view accepted = "a list of [plastic strain, yield stress], the first at strain 0";
-  for (const Key& row : items(key, accepted)) {
+  constexpr std::string_view expected = "a list of [plastic strain, yield stress], the first at strain 0";
+  for (const Key& row : items(key, expected)) {
     std::array<double, 2> point{};
     if (!read(row, point, not_negative, "[plastic strain, yield stress]")) return;
     const bool first = table.empty();
-    if (first && point[0] != 0) return fault(row, "the first plastic strain is not 0; accepted: 0");
-    if (point[1] <= 0) return fault(row, "the yield stress is not positive; accepted: a number > 0");
+    if (first && point[0] != 0) return fault(row, "invalid plastic strain of the first point; expected 0");
+    if (point[1] <= 0) return fault(row, "out of range: the yield stress is not positive; expected a number > 0");
     if (!first && point[0] <= table.back()[0]) {
-      return fault(row, "the plastic strain does not increase; accepted: strictly increasing strains");
+      return fault(row, "invalid plastic strain: it does not increase; expected strictly increasing strains");
     }
     if (!first && point[1] < table.back()[1]) {
-      return fault(row, "the yield stress falls (softening); accepted: stresses that do not decrease");
+      return fault(row, "invalid yield stress: it decreases (softening); expected stresses that do not decrease");
     }
     table.push_back(point);
   }
-  if (table.empty() && key.tree->kind == Tree::Kind::list && key.tree->children.empty()) wrong(key, accepted);
+  if (table.empty() && key.tree->kind == Tree::Kind::list && key.tree->children.empty()) wrong(key, expected);
 }
 
 material::Metal read_johnson_cook(Section& material) {
@@ -104,7 +102,8 @@ material::Metal read_johnson_cook(Section& material) {
     const bool whole = material.required("melt", jc.melt, any_number);
     if (material.required("room", jc.room, any_number) && whole && jc.melt <= jc.room)
       fault(material.at("melt"),
-            fmt::format("melts at {:g}, not above room, {:g}; accepted: a temperature above it", jc.melt, jc.room));
+            fmt::format("invalid melting temperature {:g}: not above room, {:g}; expected a higher temperature",
+                        jc.melt, jc.room));
   }
   read_heat(material, jc.room, law.heat);
   law.strength = jc;
@@ -119,7 +118,8 @@ material::Metal read_piecewise_linear(Section& material) {
   if (material.has("hardening_table")) {
     for (const char* name : {"yield", "hardening"})
       if (material.has(name))
-        fault(material.at(name), "given beside hardening_table; accepted: yield and hardening, or the table alone");
+        fault(material.at(name),
+              "invalid together with hardening_table; expected yield and hardening, or the table alone");
     read_hardening_table(material.at("hardening_table"), strength.table);
     if (!strength.table.empty()) check_yield(material, "hardening_table", strength.table[0][1], young_of(law));
   } else {
@@ -127,7 +127,7 @@ material::Metal read_piecewise_linear(Section& material) {
     material.required("yield", yield, positive);
     check_yield(material, "yield", yield, young_of(law));
     material.optional("hardening", hardening, not_negative);
-    constexpr double far = 1000;  // of plastic strain: no element gets there
+    constexpr double far = 1000;  // of plastic strain: beyond any physical value
     strength.table = {{0, yield}, {far, yield + far * hardening}};
   }
   if (material.has("cowper_symonds")) {
@@ -140,7 +140,7 @@ material::Metal read_piecewise_linear(Section& material) {
   }
   read_rate_steps(material, law);
   read_heat(material, 0, law.heat);
-  if (strength.table.empty()) strength.table = {{0, 1}};  // a fault has been told
+  if (strength.table.empty()) strength.table = {{0, 1}};  // a fault has been reported
   law.strength = strength;
   read_damage(material, law);
   return law;
@@ -148,7 +148,7 @@ material::Metal read_piecewise_linear(Section& material) {
 
 material::Metal read_hydrodynamic(Section& material) {
   material::Metal law;
-  if (!material.has("eos")) lacking(material.key(), {"eos"}, "has no equation of state; accepted: eos: {model: ...}");
+  if (!material.has("eos")) lacking(material.key(), {"eos"}, "missing equation of state; expected eos: {model: ...}");
   read_moduli(material, not_negative, law);  // without shear: a fluid
   material::LinearStrength strength;
   material.required("yield", strength.yield, not_negative);
@@ -166,16 +166,17 @@ material::Foam read_foam(Section& material) {
   material::Foam law;
   material.required("density", law.density, positive);
   material.required("young", law.young, positive);
-  constexpr std::string_view accepted = "a list of [volume lost, yield stress], the first at 0";
+  constexpr std::string_view expected = "a list of [volumetric strain in compression, yield stress], the first at 0";
   if (material.has("yield_table")) {
     read_hardening_table(material.at("yield_table"), law.table);
     for (const auto& [lost, yield] : law.table)
-      if (lost >= 1) fault(material.at("yield_table"), "a volume lost of 1 or more; accepted: shares below 1");
+      if (lost >= 1)
+        fault(material.at("yield_table"), "out of range: a volumetric strain of 1 or more; expected values below 1");
     if (!law.table.empty()) check_yield(material, "yield_table", law.table[0][1], law.young);
   } else {
-    lacking(material.key(), {"yield_table"}, fmt::format("has no yield_table; accepted: {}", accepted));
+    lacking(material.key(), {"yield_table"}, fmt::format("missing yield_table; expected {}", expected));
   }
-  if (law.table.empty()) law.table = {{0, 1}};  // a fault has been told
+  if (law.table.empty()) law.table = {{0, 1}};  // a fault has been reported
   law.tension = law.table.front()[1];
   material.optional("tension", law.tension, not_negative);
   return law;
@@ -191,14 +192,16 @@ void read_damage(Section& material, material::Metal& law) {
   section.optional("D4", fracture.rate.c, any_number);
   section.optional("D5", fracture.d5, any_number);
   if (fracture.d5 <= -1)
-    fault(section.at("D5"),
-          fmt::format("{:g}: the strain at fracture is negative before the metal melts; accepted: a number > -1",
-                      fracture.d5));
+    fault(section.at("D5"), fmt::format("out of range: {:g} makes the strain at fracture negative below the melting "
+                                        "temperature; expected a number > -1",
+                                        fracture.d5));
   if (section.is_map() && fracture.d1 + fracture.d2 <= 0)
-    fault(section.key(), fmt::format("D1 + D2 = {:g}: the strain at fracture is negative in shear; accepted: a sum > 0",
-                                     fracture.d1 + fracture.d2));
+    fault(section.key(),
+          fmt::format("out of range: D1 + D2 = {:g} makes the strain at fracture negative in shear; expected a sum > 0",
+                      fracture.d1 + fracture.d2));
   if (fracture.d3 > 0)
-    fault(section.at("D3"), "positive: tension would make the material more ductile; accepted: a number <= 0");
+    fault(section.at("D3"),
+          "out of range: a positive value would increase ductility in tension; expected a number <= 0");
   fracture.rate.form = law.rate.form == RateFactor::Form::power ? law.rate.form : RateFactor::Form::logarithm;
   fracture.rate.reference = law.rate.form == RateFactor::Form::cowper_symonds ? 1.0 : law.rate.reference;
   section.optional("rate", fracture.rate.reference, positive);

@@ -35,12 +35,12 @@ void read_bulk(const Key& key, BulkViscosity& bulk) {
   section.optional("quadratic", bulk.quadratic, not_negative);
 }
 
-/// The tensor of [xx, yy, zz, xy, yz, zx]. A body has the moments of a mass distribution: none is negative, and none
-/// exceeds the sum of the others. A moment of zero would let nothing turn the body about that axis.
+/// The tensor of [xx, yy, zz, xy, yz, zx]. Principal moments of a mass distribution are not negative, and none exceeds
+/// the sum of the others. A zero moment would allow no rotation about its axis.
 void read_inertia(const Key& key, RigidGiven& given) {
-  constexpr std::string_view accepted = "[xx, yy, zz, xy, yz, zx] about the centre";
+  constexpr std::string_view expected = "[xx, yy, zz, xy, yz, zx] about the centre";
   std::array<double, 6> value{};
-  if (!read(key, value, any_number, accepted)) return;
+  if (!read(key, value, any_number, expected)) return;
   Mat3 tensor;
   tensor << value[0], value[3], value[5],  //
       value[3], value[1], value[4],        //
@@ -52,8 +52,8 @@ void read_inertia(const Key& key, RigidGiven& given) {
   if (positive_moments && of_masses)
     given.inertia = tensor;
   else
-    fault(key, fmt::format("the principal moments are {:g}, {:g}, {:g}; accepted: moments > 0 of which each is at most "
-                           "the sum of the others",
+    fault(key, fmt::format("invalid inertia: the principal moments are {:g}, {:g}, {:g}; expected moments > 0, each at "
+                           "most the sum of the other two",
                            moments[0], moments[1], moments[2]));
 }
 
@@ -78,19 +78,19 @@ Part read_part(const std::string& name, Section& section) {
   section.optional("element", part.element, element_kinds);
   if (section.has("hourglass")) read_hourglass(section.at("hourglass"), part.hourglass);
   if (section.has("bulk")) read_bulk(section.at("bulk"), part.bulk);
-  section.not_yet("thickness", "solid elements without it");
+  section.not_yet("thickness", "no thickness for solid elements");
   if (section.has("rigid")) part.rigid = read_rigid(section.at("rigid"));
   if (section.has("erosion")) part.erosion = read_erosion(section.at("erosion"));
   return part;
 }
 
 void read_box(const Key& key, SetEntry& set) {
-  constexpr std::string_view accepted = "two corners [[x, y, z], [x, y, z]], the lower one first";
-  const std::vector<Key> corners = items(key, accepted, 2);
+  constexpr std::string_view expected = "two corners [[x, y, z], [x, y, z]], the lower one first";
+  const std::vector<Key> corners = items(key, expected, 2);
   std::array<Vec3, 2> box{Vec3::Zero(), Vec3::Zero()};
   if (corners.size() != 2 || !read(corners[0], box[0], Vector::any) || !read(corners[1], box[1], Vector::any)) return;
   if ((box[0].array() > box[1].array()).any())
-    return fault(key, fmt::format("the box is inside out; accepted: {}", accepted));
+    return fault(key, fmt::format("invalid box: a lower bound exceeds the upper one; expected {}", expected));
   set.box = box;
 }
 
@@ -116,27 +116,28 @@ SetEntry read_set(const std::string& name, const Key& key) {
   if (has_box) read_box(section.at("box"), set);
   const bool box_of_other = has_box && (section.has("node_set") || section.has("side_set"));
   constexpr std::string_view what =
-      "no single selection; accepted: one of part, node_set, side_set; box, alone or with part";
+      "invalid selection; expected one of part, node_set, side_set, or a box, alone or with part";
   if (section.is_map() && (sources > 1 || box_of_other)) fault(key, what);
   if (section.is_map() && sources == 0 && !has_box) lacking(key, {"part", "node_set", "side_set", "box"}, what);
   return set;
 }
 
 Curve read_curve(const Key& key) {
-  constexpr std::string_view accepted = "a list of points [time, value], times increasing";
+  constexpr std::string_view expected = "a list of points [time, value], times increasing";
   Curve curve;
-  const std::vector<Key> rows = items(key, accepted);
+  const std::vector<Key> rows = items(key, expected);
   for (const Key& row : rows) {
     std::array<double, 2> point{};
     if (!read(row, point, any_number, "a point [time, value]")) break;
     if (!curve.empty() && point[0] <= curve.back()[0]) {
       fault(row,
-            fmt::format("time {} does not follow {}; accepted: strictly increasing times", point[0], curve.back()[0]));
+            fmt::format("invalid time {}: not later than the time before it, {}; expected strictly increasing times",
+                        point[0], curve.back()[0]));
       break;
     }
     curve.push_back(point);
   }
-  if (key.tree->kind == Tree::Kind::list && rows.empty()) wrong(key, accepted);
+  if (key.tree->kind == Tree::Kind::list && rows.empty()) wrong(key, expected);
   return curve;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probes: what the history records beside energies and momentum.
+// Probes: quantities that the history records in addition to energies and momentum.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using Kind = Probe::Kind;
 
-/// A probe's name heads columns of a table of comma-separated values.
+/// The name of a probe is part of column headers in a table of comma-separated values.
 void read_name(Section& entry, Probe& probe) {
   if (!entry.required("name", probe.name, "a name")) return;
   const bool good = std::none_of(probe.name.begin(), probe.name.end(), [](char c) {
@@ -20,7 +20,8 @@ void read_name(Section& entry, Probe& probe) {
            !(c >= '0' && c <= '9') && !(c >= 'a' && c <= 'z') && !(c >= 'A' && c <= 'Z');
   });
   if (!good) {
-    fault(entry.at("name"), fmt::format("'{}' cannot head a column; accepted: letters, digits, _, -, .", probe.name));
+    fault(entry.at("name"),
+          fmt::format("invalid name '{}' of a column; expected letters, digits, '_', '-' or '.'", probe.name));
   }
 }
 
@@ -39,12 +40,12 @@ void read_field(Section& entry, Probe& probe) {
   }
 }
 
-/// Of the parts whose elements count: `part` or `parts`.
+/// The parts whose elements count: `part` or `parts`.
 void read_section_parts(Section& section, Probe& probe) {
   const bool one = section.has("part"), many = section.has("parts");
   if (one == many) {
-    const std::string what = one ? "part and parts are both given; accepted: one of them"
-                                 : "no part is given; accepted: part: name, or parts: [a, b]";
+    const std::string what = one ? "invalid section: part and parts are both given; expected one of them"
+                                 : "missing part; expected part: name, or parts: [a, b]";
     return one ? fault(section.key(), what) : lacking(section.key(), {"part", "parts"}, what);
   }
   std::string name;
@@ -60,7 +61,7 @@ void read_section(const Key& key, Probe& probe) {
   read_section_parts(section, probe);
   const bool set = section.has("set"), plane = section.has("point") || section.has("normal");
   if (set && plane) {
-    fault(section.key(), "set and a plane are both given; accepted: set: name, or point and normal");
+    fault(section.key(), "invalid section: set and a plane are both given; expected set: name, or point and normal");
   } else if (set) {
     section.required("set", probe.where, "the name of a set");
   } else {
@@ -80,7 +81,7 @@ void read_parts(const Key& key, Probe& probe) {
     read(key, probe.where, Named::part);
     return;
   }
-  const std::vector<Key> parts = items(key, "a part a, two parts [a, b], or [a, a]", 2);
+  const std::vector<Key> parts = items(key, "a part a, two parts [a, b], or [a, a] for self-contact", 2);
   if (parts.size() != 2) return;
   if (read(parts[0], probe.where, Named::part)) read(parts[1], probe.other, Named::part);
 }
@@ -121,9 +122,9 @@ void read_place(Section& entry, Probe& probe) {
     read_section(entry.at("section"), probe);
   }
   if (places != 1) {
-    entry.has("field");  // known, whatever the place
-    const std::string what =
-        fmt::format("{} places to probe; accepted: one of node, near, set, part, wall, contact, section", places);
+    entry.has("field");  // a known key at any place
+    const std::string what = fmt::format(
+        "invalid probe: {} places are given; expected one of node, near, set, part, wall, contact, section", places);
     return places > 0 ? fault(entry.key(), what)
                       : lacking(entry.key(), {"node", "near", "set", "part", "wall", "contact", "section"}, what);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long to run and what to write.
+// Duration of the run, and its output.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,12 +14,12 @@ namespace {
 const Choices<StepBound> step_bounds{{{"element", StepBound::element}, {"assembled", StepBound::assembled}}, {}};
 
 void read_wall_limit(const Key& key, Run& run) {
-  constexpr std::string_view accepted = "a duration > 0 such as 3h55m, 90s, 2h, or a number of seconds";
+  constexpr std::string_view expected = "a duration > 0 such as 3h55m, 90s, 2h, or a number of seconds";
   std::string text;
-  if (!read(key, text, accepted)) return;
+  if (!read(key, text, expected)) return;
   run.wall_limit = parse_duration(text);
   const IsValue is_duration = [](std::string_view some) { return parse_duration(some).has_value(); };
-  if (!run.wall_limit && !comma_in_value(key, accepted, is_duration)) wrong(key, accepted);
+  if (!run.wall_limit && !comma_in_value(key, expected, is_duration)) wrong(key, expected);
 }
 
 void read_fields(const Key& key, Output& output) {
@@ -31,7 +31,7 @@ void read_fields(const Key& key, Output& output) {
     const std::size_t chosen = read_choice(entry, fields, {});
     if (chosen == fields.size()) continue;
     if (std::find(output.fields.begin(), output.fields.end(), fields[chosen]) != output.fields.end()) {
-      fault(entry, fmt::format("'{}' stands twice; accepted: each field once", fields[chosen]));
+      fault(entry, fmt::format("invalid field '{}': listed twice; expected each field once", fields[chosen]));
     }
     output.fields.push_back(fields[chosen]);
   }
@@ -53,7 +53,7 @@ void read_run(Section& scene, Input& input) {
     if (run.required("steps", steps, Count{1, 1'000'000'000'000})) input.run.steps = steps;
   }
   if (run.is_map() && !run.has("end") && !run.has("steps")) {
-    lacking(run.key(), {"end", "steps"}, "no end is given; accepted: end: time, or steps: count");
+    lacking(run.key(), {"end", "steps"}, "missing end; expected end: time, or steps: count");
   }
   run.optional("cfl", input.run.cfl, courant);
   run.optional("step_bound", input.run.step_bound, step_bounds);

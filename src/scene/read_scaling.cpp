@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a scene grows with the number of ranks: read for `scripts/scaling --weak`, which multiplies what is named here. A
-// run of the scene itself only checks that it is there.
+// The growth of a scene with the number of ranks: read for `scripts/scaling --weak`, which multiplies the named values.
+// A run of the scene only checks that they exist.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,36 +57,36 @@ bool is_number(const Tree& value) {
   return read(Key{&value, value.place, "", &aside}, number, any_number);
 }
 
-/// What a list of paths may name.
+/// The values that a list of paths may name.
 struct Kind {
   bool (*is_good)(const Tree&);
-  std::string_view step;  ///< that the path has, if any
-  std::string_view accepted;
+  std::string_view step;  ///< required in the path, if any
+  std::string_view expected;
 };
 constexpr Kind counts{is_count, "elements", "paths of numbers of elements, such as mesh.0.box.elements.0"};
 constexpr Kind lengths{is_number, "", "paths of numbers, such as mesh.0.box.size.0"};
 
 void check_paths(Section& direction, std::string_view name, const Tree& scene, const Kind& kind) {
   if (!direction.has(name)) return;
-  const std::string_view step = kind.step, accepted = kind.accepted;
-  const std::string list = fmt::format("a list of {}", accepted);
+  const std::string_view step = kind.step, expected = kind.expected;
+  const std::string list = fmt::format("a list of {}", expected);
   const std::vector<Key> entries = items(direction.at(name), list);
   if (entries.empty() && direction.at(name).tree->kind == Tree::Kind::list && !step.empty())
-    fault(direction.at(name), fmt::format("is empty; accepted: {}", list));
+    fault(direction.at(name), fmt::format("missing entries; expected {}", list));
   for (const Key& entry : entries) {
     std::string path;
-    if (!read(entry, path, accepted)) continue;
+    if (!read(entry, path, expected)) continue;
     const std::vector<const Tree*> values = values_at(scene, path);
     if (const std::vector<std::string> steps = steps_of(path);
         !step.empty() && std::ranges::find(steps, step) == steps.end()) {
-      fault(entry, fmt::format("'{}' names no number of elements; accepted: {}", path, accepted));
+      fault(entry, fmt::format("invalid path '{}': not a number of elements; expected {}", path, expected));
     } else if (values.empty()) {
-      fault(entry, fmt::format("'{}' leads to nothing in this scene; accepted: {}", path, accepted));
+      fault(entry, fmt::format("unknown path '{}' in this scene; expected {}", path, expected));
     } else if (const auto bad =
                    std::ranges::find_if_not(values, [&good = kind.is_good](const Tree* v) { return good(*v); });
                bad != values.end()) {
       const std::string there = (*bad)->kind == Tree::Kind::value ? fmt::format("'{}'", (*bad)->text) : "no value";
-      fault(entry, fmt::format("'{}' leads to {}; accepted: {}", path, there, accepted));
+      fault(entry, fmt::format("invalid path '{}': it leads to {}; expected {}", path, there, expected));
     }
   }
 }
@@ -97,17 +97,16 @@ void read_scaling(Section& scene) {
   if (!scene.has("scaling")) return;
   Section scaling(scene.at("scaling"), "a map {weak: [{counts: [...], lengths: [...]}, ...]}");
   if (!scaling.is_map()) return;
-  if (!scaling.has("weak"))
-    return lacking(scaling.key(), {"weak"}, "no growth is given; accepted: weak: [{counts: [...]}]");
+  if (!scaling.has("weak")) return lacking(scaling.key(), {"weak"}, "missing growth; expected weak: [{counts: [...]}]");
   constexpr std::string_view one_to_three = "a list of one to three directions {counts: [...], lengths: [...]}";
   const Key weak = scaling.at("weak");
   const std::vector<Key> directions = items(weak, one_to_three);
   if (weak.tree->kind == Tree::Kind::list && (directions.empty() || directions.size() > 3))
-    fault(weak, fmt::format("{} directions are given; accepted: {}", directions.size(), one_to_three));
+    fault(weak, fmt::format("invalid list of {} directions; expected {}", directions.size(), one_to_three));
   for (const Key& key : directions) {
     Section direction(key, "a map {counts: [...], lengths: [...]}");
     if (direction.is_map() && !direction.has("counts"))
-      lacking(direction.key(), {"counts"}, "no counts are given; accepted: counts: [mesh.0.box.elements.0]");
+      lacking(direction.key(), {"counts"}, "missing counts; expected counts: [mesh.0.box.elements.0]");
     check_paths(direction, "counts", *scene.key().tree, counts);
     check_paths(direction, "lengths", *scene.key().tree, lengths);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `solver`: how an implicit scene goes through time. Read after `run`, whose end gives the default of the step.
+// `solver`: implicit time integration. Read after `run`, whose end determines the default of the step.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,16 +17,16 @@ using model::Scheme;
 constexpr double default_steps = 100;    // of a run whose scene names no step
 constexpr double default_halvings = 10;  // from `step` to `min_step`
 constexpr Range to_a_third{0, 1.0 / 3.0, true, true, "a number from 0 to 1/3"};
-constexpr std::string_view accepted =
+constexpr std::string_view expected =
     "implicit, explicit, or a map {scheme, step, min_step, max_step, tolerance, linear, alpha}";
 
-/// The bounds of the step lie on both sides of it.
+/// The bounds of the step must enclose it.
 void check_bounds(Section& section, const ImplicitSolver& solver) {
   constexpr double rounding = 1e-9;
   if (solver.min_step > (1 + rounding) * solver.step)
-    fault(section.at("min_step"), "is above step; accepted: a number > 0, at most step");
+    fault(section.at("min_step"), "out of range: larger than step; expected a number > 0, at most step");
   if (solver.max_step < (1 - rounding) * solver.step)
-    fault(section.at("max_step"), "is below step; accepted: a number, step at least");
+    fault(section.at("max_step"), "out of range: smaller than step; expected a number, at least step");
 }
 
 const Choices<Scheme>& schemes() {
@@ -49,12 +49,12 @@ void read_map(Section& section, ImplicitSolver& solver) {
   section.optional("tolerance", solver.tolerance, below_one);
   section.optional("linear", solver.linear, linears);
   if (section.optional("alpha", solver.alpha, to_a_third) && solver.scheme != Scheme::hht)
-    fault(section.at("alpha"), "only scheme: hht has an alpha; accepted: no alpha, or scheme: hht");
+    fault(section.at("alpha"), "invalid without scheme: hht; expected no alpha, or scheme: hht");
   section.optional("min_step", solver.min_step, positive);
   section.optional("max_step", solver.max_step, positive);
 }
 
-/// What the scene does not say.
+/// Fills in defaults.
 bool fill_defaults(const Input& input, ImplicitSolver& solver) {
   if (solver.step == 0 && input.run.end) solver.step = *input.run.end / default_steps;
   if (solver.min_step == 0) solver.min_step = solver.step * std::exp2(-default_halvings);
@@ -71,22 +71,24 @@ void read_solver(Section& scene, Input& input) {
   if (key.tree && key.tree->kind == Tree::Kind::value) {
     static const Choices<bool> words{{{"implicit", true}, {"explicit", false}}, {}};
     if (const std::string& word = key.tree->text; is_scheme(word))
-      return fault(key, fmt::format("'{0}' is a scheme; accepted: {{scheme: {0}}}, implicit, explicit", word));
+      return fault(
+          key,
+          fmt::format("invalid value '{0}', which is a scheme; expected {{scheme: {0}}}, implicit or explicit", word));
     bool implicit = false;
     if (!read(key, implicit, words) || !implicit) return;
     if (!fill_defaults(input, solver)) {
-      if (!input.run.steps) return;  // which is a fault of `run`
-      fault(key, "has no step; accepted: a map with step: time, or run.end, a hundredth of which is the step");
+      if (!input.run.steps) return;  // reported as a fault of `run`
+      fault(key, "missing step; expected a map with step: time, or run.end, a hundredth of which is the step");
     }
     input.implicit = solver;
     return;
   }
-  Section section(key, accepted);
+  Section section(key, expected);
   read_map(section, solver);
   if (fill_defaults(input, solver))
     check_bounds(section, solver);
   else if (input.run.steps)
-    lacking(section.key(), {"step"}, "no step is given; accepted: step: time");
+    lacking(section.key(), {"step"}, "missing step; expected step: time");
   input.implicit = solver;
 }
 

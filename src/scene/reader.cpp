@@ -17,13 +17,13 @@ std::string described(const Key& key) {
   if (key.tree == nullptr) return "missing";
   switch (key.tree->kind) {
     case Tree::Kind::null:
-      return "nothing is given";
+      return "missing value";
     case Tree::Kind::list:
-      return fmt::format("a list of {} is given", key.tree->children.size());
+      return fmt::format("invalid list of {} entries", key.tree->children.size());
     case Tree::Kind::map:
-      return "a map is given";
+      return "invalid map";
     default:
-      return fmt::format("{}'{}' is given", key.tree->quoted ? "the quoted text " : "", key.tree->text);
+      return fmt::format("invalid {} '{}'", key.tree->quoted ? "quoted text" : "value", key.tree->text);
   }
 }
 
@@ -31,7 +31,7 @@ bool is_plain_value(const Key& key) {
   return key.tree != nullptr && key.tree->kind == Tree::Kind::value && !key.tree->quoted;
 }
 
-/// A number written in full, such as 3, -2.5, 80.0e-6, .5; also inf and nan, which the caller refuses.
+/// A complete number, such as 3, -2.5, 80.0e-6, .5; also inf and nan, which the caller rejects.
 std::optional<double> number_in(const Key& key) {
   if (!is_plain_value(key)) return {};
   std::string_view text = key.tree->text;
@@ -59,9 +59,9 @@ std::string place_of(const Key& key) {
   return fmt::format("{}: {}", where, key.path);
 }
 
-bool wrong(const Key& key, std::string_view accepted) {
+bool wrong(const Key& key, std::string_view expected) {
   const std::size_t number =
-      key.findings->faults.add(key.place, key.path, fmt::format("{}; accepted: {}", described(key), accepted));
+      key.findings->faults.add(key.place, key.path, fmt::format("{}; expected {}", described(key), expected));
   if (key.tree == nullptr) {
     const std::size_t dot = key.path.rfind('.');
     const bool top = dot == std::string::npos;
@@ -75,8 +75,8 @@ void lacking(const Key& map, std::vector<std::string> names, std::string_view wh
   map.findings->missing.push_back({map.path, std::move(names), map.findings->faults.add(map.place, map.path, what)});
 }
 
-bool later(const Key& key, std::string_view what, std::string_view accepted) {
-  fault(key, fmt::format("this version does not have {} yet; accepted: {}", what, accepted));
+bool later(const Key& key, std::string_view what, std::string_view expected) {
+  fault(key, fmt::format("unknown in this version: {}; expected {}", what, expected));
   return false;
 }
 
@@ -88,11 +88,11 @@ bool read(const Key& key, double& target, const Range& range) {
   const std::optional<double> number = number_in(key);
   if (!number) return !comma_in_value(key, range.words) && wrong(key, range.words);
   if (!std::isfinite(*number)) {
-    fault(key, fmt::format("{} is not a finite number; accepted: {}", key.tree->text, range.words));
+    fault(key, fmt::format("invalid value {}: not a finite number; expected {}", key.tree->text, range.words));
     return false;
   }
   if (!range.holds(*number)) {
-    fault(key, fmt::format("{} is out of range; accepted: {}", key.tree->text, range.words));
+    fault(key, fmt::format("out of range: {}; expected {}", key.tree->text, range.words));
     return false;
   }
   target = *number;
@@ -107,15 +107,14 @@ bool read(const Key& key, std::optional<double>& target, const Range& range) {
 }
 
 bool read(const Key& key, GlobalIndex& target, Count count) {
-  const std::string accepted = fmt::format("an integer from {} to {}", count.low, count.high);
+  const std::string expected = fmt::format("an integer from {} to {}", count.low, count.high);
   const std::optional<double> number = number_in(key);
-  if (!number) return !comma_in_value(key, accepted) && wrong(key, accepted);
-  constexpr double exact = 9007199254740992.0;  // 2^53: integers up to here are doubles
+  if (!number) return !comma_in_value(key, expected) && wrong(key, expected);
+  constexpr double exact = 9007199254740992.0;  // 2^53: integers up to this value are exact doubles
   const bool integer = std::abs(*number) < exact && std::trunc(*number) == *number;
   const GlobalIndex value = integer ? static_cast<GlobalIndex>(*number) : 0;
   if (!integer || value < count.low || value > count.high) {
-    fault(key,
-          fmt::format("{} is {}; accepted: {}", key.tree->text, integer ? "out of range" : "no integer", accepted));
+    fault(key, fmt::format("{}; expected {}", integer ? "out of range: " + key.tree->text : described(key), expected));
     return false;
   }
   target = value;
@@ -137,8 +136,8 @@ bool read(const Key& key, bool& target) {
   return true;
 }
 
-bool read(const Key& key, std::string& target, std::string_view accepted) {
-  if (key.tree == nullptr || key.tree->kind != Tree::Kind::value || key.tree->text.empty()) return wrong(key, accepted);
+bool read(const Key& key, std::string& target, std::string_view expected) {
+  if (key.tree == nullptr || key.tree->kind != Tree::Kind::value || key.tree->text.empty()) return wrong(key, expected);
   target = key.tree->text;
   return true;
 }
@@ -153,22 +152,22 @@ bool read(const Key& key, std::string& target, Named kind) {
 
 bool read(const Key& key, Vec3& target, Vector kind) {
   const bool direction = kind == Vector::direction;
-  const std::string_view accepted = direction ? "three numbers [x, y, z], not all zero" : "three numbers [x, y, z]";
+  const std::string_view expected = direction ? "three numbers [x, y, z], not all zero" : "three numbers [x, y, z]";
   std::array<double, 3> numbers{};
-  if (!read(key, numbers, any_number, accepted)) return false;
+  if (!read(key, numbers, any_number, expected)) return false;
   const Vec3 vector(numbers[0], numbers[1], numbers[2]);
   if (direction && !(vector.cwiseAbs().maxCoeff() > 0)) {
-    fault(key, fmt::format("the zero vector has no direction; accepted: {}", accepted));
+    fault(key, fmt::format("invalid direction: the zero vector; expected {}", expected));
     return false;
   }
   target = direction ? vector.stableNormalized() : vector;
   return true;
 }
 
-std::vector<Key> items(const Key& key, std::string_view accepted, std::size_t size) {
+std::vector<Key> items(const Key& key, std::string_view expected, std::size_t size) {
   const bool is_list = key.tree != nullptr && key.tree->kind == Tree::Kind::list;
   if (!is_list || (size != 0 && key.tree->children.size() != size)) {
-    wrong(key, std::string(accepted) + (is_list ? comma_in_list(*key.tree, size) : ""));
+    wrong(key, std::string(expected) + (is_list ? comma_in_list(*key.tree, size) : ""));
     return {};
   }
   std::vector<Key> keys;
@@ -176,41 +175,41 @@ std::vector<Key> items(const Key& key, std::string_view accepted, std::size_t si
   return keys;
 }
 
-std::vector<std::pair<std::string, Key>> entries(const Key& key, std::string_view accepted) {
+std::vector<std::pair<std::string, Key>> entries(const Key& key, std::string_view expected) {
   if (key.tree == nullptr || key.tree->kind != Tree::Kind::map) {
-    wrong(key, accepted);
+    wrong(key, expected);
     return {};
   }
   std::vector<std::pair<std::string, Key>> named;
   for (std::size_t i = 0; i < key.tree->keys.size(); ++i) {
     const std::string& name = key.tree->keys[i];
     named.emplace_back(name, child(key, key.tree->children[i], name));
-    if (name.empty()) fault(named.back().second, "an empty name; accepted: a name");
+    if (name.empty()) fault(named.back().second, "invalid empty name; expected a name");
   }
   return named;
 }
 
 std::size_t read_choice(const Key& key, const std::vector<std::string>& now, const std::vector<std::string>& not_yet) {
-  const std::string accepted = listed(now);
+  const std::string expected = (now.size() > 1 ? "one of " : "") + listed(now);
   std::string word;
-  if (!read(key, word, accepted)) return now.size();
+  if (!read(key, word, expected)) return now.size();
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now[i] == word) return i;
   }
   for (const std::string& known : not_yet) {
     if (known != word) continue;
-    later(key, "'" + word + "'", accepted);
+    later(key, "'" + word + "'", expected);
     return now.size();
   }
-  fault(key, fmt::format("'{}' is unknown, nearest is '{}'; accepted: {}", word, nearest(word, now), accepted));
+  fault(key, fmt::format("unknown value '{}' (did you mean '{}'?); expected {}", word, nearest(word, now), expected));
   return now.size();
 }
 
 bool read(const Key& key, std::span<bool> marked, const Choices<int>& directions) {
   std::vector<std::string> names;
   for (const auto& choice : directions.now) names.push_back(choice.first);
-  const std::string accepted = fmt::format("a list of {}", fmt::join(names, ", "));
-  const std::vector<Key> named = items(key, accepted);
+  const std::string expected = fmt::format("a list of {}", fmt::join(names, ", "));
+  const std::vector<Key> named = items(key, expected);
   bool good = !named.empty();
   for (const Key& one : named) {
     int direction = 0;
@@ -219,17 +218,18 @@ bool read(const Key& key, std::span<bool> marked, const Choices<int>& directions
       continue;
     }
     bool& mark = marked[static_cast<std::size_t>(direction)];
-    if (mark) fault(one, fmt::format("'{}' stands twice; accepted: each direction once", one.tree->text));
+    if (mark)
+      fault(one, fmt::format("invalid direction '{}': listed twice; expected each direction once", one.tree->text));
     good = good && !mark;
     mark = true;
   }
   const bool empty_list = named.empty() && key.tree != nullptr && key.tree->kind == Tree::Kind::list;
-  return empty_list ? wrong(key, accepted) : good;
+  return empty_list ? wrong(key, expected) : good;
 }
 
-Section::Section(const Key& key, std::string_view accepted)
+Section::Section(const Key& key, std::string_view expected)
     : key_(key), is_map_(key.tree != nullptr && key.tree->kind == Tree::Kind::map) {
-  if (!is_map_) wrong(key, accepted);
+  if (!is_map_) wrong(key, expected);
 }
 
 Section::~Section() {
@@ -258,10 +258,10 @@ void Section::refuse(std::size_t position) const {
     missing.erase(lack);
     break;
   }
-  fault(key,
-        fmt::format("unknown key{}; accepted: {}",
-                    close(meant) ? fmt::format(", did you mean '{}'?", meant) : fmt::format(", nearest is '{}'", meant),
-                    listed(known_)));
+  fault(key, fmt::format(
+                 "unknown key{}; expected one of {}",
+                 close(meant) ? fmt::format(" (did you mean '{}'?)", meant) : fmt::format(", nearest is '{}'", meant),
+                 listed(known_)));
 }
 
 void Section::know(std::string_view name) {
@@ -280,9 +280,9 @@ Key Section::at(std::string_view name) {
   return {nullptr, key_.place, fmt::format("{}{}{}", key_.path, key_.path.empty() ? "" : ".", name), key_.findings};
 }
 
-void Section::not_yet(std::string_view name, std::string_view accepted) {
+void Section::not_yet(std::string_view name, std::string_view expected) {
   if (!is_map_ || key_.tree->find(name) == nullptr) return;
-  later(at(name), fmt::format("'{}'", name), accepted);
+  later(at(name), fmt::format("'{}'", name), expected);
 }
 
 }  // namespace brunt::scene

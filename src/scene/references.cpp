@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be checked only when the whole scene is read: names used are defined, defined once, and every body has its
-// part. Sets and blocks of mesh files are not known here; they are checked when the model is built.
+// Checks that require the complete scene: names that are used must be defined, and only once, and every body must have
+// a part. Sets and blocks of mesh files are unknown here; they are checked when the model is built.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::vector<std::string> defined(const Input& input, Named kind) {
   return names;
 }
 
-/// Names of a required section that is not there are no faults of their own.
+/// Names of a missing required section are not reported separately.
 void check_uses(const Input& input, Section& scene) {
   Findings& findings = *scene.key().findings;
   constexpr std::array words{"material", "curve", "part", "rigid wall"};
@@ -46,10 +46,11 @@ void check_uses(const Input& input, Section& scene) {
     const bool required = use.kind == Named::material || use.kind == Named::part;
     if (required && scene.at(sections[kind]).tree == nullptr) continue;
     const std::string what = fmt::format("unknown {} '{}'", words[kind], use.name);
-    const std::string accepted =
-        names.empty() ? fmt::format("; accepted: a name defined in {}, which is empty", sections[kind])
-                      : fmt::format(", nearest is '{}'; accepted: {}", nearest(use.name, names), listed(names));
-    findings.faults.add(use.place, use.path, what + accepted);
+    const std::string expected =
+        names.empty()
+            ? fmt::format("; expected a name defined in {}, which is empty", sections[kind])
+            : fmt::format(" (did you mean '{}'?); expected one of {}", nearest(use.name, names), listed(names));
+    findings.faults.add(use.place, use.path, what + expected);
   }
 }
 
@@ -73,7 +74,7 @@ Key mesh_key(Section& scene, std::size_t i) {
   return items(mesh, "")[i];
 }
 
-/// Every generated body has a part, and where the whole mesh is generated every part has a body.
+/// Every generated body needs a part; if the whole mesh is generated, every part needs a body.
 void check_bodies(const Input& input, Section& scene) {
   std::vector<std::string> bodies;
   bool any_file = input.mesh.empty();
@@ -84,7 +85,8 @@ void check_bodies(const Input& input, Section& scene) {
     const Key key = mesh_key(scene, position++);
     if (part.empty()) continue;
     if (std::find(bodies.begin(), bodies.end(), part) != bodies.end()) {
-      fault(key, fmt::format("a second body of the part '{}'; accepted: a part of its own for each body", part));
+      fault(key,
+            fmt::format("invalid body: part '{}' already has one; expected a part of its own for each body", part));
       continue;
     }
     bodies.push_back(part);
@@ -92,8 +94,7 @@ void check_bodies(const Input& input, Section& scene) {
         std::any_of(input.parts.begin(), input.parts.end(), [&](const Part& known) { return known.block == part; });
     if (!has_part && !input.parts.empty()) {
       fault(key,
-            fmt::format("the generated body '{0}' has no entry in parts; accepted: parts: {{{0}: {{material: ...}}}}",
-                        part));
+            fmt::format("missing part of the generated body '{0}'; expected parts: {{{0}: {{material: ...}}}}", part));
     }
   }
   for (const Part& part : input.parts) {
@@ -101,12 +102,13 @@ void check_bodies(const Input& input, Section& scene) {
     if (std::find(bodies.begin(), bodies.end(), part.block) != bodies.end()) continue;
     Section parts(scene.at("parts"), "");
     for (const std::string& name : parts.key().tree->keys) parts.has(name);
-    fault(parts.at(part.name), fmt::format("no body of the mesh makes the block '{}', nearest is '{}'; accepted: {}",
-                                           part.block, nearest(part.block, bodies), listed(bodies)));
+    fault(parts.at(part.name),
+          fmt::format("unknown block '{}' (did you mean '{}'?): no body of the mesh has this name; expected one of {}",
+                      part.block, nearest(part.block, bodies), listed(bodies)));
   }
 }
 
-/// A displacement is measured from where the nodes begin: a curve that begins elsewhere would let them jump.
+/// A displacement is measured from the initial position: a curve with another initial value would be a jump.
 void check_displacements(const Input& input, Section& scene) {
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
     const Prescribed& motion = input.prescribed[k];
@@ -115,28 +117,31 @@ void check_displacements(const Input& input, Section& scene) {
     const double start = value_at(curve->second, 0.0);
     if (start == 0) continue;
     const Key key = items(scene.at("prescribed"), "")[k];
-    fault(key, fmt::format("curve '{}' is {:g} at t = 0, so the nodes would jump; accepted: a displacement of 0 there",
-                           motion.curve, start));
+    fault(key,
+          fmt::format("invalid curve '{}': its displacement at t = 0 is {:g}, a jump of the nodes; expected 0 at t = 0",
+                      motion.curve, start));
   }
 }
 
-/// What is wrong with a probe of contact whose parts are known; empty: nothing. Columns that never hold anything but
-/// zero are a mistake.
+/// The fault of a probe of contact with known parts; empty if it is valid. Columns that could only contain zeros are
+/// faults.
 std::string fault_of_contact_probe(const Input& input, const Probe& probe) {
   const auto touches = [&](const std::string& other) { return deciding_entry(input, probe.where, other).has_value(); };
-  if (input.contact.empty()) return "the scene has no contact; accepted: parts that an entry of contact lets touch";
+  if (input.contact.empty())
+    return "invalid probe: the scene has no contact; expected parts between which contact is defined";
   if (probe.other == probe.where && !touches(probe.where))
     return fmt::format(
-        "part '{0}' has no contact with itself; accepted: a part that an entry of contact lets touch itself (between: "
-        "all, or between: [{0}, {0}])",
+        "invalid probe: part '{0}' has no contact with itself; expected an entry of contact with between: all, or "
+        "between: [{0}, {0}]",
         probe.where);
   if (!probe.other.empty() && probe.other != probe.where && !touches(probe.other))
-    return fmt::format("no entry of contact lets '{}' touch '{}'; accepted: parts that an entry lets touch",
-                       probe.where, probe.other);
+    return fmt::format(
+        "invalid probe: no entry of contact covers '{}' and '{}'; expected parts between which contact is defined",
+        probe.where, probe.other);
   const auto is_met = [&](const Part& part) { return part.name != probe.where && touches(part.name); };
   if (probe.other.empty() && std::ranges::none_of(input.parts, is_met))
     return fmt::format(
-        "part '{}' has contact with no other part; accepted: a part that an entry of contact lets touch another",
+        "invalid probe: part '{}' has no contact with any other part; expected a part with contact to another one",
         probe.where);
   return {};
 }
@@ -156,7 +161,7 @@ void check_contact_probes(const Input& input, Section& scene) {
   }
 }
 
-/// What only deformable elements have.
+/// Warns of keys that apply to deformable elements only.
 void warn_of_unused_keys(Input& input, Section& scene) {
   if (input.parts.empty()) return;
   for (const auto& [part, entry] : entries(scene.at("parts"), "")) {
@@ -167,7 +172,7 @@ void warn_of_unused_keys(Input& input, Section& scene) {
   }
 }
 
-/// A name that would be two things where one is looked up.
+/// A name with two meanings.
 void check_twice(const Key& section, const std::vector<std::string>& names, std::string_view what) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) ==
@@ -175,8 +180,9 @@ void check_twice(const Key& section, const std::vector<std::string>& names, std:
       continue;
     }
     const Tree& entry = section.tree->children[std::min(i, section.tree->children.size() - 1)];
-    section.findings->faults.add(entry.place, fmt::format("{}.{}", section.path, i),
-                                 fmt::format("duplicate name '{}'; accepted: each {} its own name", names[i], what));
+    section.findings->faults.add(
+        entry.place, fmt::format("{}.{}", section.path, i),
+        fmt::format("invalid name '{}': used twice; expected a name of its own for each {}", names[i], what));
   }
 }
 
@@ -197,7 +203,7 @@ void check_references(Input& input, Section& scene) {
     if (std::find(parts.begin(), parts.end(), set.name) == parts.end()) continue;
     Section sets(scene.at("sets"), "");
     for (const std::string& name : sets.key().tree->keys) sets.has(name);
-    fault(sets.at(set.name), "duplicate name: a part is called so too; accepted: a name of its own");
+    fault(sets.at(set.name), "invalid name: a part has the same name; expected another name");
   }
 }
 

@@ -22,7 +22,7 @@ bool turns(const Fixed& entry) {
   return std::ranges::find(entry.turns, true) != entry.turns.end();
 }
 
-/// For each node the body that it belongs to, by the block of the part that leads the body; the first of two is told.
+/// The body of each node, by the block of the part that leads it; the first node of two bodies is reported.
 class BodyOfNode {
  public:
   BodyOfNode(const Input& input, std::span<const std::string> part_of_block, const mesh::CanonicalMesh& whole)
@@ -50,7 +50,7 @@ class BodyOfNode {
 
   [[nodiscard]] std::size_t of(LocalIndex node) const { return body_[static_cast<std::size_t>(node)]; }
   [[nodiscard]] const std::string& part(std::size_t body) const { return part_[body]; }
-  /// The body that this part leads.
+  /// The body led by this part.
   [[nodiscard]] std::size_t find(const std::string& part) const {
     const auto found = std::ranges::find(part_, part);
     return found == part_.end() ? none : static_cast<std::size_t>(found - part_.begin());
@@ -63,7 +63,7 @@ class BodyOfNode {
       if (body_[i] == body) nodes.push_back(static_cast<LocalIndex>(i));
     return nodes;
   }
-  /// How many nodes of each body these are.
+  /// The number of nodes of each body among these.
   [[nodiscard]] std::vector<std::size_t> count(const std::vector<LocalIndex>& nodes) const {
     std::vector<std::size_t> counts(size_.size(), 0);
     for (const LocalIndex node : nodes)
@@ -77,7 +77,7 @@ class BodyOfNode {
   std::optional<Shared> shared_;
 };
 
-/// Supports of single nodes of a body: it moves as a whole.
+/// Supports of single nodes of a body are faults, since it moves as a whole.
 void refuse_node_supports(const Input& input, const BodyOfNode& bodies, const mesh::CanonicalMesh& whole,
                           std::vector<std::string>& faults) {
   const auto look = [&](const char* list, std::size_t k, const std::string& where) {
@@ -87,11 +87,11 @@ void refuse_node_supports(const Input& input, const BodyOfNode& bodies, const me
     for (const LocalIndex node : set->second) {
       const std::size_t body = bodies.of(node);
       if (body == BodyOfNode::none) continue;
-      faults.push_back(
-          reported(input, fmt::format("{}.{}", list, k),
-                   "node {} of '{}' belongs to the rigid part '{}', which moves as a whole; accepted: part: "
-                   "{}, or nodes of deformable parts alone",
-                   whole.mesh.node_id[static_cast<std::size_t>(node)], where, bodies.part(body), bodies.part(body)));
+      faults.push_back(reported(input, fmt::format("{}.{}", list, k),
+                                "invalid selection: node {} of '{}' belongs to the rigid part '{}', which moves as a "
+                                "whole; expected part: {}, or nodes of deformable parts only",
+                                whole.mesh.node_id[static_cast<std::size_t>(node)], where, bodies.part(body),
+                                bodies.part(body)));
       return;
     }
   };
@@ -99,8 +99,8 @@ void refuse_node_supports(const Input& input, const BodyOfNode& bodies, const me
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) look("prescribed", k, input.prescribed[k].where);
 }
 
-/// An entry of `initial` moves a body where it names it or selects all of its nodes. Another part may share some of
-/// them.
+/// An entry of `initial` defines the motion of a body if it names the body or selects all of its nodes. Another part
+/// may share some of them.
 void select_motions(const Input& input, const BodyOfNode& bodies, mesh::CanonicalMesh& whole,
                     std::vector<std::string>& faults) {
   const auto is_part = [&](const std::string& where) {
@@ -112,11 +112,10 @@ void select_motions(const Input& input, const BodyOfNode& bodies, mesh::Canonica
     const std::vector<std::size_t> counts = bodies.count(set->second);
     for (std::size_t body = 0; body < counts.size(); ++body)
       if (counts[body] > 0 && counts[body] < bodies.size(body) && !is_part(input.initial[k].where))
-        faults.push_back(
-            reported(input, fmt::format("initial.{}", k),
-                     "'{}' has {} of the {} nodes of the rigid part '{}', which moves as a whole; accepted: "
-                     "all of them, or none",
-                     input.initial[k].where, counts[body], bodies.size(body), bodies.part(body)));
+        faults.push_back(reported(input, fmt::format("initial.{}", k),
+                                  "invalid selection: '{}' has {} of the {} nodes of the rigid part '{}', which moves "
+                                  "as a whole; expected all of these nodes, or none",
+                                  input.initial[k].where, counts[body], bodies.size(body), bodies.part(body)));
     std::vector<LocalIndex> moved;
     if (names_rigid_part(input, input.initial[k].where))
       moved = bodies.nodes_of(bodies.find(input.initial[k].where));
@@ -129,7 +128,7 @@ void select_motions(const Input& input, const BodyOfNode& bodies, mesh::Canonica
   }
 }
 
-/// Nodes of bodies that deformable elements or loads act on.
+/// Nodes of bodies on which deformable elements or loads act.
 std::vector<LocalIndex> forced_nodes(const Input& input, const BodyOfNode& bodies,
                                      std::span<const std::string> part_of_block, const mesh::CanonicalMesh& whole) {
   std::vector<LocalIndex> nodes;
@@ -158,7 +157,7 @@ std::vector<LocalIndex> forced_nodes(const Input& input, const BodyOfNode& bodie
   return nodes;
 }
 
-/// What mass properties are given, less the mesh's origin.
+/// The given mass properties, relative to the origin of the mesh.
 model::GivenMass given_mass(const Part& part, const Vec3& origin) {
   if (!part.rigid) return {};
   model::GivenMass given{part.rigid->mass, part.rigid->centre, part.rigid->inertia};
@@ -166,7 +165,7 @@ model::GivenMass given_mass(const Part& part, const Vec3& origin) {
   return given;
 }
 
-/// The last entry of `initial` that holds for the body's nodes here.
+/// The last entry of `initial` that applies to the body's nodes here.
 model::StartMotion start_motion(const Input& input, const mesh::LocalMesh& mesh, const model::RigidBody& body) {
   model::StartMotion start;
   if (body.nodes.empty()) return start;
@@ -207,35 +206,36 @@ std::string dof_name(int dof) {
   return fmt::format("{}{}", dof < 3 ? "" : "r", "xyz"[dof % 3]);
 }
 
-/// Fields that only rigid bodies have, and a section, which they have not.
+/// Probes of fields that only rigid bodies have, and of sections, which they do not have.
 void check_probes(const Input& input, std::vector<std::string>& faults) {
   for (std::size_t k = 0; k < input.probes.size(); ++k) {
     const Probe& probe = input.probes[k];
     const bool of_body = probe.field == "rotation" || probe.field == "angular_velocity" || probe.field == "force" ||
                          probe.field == "moment" || probe.field == "reaction_moment";
     if (of_body && !names_rigid_part(input, probe.where))
-      faults.push_back(reported(input, fmt::format("probes.{}.field", k),
-                                "'{}' is of rigid parts, and '{}' is deformable; accepted: displacement, velocity, "
-                                "position, reaction, mass, center, momentum, angular_momentum, energy",
-                                probe.field, probe.where));
+      faults.push_back(
+          reported(input, fmt::format("probes.{}.field", k),
+                   "invalid field '{}': it exists for rigid parts only, and '{}' is deformable; expected displacement, "
+                   "velocity, position, reaction, mass, center, momentum, angular_momentum or energy",
+                   probe.field, probe.where));
     for (const std::string& part : probe.parts)
       if (names_rigid_part(input, part))
         faults.push_back(reported(input, fmt::format("probes.{}.section", k),
-                                  "'{}' is rigid: no forces are known inside it; accepted: deformable parts", part));
+                                  "invalid part '{}': a rigid part has no internal forces; expected a deformable part",
+                                  part));
   }
 }
 
-/// A degree of freedom that is driven twice, or driven and held.
+/// A degree of freedom that is driven twice, or driven and fixed.
 void refuse_two_supports(const Input& input, std::vector<std::string>& faults) {
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
     const Prescribed& entry = input.prescribed[k];
     if (!names_rigid_part(input, entry.where)) continue;
     const auto clash = [&](const char* list, std::size_t other) {
-      faults.push_back(
-          reported(input, fmt::format("prescribed.{}", k),
-                   "{} of '{}' is in {}.{} too, which holds the same direction differently; accepted: one of "
-                   "them there",
-                   dof_name(entry.dof), entry.where, list, other));
+      faults.push_back(reported(
+          input, fmt::format("prescribed.{}", k),
+          "invalid motion: {} of '{}' is also constrained by {}.{}; expected one entry for each degree of freedom",
+          dof_name(entry.dof), entry.where, list, other));
     };
     for (std::size_t other = 0; other < k; ++other)
       if (input.prescribed[other].where == entry.where && input.prescribed[other].dof == entry.dof)
@@ -273,12 +273,11 @@ std::vector<std::string> faults_of_rigid_parts(const Input& input) {
   for (const Part& part : input.parts)
     if (part.rigid && !is_rigid(input, part))
       faults.push_back(reported(input, fmt::format("parts.{}.rigid", part.name),
-                                "the material '{}' is not rigid; accepted: with a material of model: rigid",
+                                "invalid material '{}': it is not rigid; expected a material of model: rigid",
                                 part.material));
   const auto rotation_of_nodes = [&](const std::string& key) {
-    faults.push_back(reported(input, key,
-                              "rx, ry and rz are rotations of rigid parts; accepted: part: a rigid part, or x, "
-                              "y, z"));
+    faults.push_back(
+        reported(input, key, "invalid rotation rx, ry or rz of nodes; expected part: a rigid part, or x, y, z"));
   };
   for (std::size_t k = 0; k < input.fixed.size(); ++k)
     if (turns(input.fixed[k]) && !names_rigid_part(input, input.fixed[k].where))
@@ -293,15 +292,14 @@ std::vector<std::string> faults_of_rigid_parts(const Input& input) {
   const bool holds_bodies = method == contact::Method::rate || method == contact::Method::row_sum;
   const auto rigid = [&](const Part& part) { return is_rigid(input, part); };
   if (!input.parts.empty() && !input.implicit && std::ranges::all_of(input.parts, rigid) && !input.run.step)
-    faults.push_back(
-        reported(input, "run",
-                 "step is missing: all parts are rigid, and no element bounds the step; accepted: step: a time > "
-                 "0, in which bodies turn by some hundredths of a radian"));
+    faults.push_back(reported(input, "run",
+                              "missing step: all parts are rigid, and no element limits the step; expected step: a "
+                              "time > 0 during which bodies rotate by a few hundredths of a radian"));
   if (!input.contact.empty() && !holds_bodies && std::ranges::any_of(input.parts, rigid))
-    faults.push_back(
-        reported(input, "enforcement.method", "the method is not for rigid parts; accepted: rate or row_sum"));
+    faults.push_back(reported(input, "enforcement.method", "invalid method for rigid parts; expected rate or row_sum"));
   if (input.relaxation && std::ranges::all_of(input.parts, rigid))
-    faults.push_back(reported(input, "relaxation", "all parts are rigid; accepted: at least one deformable part"));
+    faults.push_back(reported(input, "relaxation",
+                              "invalid relaxation: all parts are rigid; expected at least one deformable part"));
   return faults;
 }
 
@@ -313,8 +311,8 @@ std::vector<std::string> select_bodies(const Input& input, std::span<const std::
   const BodyOfNode bodies(input, part_of_block, whole);
   if (const auto& shared = bodies.shared())
     faults.push_back(reported(input, "parts." + bodies.part(shared->second),
-                              "shares node {} with '{}', which is rigid too; accepted: rigid: {{joins: {}}} for one "
-                              "body of both, or bodies without common nodes",
+                              "invalid mesh: node {} is shared with '{}', which is also rigid; expected rigid: "
+                              "{{joins: {}}} for one body, or bodies without common nodes",
                               whole.mesh.node_id[shared->node], bodies.part(shared->first),
                               bodies.part(shared->first)));
   for (std::size_t b = 0; b < part_of_block.size(); ++b)

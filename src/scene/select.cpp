@@ -29,14 +29,14 @@ class Selector {
   Selector(const Input& input, mesh::CanonicalMesh& whole, std::vector<std::string>& faults)
       : input_(input), whole_(whole), faults_(faults), named_(input, whole) {}
 
-  /// A set of the scene that names none of the mesh is told where it is defined, used or not.
+  /// A set of the scene that refers to an unknown set of the mesh is reported at its definition, whether used or not.
   void check_definitions() {
     for (const SetEntry& set : input_.sets) {
       const std::string key = fmt::format("sets.{}", set.name);
       const auto& nodes = whole_.mesh.node_sets;
       const auto& sides = whole_.mesh.side_sets;
       if (shadows(set))
-        report(key, "the mesh has a {} set of that name already, which is another one; accepted: a name of its own",
+        report(key, "invalid name: the mesh has another {} set of this name; expected a different name",
                nodes.contains(set.name) ? "node" : "side");
       if (set.node_set && !nodes.contains(*set.node_set))
         undefined(set.name, key + ".node_set", "node set", *set.node_set, names(nodes), sides.contains(*set.node_set));
@@ -45,7 +45,7 @@ class Selector {
     }
   }
 
-  /// What a set of the scene selects, if anything.
+  /// Stores the selection of a set of the scene, if any.
   void add_defined(const std::string& reserved, const SetEntry& set) {
     if (std::optional<Nodes> found = named_.of_entry(set)) whole_.mesh.node_sets[reserved] = std::move(*found);
   }
@@ -53,7 +53,8 @@ class Selector {
   void add_nodes(const std::string& reserved, const std::string& where, const std::string& key) {
     std::optional<Nodes> found = named_.of(where);
     if (!found) return unknown(where, key);
-    if (found->empty()) report(key, "'{}' selects no node; accepted: a selection of at least one, {}", where, extent());
+    if (found->empty())
+      report(key, "invalid selection: '{}' contains no node; expected a region with nodes, {}", where, extent());
     whole_.mesh.node_sets[reserved] = std::move(*found);
   }
 
@@ -67,14 +68,15 @@ class Selector {
       std::vector<std::string> known = names(whole_.mesh.side_sets);
       for (const SetEntry& set : input_.sets)
         if (set.side_set) known.push_back(set.name);
-      return report(key, "no side set '{}'{}", where, accepted(where, known));
+      return report(key, "unknown side set '{}'{}", where, expected(where, known));
     }
     if (found->second.empty())
-      report(key, "side set '{}' has no side; accepted: a side set with at least one face", where);
+      report(key, "invalid side set '{}': it has no face; expected a side set with at least one face", where);
     whole_.mesh.side_sets[reserved] = found->second;
   }
 
-  /// Faces over which a total force is spread: those of a side set, else the exterior ones with all nodes in the set.
+  /// Faces over which a total force is distributed: those of a side set, otherwise the exterior ones with all nodes in
+  /// the set.
   void add_faces(const std::string& reserved, const std::string& where, const std::string& key) {
     for (const SetEntry& set : input_.sets)
       if (set.name == where && set.side_set) return add_sides(reserved, where, key);
@@ -87,7 +89,9 @@ class Selector {
                               [&](LocalIndex n) { return std::ranges::binary_search(*found, n); }))
         sides.push_back(side);
     if (sides.empty())
-      report(key, "'{}' has no face on the outside; accepted: a set with faces, or force: for each node", where);
+      report(key,
+             "invalid set '{}': it has no exterior face; expected a set with exterior faces, or force: for each node",
+             where);
   }
 
   void add_probe(const Probe& probe, std::size_t k) {
@@ -101,9 +105,12 @@ class Selector {
     if (named) add_nodes(reserved, probe.where, key + ".section.set");
     if (make_section(probe, k, named_.part_of_block(), named_.on_plane(), whole_) > 0) return;
     if (named && whole_.mesh.node_sets.contains(reserved))
-      report(key + ".section.set", "'{}' has no node of the parts; accepted: a set with nodes of theirs", probe.where);
+      report(key + ".section.set",
+             "invalid set '{}': it has no node of the parts; expected a set with nodes of these parts", probe.where);
     if (!named)
-      report(key + ".section", "the plane cuts no element of the parts; accepted: a plane through them, {}", extent());
+      report(key + ".section",
+             "invalid section: the plane intersects no element of the parts; expected a plane through nodes, {}",
+             extent());
   }
 
   void add_interface() { make_interface(whole_); }
@@ -126,12 +133,12 @@ class Selector {
                                 named_.on_plane())
         nodes.push_back(static_cast<LocalIndex>(i));
     if (nodes.empty() && must_hold)
-      report(key, "no node lies in this plane; accepted: a plane through nodes, {}", extent());
+      report(key, "invalid plane: it contains no node; expected a plane through nodes, {}", extent());
     whole_.mesh.node_sets[reserved] = std::move(nodes);
   }
 
-  /// All that is behind a wall is solid: no body starts on both sides of it, nor all bodies behind it, wherever the
-  /// wall moves, unless it names the parts that it acts on.
+  /// The region behind a wall is solid. Unless the wall names its parts, no body may start on both sides of it, nor all
+  /// bodies behind it.
   void require_in_front(const RigidWall& wall, const std::string& key) {
     const std::vector<std::int32_t> body = mesh::bodies(whole_.mesh);
     std::map<std::int32_t, std::array<double, 2>> range;  // of the height over the wall
@@ -149,28 +156,29 @@ class Selector {
     for (const auto& [number, heights] : range) {
       nearest = std::max(nearest, heights[1]);
       if (heights[0] < -named_.on_plane() && heights[1] > named_.on_plane())
-        report(key, "goes through a body, which reaches {:g} behind the wall; accepted: bodies on one side of it",
+        report(key,
+               "invalid wall: it passes through a body, which extends {:g} behind it; expected each body on one side "
+               "of the wall",
                -heights[0]);
     }
     const bool some_in_front = !wall.parts.empty() || range.empty() || nearest > named_.on_plane();
     if (some_in_front && input_.implicit) require_none_behind(range, block_of, key);
     if (some_in_front) return;
     report(key + ".normal",
-           "all bodies lie behind the wall (the nearest by {:g}), where it never stops them; accepted: a normal that "
-           "points "
-           "towards the bodies, or rigid_walls[].parts, the parts that the wall acts on",
+           "invalid normal: all bodies lie behind the wall (the nearest by {:g}) and never meet it; expected a normal "
+           "that points towards the bodies, or rigid_walls[].parts, the parts that the wall acts on",
            std::max(0.0, -nearest));
   }
 
-  /// Implicit steps know one side of a wall alone: what lies behind it is pressed.
+  /// An implicit step would push bodies behind a wall through it.
   void require_none_behind(const std::map<std::int32_t, std::array<double, 2>>& range,
                            const std::map<std::int32_t, std::size_t>& block_of, const std::string& key) {
     for (const auto& [number, heights] : range) {
       if (heights[1] > named_.on_plane() || heights[0] >= -named_.on_plane()) continue;
       report(
           key,
-          "a body of part '{}' lies behind the wall, by up to {:g}: an implicit step would press it through at once; "
-          "accepted: bodies in front of it, or rigid_walls[].parts, the parts that the wall acts on",
+          "invalid wall: a body of part '{}' lies behind it by up to {:g}, and an implicit step would move it through "
+          "the wall; expected bodies in front of the wall, or rigid_walls[].parts, the parts that the wall acts on",
           named_.part_of_block()[block_of.at(number)], -heights[0]);
       return;
     }
@@ -185,7 +193,7 @@ class Selector {
         return;
       }
     const auto [lowest, highest] = std::ranges::minmax(whole_.mesh.node_id);
-    report(key, "the mesh has no node {}; accepted: the number of one of its {} nodes, from {} to {}", id_text,
+    report(key, "unknown node {}; expected the number of one of the {} nodes of the mesh, from {} to {}", id_text,
            whole_.mesh.node_id.size(), lowest, highest);
   }
 
@@ -200,12 +208,12 @@ class Selector {
         for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c) visit(b, element, block.element(e)[c]);
     }
   }
-  /// Is the block's part one of these? All are where none is named.
+  /// Whether the wall acts on the block's part. Without names it acts on all.
   [[nodiscard]] bool acts_on(const std::vector<std::string>& parts, std::size_t block) const {
     return parts.empty() || std::ranges::find(parts, named_.part_of_block()[block]) != parts.end();
   }
 
-  /// Is there another set of its name in the mesh? {foot: {node_set: foot}} is the same one.
+  /// Whether the mesh has a different set of this name. {foot: {node_set: foot}} is the same one.
   [[nodiscard]] bool shadows(const SetEntry& set) const {
     const bool nodes = whole_.mesh.node_sets.contains(set.name), sides = whole_.mesh.side_sets.contains(set.name);
     const bool bare = !set.part && !set.box;
@@ -227,20 +235,21 @@ class Selector {
     return known;
   }
 
-  static std::string accepted(const std::string& word, const std::vector<std::string>& known) {
-    return known.empty() ? "; accepted: none, the mesh has no such set"
-                         : fmt::format(", nearest is '{}'; accepted: {}", nearest(word, known), listed(known));
+  static std::string expected(const std::string& word, const std::vector<std::string>& known) {
+    return known.empty()
+               ? "; expected a set of this kind, and the mesh has none"
+               : fmt::format(" (did you mean '{}'?); expected one of {}", nearest(word, known), listed(known));
   }
 
   void undefined(const std::string& set, const std::string& key, const char* kind, const std::string& word,
                  const std::vector<std::string>& known, bool of_other_kind) {
     undefined_.insert(set);
     const std::string_view other = std::string_view(kind) == "side set" ? "node set" : "side set";
-    report(key, "the mesh has no {} '{}'{}{}", kind, word,
-           of_other_kind ? fmt::format(" (it has a {} of that name)", other) : "", accepted(word, known));
+    report(key, "unknown {} '{}' of the mesh{}{}", kind, word,
+           of_other_kind ? fmt::format(" (it has a {} of that name)", other) : "", expected(word, known));
   }
 
-  /// Where the nodes of the mesh are.
+  /// The region of the mesh, for messages.
   [[nodiscard]] std::string extent() const {
     Vec3 low = Vec3::Constant(1e300), high = -low;
     for (const Vec3& X : whole_.mesh.coordinates) {
@@ -264,14 +273,15 @@ class Selector {
     const std::string lists =
         fmt::format("parts: {}; sets: {}; sets of the mesh: {}", none(known), none(own), none(of_mesh));
     for (const auto* list : {&own, &of_mesh}) known.insert(known.end(), list->begin(), list->end());
-    report(key, "no part or set '{}', nearest is '{}'; accepted: {}", where, nearest(where, known), lists);
+    report(key, "unknown part or set '{}' (did you mean '{}'?); expected one of the {}", where, nearest(where, known),
+           lists);
   }
 
   const Input& input_;
   mesh::CanonicalMesh& whole_;
   std::vector<std::string>& faults_;
   NamedNodes named_;
-  std::set<std::string> undefined_;  ///< sets of the scene that name none of the mesh
+  std::set<std::string> undefined_;  ///< sets of the scene that refer to unknown sets of the mesh
 };
 
 /// Key of what an entry selects by: its `part` or its `set`.

@@ -12,7 +12,7 @@
 namespace brunt::scene {
 namespace {
 
-/// The part whose elements alone are meant: the part of that name, or that of a set with `part`; empty: of any.
+/// The part to which the selection is restricted: the part of that name, or that of a set with `part`; empty: none.
 std::string part_of_selection(const Input& input, const std::string& where) {
   if (std::ranges::find(input.parts, where, &Part::name) != input.parts.end()) return where;
   const auto set = std::ranges::find(input.sets, where, &SetEntry::name);
@@ -23,7 +23,7 @@ bool has_all(std::span<const LocalIndex> set, std::span<const LocalIndex> nodes)
   return std::ranges::all_of(nodes, [&](LocalIndex node) { return std::ranges::binary_search(set, node); });
 }
 
-/// Has any deformable element of the selection all its nodes in the set? `nodes` ascending.
+/// Whether any deformable element of the selection has all its nodes in the set. `nodes` ascending.
 bool holds_element(const Input& input, const mesh::Mesh& mesh, std::span<const std::string> part_of_block,
                    const std::string& where, std::span<const LocalIndex> nodes) {
   const std::string part = part_of_selection(input, where);
@@ -52,12 +52,15 @@ std::vector<std::string> select_removed(const Input& input, mesh::CanonicalMesh&
     const std::string &where = input.remove[k].where, part = fmt::format("remove.{}.part", k);
     const std::string key = input.at(input.places.has(part) ? part : fmt::format("remove.{}.set", k));
     const auto set = whole.mesh.node_sets.find(selection_name("remove", k));
-    if (set == whole.mesh.node_sets.end() || set->second.empty()) continue;  // that has been told
+    if (set == whole.mesh.node_sets.end() || set->second.empty()) continue;  // already reported
     if (names_rigid_part(input, where))
-      faults.push_back(fmt::format("{}: '{}' is rigid and stays whole; accepted: deformable parts", key, where));
+      faults.push_back(
+          fmt::format("{}: invalid part '{}': a rigid part is not removed; expected deformable parts", key, where));
     else if (!holds_element(input, whole.mesh, part_of_block, where, set->second))
-      faults.push_back(fmt::format(
-          "{}: '{}' holds no whole deformable element; accepted: a set with all nodes of at least one", key, where));
+      faults.push_back(
+          fmt::format("{}: invalid selection: '{}' contains no complete deformable element; expected a set with all "
+                      "nodes of at least one element",
+                      key, where));
     for (const LocalIndex node : set->second) removed[static_cast<std::size_t>(node)] = 1;
   }
   whole.mesh.side_sets[mesh::inner_faces] = mesh::interior_sides(whole.mesh, removed);

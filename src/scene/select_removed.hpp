@@ -10,11 +10,11 @@
 
 namespace brunt::scene {
 
-/// Makes the side set mesh::inner_faces: shared faces all of whose nodes belong to what is removed. After the node sets
-/// of the removals. Returns what is wrong with these: a rigid part, a set without elements.
+/// Creates the side set mesh::inner_faces: shared faces whose nodes all belong to removed elements. Call it after the
+/// node sets of the removals exist. Returns the faults of these: a rigid part, a set without elements.
 std::vector<std::string> select_removed(const Input& input, mesh::CanonicalMesh& whole);
 
-/// The removals of the scene, by time, and the nodes that they may leave bare.
+/// The removals of the scene, by time, and the nodes that they may leave without elements.
 void build_removals(const Input& input, model::Model& model);
 
 }  // namespace brunt::scene

@@ -87,8 +87,8 @@ std::vector<std::string> nearest_nodes(const Input& input, const mesh::Canonical
     if (probe.kind != Probe::Kind::near) continue;
     const auto node = static_cast<std::size_t>(whole.mesh.node_sets.at(selection_name("probe", k)).front());
     const Vec3 X = whole.mesh.coordinates[node] + whole.origin;
-    lines.push_back(fmt::format("probe {}: node {} at ({:g}, {:g}, {:g}), {} from the place given", probe.name,
-                                whole.mesh.node_id[node], X[0], X[1], X[2],
+    lines.push_back(fmt::format("probe {}: node {} at ({:g}, {:g}, {:g}), at a distance of {} from the given point",
+                                probe.name, whole.mesh.node_id[node], X[0], X[1], X[2],
                                 with_length((X - probe.point).norm(), input.units)));
   }
   return lines;

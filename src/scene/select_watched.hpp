@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes that probes watch and that need more of the mesh than a name: the nearest to a place, those of a section,
-// those between parts.
+// Nodes of probes that depend on more than a name: the nearest node to a point, those of a section, and those between
+// parts.
 #pragma once
 #include <span>
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace brunt::scene {
 
-/// Leaves of the probe's set, or of all nodes where it has none, the one nearest to its point; of equally near ones the
-/// one with the smallest number in the mesh file.
+/// Reduces the probe's set, or all nodes if it has none, to the node nearest to its point; of equally near ones to that
+/// with the smallest number in the mesh file.
 void keep_nearest(const Probe& probe, const std::string& set, mesh::CanonicalMesh& whole);
 
-/// Makes the sets of a section: its nodes, and for a plane the nodes in front of it of the elements that it cuts.
-/// An element is cut where it has nodes in front of the plane (farther than `on_plane`) and others; the others are the
-/// section's nodes. Of a set they are its nodes that belong to the parts. Returns how many nodes the section has.
+/// Creates the sets of a section: its nodes and, for a plane, the nodes in front of it of the elements that it cuts. An
+/// element is cut if it has nodes in front of the plane (farther than `on_plane`) and others; the others are nodes of
+/// the section. For a set, they are its nodes that belong to the parts. Returns the number of nodes of the section.
 std::size_t make_section(const Probe& probe, std::size_t entry, std::span<const std::string> part_of_block,
                          double on_plane, mesh::CanonicalMesh& whole);
 

@@ -19,7 +19,7 @@ std::string join(const std::string& path, const std::string& key) {
 
 using Entry = std::pair<std::string, std::string>;
 
-/// "density:7800" as a key and its value: a word, a colon and no blank. (No time of day, and no address.)
+/// "density:7800" as a key and its value: a word, a colon and no space. (Not a time of day, and not an address.)
 std::optional<Entry> joined_entry(std::string_view text) {
   const auto is_word = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
   std::size_t colon = 0;
@@ -31,10 +31,10 @@ std::optional<Entry> joined_entry(std::string_view text) {
 }
 
 std::string no_blank(const Entry& entry) {
-  return fmt::format("no blank behind the colon of '{0}:{1}'; accepted: {0}: {1}", entry.first, entry.second);
+  return fmt::format("missing space after the colon of '{0}:{1}'; expected {0}: {1}", entry.first, entry.second);
 }
 
-/// Turns YAML's nodes into ours. Without a line number of its own (an override), every piece stands at `base`.
+/// Converts YAML nodes to Tree. Without line numbers (an override), every piece has the place `base`.
 struct Converter {
   const Place& base;
   Faults& faults;
@@ -63,7 +63,7 @@ struct Converter {
     return tree;
   }
 
-  /// "elastic density:7800": a line without a blank behind its colon goes on the text of the line above.
+  /// "elastic density:7800": YAML joins a line without a space after its colon with the text of the previous line.
   void report_joined(const Tree& value, const std::string& path) {
     for (std::size_t blank = value.text.find(' '); blank != std::string::npos; blank = value.text.find(' ', blank + 1))
       if (const auto joined = joined_entry(std::string_view(value.text).substr(blank + 1))) {
@@ -75,25 +75,25 @@ struct Converter {
   void add(Tree& map, const YAML::Node& key, const YAML::Node& value, const std::string& path) {
     const Place at = place(key.Mark());
     if (!key.IsScalar()) {
-      faults.add(at, path, "a key is no plain text; accepted: key: value");
+      faults.add(at, path, "invalid key: not plain text; expected key: value");
       return;
     }
     const std::string& name = key.Scalar();
     if (const auto joined = joined_entry(name); joined && value.IsNull()) {
       faults.add(at, join(path, joined->first), no_blank(*joined));
       if (map.find(joined->first) != nullptr) return;
-      map.keys.push_back(joined->first);  // read on as meant, so that the key is not missing as well
+      map.keys.push_back(joined->first);  // continue as intended, so that the key is not reported as missing
       map.children.push_back(Tree{.kind = Tree::Kind::value, .text = joined->second, .place = at});
       return;
     }
     if (!map.children.empty() && value.IsNull() && map.children.back().place.line == at.line &&
         is_rest_of_number(map.children.back(), name)) {
-      map.children.back().text += "," + name;  // whoever reads the number says what is wrong with it
+      map.children.back().text += "," + name;  // reported where the number is read
       return;
     }
     if (const Tree* first = map.find(name)) {
       const std::string before = first->place.line > 0 ? fmt::format(" (first in line {})", first->place.line) : "";
-      faults.add(at, join(path, name), fmt::format("duplicate key{}; accepted: each key once", before));
+      faults.add(at, join(path, name), fmt::format("invalid key: given twice{}; expected each key once", before));
       return;
     }
     map.keys.push_back(name);
@@ -101,7 +101,7 @@ struct Converter {
   }
 };
 
-/// YAML forbids tabs as indentation; the parser would take some of them silently as part of a value.
+/// YAML forbids tabs as indentation; the parser would accept some of them as part of a value.
 bool indented_by_tabs(const std::string& text, const std::string& file, Faults& faults) {
   std::istringstream lines(text);
   std::string line;
@@ -109,7 +109,7 @@ bool indented_by_tabs(const std::string& text, const std::string& file, Faults& 
     const std::size_t first = line.find_first_not_of(" \t\r");
     if (first == std::string::npos || line[first] == '#') continue;
     if (line.find('\t') >= first) continue;
-    faults.add({file, number}, "", "a tab indents this line; accepted: spaces");
+    faults.add({file, number}, "", "invalid indentation by a tab; expected spaces");
     return true;
   }
   return false;
@@ -129,15 +129,16 @@ Tree* Tree::find(std::string_view key) {
 Tree parse_yaml(const std::string& text, const std::string& file, Faults& faults) {
   const Place start{file, 1};
   if (text.find('\0') != std::string::npos) {
-    faults.add(start, "", "the file holds zero bytes; accepted: a scene in YAML, as text");
+    faults.add(start, "", "cannot read the scene: the file contains zero bytes; expected text in YAML");
     return {};
   }
   if (indented_by_tabs(text, file, faults)) return {};
   const std::optional<YAML::Node> document = load_yaml(text, start, faults);
   if (!document) return {};
   if (document->IsNull()) {
-    faults.add(start, "",
-               "the file is empty or no map of keys; accepted: a scene with units, mesh, materials, parts and run");
+    faults.add(
+        start, "",
+        "cannot read the scene: the file is empty or has no keys; expected units, mesh, materials, parts and run");
     return {};
   }
   return Converter{start, faults}.convert(*document, start, "");

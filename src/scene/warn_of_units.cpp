@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Are a material's figures plausible in the scene's units? Mixed-up units are the commonest mistake that runs.
+// Plausibility of material constants in the units of the scene: wrong units are the most common error in scenes that
+// run.
 #include <fmt/format.h>
 
 #include <array>
@@ -29,16 +30,17 @@ bool is_american(const UnitSystem& units) {
   return units.force == "lbf";
 }
 
-/// The first system, American or not, in which the number would be the density of a solid: what to say of it.
+/// The first system, American or not, in which the number would be the density of a solid.
 std::string better_system(double density, bool american) {
   for (const UnitSystem& other : unit_systems())
     if (other.metre > 0 && is_american(other) == american && of_solids.holds(density_in_si(density, other)))
-      return fmt::format("; in {}, of units {}, it would be {:.4g} kg/m^3", other.density, other.name,
+      return fmt::format("; read in {}, of units {}, it would be {:.4g} kg/m^3", other.density, other.name,
                          density_in_si(density, other));
   return {};
 }
 
-/// American tables have weights: 0.283 lbf/in^3 of steel is 7.33e-4 lbf.s^2/in^4. Empty where the number is none.
+/// American tables list weights: 0.283 lbf/in^3 of steel is 7.33e-4 lbf.s^2/in^4. Empty if the number is no such
+/// weight.
 std::string as_weight(double density, const UnitSystem& units) {
   constexpr double standard_gravity = 9.80665;  // m/s^2
   if (!is_american(units)) return {};
@@ -54,7 +56,7 @@ bool warn_of_density(Section& material, double density, const UnitSystem& units,
   if (of_matter.holds(in_si)) return false;
   std::string what = fmt::format("{}: {:g} {}", place_of(material.at("density")), density, units.density);
   if (units.name != "SI") what += fmt::format(" ({:.3g} kg/m^3)", in_si);
-  what += fmt::format(" is no density of matter ({:g} to {:g} kg/m^3)", of_matter.low, of_matter.high);
+  what += fmt::format(" is outside the densities of known matter, {:g} to {:g} kg/m^3", of_matter.low, of_matter.high);
   const std::string weight = as_weight(density, units);
   const std::string other = better_system(density, false);
   const std::string american = is_american(units) || other.empty() ? better_system(density, true) : "";
@@ -77,8 +79,8 @@ constexpr std::array<StressUnit, 8> stress_units{{{"Pa", 1},
                                                   {"Msi", 1e6 * psi},
                                                   {"psf", psi / 144}}};
 
-/// The first unit in which waves would run as they commonly do; of American ones psi, ksi and Msi all may, so there it
-/// is the one that comes nearest to metals. Empty where there is none.
+/// The first unit that gives a usual wave speed. Of the American units psi, ksi and Msi may all do so; the result is
+/// the one nearest to metals. Empty if there is none.
 std::string better_unit(double stiffness, double density, const UnitSystem& units, const char* modulus) {
   constexpr double of_metals = 4000;  // m/s
   const StressUnit* best = nullptr;
@@ -92,12 +94,12 @@ std::string better_unit(double stiffness, double density, const UnitSystem& unit
     best_speed = speed;
   }
   if (best == nullptr) return {};
-  return fmt::format("; stresses are in {} here: if {} is in {}, they run at {:.3g} m/s", units.stress, modulus,
+  return fmt::format("; stresses are in {} here: with {} in {} the wave speed is {:.3g} m/s", units.stress, modulus,
                      best->name, best_speed);
 }
 
-/// Slow waves are for soft matter, which is light: 29000 ksi of steel read as psi give 180 m/s. In American units only,
-/// where ksi and psi are mixed up.
+/// Slow waves occur in soft and light matter: 29000 ksi of steel read as psi give 180 m/s. For American units only,
+/// where ksi and psi are easily confused.
 bool is_heavy_and_soft(double speed, double density, const UnitSystem& units) {
   constexpr double heavy = 2500, slow = 300;  // kg/m^3, m/s
   return is_american(units) && density > heavy && speed < slow;
@@ -111,8 +113,8 @@ void warn_of_speed(Section& material, const material::Law& law, const UnitSystem
   if (of_waves.holds(speed) && !is_heavy_and_soft(speed, density, units)) return;
   const char* modulus = material.has("young") ? "young" : "bulk";
   std::string what = fmt::format(
-      "{}: with this stiffness and density waves run at {:.3g} m/s, as in no known matter (metals 1000 to 6000, rubber "
-      "50 to 2000)",
+      "{}: this stiffness and density give a wave speed of {:.3g} m/s, outside that of known matter (metals 1000 to "
+      "6000, rubber 50 to 2000)",
       place_of(material.at(modulus)), speed);
   what += better_unit(stiffness, density, units, modulus);
   input.warnings.push_back(what);
@@ -124,7 +126,7 @@ void warn_of_units(Section& material, const material::Law& law, Input& input) {
   const UnitSystem* units = find_unit_system(input.units);
   const double density = std::visit([](const auto& some) { return some.density; }, law);
   if (units == nullptr || units->metre == 0 || !(density > 0)) return;
-  if (warn_of_density(material, density, *units, input)) return;  // the speed would only say it again
+  if (warn_of_density(material, density, *units, input)) return;  // a warning of the speed would repeat it
   const material::ElasticModuli moduli = material::initial_moduli(law);
   if (moduli.lambda + 2 * moduli.mu > 0) warn_of_speed(material, law, *units, input);
 }

@@ -29,7 +29,7 @@ class Scanner {
     }
     if (!open_.empty())
       report(open_.back().line, open_.back().column,
-             fmt::format("the bracket '{}' is not closed; accepted: its '{}' at the end of the list or map",
+             fmt::format("missing closing bracket for '{}'; expected '{}' at the end of the list or map",
                          open_.back().bracket, partner(open_.back().bracket)));
     return std::move(found_);
   }
@@ -100,16 +100,19 @@ class Scanner {
   void report_text_behind(char c) {
     const bool quote = closed_ == '"' || closed_ == '\'';
     if (c == ']' || c == '}')
-      report(line_, column(), fmt::format("the bracket '{}' closes nothing; accepted: one for each opened", c));
+      report(line_, column(),
+             fmt::format("invalid closing bracket '{}': no bracket is open; expected one for each opening bracket", c));
     else if (quote)
       report(
           line_, column(),
-          fmt::format("text follows the closing quote {0}; accepted: the whole text in quotes, {1}", closed_,
-                      closed_ == '\'' ? "each single quote within it doubled ('')" : "each quote within it as \\\""));
+          fmt::format("invalid text after the closing quote {0}; expected the whole text in quotes, {1}", closed_,
+                      closed_ == '\'' ? "with each single quote in it doubled ('')" : "with each quote in it as \\\""));
     else
-      report(line_, column(),
-             fmt::format("text follows the closing bracket '{}'; accepted: a text that begins with a bracket in quotes",
-                         closed_));
+      report(
+          line_, column(),
+          fmt::format(
+              "invalid text after the closing bracket '{}'; expected quotes around a text that begins with a bracket",
+              closed_));
     closed_ = '\0';
   }
 
@@ -134,10 +137,11 @@ class Scanner {
     }
     --at_;
     if (open_.empty()) {
-      report(line_, column(), fmt::format("the bracket '{}' closes nothing; accepted: one for each opened", c));
+      report(line_, column(),
+             fmt::format("invalid closing bracket '{}': no bracket is open; expected one for each opening bracket", c));
     } else {
       report(line_, column(),
-             fmt::format("the bracket '{}' stands where '{}' of line {} is open; accepted: '{}' first", c,
+             fmt::format("invalid closing bracket '{}': '{}' of line {} is still open; expected '{}' first", c,
                          open_.back().bracket, open_.back().line, partner(open_.back().bracket)));
       open_.pop_back();
     }
@@ -148,7 +152,7 @@ class Scanner {
     // A quote that begins a line may go on a plain text of the line before: it is no fault by itself.
     const bool first_in_line = text_.find_first_not_of(" \t", line_start_) == at_;
     const YamlFault opened{line_, column(),
-                           fmt::format("the quote {} is not closed; accepted: {}text{}", quote, quote, quote)};
+                           fmt::format("missing closing quote {}; expected {}text{}", quote, quote, quote)};
     for (++at_; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
       if (c == '\n') {

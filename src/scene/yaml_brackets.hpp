@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Brackets and quotes of a YAML text, as far as they do not match.
+// Unmatched brackets and quotes of a YAML text.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,8 +13,8 @@ struct BracketFaults {
   std::optional<YamlFault> bracket;  ///< the first that is not closed, closes nothing, or has text behind its end
 };
 
-/// Follows strings, comments, block texts and nested brackets; knows nothing of keys and indentation, so that what it
-/// finds explains an error of the parser but is none by itself (but for the quote).
+/// Follows strings, comments, block texts and nested brackets, but not keys and indentation: its result explains an
+/// error of the parser but is no error by itself (except the quote).
 BracketFaults scan_brackets(const std::string& text);
 
 }  // namespace brunt::scene

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The document is walked event by event before its nodes are made: what aliases repeat is counted, not copied.
+// The document is traversed event by event before its nodes are created: repetitions by aliases are counted, not
+// copied.
 #include "yaml_document.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@
 namespace brunt::scene {
 namespace {
 
-/// What is valid YAML but no scene that can be read.
+/// Valid YAML that cannot be a scene.
 struct Refused {
   YAML::Mark mark;
   std::string what;
@@ -43,12 +44,14 @@ class Survey : public YAML::EventHandler {
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const bool within = std::ranges::any_of(open_, [&](const Level& level) { return level.anchor == anchor; });
-    if (within) throw Refused{mark, "an alias stands within its own anchor; accepted: an alias after its anchor's end"};
+    if (within)
+      throw Refused{mark, "invalid alias within its own anchor; expected an alias after the end of its anchor"};
     const Extent& extent = extents_[anchor];
     repeated_ += extent.values;
     if (repeated_ > most_repeated_values)
-      throw Refused{mark, fmt::format("aliases repeat more than {} values up to this line; accepted: at most {}",
-                                      most_repeated_values, most_repeated_values)};
+      throw Refused{mark,
+                    fmt::format("out of range: aliases repeat more than {} values up to this line; expected at most {}",
+                                most_repeated_values, most_repeated_values)};
     demand_depth(mark, open_.size() + extent.levels);
     if (!open_.empty()) {
       open_.back().extent.values += extent.values;
@@ -67,7 +70,7 @@ class Survey : public YAML::EventHandler {
 
   static void demand_depth(const YAML::Mark& mark, std::size_t levels) {
     if (levels > static_cast<std::size_t>(deepest_document))
-      throw Refused{mark, fmt::format("more than {} levels of lists and maps within each other; accepted: at most {}",
+      throw Refused{mark, fmt::format("out of range: more than {} nested levels of lists and maps; expected at most {}",
                                       deepest_document, deepest_document)};
   }
 
@@ -94,7 +97,7 @@ class Survey : public YAML::EventHandler {
   std::size_t repeated_ = 0;
 };
 
-/// Notes where a document starts and lets everything else pass.
+/// Records where a document starts and ignores everything else.
 struct DocumentStart : YAML::EventHandler {
   YAML::Mark mark = YAML::Mark::null_mark();
   void OnDocumentStart(const YAML::Mark& at) override { mark = at; }
@@ -108,8 +111,8 @@ struct DocumentStart : YAML::EventHandler {
   void OnMapEnd() override {}
 };
 
-/// Surveys the first document; where a second one starts, if there is one. (YAML::LoadAll is no way to ask: it never
-/// returns on a text that starts with a comma.)
+/// Surveys the first document; the start of a second one, if there is one. (YAML::LoadAll cannot be used: it does not
+/// return for a text that starts with a comma.)
 std::optional<YAML::Mark> survey(const std::string& text) {
   std::istringstream stream(text);
   YAML::Parser parser(stream);
@@ -124,7 +127,7 @@ std::optional<YAML::Mark> survey(const std::string& text) {
 std::optional<YAML::Node> load_yaml(const std::string& text, const Place& base, Faults& faults) {
   const auto at = [&](int line) { return base.line > 0 ? Place{base.source, line} : base; };
   if (const std::optional<YamlFault> open = unclosed_quote(text)) {
-    faults.add(at(open->line), "", "YAML syntax error: " + open->what);
+    faults.add(at(open->line), "", "invalid YAML: " + open->what);
     return std::nullopt;
   }
   try {
@@ -132,13 +135,13 @@ std::optional<YAML::Node> load_yaml(const std::string& text, const Place& base, 
     YAML::Node document = YAML::Load(text);
     if (!second) return document;
     faults.add(at(second->line + 1), "",
-               "a second YAML document starts here; accepted: one, all top keys in one column");
+               "invalid second YAML document; expected one document, with all top keys in one column");
   } catch (const Refused& refused) {
     faults.add(at(refused.mark.line + 1), "", refused.what);
   } catch (const YAML::Exception& error) {
     const YamlFault fault = explain(text, error);
     const std::string column = base.line > 0 && fault.column > 0 ? fmt::format(", column {}", fault.column) : "";
-    faults.add(fault.line > 0 ? at(fault.line) : base, "", fmt::format("YAML syntax error{}: {}", column, fault.what));
+    faults.add(fault.line > 0 ? at(fault.line) : base, "", fmt::format("invalid YAML{}: {}", column, fault.what));
   }
   return std::nullopt;
 }

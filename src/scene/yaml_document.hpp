@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From text to the nodes of the one YAML document in it, bounded in depth and size.
+// From text to the nodes of its single YAML document, with limited depth and size.
 #pragma once
 #include <yaml-cpp/yaml.h>
 
@@ -10,16 +10,16 @@
 
 namespace brunt::scene {
 
-/// Levels of lists and maps within each other. The deepest value of a scene has 7 (mesh.0.box.rotate.0.axis.0);
-/// recursion over a document of 64 levels takes a few tens of kilobytes of the stack.
+/// Largest number of nested levels of lists and maps. The deepest value of a scene has 7 (mesh.0.box.rotate.0.axis.0);
+/// recursion over 64 levels takes a few tens of kilobytes of the stack.
 constexpr int deepest_document = 64;
 
-/// Values that aliases (`*name`) may repeat: a table of 10,000 points (30,000 values) three times. Each value takes
-/// about 0.3 kB, thus 30 MB in all. What is written out is not limited.
+/// Largest number of values repeated by aliases (`*name`): three times a table of 10,000 points (30,000 values). Each
+/// value takes about 0.3 kB, 30 MB in total. Values that are written out are not limited.
 constexpr std::size_t most_repeated_values = 100'000;
 
 /// A syntax error, a second document, an alias within its own anchor, too many levels and too many repeated values are
-/// one fault at the line (or, for an override with base.line 0, at `base`).
+/// each one fault at the line (or, for an override with base.line 0, at `base`).
 std::optional<YAML::Node> load_yaml(const std::string& text, const Place& base, Faults& faults);
 
 }  // namespace brunt::scene

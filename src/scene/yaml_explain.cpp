@@ -42,7 +42,7 @@ std::optional<std::string> joined_value(const std::string& line) {
   if (line.size() > 1000) return {};  // an expression's recursion grows with the line
   std::smatch found;
   if (!std::regex_search(line, found, joined)) return {};
-  return fmt::format("no blank behind the colon of '{0}:{1}'; accepted: {0}: {1}", found[1].str(), found[2].str());
+  return fmt::format("missing space after the colon of '{0}:{1}'; expected {0}: {1}", found[1].str(), found[2].str());
 }
 
 /// "title: steel: a test": a value with a colon in it.
@@ -56,8 +56,8 @@ std::optional<std::string> colon_in_value(const std::string& line, int column) {
   std::string value = line.substr(first + 2);
   value.erase(0, value.find_first_not_of(' '));
   value.erase(value.find_last_not_of(" \r") + 1);
-  return fmt::format("a colon in the value of '{0}'; accepted: a text with a colon in quotes, {0}: \"{1}\"", key,
-                     shortened(value));
+  return fmt::format("invalid colon in the value of '{0}'; expected quotes around a text with a colon, {0}: \"{1}\"",
+                     key, shortened(value));
 }
 
 class Explainer {
@@ -81,7 +81,7 @@ class Explainer {
   [[nodiscard]] std::optional<std::string> too_deep() const {
     if (above_ < 0 || indentation(at(line_)) <= indentation(at(above_))) return {};
     return fmt::format(
-        "this line is indented deeper than line {}, whose key has a value already; accepted: keys of one map in one "
+        "invalid indentation: deeper than line {}, whose key already has a value; expected all keys of a map in one "
         "column",
         above_ + 1);
   }
@@ -93,25 +93,25 @@ class Explainer {
     if (said == "illegal map value") {
       if (const auto found = colon_in_value(line, column)) return *found;
       if (const auto found = too_deep()) return *found;
-      return "a colon stands where no key is; accepted: key: value, and a text with a colon in quotes";
+      return "invalid colon: no key stands before it; expected key: value, and quotes around a text with a colon";
     }
     if (said == "end of map not found" || said == "end of sequence not found") {
       if (const auto found = too_deep()) return *found;
-      return "this line belongs to none of the maps and lists above it; accepted: entries of one map or list in one "
-             "column, each as key: value or - value";
+      return "invalid indentation: the line belongs to no map or list above it; expected the entries of a map or list "
+             "in one column, each as key: value or - value";
     }
     if (said == "end of map flow not found" || said == "end of sequence flow not found")
-      return "a comma or a closing bracket is missing before this; accepted: {a: 1, b: 2}, [1, 2]";
+      return "missing comma or closing bracket before this column; expected {a: 1, b: 2} or [1, 2]";
     if (said == "illegal block entry")
-      return "a list's entry '- ' stands where none can be; accepted: each entry on its own line, or [a, b]";
+      return "invalid list entry '- ' at this place; expected each entry on its own line, or [a, b]";
     if (said == "unknown token")
-      return fmt::format("a value cannot begin with '{}'; accepted: a text with such a beginning in quotes",
+      return fmt::format("invalid first character '{}' of a value; expected quotes around such a text",
                          line.substr(std::min(line.size(), static_cast<std::size_t>(column - 1)), 1));
     if (said.starts_with("the referenced anchor is not defined"))
-      return "'*' begins an alias, and no anchor '&' of that name stands above; accepted: a text with '*' in quotes";
+      return "unknown anchor of an alias ('*'); expected quotes around a text with '*'";
     if (said.starts_with("unknown escape character"))
-      return said + ", in double quotes; accepted: single quotes for a text with backslashes, or \\\\";
-    return said + "; accepted: YAML 1.2";
+      return said + ", in double quotes; expected single quotes around a text with backslashes, or \\\\";
+    return said + "; expected: YAML 1.2";
   }
 
   std::vector<std::string> lines_;
@@ -126,7 +126,7 @@ std::optional<YamlFault> unclosed_quote(const std::string& text) {
 }
 
 YamlFault explain(const std::string& text, const YAML::Exception& error) {
-  if (error.mark.is_null()) return {0, 0, error.msg + "; accepted: YAML 1.2"};
+  if (error.mark.is_null()) return {0, 0, error.msg + "; expected: YAML 1.2"};
   const bool of_brackets = error.msg.find("flow") != std::string::npos || error.msg == "end of map not found" ||
                            error.msg == "illegal map value" || error.msg == "end of sequence not found";
   if (of_brackets)

@@ -148,9 +148,9 @@ class Submit(unittest.TestCase):
             ("prose.md: is neither scene nor study", ["prose.md"]), ("'0' is no number of nodes", ["scene.yaml", "--nodes", "0"]),
             ("invalid --set 'foo'; expected KEY.PATH=VALUE", ["scene.yaml", "--set", "foo"]),
             ("invalid --set '=3'", ["scene.yaml", "--set", "=3"]),
-            ("no checkpoint", ["scene.yaml", "--out", "there", "--restart"]), ("--nodes 3", ["scene.yaml", "--nodes", "3"]),
-            ("no option of a study", ["study.yaml", "--out", "x"]), ("invalid --slurm", ["scene.yaml", "--slurm", "two words"]),
-            ("characters that can be printed", ["scene.yaml", "--set", "title=a\nb"]), ("unknown option '--nodse'", ["scene.yaml", "--nodse"]))]
+            ("missing checkpoint", ["scene.yaml", "--out", "there", "--restart"]), ("--nodes 3", ["scene.yaml", "--nodes", "3"]),
+            ("for a study", ["study.yaml", "--out", "x"]), ("invalid --slurm", ["scene.yaml", "--slurm", "two words"]),
+            ("printable characters", ["scene.yaml", "--set", "title=a\nb"]), ("unknown option '--nodse'", ["scene.yaml", "--nodse"]))]
         faults += [("no number of ranks", ["scene.yaml", "-np", "0", "--time", "5"]), ("required: -np", ["scene.yaml", "--time", "5"]),
                    ("required: --time", ["scene.yaml", "-np", "2"])]
         for phrase, arguments in faults:
@@ -163,7 +163,7 @@ class Submit(unittest.TestCase):
     def test_without_slurm(self):
         done = self.submit("scene.yaml", "-np", "2", "--time", "5", PATH=self.folder)
         self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertRegex(done.stderr, r"^submit: no Slurm here: sbatch and sinfo not found; expected .*\n$")
+        self.assertRegex(done.stderr, r"^submit: missing Slurm: sbatch and sinfo not found; expected .*\n$")
         self.assertEqual(sorted(os.listdir(self.folder)), ["scene.yaml", "study.yaml"])
 
 

@@ -68,7 +68,7 @@ def cases(wrong):
         option("poses with an unknown column", ["p.csv:1", "'w'"], "cube.obj", "--poses", "p.csv", p_csv=b"x,y,z,w\n0,0,0,0\n"),
         option("poses with a row cut short", ["p.csv:3", "2 values"], "cube.obj", "--poses", "p.csv", p_csv=b"x,y,z\n0,0,0\n1,2\n"),
         option("poses with a word", ["p.csv:2", "'one'"], "cube.obj", "--poses", "p.csv", p_csv=b"x,y,z\none,0,0\n"),
-        option("poses of none", ["p.csv", "no pose"], "cube.obj", "--poses", "p.csv", p_csv=b"x,y,z\n"),
+        option("poses of none", ["p.csv", "missing poses"], "cube.obj", "--poses", "p.csv", p_csv=b"x,y,z\n"),
         option("no boxes", ["--boxes"], "cube.obj", "--boxes", "0"),
         option("no time", ["--limit", "'soon'"], "cube.obj", "--limit", "soon"),
         option("pieces of three points", ["p.yaml", "piece 1"], "cube.obj", "--pieces", "p.yaml", p_yaml=b"a: [[[0, 0, 0], [1, 0, 0], [0, 1, 0]]]\n"),

@@ -9,6 +9,7 @@ import budget
 import includes
 import kinds
 import links
+import messages
 import text
 import unit_folders
 
@@ -113,6 +114,18 @@ class Walls(unittest.TestCase):
     def test_links_to_nowhere(self):
         self.assertIn("README.md:2: none.md: no such file", self.link_faults("# Top\n![a](none.md)\n"))
         self.assertIn("README.md:3: room/README.md#a-roof: no such heading", self.link_faults("```\n```\n[a](room/README.md#a-roof)\n"))
+
+    def test_messages_out_of_form(self):
+        self.write("src/scene/a.cpp", 'void f() { fault(key, "invalid size of the box; expected a number > 0"); }\n')
+        self.write("scripts/run", '#!/usr/bin/env bash\nfail 2 "missing value of --out; expected a folder"\n')
+        self.assertEqual(messages.check_sources(self.root)[0] + messages.check_scripts(self.root)[0], [])
+        self.write("src/scene/a.cpp", 'void f() { fault(key, "the box is too small"); }\n')
+        self.write("src/scene/b.cpp", 'void f() { fault(key, "the box is "\n"flat; expected a number > 0"); }\n')
+        self.write("src/scene/c.cpp", 'const char* text = "invalid size, which is no number; expected one";\n')
+        self.write("scripts/run", '#!/usr/bin/env bash\nfail 2 "--out has no value at all"\n')
+        faults = "\n".join(messages.check_sources(self.root)[0] + messages.check_scripts(self.root)[0])
+        for phrase in ("a.cpp:1: no 'expected'", "b.cpp:1: none of invalid", "c.cpp:1: 'is no number'", "run:2: no 'expected'"):
+            self.assertIn(phrase, faults)
 
 
 if __name__ == "__main__":

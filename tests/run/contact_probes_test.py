@@ -205,11 +205,11 @@ class ContactProbes(Program):
             self.write("bad.yaml", scene)
             return self.run_scene(1, "bad.yaml", "--out", "bad", code=2)
         own = fault(ITSELF.replace("between: all", "between: all, self: false"))
-        self.assertIn("bad.yaml:9: probes.0.contact: part 'cubes' has no contact with itself; accepted: ", own)
-        self.assertIn("part 'cubes' has contact with no other part; accepted: ", fault(ITSELF.replace("[cubes, cubes]", "cubes")))
+        self.assertIn("bad.yaml:9: probes.0.contact: invalid probe: part 'cubes' has no contact with itself; expected ", own)
+        self.assertIn("part 'cubes' has no contact with any other part; expected ", fault(ITSELF.replace("[cubes, cubes]", "cubes")))
         self.assertIn("unknown part 'cube', nearest is 'cubes'", fault(ITSELF.replace("[cubes, cubes]", "cube")))
-        self.assertIn("the scene has no contact; accepted: ", fault(ITSELF.replace("contact: [{between: all}]\n", "")))
-        self.assertIn("accepted: a part a, two parts [a, b], or [a, a]", fault(ITSELF.replace("[cubes, cubes]", "[cubes]")))
+        self.assertIn("the scene has no contact; expected ", fault(ITSELF.replace("contact: [{between: all}]\n", "")))
+        self.assertIn("expected a part a, two parts [a, b], or [a, a]", fault(ITSELF.replace("[cubes, cubes]", "[cubes]")))
 
 
 if __name__ == "__main__":

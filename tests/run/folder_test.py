@@ -33,7 +33,7 @@ class Folder(Program):
         self.run_scene(1, "rod.yaml", "--out", "out", *changes)
         text = self.text("out", "scene_as_run.yaml")
         self.assertIn("element: hex8_full", text)
-        self.assertTrue(text.startswith(f"# rod.yaml as {self.summary('out')['version']} has read it"), text)
+        self.assertTrue(text.startswith(f"# rod.yaml as read by {self.summary('out')['version']}"), text)
         self.write("again.yaml", text)
         self.run_scene(2, "again.yaml", "--out", "again")
         for key in ("title", "steps", "state_hash"):
@@ -47,7 +47,7 @@ class Folder(Program):
         for ranks in (1, 2, 3):
             lines = self.faults(ranks, "--restart", "out")
             self.assertEqual(len(lines), 1, lines)
-            self.assertIn("history.csv:1: the columns differ", lines[0])
+            self.assertIn("history.csv:1: invalid columns", lines[0])
 
     def test_missing_rows_of_the_history_are_told(self):
         every = ("--set", "history.every=1e-9")  # a row each step
@@ -59,7 +59,7 @@ class Folder(Program):
             self.run_scene(ranks, "rod.yaml", "--out", "out", "--restart", "out", "--set", f"run.steps={steps}", *every)
             last = self.text("out", "log.txt").rpartition("restart from")[2]
             times = [float(lines[k].split(",")[1]) for k in (3, 7)]
-            wanted = f"history.csv: 3 of the 8 rows up to this checkpoint are missing (widest gap: from t = {times[0]:g} to t = {times[1]:g})"
+            wanted = f"history.csv: 3 of the 8 rows up to this checkpoint are missing (largest gap: from t = {times[0]:g} to t = {times[1]:g})"
             self.assertEqual(wanted in last, told, last)
             self.assertEqual("rows" in last, told, last)
 
@@ -71,7 +71,7 @@ class Folder(Program):
         for ranks in (1, 2):
             lines = self.faults(ranks, "--restart", "out")
             self.assertEqual(len(lines), 1, lines)
-            self.assertIn("the one before is whole and of this scene: --restart out/checkpoint_000000004.h5", lines[0])
+            self.assertIn("the previous checkpoint is intact and of this scene: --restart out/checkpoint_000000004.h5", lines[0])
         self.run_scene(1, "rod.yaml", "--out", "out", "--restart", "out/checkpoint_000000004.h5", "--set", "run.steps=8")
 
     def test_a_restart_with_another_scene_says_which_keys_differ(self):
@@ -79,8 +79,8 @@ class Folder(Program):
         for ranks in (1, 2):
             lines = self.faults(ranks, "--restart", "out", "--set", "materials.steel.density=7801", "--set", "run.cfl=0.5", "--set", "run.steps=9")
             self.assertEqual(len(lines), 1, lines)
-            self.assertRegex(lines[0], r"checkpoint_000000004.h5: written by another scene: materials.steel.density is \S+ there and 7801 here; "
-                             r"run.cfl is 0.8 there and 0.5 here; accepted")
+            self.assertRegex(lines[0], r"checkpoint_000000004.h5: invalid for this scene: written by another one: materials.steel.density is \S+ in the earlier run and 7801 in this scene; "
+                             r"run.cfl is 0.8 in the earlier run and 0.5 in this scene; expected")
 
     def test_the_wall_limit_counts_from_the_start_of_the_program(self):
         """A batch system counts reading and splitting of the mesh as well, which takes more than this; five steps are never looked at."""
@@ -94,7 +94,7 @@ class Folder(Program):
             lines = self.faults(ranks, *wrong)
             self.assertEqual(len(lines), 2, lines)
             for k, line in enumerate(lines):
-                self.assertRegex(line, rf"^brunt: --set prescribed=.*: prescribed\.{k}: node \d+ is in fixed\.0 too")
+                self.assertRegex(line, rf"^brunt: --set prescribed=.*: prescribed\.{k}: node \d+ is also constrained in the same direction by fixed\.0")
 
 
 if __name__ == "__main__":

@@ -156,7 +156,7 @@ class Guards(unittest.TestCase):
             with self.subTest(elements=elements, end=end):
                 summary = self.run_scene(1, PLATES.replace("N]", f"{elements}]").replace("END", str(end)), f"p{elements}_{end}")
                 self.assertGreater(summary["energy"]["contact"], 0)
-                self.assertEqual("have parted again" in self.log(f"p{elements}_{end}"), told)
+                self.assertEqual("have separated again" in self.log(f"p{elements}_{end}"), told)
 
     def test_a_corner_that_metal_of_mean_dilatation_does_not_hold_is_told_with_what_holds_it(self):
         for speed in (150, 250):
@@ -167,15 +167,15 @@ class Guards(unittest.TestCase):
                     summary = self.run_scene(1, text, out, code=3 if stops else 0)
                     self.assertEqual(summary["stopped_by"], "guard" if stops else "end")
                     self.assertEqual("no volume left" in self.log(out), stops)
-                    self.assertEqual("take element: hex8_full, or hex8 with hourglass: {kind: elastic}" in self.log(out), stops)
+                    self.assertEqual("use element: hex8_full, or hex8 with hourglass: {kind: elastic}" in self.log(out), stops)
 
     def test_contact_that_gives_energy_stops_the_run(self):
         """Of the element pressed flat, whose two sides meet; contact without self-contact gives nothing."""
         self.run_scene(1, FLATTENED, "true", code=3)
-        self.assertRegex(self.log("true"), "stopped: energy taken by contact is -.* cannot be negative; likely cause: ")
+        self.assertRegex(self.log("true"), "stopped: energy dissipated by contact is -.* must not be negative; likely cause: ")
         summary = self.run_scene(1, FLATTENED, "false", "--set", "contact.0.self=false")
         self.assertGreater(summary["energy"]["contact"], 0)
-        self.assertNotIn("energy taken by contact", self.log("false"))
+        self.assertNotIn("energy dissipated by contact", self.log("false"))
 
 
 if __name__ == "__main__":

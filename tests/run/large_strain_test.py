@@ -111,7 +111,7 @@ class LargeStrain(unittest.TestCase):
             done = subprocess.run([BRUNT, "check", path, "--set", f"parts.a.element={element}"], capture_output=True,
                                   text=True, timeout=PATIENCE)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertEqual("part a: take element hex8_full" in done.stdout, advice, done.stdout)
+            self.assertEqual("part a: use element hex8_full" in done.stdout, advice, done.stdout)
 
 
 if __name__ == "__main__":

@@ -31,36 +31,36 @@ class Pictures(Program):
         done = self.script(name, *arguments)
         self.assertEqual(done.returncode, 2, done.stderr + done.stdout)
         self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
-        for phrase in (f"{name}: ", "accepted", *phrases):
+        for phrase in (f"{name}: ", "expected", *phrases):
             self.assertIn(phrase, done.stderr)
         self.assertEqual(sorted(os.listdir(os.path.join(self.folder, "out"))), self.before)
 
     def test_pictures_where_none_can_be(self):
         for name in ("render", "plot"):
-            self.assert_refused(["nodir/x.png", "no folder"], name, "out", "-o", "nodir/x.png")
-            self.assert_refused(["out: is a folder"], name, "out", "-o", "out")
+            self.assert_refused(["nodir/x.png", "does not exist"], name, "out", "-o", "nodir/x.png")
+            self.assert_refused(["it is a folder"], name, "out", "-o", "out")
             done = self.script(name, "out", "-o", "x.fooo")
             self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 1), done.stderr)
 
     def test_times_and_fields_that_are_not_there(self):
         self.assert_refused(["--time 99", "from 0 to 0.0001"], "render", "out", "--time", "99")
         self.assert_refused(["--time -1"], "render", "out", "--time", "-1")
-        self.assert_refused(["no field velocty", "velocity"], "render", "out", "--field", "velocty")
-        self.assert_refused(["no component w"], "render", "out", "--field", "velocity.w")
-        self.assert_refused(["without a component"], "render", "out", "--field", "gap.x")
+        self.assert_refused(["unknown field velocty", "velocity"], "render", "out", "--field", "velocty")
+        self.assert_refused(["unknown component w"], "render", "out", "--field", "velocity.w")
+        self.assert_refused(["unknown component"], "render", "out", "--field", "gap.x")
 
     def test_options_that_make_no_sense(self):
-        for phrases, arguments in ((["'x' is no plane", "x=0.01"], ("--clip", "x")), (["is no plane"], ("--clip", "w=3")),
-                                   (["is no plane"], ("--clip", "x=nan")), (["not zero"], ("--clip", "0,0,0/0,0,0")),
-                                   (["is no plane"], ("--clip", "0,0/1,0,0")), (["no part lid", "rod, table"], ("--hide", "lid")),
-                                   (["no part lid"], ("--only", "rod,lid")), (["all parts are hidden"], ("--hide", "rod,table")),
-                                   (["exclude each other"], ("--hide", "rod", "--only", "rod")), (["empty name"], ("--hide", "rod,")),
-                                   (["'sky' is no view", "iso"], ("--view", "iso,sky")), (["one view"], ("--view", "iso,top", "--azimuth", "3")),
-                                   (["--film or --time"], ("--film", "--time", "0")), (["no name of a film", ".gif"], ("--film", "-o", "x.mp4")),
+        for phrases, arguments in ((["invalid plane 'x'", "x=0.01"], ("--clip", "x")), (["invalid plane"], ("--clip", "w=3")),
+                                   (["invalid plane"], ("--clip", "x=nan")), (["must not be zero"], ("--clip", "0,0,0/0,0,0")),
+                                   (["invalid plane"], ("--clip", "0,0/1,0,0")), (["unknown part lid", "rod, table"], ("--hide", "lid")),
+                                   (["unknown part lid"], ("--only", "rod,lid")), (["all parts are hidden"], ("--hide", "rod,table")),
+                                   (["together with"], ("--hide", "rod", "--only", "rod")), (["empty name"], ("--hide", "rod,")),
+                                   (["unknown view 'sky'", "iso"], ("--view", "iso,sky")), (["several views"], ("--view", "iso,top", "--azimuth", "3")),
+                                   (["--time together with --film"], ("--film", "--time", "0")), (["invalid name of a film", ".gif"], ("--film", "-o", "x.mp4")),
                                    (["--fps 0"], ("--film", "--fps", "0")), (["--size"], ("--view", "iso,top", "--size", "9000", "100"))):
             self.assert_refused(phrases, "render", "out", *arguments)
         for phrases, arguments in ((["--columns", "from 1 to 6"], ("--columns", "0")), (["from 1 to 6"], ("--columns", "many")),
-                                   (["'x' is no group", "probes"], ("--panels", "x")), (["nothing beside it"], ("--panels", "probes"))):
+                                   (["unknown group of panels 'x'", "probes"], ("--panels", "x")), (["missing columns"], ("--panels", "probes"))):
             self.assert_refused(phrases, "plot", "out", *arguments)
 
     def picture(self, *options, script="render", name="x.png"):

@@ -82,7 +82,7 @@ class Place(Program):
         both = CUBES + "fixed: [{part: left, dofs: [x, y, z]}, {part: right, dofs: [x, y, z]}]\n"
         code, _, errors = self.check(both)
         self.assertEqual(code, 2)
-        self.assertRegex(errors, r"scene\.yaml:\d+: contact\.0.*: initial_overlap: place cannot separate parts 'left' and 'right', which are both held")
+        self.assertRegex(errors, r"scene\.yaml:\d+: contact\.0.*: invalid initial_overlap: place cannot separate parts 'left' and 'right', which are both fixed")
 
     def test_symmetry_holds_across_its_plane(self):
         """The plane x = 0 holds the left cube; planes that both lie on take away the other directions."""
@@ -110,7 +110,7 @@ class Place(Program):
         code, _, errors = self.check(limited.replace("LIMIT", "0.04"))
         self.assertEqual(code, 2)
         self.assertEqual(len(errors.splitlines()), 1)
-        self.assertRegex(errors, r"^brunt: scene\.yaml:\d+: contact\.0\.limit: initial_overlap: place would move part '\w+' by 0\.05 m; expected at most 0\.04 m$")
+        self.assertRegex(errors, r"^brunt: scene\.yaml:\d+: contact\.0\.limit: out of range: initial_overlap: place would move part '\w+' by 0\.05 m; expected at most 0\.04 m$")
 
     def test_no_element_is_distorted_and_nothing_moves_in_the_run(self):
         self.write("scene.yaml", HEAP)
@@ -151,22 +151,22 @@ class Place(Program):
         for rule in ("error", "place", "offset"):
             _, output, _ = self.check(CUBES, "--set", f"contact.0.initial_overlap={rule}")
             self.assertRegex(output, r"smallest motion +parts 'left' and 'right' overlap: moving 'left' by 0\.1 m along \(-1, 0, 0\) separates them "
-                                     r"\(translation\); no motion below 0\.1 m does", rule)
+                                     r"\(translation\); no motion below 0\.1 m separates them", rule)
         _, output, _ = self.check(CUBES.replace("at: [0.9, 0, 0]", "at: [1.1, 0, 0]"))
         self.assertNotIn("smallest motion", output)
 
     def test_check_moves_only_what_may_move(self):
         """The left cube is the one that is named where none is held (above): of equal masses the first."""
-        for held, line in (("{part: left, dofs: [x, y, z]}", r"moving 'right' by 0\.1 m along \(1, 0, 0\) separates them \(translation\); no motion below 0\.1 m does"),
+        for held, line in (("{part: left, dofs: [x, y, z]}", r"moving 'right' by 0\.1 m along \(1, 0, 0\) separates them \(translation\); no motion below 0\.1 m separates them"),
                            ("{part: left, dofs: [x]}", r"moving 'right' by 0\.1 m along \(1, 0, 0\)"),
                            ("{part: left, dofs: [x]}, {part: right, dofs: [x, y, z]}", r"moving 'left' by 1 m along \(0, -?[01], -?[01]\) separates them"),
-                           ("{part: left, dofs: [x, y, z]}, {part: right, dofs: [x, y, z]}", "both are held, so that neither may move")):
+                           ("{part: left, dofs: [x, y, z]}, {part: right, dofs: [x, y, z]}", "both are fixed, so neither can move")):
             _, output, errors = self.check(CUBES.replace("initial_overlap: place", "initial_overlap: offset") + f"fixed: [{held}]\n")
             self.assertRegex(output, "smallest motion +parts 'left' and 'right' overlap: " + line, errors)
 
     def test_parts_placed_through_walls_and_planes_are_named(self):
         wall = CUBES + "rigid_walls: [{name: side, point: [WALL, 0, 0], normal: [1, 0, 0]}]\n"
-        warning = r"^warning: scene\.yaml:\d+: rigid_walls\.0.*: initial_overlap: place puts part 'left' 0\.03 m behind rigid wall 'side'$"
+        warning = r"^warning: scene\.yaml:\d+: rigid_walls\.0.*: initial_overlap: place moves part 'left' 0\.03 m behind rigid wall 'side'$"
         for place, told in (("-0.02", True), ("-0.06", False)):
             code, output, errors = self.check(wall.replace("WALL", place))
             self.assertEqual(code, 0, errors)
@@ -176,8 +176,8 @@ class Place(Program):
             "right: {material: light}}", "right: {material: light}, base: {material: light}}")
         code, output, errors = self.check(base + "symmetry: [{point: [-0.02, 0, 0], normal: [-1, 0, 0]}]\n")
         self.assertEqual(code, 0, errors)
-        self.assertRegex(output, r"(?m)^warning: scene\.yaml:\d+: symmetry\.0.*: initial_overlap: place puts part 'left' 0\.03 m across the plane of symmetry$")
-        self.assertNotRegex(output, "puts part '(right|base)'")
+        self.assertRegex(output, r"(?m)^warning: scene\.yaml:\d+: symmetry\.0.*: initial_overlap: place moves part 'left' 0\.03 m across the plane of symmetry$")
+        self.assertNotRegex(output, "moves part '(right|base)'")
 
     def test_check_on_three_ranks(self):
         self.write("scene.yaml", HEAP)

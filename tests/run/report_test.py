@@ -160,8 +160,8 @@ class Report(Program):
         head = kept["history.csv"].splitlines(keepends=True)[0]
         last = kept["history.csv"].splitlines()[-1].split(b",")
         not_numbers = head + kept["history.csv"].splitlines(keepends=True)[1] + b",".join(last[:3] + [b"nan"] * (len(last) - 3)) + b"\n"
-        damaged = (("state.h5", b"no file of HDF5", "is no state file", "energies"), ("history.csv", None, "no curves over time", "model"),
-                   ("history.csv", head, "no history to draw", "energies"), ("history.csv", not_numbers, "Probes", "probes"),
+        damaged = (("state.h5", b"no file of HDF5", "cannot read the state file", "energies"), ("history.csv", None, "no curves over time", "model"),
+                   ("history.csv", head, "missing history", "energies"), ("history.csv", not_numbers, "Probes", "probes"),
                    ("history.csv", head + b"1,2,3", "no complete row", "files"),
                    ("summary.json", None, "no summary.json", "model"), ("summary.json", b"{", "summary.json cannot be read", "model"),
                    ("summary.json", b"[1]", "summary.json is damaged", "model"),
@@ -225,10 +225,10 @@ class Report(Program):
     def test_what_is_refused(self):
         self.run_rod()
         os.mkdir(os.path.join(self.folder, "empty"))
-        for words, arguments in ((["no such folder"], ["nowhere"]), (["holds no results"], ["empty"]), (["rod.yaml", "no such folder"], ["rod.yaml"]),
-                                 (["no folder"], ["out", "-o", "nowhere/x.html"]), (["is a folder"], ["out", "-o", "out"]),
+        for words, arguments in ((["does not exist"], ["nowhere"]), (["missing results"], ["empty"]), (["rod.yaml", "does not exist"], ["rod.yaml"]),
+                                 (["does not exist"], ["out", "-o", "nowhere/x.html"]), (["it is a folder"], ["out", "-o", "out"]),
                                  (["no field nothing", "stress"], ["out", "--field", "nothing"]), (["no component w"], ["out", "--field", "velocity.w"]),
-                                 (["--states", "accepted"], ["out", "--states", "-1"]), (["--states", "accepted"], ["out", "--states", "1e9"]),
+                                 (["--states", "expected"], ["out", "--states", "-1"]), (["--states", "expected"], ["out", "--states", "1e9"]),
                                  (["unknown option '--feild'", "--field"], ["out", "--feild", "x"]), (["result"], [])):
             done = self.report(*arguments)
             self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)

@@ -160,13 +160,13 @@ class RigidContact(Program):
     def test_a_driven_body_that_may_turn_is_told_of_where_a_wall_stops_it(self):
         self.write("block.yaml", BLOCK + "prescribed: [{part: a, dof: z, velocity: -1}]\nrigid_walls: [{point: [0, 0, -0.0105], normal: [0, 0, 1]}]\n")
         self.run_scene(1, "block.yaml", "--out", "block", "--set", "run.steps=20")
-        self.assertIn("supports drive a rigid part into what cannot give way", self.text("block", "log.txt"))
+        self.assertIn("supports move a rigid part into an obstacle that cannot yield", self.text("block", "log.txt"))
 
     def test_other_methods_are_refused(self):
         self.write("wrong.yaml", BLOCK + "contact: [{between: [a, b], method: penalty}]\n")
         done = self.brunt("check", "wrong.yaml")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("accepted: rate or row_sum", done.stderr)
+        self.assertIn("expected rate or row_sum", done.stderr)
 
 
 if __name__ == "__main__":

@@ -213,7 +213,7 @@ class Stops(Program):
     def assert_stopped_by_a_guard(self, scene):
         """With a clear word, and a state saved from before it that the run goes on from."""
         self.run_scene(1, scene, "--out", "out", "--force", code=3)
-        self.assertRegex(self.text("out", "log.txt"), "stopped: (the stable step has fallen|element . .* has no volume left)")
+        self.assertRegex(self.text("out", "log.txt"), "stopped: (the stable step has decreased|element . .* has no volume left)")
         self.assertEqual(self.summary("out")["stopped_by"], "guard")
         self.assertEqual(self.summary("out")["exit_code"], 3)
         saved = max(int(name[len("checkpoint_"):-len(".h5")]) for name in self.checkpoints("out"))
@@ -271,7 +271,7 @@ class Stops(Program):
     def test_an_end_passed_by_far_is_a_warning(self):
         self.run_scene(1, "long.yaml", "--out", "out", "--set", "run.steps=null", "--set", "run.end=1.0e-6")
         self.assertEqual(self.summary("out")["warnings"], 1)
-        self.assertRegex(self.text("out", "log.txt"), r"warning: the run ended at t = \S+, \S+ % past its end")
+        self.assertRegex(self.text("out", "log.txt"), r"warning: the run ended at t = \S+, \S+ % after its end")
 
     def test_iterations_that_end_at_their_limit_are_told_once_and_counted(self):
         self.write("rubber.yaml", scenes.RUBBER.replace("METHOD", "rate"))
@@ -330,14 +330,14 @@ class Stops(Program):
         self.run_scene(1, "long.yaml", "--out", "other", "--set", "run.steps=5")
         before = self.text("other", "history.csv")
         told = self.run_scene(1, "long.yaml", "--out", "other", "--restart", "out", code=2)  # not its own run
-        self.assertIn("other: holds results already", told)
+        self.assertIn("other: invalid result folder: it contains results", told)
         self.assertEqual(self.text("other", "history.csv"), before)
 
     def test_a_folder_belongs_to_one_run_at_a_time(self):
         run = self.start()
         self.wait_for("out", "log.txt")
         told = self.run_scene(1, "--set", "run.steps=3", "long.yaml", "--out", "out", "--force", code=2)
-        self.assertIn("another run is writing there", told)
+        self.assertIn("another run writes into it", told)
         run.send_signal(signal.SIGTERM)
         self.assert_stopped(run, "signal")
 

@@ -90,17 +90,17 @@ class Scaling(unittest.TestCase):
         self.assertIn(phrase, done.stderr)
 
     def test_says_what_is_wrong(self):
-        for options, phrase in ((("-np", "1,0"), "'0' is no number of ranks"), (("-np", "2,2"), "there twice"),
+        for options, phrase in ((("-np", "1,0"), "invalid number of ranks '0'"), (("-np", "2,2"), "given twice"),
                                 (("--set", "steps"), "KEY.PATH=VALUE"), (("--fast",), "unknown option"),
-                                (("--at-once", "-1"), "-1"), (("--weak", "--restart", "x"), "a checkpoint is of one size"),
+                                (("--at-once", "-1"), "-1"), (("--weak", "--restart", "x"), "a checkpoint has one size"),
                                 (("-np", "1", "--set", "run.stps=1"), "did you mean 'steps'")):
             with self.subTest(options=options):
                 self.assert_refused(phrase, *options)
 
     def test_says_what_is_wrong_with_the_growth(self):
         self.assert_refused("scaling.weak: missing", "--weak", growth="")
-        for growth, phrase in (("{counts: [mesh.7.box.elements.0]}", "scaling.weak.0.counts.0: 'mesh.7.box.elements.0' leads to nothing"),
-                               ("{counts: [mesh.0.box.size.0]}", "scaling.weak.0.counts.0: 'mesh.0.box.size.0' names no number of elements"),
+        for growth, phrase in (("{counts: [mesh.7.box.elements.0]}", "scaling.weak.0.counts.0: unknown path 'mesh.7.box.elements.0'"),
+                               ("{counts: [mesh.0.box.size.0]}", "scaling.weak.0.counts.0: invalid path 'mesh.0.box.size.0': not a number of elements"),
                                ("{counts: []}", "scaling.weak.0.counts: is empty"),
                                ("{counts: [mesh.1.box.at.0]}", "names no number of elements"),
                                ("{count: [mesh.0.box.elements.0]}", "scaling.weak.0")):

@@ -166,19 +166,19 @@ class Search(unittest.TestCase):
 
     def test_wrong_scenes_of_facets(self):
         good = ["facets1 test 3 1 0.5", "0 0 0", "1 0 0", "0 1 0", "0 0 1 2 -1"]
-        for line, text, accepted in ((1, "facets1 test 3 1", "1: not a scene of facets; accepted: facets1 NAME n m d"),
+        for line, text, accepted in ((1, "facets1 test 3 1", "1: invalid scene of facets; expected facets1 NAME n m d"),
                                      (1, "facets1 test 3 1 -0.5", "a distance d >= 0"),
-                                     (1, "facets1 test -3 1 0.5", "1: not a scene of facets"),
-                                     (3, "1 nan 0", "3: accepted: three finite coordinates"),
-                                     (5, "2 0 1 2 -1", "5: accepted: side n0 n1 n2 n3"),
-                                     (5, "0 0 1 2 3", "5: accepted: node ids from 0 to n - 1"),
-                                     (5, "0 0 1 -1 2", "5: accepted: node ids from 0 to n - 1"),
-                                     (5, "0 0 1 2", "5: accepted: side n0 n1 n2 n3")):
+                                     (1, "facets1 test -3 1 0.5", "1: invalid scene of facets"),
+                                     (3, "1 nan 0", "3: invalid line; expected three finite coordinates"),
+                                     (5, "2 0 1 2 -1", "5: invalid line; expected side n0 n1 n2 n3"),
+                                     (5, "0 0 1 2 3", "5: invalid line; expected node ids from 0 to n - 1"),
+                                     (5, "0 0 1 -1 2", "5: invalid line; expected node ids from 0 to n - 1"),
+                                     (5, "0 0 1 2", "5: invalid line; expected side n0 n1 n2 n3")):
             with self.subTest(text=text):
                 lines = good[:line - 1] + [text] + good[line:]
                 self.refused("\n".join(lines) + "\n", accepted, "--method", "kdop")
-        self.refused("\n".join(good) + "\n", "1: --method blocks searches scenes of nodes and boxes; accepted: --method kdop")
-        self.refused("facets2 test 3 1 0.5\n", "not a search scene", "--method", "kdop")
+        self.refused("\n".join(good) + "\n", "1: invalid --method blocks for facets; expected --method kdop")
+        self.refused("facets2 test 3 1 0.5\n", "invalid search scene", "--method", "kdop")
         self.refused("", "kdo not in", "--method", "kdo")
 
     def refused(self, text, says, *options):

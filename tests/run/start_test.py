@@ -29,7 +29,7 @@ class Start(Program):
     def test_gap_is_listed(self):
         self.assertIn("smallest gap     0.05 m", self.check(1.05)[1])
         self.assertIn("smallest gap     0 m", self.check(1.0)[1])
-        self.assertIn("no two parts are nearer", self.check(3)[1])
+        self.assertIn("no two parts are closer", self.check(3)[1])
 
     def test_extents_are_listed_with_unit_on_any_number_of_ranks(self):
         bodies = """units: UNITS
@@ -69,7 +69,7 @@ run: {steps: 1}
     def test_overlap_that_is_accepted_is_a_warning(self):
         code, output = self.check(0.99, "warn")
         self.assertEqual(code, 0, output)
-        self.assertRegex(output, r"warning: pair\.yaml:\d+: contact\.0: node")
+        self.assertRegex(output, r"warning: pair\.yaml:\d+: contact\.0: initial overlap: node")
 
     def run_pair(self, rule, ranks, *arguments):
         self.write("pair.yaml", scenes.PAIR.replace("AT", "0.99").replace("RULE", rule))
@@ -86,7 +86,7 @@ run: {steps: 1}
             self.assertLess(abs(still["energy"]["kinetic"]), 1e-12 * parted["energy"]["kinetic"])
             self.assertLess(still["max_penetration"], 1e-12)
         self.assertRegex(self.text("move1", "log.txt"), r"initial overlaps: \d+ nodes moved, by 0\.01")
-        self.assertRegex(self.text("offset1", "log.txt"), r"initial overlaps: \d+ nodes keep theirs as zero gap, 0.01 m")
+        self.assertRegex(self.text("offset1", "log.txt"), r"initial overlaps: \d+ nodes kept as zero gap, 0.01 m")
 
     def test_kept_overlaps_of_edges(self):
         """Corners inside each other: nodes behind faces, and edges across edges."""
@@ -102,7 +102,7 @@ run: {steps: 1}
         self.write("fork.yaml", scenes.FORK)
         done = self.brunt("check", "fork.yaml", "--all")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("inside part 'fork' at the start (one body, which overlaps itself)", done.stderr)
+        self.assertIn("inside part 'fork' (one body, which overlaps itself)", done.stderr)
         listed = re.findall(r"^overlap +node +\d+ of fork +0\.0(?:5|4427) inside fork, ", done.stdout, re.M)
         self.assertEqual(len(listed), 2 * 5 * 3)  # of each arm, from x = 4 to 8; at 4 the slope is nearer
         for rule, ranks in (("warn", 1), ("offset", 1), ("offset", 3)):
@@ -210,13 +210,13 @@ run: {end: 1.0e-5}
     def test_cost_is_measured(self):
         code, output = self.check(1.05)
         self.assertEqual(code, 0)
-        self.assertRegex(output, r"estimated cost +\S+ s on 1 rank without output \([1-9]\d* ns per element-step")
+        self.assertRegex(output, r"estimated cost +\S+ s on 1 rank without output \([1-9]\d* ns per element, step")
 
     def test_a_coarse_slave_is_told_at_the_start(self):
         self.write("pair.yaml", scenes.PAIR.replace("AT", "1.05").replace("RULE", "error").replace("[8, 8, 8]", "[1, 1, 1]"))
         named = ("--set", "contact.0.between=[left, right]", "--set", "contact.0.slave=left", "--set", "run.steps=2")
-        told = (r"warning: (?:pair\.yaml:\d+|--set contact\.0\.slave=left): contact\.0\.slave: part 'left' is the slave of 'right', whose faces are much finer where they "
-                r"meet \(edges of 0\.167 against 1\).*; say slave: right, or passes: two")
+        told = (r"warning: (?:pair\.yaml:\d+|--set contact\.0\.slave=left): contact\.0\.slave: part 'left' is the slave of 'right', whose faces are much finer in the "
+                r"contact region \(edges of 0\.167 against 1\).*; use slave: right, or passes: two")
         self.assertRegex(self.brunt("check", "pair.yaml", *named).stdout, told)
         for ranks in (1, 3):
             self.run_scene(ranks, "pair.yaml", "--out", f"out{ranks}", *named)
@@ -249,18 +249,18 @@ run: {end: 1.0e-5}
         self.write("rod.yaml", scenes.ROD)
         self.run_scene(2, "rod.yaml", "--out", "out")
         left = self.summary("out")
-        for option, value, phrases in (("run.steps", "9", ["9 are done already", "at step 10"]),
-                                       ("run", "{end: 1.0e-5}", ["1e-05 is past already", "stands at t = "])):
+        for option, value, phrases in (("run.steps", "9", ["9 steps are done", "at step 10"]),
+                                       ("run", "{end: 1.0e-5}", ["1e-05 has passed", "is at t = "])):
             done = subprocess.run([RUN, "-np", "2", "rod.yaml", "--out", "out", "--restart", "out", "--set", f"{option}={value}"],
                                   cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE, check=False)
             self.assertEqual(done.returncode, 2, done.stderr + done.stdout)
             self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
-            for phrase in ["run.", "checkpoint_", "accepted", *phrases]:
+            for phrase in ["run.", "checkpoint_", "expected", *phrases]:
                 self.assertIn(phrase, done.stderr)
         self.assertEqual(self.summary("out"), left)  # refused before anything was touched
         self.run_scene(1, "rod.yaml", "--out", "out", "--restart", "out")
-        self.assertEqual(self.text("out", "log.txt").count("nothing is left to run"), 1)
-        self.assertEqual(self.text("out", "log.txt").count("past its end"), 0)
+        self.assertEqual(self.text("out", "log.txt").count("nothing to run"), 1)
+        self.assertEqual(self.text("out", "log.txt").count("after its end"), 0)
         self.assertEqual(self.summary("out"), left)  # with the times of the run itself
         os.remove(os.path.join(self.folder, "out", "summary.json"))  # as where the machine went down at the end
         self.run_scene(1, "rod.yaml", "--out", "out", "--restart", "out")

@@ -60,7 +60,7 @@ class Studies(unittest.TestCase):
         done = self.run_study(program, text)
         self.assertEqual(done.returncode, 2, done.stderr + done.stdout)
         self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
-        for phrase in ("s.yaml", "accepted", *phrases):
+        for phrase in ("s.yaml", "expected", *phrases):
             self.assertIn(phrase, done.stderr)
 
     def test_pareto(self):
@@ -93,7 +93,7 @@ class Studies(unittest.TestCase):
             with self.subTest(change=change):
                 self.assert_refused("pareto", PARETO.replace(*change), *phrases)
         self.assert_refused("pareto", f"case: {CASES}/beam\nmeshes: {{short: {{size: 1, run.steps: 2}}}}\n",
-                            "does not tell the errors")
+                            "cannot report the errors")
 
     def test_pareto_goes_on_past_a_run_that_fails(self):
         done = self.run_study("pareto", PARETO.replace("run.cfl: 0.5", "run.cfl: 5"))
@@ -170,7 +170,7 @@ class Studies(unittest.TestCase):
                                 (("scene: ", "scenes: {a: b}\nscene: "), ("scene:", "one of the two")),
                                 (("columns: [steps", "ranks: 0\ncolumns: [steps"), ("ranks",)),
                                 (("{run.steps: 5}", "5"), ("runs.short",)),
-                                (("bar_impact/scene", "bar_impact/scen"), ("scene:", "is not there")),
+                                (("bar_impact/scene", "bar_impact/scen"), ("scene:", "does not exist")),
                                 (("ranks: 2", "ranks: 0"), ("runs.long.ranks",)),
                                 (("columns:", "runs: ["), ("s.yaml",)),):
             with self.subTest(change=change):

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ranks of a run. Every function here is collective unless it says otherwise.
-// mpi.h is seen only through comm/native.hpp.
+// The ranks of a run. Every function is collective unless stated otherwise. mpi.h is included by comm/native.hpp only.
 #pragma once
 #include <cstddef>
 #include <functional>
@@ -28,7 +27,8 @@ class Communicator {
   [[nodiscard]] double max(double value) const;  ///< a NaN on any rank is NaN on all, here and in `min`
   [[nodiscard]] double min(double value) const;
   void max(std::span<double> values) const;  ///< element by element, in place
-  /// The same while other messages travel: `values` hold nothing of use between the two. One at a time.
+  /// The same while other messages are in progress: `values` are undefined between begin and end. One reduction at a
+  /// time.
   void begin_max(std::span<double> values) const;
   void end_max(std::span<double> values) const;
   [[nodiscard]] GlobalIndex sum(GlobalIndex value) const;
@@ -41,9 +41,10 @@ class Communicator {
 
   void broadcast(std::vector<std::byte>& bytes, Rank root = 0) const;
   void broadcast(std::string& text, Rank root = 0) const;
-  /// What each rank gave, by rank, on `root`; empty elsewhere.
+  /// The bytes of each rank, by rank, on `root`; empty elsewhere.
   [[nodiscard]] std::vector<std::vector<std::byte>> gather(std::span<const std::byte> bytes, Rank root = 0) const;
-  /// What `root` made for this rank; `for_rank` is called on `root` only, once a rank, and sent off at once.
+  /// The bytes that `root` creates for this rank. `for_rank` is called on `root` only, once for each rank, and its
+  /// result is sent at once.
   [[nodiscard]] std::vector<std::byte> scatter(const std::function<std::vector<std::byte>(Rank)>& for_rank,
                                                Rank root = 0) const;
   [[nodiscard]] std::vector<double> gather_all(double value) const;

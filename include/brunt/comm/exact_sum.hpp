@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums of doubles that are exact, hence the same in any order and on any number of ranks: a long fixed-point
-// accumulator over the whole range of double (after U. Kulisch, Computer Arithmetic and Validity, 2008),
-// rounded once at the end.
+// Exact sums of doubles, hence the same in any order and on any number of ranks: a long fixed-point accumulator over
+// the whole range of double (after U. Kulisch, Computer Arithmetic and Validity, 2008), rounded once at the end.
 #pragma once
 #include <array>
 #include <bit>
@@ -14,7 +13,8 @@ namespace brunt::comm {
 
 class ExactAccumulator {
  public:
-  /// Non-finite values are remembered and returned as NaN. Inline: some are added for every row of a step.
+  /// Non-finite values are counted, and the sum is then NaN. Inline, since several values are added for every
+  /// constraint in a step.
   void add(double value);
   void add(const ExactAccumulator& other);
   [[nodiscard]] double round() const;  ///< nearest double to the exact sum
@@ -24,11 +24,12 @@ class ExactAccumulator {
   [[nodiscard]] std::span<std::int64_t> raw();  ///< carries normalised: safe to add across up to 2^30 ranks
 
  private:
-  // Bit 0 of limb 0 weighs 2^-1074, the least double; the greatest has its first bit at position 2097 = limb 65, so
-  // four limbs are left for carries.
+  // Bit 0 of limb 0 is 2^-1074, the smallest double. The largest double has its first bit at position 2097, in limb 65,
+  // so four limbs remain for carries.
   static constexpr int limb_bits = 32;
   static constexpr std::uint64_t limb_mask = 0xffffffffu;
-  // Each addition changes a limb by less than 2^32; two accumulators with this many stay below 2^63 when added.
+  // Each addition changes a limb by less than 2^32. Two accumulators with this many pending additions stay below 2^63
+  // when added.
   static constexpr std::int64_t most_pending = std::int64_t{1} << 29;
 
   void normalise();

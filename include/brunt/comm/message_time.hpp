@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Processor time of this rank with and without its messages: a rank that waits for others is busy too, so what its own
-// work costs is processor time less that spent in messages. Asking the clock is a system call, so messages are timed
-// only where someone asks for it.
+// Processor time of this rank with and without its messages. A waiting rank also uses processor time, so the cost of
+// its own work is its processor time less that spent in messages. Reading the clock is a system call; messages are
+// therefore timed only on request.
 #pragma once
 
 namespace brunt::comm {
@@ -9,13 +9,13 @@ namespace brunt::comm {
 /// Processor time of this thread so far [s].
 [[nodiscard]] double processor_seconds();
 
-/// From now on messages are timed, or not.
+/// Turns the timing of messages on or off.
 void time_messages(bool on);
 /// Processor time that this rank has spent in messages while they were timed [s].
 [[nodiscard]] double message_seconds();
 
-/// Books the time from its making to its end as that of a message. One inside another counts twice: leaf functions
-/// only.
+/// Counts the time between its construction and its destruction as message time. Nested objects would count twice, so
+/// only the innermost functions use it.
 class MessageTime {
  public:
   MessageTime();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one door to mpi.h, for comm, the parallel HDF5 opener, the reference solve and app.
+// The only header that includes mpi.h: for comm, the parallel HDF5 files, the reference solution and app.
 #pragma once
 #include <mpi.h>
 
@@ -24,7 +24,7 @@ inline void add_sent(Sent& sent, std::size_t messages, std::size_t bytes) {
   sent.messages += static_cast<std::int64_t>(messages);
   sent.bytes += static_cast<std::int64_t>(bytes);
 }
-/// Counts one call of a collective, to which this rank brings `bytes`.
+/// Counts one collective call, to which this rank contributes `bytes`.
 inline void count_collective(const Communicator& ranks, std::size_t bytes) {
   add_sent(NativeAccess::sent(ranks).collective, 1, bytes);
 }

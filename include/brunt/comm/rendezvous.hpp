@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Messages to ranks found at run time, and the block layout that files are written in.
+// Messages to ranks that are determined at run time, and the block layout in which files are written.
 #pragma once
 #include <algorithm>
 #include <cstring>
@@ -34,7 +34,7 @@ Ragged<T> exchange(const Communicator& ranks, const std::vector<std::vector<T>>&
   return result;
 }
 
-/// Entities 0..total-1 dealt out in equal contiguous blocks: how files are read and written in parallel.
+/// Entities 0..total-1 in equal contiguous blocks, for parallel reading and writing of files.
 struct BlockLayout {
   GlobalIndex total = 0;
   int ranks = 1;
@@ -43,11 +43,11 @@ struct BlockLayout {
   [[nodiscard]] Rank owner(GlobalIndex id) const;
 };
 
-/// Moves values between the entities a rank holds (by id, in any order) and the block layout.
+/// Moves values between the entities of a rank (by id, in any order) and the block layout.
 class BlockRedistribution {
  public:
   BlockRedistribution() = default;
-  /// ids: of the entities of this rank; for `to_blocks` each id must be on one rank only. Collective.
+  /// ids: of the entities of this rank; for `to_blocks` each id must be on exactly one rank. Collective.
   BlockRedistribution(const Communicator& ranks, GlobalIndex total, std::span<const GlobalIndex> ids);
 
   [[nodiscard]] const BlockLayout& layout() const { return layout_; }

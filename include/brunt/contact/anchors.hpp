@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Anchors of sticking nodes in this step: where they are now, and new ones. An anchor moves with the face that holds
-// it, also when the slave has come to lie over another; it is dropped by geometry alone, before its face may leave the
-// lists.
+// Anchors of sticking nodes: their present positions, and new ones. An anchor moves with the face on which it lies,
+// even when the slave has moved to another face. It is dropped by a geometric criterion only, before its face can leave
+// the candidate lists.
 #pragma once
 #include <optional>
 #include <span>
@@ -12,7 +12,7 @@
 
 namespace brunt::contact {
 
-/// What anchors hang on.
+/// The data on which anchors depend.
 struct AnchorScene {
   std::span<const MasterFace> faces;
   std::span<const LocalIndex> by_key;  ///< the faces in ascending order of their keys
@@ -21,19 +21,19 @@ struct AnchorScene {
   const Tolerances* tolerances = &standard_tolerances;
 };
 
-/// Once a list.
+/// Called once for each list.
 std::vector<LocalIndex> order_by_key(std::span<const MasterFace> faces);
 
 /// The face of this key, or null. by_key: the faces in ascending order of their keys.
 const MasterFace* find_face(std::span<const MasterFace> faces, std::span<const LocalIndex> by_key, GlobalIndex key);
 
-/// How far the row's slave has moved off its anchor [length], at x_n. Nothing where it lies on a face and is farther
-/// from the slave than the settings' reach (and half the face's thickness): then it is dropped, on every rank and
-/// whatever the lists hold, for lists hold all faces that are nearer. Of edges it is the points that met at first which
-/// have come apart.
+/// Distance of the row's slave from its anchor [length], at x_n. Empty if the anchor lies on a face and is farther from
+/// the slave than the reach of the settings (and half the thickness of the face). The anchor is then dropped, on every
+/// rank and independent of the lists, since lists contain all nearer faces. For edges it is the distance between the
+/// points of first contact.
 std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, const Row& row);
 
-/// An anchor where the row's slave meets its master now.
+/// An anchor at the present contact point of the row's slave and master.
 AnchorRecord anchor_of(const AnchorScene& scene, const Row& row);
 
 }  // namespace brunt::contact

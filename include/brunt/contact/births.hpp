@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes that lie behind faces which have come to the surface: what they lie inside then is no penetration. Gaps of the
-// node with faces of that body are measured from it, and as the node comes out the measure goes with it, so that it
-// never is deeper again.
+// Nodes behind faces that have just become exterior: their initial depth is not a penetration. Gaps of such a node with
+// faces of that body are measured from this depth. The depth decreases as the node moves out, and never increases
+// again.
 #pragma once
 #include <span>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace brunt::contact {
 
-/// What decides about births besides the rows.
+/// Data other than the rows that determine births.
 struct BirthScene {
   std::span<const HistoryRecord> acted;  ///< of the last step
   std::span<const NodeMotion> motion;
@@ -19,11 +19,12 @@ struct BirthScene {
   bool surface_is_new = false;  ///< elements have gone since rows were last found
 };
 
-/// The births of a step with these rows, of which gaps are measured from `births` as they were. Closed rows of faces
-/// that did not act in the last step are born: with their penetration where the surface is new; else with what of it
-/// neither was there in the last step nor has come about by its motion. (At a torn edge a mass point may lie in front
-/// of one face and deep behind the next, and rows of such faces come and go.) A birth is no deeper than the node lies
-/// in the body; nothing is left of it where the node meets the body no more. scratch: any, to save allocations.
+/// The births of a step with these rows, whose gaps are measured from the previous `births`. A closed row of a face
+/// that did not act in the last step creates a birth: with its penetration if the surface is new, otherwise with the
+/// part of the penetration that neither existed in the last step nor results from its motion. (At a torn edge a mass
+/// point may lie in front of one face and deep behind the next, and rows of such faces appear and disappear.) A birth
+/// is never deeper than the node lies in the body, and is deleted when the node no longer touches the body. scratch:
+/// any, to save allocations.
 void follow_births(const BirthScene& scene, std::vector<Row>& rows, std::vector<BirthRecord>& births,
                    std::vector<BirthRecord>& scratch);
 

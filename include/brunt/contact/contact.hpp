@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact and rigid walls of a run, on all ranks: lists that last, rows, impulses, corrected velocities. All that it
-// keeps from step to step and that results depend on is its history, which goes to checkpoints and the state hash.
+// Contact and rigid walls of a run, on all ranks: candidate lists, rows, impulses, corrected velocities. Only the
+// history carries data between steps on which results depend; it is saved in checkpoints and hashed.
 #pragma once
 #include <span>
 #include <vector>
@@ -27,7 +27,7 @@ struct Contact {
   const ContactSettings settings;
   DerivedSettings derived;
   Surface surface;
-  std::vector<BodyFigures> bodies_at_start;  ///< decide for the whole run who is slave
+  std::vector<BodyFigures> bodies_at_start;  ///< determine the slave for the whole run
   std::vector<Wall> walls_at_start;
   SurfaceNodes surface_nodes;
   ContactLists lists{};
@@ -37,8 +37,8 @@ struct Contact {
   TiedParts tied{};
   std::vector<DrivenMeeting> driven{};  ///< found on this rank
   ContactLedger ledger{};
-  bool elements_are_gone = false;  ///< on any rank: then nodes may lie behind faces from the start, see births.hpp
-  bool births_due = false;         ///< the surface has changed since rows were last found
+  bool elements_are_gone = false;  ///< on any rank: nodes may then lie behind faces from the start, see births.hpp
+  bool births_due = false;         ///< the surface has changed since rows were last determined
 };
 
 /// excluded: one flag for each of mesh.faces (faces in a symmetry plane). inverse_mass: of the mesh's local nodes.
@@ -47,40 +47,41 @@ Contact make_contact(const comm::Communicator& ranks, const mesh::LocalMesh& mes
                      std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained,
                      std::span<const Wall> walls, ContactSettings settings);
 
-/// Carriers of a step's contact nodes.
+/// Carriers of the contact nodes in a step.
 inline Carriers carriers_of(const Contact& contact, const StepInput& input) {
   return {contact.step.nodes.carried, input.bodies};
 }
 
-/// Elements have been removed: the surface and all that follows from it for what is left of the bodies. Who is slave
-/// and the lengths that tolerances are made of stay as they were at the start; so do history, sums and ties but those
-/// of which the face or the slave's elements are gone. A function of the start and of which elements live. Collective.
+/// After a removal of elements: recomputes the surface of the remaining bodies and all data that follow from it. The
+/// choice of slaves and the lengths in tolerances keep their initial values. History, sums and ties are kept, except
+/// ties whose face or slave elements were removed. The result depends on the start and the remaining elements only.
+/// Collective.
 void update_surface(Contact& contact, const mesh::LocalMesh& mesh, const Remains& remains,
                     std::span<const double> inverse_mass, std::span<const ConstrainedNode> constrained);
 
-/// Rebuilds the lists where the motion they allow is used up. Once a step, before `correct`. velocities: of all ranks;
-/// their bounds tell for most steps that the lists hold (see ListMotion). Collective.
+/// Rebuilds the lists if their admissible motion is used up. Called once in each step, before `correct`. velocities: of
+/// all ranks; in most steps their bounds prove that the lists are valid (see ListMotion). Collective.
 void search(Contact& contact, const StepInput& input, const VelocitySpan& velocities);
 
-/// Replaces v* by v = v* + W G^T impulses on every local node, the same bits on every copy. Collective.
+/// Replaces v* by v = v* + W G^T impulses on every local node, with the same bits on every copy. Collective.
 void correct(Contact& contact, const StepInput& input);
 
-/// Impulse [momentum] of the last step on each node owned here is added to `impulse` (a row a local node of the mesh),
-/// held components included: what the step books as reaction of fixed and prescribed nodes.
+/// Adds the impulse [momentum] of the last step on each node owned here to `impulse` (one entry for each local node of
+/// the mesh), including constrained components: the step records these as reactions of fixed and prescribed nodes.
 void add_impulses(const Contact& contact, std::span<Vec3> impulse);
 
-/// Energy that the second half of the last step's impulses took, p . v_{n+1/2} / 2: the sums hold whole steps, a ledger
-/// at t_n takes this off. Of this rank.
+/// Energy taken by the second half of the last step's impulses, p . v_{n+1/2} / 2, on this rank. The sums contain
+/// complete steps; a ledger at t_n subtracts this value.
 void add_second_half(const Contact& contact, WorkSums& half);
 
-/// Of the last step, by local node of the mesh, for slaves owned here, zero elsewhere: impulse over dt and the area
-/// around the node [stress], on walls where ContactSettings::wall_pressures asks for it; smallest gap [length].
+/// Of the last step, by local node of the mesh, for slaves owned here, zero elsewhere: impulse divided by dt and by the
+/// area around the node [stress], on walls if ContactSettings::wall_pressures is set; smallest gap [length].
 std::vector<double> pressures(const Contact& contact, double dt);
 std::vector<double> gaps(const Contact& contact);
 
 /// The history's records of this rank.
 HistoryTables history_tables(const Contact& contact);
-/// Takes over records that lie anywhere, each on one rank; each goes to where its rows are made. Collective.
+/// Restores records that may be on any rank, each on one; each is sent to the rank that creates its rows. Collective.
 void restore_history(const HistoryTables& tables, Contact& contact);
 
 ContactTotals collect(const Contact& contact);              ///< collective

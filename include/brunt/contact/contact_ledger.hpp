@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What contact books: work and impulses of a run, and how much there was to solve.
+// Accounts of contact: work and impulses of a run, and solver statistics.
 #pragma once
 #include <array>
 #include <vector>
@@ -14,11 +14,11 @@ struct WorkSums {
   comm::ExactAccumulator contact;   ///< by contact between them, along the normals
   comm::ExactAccumulator friction;  ///< across the normals, on walls too
   comm::ExactAccumulator walls;     ///< by walls, along their normals
-  comm::ExactAccumulator ties;      ///< of `friction`, what ties took: they may give it back
+  comm::ExactAccumulator ties;      ///< the part of `friction` due to ties, which may be returned
 };
 
-/// What one tracked contact has given: on its block. Within a block the impulses on both sides cancel: sizes alone
-/// tell.
+/// Sums of one tracked contact, acting on its block. For self-contact of a block the impulses on both sides cancel, and
+/// only the sums of magnitudes are meaningful.
 struct TrackedSums {
   std::array<comm::ExactAccumulator, 3> impulse;   ///< [momentum]
   std::array<comm::ExactAccumulator, 3> friction;  ///< of it, across the normals of the rows
@@ -26,15 +26,15 @@ struct TrackedSums {
   comm::ExactAccumulator friction_size;            ///< and of those across them
 };
 
-/// Sums over the run, on this rank, exact: sums are reduced only when wanted (see `collect`).
+/// Exact sums over the run on this rank; they are reduced over the ranks only on request (see `collect`).
 struct ContactSums {
   WorkSums work;
   std::vector<std::array<comm::ExactAccumulator, 3>> wall_impulse;  ///< by each wall on the bodies [momentum]
   std::vector<TrackedSums> tracked;                                 ///< of each of ContactSettings::tracked
-  /// Angular momentum that contact between bodies has given: zero where nodes and face points that push on each other
-  /// coincide, or where the push is along the line between them.
+  /// Angular momentum supplied by contact between bodies: zero if the points of application of each pair of impulses
+  /// coincide, or if the impulse acts along the line between them.
   std::array<comm::ExactAccumulator, 3> spin;
-  comm::ExactAccumulator push;  ///< sizes of the impulses between bodies [momentum]
+  comm::ExactAccumulator push;  ///< magnitudes of the impulses between bodies [momentum]
   double penetration = 0;       ///< largest so far [length]
 };
 
@@ -49,17 +49,17 @@ struct ContactTotals {
   double contact_work = 0, friction_work = 0, wall_work = 0, tie_work = 0;  ///< that of ties is in friction_work too
   std::vector<Vec3> wall_impulse;
   std::vector<TrackedTotals> tracked;
-  Vec3 spin = Vec3::Zero();           ///< given by contact between bodies [angular momentum]
-  double push = 0;                    ///< sum of the sizes of the impulses between bodies [momentum]
-  double stored = 0;                  ///< of contact_work, what soft rows hold after the last step and return [energy]
+  Vec3 spin = Vec3::Zero();  ///< given by contact between bodies [angular momentum]
+  double push = 0;           ///< sum of the sizes of the impulses between bodies [momentum]
+  double stored = 0;         ///< part of contact_work that compliant rows store after the last step and return [energy]
   GlobalIndex pairs = 0, active = 0;  ///< candidate pairs now; rows with an impulse in the last step
-  GlobalIndex touching = 0;           ///< of these, rows between bodies that are no ties
+  GlobalIndex touching = 0;           ///< of these, rows between bodies, without ties
   double penetration = 0;             ///< largest of the run [length]
 };
 
 struct ContactStatistics {  ///< the same on every rank
   GlobalIndex steps = 0, searches = 0, solved_steps = 0, iterations = 0;
-  GlobalIndex idle_steps = 0;  ///< in which no candidate was looked at: too far from each other
+  GlobalIndex idle_steps = 0;  ///< without any near candidate
   int most_iterations = 0;
   double largest_residual = 0;
   GlobalIndex steps_at_limit = 0;  ///< that ended at max_iterations, with a residual above the tolerance

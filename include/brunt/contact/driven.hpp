@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes that supports drive through faces or walls of others: neither side can give way along the normal, so that
-// contact can do nothing but report it.
+// Nodes that supports move through faces or walls of other bodies. Neither side can yield along the normal, so contact
+// can only report them.
 #pragma once
 #include <array>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace brunt::contact {
 
-/// The first such node of a pair of blocks on this rank, and how deep any of the pair has been seen.
+/// The first such node of a pair of blocks on this rank, and the largest depth of this pair.
 struct DrivenMeeting {
   std::int32_t slave_block = 0, master_block = 0;  ///< for wall w: -1 - w
   double since = 0;                                ///< ContactLedger::clock when it was first so deep [time]
@@ -18,7 +18,7 @@ struct DrivenMeeting {
   std::array<double, 4> weights{};                                             ///< of the corners, sum 1
   double penetration = 0;                                                      ///< largest so far [length]
   [[nodiscard]] bool is_wall() const { return master_block < 0; }
-  /// Of these two, whichever is the slave?
+  /// Whether it concerns these two blocks, in any order.
   [[nodiscard]] bool is_of(std::int32_t one, std::int32_t other) const {
     return (slave_block == one && master_block == other) || (slave_block == other && master_block == one);
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of the surface goes to which rank: the owner of a slave must see every face and edge that could touch it. Ranks
-// say which cells of a sparse grid their boxes fill; cells meet at a home rank, which reports to the ranks that offer
-// faces who wants them. No array has the size of the grid, so a far outlier costs nothing; a box fills cells of its own
-// size and, where the other side has larger ones, those, so none fills more than eight on a level.
+// Distribution of surface data: the owner of a slave needs every face and edge that may touch it. Ranks report the
+// cells of a sparse grid that their boxes occupy to the home rank of each cell, and the home ranks report back which
+// ranks need which faces. No array has the size of the grid, so far outliers have no cost. A box occupies cells of its
+// own size and, if the other side has larger ones, those; it occupies at most eight cells on each level.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -26,7 +26,7 @@ struct PlainBox {
   [[nodiscard]] geometry::Box box() const { return {Vec3(low.data()), Vec3(high.data())}; }
 };
 
-/// A face with all that is needed to search it and to find its nodes' owners.
+/// A face with all data needed for the search and for finding the owners of its nodes.
 struct GhostFace {
   GlobalIndex key = 0;
   std::array<GlobalIndex, 4> gid{};
@@ -56,8 +56,8 @@ struct GhostEdge {
   friend bool operator<(const GhostEdge& a, const GhostEdge& b) { return a.gid < b.gid; }
 };
 
-/// Edge for the smallest cells [length] where only the boxes are known: of the smallest of all ranks that has a size.
-/// Collective.
+/// Edge of the smallest cells [length] if only the boxes are known: that of the smallest box of all ranks that has a
+/// size. Collective.
 double finest_cell(const comm::Communicator& ranks, std::span<const geometry::Box> boxes);
 
 /// Row r: which of this rank's `offered` boxes share a cell with a `wanted` box of rank r, ascending; none for this
@@ -66,7 +66,7 @@ std::vector<std::vector<LocalIndex>> meet_in_cells(const comm::Communicator& ran
                                                    std::span<const geometry::Box> offered,
                                                    std::span<const geometry::Box> wanted, double finest);
 
-/// Those of other ranks that may touch a `wanted` box, in ascending order. Collective.
+/// Faces and edges of other ranks that may touch a `wanted` box, in ascending order. Collective.
 template <class Ghost>
 std::vector<Ghost> ghost(const comm::Communicator& ranks, std::span<const Ghost> offered,
                          std::span<const geometry::Box> wanted, double finest) {

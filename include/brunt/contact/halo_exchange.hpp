@@ -12,7 +12,7 @@
 
 namespace brunt::contact {
 
-/// What connects the contact nodes of this rank with those of others.
+/// Links between the contact nodes of this rank and those of others.
 struct NodeLinks {
   std::vector<LocalIndex> copies;             ///< contact nodes owned elsewhere
   std::vector<comm::RemoteSlot> source;       ///< of each copy: the contact node on its owner
@@ -23,15 +23,15 @@ struct NodeLinks {
 class HaloExchange final : public Exchange {
  public:
   HaloExchange() = default;
-  /// Collective. Room for sums and shares of up to `widest` doubles a node, of both arrays where
-  /// there are two, is made here, none later.
+  /// Collective. Memory for sums and copies of up to `widest` doubles for each node, for both arrays if there are two,
+  /// is allocated here and never later.
   HaloExchange(const comm::Communicator& ranks, LocalIndex node_count, NodeLinks links, int widest);
 
   void share(std::span<double> values, int width) override;
   void sum_to_owner(std::span<double> values, int width) override;
   void share_both(const NodeValues& one, const NodeValues& other) override;
   void sum_both_to_owner(const NodeValues& one, const NodeValues& other) override;
-  /// Between the two, other work and other halos' messages; `values` stay as they are.
+  /// Other work and messages of other halos may occur between the two; `values` must not change.
   void begin_share(std::span<const double> values, int width);
   void end_share(std::span<double> values, int width);
   void max(std::span<double> values) override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface of the whole model, each rank its part, with owners that know all faces around their nodes.
+// The surface of the whole model: each rank has its part, and owners know all faces around their nodes.
 #pragma once
 #include <span>
 
@@ -10,20 +10,20 @@
 
 namespace brunt::contact {
 
-/// excluded: one flag for each of mesh.faces; such faces (in a symmetry plane) touch nothing, their nodes still meet
-/// walls. inverse_mass: of the mesh's nodes. Figures of bodies are taken in the reference state. Collective.
+/// excluded: one flag for each of mesh.faces; such faces (in a symmetry plane) have no contact, but their nodes may
+/// touch walls. inverse_mass: of the mesh's nodes. Quantities of bodies refer to the reference state. Collective.
 Surface join_surface(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const char> excluded,
                      std::span<const double> inverse_mass, const Tolerances& tolerances = standard_tolerances);
 
-/// What is left of the bodies once elements have been removed.
+/// The remaining bodies after a removal of elements.
 struct Remains {
   surface::ExposedSurface outside;
   std::vector<char> excluded;  ///< a flag a face, as above
   surface::Alive alive;
 };
 
-/// The surface of what is left: faces keep their keys, nodes without an element are slaves without faces. The figures
-/// of bodies, mean_edge and mean_element_depth are those of this surface; see update_surface. Collective.
+/// The surface of the remaining bodies: faces keep their keys, nodes without an element are slaves without faces. The
+/// quantities of bodies, mean_edge and mean_element_depth are those of this surface; see update_surface. Collective.
 Surface join_surface(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Remains& remains,
                      std::span<const double> inverse_mass, const Tolerances& tolerances = standard_tolerances);
 

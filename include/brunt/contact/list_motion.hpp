@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far nodes and walls have moved since candidate lists were built. Which nodes and faces may touch is a matter of
-// how they move against each other, so the motion that all have in common does not count: a body that flies alone, or
-// one that drives another before it, uses up nothing by that. Bounds of the velocities tell for most steps that the
-// lists hold; the nodes themselves are looked at where the bounds do not.
+// Motion of nodes and walls since the candidate lists were built. Possible contacts depend on relative motion, so the
+// common motion does not count: a body in free flight, or bodies that move together, do not use up the lists. In most
+// steps, bounds of the velocities prove that the lists are valid; otherwise the nodes themselves are examined.
 #pragma once
 #include <array>
 #include <span>
@@ -12,33 +11,34 @@
 
 namespace brunt::contact {
 
-/// Of all nodes of a rank, the largest vx, vy, vz, -vx, -vy, -vz [velocity] of v_{n-1/2}, then of v*. The maximum of
-/// each over all ranks is that of all. Not finite where a velocity is not.
+/// Over all nodes of a rank, the largest vx, vy, vz, -vx, -vy, -vz [velocity] of v_{n-1/2}, then of v*. The values of
+/// all ranks are the maxima of each. Not finite if a velocity is not.
 using VelocitySpan = std::array<double, 12>;
-/// Nothing is known of the velocities.
+/// The span for unknown velocities.
 VelocitySpan unbounded_velocities();
 
-/// What the nodes themselves tell, likewise: the farthest from the middle [length], then the largest x, y, z, -x, -y,
-/// -z of their motion so far [length].
+/// The corresponding values from the nodes themselves: the largest distance from the centre [length], then the largest
+/// x, y, z, -x, -y, -z of their motion so far [length].
 using MotionSpan = std::array<double, 7>;
 
 class ListMotion {
  public:
-  /// Lists are built now, with the things that are `put` where they are.
+  /// Starts a new list, with the objects given to `put` at their positions.
   void start();
-  /// One of the things that move, in an order that stays.
+  /// Adds one of the moving objects, in a fixed order.
   void put(const Vec3& position) { start_.push_back(position); }
   [[nodiscard]] std::span<const Vec3> starts() const { return start_; }
 
-  /// A step to come, of length dt; `last_dt`: of the one before, if that came after the lists. Both spans: of all
-  /// ranks.
+  /// The coming step, of length dt; `last_dt`: of the previous one, if it followed the creation of the lists. Both
+  /// spans: of all ranks.
   void advance(const VelocitySpan& velocities, double last_dt, double dt);
-  /// One of the things that `put` knows and the velocities do not: a wall.
+  /// A moving object given to `put` that the velocities do not include: a wall.
   void advance_one(std::size_t thing, const Vec3& position, const Vec3& velocity, double dt);
-  /// No thing is farther from the middle of all motions than this, up to the end of the step to come [length].
+  /// Upper bound of the distance of every object from the centre of all motions, up to the end of the coming step
+  /// [length].
   [[nodiscard]] double bound() const { return 0.5 * (high_ - low_).norm(); }
 
-  /// The same from the things themselves, which may come to less than the bound.
+  /// The same from the objects themselves, which may be less than the bound.
   class Sum {
    public:
     Sum(const ListMotion& motion, double dt) : motion_(motion), middle_(motion.middle()), dt_(dt) {}
@@ -62,7 +62,7 @@ class ListMotion {
     double dt_, farthest_square_ = 0;
     Vec3 low_ = Vec3::Constant(far_away), high_ = Vec3::Constant(-far_away);
   };
-  /// What was found on all ranks, from which the next bounds go on.
+  /// The result on all ranks, from which the next bounds continue.
   void correct(const MotionSpan& found);
 
  private:

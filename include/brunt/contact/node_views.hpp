@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors of the model's nodes as contact reads and writes them, and what a step hands to contact.
+// Views of nodal vectors of the model for reading and writing by contact, and the input of a step.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace brunt::contact {
 
-/// Vectors of the model's local nodes, wherever they lie: node i starts at data[i * stride].
+/// Vectors of the model's local nodes in any memory layout: node i starts at data[i * stride].
 struct VectorView {
   const double* data = nullptr;
   std::ptrdiff_t stride = 3;
@@ -32,7 +32,7 @@ struct StepInput {
   std::span<const Wall> walls;
   double dt = 0;
   std::span<const Carrier> bodies{};  ///< rigid bodies at t_n
-  double mobility_scale = 1;          ///< what W has of the inverse masses: 1 / (1 + alpha dt / 2) under mass damping
+  double mobility_scale = 1;          ///< factor of the inverse masses in W: 1 / (1 + alpha dt / 2) with mass damping
 
   [[nodiscard]] VectorView predicted() const { return {velocity.data, velocity.stride}; }
 };

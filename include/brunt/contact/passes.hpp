@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact in two passes: nodes of either side on faces of the other. The rate constraint holds all of them in one
-// system. It has more rows than the surfaces have freedom, so its impulses are not unique; the velocities are (the
-// least change of v* that no row forbids), and so is what each node is given. None was seen to lock: as rows only push,
-// some let go where the surfaces bend. Even pressure passes from mesh to mesh exactly by rigid rows where they line up
-// (Taylor and Papadopoulos 1991), which neither one pass nor the mean of two does; and contact does no work but that of
-// recovery, while a mean of two solutions pushes open in one what the other closes. What tells the rows of the two
-// sides apart are weak eigenvalues, 1e-5 of the largest on fine meshes: rigid rows take iterations that grow with the
-// patch. By default rows between deformable bodies are rigid all the same (EnforcementSettings::softness = 0), and rows
-// between rigid bodies have a softness of 0.05 (softness_of_bodies). Where a scene gives a `softness`, rows that hold
-// in one of the two passes alone have it too: that bounds the eigenvalues from below (enforcement/softness.hpp), and
-// even pressure errs by 1 to 2.4 % with 0.05 (table in cases/README.md, "Softness of contact"). Penalties, the
-// kinematic predictor and the printed method, which would push twice, take the mean of both passes (see
-// enforcement/averaged.hpp).
+// Two-pass contact: nodes of either side on faces of the other. The rate constraint imposes all rows in one system. It
+// has more rows than the surfaces have degrees of freedom, so its impulses are not unique. The velocities are (the
+// smallest change of v* that satisfies all rows), and so is the impulse on each node. No locking was observed: rows
+// only transmit compression, so some of them open where the surfaces bend. Uniform pressure is transmitted exactly by
+// rigid rows if the meshes are aligned (Taylor and Papadopoulos 1991), unlike with one pass or the mean of two; and
+// contact does no work except that of recovery, whereas a mean of two solutions opens in one pass what the other
+// closes.
+//
+// The rows of the two sides are nearly redundant: the system has eigenvalues of 1e-5 of the largest one on fine meshes,
+// and rigid rows need a number of iterations that grows with the contact area. By default rows between deformable
+// bodies are nevertheless rigid (EnforcementSettings::softness = 0), and rows between rigid bodies have a softness of
+// 0.05 (softness_of_bodies). A `softness` given in a scene also applies to rows of a single pass. It bounds the
+// eigenvalues from below (enforcement/softness.hpp), and causes an error of uniform pressure (table in cases/README.md,
+// "Softness of contact"). Penalties, the kinematic predictor and the printed method would act twice, so they use the
+// mean of both passes (see enforcement/averaged.hpp).
 #pragma once
 #include <span>
 
@@ -20,10 +22,10 @@
 
 namespace brunt::contact {
 
-/// The pass of a row between a node and a face (no edge, no wall). Between bodies those that lead are the first. Within
-/// a body no side is the finer one: it is told by the numbers of the nodes, the slave's and master_gid, the lower of
-/// the face. Where two folds meet, nodes of the one on faces of the other are the first pass and the others the second,
-/// as far as the mesh is numbered fold by fold; no direction of space decides.
+/// The pass of a row between a node and a face (not an edge or a wall). Between bodies, rows of the primary slave form
+/// the first pass. Within a body no side is finer, and the numbers of the nodes decide: the slave's, and master_gid,
+/// the lowest of the face. Where two folds touch, nodes of one on faces of the other form the first pass and the others
+/// the second, provided that the mesh is numbered fold by fold. The choice is independent of directions in space.
 Pass pass_of(const Row& row, const SurfaceNode& node, GlobalIndex master_gid, const Specification& specification,
              std::span<const BodyFigures> bodies);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seams: where bodies lie flush in the reference configuration, the face of one goes on in the face of the other, and
-// the edge between them is no edge of what both form. Under load one of them sags by a little, and the other stands
-// out by so much: what slides along comes to its side below the edge, and would be stopped dead by a step that no
-// surface of the model has.
+// Seams: where bodies are flush in the reference configuration, the face of one continues in the face of the other, and
+// the edge between them is not an edge of the combined surface. Under load one of them yields slightly, and the other
+// protrudes by this amount. A sliding node then meets the side of the protruding body below its edge, and would be
+// stopped by a step that does not exist in the model.
 #pragma once
 #include "brunt/comm/communicator.hpp"
 #include "brunt/contact/surface/surface.hpp"
@@ -11,9 +11,9 @@
 namespace brunt::contact {
 
 /// Sets `seams` of faces, `seam` and `end_at_side` of edges, `seam_sag` of nodes and `flush`, from the reference mesh.
-/// A side of a face is a seam where a point a little beyond it in the face's plane, at a quarter or at three quarters
-/// of the side, lies on another face that looks the same way and has no node in common with it
-/// (detection/tolerances.hpp: seam). Collective.
+/// A side of a face is a seam if a point slightly beyond it in the plane of the face, at a quarter or at three quarters
+/// of the side, lies on another face with a similar normal and without common nodes (detection/tolerances.hpp: seam).
+/// Collective.
 void find_seams(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Tolerances& tolerances,
                 Surface& surface);
 

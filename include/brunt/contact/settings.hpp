@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What contact is asked for: as the user gave it, never written to again. What follows from it and from the surface is
+// Settings of contact: as given by the user, and constant. Quantities that follow from them and from the surface are
 // derived once (see DerivedSettings).
 #pragma once
 #include <array>
@@ -17,7 +17,8 @@ namespace brunt::contact {
 struct BlockProperties {
   std::vector<double> impedance{};  ///< density times speed of sound, for Method::printed
   std::vector<double> sound{};      ///< speed of sound [velocity]; empty: see DetectionSettings::sound
-  std::vector<double> thickness{};  ///< of two-sided sheets, met at half of it from their faces [length]; 0: of a solid
+  std::vector<double>
+      thickness{};  ///< of two-sided sheets, whose contact surfaces are half of it from the faces [length]; 0: a solid
 };
 
 /// Contact whose impulses are summed: of a block with another one, with itself, or, without `other`, with all others.
@@ -26,7 +27,7 @@ struct TrackedContact {
   std::optional<std::int32_t> other{};
 };
 
-/// A node that a rigid body carries.
+/// A node of a rigid body.
 struct BodyNode {
   LocalIndex node = 0;  ///< local node of the mesh
   LocalIndex body = 0;
@@ -43,25 +44,25 @@ struct ContactSettings {
   Specification specification;
   BlockProperties blocks;
   DetectionSettings detection;  ///< but for what is derived
-  double motion_share = 0.3;    ///< of Surface::mean_element_depth: how far nodes may move before lists are rebuilt
+  double motion_share = 0.3;    ///< of Surface::mean_element_depth: admissible motion of nodes until lists are rebuilt
   RigidBodies rigid{};
   std::vector<TrackedContact> tracked;
-  bool erodes = false;          ///< elements may go: nodes may be born inside
-  bool wall_pressures = false;  ///< `pressures` are asked for on walls: areas around nodes near walls are kept
+  bool erodes = false;          ///< elements may be removed: nodes may initially lie inside
+  bool wall_pressures = false;  ///< `pressures` are needed on walls: areas around nodes near walls are kept
 };
 
-/// What follows from the settings, the surface and the walls; the same on every rank.
+/// Quantities derived from the settings, the surface and the walls; equal on every rank.
 struct DerivedSettings {
   DetectionSettings detection;      ///< complete: lengths of the surface, speeds of bodies, all accepted overlaps
-  EnforcementSettings enforcement;  ///< warm_start and averaged as they can be in this scene
+  EnforcementSettings enforcement;  ///< warm_start and averaged as far as they apply to this scene
   Roles roles;                      ///< of bodies
-  bool bodies = false;              ///< search for contact between bodies: else walls only
+  bool bodies = false;              ///< search for contact between bodies; otherwise walls only
   bool tied = false;                ///< some pair is tied
   bool friction = false;            ///< somewhere, on a wall too
   bool two_passes = false;          ///< of some pair
   bool sheets = false;              ///< two-sided faces exist
   bool may_be_driven = false;       ///< supports hold some node of the surface
-  bool remembers = false;           ///< a step depends on the one before: there is a history to save
+  bool remembers = false;           ///< a step depends on the previous one: there is a history to save
 };
 
 }  // namespace brunt::contact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arrays of one step of contact, sized where lists are rebuilt so that a step allocates nothing.
+// The arrays of one contact step. They are sized when lists are rebuilt, so that a step allocates nothing.
 #pragma once
 #include <array>
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace brunt::contact {
 
-/// What `gather` takes from the model, so that it need not go through all of the surface.
+/// The data that `gather` reads from the model, so that it need not traverse the whole surface.
 struct GatherPlan {
   struct Node {
     LocalIndex contact_node, model_node;
@@ -26,7 +26,7 @@ struct GatherPlan {
   std::vector<Facet> facets;  ///< surface faces whose area vector some rank needs
 };
 
-/// For how long the lists hold, and what is made with them.
+/// The validity of the lists, and data that are created with them.
 struct ListState {
   ListMotion motion;          ///< of surface nodes, then of walls
   double motion_allowed = 0;  ///< [length]

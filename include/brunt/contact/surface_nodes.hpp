@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What contact knows of each node of this rank's surface besides the faces around it: its mobility, its place at the
-// start, the walls that hold it, and where its copies on other ranks are.
+// Contact data of each node of this rank's surface, other than the faces around it: mobility, initial position, walls
+// that hold it, and copies on other ranks.
 #pragma once
 #include <span>
 #include <vector>
@@ -15,13 +15,13 @@
 
 namespace brunt::contact {
 
-/// A node that a support holds, with the projector onto its free directions.
+/// A constrained node, with the projector onto its free directions.
 struct ConstrainedNode {
   LocalIndex node = 0;  ///< local node of the mesh
   Mat3 projector = Mat3::Identity();
 };
 
-/// Surface nodes that several ranks have: the owner's velocity goes to the copies.
+/// Surface nodes on several ranks: copies take the owner's velocity.
 struct SurfaceCopies {
   comm::Halo halo;
   std::vector<LocalIndex> foreign;  ///< surface nodes owned elsewhere
@@ -32,7 +32,7 @@ struct SurfaceCopies {
 
 struct SurfaceNodes {
   std::vector<Mobility> mobility;
-  /// 1 + the number of the body that carries the node, 0 where none does: a double, since it is shared as others are;
+  /// 1 + the number of the body of the node, 0 for other nodes. A double, since it is exchanged like other values;
   /// empty without rigid bodies.
   std::vector<double> carrier{};
   std::vector<Vec3> reference{};  ///< at the start [length]; empty where no overlaps of the start are accepted
@@ -40,7 +40,7 @@ struct SurfaceNodes {
   SurfaceCopies copies;
 };
 
-/// inverse_mass: of the mesh's local nodes. Nodes that bodies carry have none of their own.
+/// inverse_mass: of the mesh's local nodes. Nodes of bodies have none of their own.
 std::vector<Mobility> surface_mobility(const Surface& surface, std::span<const double> inverse_mass,
                                        std::span<const ConstrainedNode> constrained, std::span<const double> carrier);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrays whose storage starts on a cache line, as SIMD batches need.
+// Arrays whose storage begins on a cache line, as required for aligned SIMD loads.
 #pragma once
 #include <cstddef>
 #include <new>

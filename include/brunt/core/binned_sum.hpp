@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums whose bits do not depend on the order of the terms. Each term is cut into slices on fixed binary grids,
-// coarse and fine; sums on one grid are exact as long as they are short enough, so they may be formed in any order
-// and in parts on different ranks; the slices are added and rounded once at the end. (After Demmel and Nguyen, Fast
-// reproducible floating-point summation, ARITH 2013: here the bound on the terms is known beforehand, so there is no
-// carry to propagate.)
+// Sums whose bits do not depend on the order of the terms (after Demmel and Nguyen, Fast reproducible floating-point
+// summation, ARITH 2013). Each term is split into slices on fixed binary grids, a coarse and a fine one. Sums of slices
+// on one grid are exact while they have few enough terms, so they may be formed in any order and in parts on different
+// ranks. The slices are added and rounded once at the end. The bound on the terms is known beforehand, so no carry has
+// to be propagated.
 #pragma once
 #include <algorithm>
 #include <cmath>
 
 namespace brunt {
 
-/// Slices a term is cut into: two keep all bits of terms down to 2^-20 of the bound.
+/// Number of slices of a term: two keep all bits of terms down to 2^-20 of the bound.
 constexpr int bin_slices = 2;
 
-/// Terms in one sum for which it is exact.
+/// Largest number of terms (as a power of two) for which a sum is exact.
 constexpr int binned_terms_log2 = 14;
 constexpr double binned_terms = 1 << binned_terms_log2;
 
@@ -40,8 +40,8 @@ inline double binned_value(const double* slices) {
 
 inline BinGrid BinGrid::for_bound(double bound) {
   if (!(bound > 0)) return {};
-  // A sum of 2^t terms below 2^e on the grid 2^(e+t-52) stays below 2^53 grid units; the anchor 1.5 * 2^(e+t) has
-  // that grid as its last place. What is left of a term is at most half a unit, which bounds the next slice.
+  // A sum of 2^t terms below 2^e on the grid 2^(e+t-52) stays below 2^53 grid units. The last place of the anchor 1.5 *
+  // 2^(e+t) is this grid. The remainder of a term is at most half a unit, which bounds the next slice.
   int exponent = 0;
   std::frexp(bound, &exponent);
   BinGrid grid;

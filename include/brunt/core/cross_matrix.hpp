@@ -4,7 +4,7 @@
 
 namespace brunt {
 
-/// [a]x, with [a]x b = a x b.
+/// The matrix [a]x of the cross product, [a]x b = a x b.
 inline Mat3 cross_matrix(const Vec3& a) {
   Mat3 matrix;
   matrix << 0, -a[2], a[1],  //

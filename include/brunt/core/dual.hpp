@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers that carry a slope: forward differentiation of whatever is written for packs.
+// Dual numbers: forward differentiation of code that is written for packs.
 #pragma once
 #include "brunt/core/simd.hpp"
 
 namespace brunt {
 
 /// A value and its derivative in one direction, in each lane. Code written for a Pack and called with duals computes
-/// the same values (to the rounding of products that a compiler fuses) and their exact slopes along the branches taken.
+/// the same values (up to the rounding of products that a compiler fuses) and their exact derivatives along the
+/// branches taken.
 struct Dual {
   Pack value, slope;
 
@@ -38,7 +39,7 @@ BRUNT_INLINE Dual operator/(const Dual& a, const Dual& b) {
   return {quotient, over * (a.slope - quotient * b.slope)};
 }
 
-// With constants, which have no slope to be multiplied.
+// Operations with constants, whose derivative is zero.
 BRUNT_INLINE Dual operator+(const Dual& a, Pack b) {
   return {a.value + b, a.slope};
 }
@@ -112,7 +113,8 @@ BRUNT_INLINE Dual pack_min(const Dual& a, const Dual& b) {
   return select(a < b, a, b);
 }
 
-/// The slope at zero is taken to be zero: roots there are of sums of squares, at their least.
+/// The derivative at zero is defined as zero: the roots used here are of sums of squares, which have their minimum
+/// there.
 BRUNT_INLINE Dual pack_sqrt(const Dual& a) {
   const Pack root = pack_sqrt(a.value);
   return {root, select(root > 0.0, 0.5 * a.slope / root, Pack{})};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ways a run can fail, one type each; the exit codes are the contract's.
+// Error types of a run, one for each kind of failure; the exit codes are part of the interface.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -10,7 +10,7 @@ namespace brunt {
 
 enum class ExitCode { done = 0, differs = 1, wrong_input = 2, guard = 3, machine = 4, on_request = 5 };
 
-/// The user's input is wrong. One line a fault: where (file, line or key path), what, what is accepted.
+/// Wrong input. Each fault is one line: the place (file, line or key path), what is wrong, and what is expected.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& fault);
@@ -27,13 +27,13 @@ class GuardError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The machine failed the run: disk, memory, a lost rank, a library call that must not fail.
+/// The machine failed: disk, memory, a lost rank, or a library call that must not fail.
 class MachineError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A precondition between rooms, always checked; a failure is a bug of ours, never the user's.
+/// Checks a precondition between rooms. A failure is a bug of the program, not of the input.
 void demand(bool holds, std::string_view what);
 
 }  // namespace brunt

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums of doubles as whole numbers of one small unit: exact in any order, one integer each, for sums that need few
-// digits (quotients that choose a step length). See core/binned_sum.hpp for sums that keep all digits.
+// Sums of doubles as integer multiples of one small unit: exact in any order, and one integer each. They suffice where
+// few digits are needed (quotients that determine a step length). See core/binned_sum.hpp for sums that keep all
+// digits.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -9,7 +10,7 @@ namespace brunt {
 
 class FixedUnit {
  public:
-  /// bound: the size of the largest terms, the same on all ranks; sums up to 2^32 times as large are held (in general
+  /// bound: the magnitude of the largest terms, equal on all ranks. Sums may reach 2^32 times this bound (in general
   /// 2^(62 - digits) times).
   explicit FixedUnit(double bound, int digits = 30) {
     if (!(bound > 0) || !std::isfinite(bound)) return;

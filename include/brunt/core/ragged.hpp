@@ -23,7 +23,7 @@ struct Ragged {
     return {values.data() + offsets[static_cast<std::size_t>(i)],
             static_cast<std::size_t>(offsets[static_cast<std::size_t>(i) + 1] - offsets[static_cast<std::size_t>(i)])};
   }
-  /// Closes the row that has been pushed to `values` since the last call.
+  /// Ends the row of the values appended to `values` since the last call.
   void close_row() { offsets.push_back(static_cast<LocalIndex>(values.size())); }
   void clear() {
     offsets.assign(1, 0);
@@ -31,7 +31,7 @@ struct Ragged {
   }
 };
 
-/// columns row c: the rows that hold c, ascending; 0 <= c < column_count.
+/// Row c of `columns` lists the rows that contain c, ascending; 0 <= c < column_count.
 inline void transpose(const Ragged<LocalIndex>& rows, std::size_t column_count, Ragged<LocalIndex>& columns) {
   std::vector<LocalIndex>& offsets = columns.offsets;
   offsets.assign(column_count + 1, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records that come and go during a run, each on one rank and told apart by a key of integers: how contact's history
-// goes to checkpoints and into the state hash, which need not know what the numbers mean.
+// Records that are created and deleted during a run, each on one rank and identified by a key of integers. The history
+// of contact is stored this way in checkpoints and in the state hash, independent of the meaning of the numbers.
 #pragma once
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The doubles that are computed together, as many as a register holds: wider ones g++ keeps in memory, between all
-// operations (with AVX2 a step of packs of eight took 2.2 times as long as with packs of four). A batch of elements is
-// one Pack a quantity; what one lane computes never depends on what the other lanes hold, so results do not depend on
-// how elements are batched.
+// The doubles that are computed together, as many as one register holds. Wider packs are kept in memory between
+// operations by g++ (with AVX2, a step with packs of eight took 2.2 times as long as with packs of four). A batch of
+// elements has one Pack for each quantity. The result of a lane never depends on the other lanes, so results do not
+// depend on how elements are grouped into batches.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -15,16 +15,16 @@ constexpr int pack_width = 8;
 constexpr int pack_width = 4;
 #endif
 
-using Quad = double __attribute__((vector_size(32)));  ///< four doubles: x, y, z and one to spare
+using Quad = double __attribute__((vector_size(32)));  ///< four doubles: x, y, z and an unused one
 using QuadMask = std::int64_t __attribute__((vector_size(32)));
-using Octet = double __attribute__((vector_size(64)));  ///< eight doubles on any machine
+using Octet = double __attribute__((vector_size(64)));  ///< eight doubles, independent of the machine
 using OctetMask = std::int64_t __attribute__((vector_size(64)));
 using Pack = double __attribute__((vector_size(8 * pack_width)));
 using PackMask =
-    std::int64_t __attribute__((vector_size(8 * pack_width)));  ///< -1 where true, 0 where false (of comparisons)
+    std::int64_t __attribute__((vector_size(8 * pack_width)));  ///< result of comparisons: -1 where true, 0 where false
 
-/// Kernels are long straight code on packs: a call that is not inlined spills all of them. (The sanitizers'
-/// build sets it to `inline`.)
+/// Kernels are long sequences of operations on packs: a call that is not inlined would store and reload all of them.
+/// (The build with sanitizers defines it as `inline`.)
 #ifndef BRUNT_INLINE
 #define BRUNT_INLINE [[gnu::always_inline]] inline
 #endif
@@ -70,8 +70,8 @@ BRUNT_INLINE bool all(QuadMask mask) {
 }
 
 #ifdef __AVX512F__
-/// First three components of a quad a lane, component by component: x[lane] = quad(lane)[0] ...
-/// `quad(lane)` is called once a lane. Half of the moves are loads straight into the upper half of a register.
+/// The first three components of one quad per lane, component by component: x[lane] = quad(lane)[0] ... `quad(lane)` is
+/// called once for each lane. Half of the moves are loads directly into the upper half of a register.
 template <class QuadOfLane>
 BRUNT_INLINE void components_of(const QuadOfLane& quad, Pack& x, Pack& y, Pack& z) {
   Pack pair[4];  // quads of lanes k and k+4
@@ -85,7 +85,7 @@ BRUNT_INLINE void components_of(const QuadOfLane& quad, Pack& x, Pack& y, Pack& 
   z = __builtin_shufflevector(even01, even23, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 
-/// The way back: pair[k] holds the quads (x, y, z, 0) of lanes k and k+4.
+/// The inverse: pair[k] receives the quads (x, y, z, 0) of lanes k and k+4.
 BRUNT_INLINE void quads_of(Pack x, Pack y, Pack z, Pack (&pair)[4]) {
   const Pack zero = broadcast(0.0);
   const Pack xy_even = __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14);
@@ -110,7 +110,7 @@ BRUNT_INLINE void components_of(const QuadOfLane& quad, Pack& x, Pack& y, Pack& 
   z = __builtin_shufflevector(even01, even23, 2, 3, 6, 7);
 }
 
-/// The way back: of[k] is the quad (x, y, z, 0) of lane k.
+/// The inverse: of[k] is the quad (x, y, z, 0) of lane k.
 BRUNT_INLINE void quads_of(Pack x, Pack y, Pack z, Pack (&of)[4]) {
   const Pack zero = broadcast(0.0);
   const Pack xy_even = __builtin_shufflevector(x, y, 0, 4, 2, 6), xy_odd = __builtin_shufflevector(x, y, 1, 5, 3, 7);

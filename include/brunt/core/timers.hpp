@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the time of the loop goes: wall-clock seconds of this rank by phase.
+// Wall-clock seconds of the time loop on this rank, by phase.
 #pragma once
 #include <array>
 #include <chrono>
@@ -14,7 +14,7 @@ class Timers {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Books the time from its making to its end to one phase.
+  /// Adds the time between its construction and its destruction to one phase.
   class Measure {
    public:
     Measure(Timers& timers, Phase phase) : timers_(timers), phase_(phase), start_(Clock::now()) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces of triangles, and where a body stands: what readers of surface files, geometry and penetration depth share.
+// Triangulated surfaces and rigid placements, shared by the readers of surface files, geometry and penetration depth.
 #pragma once
 #include <array>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace brunt {
 
-/// Points and the triangles between them. Seen from outside the corners of a triangle run counter-clockwise.
+/// Points and triangles. The corners of a triangle are counter-clockwise seen from outside.
 struct TriangleSurface {
   std::vector<Vec3> points;                          ///< [length]
   std::vector<std::array<LocalIndex, 3>> triangles;  ///< corners, indices of points

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several rigid bodies at once: the smallest motions after which no listed pair of them overlaps.
+// Several rigid bodies at once: the smallest motions after which none of the listed pairs overlaps.
 //
 //   minimise sum_k m_k sigma_k,   sigma_k = |T_k|^2 + 4 v_k^T J_k v_k   (the object norm squared, see metric.hpp)
 //
-// over all members that may move. It is the metric of Zhang, Kim, Manocha (2007) for one body, which adds up over
-// bodies: m sigma is the integral of rho |d|^2. Two free bodies that overlap by d along a line move by
-// d m_2/(m_1 + m_2) and d m_1/(m_1 + m_2), and without partners that are held sum_k m_k T_k = 0.
+// over all members that may move. It is the metric of Zhang, Kim, Manocha (2007) for one body, which is additive over
+// bodies: m sigma is the integral of rho |d|^2. Two free bodies that overlap by d along a line move by d m_2/(m_1 +
+// m_2) and d m_1/(m_1 + m_2), and without constrained partners sum_k m_k T_k = 0.
 //
-// First free configurations are sought: by translations under separating planes of the pairs, and by the screws of
-// single pairs, shared in the ratio of the masses. From each a walk as in walk.hpp follows, its quadratic program over
-// all members. The answer is free and a local minimum. It is a function of the input alone.
+// First, free configurations are determined: by translations along the normals of separating planes of the pairs, and
+// by the screws of single pairs, divided in the ratio of the masses. From each a descent as in walk.hpp follows, with a
+// quadratic program over all members. The result is free and a local minimum. It is a function of the input only.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -20,7 +20,7 @@
 
 namespace brunt::depth {
 
-/// Surfaces that move as one, in the common axes in which all members stand at the start.
+/// Surfaces that move as one, in the common axes in which all members are given.
 struct Member {
   std::vector<const Body*> surfaces;
   double mass = 0;                ///< [mass]
@@ -31,7 +31,7 @@ struct Member {
   [[nodiscard]] bool moves() const { return turns || !basis.isZero(0); }
 };
 
-/// A member that may move in all ways. densities: of each surface, positive [mass/length^3].
+/// A member without constraints. densities: of each surface, positive [mass/length^3].
 [[nodiscard]] Member make_member(std::span<const Body* const> surfaces, std::span<const double> densities);
 
 /// Surfaces that must not overlap.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is computed once of each body: tree, mass properties, metric, points inside with their depth, convex pieces.
+// Data computed once for each body: tree, mass properties, metric, interior points with their depth, convex pieces.
 #pragma once
 #include <span>
 #include <vector>
@@ -30,7 +30,7 @@ struct Body {
   rigid::MassProperties mass;    ///< at density 1
   MetricShape shape;             ///< as the body that moves
   std::vector<Vec3> components;  ///< a point of each connected part of the surface
-  std::vector<InnerBall> balls;  ///< the greatest first
+  std::vector<InnerBall> balls;  ///< the largest first
   InnerCells cells;
   std::vector<Vec3> outposts;       ///< vertices of the surface far from each other; coordinates of the file [length]
   std::vector<ConvexPiece> pieces;  ///< convex parts, each inside the body
@@ -41,26 +41,27 @@ struct Body {
 
 struct BodyOptions {
   int balls = 400;                        ///< at most
-  std::vector<std::vector<Vec3>> pieces;  ///< points of each; the caller vouches for their being convex parts of the
-                                          ///< body. None: the body itself where it is convex and has few corners
+  std::vector<std::vector<Vec3>> pieces;  ///< points of each; the caller guarantees that they are convex parts of the
+                                          ///< body. None: the body itself if it is convex with few corners
   int cells = 1000;                       ///< see inner_cells
 };
 
-/// The surface must be closed, oriented outward, and not cross itself; the caller checks that. Throws
-/// std::invalid_argument for one without triangles or without a positive volume.
+/// The surface must be closed, oriented outward, and without self-intersections; the caller checks this. Throws
+/// std::invalid_argument for a surface without triangles or without a positive volume.
 [[nodiscard]] Body make_body(const TriangleSurface& surface, const BodyOptions& options = {});
 
-/// Points inside with their depths, on a grid of the bounding box along `axes` (orthonormal columns), each then moved
-/// inwards while the depth grows. A ball is left out if a greater one that stays holds nine tenths of it. The greatest
-/// first.
+/// Interior points with their depths, on a grid of the bounding box along `axes` (orthonormal columns), each moved
+/// inwards while the depth increases. A ball is omitted if a larger retained one contains nine tenths of it. The
+/// largest first.
 [[nodiscard]] std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricShape& shape,
                                                  const Mat3& axes, int most);
 
-/// At most `most` of the points: first the one farthest from `centre`, then always the one farthest from those chosen.
+/// At most `most` of the points: first the one farthest from `centre`, then repeatedly the one farthest from the chosen
+/// ones.
 [[nodiscard]] std::vector<Vec3> spread_points(std::span<const Vec3> points, const Vec3& centre, int most);
 
-/// About `count` cubes along `axes` (orthonormal columns) would fill the volume; those that the surface cuts are left
-/// out. volume: [length^3].
+/// About `count` cubes along `axes` (orthonormal columns) would fill the volume; cubes that the surface intersects are
+/// omitted. volume: [length^3].
 [[nodiscard]] InnerCells inner_cells(const geometry::SlabTree& tree, const MetricShape& shape, const Mat3& axes,
                                      double volume, int count);
 

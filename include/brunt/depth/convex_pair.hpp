@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Translational penetration depth of two convex polytopes, exactly: the least overlap over the normals of the facets of
-// the Minkowski difference, which are face normals of both and products of an edge of each (separating axes).
+// Exact translational penetration depth of two convex polytopes: the smallest overlap over the normals of the facets of
+// the Minkowski difference, which are the face normals of both and the cross products of their edges (separating axes).
 //
 // For convex pairs DISP = PDt: the free placement has a separating plane, and a translation along its normal by the
-// displacement of the deepest vertex is free as well and no longer (README of this room).
+// displacement of the deepest vertex is also free and not longer (README of this room).
 #pragma once
 #include <limits>
 #include <span>
@@ -19,23 +19,23 @@ struct ConvexPiece {
   std::vector<Vec3> edges;    ///< unit directions, one of each two opposite ones
 };
 
-/// Of the convex hull of the points, which need not all be corners. For small sets: all triples are tried. Throws
+/// Convex hull of the points, which need not all be corners. For small sets: all triples are tested. Throws
 /// std::invalid_argument for points in a plane.
 [[nodiscard]] ConvexPiece convex_piece(std::span<const Vec3> points);
 
-/// PDt of the pair [length]; where they are apart minus some gap. Ends with some value not above `least` as soon as the
-/// depth is known to be no greater than that.
+/// PDt of the pair [length]; for separated pieces minus a gap. Ends with some value not above `least` as soon as the
+/// depth is known not to exceed it.
 [[nodiscard]] double translation_depth(const ConvexPiece& a, const ConvexPiece& b, const Placement& a_in_b,
                                        double least = -std::numeric_limits<double>::infinity());
 
 struct Narrowest {
   double depth = 0;          ///< [length]
-  Vec3 axis = Vec3::Zero();  ///< unit, in the axes of b: where the overlap is that
+  Vec3 axis = Vec3::Zero();  ///< unit, in the axes of b: direction of this overlap
 };
 
-/// The least PDt of all placements that a shift of a by sums s_i c_i, |s_i| <= 1, leads to, c_i the columns of `shifts`
-/// in the axes of b. Exact: PDt is the distance of a point from the boundary of the Minkowski difference, and so a
-/// concave function of the shift while the pair overlaps. `least` as above.
+/// The smallest PDt over all placements reached by a shift of a by sums s_i c_i, |s_i| <= 1, with c_i the columns of
+/// `shifts` in the axes of b. Exact: PDt is the distance of a point from the boundary of the Minkowski difference, and
+/// so a concave function of the shift while the pair overlaps. `least` as above.
 [[nodiscard]] Narrowest narrowest_overlap(const ConvexPiece& a, const ConvexPiece& b, const Placement& a_in_b,
                                           const Mat3& shifts, double least = -std::numeric_limits<double>::infinity());
 

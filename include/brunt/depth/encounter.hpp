@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Body A at the given placement against body B, and how often the pair was asked whether it collides.
+// Body A at the given placement and body B, with the number of collision queries.
 #pragma once
 #include <cstdint>
 
@@ -13,10 +13,10 @@ struct Encounter {
   const Body& b;
   Placement start;           ///< q_0: file coordinates of A to those of B
   std::int64_t queries = 0;  ///< collision queries so far
-  double apart = 0;          ///< surfaces nearer to each other collide as well [length]
+  double apart = 0;          ///< surfaces closer to each other also count as colliding [length]
 
   [[nodiscard]] Placement placement(const RigidMotion& motion) const { return moved(start, motion, a.shape.centroid); }
-  /// Surfaces cross, touch or are nearer than `apart`, or a part of one body lies inside the other.
+  /// Surfaces intersect, touch or are closer than `apart`, or a part of one body lies inside the other.
   [[nodiscard]] bool collides(const RigidMotion& motion) {
     ++queries;
     return bodies_collide(placement(motion));
@@ -25,7 +25,7 @@ struct Encounter {
 };
 
 /// Entries of the rotation, and the translation in units of `size`, rounded to 40 bits after the point; the rotation is
-/// made orthogonal again. A moved world frame then gives the same bits in nearly all cases.
+/// orthogonalised again. A different position of the common frame then gives the same bits in nearly all cases.
 [[nodiscard]] Placement rounded(const Placement& a_in_b, double size);
 
 }  // namespace brunt::depth

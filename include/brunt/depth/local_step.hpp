@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The best small motion under the linear conditions of near pairs.
+// The best small motion under the linear conditions of close pairs.
 //
 // Unknowns xi = (tau, rho omega), rho = sqrt(tr J/2), |xi_i| <= trust along the principal axes of A, so that steps do
 // not depend on those of its file: the centroid moves by tau, and the body turns by omega about it, dT = tau and dv =
@@ -8,7 +8,7 @@
 //   displacement  minimise s^2/2 + eps |xi|^2/2, s >= e_j . (d_j + tau + omega x a_j): seven unknowns; the cutting
 //                 directions e_j are added at the vertex that moves most until none moves more than s
 //   translation   minimise |T + tau|^2 over the admitted directions: three unknowns
-// eps makes the program strictly convex and fades out as steps become small (proximal point).
+// eps makes the program strictly convex and vanishes as steps become small (proximal point).
 #pragma once
 #include <span>
 #include <vector>
@@ -34,7 +34,7 @@ struct LocalStep {
   bool solved = false;
 };
 
-/// Buffers that keep their capacity.
+/// Work arrays that keep their capacity.
 class LocalSolver {
  public:
   [[nodiscard]] LocalStep solve(const MetricShape& shape, const RigidMotion& motion,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear conditions on a small motion of A: where pairs of triangles come near, they must not meet.
+// Linear conditions on a small motion of A: triangles that are close to each other must not intersect.
 //
-// A pair at the distance d with nearest points p_A, p_B and n = (p_A - p_B)/d keeps apart under the small motion
+// A pair at the distance d with nearest points p_A, p_B and n = (p_A - p_B)/d remains separated under the small motion
 // (tau, omega) about the present centroid of A if
 //   n . (tau + omega x (p_A - c)) >= -d + margin.
 // The plane through p_B with normal n separates the two triangles, so the condition is sufficient for a translation;
-// the rotation's second order is left out. At corners the normal turns from step to step, so that no case need be told
-// apart (README of this room, after section 4 of Zhang, Kim, Manocha 2007).
+// the second order of the rotation is neglected. At corners the normal changes from step to step, so no cases need be
+// distinguished (README of this room, after section 4 of Zhang, Kim, Manocha 2007).
 #pragma once
 #include <span>
 #include <vector>
@@ -23,31 +23,31 @@ struct NearCondition {
   LocalIndex a = no_index, b = no_index;  ///< triangles
 };
 
-/// Buffers that keep their capacity.
+/// Work arrays that keep their capacity.
 struct NearPairs {
   std::vector<geometry::NearPair> pairs;
   std::vector<NearCondition> conditions;  ///< in the axes of A at q_0
 
-  /// Of all pairs of triangles nearer than `band` [length] where the motion takes A. Pairs whose nearest points are the
-  /// same within 1e-9 of A's size give one condition. Ordered by position, not by numbers of triangles.
+  /// All pairs of triangles closer than `band` [length] at the position given by the motion. Pairs whose nearest points
+  /// agree within 1e-9 of A's size give one condition. Ordered by position, not by numbers of triangles.
   void find(const Encounter& encounter, const RigidMotion& motion, double band, double margin);
-  /// Bounds as `find` gave them.
+  /// Restores the bounds computed by `find`.
   void forget_corrections(double margin);
 };
 
-/// Gap of two triangles in common axes, as correct_bounds takes it; -infinity if no axis goes the way of the unit
+/// Gap of two triangles in common axes, as used by correct_bounds; -infinity if no axis has the direction of the unit
 /// vector n, from b to a [length].
 [[nodiscard]] double gap_of(const geometry::Triangle& a, const geometry::Triangle& b, const Vec3& n);
 
-/// Unit vector from b to a along which the gap of two triangles in common axes is greatest: of a face normal, of b
-/// first, or else of a product of edges. For triangles that are free but so near that the difference of their nearest
-/// points is rounding. Zero for two triangles without area in one line.
+/// Unit vector from b to a along which the gap of two triangles in common axes is largest: a face normal, first of b,
+/// or otherwise a cross product of edges. For separated triangles whose distance is so small that the difference of
+/// their nearest points is rounding. Zero for two triangles without area in one line.
 [[nodiscard]] Vec3 separating_axis(const geometry::Triangle& a, const geometry::Triangle& b);
 
-/// Second-order correction: where the triangles of a condition are nearer than `margin` after the small motion (tau,
-/// omega) that led to `motion`, its bound grows by what is missing. The gap of two triangles is the greatest over the
-/// separating axes (two face normals, nine products of edges) that point the same way as n within 60 degrees; it is
-/// negative where they cross. Whether any bound grew.
+/// Second-order correction: if the triangles of a condition are closer than `margin` after the small motion (tau,
+/// omega) that led to `motion`, its bound is increased by the difference. The gap of two triangles is the largest over
+/// the separating axes (two face normals, nine cross products of edges) within 60 degrees of n; it is negative for
+/// intersecting triangles. Returns whether any bound was increased.
 bool correct_bounds(const Encounter& encounter, const RigidMotion& motion, const Vec3& tau, const Vec3& omega,
                     double margin, std::span<NearCondition> conditions);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Strictly convex quadratic programs in a few unknowns,
 //   minimise 1/2 x^T G x + g^T x   subject to   n_i . x >= b_i,
-// by the dual active-set method of D. Goldfarb, A. Idnani, Math. Programming 27 (1983) 1-33: it begins at the
-// unconstrained minimum and makes the most violated row active, step by step; each intermediate point is the minimum
-// under the rows that are active there. So rows may be appended after a solution, and the next call goes on from it.
+// by the dual active-set method of D. Goldfarb, A. Idnani, Math. Programming 27 (1983) 1-33. It starts at the
+// unconstrained minimum and adds the most violated row to the active set, step by step; each intermediate point is the
+// minimum under the active rows. Rows may therefore be appended after a solution, and the next call continues from it.
 // The factor J = L^-T Q (G = L L^T) and the triangle R of the active normals, J^T N = (R; 0), are updated by Givens
 // rotations. Nothing is allocated.
 #pragma once
@@ -22,11 +22,11 @@ struct Row {
 
 enum class Outcome {
   solved,
-  infeasible,  ///< weights() holds a proof
+  infeasible,  ///< weights() contains a proof
   stalled,     ///< too many steps: rounding in a degenerate problem; x() is not feasible
 };
 
-/// Instances for N = 3, 5, 6, 7. Units are the caller's: unknowns should be scaled to one unit of length.
+/// Instances for N = 3, 5, 6, 7. Units are those of the caller: unknowns should be scaled to one unit of length.
 template <int N>
 class QuadraticProgram {
  public:
@@ -43,7 +43,7 @@ class QuadraticProgram {
   [[nodiscard]] const Vector& x() const { return x_; }
   /// 1/2 x^T G x + g^T x
   [[nodiscard]] double value() const { return 0.5 * x_.dot(G_ * x_) + g_.dot(x_); }
-  /// Indices of the active rows, at most N; where infeasible the last row of the proof follows them.
+  /// Indices of the active rows, at most N; if infeasible, followed by the last row of the proof.
   [[nodiscard]] std::span<const int> active() const {
     return {active_.data(), static_cast<std::size_t>(count_ + proof_)};
   }

@@ -15,7 +15,7 @@
 
 namespace brunt::depth {
 
-/// Without the alignment of vector registers: buffers of std::stable_sort have none (libstdc++ 12).
+/// Without the alignment of vector registers, which buffers of std::stable_sort do not have (libstdc++ 12).
 using Turn = Eigen::Quaternion<double, Eigen::DontAlign>;
 
 struct RigidMotion {
@@ -29,16 +29,16 @@ struct RigidMotion {
 /// The inverse, with |w| in [0, pi]; exact to rounding near 0 and near pi. At pi the sign of w is that of v.
 [[nodiscard]] Vec3 rotation_vector(const Eigen::Quaterniond& turn);
 
-/// R - I, each entry with a relative error of rounding however small the rotation is.
+/// R - I, each entry with the relative accuracy of rounding for any size of the rotation.
 [[nodiscard]] Mat3 rotation_less_identity(const Eigen::Quaterniond& turn);
 
 /// From `from` to `to`, of a body with this centroid (coordinates of its file).
 [[nodiscard]] RigidMotion motion_between(const Placement& from, const Placement& to, const Vec3& centroid);
 
-/// Where the motion takes a body that stands at `from`.
+/// The placement after the motion of a body at `from`.
 [[nodiscard]] Placement moved(const Placement& from, const RigidMotion& motion, const Vec3& centroid);
 
-/// First `first`, then `second`, which is given in the axes of the same q_0 and turns about the moved centroid.
+/// First `first`, then `second`, which is given in the axes of the same q_0 and rotates about the moved centroid.
 [[nodiscard]] RigidMotion compose(const RigidMotion& first, const RigidMotion& second);
 
 /// A screw motion.
@@ -49,10 +49,10 @@ struct Screw {
   double slide = 0;           ///< h [length]
 };
 
-/// Without rotation the axis is the direction of T. Rotations below 1e-150 count as none.
+/// Without rotation the axis is the direction of T. Rotations below 1e-150 count as zero.
 [[nodiscard]] Screw screw_of(const RigidMotion& motion);
 
-/// The part s in [0, 1] of the screw from q_0 to the motion. All displacements of points grow with s.
+/// The part s in [0, 1] of the screw from q_0 to the motion. The displacements of all points increase with s.
 [[nodiscard]] RigidMotion along_screw(const RigidMotion& motion, double s);
 
 }  // namespace brunt::depth

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Strictly convex quadratic programs in any number of unknowns with rows of few coefficients,
 //   minimise 1/2 x^T G x + g^T x   subject to   n_i . x >= b_i,
-// by the dual active-set method of Goldfarb and Idnani, as quadratic_program.hpp has it for a fixed number of unknowns.
-// A step costs O(n^2), the choice of the most violated row O(12 rows).
+// by the dual active-set method of Goldfarb and Idnani, as in quadratic_program.hpp for a fixed number of unknowns. A
+// step costs O(n^2), the choice of the most violated row O(12 rows).
 #pragma once
 #include <array>
 #include <span>
@@ -12,7 +12,7 @@
 
 namespace brunt::depth {
 
-/// A row of at most twelve coefficients: two rigid bodies have as many unknowns.
+/// A row of at most twelve coefficients: the number of unknowns of two rigid bodies.
 struct SparseRow {
   std::array<int, 12> place{};     ///< unknowns, each once
   std::array<double, 12> value{};  ///< their coefficients
@@ -43,7 +43,7 @@ class SparseProgram {
   [[nodiscard]] const std::vector<double>& x() const { return x_; }
   /// 1/2 x^T G x + g^T x
   [[nodiscard]] double value() const;
-  /// Indices of the active rows; where infeasible the last row of the proof follows them.
+  /// Indices of the active rows; if infeasible, followed by the last row of the proof.
   [[nodiscard]] std::span<const int> active() const {
     return {active_.data(), static_cast<std::size_t>(count_ + proof_)};
   }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an element kernel is handed and what it hands back: a batch of elements at once.
+// Input and output of an element kernel: a batch of elements at once (one for each lane of a pack).
 //
 // A kernel is a small struct with its constants, templated over a material response, and
 //   static constexpr int nodes;                          corners an element
-//   static std::vector<HistoryField> history();          what each element remembers, in order
+// history variables of an element, in order
 //   void operator()(const BatchMotion<nodes>&, const Pack* committed, Pack* trial, BatchForce<nodes>&) const;
-// `committed` is what the elements remember of the start of the step, `trial` of its end: every entry but the mass,
-// which no step changes, is written. Both may be the same memory, as they are in an explicit step. It knows neither MPI
-// nor files nor how elements are stored.
+// `committed` is the history at the start of the step, `trial` at its end: every entry except the mass, which no step
+// changes, is written. Both may be the same memory, as in an explicit step. A kernel knows neither MPI nor files, nor
+// how elements are stored.
 #pragma once
 #include <string>
 #include <type_traits>
@@ -17,7 +17,7 @@
 
 namespace brunt::element {
 
-/// One named part of an element's memory: `components` doubles for each element.
+/// A named part of the history of an element: `components` doubles for each element.
 struct HistoryField {
   std::string name;  ///< "stress", "plastic_strain", "hourglass_force" ...
   int components = 1;
@@ -32,14 +32,14 @@ struct BatchMotion {
   double dt = 0;       ///< of the step; zero in the first of a run, when nothing has been strained yet
 };
 
-/// The linear element that resists every motion at least as much as this one does now: one point, and springs and
+/// A linear element that resists every motion at least as much as this one does now: one point, with springs and
 /// dashpots on its hourglass modes. The assembled mesh of such elements bounds the step (force/assembled.hpp).
 struct BatchStiffness {
   Pack lambda, mu;                ///< tangent moduli [stress]
   Pack viscosity;                 ///< bulk viscosity [stress time]
   Pack spring = broadcast(0.0);   ///< of each hourglass mode [force/length]
   Pack dashpot = broadcast(0.0);  ///< likewise [force/velocity]
-  Pack plane2;                    ///< omega^2 of the quickest plane wave in a regular mesh of its like [1/time^2]
+  Pack plane2;                    ///< omega^2 of the fastest plane wave in a regular mesh of such elements [1/time^2]
 };
 
 template <int nodes, class Number = Pack>
@@ -50,7 +50,7 @@ struct BatchForce {
   BatchStiffness stiffness;  ///< not read in most steps
 };
 
-/// Only with packs a kernel tells the rate and the volume: of other numbers (core/dual.hpp) it is asked forces alone.
+/// Rate and volume are computed for packs only: for other numbers (core/dual.hpp) only forces are needed.
 template <class Number>
 constexpr bool bounds_step = std::is_same_v<Number, Pack>;
 

@@ -15,8 +15,8 @@ BRUNT_INLINE Number bulk_viscosity(const BulkViscosity& bulk, Modulus modulus, N
   return bulk.linear * pack_sqrt(modulus * rho_length2) + (bulk.quadratic * bulk.quadratic) * rho_length2 * compression;
 }
 
-/// Books the work of the viscous stress over the step to t_n (trapezoidal, as every other work of the ledger).
-/// Accounts: energy, then the viscous stress times volume at the end of the step. Returns the work [energy].
+/// Adds the work of the viscous stress over the step to t_n (trapezoidal, as all work in the ledger). Accounts: energy,
+/// then the viscous stress times volume at the end of the step. Returns the work [energy].
 template <class Number>
 BRUNT_INLINE Number book_bulk_work(const Pack* committed, Number* trial, Number viscous_stress, Number volume,
                                    Number volume_rate, double dt) {

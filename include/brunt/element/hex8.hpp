@@ -63,7 +63,7 @@ struct Hex8 {
   void operator()(const BatchMotion<8>& in, const Pack* committed, Pack* trial, BatchForce<8>& out) const;
 
  private:
-  /// Modes of positions and velocities, gradients now and the velocity gradient at the midpoint.
+  /// Modes of positions and velocities, gradients at the end of the step, and the velocity gradient at the midpoint.
   struct Kinematics {
     Pack x[hex_modes][3], v[hex_modes][3], h_mid[4][3];  // h_mid: hourglass modes of the midpoint configuration
     Pack g[6][3], L[9], S[6];
@@ -73,12 +73,13 @@ struct Hex8 {
     // of the hourglass springs; hourglass_norm of the reference shape
     Pack F[9], moved[4][3], stiffness, gamma2;
   };
-  /// Of the stress update: what the stable step needs, and the share of the trial deviator left after plastic flow.
+  /// Of the stress update: data for the stable step, and the share of the trial deviator that remains after plastic
+  /// flow.
   struct Tangent {
     Pack lambda, mu;
     Pack left = broadcast(1.0);
   };
-  /// Bulk viscosity, which some laws must know before their stress, and what it is made of.
+  /// Bulk viscosity, which some laws need before their stress, and its intermediate values.
   struct Viscous {
     Pack viscosity, stress, work;
     Pack largest, over_mass;  ///< bound of the eigenvalues of S
@@ -284,8 +285,8 @@ void Hex8<Response, hourglass>::resist_hourglass(const Kinematics& k, [[maybe_un
       r.Q[a][i] = k.v[3 + a][i] - (k.L[3 * i] * h[0] + k.L[3 * i + 1] * h[1] + k.L[3 * i + 2] * h[2]);
     Pack(&Q)[3] = r.Q[a];
     if constexpr (hourglass == HourglassKind::stiffness) {
-      // q is seen from the midpoint: (1 + R)/2 turns it by exactly half the step's rotation, like R the stored force.
-      // Left as it is, it would feed energy from the rotation of a body into hourglass modes.
+      // q refers to the midpoint: (1 + R)/2 rotates it by exactly half of the step's rotation, as R rotates the stored
+      // force. Without this rotation, the rotation of a body would feed energy into hourglass modes.
       Pack turned[3], q[3];
       for (int i = 0; i < 3; ++i) {
         q[i] = Q[i];
@@ -326,7 +327,7 @@ void Hex8<Response, hourglass>::resist_from_potential(const Kinematics& k, Pack 
   add_hourglass_stress(r.Q, k.moved, k.over_volume, r.stress);
 }
 
-/// gamma has a part along B, which acts like a stress. h: hourglass coordinates that gamma does not see.
+/// gamma has a part along B, which acts like a stress. h: hourglass coordinates that gamma does not contain.
 template <class Response, HourglassKind hourglass>
 void Hex8<Response, hourglass>::add_hourglass_stress(const Pack (&Q)[4][3], const Pack (*h)[3], Pack over_volume,
                                                      Pack (&stress)[9]) const {

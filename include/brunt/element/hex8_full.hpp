@@ -27,14 +27,14 @@ namespace brunt::element {
 
 namespace hex8_full_detail {
 
-/// What the eight points add up to.
+/// Sums over the eight points.
 template <class Number>
 struct ForceSums {
   Number force[3][hex_modes]{};  ///< on the modes of the velocity
   Number pressure{};             ///< sum of weight times mean stress, where B-bar
 };
 
-/// And for the stable step.
+/// Sums for the stable step.
 struct BoundSums {
   HourglassGram gram;
   Pack lambda = broadcast(0.0), mu = broadcast(0.0);  ///< largest current tangent
@@ -288,7 +288,7 @@ void Hex8Full<Response, bbar>::operator()(const BatchMotion<8, Number>& in, cons
     linear.plane2 = (8.0 / mass) * ((bounds.lambda + 2.0 * bounds.mu) * largest_eigenvalue_bound(S) * (1.0 / volume));
     const Pack damping = (8.0 / mass) * viscosity * (S[0] + S[1] + S[2]) / volume;
     out.rate = stable_rate((8.0 / mass) * stiffness, damping);
-    out.volume = select(volume > 0.0, 8.0 * bounds.smallest_det, volume);  // a NaN shows in the volume
+    out.volume = select(volume > 0.0, 8.0 * bounds.smallest_det, volume);  // a NaN appears in the volume
   }
 }
 

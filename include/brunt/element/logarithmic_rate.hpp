@@ -84,8 +84,8 @@ BRUNT_INLINE void logarithmic_spin(const Number (&h)[6], const Number (&d)[6], N
   solve_symmetric(P, spin);
 }
 
-/// Strain and rotation of a step, and h from its start (committed) to its end (trial). N is taken at the midpoint,
-/// which needs it itself: once from the start, and once more from the midpoint that this gives (second order in the
+/// Strain and rotation of a step, and h from its start (committed) to its end (trial). N is evaluated at the midpoint,
+/// which depends on N itself: first from the start of the step, then from the resulting midpoint (second order in the
 /// step).
 template <class Number>
 BRUNT_INLINE StrainStep<Number> logarithmic_step(const Number (&L)[9], double dt, const Pack* committed,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every solid element remembers, and where: the same list for all kinds and laws.
+// History variables of all solid elements and their positions: one layout for all kinds and laws.
 #pragma once
 #include <vector>
 
@@ -7,22 +7,23 @@
 
 namespace brunt::element {
 
-/// Laws with rates or an equation of state: they are told of circumstances (material/circumstances.hpp).
+/// Laws with rates or an equation of state, which need circumstances (material/circumstances.hpp).
 template <class Response>
 concept Thermodynamic = requires {
   requires Response::thermodynamic;
 };
 
-/// Where one integration point's part of a memory begins.
+/// Beginning of the variables of one integration point.
 template <class Number>
 struct PointMemory {
   Number *stress, *tensors, *scalars, *log_strain;
   int stride = 1;  ///< between scalars of a point
 };
 
-/// Doubles of one element with `points` integration points, in this order: mass (set once by the model), all stresses
-/// (xx,yy,zz,xy,yz,zx a point), all tensors of the law, all its scalars (a name after the other, its points together),
-/// then energy and last force of bulk viscosity, and ln V of all points where the law follows the logarithmic rate.
+/// Number of doubles of one element with `points` integration points, in this order: mass (set once by the model), all
+/// stresses (xx,yy,zz,xy,yz,zx for each point), all tensors of the law, all its scalars (one name after the other, its
+/// points together), then energy and last force of bulk viscosity, and ln V of all points if the law follows the
+/// logarithmic rate.
 template <class Response, int points>
 struct SolidMemory {
   static constexpr int at_mass = 0;

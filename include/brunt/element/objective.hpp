@@ -9,7 +9,7 @@
 
 namespace brunt::element {
 
-/// Strain and rotation of a step, both as seen from its end.
+/// Strain and rotation of a step, both with respect to its end.
 template <class Number>
 struct StrainStep {
   Number strain[6];    ///< increment, tensor components xx, yy, zz, xy, yz, zx
@@ -59,7 +59,7 @@ BRUNT_INLINE Pack volume_ratio(const Pack (&L)[9], double dt) {
   return determinant(0.5 * dt) / determinant(-0.5 * dt);
 }
 
-/// Of the Jaumann rate: everything turns with the spin of the material.
+/// For the Jaumann rate: all tensors rotate with the spin of the material.
 template <class Number>
 BRUNT_INLINE StrainStep<Number> strain_step(const Number (&L)[9], double dt) {
   Number d[6], spin[3];
@@ -67,9 +67,9 @@ BRUNT_INLINE StrainStep<Number> strain_step(const Number (&L)[9], double dt) {
   return seen_from_end(d, spin);
 }
 
-/// Stress, history tensors and scalars of a rate law from the start of a step to its end; the stress in `s` too.
-/// Returns what the law's update does: the share of the elastic trial stress's deviator that is left after plastic
-/// flow. update(s, tensors, scalars): of what has been rotated to its end.
+/// Stress, history tensors and scalars of a rate law from the start of a step to its end; also returns the stress in
+/// `s`. Returns the result of the law's update: the share of the elastic trial deviator that remains after plastic
+/// flow. update(s, tensors, scalars): with quantities rotated to the end of the step.
 template <class Response, class Number, class Update>
 BRUNT_INLINE Number follow_stress(const StrainStep<Number>& step, const PointMemory<const Pack>& committed,
                                   const PointMemory<Number>& trial, Number (&s)[6], const Update& update) {
@@ -96,7 +96,7 @@ BRUNT_INLINE Number update_stress(const Response& law, const StrainStep<Number>&
   });
 }
 
-/// Of a law that is told of circumstances, with its tangent at the end of the step.
+/// For a law that needs circumstances, with its tangent at the end of the step.
 template <class Response>
 BRUNT_INLINE Pack update_stress(const Response& law, const StrainStep<Pack>& step,
                                 const typename Response::Step& circumstances, const PointMemory<const Pack>& committed,
@@ -108,8 +108,7 @@ BRUNT_INLINE Pack update_stress(const Response& law, const StrainStep<Pack>& ste
   });
 }
 
-/// rho c^2 of pressure waves: of the virgin material, or at the start of the step where the law is told of
-/// circumstances.
+/// rho c^2 of pressure waves: of the virgin material, or at the start of the step if the law needs circumstances.
 template <class Response>
 BRUNT_INLINE auto wave_modulus(const Response& law, const PointMemory<const Pack>& committed) {
   if constexpr (Thermodynamic<Response>) {

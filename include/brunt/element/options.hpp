@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a user chooses for the elements of a part.
+// Choices of the user for the elements of a part.
 #pragma once
 
 namespace brunt::element {
@@ -11,7 +11,7 @@ enum class ElementKind {
   tet4        ///< four nodes, one point; stiff (locks) in bending and in nearly incompressible flow
 };
 
-/// As it stands in a scene.
+/// The name in a scene.
 constexpr const char* name_of(ElementKind kind) {
   switch (kind) {
     case ElementKind::hex8:
@@ -29,8 +29,9 @@ constexpr const char* name_of(ElementKind kind) {
 enum class HourglassKind {
   none,
   viscous,
-  stiffness,  ///< springs whose forces plastic flow takes back as it does the stress deviator
-  elastic     ///< springs that stay whatever flows: holds back the rim of what flows far, but lets no corner fold
+  stiffness,  ///< springs whose forces plastic flow reduces together with the stress deviator
+  elastic  ///< springs without such a reduction: they restrain the rim of regions of large flow, and prevent folding of
+           ///< corners
 };
 
 struct Hourglass {

@@ -11,13 +11,13 @@
 
 namespace brunt::force {
 
-/// Of a batch: the six entries of element::BatchStiffness in their order, then the rate.
+/// Entries for a batch: the six entries of element::BatchStiffness in their order, then the rate.
 enum LinearEntry { at_lambda, at_mu, at_viscosity, at_spring, at_dashpot, at_plane2, at_rate, linear_entries };
 
 /// Linear elements, by block: [batch][LinearEntry][lane].
 using LinearElements = std::vector<AlignedVector<double>>;
 
-/// How stiff elements were at some time, by block: [batch][2][lane], 1/rate^2 and 1/plane2.
+/// Stiffness of the elements at an earlier time, by block: [batch][2][lane], 1/rate^2 and 1/plane2.
 using Baseline = std::vector<AlignedVector<double>>;
 
 /// What a pass over the elements keeps for bounds of the assembled mesh; where a span is empty it keeps nothing.

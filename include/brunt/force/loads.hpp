@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces from outside the elements: gravity, damping in proportion to mass, pressure on faces.
+// External forces: gravity, mass-proportional damping, pressure on faces.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace brunt::force {
 
-/// The coefficient alpha of mass damping at this time [1/time]; 0 while it does not act.
+/// The coefficient alpha of mass damping at this time [1/time]; 0 if it does not act.
 double damping_rate(const model::Model& model, double time);
 
 /// Gravity at t_n on every local node, into scratch.load.
 void body_loads(const model::Model& model, const model::State& state, model::Scratch& scratch);
 
-/// Forces of pressure on current faces, one Quad for each node of each face of each load, in order; `slots` as long as
-/// pressure_corners(model) lists.
+/// Forces of pressure on current faces, one Quad for each node of each face of each load, in order; the length of
+/// `slots` is that of pressure_corners(model).
 void pressure_forces(const model::Model& model, const model::State& state, std::span<Quad> slots);
 
 struct PressureCorner {

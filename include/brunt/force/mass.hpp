@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lumped mass: every corner takes an equal share of its element's mass.
+// Lumped mass: every corner takes an equal share of the mass of its element.
 #pragma once
 #include "brunt/model/model.hpp"
 
@@ -7,8 +7,8 @@ namespace brunt::force {
 
 enum class Lumped { all, deformable };  ///< elements whose masses go to their nodes
 
-/// Writes the mass of each element to its history, and the sum of corner shares to the first component of
-/// scratch.force (border nodes: unsummed in scratch.slots). Throws GuardError for an element without volume.
+/// Writes the mass of each element to its history, and the sum of corner shares to the first component of scratch.force
+/// (border nodes: separate values in scratch.slots). Throws GuardError for an element without volume.
 void lump_mass(const model::Model& model, model::State& state, model::Scratch& scratch, Lumped elements = Lumped::all);
 
 /// Volume of one hexahedron (exact for trilinear faces) or tetrahedron with reference corners X.

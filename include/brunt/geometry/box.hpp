@@ -9,7 +9,7 @@
 namespace brunt::geometry {
 
 struct Box {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());  ///< a fresh box holds nothing
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());  ///< a new box is empty
   Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
 };
 
@@ -34,7 +34,7 @@ inline bool contains(const Box& box, const Vec3& point) {
 }
 
 inline bool overlaps(const Box& a, const Box& b) {
-  bool apart = false;  // all six without a branch: which of them tells is different at every turn
+  bool apart = false;  // evaluates all six comparisons without a branch: branches would be unpredictable
   for (int c = 0; c < 3; ++c) apart |= !(a.low[c] <= b.high[c]) | !(b.low[c] <= a.high[c]);  // NOLINT
   return !apart;
 }

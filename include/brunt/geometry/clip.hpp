@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of a convex polygon in the plane that lies inside another one (Sutherland and Hodgman, Reentrant polygon
-// clipping, CACM 17 (1974) 32). Which corners there are is decided once, in doubles; each corner is then known by its
-// recipe, from which its coordinates follow in any number type: with derivatives by the corners of both polygons.
+// clipping, CACM 17 (1974) 32). The corners of the result are determined once, in doubles. Each corner then has a
+// recipe from which its coordinates follow in any number type, including derivatives by the corners of both polygons.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -26,16 +26,16 @@ Number cross(const PlanePoint<Number>& a, const PlanePoint<Number>& b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// Distances below this share of the larger polygon's extent count as zero: a corner so close to a side lies on it.
-/// Ten thousand roundings; the area is uncertain by as much, and the slope of a crossing that is just admitted by
-/// 2^-53 / 1e-12 = 1e-4.
+/// Distances below this share of the larger polygon's extent count as zero: a corner this close to a side lies on it.
+/// It corresponds to 1e4 rounding errors. The area is uncertain by this share, and the derivative of a barely admitted
+/// crossing by 2^-53 / 1e-12 = 1e-4.
 constexpr double on_side = 1e-12;
 
-/// A crossing that lies farther than this share of the extent from the side it was found on is replaced by the nearer
-/// end of that side: the side was too short to have a direction.
+/// A crossing that lies farther than this share of the extent from its side is replaced by the nearer end of that side:
+/// the side was too short to have a direction.
 constexpr double off_side = 1e-9;
 
-/// How a corner of the result comes about.
+/// The origin of a corner of the result.
 struct ClipCorner {
   enum class Kind : std::int8_t {
     subject,  ///< corner `first` of the subject
@@ -75,11 +75,11 @@ struct ConvexPieces {
   std::array<ConvexPiece, 2> piece{};
 };
 
-/// A triangle or convex quadrilateral as it is; any other one as two triangles that meet along the diagonal from its
-/// reflex corner. Counter-clockwise.
+/// A triangle or convex quadrilateral is returned unchanged; any other quadrilateral is split into two triangles along
+/// the diagonal from its reflex corner. Counter-clockwise.
 ConvexPieces convex_pieces(Polygon<double> corners);
 
-/// Where side i of one polygon and side j of another (or the same) one cross, on the lines through them.
+/// The crossing of side i of one polygon with side j of another one (or the same), on the lines through them.
 template <class Number>
 PlanePoint<Number> crossing(const PlanePoint<Number>& from, const PlanePoint<Number>& to,
                             const PlanePoint<Number>& other_from, const PlanePoint<Number>& other_to) {
@@ -88,7 +88,7 @@ PlanePoint<Number> crossing(const PlanePoint<Number>& from, const PlanePoint<Num
   return {from.x + at * along.x, from.y + at * along.y};
 }
 
-/// Coordinates of a corner of the result by its recipe.
+/// Coordinates of a corner of the result from its recipe.
 template <class Number>
 PlanePoint<Number> corner_point(const ClipCorner& recipe, Polygon<Number> subject, Polygon<Number> clip) {
   const auto at = [](Polygon<Number> polygon, std::size_t i) -> const PlanePoint<Number>& {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Is a surface of triangles the boundary of a solid? What is wrong with it, how often and where first.
+// Checks that a triangulated surface is the boundary of a solid: kinds of faults, their number and the first place of
+// each.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -23,7 +24,7 @@ struct ItemFaults {
   LocalIndex first = no_index;
 };
 
-/// Triangles that edges connect.
+/// Triangles connected by edges.
 struct Shell {
   LocalIndex first_triangle = no_index;
   std::int64_t triangles = 0;
@@ -33,15 +34,15 @@ struct Shell {
 struct SurfaceFaults {
   EdgeFaults open;          ///< edges of one triangle
   EdgeFaults non_manifold;  ///< edges of more than two triangles
-  EdgeFaults reversed;      ///< edges along which two triangles run in the same direction: one of them is reversed
-  ItemFaults no_area;       ///< triangles without area
-  ItemFaults inside_out;    ///< shells that enclose a negative volume and are no cavities of others
-  ItemFaults doubled;       ///< shells that enclose a positive volume inside another: cavities the wrong way round
+  EdgeFaults reversed;    ///< edges that two triangles traverse in the same direction: one of the triangles is reversed
+  ItemFaults no_area;     ///< triangles without area
+  ItemFaults inside_out;  ///< shells with negative volume that are not cavities of others
+  ItemFaults doubled;     ///< shells with positive volume inside another shell: reversed cavities
   std::int64_t unused_points = 0;  ///< points of no triangle: harmless
   std::vector<Shell> shells;       ///< in the order of their first triangles
   double volume = 0;               ///< [length^3] of all shells
 
-  /// The boundary of a solid, apart from crossings, which are not looked for.
+  /// The surface bounds a solid. Self-intersections are not checked.
   [[nodiscard]] bool sound() const;
 };
 
@@ -50,10 +51,10 @@ constexpr double least_height_ratio = 1e-12;
 
 /// Checks a surface whose points are merged. Indices of triangles must be sound and coordinates finite.
 ///
-/// Outside a solid the winding number of its boundary is 0, inside it is 1. So the others of its shells must have the
-/// winding number 0 around a point of a shell of positive volume, and 1 around one of negative volume, a cavity. The
-/// number is the sum of solid angles (Van Oosterom and Strackee 1983) over 4 pi; where shells touch in the point it
-/// lies between, and another triangle's centre is taken. This is judged only where the edges are sound.
+/// The winding number of a solid's boundary is 0 outside and 1 inside. Hence, at a point of a shell of positive volume,
+/// the winding number of all other shells must be 0, and at a point of a shell of negative volume (a cavity) it must be
+/// 1. It is the sum of solid angles (Van Oosterom and Strackee 1983) divided by 4 pi. If shells touch at the point, the
+/// number lies in between, and the centre of another triangle is used. The test requires valid edges.
 ///
 /// Time: sorting of the edges; for the shells, a comparison of boxes for each pair, and the triangles of those shells
 /// whose box holds the point.

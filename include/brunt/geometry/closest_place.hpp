@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// closest_point of eight points on a quadrilateral each. What the common ways do not settle - Newton's method after a
-// few steps, an edge where it ends outside - is left to closest_point itself; which lanes those are, and what the
-// others give, is a function of the lane alone.
+// closest_point for a pack of points on one quadrilateral each. Cases that the usual procedures do not settle (Newton's
+// method after a few steps, or an edge where it ends outside) are left to closest_point itself. Which lanes these are,
+// and the results of the others, depend on each lane only.
 #pragma once
 #include "brunt/geometry/vec_of.hpp"
 
 namespace brunt::geometry {
 
-/// Eight quadrilaterals, counter-clockwise seen from outside.
+/// A pack of quadrilaterals, counter-clockwise seen from outside.
 struct PackQuad {
   PackVec corner[4];
 };
@@ -39,10 +39,10 @@ BRUNT_INLINE PackTangents tangents(const PackQuad& quad, Pack xi, Pack eta) {
           quarter * ((1 - xi) * (c[3] - c[0]) + (1 + xi) * (c[2] - c[1]))};
 }
 
-/// Where the closest points lie.
+/// The positions of the closest points.
 struct PackPlace {
   Pack xi, eta;
-  PackMask known;    ///< lanes where they are settled; the others are to be asked of closest_point
+  PackMask known;    ///< lanes that are settled; the others need closest_point
   PackMask on_face;  ///< of these: projects on the face; the others lie on its rim:
   Pack edge;         ///< 0, 1, 2, 3: the edge of the rim,
   Pack along;        ///< and where on it, 0 to 1

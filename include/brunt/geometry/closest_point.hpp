@@ -17,7 +17,7 @@
 
 namespace brunt::geometry {
 
-/// Where on the face the nearest point lies.
+/// The feature of the face that contains the nearest point.
 enum class Region : std::int8_t { face, edge0, edge1, edge2, edge3, vertex0, vertex1, vertex2, vertex3 };
 
 struct FacePoint {
@@ -27,8 +27,8 @@ struct FacePoint {
   Region region = Region::face;
 };
 
-/// Projections that miss the face by less than this share of its parametric width count as on it, so that a node
-/// above a shared edge is seen by both faces and never by none.
+/// Projections that miss the face by less than this share of its parametric width count as on it. A node above a shared
+/// edge is then detected by both faces, and never by none.
 constexpr double face_tolerance = 1e-6;
 
 /// Corners of a face: three or four, in one order around it.
@@ -50,15 +50,15 @@ inline Vec3 area_vector(Corners corners) {
 /// Longest edge [length].
 double longest_edge(Corners corners);
 
-/// How far the face reaches across its longest edge: of a parallelogram or triangle the height over it; 0 without area
-/// [length].
+/// Extent of the face perpendicular to its longest edge: for a parallelogram or triangle the height above this edge; 0
+/// without area [length].
 double width(Corners corners);
 
-/// Nearest point of the face to `x`. A quadrilateral is solved by Newton's method on the stationarity conditions,
-/// started from the ratio of the triangle areas between the point and the edges (Heinstein et al. 2000, eq. 31; the
-/// start is exact for rectangles); where that leaves the face the nearest edge decides, and where it does not converge
-/// (strongly warped or nearly degenerate faces) a refined sampling does. Refused (nullopt) where the face has no area
-/// or something is not finite; never NaN.
+/// Nearest point of the face to `x`. For a quadrilateral, Newton's method solves the stationarity conditions, starting
+/// from the ratio of the triangle areas between the point and the edges (Heinstein et al. 2000, eq. 31; exact for
+/// rectangles). If the iterate leaves the face, the nearest edge decides; if it does not converge (strongly warped or
+/// nearly degenerate faces), refined sampling is used. Returns nullopt if the face has no area or a value is not
+/// finite; never NaN.
 std::optional<FacePoint> closest_point(const Vec3& x, Corners corners);
 
 }  // namespace brunt::geometry

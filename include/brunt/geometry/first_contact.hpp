@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// When and where does a moving point first pass through a moving face? The velocity-based check of Heinstein et al.
-// 2000, section 4.5: all motion is linear over the step, tau = 0 is its start and tau = 1 its end.
+// First time and place at which a moving point passes through a moving face: the velocity-based check of Heinstein et
+// al. 2000, section 4.5. All motion is linear over the step, from tau = 0 to tau = 1.
 #pragma once
 #include <algorithm>
 
@@ -18,7 +18,7 @@ struct MovingFace {
   Corners start, end;
 };
 
-/// Boxes of a face at the start and the end of the step: made once a face and used for all points near it.
+/// Boxes of a face at the start and the end of the step, computed once for each face and used for all points near it.
 struct FaceSweep {
   Box start, end;
 };
@@ -27,12 +27,12 @@ inline FaceSweep sweep_of(const MovingFace& face) {
   return {bounding_box(face.start), bounding_box(face.end)};
 }
 
-/// A zero of tau this far outside [0, 1] still counts (as 0 or 1), so that what happens at the border of two steps is
-/// seen by one of them at least, whatever rounding does.
+/// A zero of tau this far outside [0, 1] still counts (as 0 or 1), so that an event at the boundary of two steps is
+/// found in at least one of them despite rounding.
 constexpr double step_tolerance = 1e-12;
 
-/// False only if the point cannot meet the face, seen from a frame that moves with the point: rejects nearly all pairs
-/// at the cost of a few comparisons. Never false for a meeting within face_tolerance and step_tolerance.
+/// False only if the point cannot meet the face, in a frame that moves with the point: rejects nearly all pairs with a
+/// few comparisons. Never false for an intersection within face_tolerance and step_tolerance.
 inline bool may_meet(const MovingPoint& point, const FaceSweep& face) {
   const Vec3 low = (face.start.low - point.start).cwiseMin(face.end.low - point.end);
   const Vec3 high = (face.start.high - point.start).cwiseMax(face.end.high - point.end);
@@ -46,14 +46,15 @@ struct FirstContact {
   std::array<double, 4> weights{};  ///< of the corners, sum 1; the last is 0 for a triangle
   Vec3 point = Vec3::Zero();        ///< where the point is at tau
   Vec3 normal = Vec3::Zero();       ///< outward unit normal of the face there at tau
-  Region region = Region::face;     ///< edge or vertex within face_tolerance of one: neighbours name the same
+  Region region =
+      Region::face;  ///< edge or vertex within face_tolerance of one: neighbouring faces report the same one
 };
 
-/// The earliest tau at which the point crosses the face from outside to inside, i.e. its velocity relative to the
-/// face's has a negative part along the outward normal; crossings outward are passed over. The face is enlarged by
-/// face_tolerance, so that a point that hits a shared edge or vertex meets at least one of the faces there. Sliding in
-/// the face, and touching without passing, is no crossing (see `transversal`). Nothing for faces without area and for
-/// input that is not finite; never NaN. A zero of the trilinear distance, see first_zero.
+/// The earliest tau at which the point crosses the face from outside to inside: the relative velocity has a negative
+/// component along the outward normal. Crossings outwards are ignored. The face is enlarged by face_tolerance, so that
+/// a point that hits a shared edge or vertex meets at least one of its faces. Sliding in the face, and touching without
+/// passing through, are not crossings (see `transversal`). Empty for faces without area and for values that are not
+/// finite; never NaN. It is a zero of the trilinear distance, see first_zero.
 std::optional<FirstContact> first_contact(const MovingPoint& point, const MovingFace& face);
 
 }  // namespace brunt::geometry

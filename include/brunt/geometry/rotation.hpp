@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finite rotation from a spin increment, and what it does to vectors and symmetric tensors, a pack at a time.
-// T. J. R. Hughes, J. Winget, Int. J. Numer. Meth. Eng. 15 (1980) 1862: with the velocity gradient taken in the
-// midpoint configuration the rotation of a rigid motion is exact.
+// Finite rotation from a spin increment, and its application to vectors and symmetric tensors, one pack at a time. T.
+// J. R. Hughes, J. Winget, Int. J. Numer. Meth. Eng. 15 (1980) 1862: with the velocity gradient in the midpoint
+// configuration, the rotation of a rigid motion is exact.
 #pragma once
 #include "brunt/core/simd.hpp"
 

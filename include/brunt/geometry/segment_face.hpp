@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Does a segment pierce a face? Overlaps of thin parts, whose nodes may lie on the right sides of all faces.
+// Intersection of a segment with a face: overlaps of thin parts whose nodes may all lie on the correct sides of all
+// faces.
 #pragma once
 #include <array>
 #include <optional>
@@ -19,10 +20,10 @@ struct SegmentFaceCrossing {
   Region region = Region::face;
 };
 
-/// The first point at which the segment passes through a triangle or a bilinear quadrilateral (which it can pierce
-/// twice), both enlarged by face_tolerance, ends of the segment by step_tolerance. Exact to rounding: a triangle is one
-/// linear system. A segment in the plane of the face does not pierce it; nothing for faces without area, segments
-/// without length, and what is not finite.
+/// The first point at which the segment passes through a triangle or a bilinear quadrilateral (which it can intersect
+/// twice), both enlarged by face_tolerance, and the ends of the segment by step_tolerance. Exact to rounding; a
+/// triangle is one linear system. A segment in the plane of the face does not intersect it. Empty for faces without
+/// area, segments without length, and values that are not finite.
 std::optional<SegmentFaceCrossing> segment_crosses_face(const Segment& segment, Corners corners);
 
 }  // namespace brunt::geometry

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two straight segments: nearest points, common perpendicular, and when two moving ones meet (edge-to-edge contact).
+// Two straight segments: nearest points, common perpendicular, and the first contact of moving ones (edge-to-edge
+// contact).
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -13,10 +14,10 @@ struct Segment {
   [[nodiscard]] Vec3 along() const { return (end - start).normalized(); }  ///< unit
 };
 
-/// Where on a segment a point lies.
+/// Position of a point on a segment.
 enum class Along : std::int8_t { inside, start, end };
 
-/// Edges with a sine of their angle below this are parallel: they have no normal of their own.
+/// Edges with a sine of their angle below this are parallel: they define no normal.
 constexpr double parallel_sine = 1e-6;
 
 struct SegmentPair {
@@ -26,27 +27,27 @@ struct SegmentPair {
   Along along_a = Along::inside, along_b = Along::inside;  ///< `inside` for s, t in (0, 1)
 };
 
-/// Nearest points of two segments. Any input that is finite has an answer: segments without length are points; of the
-/// many pairs of overlapping parallel ones it is one that holds an end (start of a, end of a, start of b, end of b: the
-/// first of the nearest). The distance is exact to rounding, s and t to rounding / sin^2(angle).
+/// Nearest points of two segments. Any finite input has a result. Segments without length are points. If overlapping
+/// parallel segments have many nearest pairs, the result is one that contains an end (start of a, end of a, start of b,
+/// end of b: the first of the nearest). The distance is exact to rounding, s and t to rounding / sin^2(angle).
 SegmentPair closest_points(const Segment& a, const Segment& b);
 
 struct CommonPerpendicular {
   double s = 0, t = 0;
   Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
-  Vec3 normal = Vec3::Zero();  ///< a x b / |a x b|, or the direction of the caller's choice
+  Vec3 normal = Vec3::Zero();  ///< a x b / |a x b|, or a given direction
   double gap = 0;              ///< (on_a - on_b) . normal: the sign tells on which side a lies [length]
   bool past_an_end = false;    ///< of a or b
 };
 
 /// The common perpendicular, if it meets both segments (enlarged by face_tolerance of their lengths, s and t clamped)
-/// or passes their ends at no more than `kink` |gap| times the sine of their angle: where two edges of a chain meet at
-/// such an angle, what lies on the outer side has its foot on neither. Nothing for parallel segments, segments without
-/// length, and what is not finite.
+/// or passes their ends at no more than `kink` |gap| times the sine of their angle. The latter is needed where two
+/// edges of a chain meet at such an angle: the foot of a perpendicular on the outer side lies on neither edge. Empty
+/// for parallel segments, segments without length, and values that are not finite.
 std::optional<CommonPerpendicular> common_perpendicular(const Segment& a, const Segment& b, double kink = 0);
 
-/// The same along a unit direction of the caller's choice: where the segments cross as seen along it. Segments that
-/// are parallel as seen along it do not cross.
+/// The same along a given unit direction: the crossing of the segments as seen along it. Segments that are parallel in
+/// this view do not cross.
 std::optional<CommonPerpendicular> crossing_along(const Segment& a, const Segment& b, const Vec3& direction,
                                                   double kink = 0);
 
@@ -63,9 +64,9 @@ struct EdgeCrossing {
   Vec3 normal = Vec3::Zero();  ///< unit, along +-(a x b) at tau; the velocity of a relative to b along it is negative
 };
 
-/// The earliest tau at which the edges a and b meet, each enlarged by face_tolerance of its length, tau to about
-/// 1e-15 / sin(angle of the edges) / sin(incidence). What only touches or slides in the common plane does not meet, nor
-/// do edges that are parallel at that instant. Never NaN. A zero of the trilinear distance, see first_zero.
+/// The earliest tau at which the edges a and b intersect, each enlarged by face_tolerance of its length. The error of
+/// tau is about 1e-15 / sin(angle of the edges) / sin(incidence). Edges that only touch, slide in their common plane,
+/// or are parallel at that instant do not intersect. Never NaN. It is a zero of the trilinear distance, see first_zero.
 std::optional<EdgeCrossing> edge_crossing(const MovingSegment& a, const MovingSegment& b);
 
 }  // namespace brunt::geometry

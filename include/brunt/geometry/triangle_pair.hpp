@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two triangles: do they have a common point, and where are they nearest to each other.
+// Two triangles: whether they have a common point, and their nearest points.
 #pragma once
 #include <array>
 
@@ -10,10 +10,10 @@ namespace brunt::geometry {
 /// Corners [length]. A triangle without area is the segment or the point that it covers.
 using Triangle = std::array<Vec3, 3>;
 
-/// Whether the closed triangles have a common point: touching in one point counts, and so does a coplanar overlap.
-/// The answer is exact for the coordinates given: signs of determinants come from a floating-point filter, and from
-/// exact sums where the filter cannot decide (Shewchuk 1997). It needs |coordinate| between 1e-90 and 1e90, or 0. What
-/// is not finite crosses nothing.
+/// Whether the closed triangles have a common point, including a single point and a coplanar overlap. The answer is
+/// exact for the given coordinates: signs of determinants are found by a floating-point filter, and by exact sums if
+/// the filter cannot decide (Shewchuk 1997). Coordinates must be 0 or between 1e-90 and 1e90 in magnitude. Triangles
+/// that are not finite cross nothing.
 bool triangles_cross(const Triangle& a, const Triangle& b);
 
 struct NearestPoints {
@@ -21,12 +21,12 @@ struct NearestPoints {
   Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();  ///< [length]; one point where the distance is 0
 };
 
-/// Nearest points of the closed triangles: the least over all vertex-face and edge-edge pairs. The distance is exact to
-/// rounding of the coordinates. Where several pairs of points are nearest (parallel faces) it is one of them.
+/// Nearest points of the closed triangles: the minimum over all vertex-face and edge-edge pairs. The distance is exact
+/// up to rounding of the coordinates. If several pairs are nearest (parallel faces), the result is one of them.
 NearestPoints nearest_points(const Triangle& a, const Triangle& b);
 
-/// The same where the distance is below `nearer_than`, to the same bits; otherwise the distance returned is some number
-/// >= `nearer_than`, and the points are of no use.
+/// The same if the distance is below `nearer_than`, with the same bits; otherwise the returned distance is some number
+/// >= `nearer_than`, and the points are undefined.
 NearestPoints nearest_points(const Triangle& a, const Triangle& b, double nearer_than);
 
 /// The point of the closed triangle nearest to p, exact to rounding.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// First zero of a vector that is linear in each of two places and the time. Between two moving things of which each is
-// linear along its coordinate (node and bilinear face, edge and edge, segment and face) the distance vector is such a
-// function, so one solver finds all their meetings.
+// First zero of a vector that is linear in each of two coordinates and time. The distance vector of two moving objects
+// that are linear in their coordinates (node and bilinear face, edge and edge, segment and face) is such a function, so
+// one solver finds all their intersections.
 #pragma once
 #include <limits>
 #include <optional>
@@ -25,24 +25,25 @@ Vec3 derivative_u(const Trilinear& distance, const TrilinearPlace& at);
 Vec3 derivative_v(const Trilinear& distance, const TrilinearPlace& at);
 Vec3 derivative_tau(const Trilinear& distance, const TrilinearPlace& at);
 
-/// Where zeros are looked for, borders included: a box, cut off by u + v <= sum_high (for triangles).
+/// Domain of the search, boundaries included: a box, restricted to u + v <= sum_high (for triangles).
 struct TrilinearDomain {
   TrilinearPlace low, high{1, 1, 1};
   double sum_high = std::numeric_limits<double>::infinity();
 };
 
-/// Which zeros count, by the sign of (D_u x D_v) . D_tau there.
+/// The zeros that count, by the sign of (D_u x D_v) . D_tau there.
 enum class Crossing { positive, either };
 
-/// A zero counts as a crossing where the sine-like ratio |(D_u x D_v) . D_tau| / (|D_u| |D_v| |D_tau|) is above this:
-/// what slides along or only touches does not cross.
+/// A zero counts as a crossing if the ratio |(D_u x D_v) . D_tau| / (|D_u| |D_v| |D_tau|), comparable to a sine, is
+/// above this value: sliding and mere touching do not count.
 constexpr double transversal = 1e-12;
 
-/// The zero of least tau in the domain, exact to rounding (about 1e-16 |D| / (|D_tau| ratio) in tau); nothing if there
-/// is none. Boxes of (u, v, tau) are cut in halves, earliest first. A box is dropped where the bounds of the polynomial
-/// exclude a zero, and finished by Newton's method where the function, preconditioned by its derivative in the middle,
-/// is proven to have at most one (R. Krawczyk, Computing 4 (1969) 187; for a trilinear function the bounds are sums of
-/// absolute values of its coefficients). The work is bounded; no allocation; not-finite input gives nothing.
+/// The zero of smallest tau in the domain, exact to rounding (about 1e-16 |D| / (|D_tau| ratio) in tau); empty if there
+/// is none. Boxes of (u, v, tau) are bisected, earliest first. A box is discarded if the bounds of the polynomial
+/// exclude a zero. It is finished by Newton's method if the function, preconditioned by its derivative at the centre,
+/// is proven to have at most one zero (R. Krawczyk, Computing 4 (1969) 187; for a trilinear function the bounds are
+/// sums of absolute values of its coefficients). The work is bounded, nothing is allocated, and values that are not
+/// finite give an empty result.
 std::optional<TrilinearPlace> first_zero(const Trilinear& distance, const TrilinearDomain& domain, Crossing crossing);
 
 }  // namespace brunt::geometry

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors of any number type: one, or a pack of them component by component. Sums run in one order, so that a pair
-// gets the same bits alone and in a lane.
+// Vectors of any number type: a number, or a pack for each component. Sums have a fixed order, so that a pair gives the
+// same bits alone and in a lane.
 #pragma once
 #include <cmath>
 
@@ -50,7 +50,7 @@ BRUNT_INLINE VecOf<double> vec_of(const Vec3& a) {
   return {a[0], a[1], a[2]};
 }
 
-/// A vector a lane.
+/// A vector for each lane.
 using PackVec = VecOf<Pack>;
 
 }  // namespace brunt::geometry

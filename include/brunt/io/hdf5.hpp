@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// An HDF5 file that all ranks read or write together: tables of doubles or 64-bit integers, of which every rank
-// transfers a contiguous range of rows, and small attributes. Every function is collective. A failure on one rank is
-// thrown on all of them with the same text: MachineError where something should have been written, InputError where a
-// file cannot be read (missing, truncated, damaged, another content than expected).
+// An HDF5 file that all ranks read or write together: small attributes, and tables of doubles or 64-bit integers of
+// which every rank transfers a contiguous range of rows. Every function is collective. A failure on one rank is thrown
+// on all of them with the same text: MachineError for failed writing, InputError for a file that cannot be read
+// (missing, truncated, damaged, or with unexpected content).
 #pragma once
 #include <cstdint>
 #include <span>
@@ -20,11 +20,11 @@ class Hdf5File {
   enum class Mode { create, read, append };  ///< create: an existing file is lost
 
   Hdf5File(const comm::Communicator& ranks, std::string path, Mode mode);
-  ~Hdf5File();  ///< closes; failures go unreported, so a writer calls close()
+  ~Hdf5File();  ///< closes the file; failures are not reported, so a writer calls close()
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
 
-  void flush();  ///< after this a killed run leaves a file that opens
+  void flush();  ///< afterwards the file can be opened even if the run is killed
   void close();
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const comm::Communicator& ranks() const { return ranks_; }
@@ -35,7 +35,7 @@ class Hdf5File {
   void create_group(const std::string& group);
   void remove(const std::string& object);
 
-  /// Tables; groups on the way to the name are made. Their content is undefined until written.
+  /// Tables; the groups in the name are created. Their content is undefined until written.
   void create_doubles(const std::string& name, GlobalIndex rows, int width);
   void create_integers(const std::string& name, GlobalIndex rows, int width);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// history.csv: one row a history step; the first column is the step.
+// history.csv: one row for each history step; the first column is the step.
 #pragma once
 #include <cstdio>
 #include <optional>
@@ -16,21 +16,21 @@ struct HistoryColumn {
   std::string unit;  ///< shown in brackets; empty: none shown
 };
 
-/// The open file. Not collective: for the root rank. Every row is handed to the operating system at once.
+/// The open file. Not collective: for the root rank. Every row is passed to the operating system at once.
 class HistoryFile {
  public:
-  /// `columns` come after `step`. With `restart_step` an existing file is continued: rows of later steps, and a row
-  /// that a killed run left unfinished, are dropped; other columns than given are an InputError. Throws MachineError.
+  /// `columns` follow `step`. With `restart_step` an existing file is continued: rows of later steps, and an incomplete
+  /// last row of a killed run, are removed; different columns are an InputError. Throws MachineError.
   HistoryFile(std::string path, const std::vector<HistoryColumn>& columns,
               std::optional<GlobalIndex> restart_step = std::nullopt);
   ~HistoryFile();
   HistoryFile(const HistoryFile&) = delete;
   HistoryFile& operator=(const HistoryFile&) = delete;
 
-  /// One value a column, in the shortest form that reads back to the same bits.
+  /// One value for each column, in the shortest form that reads back to the same bits.
   void write(GlobalIndex step, std::span<const double> values);
 
-  [[nodiscard]] GlobalIndex rows() const { return rows_; }            ///< those kept at a restart among them
+  [[nodiscard]] GlobalIndex rows() const { return rows_; }            ///< including those kept at a restart
   [[nodiscard]] GlobalIndex last_step() const { return last_step_; }  ///< of the last row written here; -1: none
 
  private:
@@ -46,14 +46,13 @@ struct History {
   std::vector<std::vector<double>> rows;
 };
 
-/// Throws InputError with file and line.
-/// Where rows are missing that a run has written.
+/// Missing rows of a history.
 struct HistoryGap {
   GlobalIndex missing = 0;
-  double from = 0, to = 0;  ///< times of the widest gap between rows [time]
+  double from = 0, to = 0;  ///< times of the largest gap between rows [time]
 };
 
-/// Of a file that should have `expected` rows up to the time `until`; nothing where it has them.
+/// For a file that should have `expected` rows up to the time `until`; empty if it has them.
 [[nodiscard]] std::optional<HistoryGap> history_gap(const std::string& path, GlobalIndex expected, double until);
 
 [[nodiscard]] History read_history(const std::string& path);

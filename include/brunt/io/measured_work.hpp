@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the ranks of a run have measured of their own work, in a checkpoint beside the state: weights of a later
-// partition. A restart does not need it, and it differs from run to run.
+// The work measured by the ranks of a run, stored in a checkpoint beside the state: weights of a later partition. A
+// restart does not need it, and it differs between runs.
 //
 // Layout: /measured/ranks [ranks][2]: processor time of a step in elements and in contact, without messages [s];
 //         /measured/elements [elements][2], in canonical order: the rank that computed the element, and the candidate
@@ -27,8 +27,8 @@ struct MeasuredWork {
   std::vector<double> pairs;                             ///< likewise
 };
 
-/// Throws InputError that names the file where it is no checkpoint, holds none of this, or what it holds is damaged.
-/// Not collective: for the root alone.
+/// Throws InputError with the file if it is not a checkpoint, has no such data, or they are damaged. Not collective:
+/// for the root only.
 [[nodiscard]] MeasuredWork read_measured_work(const std::string& checkpoint);
 
 }  // namespace brunt::io

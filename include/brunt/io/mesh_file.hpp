@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a mesh file of any kind known. Not collective: for the root rank.
+// Reads a mesh file of any supported kind. Not collective: for the root rank.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace brunt::io {
 
-/// Tells the kind by the first bytes (Exodus: netCDF or HDF5 signature; Gmsh: $MeshFormat or $Comments; Abaqus:
-/// a star, but not *KEYWORD), whatever the file's name. Throws InputError if the file cannot be read, is of no known
-/// kind, or is faulty. `ignore`: names or numbers of blocks that are left out, those of elements that are not read
-/// among them; Mesh::left_out and Mesh::notes say what this took away.
+/// Determines the kind from the first bytes (Exodus: netCDF or HDF5 signature; Gmsh: $MeshFormat or $Comments; Abaqus:
+/// a star, but not *KEYWORD), independent of the name. Throws InputError if the file cannot be read, is of unknown
+/// kind, or is invalid. `ignore`: names or numbers of blocks to exclude, including blocks of unsupported elements;
+/// Mesh::left_out and Mesh::notes list what was excluded.
 mesh::Mesh read_mesh(const std::string& path, const std::vector<std::string>& ignore = {});
 
 }  // namespace brunt::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A partition that a later run takes: which rank computes which element.
+// A stored partition for a later run: the rank that computes each element.
 //
 // Layout of partition.h5 in its folder: attributes of /: partition_format, parts, fingerprint, scene; /part [elements]:
 // in canonical order.
@@ -18,8 +18,8 @@ struct PartitionFile {
   std::vector<Rank> part;          ///< of each element in canonical order
 };
 
-/// Both for the root alone. Writing makes the folder, and throws MachineError; reading throws InputError that names
-/// what is no partition or has a part out of range.
+/// For the root only. Writing creates the folder and throws MachineError; reading throws InputError for an invalid
+/// partition or a part out of range.
 void write_partition(const std::string& folder, const PartitionFile& partition);
 [[nodiscard]] PartitionFile read_partition(const std::string& folder);
 

@@ -9,16 +9,16 @@ namespace brunt::io {
 
 enum class ExistingResults {
   refuse,   ///< an InputError
-  replace,  ///< --force: result files of an earlier run are removed; files of other names stay
-  keep      ///< --restart: the run goes on in them
+  replace,  ///< --force: result files of an earlier run are removed; other files are kept
+  keep      ///< --restart: the run continues in them
 };
 
-/// Makes the folder (and those above it) if need be and checks that files can be written there. Collective; all ranks
-/// throw the same: InputError if results exist and may not, or nothing can be written there; MachineError if the disk
+/// Creates the folder (and its parents) if necessary and checks that files can be written there. Collective; all ranks
+/// throw the same: InputError if results exist but must not, or nothing can be written there; MachineError if the disk
 /// is full or fails.
 void prepare_result_folder(const comm::Communicator& ranks, const std::string& folder, ExistingResults existing);
 
-/// True for the names a run writes: summary.json, history.csv, state.h5, state.xdmf, checkpoint_*.h5, log.txt,
+/// True for the files that a run writes: summary.json, history.csv, state.h5, state.xdmf, checkpoint_*.h5, log.txt,
 /// scene_as_run.yaml.
 [[nodiscard]] bool is_result_file(const std::string& name);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// state.h5 and state.xdmf: the mesh once, and fields by time in the input's global order. state.xdmf opens in ParaView
-// (reader Xdmf3ReaderS) as a time series. After each record a killed run leaves both readable.
+// state.h5 and state.xdmf: the mesh once, and fields by time in the global order of the input. state.xdmf opens in
+// ParaView (reader Xdmf3ReaderS) as a time series. Both remain readable if the run is killed after a record.
 //
 // Layout of state.h5 (indices are positions in the input, 0-based; doubles and 64-bit integers, little endian):
 //   /                         attributes format, nodes, elements, blocks, and unit_QUANTITY where units have names
@@ -35,7 +35,7 @@ struct StateBlock {
   std::string part{};                ///< of the scene; empty: not known
 };
 
-/// What one rank has of the mesh. Every node and element is given by one rank only; every rank lists all blocks.
+/// The part of the mesh on one rank. Every node and element is given by exactly one rank; every rank lists all blocks.
 struct StateMesh {
   GlobalIndex global_nodes = 0, global_elements = 0;
   std::vector<GlobalIndex> node;     ///< position in the input
@@ -77,14 +77,14 @@ struct StateRecord {
 
 class StateFile {
  public:
-  /// Starts folder/state.h5 anew, or with `restart_step` continues it: records of later steps are dropped, and it is an
-  /// InputError if the file is no state file of this mesh (counts of nodes, elements, blocks); without a file there it
-  /// is started. Collective, as everything here; throws MachineError.
-  /// What has been written of the mesh is let go.
+  /// Creates folder/state.h5, or continues it with `restart_step`: records of later steps are removed. It is an
+  /// InputError if the file is not a state file of this mesh (numbers of nodes, elements, blocks); a missing file is
+  /// created. Collective, as are all members; throws MachineError. Parts of the mesh are
+  /// freed as they are written.
   StateFile(const comm::Communicator& ranks, std::string folder, StateMesh mesh,
             std::optional<GlobalIndex> restart_step = std::nullopt);
 
-  /// Says in which unit a quantity (time, length, ...) is: an attribute unit_QUANTITY of the file.
+  /// Stores the unit of a quantity (time, length, ...) as an attribute unit_QUANTITY of the file.
   void name_unit(const std::string& quantity, const std::string& unit);
   void write(GlobalIndex step, double time, std::span<const StateField> fields);
 

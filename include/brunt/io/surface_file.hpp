@@ -11,9 +11,9 @@ namespace brunt::io {
 enum class SurfaceFormat { stl, obj, ply };
 
 struct SurfaceFile {
-  /// As in the file: points are not merged (an STL file gives three a triangle), and the surface may be open.
+  /// As in the file: points are not merged (an STL file has three for each triangle), and the surface may be open.
   TriangleSurface surface;
-  /// The coordinates have about seven digits: STL, and PLY with `float` coordinates. Else they are doubles.
+  /// The coordinates have about seven digits: STL, and PLY with `float` coordinates. Otherwise they are doubles.
   bool single_precision = false;
 };
 
@@ -34,18 +34,18 @@ constexpr double largest_coordinate = 1e60;
 ///   but `x`, `y`, `z` and `vertex_indices` (or `vertex_index`) are skipped.
 ///
 /// Numbers are read in double precision, independent of the locale. A quadrilateral is split along its shorter diagonal
-/// unless that lies outside; ears are clipped from polygons of more corners in the plane of their area vector.
+/// unless that lies outside; polygons with more corners are split by ear clipping in the plane of their area vector.
 ///
-/// Throws InputError, `FILE:LINE: what is wrong; expected ...` or `FILE: triangle 17 of 20 ...` in binary files: what
-/// does not follow the format, is cut off or goes on after its end; coordinates that are not finite, or larger than
-/// `largest_coordinate`; faces with fewer than three corners, with a corner twice, with an index that names no point,
-/// or that cross themselves; counts that the file cannot hold; a surface without triangles.
+/// Throws InputError, `FILE:LINE: what is wrong; expected ...`, or `FILE: triangle 17 of 20 ...` in binary files, for
+/// content that violates the format, is truncated or continues after its end; coordinates that are not finite, or
+/// larger than `largest_coordinate`; faces with fewer than three corners, with a repeated corner, with an unknown
+/// index, or that intersect themselves; counts that exceed the file; a surface without triangles.
 [[nodiscard]] SurfaceFile read_surface(const std::string& path);
 
 /// The same of the content of a file; `name` stands for it in messages.
 [[nodiscard]] SurfaceFile parse_surface(std::string_view content, const std::string& name, SurfaceFormat format);
 
-/// A binary PLY file in double precision, in place of any of that name. Throws MachineError.
+/// Writes a binary PLY file in double precision; an existing file of that name is replaced. Throws MachineError.
 void write_ply(const std::string& path, const TriangleSurface& surface);
 
 }  // namespace brunt::io

@@ -6,14 +6,15 @@
 
 namespace brunt::io {
 
-/// Writes `path`.tmp, has it on disk, then renames: a reader sees the old text or the new one, never a part.
+/// Writes `path`.tmp, waits until it is on disk, then renames it: a reader sees the old or the new text, never a part.
 /// Throws MachineError.
 void replace_text(const std::string& path, std::string_view text);
 
 /// Throws InputError if the file cannot be read.
 [[nodiscard]] std::string read_text(const std::string& path);
 
-/// Has a finished file on disk under its final name (fsync, rename, fsync of the folder). Throws MachineError.
+/// Ensures that a finished file is on disk under its final name (fsync, rename, fsync of the folder). Throws
+/// MachineError.
 void rename_durably(const std::string& from, const std::string& to);
 
 }  // namespace brunt::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What laws with rates or an equation of state are told of a step besides the strain. They have, for the kernels,
+// Data of a step, other than the strain, for laws with rates or an equation of state. Such laws provide for the kernels
 //   thermodynamic    true
 //   Step             = Circumstances
 //   fields           names and initial values of the scalars, in order

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Isotropic linear elasticity in rate form, and the tangent bound that all rate laws share.
+// Isotropic linear elasticity in rate form, and the tangent bound shared by all rate laws.
 #pragma once
 #include "brunt/core/simd.hpp"
 #include "brunt/material/law.hpp"
 
 namespace brunt::material {
 
-// Every response gives the element kernels the same words:
+// Every response provides the following to the element kernels:
 //   hyperelastic     false: rate law, update(), which returns the share of the trial deviator that plastic flow leaves;
 //                    true: stress from the deformation gradient, stress()
 //   logarithmic      (rate laws) true: the element turns stresses with the spin of the logarithmic rate
@@ -20,10 +20,10 @@ namespace brunt::material {
 ///   L : dP/dt <= lambda tr(L)^2 + 2 mu L : L.
 /// For the Jaumann rate, L : dP/dt = D : C : D + tr(D) s : D + [W^T W s] + 2 [W s D] - [D D s]. With s = m 1 + dev,
 /// the bracket terms are at most (|m| + |dev|) L : L and tr(D) s : D at most m tr^2 + |dev| (3/2 tr^2 + 1/2 L : L);
-/// the spectral norm |dev| is sqrt(2/3) of the Frobenius norm at most (dev has no trace), exact in uniaxial stress, and
-/// the same however the scene is turned. Compression lowers lambda and raises mu.
+/// the spectral norm |dev| is at most sqrt(2/3) of the Frobenius norm (dev has no trace), exactly so in uniaxial
+/// stress, and independent of the orientation of the scene. Compression reduces lambda and increases mu.
 ///
-/// The logarithmic rate turns the stress by N beyond W, which adds [(s D - D s) N]. With |N| <= |D| (see
+/// The logarithmic rate rotates the stress by N in addition to W, which adds [(s D - D s) N]. With |N| <= |D| (see
 /// element/logarithmic_rate.hpp) this is at most the largest difference of principal stresses times L : L, and that
 /// difference is at most sqrt(2) of the Frobenius norm, sqrt(3) |dev|. `spin` is half of it: 0 for the Jaumann rate,
 /// logarithmic_share for the logarithmic one.
@@ -78,7 +78,7 @@ struct ElasticResponse {
   double density, lambda, mu;
 };
 
-/// A rate law whose stresses follow the logarithmic rate in place of Jaumann's.
+/// A rate law whose stresses follow the logarithmic rate instead of Jaumann's.
 template <class Law>
 struct Logarithmic : Law {
   static constexpr bool logarithmic = true;

@@ -30,8 +30,8 @@ class PressureLaw {
     Pack pressure, energy;
   };
 
-  /// The end of a step. energy: at its start, plus the work of viscosity and shear; pressure: at its start; change of
-  /// the relative volume to `volume`; failed: bears no tension, so that opening it takes no work.
+  /// The end of a step. energy: at its start, plus the work of viscosity and shear; pressure: at its start; change: of
+  /// the relative volume, to `volume`; failed: the point carries no tension, so that opening does no work.
   [[nodiscard]] Answer close(Pack volume, Pack change, Pack pressure, Pack energy, PackMask failed) const {
     const Parts now = parts(volume);
     const Pack known = energy - 0.5 * change * pressure;
@@ -62,7 +62,7 @@ class PressureLaw {
 
   [[nodiscard]] Parts on_hugoniot(Pack volume) const {
     const Pack h = 1.0 - volume, compression = pack_max(h, Pack{});
-    // a shock cannot compress to 1 - s h = 0; the floor keeps what passes it finite
+    // A shock cannot compress to 1 - s h = 0; the lower bound keeps larger compressions finite.
     const Pack left = pack_max(1.0 - constants_.s * compression, broadcast(1e-3));
     const Pack over = 1.0 / left, over2 = over * over;
     const Pack half = 1.0 - 0.5 * constants_.gamma * compression;

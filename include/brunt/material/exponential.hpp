@@ -38,8 +38,8 @@ inline Pack pack_power(Pack a, double b) {
   return select(is_positive, power, Pack{});
 }
 
-/// a -> a^b near an a whose power is known: (a (1 + x))^b = a^b (1 + b x + b (b - 1)/2 x^2 + ...), six terms where
-/// |x| <= 0.01 (the seventh is below 1e-14), by logarithm and exponential elsewhere.
+/// a -> a^b near an a whose power is known: (a (1 + x))^b = a^b (1 + b x + b (b - 1)/2 x^2 + ...), with six terms for
+/// |x| <= 0.01 (the seventh is below 1e-14), otherwise by logarithm and exponential.
 class NearPower {
  public:
   explicit NearPower(double exponent) : exponent_(exponent) {

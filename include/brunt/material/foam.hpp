@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Crushable foam: principal stresses that know nothing of each other (Poisson's ratio 0), elastic to a yield stress
-// that rises with the volume lost, and to a tensile strength. Unloading is elastic (J. O. Hallquist, LS-DYNA theory
-// manual, material 63).
+// Crushable foam: uncoupled principal stresses (Poisson's ratio 0), elastic up to a yield stress that increases with
+// the volumetric strain in compression, and up to a tensile strength. Unloading is elastic (J. O. Hallquist, LS-DYNA
+// theory manual, material 63).
 //
-// The modulus is that of the nominal stress over the reference length: d(stress) = E J d(strain), J the relative
-// volume, so that crushing without lateral motion has the stress E (1 - J) before it yields, whatever the compression.
-// Beyond the last point of the table the yield stress rises by E (1 - J): the foam has locked, and is elastic.
+// The modulus relates the nominal stress to the reference length: d(stress) = E J d(strain), J the relative volume. In
+// compression without lateral motion the stress before yield is therefore E (1 - J) at any compression. Beyond the last
+// point of the table the yield stress increases with slope E in 1 - J: the foam has locked and is elastic.
 #pragma once
 #include <array>
 
@@ -23,7 +23,7 @@ struct FoamResponse {
   static constexpr bool logarithmic = false;
   static constexpr int tensors = 0;
   static constexpr int scalars = 1;
-  static constexpr int at_volume = 0;  ///< where the relative volume stands
+  static constexpr int at_volume = 0;  ///< position of the relative volume
 
   explicit FoamResponse(const Foam& law)
       : density(law.density),
@@ -37,7 +37,7 @@ struct FoamResponse {
 
   static std::array<ScalarField, scalars> fields() { return {{{"relative_volume", 1}}}; }
 
-  /// Stress and relative volume at the end of the step; returns how much of the trial stress is left.
+  /// Stress and relative volume at the end of the step; returns the remaining share of the trial stress.
   Pack update(const Pack (&de)[6], const Circumstances& step, Pack (&stress)[6], Pack* volume) const {
     const Pack stiffness = (0.5 * young) * (step.volume + volume[0]);
     for (int c = 0; c < 6; ++c) stress[c] += stiffness * de[c];

@@ -11,13 +11,13 @@
 
 namespace brunt::material {
 
-/// Of one return: increment of the equivalent plastic strain, and how far the centre of the yield surface moves.
+/// Result of a return: increment of the equivalent plastic strain, and displacement of the centre of the yield surface.
 template <class Number>
 struct PlasticReturn {
   Number strain, centre;
 };
 
-/// Yield stress a line over the plastic strain: closed form.
+/// Yield stress linear in the plastic strain: closed form.
 class LinearHardening {
  public:
   LinearHardening(const J2& constants, double shear_modulus)
@@ -37,7 +37,7 @@ class LinearHardening {
   double yield_, isotropic_slope_, kinematic_slope_, inverse_stiffness_;
 };
 
-/// Yield stress by table: lane by lane, only where a lane could yield.
+/// Yield stress by table: lane by lane, only if a lane may yield.
 class TableHardening {
  public:
   TableHardening(const J2& constants, double shear_modulus)
@@ -58,8 +58,8 @@ class TableHardening {
     return step;
   }
 
-  /// With 3 G dp + dY = excess where the return ends: dp' = excess' / (3 G + dY/dp). The plastic strain before the step
-  /// is committed and has no slope.
+  /// With 3 G dp + dY = excess at the end of the return: dp' = excess' / (3 G + dY/dp). The plastic strain before the
+  /// step is committed, and its derivative is zero.
   [[nodiscard]] PlasticReturn<Dual> close(const Dual& equivalent, const Dual& plastic_strain) const {
     const PlasticReturn<Pack> step = close(equivalent.value, plastic_strain.value);
     Pack compliance{}, hardening{};
@@ -112,7 +112,7 @@ struct J2Response {
     }
     const Number normal = flow[0] * flow[0] + flow[1] * flow[1] + flow[2] * flow[2];
     const Number shear = flow[3] * flow[3] + flow[4] * flow[4] + flow[5] * flow[5];
-    // the floor keeps the division finite where the trial stress is zero
+    // The lower bound keeps the division finite if the trial stress is zero.
     const Pack floor = broadcast(std::numeric_limits<double>::min());
     const Number equivalent = pack_max(pack_sqrt(1.5 * normal + 3.0 * shear), floor);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The constants of each material law, as the user gives them. What a law does with them stands in its own header.
+// The constants of each material law, as given by the user. The laws themselves are in their own headers.
 #pragma once
 #include <array>
 #include <optional>
@@ -10,8 +10,8 @@ namespace brunt::material {
 
 /// Objective rate of the Cauchy stress in laws in rate form.
 enum class StressRate {
-  jaumann,     ///< stress turns with the material's spin; wrong from a few tenths of elastic shear on
-  logarithmic  ///< stress turns so that the stretching is the rate of the logarithmic strain ln V
+  jaumann,     ///< stress rotates with the spin of the material; inaccurate for elastic shear above a few tenths
+  logarithmic  ///< stress rotates so that the stretching is the rate of the logarithmic strain ln V
 };
 
 /// Isotropic linear elasticity in rate form (hypoelastic).
@@ -55,7 +55,7 @@ struct RateFactor {
 struct JohnsonCook {
   double a = 0, b = 0;        ///< [stress] > 0, >= 0
   double n = 1, m = 1;        ///< > 0
-  double room = 0, melt = 0;  ///< [temperature]; melt <= room: temperature has no influence
+  double room = 0, melt = 0;  ///< [temperature]; melt <= room: no influence of temperature
 };
 
 /// Y over the plastic strain by table, first at 0, flat beyond the last.
@@ -71,7 +71,7 @@ struct LinearStrength {
 
 /// Work of plastic flow becomes heat: density heat_capacity dT = taylor_quinney Y dp.
 struct Heat {
-  double capacity = 0;  ///< [energy/(mass temperature)]; 0: the temperature stays what it was
+  double capacity = 0;  ///< [energy/(mass temperature)]; 0: constant temperature
   double taylor_quinney = 0.9;
   double start = 0;  ///< [temperature]
 };
@@ -91,10 +91,10 @@ struct EquationOfState {
   double c = 0, s = 0, gamma = 0;      ///< shock velocity U = c + s u; Gamma rho = gamma density
   std::array<double, 7> polynomial{};  ///< C0 .. C6
   double start_energy = 0;             ///< [energy/volume] e at the start
-  double minimum_pressure = 0;         ///< [stress] <= 0; the least that tension can make it; 0: none is set
+  double minimum_pressure = 0;         ///< [stress] <= 0; lower bound of the pressure in tension; 0: none
 };
 
-/// Metals that flow, heat, fail; with an equation of state or a constant bulk modulus.
+/// Metals with plastic flow, heating and failure; with an equation of state or a constant bulk modulus.
 struct Metal {
   double density = 0;
   double bulk = 0, shear = 0;  ///< [stress] of the virgin material
@@ -106,14 +106,15 @@ struct Metal {
   std::optional<EquationOfState> eos;
 };
 
-/// Foam whose principal stresses know nothing of each other: elastic up to a yield stress over the volume lost.
+/// Foam with uncoupled principal stresses: elastic up to a yield stress that depends on the volumetric strain in
+/// compression.
 struct Foam {
   double density = 0, young = 0;             ///< [mass/length^3], [stress] > 0
   std::vector<std::array<double, 2>> table;  ///< (1 - J, yield stress), first at 0; beyond the last it is elastic
   double tension = 0;                        ///< [stress] >= 0: tensile strength
 };
 
-/// A part of it is a rigid body: its elements give mass and inertia, and have neither strain nor stress.
+/// A part of this material is a rigid body: its elements give mass and inertia, and have no strain or stress.
 struct Rigid {
   double density = 0;  ///< [mass/length^3] > 0
 };
@@ -124,7 +125,7 @@ inline bool is_rigid(const Law& law) {
   return std::holds_alternative<Rigid>(law);
 }
 
-/// Lame constants and density of any law in its initial, elastic state; a rigid part has no moduli (zero).
+/// Lame constants and density of any law in its initial elastic state; zero moduli for a rigid part.
 struct ElasticModuli {
   double density = 0, lambda = 0, mu = 0;
 };

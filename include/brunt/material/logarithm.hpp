@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Natural logarithm of eight lanes at once.
+// Natural logarithm of all lanes at once.
 #pragma once
 #include <bit>
 #include <limits>

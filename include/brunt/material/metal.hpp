@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Metals under impact: deviator by radial return to a yield stress that knows strain, rate, temperature and damage;
-// pressure by an equation of state or a constant bulk modulus.
+// Metals under impact. Deviator: radial return to a yield stress that depends on strain, rate, temperature and damage.
+// Pressure: an equation of state or a constant bulk modulus.
 //
 // The rate is that of the equivalent deviatoric strain, sqrt(2/3 d':d'), averaged over about `rate_steps` steps N by
 //   r <- r + 2/(N + 1) (r_now - r):
-// waves of the mesh's own frequency would else show in the yield stress. The total rate in place of the plastic one is
-// what crash codes use by default; it needs no iteration, and in plastic flow the two differ by dY/dt / (3 G).
-// Temperature, adiabatic: density capacity dT = taylor_quinney q dp J, q the mean of the yield stresses before and
-// after. The volume's change alone heats nothing here (the energy of the equation of state knows of it).
-// Damage: D grows by critical dp / e_f (Fracture). A point that has failed has no deviator and bears no tension: what
-// has opened bears pressure again when its volume is that of the reference, -K ln J without an equation of state.
-// With an equation of state its energy takes the work of the deviator, taken with the mean stress, and that of bulk
-// viscosity.
+// Otherwise waves of the mesh frequency would appear in the yield stress. The total rate instead of the plastic rate is
+// the usual default of crash codes; it needs no iteration, and during plastic flow the two differ by dY/dt / (3 G).
+// Temperature, adiabatic: density capacity dT = taylor_quinney q dp J, with q the mean of the yield stresses before and
+// after. A change of volume alone causes no heating here (the energy of the equation of state contains it). Damage: D
+// grows by critical dp / e_f (Fracture). A failed point has no deviator and carries no tension; an opened point carries
+// pressure again when its volume is that of the reference, -K ln J without an equation of state. With an equation of
+// state, its energy includes the work of the deviator (with the mean stress) and that of bulk viscosity.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -36,7 +35,7 @@ struct MetalResponse {
   static constexpr int tensors = 0;
   enum At { plastic_strain, temperature, damage, strain_rate, relative_volume, energy };
   static constexpr int scalars = with_eos ? 6 : 4;
-  static constexpr int at_volume = with_eos ? relative_volume : -1;  ///< where it stands, if it does
+  static constexpr int at_volume = with_eos ? relative_volume : -1;  ///< its position, if there is one
 
   explicit MetalResponse(const Metal& law)
       : density(law.density),
@@ -59,8 +58,8 @@ struct MetalResponse {
     return mine;
   }
 
-  /// Stress and scalars at the end of the step, from the stress rotated there; returns the share of the trial deviator
-  /// that is left.
+  /// Stress and scalars at the end of the step, from the stress rotated there; returns the remaining share of the trial
+  /// deviator.
   Pack update(const Pack (&de)[6], const Circumstances& step, Pack (&stress)[6], Pack* state) const {
     const Pack pressure = mean_of(stress), volume_strain = de[0] + de[1] + de[2];
     Pack old[6], now[6], strain[6];  // deviators
@@ -162,7 +161,7 @@ struct MetalResponse {
     if (!constants.fracture || !any(increment > 0.0)) return;
     const Fracture& c = *constants.fracture;
     const Pack triaxiality = -pressure / pack_max(equivalent, broadcast(std::numeric_limits<double>::min()));
-    constexpr double most = 700;  // of the exponent; beyond, the strain at fracture is as good as infinite or nothing
+    constexpr double most = 700;  // largest exponent; beyond it the strain at fracture is practically infinite or zero
     const Pack exponent = pack_min(pack_max(c.d3 * triaxiality, broadcast(-most)), broadcast(most));
     const Pack at_rest = c.d1 + c.d2 * pack_exp(exponent);
     const Pack strain =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Yield stress over plastic strain and temperature, and the plastic strain that closes a return to it.
+// Yield stress as a function of plastic strain and temperature, and the plastic strain of a return to it.
 #pragma once
 #include <limits>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace brunt::material {
 
-/// The state that a return begins from. `scale` multiplies the yield stress: rate and damage.
+/// The state at the start of a return. `scale` multiplies the yield stress: rate and damage.
 struct FlowStart {
   Pack equivalent;      ///< of the trial stress [stress]
   Pack plastic_strain;  ///< p
@@ -21,10 +21,10 @@ struct FlowStart {
   double warming;  ///< rise of temperature by plastic work, dT = warming Y dp
 };
 
-/// The yield stress at the start and its slope by the plastic strain, heat left aside.
+/// The yield stress at the start and its derivative by the plastic strain, without heating.
 struct Yield {
   Pack value, slope;
-  Pack hardened{}, lost{};  ///< what Johnson-Cook's law knows of it: p^n and T*^m
+  Pack hardened{}, lost{};  ///< intermediate values of Johnson-Cook's law: p^n and T*^m
 };
 
 /// Plastic increment dp >= 0 with q = 3 G dp + scale Y(p + dp, T + heating dp), and the yield stress there.
@@ -54,10 +54,9 @@ class JohnsonCookFlow {
     return yield;
   }
 
-  /// Newton's method within a bracket: the left side less q is negative at dp = 0, where the trial stress is beyond
-  /// yield, and positive at q / 3 G. It ends with the step from where the sides agree to `near`, which brings them to
-  /// rounding, and the yield stress is then what the left side says. Each lane stops by itself, so that none depends on
-  /// others.
+  /// Newton's method within a bracket: the left side minus q is negative at dp = 0, where the trial stress exceeds the
+  /// yield stress, and positive at q / 3 G. The last step is taken when both sides agree to `near`, which brings the
+  /// error to rounding; the yield stress is then that of the left side. Each lane ends independently of the others.
   [[nodiscard]] FlowEnd close(const FlowStart& start, const Yield& before) const {
     PackMask open = start.equivalent > before.value;
     const Pack heating = start.warming * before.value;
@@ -78,8 +77,8 @@ class JohnsonCookFlow {
   }
 
  private:
-  static constexpr int most_iterations = 60;  ///< halving alone ends below rounding by then
-  static constexpr double near = 1e-7;        ///< of the trial stress: its square is rounding
+  static constexpr int most_iterations = 60;  ///< bisection alone reaches rounding within this number
+  static constexpr double near = 1e-7;        ///< of the trial stress: the error after one more step is its square
 
   /// Value and slope from (A + B p^n) times a factor.
   void set(Pack p, Pack factor, Yield& yield) const {
@@ -129,7 +128,7 @@ class TableFlow {
       const double excess = start.equivalent[lane] - end.yield[lane], scale = start.scale[lane];
       if (!(excess > 0)) continue;
       const double p = start.plastic_strain[lane];
-      // scale -> 0, a point without strength: all of the trial stress goes
+      // scale -> 0, a point without strength: the complete trial stress is returned
       end.increment[lane] = scale > smallest_scale ? curve_.plastic_increment(p, excess / scale, three_shear_ / scale)
                                                    : excess / three_shear_;
       end.yield[lane] = scale * curve_.at(p + end.increment[lane]);
@@ -164,7 +163,7 @@ class LinearFlow {
   double three_shear_;
 };
 
-/// The strength law of a material, chosen once a pack: a branch that always goes the same way.
+/// The strength law of a material. The choice is made once for each pack, so the branch is always the same.
 class Strength {
  public:
   Strength(const Metal& constants)

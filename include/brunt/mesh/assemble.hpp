@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies put in their places and gathered into one mesh.
+// Placement of bodies and their assembly into one mesh.
 #pragma once
 #include <array>
 #include <string>
@@ -14,15 +14,15 @@ std::array<double, 2> cosine_sine(double degrees);
 /// About an axis of any length, right-handed; exact for multiples of 90 degrees about a coordinate axis.
 Mat3 rotation(const Vec3& axis, double degrees);
 
-/// x -> R(axis, degrees) (scale x) + at: scaled, then turned about the coordinate origin (right-handed), then moved.
-/// Multiples of 90 degrees about a coordinate axis are exact. Throws InputError for a scale <= 0 (it would mirror the
-/// elements), an axis of no length, or a value that is not finite.
+/// x -> R(axis, degrees) (scale x) + at: scaling, then a right-handed rotation about the coordinate origin, then a
+/// translation. Multiples of 90 degrees about a coordinate axis are exact. Throws InputError for a scale <= 0 (it would
+/// mirror the elements), a zero axis, or a value that is not finite.
 void place(Mesh& mesh, double scale, const Vec3& axis, double degrees, const Vec3& at);
 
-/// Adds `piece` as bodies of their own: nodes are not merged, even where they coincide. The names of its blocks and
-/// sets get `prefix`; with one, an unnamed block is named prefix + id. Node and element ids follow after the largest in
-/// `whole`, and stay as they are if `whole` is empty; a block id that is taken becomes the next free one.
-/// Throws InputError where a block name, an unnamed block's id or a set name is taken: a prefix tells them apart.
+/// Adds `piece` as separate bodies: nodes are not merged, even if they coincide. The names of its blocks and sets are
+/// preceded by `prefix`; with a prefix, an unnamed block is named prefix + id. Node and element ids follow the largest
+/// ones of `whole`, and are unchanged if `whole` is empty. A block id that is in use is replaced by the next free one.
+/// Throws InputError if a block name, the id of an unnamed block, or a set name is in use: a prefix distinguishes them.
 void append(Mesh& whole, Mesh&& piece, const std::string& prefix = "");
 
 }  // namespace brunt::mesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The canonical order of a mesh: elements of a block along a space-filling curve through their centroids, blocks as
-// given, nodes by first touch. A function of the mesh alone: good for the cache, and every sum that must not depend on
-// the ranks runs in this order.
+// given, nodes by first use. It depends on the mesh only. It improves the use of the cache, and every sum that must not
+// depend on the ranks follows it.
 #pragma once
 #include <vector>
 
@@ -16,12 +16,13 @@ struct CanonicalMesh {
   std::vector<std::vector<GlobalIndex>> input_element;  ///< per block: position in the input's block-by-block order
 };
 
-/// Takes out the nodes that no element uses, also from the node sets; the others keep their order. Returns how many.
+/// Removes the nodes that no element uses, also from the node sets; the others keep their order. Returns their number.
 LocalIndex drop_unused_nodes(Mesh& mesh);
 
-/// Drops unused nodes first (positions "in the input" count the nodes kept), then orders. The curve is Hilbert's in the
-/// cube over the mesh's bounding box, ties go by input position. Sets come out ascending, each entry once. The origin
-/// is zero in each direction where the box lies within 8 of its sizes from zero; subtracting it is always exact.
+/// Drops unused nodes first (positions "in the input" count the remaining nodes), then orders. The curve is Hilbert's
+/// in the cube around the bounding box of the mesh; ties are ordered by input position. Sets are ascending, with each
+/// entry once. The origin is zero in each direction in which the box lies within 8 of its sizes from zero; its
+/// subtraction is always exact.
 CanonicalMesh canonical_order(Mesh&& mesh);
 
 }  // namespace brunt::mesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a direction of a generated body is divided into elements: evenly, with growth, or by sizes at places.
+// Division of a direction of a generated body into elements: uniform, graded, or by sizes at given places.
 #pragma once
 #include <fmt/core.h>
 
@@ -11,17 +11,17 @@
 
 namespace brunt::mesh {
 
-/// Elements at `place` have this size; between places the size changes linearly, beyond them it is constant.
+/// Elements at `place` have this size; between places the size varies linearly, outside it is constant.
 struct SizeAt {
   double place = 0, size = 0;  ///< [length]
   friend bool operator==(const SizeAt&, const SizeAt&) = default;
 };
 
-/// Counts as the number of its elements wherever a number is wanted.
+/// Converts to its number of elements.
 struct Division {
   int cells = 1;
-  double bias = 1;            ///< size of the last element over that of the first, which grow in geometric progression
-  std::vector<SizeAt> sizes;  ///< if any: these say where the elements end, and `cells` is what they give
+  double bias = 1;  ///< size of the last element divided by that of the first; sizes form a geometric progression
+  std::vector<SizeAt> sizes;  ///< if not empty, these sizes determine the elements, and `cells` is their number
 
   Division() = default;
   Division(int count) : cells(count) {}   // NOLINT: a number of even elements
@@ -30,7 +30,7 @@ struct Division {
   friend bool operator==(const Division&, const Division&) = default;
 };
 
-/// One for each direction of a body.
+/// One division for each direction of a body.
 template <std::size_t N>
 struct Divisions : std::array<Division, N> {
   Divisions() = default;
@@ -44,15 +44,16 @@ struct Divisions : std::array<Division, N> {
   friend bool operator==(const Divisions&, const Divisions&) = default;
 };
 
-/// The division from `low` to `high` by sizes: ascending places within them, positive sizes. Each interval between
-/// places has a whole number of elements, so that each place is one of nodes. Throws InputError beyond `most`.
+/// The division from `low` to `high` by sizes: increasing places within this range, positive sizes. Each interval
+/// between places has an integer number of elements, so that nodes lie at each place. Throws InputError above `most`
+/// elements.
 Division by_sizes(const std::vector<SizeAt>& sizes, double low, double high);
 constexpr int most_by_sizes = 10'000'000;
 
-/// Ends of the elements, from `low` to `high`; even ones are low + (high - low) i / cells.
+/// Ends of the elements, from `low` to `high`; for uniform elements low + (high - low) i / cells.
 std::vector<double> places(const Division& division, double low, double high);
 
-/// Elements from `low` to `place`, one of `sizes`.
+/// Number of elements from `low` to `place`, which is one of the places of `sizes`.
 int cells_below(const Division& division, double low, double place);
 
 }  // namespace brunt::mesh

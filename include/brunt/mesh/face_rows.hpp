@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// All faces of a mesh in rows by their lowest node, where equal ones are found among a dozen: linear in the mesh. Four
-// bytes a face and a node are kept; the nodes of a face are read from its element when its row is visited.
+// All faces of a mesh in rows by their lowest node, so that equal faces are found among about a dozen: linear in the
+// size of the mesh. Four bytes for each face and node are stored; the nodes of a face are read from its element when
+// its row is visited.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,8 +15,8 @@ namespace brunt::mesh {
 
 /// A face with at least three distinct nodes.
 struct KeyedFace {
-  std::array<LocalIndex, 4> key{};  ///< its nodes ascending, the same for all elements that share it; a triangle's
-                                    ///< begin with no_index
+  std::array<LocalIndex, 4> key{};  ///< its nodes in ascending order, equal for all elements that share it; for a
+                                    ///< triangle the first one is no_index
   LocalIndex element = 0;           ///< over all blocks in order
   std::int32_t face = 0;            ///< of the element, as in core/cells.hpp
   [[nodiscard]] bool same_nodes(const KeyedFace& other) const {
@@ -30,8 +31,8 @@ class FaceRows {
 
   [[nodiscard]] std::size_t faces() const { return code_.size(); }
 
-  /// Calls visit(std::span<const KeyedFace>) for the faces of each node that is the lowest of some, ascending by node;
-  /// in a row they ascend by element and face.
+  /// Calls visit(std::span<const KeyedFace>) for the faces whose lowest node is the same, in ascending order of these
+  /// nodes; within a row the faces ascend by element and face.
   template <class Visit>
   void for_each_row(Visit&& visit) const {
     std::vector<KeyedFace> row;
@@ -43,7 +44,7 @@ class FaceRows {
     }
   }
 
-  /// Of a face that was visited.
+  /// The side of a visited face.
   [[nodiscard]] Side side(const KeyedFace& face) const {
     const std::size_t block = block_of(face.element);
     return {static_cast<LocalIndex>(block), face.element - block_first_[block], face.face};

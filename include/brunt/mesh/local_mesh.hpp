@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The piece of the mesh that one rank holds: its elements, all nodes they touch, their exterior faces.
-// All arrays ascend in canonical global index, so that every rank walks them in the same order.
+// The piece of the mesh on one rank: its elements, all their nodes, and their exterior faces. All arrays ascend by
+// canonical global index, so that every rank processes them in the same order.
 #pragma once
 #include <array>
 #include <map>
@@ -27,26 +27,26 @@ struct ExteriorFace {
   std::int32_t body = 0;  ///< connected component of the whole mesh, numbered by its first element
 };
 
-/// Name of the side set of all faces between elements that may be exposed when elements are removed, from both sides;
-/// missing where none ever is.
+/// Name of the side set of all interior faces that may become exposed when elements are removed, from both sides;
+/// missing if there are none.
 constexpr const char* inner_faces = "@inner";
 
 struct LocalMesh {
   GlobalIndex global_nodes = 0, global_elements = 0;
-  Vec3 origin = Vec3::Zero();           ///< taken off all coordinates at load (a rounded value), put back on output
-  std::vector<Vec3> coordinates;        ///< X - origin
+  Vec3 origin = Vec3::Zero();     ///< subtracted from all coordinates at load (a rounded value), added again on output
+  std::vector<Vec3> coordinates;  ///< X - origin
   std::vector<GlobalIndex> node_gid;    ///< canonical, ascending
   std::vector<GlobalIndex> input_node;  ///< position in the input's global order, 0-based
   std::vector<GlobalIndex> node_id;     ///< the input's own number, for messages and probes
-  std::vector<Rank> owner;              ///< one rank a node: that of the lowest element gid touching it
-  std::vector<LocalIndex> shared;       ///< nodes other ranks hold too, ascending
+  std::vector<Rank> owner;              ///< owning rank of each node: that of its element with the lowest gid
+  std::vector<LocalIndex> shared;       ///< nodes that other ranks also hold, ascending
   Ragged<Rank> sharers;                 ///< those ranks, a row for each of `shared`
   std::vector<std::string> block_name;
   std::vector<GlobalIndex> block_id;
   std::vector<LocalBlock> blocks;                            ///< all blocks of the model on every rank, some empty here
   std::vector<ExteriorFace> faces;                           ///< of this rank's elements, ascending by key
   std::map<std::string, std::vector<LocalIndex>> node_sets;  ///< every set on every rank, some empty here
-  std::map<std::string, std::vector<ExteriorFace>> side_sets;  ///< may name interior faces too
+  std::map<std::string, std::vector<ExteriorFace>> side_sets;  ///< may contain interior faces
 };
 
 }  // namespace brunt::mesh

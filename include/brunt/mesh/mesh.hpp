@@ -11,7 +11,7 @@
 
 namespace brunt::mesh {
 
-/// Wedges and pyramids come as hex8 with repeated nodes.
+/// Wedges and pyramids are stored as hex8 with repeated nodes.
 enum class Shape { hex8, tet4 };
 constexpr int nodes_per_element(Shape s) {
   return s == Shape::hex8 ? 8 : 4;
@@ -39,7 +39,7 @@ struct Side {
   friend auto operator<=>(const Side&, const Side&) = default;
 };
 
-/// A block of a mesh file that the user asked to leave out.
+/// A block of a mesh file that `ignore` excludes.
 struct LeftOut {
   std::string name;    ///< empty where the file names none
   GlobalIndex id = 0;  ///< the file's block number; 0: none
@@ -54,7 +54,7 @@ struct Mesh {
   std::map<std::string, std::vector<LocalIndex>> node_sets;  ///< by name, or by number in text where unnamed
   std::map<std::string, std::vector<Side>> side_sets;
   std::vector<LeftOut> left_out;   ///< by `ignore`
-  std::vector<std::string> notes;  ///< what else the user should know: sets that lost members with those blocks
+  std::vector<std::string> notes;  ///< further notes for the user: sets that lost members with these blocks
 };
 
 }  // namespace brunt::mesh

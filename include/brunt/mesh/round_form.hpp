@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What makes of a whole cylinder or tube a part of it, or one with a nose.
+// Parts of a complete cylinder or tube (half, quarter, sector), and noses.
 #pragma once
 #include <array>
 
@@ -7,11 +7,11 @@
 
 namespace brunt::mesh {
 
-/// Of x, y, z: 1 keeps what lies at or above 0, -1 what lies at or below, 0 both. Two make a quarter. The cut planes
-/// are sets, PART_xmin where x >= 0 is kept, PART_xmax where x <= 0 is; their nodes have the coordinate 0 exactly.
+/// For x, y, z: 1 keeps the part at or above 0, -1 the part at or below 0, 0 both. Two halves make a quarter. The cut
+/// planes are sets, PART_xmin if x >= 0 is kept, PART_xmax if x <= 0; the coordinate of their nodes is exactly 0.
 using Half = std::array<int, 3>;
 
-/// What lies between two half planes through the axis z, at these angles from the x axis [degrees]. The cut planes are
+/// The part between two half planes through the axis z, at these angles from the x axis [degrees]. The cut planes are
 /// the sets PART_from and PART_to. No sector: both 0.
 struct Sector {
   double from = 0, to = 0;
@@ -19,19 +19,19 @@ struct Sector {
   friend bool operator==(const Sector&, const Sector&) = default;
 };
 
-/// A tip beyond the upper end, of one body with it. Lengths as the body's.
+/// A tip beyond the upper end, connected to the body. Lengths in the unit of the body.
 struct Nose {
   enum class Shape {
     none,
     hemisphere,
     cone,
-    ogive,  ///< its outline is an arc that is tangent to the side
+    ogive,  ///< its outline is an arc tangent to the side
   };
   Shape shape = Shape::none;
   double length = 0;      ///< of a cone, from shoulder to tip
   double crh = 0;         ///< of an ogive: radius of its arc over the diameter, >= 0.5
-  double tip_radius = 0;  ///< of a cone, an ogive: of the flat that ends it; 0: it is pointed
-  int elements = 0;       ///< from shoulder to flat tip; 0: as long as they are across the radius
+  double tip_radius = 0;  ///< radius of the flat end of a cone or an ogive; 0: pointed
+  int elements = 0;       ///< number from shoulder to flat tip; 0: elements as long as they are across the radius
   friend bool operator==(const Nose&, const Nose&) = default;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which elements are still there. Blocks that never lose one have no flags.
+// Elements that have not been removed. Blocks that never lose an element have no flags.
 #pragma once
 #include "brunt/model/model.hpp"
 
@@ -10,10 +10,10 @@ namespace brunt::model {
          state.alive[block][static_cast<std::size_t>(element)] > 0;
 }
 
-/// Does the element of a face of this rank live?
+/// Whether the element of a face of this rank has not been removed.
 [[nodiscard]] bool lives(const Model& model, const State& state, const mesh::ExteriorFace& face);
 
-/// What follows from the flags.
+/// The data that depend on the flags.
 [[nodiscard]] Living follow(const Model& model, const State& state);
 
 }  // namespace brunt::model

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The elements of one part on this rank, in batches of eight, in canonical order.
+// The elements of one part on this rank, in canonical order, in batches of pack_width elements (one for each lane).
 #pragma once
 #include <optional>
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace brunt::model {
 
-/// A corner on a node that other ranks hold too: its force is kept unsummed in `slot` and travels to them.
+/// A corner on a node that other ranks also hold: its force is stored separately in `slot` and sent to them.
 struct BorderCorner {
   std::int8_t lane = 0, corner = 0;
   LocalIndex slot = 0;
@@ -40,7 +40,7 @@ struct ElementBlock {
   std::vector<GlobalIndex> input;     ///< position in the input's order
   AlignedVector<LocalIndex> node;     ///< [batch][corner][lane], local
   Ragged<BorderCorner> border;        ///< a row for each batch
-  std::vector<HistoryRange> history;  ///< what each element remembers
+  std::vector<HistoryRange> history;  ///< history variables of each element
   int history_size = 0;               ///< doubles an element
 
   [[nodiscard]] LocalIndex batches() const { return (count + pack_width - 1) / pack_width; }

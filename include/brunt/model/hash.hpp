@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hash of the state that does not depend on how the model is split over ranks: every value of every hashed array is
-// mixed with its place (array name, canonical index, component), and the results are added modulo 2^64. Addition
-// commutes, so the caller adds the partial values of the ranks in any order (Communicator::sum). It tells whether two
-// states of one binary agree to the last bit; it is no golden value and no protection against forgery.
+// A hash of the state that does not depend on the partition: every value of every hashed array is mixed with its place
+// (array name, canonical index, component), and the results are added modulo 2^64. Addition commutes, so the partial
+// values of the ranks can be added in any order (Communicator::sum). Equal hashes mean that two states of one program
+// agree bitwise; the hash is not a reference value across programs, and no protection against forgery.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -31,8 +31,7 @@ namespace brunt::model {
 [[nodiscard]] std::uint64_t hash_records(const RecordTable& table);
 
 /// This rank's part of the state hash: owned nodes, own elements and records, and the global arrays on the rank with
-/// `is_root`.
-/// The parts of all ranks add up, modulo 2^64, to the hash of the state.
+/// `is_root`. The sum of the parts of all ranks, modulo 2^64, is the hash of the state.
 [[nodiscard]] std::uint64_t hash_of_rank(const Registry& registry, bool is_root);
 
 /// Sixteen hexadecimal digits, as summary.json shows a hash.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run is about: Model stays as it is for the whole run, State changes with every step, Scratch is sized once
-// and holds nothing from one step to the next.
+// The data of a run: Model is constant during the run, State changes with every step, Scratch is sized once and carries
+// nothing from one step to the next.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -16,22 +16,23 @@
 
 namespace brunt::model {
 
-/// One cache line a node, so that an element gathers a corner with one load.
+/// One cache line for each node, so that an element gathers a corner with one load.
 struct alignas(64) NodeLine {
   double x[3];      ///< current position, reference + displacement [length]
   double mass;      ///< lumped [mass]
   double v[3];      ///< velocity at the half step [length/time]
   double deferred;  ///< 1: the node is finished after contact and constraints, not with the free ones; or `dropped`
-  static constexpr double dropped = 2;  ///< it left with its last element: it flies on, and nothing acts on it
+  static constexpr double dropped =
+      2;  ///< the node was removed with its last element: it moves on, and nothing acts on it
   [[nodiscard]] bool is_dropped() const { return deferred == dropped; }
   [[nodiscard]] Quad& x_mass() { return *reinterpret_cast<Quad*>(x); }
   [[nodiscard]] Quad& v_late() { return *reinterpret_cast<Quad*>(v); }
 };
 
-/// Piecewise linear in time, constant beyond its ends; empty: 1.
+/// Piecewise linear in time, constant outside its points; empty: 1.
 using Curve = std::vector<std::array<double, 2>>;
 
-/// A node that cannot move freely: velocity = free * v + prescribed part. `free` projects on the free directions.
+/// A constrained node: velocity = free * v + prescribed part. `free` projects onto the free directions.
 struct ConstrainedNode {
   LocalIndex node = 0;
   Mat3 free = Mat3::Identity();
@@ -45,10 +46,10 @@ struct Drive {
 
 struct PressureLoad {
   std::vector<mesh::ExteriorFace> faces;
-  double value = 0;  ///< [stress] pushing inwards where positive
+  double value = 0;  ///< [stress]; positive values act inwards
   Curve curve;
 };
-/// Forces that keep their direction and do not follow the motion.
+/// Forces of constant direction that do not follow the motion.
 struct DeadLoad {
   Vec3 value = Vec3::Zero();  ///< of each node [force], of all together [force], or for each area [stress]
   enum class Kind { each_node, total, traction } kind = Kind::each_node;
@@ -74,14 +75,14 @@ struct SymmetryNodes {
   std::vector<LocalIndex> nodes;  ///< ascending
 };
 
-/// Elements that leave the model in the first step at or past a time.
+/// Elements that are removed in the first step at or after a given time.
 struct Removal {
   double at = 0;            ///< [time]
   bool keeps_nodes = true;  ///< nodes without an element stay as mass points, else they are dropped
   std::vector<std::vector<LocalIndex>> elements;  ///< by block, ascending
 };
 
-/// A corner of an element of which the force is found unsummed in Scratch::slots.
+/// A corner of an element whose force is available in Scratch::slots.
 struct WatchedCorner {
   LocalIndex element = 0, node = 0, slot = 0;  ///< element: of its block
 };
@@ -94,7 +95,7 @@ struct Model {
   std::vector<GlobalIndex> block_size;  ///< elements of each block on all ranks
   bool any_constrained = false;         ///< on any rank
   std::vector<char> erodes;             ///< by block: may it lose elements, on any rank?
-  bool books_interface = false;         ///< parts share nodes, on any rank, and their energies are asked for
+  bool books_interface = false;         ///< parts share nodes, on any rank, and their energies are recorded
 
   std::vector<RigidBody> bodies;  ///< the same on all ranks, by block
 
@@ -108,7 +109,7 @@ struct Model {
   std::vector<DeadLoad> dead_loads;
   bool relaxes = false;  ///< a phase before t = 0 finds the static state
   std::vector<RigidWall> walls;
-  std::vector<char> in_symmetry_plane;  ///< a flag for each of mesh.faces: no contact face
+  std::vector<char> in_symmetry_plane;  ///< a flag for each of mesh.faces: not a contact face
   contact::Specification contact;
   std::vector<contact::MortarPair> mortar{};  ///< of implicit scenes
   std::vector<SymmetryNodes> symmetries{};    ///< likewise
@@ -124,20 +125,20 @@ struct Model {
   [[nodiscard]] LocalIndex nodes() const { return static_cast<LocalIndex>(mesh.node_gid.size()); }
   [[nodiscard]] bool has_gravity() const { return gravity.squaredNorm() > 0; }
   [[nodiscard]] bool damped() const { return damping > 0; }
-  /// May elements leave the model, by the scene's removals or by what becomes of them?
+  /// Whether elements may be removed, by entries of the scene or by erosion.
   [[nodiscard]] bool any_erosion() const {
     for (const ElementBlock& block : blocks)
       if (block.erosion) return true;
     return false;
   }
   [[nodiscard]] bool loses_elements() const { return !removals.empty() || any_erosion(); }
-  /// Are there accounts of loads? The search for a static state asks for them also where the loads are nothing.
+  /// Whether the work of loads is recorded. The search for a static state needs it even without loads.
   [[nodiscard]] bool loaded() const {
     return has_gravity() || damped() || relaxes || !pressure.empty() || !dead_loads.empty();
   }
 };
 
-/// Where the search for the static state before t = 0 stands (time/relaxation): whole numbers and energies.
+/// Progress of the search for the static state before t = 0 (time/relaxation): integers and energies.
 struct Relaxation {
   double under_way = 0;      ///< not 0: the run has not begun; what the next step does (time/relaxation)
   double steps = 0;          ///< of the phase
@@ -151,7 +152,7 @@ struct Relaxation {
 };
 constexpr int relaxation_values = 9;
 
-/// What follows from State::alive: made anew by time::follow_alive whenever a flag has changed, never saved.
+/// Data that depend on State::alive: recomputed by time::follow_alive whenever a flag changes, never saved.
 struct Living {
   std::vector<std::vector<std::uint8_t>> lanes;  ///< by block and batch, a bit a lane; empty where all elements live
   std::vector<std::vector<char>> pressed;        ///< by pressure load and face: its element lives; empty where all do
@@ -165,8 +166,8 @@ struct State {
   double step = 0;          ///< n, a whole number
   /// Largest 1 / (stable step) so far in the span of steps under way, and that of the whole span before it [1/time].
   double rate_now = 0, rate_before = 0;
-  /// u_n, the state of the motion, and in the fourth place the work that the forces of the elements have done on the
-  /// node up to v_{n-1/2}: every work is impulse . (v_before + v_after)/2.
+  /// u_n, the state of the motion. The fourth component is the work of the elements' forces on the node up to
+  /// v_{n-1/2}, where all work is impulse . (v_before + v_after)/2.
   AlignedVector<Quad> displacement;
   AlignedVector<NodeLine> nodes;               ///< x_n = X + u_n and v_{n-1/2}
   std::vector<AlignedVector<double>> history;  ///< per block: [batch][component][lane]
@@ -183,8 +184,8 @@ struct State {
   /// By block and element: 1; 0 once it has been removed, -1 if its nodes are dropped with it. Empty for blocks that
   /// never lose an element.
   std::vector<std::vector<double>> alive;
-  /// By block and element, empty likewise: work of its forces on all its nodes up to v_{n-1/2}. With the sign turned it
-  /// is the element's energy, which is booked as eroded when it goes.
+  /// By block and element, empty likewise: work of its forces on all its nodes up to v_{n-1/2}. Its negative is the
+  /// energy of the element, which becomes eroded energy when the element is removed.
   std::vector<std::vector<double>> element_work;
   Living living;
   Relaxation relaxation;
@@ -197,13 +198,13 @@ struct Scratch {
   AlignedVector<Quad> force;    ///< minus the internal force; the fourth is unused
   AlignedVector<Quad> load;     ///< gravity, pressure; empty where the scene has neither these nor damping
   AlignedVector<double> slots;  ///< unsummed corner forces of border nodes, four each
-  /// Of blocks that may lose elements, else empty. Forces of their elements on the corners at t_n, [batch][component]
-  /// [corner][lane]; their power with v_{n-1/2}, [batch][lane]; and by element the half of the last step's work that
-  /// was done with v_{n+1/2}.
+  /// Of blocks that may lose elements, else empty: forces of their elements on the corners at t_n,
+  /// [batch][component][corner][lane]; their power with v_{n-1/2}, [batch][lane]; and, by element, the half of the last
+  /// step's work that was done with v_{n+1/2}.
   std::vector<AlignedVector<double>> element_force, element_power;
   std::vector<std::vector<double>> last_work;
-  /// Of blocks that erode, else empty: of each element at t_n 1 / (stable step), and volume over that of the reference,
-  /// [batch][2][lane].
+  /// Of blocks that erode, else empty: for each element at t_n, 1 / (stable step) and the volume relative to the
+  /// reference, [batch][2][lane].
   std::vector<AlignedVector<double>> element_bounds;
   std::vector<Vec3> before;           ///< v_{n-1/2} of the deferred nodes (with damping: of all), by node; or empty
   std::vector<Vec3> reaction;         ///< impulse of each constrained node in this step

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every array that a step reads and changes, declared once, and tables of records that come and go. Checkpoint, restart
-// and the state hash walk these lists and know nothing else of the state.
+// Every array that a step reads and changes, declared once, and tables of records that are created and deleted.
+// Checkpoint, restart and the state hash use these lists only.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -12,10 +12,10 @@
 
 namespace brunt::model {
 
-/// A view of `components` doubles for each of `count` entities, wherever they lie in memory:
+/// A view of `components` doubles for each of `count` entities in any memory layout:
 /// value(entity, c) = data[(entity / lanes) * batch_stride + c * component_stride + entity % lanes * lane_stride].
-/// Plain rows: lanes 1, batch_stride = row length, component_stride 1. Batches of eight: lanes 8, batch_stride =
-/// 8 * components of the batch, component_stride 8, lane_stride 1.
+/// Plain rows: lanes 1, batch_stride = row length, component_stride 1. Batches of elements: lanes = pack_width,
+/// batch_stride = pack_width * components of the batch, component_stride = pack_width, lane_stride 1.
 struct StateArray {
   std::string name;  ///< unique: "displacement", "block/bar/stress"
   enum class Entity { node, element, global } entity = Entity::node;
@@ -34,7 +34,7 @@ struct StateArray {
   }
 };
 
-/// The arrays of one rank with what is needed to place them in the whole model.
+/// The arrays of one rank, with the data that place them in the whole model.
 struct Registry {
   GlobalIndex global_nodes = 0;
   std::vector<GlobalIndex> owned_node_gid;                ///< gids of the nodes this rank owns
@@ -43,8 +43,8 @@ struct Registry {
   std::vector<std::span<const GlobalIndex>> element_gid;  ///< per block
   std::vector<GlobalIndex> block_first, block_count;      ///< gid range of each block in the whole model
   std::vector<StateArray> arrays;  ///< global arrays (time, dt, step ...) have count 1 and are the same on every rank
-  /// Saved and hashed, the same names on every rank. Each record lies on one rank; what a checkpoint fills in lies on
-  /// any, and whoever declared the table sends it home.
+  /// Saved and hashed, with the same names on every rank. Each record is on one rank. After reading a checkpoint it may
+  /// be on any rank; the owner of the table sends it to the right one.
   std::vector<RecordTable*> tables;
 };
 

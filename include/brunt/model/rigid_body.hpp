@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid bodies of a model: what stays for a run, what changes by step, and what a step knows of them. Every rank holds
-// all bodies with the same bits, and of their nodes those that it has.
+// Rigid bodies of a model: constants of a run, state, and data of one step. Every rank has all bodies with the same
+// bits, and those of their nodes that it holds.
 #pragma once
 #include <array>
 #include <optional>
@@ -13,14 +13,14 @@
 
 namespace brunt::model {
 
-/// In place of what the elements of the part add up to.
+/// Given properties that replace the sums over the elements of the part.
 struct GivenMass {
   std::optional<double> mass;
   std::optional<Vec3> centre;   ///< less the mesh's origin
   std::optional<Mat3> inertia;  ///< about the centre
 };
 
-/// Motion of a body at the start: velocity of the point of it at the mesh's origin, angular velocity.
+/// Initial motion of a body: velocity of its point at the origin of the mesh, and angular velocity.
 struct StartMotion {
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
 };
@@ -41,16 +41,16 @@ struct RigidBody {
   std::vector<MirrorPlane> mirrors;
 
   rigid::MassProperties own;  ///< of its parts alone
-  rigid::Body body;           ///< with the masses of deformable elements on its nodes: what moves
+  rigid::Body body;           ///< with the masses of deformable elements on its nodes: the body that moves
   rigid::Support support;
 
   std::vector<LocalIndex> nodes;   ///< on this rank, ascending
   std::vector<Vec3> arm;           ///< of each: X less the body's centre
-  std::vector<LocalIndex> forced;  ///< places in `nodes` of those on which elements or loads may act, the rank's own
-  bool is_forced = false;          ///< are there such nodes on any rank?
+  std::vector<LocalIndex> forced;  ///< positions in `nodes` of those on which elements or loads may act, the rank's own
+  bool is_forced = false;          ///< whether there are such nodes on any rank
 };
 
-/// Sums over the steps since t = 0, doubles only: a checkpoint holds them.
+/// Sums over the steps since t = 0; doubles only, since a checkpoint stores them.
 struct BodyAccount {
   double element_work = 0;  ///< of deformable elements that share nodes with the body [energy]
   double load_work = 0;     ///< of gravity, pressure, dead loads
@@ -69,19 +69,19 @@ struct Wrench {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
 };
 
-/// Momentum and angular momentum of a body with the velocities that go with them at x_n.
+/// Momentum and angular momentum of a body, with the corresponding velocities at x_n.
 struct BodyMomentum {
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero(), angular_momentum = Vec3::Zero();
 };
 
-/// Of one step.
+/// Data of one step.
 struct BodyStep {
   Wrench elements, loads;                                         ///< forces at t_n
   Mat3 turn;                                                      ///< R_n
   Mat3 inertia, inverse;                                          ///< I_n and I_n^-1 in space
   Vec3 centre = Vec3::Zero();                                     ///< at t_n
   BodyMomentum before;                                            ///< of v_{n-1/2}
-  BodyMomentum predicted;                                         ///< by forces and supports; what contact starts from
+  BodyMomentum predicted;                                         ///< by forces and supports; the start of contact
   BodyMomentum after;                                             ///< of v_{n+1/2}
   Vec3 given_velocity = Vec3::Zero(), given_spin = Vec3::Zero();  ///< by drives
   Wrench reaction;                                                ///< impulses of supports

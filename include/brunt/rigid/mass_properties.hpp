@@ -8,7 +8,8 @@
 
 namespace brunt::rigid {
 
-/// Integrals of density times 1, x and x x^T over a volume, x measured from a common point. They add up over elements.
+/// Integrals of density times 1, x and x x^T over a volume, with x measured from a common point. Values of elements are
+/// added.
 struct MassMoments {
   double mass = 0;             ///< [mass]
   Vec3 first = Vec3::Zero();   ///< [mass length]
@@ -29,7 +30,7 @@ struct MassMoments {
 /// Of the tetrahedron with flat faces, exact.
 [[nodiscard]] MassMoments tetrahedron_moments(std::span<const Vec3, 4> corners, double density);
 
-/// What a rigid body answers forces with, in its reference position.
+/// The inertial properties of a rigid body in its reference position.
 struct MassProperties {
   double mass = 0;
   Vec3 centre = Vec3::Zero();   ///< of mass, from the point that the moments were measured from [length]
@@ -39,7 +40,7 @@ struct MassProperties {
 /// Of a body with these moments. The mass must be positive.
 [[nodiscard]] MassProperties properties_of(const MassMoments& moments);
 
-/// The other way, from the same point as the centre is.
+/// The inverse, about the same point from which the centre is measured.
 [[nodiscard]] MassMoments moments_of(const MassProperties& properties);
 
 }  // namespace brunt::rigid

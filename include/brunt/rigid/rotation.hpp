@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finite rotations and their derivatives. A small rotation ds of space turns D into exp(ds) D; slopes are by ds.
+// Finite rotations and their derivatives. A small spatial rotation ds changes D to exp(ds) D; derivatives are by ds.
 #pragma once
 #include <Eigen/Geometry>
 
@@ -10,13 +10,13 @@ namespace brunt::rigid {
 /// The rotation by |turn| [rad] about turn. Of small angles exact to rounding.
 [[nodiscard]] Eigen::Quaterniond rotation_by(const Vec3& turn);
 
-/// Axis times angle, the shorter way round [rad].
+/// Axis times angle of the smaller rotation [rad].
 [[nodiscard]] Vec3 rotation_vector(Eigen::Quaterniond rotation);
 /// d(rotation_vector)/ds at this vector, whose length is below 2 pi.
 [[nodiscard]] Mat3 rotation_vector_slope(const Vec3& turn);
 
-/// h = axis tan(angle/2): the rotation is cay(2 h), and turns r into r + 2 h x (r + r')/2, r' the turned one. Infinite
-/// at half a revolution.
+/// h = axis tan(angle/2): the rotation is cay(2 h), and maps r to r' = r + 2 h x (r + r')/2. Infinite at half a
+/// revolution.
 [[nodiscard]] Vec3 half_turn(const Eigen::Quaterniond& rotation);
 /// dh/ds.
 [[nodiscard]] Mat3 half_turn_slope(const Vec3& half_turn);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Supports of a rigid body: directions of its six degrees of freedom that are held or driven.
+// Supports of a rigid body: constrained or driven directions of its six degrees of freedom.
 //
-// With P the projector on the free axes of rotation and g the angular velocity that is given along the others, the
-// angular velocity is omega = g + P s. Supports give a moment along the other axes only, so that P l is what forces
-// change, and
+// Let P be the projector on the free axes of rotation and g the prescribed angular velocity along the others. The
+// angular velocity is omega = g + P s. Supports give a moment along the other axes only, so forces change P l only, and
 //   P I (g + P s) = P l,   omega = g + (P I P)^+ (l - I g),   l <- I omega.
-// Over the step P l is constant in space. The body turns by R_{n+1} = exp(dt omega_m) R_n, omega_m of P l in the middle
-// orientation exp(dt/2 omega_m) R_n: of second order and symmetric in time; exact where omega is constant, that is
-// where one axis at most is free and drives turn about that axis or not at all: a driven angle is then met to rounding.
+// Over the step P l is constant in space. The body rotates by R_{n+1} = exp(dt omega_m) R_n, with omega_m of P l at the
+// middle orientation exp(dt/2 omega_m) R_n. This is of second order and symmetric in time. It is exact for constant
+// omega, that is if at most one axis is free and drives rotate about this axis or not at all; a driven angle is then
+// reached up to rounding.
 #pragma once
 #include <span>
 
@@ -26,18 +26,18 @@ struct Support {
 /// held_shift, held_turn: directions of any length but 0; they need not be independent.
 [[nodiscard]] Support make_support(std::span<const Vec3> held_shift, std::span<const Vec3> held_turn);
 
-/// omega of the angular momentum l and of what is given; inertia: I in space.
+/// omega of the angular momentum l and of the prescribed part; inertia: I in space.
 [[nodiscard]] Vec3 supported_spin(const Mat3& free_turn, const Mat3& inertia, const Vec3& angular_momentum,
                                   const Vec3& given);
 
-/// How the angular velocity answers a moment's impulse: (P I P)^+.
+/// Response of the angular velocity to the impulse of a moment: (P I P)^+.
 [[nodiscard]] Mat3 supported_mobility(const Mat3& free_turn, const Mat3& inertia);
 
 /// I_n in space.
 [[nodiscard]] Mat3 inertia_now(const Body& body, const BodyState& state);
 
-/// As rigid::move, with rotations held or driven. The state's angular momentum goes with omega in the configuration at
-/// the end.
+/// As rigid::move, with constrained or driven rotations. The angular momentum of the state corresponds to omega in the
+/// configuration at the end.
 void move_supported(const Body& body, const Mat3& free_turn, const Vec3& given, double dt, BodyState& state);
 
 }  // namespace brunt::rigid

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mass moments of the solid that a closed surface of triangles bounds.
 //
-// Each triangle spans a tetrahedron with a common point; its volume counts negative where the triangle faces that
-// point. The sum is exact for any closed surface (divergence theorem), also for one with cavities or several parts.
+// Each triangle spans a tetrahedron with a common point; its volume counts negative if the triangle faces that point.
+// The sum is exact for any closed surface (divergence theorem), including surfaces with cavities or several parts.
 #pragma once
 #include "brunt/core/triangle_surface.hpp"
 #include "brunt/rigid/mass_properties.hpp"
@@ -10,8 +10,8 @@
 namespace brunt::rigid {
 
 /// x is measured from `origin`; density [mass/length^3]. Rounding grows with the distance of the surface from `origin`:
-/// take a point near the surface. A surface that is turned inside out has negative mass, an open one a meaningless one.
-/// The sum runs in the order of the triangles.
+/// choose a point near the surface. An inverted surface has negative mass, and the result for an open one is
+/// meaningless. The sum runs in the order of the triangles.
 [[nodiscard]] MassMoments surface_moments(const TriangleSurface& surface, const Vec3& origin, double density);
 
 /// The same about the middle of the surface's bounding box, with the centre in the coordinates of the points. Values of

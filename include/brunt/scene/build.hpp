@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what the scene says and this rank's piece of the mesh to the Model. Local to the rank.
+// Builds the Model from the scene and this rank's piece of the mesh. Not collective.
 #pragma once
 #include <map>
 #include <optional>
@@ -13,35 +13,36 @@
 
 namespace brunt::scene {
 
-/// The mesh must have been through scene::select before it was distributed. Throws InputError for a node in two
-/// incompatible constraints (both are named).
+/// The mesh must have passed scene::select before it was distributed. Throws InputError for a node with two
+/// incompatible constraints (the message names both).
 model::Model build_model(const Input& input, mesh::LocalMesh&& mesh);
 
-/// A flag for each face: do all its nodes lie in a plane of symmetry? Such faces are inside the whole body: nothing can
-/// touch them.
+/// A flag for each face: true if all its nodes lie in a plane of symmetry. Such a face is inside the complete body, so
+/// nothing can touch it.
 std::vector<char> in_symmetry_plane(const Input& input, const mesh::LocalMesh& mesh,
                                     std::span<const mesh::ExteriorFace> faces);
 
-/// Position in `contact` of the entry that holds for two parts; none where they have no contact. Tied parts stay so
+/// Position in `contact` of the entry that applies to two parts; none if they have no contact. Tied parts remain tied
 /// under later entries with `all`.
 std::optional<std::size_t> deciding_entry(const Input& input, const std::string& a, const std::string& b);
 
-/// Its key path, "contact.1"; "contact" where there is none.
+/// The key path of this entry, "contact.1"; "contact" if there is none.
 std::string contact_key(const Input& input, const std::string& a, const std::string& b);
 
-/// What the scene wants where these two parts overlap at the start; none where they have no contact.
+/// The rule for an initial overlap of these two parts; none if they have no contact.
 std::optional<contact::OverlapRule> overlap_rule(const Input& input, const std::string& a, const std::string& b);
 
-/// What contact is asked for, by pairs of blocks; a later entry wins for a pair of parts. part_of_block: names.
+/// The contact settings for each pair of blocks; for a pair of parts a later entry takes precedence. part_of_block:
+/// names.
 contact::Specification contact_specification(const Input& input, std::span<const std::string> part_of_block);
 
 using NodeSets = std::map<std::string, std::vector<LocalIndex>>;
 
-/// Velocity of each node at t = 0 [length/time]. coordinates: less `origin`; sets: with those of scene::select.
+/// Velocity of each node at t = 0 [length/time]. coordinates: relative to `origin`; sets: with those of scene::select.
 std::vector<Vec3> initial_velocities(const Input& input, std::span<const Vec3> coordinates, const Vec3& origin,
                                      const NodeSets& sets);
 
-/// The same of a rank's local nodes.
+/// The same for the local nodes of a rank.
 std::vector<Vec3> initial_velocities(const Input& input, const model::Model& model);
 
 }  // namespace brunt::scene

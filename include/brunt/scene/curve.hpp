@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Value of a scene's piecewise-linear curve at a time: the same function that runs use.
+// Value of a piecewise linear curve of the scene at a time; the same function is used during runs.
 #pragma once
 #include "brunt/model/curve.hpp"
 

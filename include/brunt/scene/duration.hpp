@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wall-clock durations as people write them: 3h55m, 90s, 2h.
+// Wall-clock durations in the usual notation: 3h55m, 90s, 2h.
 #pragma once
 #include <optional>
 #include <string_view>
 
 namespace brunt::scene {
 
-/// [s]; days, hours, minutes, seconds, each at most once and in this order (1d, 3h55m, 90s, 1m30.5s), or a bare number
-/// of seconds. Nothing for other text, zero and negative durations.
+/// Duration in seconds. Days, hours, minutes and seconds may each be given once and in this order (1d, 3h55m, 90s,
+/// 1m30.5s), or a plain number of seconds. Empty for other text and for durations that are not positive.
 std::optional<double> parse_duration(std::string_view text);
 
 }  // namespace brunt::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The faults found while a scene is read: all are collected, then thrown at once.
+// The faults of a scene: all are collected while it is read, then thrown together.
 #pragma once
 #include <string>
 #include <string_view>
@@ -15,9 +15,9 @@ struct Place {
 
 class Faults {
  public:
-  /// One line: `FILE:LINE: key.path: what`; the path may be empty. Returns its number, to take it back.
+  /// One line: `FILE:LINE: key.path: what`; the path may be empty. Returns the number of the fault, for `take_back`.
   std::size_t add(const Place& place, std::string_view path, std::string_view what);
-  /// Another fault says the same better.
+  /// Removes a fault that another one replaces.
   void take_back(std::size_t fault) { lines_[fault].text.clear(); }
   /// Throws InputError with all faults, those of the file by line, then those of overrides.
   void throw_if_any();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene file says, typed, with defaults filled in: the result of scene/read and nothing else.
-// Quantities are in the scene's one consistent unit system.
+// The content of a scene file as typed data, with defaults filled in: the result of scene/read. Quantities are in the
+// consistent unit system of the scene.
 #pragma once
 #include <array>
 #include <map>
@@ -27,7 +27,7 @@ struct Rotation {
   double degrees = 0;
 };
 
-/// Where a generated or read body is put: scaled, then rotated about the scene's origin, then moved.
+/// Placement of a generated or read body: scaled, then rotated about the origin of the scene, then translated.
 struct Placement {
   double scale = 1;
   std::vector<Rotation> rotate;  ///< one after the other
@@ -35,9 +35,9 @@ struct Placement {
 };
 
 struct MeshFile {
-  std::string file;                 ///< as resolved: relative to the scene file
+  std::string file;                 ///< resolved path: relative to the scene file
   std::string prefix;               ///< put before the names of its blocks and sets
-  std::vector<std::string> ignore;  ///< names or numbers of its blocks that are left out, without the prefix
+  std::vector<std::string> ignore;  ///< names or numbers of the blocks to exclude, without the prefix
 };
 struct BoxMesh {
   std::string part;
@@ -54,7 +54,7 @@ struct SphereMesh {  ///< solid, centre at the origin
   std::string part;
   double radius = 0;
   int elements = 0;   ///< across the radius
-  double finer = 1;   ///< elements at the lowest point so many times smaller
+  double finer = 1;   ///< elements at the lowest point are smaller by this factor
   mesh::Half half{};  ///< of x, y, z: 1 keeps what is >= 0, -1 what is <= 0, 0 both
 };
 struct TubeMesh {  ///< axis z, foot centre at the origin
@@ -86,12 +86,12 @@ using element::ElementKind;
 using element::Hourglass;
 using element::HourglassKind;
 
-/// What a rigid part is given in place of what its elements add up to, or the part that it is one body with.
+/// Mass properties that replace those of the elements of a rigid part, or the part with which it forms one body.
 struct RigidGiven {
   std::optional<double> mass;
   std::optional<Vec3> centre;   ///< of mass, at the start
   std::optional<Mat3> inertia;  ///< about the centre, in the scene's axes at the start
-  std::string joins;            ///< the part whose name the common body has; empty: the part leads its own
+  std::string joins;            ///< the part that names the common body; empty: the part names its own
 };
 
 struct Part {
@@ -103,14 +103,14 @@ struct Part {
   std::optional<model::Erosion> erosion;
 };
 
-/// A named set made from others in the scene.
+/// A named set that the scene defines from other selections.
 struct SetEntry {
   std::string name;
   std::optional<std::string> part, node_set, side_set;
   std::optional<std::array<Vec3, 2>> box;  ///< nodes of the part (or of all) inside the closed box
 };
 
-using Curve = std::vector<std::array<double, 2>>;  ///< (time, value), linear between, constant beyond
+using Curve = std::vector<std::array<double, 2>>;  ///< (time, value), linear between the points, constant outside
 
 struct InitialMotion {
   std::string where;  ///< part or set
@@ -124,13 +124,13 @@ struct Fixed {
   std::array<bool, 3> turns{};  ///< about x, y, z: of a rigid part
 };
 struct Symmetry {
-  Vec3 point, normal;  ///< unit normal; all nodes in the plane; faces in it are no contact faces
+  Vec3 point, normal;  ///< unit normal; all nodes in the plane; faces in it are not contact faces
 };
 struct Prescribed {
   std::string where;
   int dof = 0;  ///< x, y, z; 3 and more: rotation about x, y, z, of a rigid part [rad]
   enum class Gives { velocity, displacement, acceleration } gives = Gives::velocity;
-  std::string curve;  ///< of what is given over time, times `scale`; empty: constant 1
+  std::string curve;  ///< of the prescribed quantity over time, multiplied by `scale`; empty: constant 1
   double scale = 1;
 };
 struct Pressure {
@@ -144,7 +144,7 @@ struct DeadLoad {
   enum class Kind { each_node, total, traction } kind = Kind::each_node;
   std::string curve;
 };
-/// Elements that are taken out of the model: those of a part, or those with all their nodes in a set.
+/// Elements that are removed from the model: those of a part, or those with all their nodes in a set.
 struct Removal {
   std::string where;        ///< part or set
   double at = 0;            ///< in the first step at or past this time [time]
@@ -170,7 +170,7 @@ struct RigidWall {
   std::vector<std::string> parts{};  ///< that it acts on; empty: all
 };
 
-/// What holds for all contact of a scene, rigid walls too.
+/// Settings that apply to all contact of a scene, including rigid walls.
 struct Enforcement {
   contact::EnforcementSettings settings;
   contact::Criterion competing = contact::Criterion::automatic;
@@ -183,7 +183,7 @@ struct ContactEntry {
   contact::FrictionLaw friction;
   enum class Slave { automatic, first, second } slave = Slave::automatic;
   contact::Passes passes = contact::Passes::automatic;
-  bool self = true;  ///< with `all`: parts meet themselves too
+  bool self = true;  ///< with `all`: contact of parts with themselves
   bool tied = false;
   bool mortar = false;  ///< of implicit scenes: segment to segment
   contact::Multiplier multiplier = contact::Multiplier::dual;
@@ -204,10 +204,10 @@ struct Probe {
   std::optional<Vec3> about;       ///< of moments and angular momenta
 };
 
-/// What the stable step is taken of.
+/// The model on which the stable step is based.
 enum class StepBound {
-  element,   ///< the quickest element, as if it were free
-  assembled  ///< the mesh, whose elements hold each other back
+  element,   ///< each element as if it were free; the fastest one determines the step
+  assembled  ///< the assembled mesh, in which neighbouring elements constrain each other
 };
 struct Run {
   std::optional<double> end;
@@ -250,10 +250,10 @@ struct Input {
   Output output;
   std::optional<double> history_every;
   std::optional<double> checkpoint_every;
-  std::vector<std::string> warnings;  ///< accepted, but worth a line to the user
+  std::vector<std::string> warnings;  ///< valid input that deserves a warning
   Places places;                      ///< of all keys
 
-  /// "FILE:LINE: key.path": how messages begin of what is found after reading.
+  /// "FILE:LINE: key.path": the beginning of messages about faults that are found after reading.
   [[nodiscard]] std::string at(std::string_view key) const { return places.name(key, file); }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The known word that a mistyped one is closest to.
+// The known word that is closest to a misspelt one.
 #pragma once
 #include <span>
 #include <string>
@@ -14,7 +14,7 @@ int edit_distance(std::string_view a, std::string_view b);
 /// The known word with the smallest edit distance, the first of equals; empty if there is none.
 std::string nearest(std::string_view word, std::span<const std::string> known);
 
-/// "a, b, c", cut after two dozen.
+/// "a, b, c", at most two dozen.
 std::string listed(std::span<const std::string> words);
 
 }  // namespace brunt::scene

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the keys of a scene were written, kept for what is found only after reading: in the mesh, or between bodies.
+// The places of the keys of a scene in its file, for faults that are found only after reading: in the mesh, or between
+// bodies.
 #pragma once
 #include <map>
 #include <string>
@@ -14,7 +15,7 @@ class Places {
   /// `path`: as in messages, "contact.0.between.1".
   void note(const std::string& path, const Place& place) { places_.emplace(path, place); }
   [[nodiscard]] bool has(const std::string& path) const { return places_.contains(path); }
-  /// "FILE:LINE: path" with the line of the key or, where it was not written, of what it belongs to; "FILE: path" where
+  /// "FILE:LINE: path" with the line of the key or, if it was not given, of the entry it belongs to; "FILE: path" if
   /// neither is known.
   [[nodiscard]] std::string name(std::string_view path, const std::string& file) const;
 

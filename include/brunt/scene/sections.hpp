@@ -32,13 +32,14 @@ void read_friction(Section& entry, contact::FrictionLaw& friction);
 
 /// The map `erosion` of a part.
 model::Erosion read_erosion(const Key& key);
-/// Has the part's material what its erosion asks for? Once materials are known.
+/// Checks that the material of the part has the quantities that its erosion criteria need. Called when the materials
+/// are known.
 void check_erosion(const Input& input, const Part& part, const Key& key);
 
-/// Warns of a density or a speed of waves that no matter has, where the scene names its units.
+/// Warns of a density or wave speed outside those of known matter, where the scene names its units.
 void warn_of_units(Section& material, const material::Law& law, Input& input);
 
-/// Names that are used but not defined, generated parts without an entry in `parts`, names used twice.
+/// Names that are used but not defined, generated parts without an entry in `parts`, names that are used twice.
 void check_references(Input& input, Section& scene);
 
 }  // namespace brunt::scene

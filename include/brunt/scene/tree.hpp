@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene as plain nested text, each piece with the place it came from: what is left of YAML once it is parsed.
+// A scene as nested text in which every piece has its place in the file: the result of parsing YAML.
 #pragma once
 #include <optional>
 #include <string>
@@ -22,12 +22,12 @@ struct Tree {
   [[nodiscard]] Tree* find(std::string_view key);
 };
 
-/// Parses one YAML document. A key given twice in a map is a fault and its first value stands; broken syntax, tabs as
-/// indentation, several documents and an empty text are faults, after which the tree is null.
+/// Parses one YAML document. If a map has a key twice, this is a fault, and the first value is kept. Invalid syntax,
+/// indentation by tabs, several documents and an empty text are faults, and the tree is then null.
 Tree parse_yaml(const std::string& text, const std::string& file, Faults& faults);
 
-/// Parses the value of an override: one YAML value in which every piece stands at `place`; nothing and a fault if its
-/// syntax is broken.
+/// Parses the value of an override: one YAML value in which every piece has the place `place`; empty, with a fault, for
+/// invalid syntax.
 std::optional<Tree> parse_value(const std::string& text, const Place& place, Faults& faults);
 
 }  // namespace brunt::scene

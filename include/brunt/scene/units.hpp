@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The consistent unit systems a scene may name, and what each quantity is called in them. Nothing is converted: the
-// names head the columns of results, the sizes serve plausibility checks.
+// The consistent unit systems that a scene may name, and the names of their units. Nothing is converted: the names
+// appear in the headers of results, and the sizes serve plausibility checks.
 #pragma once
 #include <span>
 #include <string>
@@ -15,9 +15,9 @@ struct UnitSystem {
 };
 
 std::span<const UnitSystem> unit_systems();
-/// Null if there is none of that name.
+/// Null if there is no system of that name.
 const UnitSystem* find_unit_system(std::string_view name);
-/// "0.04 mm"; without a unit in the system `none` and where there is no such system.
+/// "0.04 mm"; without a unit in the system `none`, and for an unknown system.
 std::string with_length(double length, std::string_view system, int digits = 4);
 
 }  // namespace brunt::scene

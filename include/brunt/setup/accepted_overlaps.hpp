@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// initial_overlap: offset - what contact is to count as touching.
+// initial_overlap: offset - the overlaps that contact treats as touching.
 #pragma once
 #include <vector>
 
@@ -8,8 +8,8 @@
 
 namespace brunt::setup {
 
-/// Of those to keep, and those that were to be moved, as detection wants them: ordered by (node, body), each once. The
-/// nodes are those of a mesh in canonical order.
+/// Overlaps to keep, and those that were to be moved, in the form that detection needs: ordered by (node, body), each
+/// once. The nodes are those of a mesh in canonical order.
 std::vector<contact::AcceptedOverlap> accepted_overlaps(const std::vector<InitialOverlap>& overlaps);
 
 }  // namespace brunt::setup

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where bodies stand to each other before anything moves: the smallest gap, nodes that are inside another body or
-// another part of their own, edges that pass through one, and bodies in one place. Pure geometry on the whole mesh, so
-// it sees overlaps of any depth (contact itself looks no deeper than its capture).
+// Initial gaps and overlaps of the bodies: the smallest gap, nodes inside another body or another part of their own
+// body, edges that pass through a body, and coincident bodies. Pure geometry on the whole mesh, so overlaps of any
+// depth are found (contact itself detects penetrations up to its capture distance).
 #pragma once
 #include <array>
 #include <vector>
@@ -14,19 +14,19 @@ namespace brunt::setup {
 
 struct InitialOverlap {
   LocalIndex node = 0;                     ///< of the mesh
-  std::size_t block = 0, other_block = 0;  ///< of the node, and that it is inside
+  std::size_t block = 0, other_block = 0;  ///< of the node, and of the block that contains it
   std::int32_t body = 0, other_body = 0;
-  double penetration = 0;  ///< behind the face [length]; 0: not measured, of more than 1000 deep nodes of a pair
-  FaceNodes face{no_index, no_index, no_index, no_index};  ///< that the node is behind; none: not measured
-  /// A slave deeper than contact looks behind a face: it would be let go, or seen from the wrong side.
+  double penetration = 0;  ///< behind the face [length]; 0: not measured (more than 1000 deep nodes in a pair)
+  FaceNodes face{no_index, no_index, no_index, no_index};  ///< the face in front of the node; none: not measured
+  /// The node is deeper behind a face than contact detects: it would be missed, or detected from the wrong side.
   bool too_deep = false;
-  OverlapRule rule = OverlapRule::error;  ///< as the scene has it for this pair
+  OverlapRule rule = OverlapRule::error;  ///< rule of the scene for this pair
   [[nodiscard]] bool is_within_itself() const { return body == other_body; }
   [[nodiscard]] bool is_moved() const { return rule == OverlapRule::move; }
 };
 
-/// Edges of one block that pass through another without an end or a corner inside: nodes on the right sides of all
-/// faces, which contact would see as they should be.
+/// Edges of one block that pass through another without an end or a corner inside: all nodes are on the correct sides
+/// of all faces, so contact would not detect the overlap.
 struct Piercing {
   std::size_t block = 0, other_block = 0;  ///< of the edges, of the faces
   std::size_t edges = 0;
@@ -35,9 +35,9 @@ struct Piercing {
   OverlapRule rule = OverlapRule::error;
 };
 
-/// Elements of one block in the space of another, all of whose surface nodes touch: contact would see nothing.
+/// Elements of one block that coincide with another block whose surface nodes all touch: contact would detect nothing.
 struct SharedSpace {
-  std::size_t block = 0, other_block = 0;  ///< of the elements, and where they are
+  std::size_t block = 0, other_block = 0;  ///< of the elements, and of the block that contains them
   std::size_t elements = 0;
   GlobalIndex first = 0;  ///< the input's number of the first
   OverlapRule rule = OverlapRule::error;
@@ -52,9 +52,9 @@ struct InitialGaps {
   std::vector<SharedSpace> shared;
 };
 
-/// Nodes deeper inside than `touching` overlap; shallower ones touch. Parts that share nodes are one body: of a body
-/// with itself only overlaps are reported, in elements that do not touch those of the node; neither gaps (the thickness
-/// of every part would be one) nor edges that pass through it.
+/// Nodes deeper inside than `touching` overlap; shallower ones touch. Parts that share nodes are one body. For a body
+/// with itself only overlaps are reported, in elements that do not touch those of the node. Gaps within a body are not
+/// reported (the thickness of every part would be one), nor are edges that pass through it.
 InitialGaps initial_gaps(const mesh::Mesh& mesh, const StartRules& rules);
 
 }  // namespace brunt::setup

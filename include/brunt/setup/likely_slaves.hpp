@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which exterior faces will bring contact its work, foretold from where the bodies stand and how they move at the
-// start. Only the balance between ranks depends on it, no result does.
+// Prediction of the exterior faces that will cause work in contact, from the positions and velocities at the start. It
+// affects the balance between ranks only, not the results.
 #pragma once
 #include <span>
 #include <vector>
@@ -10,21 +10,22 @@
 
 namespace brunt::setup {
 
-/// What is known before the run.
+/// Data that are known before the run.
 struct Outlook {
   std::span<const double> density;  ///< of each block [mass/length^3]
   std::span<const Vec3> velocity;   ///< of each node at the start [length/time]
   double duration = 0;              ///< of the run [time]; may be infinite
 };
 
-/// The faces of slaves (as is_slave chooses them; detection and enforcement run on the ranks of slaves) that are near
-/// the box around what they may meet, by a face's size, or that fly on towards it; of two passes both, but for nodes of
-/// the second that will lie on nodes of the first, which have no rows there. Where nothing is near anything, all
-/// faces; where no pair may meet, none. faces: the contact faces of the whole mesh.
+/// The faces of slaves (chosen as by is_slave; detection and enforcement run on the ranks of slaves) that are near the
+/// bounding box of possible contact partners, within the size of a face, or move towards it. With two passes both sides
+/// count, except nodes of the second pass that will coincide with nodes of the first, which have no constraints there.
+/// If nothing is near anything, all faces are returned; if no pair may touch, none. faces: the contact faces of the
+/// whole mesh.
 std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const mesh::Side> faces,
                                       const contact::Specification& specification, const Outlook& outlook);
 
-/// What decides who is slave (as is_slave does), for each body of the whole mesh. density: of each block.
+/// The quantities that determine the slave (as in is_slave), for each body of the whole mesh. density: of each block.
 std::vector<contact::BodyFigures> body_figures(const mesh::Mesh& mesh, std::span<const mesh::Side> faces,
                                                std::span<const double> density);
 

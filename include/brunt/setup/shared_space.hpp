@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements of one solid in the space of another although every surface node of both lies on the other's surface: what
-// neither nodes nor edges tell (two bodies of one outline, one put where the other is).
+// Elements of one solid inside another although every surface node of both lies on the other's surface. Neither nodes
+// nor edges show this (two bodies of the same shape in the same place).
 #pragma once
 #include <cstddef>
 
@@ -13,7 +13,7 @@ struct ElementsInside {
   LocalIndex first = no_index;  ///< of the block
 };
 
-/// Elements of block `one` whose middle lies in an element of block `other`.
+/// Elements of block `one` whose centre lies in an element of block `other`.
 ElementsInside elements_inside(const mesh::Mesh& mesh, const mesh::Block& one, const mesh::Block& other,
                                const contact::Tolerances& tolerances);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of two bodies contact will take as the slave, foretold from the whole mesh by the rules of contact/surface.
+// Predicts which of two bodies contact will choose as the slave, from the whole mesh by the rules of contact/surface.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -11,10 +11,10 @@ namespace brunt::setup {
 class SlaveChoice {
  public:
   SlaveChoice(const mesh::Mesh& mesh, const StartRules& rules);
-  /// Is a node of this block and body the slave of faces of the other, were there one pass?
+  /// Whether a node of this block and body is the slave of faces of the other one in one-pass contact.
   [[nodiscard]] bool is_slave(std::size_t block, std::int32_t body, std::size_t other_block,
                               std::int32_t other_body) const;
-  /// May it be held off by them, in two passes too?
+  /// Whether it may be constrained by them, including two-pass contact.
   [[nodiscard]] bool is_held_off(std::size_t block, std::int32_t body, std::size_t other_block,
                                  std::int32_t other_body) const;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The blocks of a whole mesh as solids, and where the surface nodes of one lie to another. Pure geometry.
+// The blocks of a whole mesh as solids, and the positions of the surface nodes of one relative to another. Pure
+// geometry.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -23,13 +24,13 @@ struct SolidFace {
   FaceNodes nodes{};
   std::array<Vec3, 4> corners;
   std::size_t corner_count = 0;
-  LocalIndex element = no_index;  ///< of the block, behind it
+  LocalIndex element = no_index;  ///< of the block, behind the face
   double size = 0;                ///< longest edge [length]
   double element_depth = 0;       ///< of that element, or the width of the face if that is less [length]
   [[nodiscard]] geometry::Corners points() const { return {corners.data(), corner_count}; }
 };
 
-/// One block: its exterior faces but for those without three distinct nodes.
+/// One block: its exterior faces, except those without three distinct nodes.
 struct Solid {
   std::vector<SolidFace> faces;
   std::vector<LocalIndex> surface_nodes;         ///< ascending
@@ -40,25 +41,25 @@ struct Solid {
 
 std::vector<Solid> solids_of(const mesh::Mesh& mesh);
 
-/// Around the element's nodes.
+/// The bounding box of the element's nodes.
 geometry::Box box_of_element(const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex element);
 
-/// Is x in the closed element? A hexahedron is six tetrahedra around its diagonal 0-6.
+/// Whether x lies in the closed element. A hexahedron is treated as six tetrahedra around its diagonal 0-6.
 bool in_element(const Vec3& x, const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex element,
                 const contact::Tolerances& tolerances);
 
 /// The connected body of each node; no_index for a node without elements.
 std::vector<std::int32_t> body_of_nodes(const mesh::Mesh& mesh);
 
-/// The face that a node inside a solid is behind.
+/// The face in front of a node inside a solid.
 struct Behind {
   std::size_t face = 0;
-  double penetration = 0;  ///< along the normal [length]; < 0: in front of a warped face
+  double penetration = 0;  ///< along the normal [length]; < 0: the node is in front of a warped face
   Vec3 normal = Vec3::Zero();
-  std::array<double, 4> weights{};  ///< of the face's corners where the node is nearest
+  std::array<double, 4> weights{};  ///< of the face's corners at the nearest point
 };
 
-/// Which elements each node belongs to.
+/// The elements of each node.
 class NodesAround {
  public:
   explicit NodesAround(const mesh::Mesh& mesh);
@@ -74,26 +75,27 @@ class NodesAround {
   std::vector<Use> uses_;  // ascending
 };
 
-/// The surface nodes of one block that are near the solid of another, or inside.
+/// The surface nodes of one block that are near the solid of another block, or inside it.
 class Comparison {
  public:
-  /// around: given where the two blocks are one, or hang together. Then only nodes inside are looked at, and elements
-  /// that touch an element of the node are no other solid (as contact has it): it is neither inside them nor behind
-  /// their faces.
+  /// around: given if the two blocks are the same, or connected. Then only nodes inside are considered, and elements
+  /// that touch an element of the node do not count (as in contact): the node is neither inside them nor behind their
+  /// faces.
   Comparison(const mesh::Mesh& mesh, const Solid& nodes, const Solid& solid, const mesh::Block& block,
              const NodesAround* around, const contact::Tolerances& tolerances = contact::standard_tolerances);
 
   [[nodiscard]] std::size_t size() const { return node_.size(); }
   [[nodiscard]] LocalIndex node(std::size_t i) const { return nodes_.surface_nodes[node_[i]]; }
-  /// At a face, and not deep behind another one that its surface opposes (as the rim of a flush body that overlaps).
+  /// Whether the node lies at a face, and not deep behind another face that its surface opposes (such as the rim of a
+  /// flush body that overlaps).
   [[nodiscard]] bool touches(std::size_t i) const { return touches_[i] != Touch::none; }
   [[nodiscard]] bool overlaps(std::size_t i) const { return inside_[i] != 0 && touches_[i] == Touch::none; }
-  /// To the nearest face within its longest edge, else infinite.
+  /// Distance to the nearest face within its longest edge, else infinite.
   [[nodiscard]] double distance(std::size_t i) const { return near_[i]; }
-  /// Of a node that overlaps: the nearest face that the node's own surface opposes (not one beside it, though that may
-  /// be nearer), so that a node past the middle of a plate is behind the face that it came through. `near` looks only
-  /// at faces within their longest edge and gives nothing where none of them is opposed; `any` looks at all, and takes
-  /// the nearest where none is opposed.
+  /// For an overlapping node: the nearest face that the node's own surface opposes, even if a face beside it is nearer.
+  /// A node beyond the middle of a plate is thus behind the face through which it came. `near` considers only faces
+  /// within their longest edge and returns nothing if none of them is opposed; `any` considers all faces, and returns
+  /// the nearest one if none is opposed.
   [[nodiscard]] std::optional<Behind> behind_near(std::size_t i) const;
   [[nodiscard]] std::optional<Behind> behind_any(std::size_t i) const;
 
@@ -107,8 +109,8 @@ class Comparison {
   struct Nearest {
     std::optional<Behind> all, opposed;
     double all_distance = 0, opposed_distance = 0;
-    /// Tetrahedra do not follow a warped face: the nearest decides where it has the node in front (not where they
-    /// touch).
+    /// Tetrahedra do not represent a warped face exactly: if the nearest face has the node in front, it decides (except
+    /// where they touch).
     [[nodiscard]] const std::optional<Behind>& chosen(const Solid& solid, double touching) const {
       return all && all->penetration < -touching * solid.faces[all->face].size ? all : opposed;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the geometry of the start has to know of a scene: which blocks may touch, and what becomes of their overlaps.
+// Rules of a scene for its initial geometry: which blocks may touch, and how their overlaps are treated.
 #pragma once
 #include <optional>
 #include <vector>
@@ -24,7 +24,7 @@ struct StartRules {
   }
 };
 
-/// Exterior faces but for those in planes of symmetry, which touch nothing.
+/// Exterior faces except those in planes of symmetry, which touch nothing.
 std::vector<mesh::Side> contact_faces(const mesh::Mesh& mesh, const std::vector<std::vector<LocalIndex>>& symmetric);
 
 }  // namespace brunt::setup

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements leave the model by what has become of them at t_n, at the same place of a step as removals do: their forces
-// act a last time, everything after sees them no more.
+// Erosion: elements are removed by their state at t_n, at the same point of a step as prescribed removals. Their forces
+// act a last time; afterwards the elements are ignored.
 #pragma once
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace brunt::time {
 
-/// Elements that a block lost, on all ranks, by criterion.
+/// Numbers of elements removed from a block, on all ranks, by criterion.
 struct ErosionCount {
   GlobalIndex damage = 0, plastic_strain = 0, pressure = 0, volume = 0, step = 0;
   [[nodiscard]] GlobalIndex all() const { return damage + plastic_strain + pressure + volume + step; }
@@ -23,9 +23,10 @@ struct ErosionCount {
   }
 };
 
-/// Sets the flags of the elements that meet a criterion of their block's erosion, with the histories of t_n, and what
-/// follows from them; counts: of each block, those of this step. An element is judged on its rank by its own state, so
-/// the answer does not depend on the ranks. Returns whether any went. Collective, where any block erodes; else nothing.
+/// Sets the flags of the elements that meet a criterion of their block's erosion, with the histories of t_n, and
+/// updates dependent data; counts: of each block in this step. An element is judged on its rank by its own state, so
+/// the result does not depend on the ranks. Returns whether any element was removed. Collective if any block erodes;
+/// otherwise it does nothing.
 bool erode(const comm::Communicator& ranks, const model::Model& model, model::State& state,
            const model::Scratch& scratch, std::vector<ErosionCount>& counts);
 

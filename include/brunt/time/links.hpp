@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the ranks of a run hang together during a step: built once, used in every step.
+// Connections between the ranks during a step: built once, used in every step.
 #pragma once
 #include "brunt/comm/communicator.hpp"
 #include "brunt/comm/exact_sum.hpp"
@@ -22,12 +22,12 @@ struct Links {
   comm::OrderedSum pressure;
   AlignedVector<Quad> pressure_slots;
   AlignedVector<Quad> pressure_sum;  ///< by node; empty without pressure
-  std::vector<contact::Wall> walls;  ///< where the model's walls are at t_n
+  std::vector<contact::Wall> walls;  ///< positions of the model's walls at t_n
   Timers timers;
   std::vector<comm::ExactAccumulator> body_sums{};  ///< forces and moments on rigid bodies
   std::vector<double> body_forces{};                ///< the same, rounded
-  std::vector<contact::Carrier> carriers{};         ///< rigid bodies as contact sees them
-  surface::InnerFaces inner_faces{};                ///< that removals may expose; none where the scene has no removals
+  std::vector<contact::Carrier> carriers{};         ///< rigid bodies in the form that contact needs
+  surface::InnerFaces inner_faces{};  ///< faces that removals may expose; none if the scene has no removals
 };
 
 /// Numbers the slots of border corners in the model and links the ranks. Collective.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements leave the model between `evaluate` and `advance`: their forces at t_n act a last time, everything after sees
-// them no more. Mass stays on the nodes.
+// Removal of elements between `evaluate` and `advance`: their forces at t_n act a last time, afterwards they are
+// ignored. The mass remains on the nodes.
 #pragma once
 #include <vector>
 
@@ -9,14 +9,14 @@
 
 namespace brunt::time {
 
-/// Does a removal of the scene fall to the step from t_n? The same on every rank.
+/// Whether a removal of the scene is due in the step from t_n. The same on every rank.
 bool removal_is_due(const model::Model& model, const model::State& state);
 
-/// What follows from the flags, after they have changed. Collective.
+/// Updates the data that depend on the flags, after they have changed. Collective.
 void follow_alive(const comm::Communicator& ranks, const model::Model& model, model::State& state);
 
-/// Sets the flags of the elements that are removed at t_n and what follows from them; returns how many each block lost,
-/// on all ranks. Collective.
+/// Sets the flags of the elements that are removed at t_n and updates dependent data; returns the number of removed
+/// elements of each block, on all ranks. Collective.
 std::vector<GlobalIndex> remove_elements(const comm::Communicator& ranks, const model::Model& model,
                                          model::State& state);
 

@@ -19,10 +19,10 @@ Vec3 last_displacement(const EdgeScene& scene, const ContactEdge& slave, const C
                      met.t * last(master, 1));
 }
 
-/// Edges nearly along each other that slide by on a ledge (see ledges.hpp): along a face of the master, no farther than
-/// that from its plane. Edges that cross must lie on that face, or the other way round: both ends of one are held by
-/// it. Else they hold each other, however small their angle: bars laid on each other at one degree gave energy without
-/// that.
+/// Nearly parallel edges that slide past each other on a ledge (see ledges.hpp): along a face of the master, no farther
+/// from its plane than a ledge. If the edges cross, one must lie on a face of the other with both ends constrained by
+/// it. Otherwise they constrain each other, however small their angle, since contact would supply energy without these
+/// rows.
 bool slide_along_ledge(const EdgeScene& scene, std::span<const Vec3> node_normal, const ContactEdge& slave,
                        const ContactEdge& master, double size, const EdgeMeeting& met, const Vec3& motion) {
   const geometry::Segment own = scene.start(slave), other = scene.start(master);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sharp edges that come to a ledge (see ledges.hpp) are passed over as nodes are.
+// Sharp edges at a ledge (see ledges.hpp) are ignored as nodes are.
 #pragma once
 #include "edge_scene.hpp"
 

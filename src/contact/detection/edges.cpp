@@ -36,11 +36,11 @@ Mat3 axes_of(const geometry::Segment& one, const geometry::Segment& two) {
   return axes;
 }
 
-/// Where two edges cross, seen along their common perpendicular. The smaller their angle, the more that turns where one
-/// of them tilts a little, and the farther the crossing moves: impulses along it would feed both. So edges nearly along
-/// each other meet along the middle between their faces' normals. That may turn from edge to edge of a chain, so that
-/// the crossing lies on neither: then it is seen along the normals of either side alone, which the edges of the other
-/// side's chain have in common.
+/// The crossing of two edges as seen along their common perpendicular. The smaller their angle, the more this direction
+/// rotates when one of them tilts, and the farther the crossing moves: impulses along it would amplify both. Nearly
+/// parallel edges are therefore projected along the mean of their faces' normals. This direction may change from edge
+/// to edge of a chain, so that the crossing lies on neither: then the normals of each side alone are used, which the
+/// edges of the other side's chain have in common.
 std::optional<geometry::CommonPerpendicular> crossing(const EdgeScene& scene, const ContactEdge& slave,
                                                       const ContactEdge& master) {
   const geometry::Segment own = scene.start(slave), other = scene.start(master);
@@ -91,10 +91,10 @@ bool meet_in_step(const EdgeScene& scene, const ContactEdge& slave, const Contac
   return true;
 }
 
-/// Have the ends of the slave edge rows of their own that hold it? Along nearly the same normal: then the edge lies in
-/// a face. An end that hangs over the master's rim has none, and one whose face slants is less deep than the edge is at
-/// the rim. Where an end lies deep, its own row gives the penetration. A deep edge of which both ends are held across
-/// that has come in from their side, where it is as deep as they are, over the end of the master's edge.
+/// Whether the ends of the slave edge have rows of their own that constrain it. Along nearly the same normal the edge
+/// lies in a face. An end beyond the master's rim has none, and the row of an end whose face is inclined is less deep
+/// than the edge at the rim. If an end lies deep, its own row gives the penetration. A deep edge with both ends
+/// constrained in a perpendicular direction has entered from that side, over the end of the master's edge.
 bool held_at_ends(const Tolerances& tolerances, std::span<const Vec3> node_normal, const ContactEdge& slave,
                   double size, const EdgeMeeting& met) {
   const bool deep = -met.gap > tolerances.rim * size;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `encounter`, a pack of pairs at a time: where bodies touch over a whole face, it is what contact spends its time on.
+// `encounter` for a pack of pairs at a time: in contact over whole faces, most time is spent here.
 #include <algorithm>
 #include <cstdint>
 #include <cstring>

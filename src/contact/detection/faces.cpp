@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Node against face: the encounters of each slave, and the rows that come of them.
+// Node-to-face contact: the encounters of each slave, and the resulting rows.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -32,7 +32,7 @@ BRUNT_INLINE Sweep sweep_of(const NodeMotion& node, double dt, double margin) {
   return sweep;
 }
 
-/// All six comparisons at once: a branch on each would be mispredicted.
+/// All six comparisons without branches, which would be mispredicted.
 BRUNT_INLINE bool overlaps(const Box& box, const Sweep& sweep) {
   static_assert(sizeof(Box) == 6 * sizeof(double));
   const char* const six = reinterpret_cast<const char*>(&box);

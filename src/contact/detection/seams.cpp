@@ -13,8 +13,8 @@ const MasterFace& face_of(const FacesInMotion& scene, const Encounter& e) {
   return scene.faces[static_cast<std::size_t>(e.face)];
 }
 
-/// Does another face go on from `top` beyond an edge that `side` ends in? The one that has the node may be the next one
-/// along the seam: then they have a corner alone in common.
+/// Whether another face continues from `top` beyond an edge in which `side` ends. The face of the node may be the next
+/// one along the seam: then they have only a corner in common.
 bool continues_beyond(const FacesInMotion& scene, const Tolerances& tolerances, const Encounter& top,
                       const Encounter& side) {
   const MasterFace &above = face_of(scene, top), &below = face_of(scene, side);

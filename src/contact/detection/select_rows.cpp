@@ -29,8 +29,8 @@ struct Selection {
   }
 };
 
-/// Those to keep come first; returns how many. In a valley both slopes are met, also the one that a slave's surface
-/// opposes but little; around a convex edge that one is a side along which bodies lie flush.
+/// Selected encounters come first; returns their number. In a valley both slopes are selected, even one that the
+/// slave's surface opposes only slightly; around a convex edge such a face is a side along which bodies lie flush.
 std::size_t remove_unopposed(const Selection& selection, std::span<Encounter> encounters) {
   const auto less = [](const Encounter& a, const Encounter& b) {
     return (a.meeting == Meeting::none ? -1 : a.opposition) < (b.meeting == Meeting::none ? -1 : b.opposition);
@@ -93,12 +93,12 @@ void turn(const Selection& selection, const Vec3& normal, Encounter& e) {
   e.normal = normal;
 }
 
-/// What a face that is met in one place with the best adds to its normal, behind a convex edge or corner: as much as
-/// the best where they are equally deep, nothing where it is five times as deep or the rim tolerance deeper, so that
-/// the normal turns without a jump where a node slides along the inside. (A node that the best holds at its surface is
-/// as good as outside of it: the other face has no say. Else where a fine mesh slid out under a coarse one, whose the
-/// rim tolerance is wide, its nodes were let in at 0.1 of an element from the rim.) What comes into contact there
-/// arrives at all of them.
+/// Contribution to the normal of a face that is met at the same place as the best one, behind a convex edge or corner.
+/// It is that of the best face if both are equally deep, and zero if the face is five times as deep, or deeper by the
+/// rim tolerance. The normal thus rotates without a jump when a node slides along the inside. (A node at the surface of
+/// the best face counts as outside of it, and the other face has no influence; otherwise nodes of a fine mesh would
+/// penetrate near the rim of a coarse one, whose rim tolerance is large.) A node that comes into contact there touches
+/// all of these faces.
 double share_at_convex_edge(const Selection& selection, const Encounter& e, const Encounter& best) {
   if (e.meeting != Meeting::inside) return 1;
   const Tolerances& tolerances = selection.tolerances;
@@ -108,10 +108,9 @@ double share_at_convex_edge(const Selection& selection, const Encounter& e, cons
   return std::clamp((1 - std::abs(deeper)) / (1 - tolerances.slight), 0.0, 1.0);
 }
 
-/// Faces that are met in one place by one node push along their mean normal, where they meet in a convex edge or
-/// corner: which of them is met first is decided by rounding. Where the surface is bent but little, the normal turns
-/// from one face's to the other's within the rim tolerance of their common edge, so that a node may slide over it
-/// without a jump.
+/// Faces met at the same place by one node act along their mean normal if they meet in a convex edge or corner, since
+/// rounding would decide which of them is met first. On slightly curved surfaces the normal rotates from one face's to
+/// the other's within the rim tolerance of their common edge, so that a node may slide over it without a jump.
 void merge_corner(const Selection& selection, std::span<Encounter> encounters) {
   Encounter& best = encounters.front();
   Vec3 sum = best.normal;

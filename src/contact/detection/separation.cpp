@@ -15,8 +15,8 @@ using geometry::Box;
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 
-/// Along the axis in which they are farthest from each other; negative where they overlap. It shrinks by what either
-/// moves, and by what reach grows with the length of edges: half of what their nodes move.
+/// Distance along the axis of largest separation; negative for overlapping boxes. It decreases with the motion of both,
+/// and with the growth of the reach with the length of edges: half of the motion of their nodes.
 double apart(const Box& one, const Box& other) {
   return std::max((one.low - other.high).maxCoeff(), (other.low - one.high).maxCoeff());
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one classifier of encounters: how a node stands to the closest point of a face, of one pair or of a pack of
-// them, and what meeting that is.
+// The single classifier of encounters: position of a node relative to the closest point of a face, for one pair or a
+// pack of pairs, and the resulting meeting.
 #pragma once
 #include <algorithm>
 

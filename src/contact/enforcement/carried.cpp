@@ -217,7 +217,7 @@ void sum_rows_on_bodies(const RowMatrix& rows, Exchange& exchange, CarriedScratc
     const auto b = static_cast<std::size_t>(body);
     const std::int64_t* sums = sums_of(b);
     demand(sums[bin_slices * body_groups] <= most_terms / static_cast<std::int64_t>(most_nodes_of_a_row),
-           "more rows on one rigid body than its sums can hold");
+           "the sums of a rigid body have room for all its rows");
     const double spread =
         divide_among_groups(grid, sums, std::span(scratch.row_sum).subspan(body_groups * b, body_groups));
     scratch.spread = std::max(scratch.spread, spread);

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which rows conjugate residuals go over, and what of them. Of a row that sticks (or is tied, or has no friction) that
-// is all there is. One that slides has its friction at the limit L, along t; of the sweep's fixed point
+// The active rows of conjugate residuals, and their linearisation. Rows that stick, are tied or have no friction are
+// active as a whole. For a sliding row with friction at the limit L along t, the derivative of the sweep's fixed point
 //   p = admitted(p + missing / H)
-// the derivative is taken (as in semismooth Newton methods: Alart and Curnier, Comput. Methods Appl. Mech. Eng. 92,
-// 1991):
-// - along the normal its impulse brings its friction with it, normal + mu t; only the normal is asked for;
-// - across both it turns: friction follows the slip s, which is asked for as of a spring that gives s / L;
-// - along t nothing is asked for.
-// So G W G^T of sliding rows is not symmetric, which steps that leave the least residual bear (conjugate residuals that
-// know one step before are Orthomin(1): Eisenstat, Elman, Schultz, SIAM J. Numer. Anal. 20, 1983) where few rows slide
-// or friction is moderate.
+// is used (as in semismooth Newton methods: Alart and Curnier, Comput. Methods Appl. Mech. Eng. 92, 1991):
+// - along the normal, its impulse includes its friction, normal + mu t; only the normal rate is required;
+// - across both, friction rotates with the slip s: a spring with the compliance s / L;
+// - along t, no rate is required.
+// G W G^T of sliding rows is therefore not symmetric. Methods of smallest residual converge nevertheless if few rows
+// slide or friction is moderate (conjugate residuals with one previous direction are Orthomin(1): Eisenstat, Elman,
+// Schultz, SIAM J. Numer. Anal. 20, 1983).
 #pragma once
 #include <algorithm>
 

@@ -93,8 +93,8 @@ void Iteration::advance(const Judgement& now, double length) {
   apply_impulses(system_, impulses_, now.impulse + length * now.rise, exchange_, velocity_, scratch_);
 }
 
-/// 1 or more: H bounds G W G^T. Which of the two quotients comes next has no period (steps of the golden section around
-/// a circle): in turn they may run into a cycle of four steps, for ever.
+/// At least 1, since H bounds G W G^T. The choice between the two quotients has no period (steps of the golden section
+/// around a circle): strict alternation may lead to a cycle of four steps.
 double quotient(const Judgement& now, int iteration) {
   constexpr double longest = 1e6;
   constexpr double golden_section = 0.6180339887498949;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a linear solver over rows is made of: an impulse as one number along the normal, where no row is tied (a third
-// of the work), or as a vector, with friction or without.
+// Operations of a linear solver over rows: an impulse as one number along the normal if no row is tied (a third of the
+// work), or as a vector, with or without friction.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace brunt::contact {
 
-/// Rows that push along their normals alone: an impulse is one number.
+/// Rows with compression along their normals only: an impulse is one number.
 struct Normal {
   static constexpr bool rubs = false;
   using Amount = double;

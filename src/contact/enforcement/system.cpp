@@ -29,8 +29,8 @@ double weight_of(const RowMatrix& rows, std::size_t q, std::size_t entry, double
   return weight * free_share(law, length, mobility);
 }
 
-/// Can an impulse in this row change its rate? Else the row is left out: prescribed motion has the authority. (Coulomb
-/// friction needs a pressure: it is nothing where both sides are held along the normal.)
+/// Whether an impulse in this row can change its rate. Otherwise the row is ignored: prescribed motion takes
+/// precedence. (Coulomb friction requires a pressure: it is zero if both sides are constrained along the normal.)
 bool can_act(const System& system, std::size_t q) {
   const RowMatrix& rows = system.rows;
   const RowLaw& law = rows.laws[q];
@@ -101,7 +101,7 @@ void take_row_sums(EnforcementScratch& scratch) {
   scratch.row_sum.resize(scratch.row_sum_parts.size() / row_sum_width);
   for (std::size_t node = 0; node < scratch.row_sum.size(); ++node) {
     const double* parts = &scratch.row_sum_parts[node * row_sum_width];
-    demand(parts[bin_slices] <= binned_terms, "more rows on one contact node than its sums can hold");
+    demand(parts[bin_slices] <= binned_terms, "the sums of a contact node have room for all its rows");
     scratch.row_sum[node] = binned_value(parts);
   }
 }
@@ -208,7 +208,8 @@ void EnforcementScratch::reserve_bodies(std::size_t rows, std::size_t nodes, std
 
 void demand_finite(double largest) {
   if (!std::isfinite(largest))
-    throw GuardError("contact: an impulse is not finite; the velocities that came in are not, or grew without bound");
+    throw GuardError(
+        "contact: an impulse is not finite; the predicted velocities are not finite, or increased without bound");
 }
 
 Vec3 relative_velocity(const Row& row, std::span<const Vec3> velocity) {

@@ -5,7 +5,7 @@
 
 namespace brunt::contact {
 
-/// The bounds of a box, low x y z, high x y z, and two to spare.
+/// The bounds of a box, low x y z, high x y z, and two unused entries.
 struct Bounds {
   Octet lanes;
 };

@@ -37,9 +37,9 @@ TEST_CASE("a round body that loses more than a hundredth is warned of", "[bodies
     return warning_of(fmt::format(fmt::runtime(sphere), n, finer, half));
   };
   CHECK_THAT(ball(12, 8, "x"), Contains("a.yaml:2: mesh: the mesh of a has 87.9"));
-  CHECK_THAT(ball(12, 8, "x, y"), Contains("elements across the radius would be enough, or finer: 1."));
+  CHECK_THAT(ball(12, 8, "x, y"), Contains("elements across the radius would suffice, or finer: 1."));
   for (const int n : {2, 4, 6, 8, 9})
-    CHECK_THAT(ball(n, 1, "-y"), Contains("about 10 elements across the radius would be enough"));
+    CHECK_THAT(ball(n, 1, "-y"), Contains("about 10 elements across the radius would suffice"));
   CHECK(ball(10, 1, "x").empty());
   CHECK(ball(12, 1.5, "x").empty());
   CHECK_THAT(ball(12, 8, "-z"), Contains("98.5"));
@@ -48,11 +48,11 @@ TEST_CASE("a round body that loses more than a hundredth is warned of", "[bodies
   for (const int around : {3, 8, 24})
     CHECK_THAT(warning_of(fmt::format(
                    "tube: {{part: a, inner_radius: 1, outer_radius: 2, length: 1, elements: [1, {}, 1]}}", around)),
-               Contains("about 28 elements around would be enough"));
+               Contains("about 28 elements around would suffice"));
   CHECK(warning_of("tube: {part: a, inner_radius: 1, outer_radius: 2, length: 1, elements: [1, 28, 1]}").empty());
   const std::string torus = "torus: {{part: a, radius: 76, tube: [19.5, 24], elements: [{}, {}, 2]}}";
   CHECK_THAT(warning_of(fmt::format(fmt::runtime(torus), 40, 20)),
-             Contains("97.96 %") && Contains("around the ring and 29 around the tube would be enough"));
+             Contains("97.96 %") && Contains("around the ring and 29 around the tube would suffice"));
   CHECK(warning_of(fmt::format(fmt::runtime(torus), 80, 40)).empty());
   CHECK(app::round_bodies(with_mesh("{box: {part: a, size: [1, 1, 1], elements: [1, 1, 1]}}")).lines.empty());
 }
@@ -71,7 +71,8 @@ TEST_CASE("the same body twice is a fault, bodies apart are none", "[bodies]") {
     return std::vector<std::string>();
   };
   REQUIRE(faults(0).size() == 1);
-  CHECK_THAT(faults(0)[0], Catch::StartsWith("a.yaml:2: mesh: block a and block b: 8 elements lie corner on corner"));
+  CHECK_THAT(faults(0)[0],
+             Catch::StartsWith("a.yaml:2: mesh: invalid block a and block b: 8 elements of one coincide"));
   CHECK_THAT(faults(0.5)[0], Contains("4 elements"));
   CHECK(faults(1).empty());
   CHECK(faults(0.25).empty());

@@ -44,7 +44,7 @@ TEST_CASE("coarse slaves: a slave with edges more than twice as long is told, wi
   CHECK_THAT(told[0],
              Catch::Matches("scene\\.yaml:[0-9]+: contact\\.0\\.slave: part 'coarse' is the slave of 'fine'.*"));
   CHECK_THAT(told[0], Contains("(edges of 0.25 against 1)"));
-  CHECK_THAT(told[0], Contains("say slave: fine, or passes: two"));
+  CHECK_THAT(told[0], Contains("use slave: fine, or passes: two"));
   CHECK(warnings("{between: [coarse, fine], slave: coarse, passes: one}", 4) == told);
   CHECK(warnings("{between: [fine, coarse], slave: second}", 4) == told);
 }
@@ -61,7 +61,7 @@ TEST_CASE("coarse slaves: nothing is told of finer slaves, of meshes alike, of t
 TEST_CASE("coarse slaves: the finer side of a tie hangs on few nodes, and has no second pass") {
   const std::vector<std::string> told = warnings("{between: [coarse, fine], slave: coarse, tied: true}", 4);
   REQUIRE(told.size() == 1);
-  CHECK_THAT(told[0], Contains("'fine' hangs on few nodes; say slave: fine"));
+  CHECK_THAT(told[0], Contains("few nodes of 'fine' carry the tie; use slave: fine"));
   CHECK_THAT(told[0], !Contains("passes"));
 }
 

@@ -50,7 +50,7 @@ TEST_CASE("depth_folder: results and unfinished results of another question are 
   const support::SceneFolder folder;
   const app::DepthOptions options = options_of(folder);
   app::DepthFolder(options, "one").add(support::depth_row());
-  CHECK_THROWS_WITH(app::DepthFolder(options, "two"), Contains("another question"));
+  CHECK_THROWS_WITH(app::DepthFolder(options, "two"), Contains("another query"));
   app::DepthFolder(options, "one").finish({});
   CHECK_THROWS_WITH(app::DepthFolder(options, "one"), Contains("--force"));
   CHECK(app::DepthFolder(options_of(folder, true), "two").earlier().empty());

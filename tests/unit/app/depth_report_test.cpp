@@ -58,7 +58,7 @@ TEST_CASE("depth_report: text names what was found, and what was not") {
   CHECK_THAT(app::described(row),
              Contains("object_norm: depth 0.142857143, bound 0.1") && Contains("2 contact points"));
   row.answer.found = false;
-  CHECK_THAT(app::described(row), Contains("no admitted motion separates them"));
+  CHECK_THAT(app::described(row), Contains("no admissible motion separates them"));
   CHECK_FALSE(app::as_json(row).contains("placement"));
   row.answer = {};
   row.answer.distance = .25;

@@ -49,7 +49,7 @@ TEST_CASE("depth_work: two files are two bodies at one pose, or at those of a fi
   options.metrics = {"translation"};
   CHECK(app::depth_work(comm::Communicator::self(), options).along == std::vector<Vec3>{Vec3::UnitX()});
   options.b.clear();
-  CHECK_THROWS_WITH(app::depth_work(comm::Communicator::self(), options), Contains("expected two, A and B"));
+  CHECK_THROWS_WITH(app::depth_work(comm::Communicator::self(), options), Contains("expected A and B"));
 }
 
 TEST_CASE("depth_work: faults of both files are told at once; pieces have to lie inside") {

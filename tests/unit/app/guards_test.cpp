@@ -40,7 +40,7 @@ const std::vector<Column> columns{
 
 }  // namespace
 
-TEST_CASE("guards: a column that cannot be negative warns below -1 % and stops below -10 % of the largest energy") {
+TEST_CASE("guards: a column that must not be negative warns below -1 % and stops below -10 % of the largest energy") {
   for (const Column& column : columns)
     for (const double share : {0.5, 0.005, -0.005, -0.0099, -0.011, -0.09, -0.11, -0.9}) {
       CAPTURE(static_cast<int>(column.fault), share);
@@ -57,7 +57,7 @@ TEST_CASE("guards: a column that cannot be negative warns below -1 % and stops b
       CHECK(found[0].energy == Approx(100 * share));
       CHECK(found[0].share == Approx(of_largest));
       CHECK(found[0].stop == (of_largest > 0.1));
-      CHECK(text_of(found[0], 3).find("cannot be negative") != std::string::npos);
+      CHECK(text_of(found[0], 3).find("must not be negative") != std::string::npos);
       CHECK_FALSE(likely_cause(found[0].fault).empty());
     }
 }

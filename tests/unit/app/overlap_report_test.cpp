@@ -106,8 +106,8 @@ TEST_CASE("overlap report: what move and offset treat is not told; what they can
     deep.too_deep = true;
     const OverlapReport report = Parts().report({deep, in_anvil(8, 0.1, rule)});
     REQUIRE(report.faults.size() == 2);
-    CHECK_THAT(report.faults[0], Contains("1 of them so deep"));
-    CHECK_THAT(report.faults[1], Contains("move the parts apart") && !Contains("recovered slowly"));
+    CHECK_THAT(report.faults[0], Contains("1 of them are too deep"));
+    CHECK_THAT(report.faults[1], Contains("expected parts farther apart") && !Contains("recovered slowly"));
   }
 }
 
@@ -117,7 +117,7 @@ TEST_CASE("overlap report: a body in itself can be offset but not moved; piercin
   const OverlapReport moved = Parts().report({fold});
   REQUIRE(moved.faults.size() == 2);
   CHECK_THAT(moved.faults[0], Contains("one body, which overlaps itself"));
-  CHECK_THAT(moved.faults[1], Contains("move and place do not part a body from itself"));
+  CHECK_THAT(moved.faults[1], Contains("move and place do not separate a body from itself"));
   fold.rule = OverlapRule::offset;
   CHECK(Parts().report({fold}).faults.empty());
   const setup::Piercing piercing{.block = 1,
@@ -129,5 +129,5 @@ TEST_CASE("overlap report: a body in itself can be offset but not moved; piercin
   const OverlapReport pierced = Parts().report({}, {piercing});
   REQUIRE(pierced.faults.size() == 2);
   CHECK_THAT(pierced.faults[0],
-             Contains("'hammer' pierces part 'anvil' (2 edges; first: nodes 108-112 through face 100-101-102)"));
+             Contains("'hammer' intersects part 'anvil' (2 edges; first: nodes 108-112 through face 100-101-102)"));
 }

@@ -118,7 +118,7 @@ TEST_CASE("results: the guard names the element with the least hourglass energy"
   ledger.internal += 3;
   CHECK_THROWS_WITH(run.results.watch(ledger, 1),
                     Catch::Contains("element 3 (position in the input) of part 'low' at (0.5, 1.5, 0.47") &&
-                        Catch::Contains("cannot be negative") && Catch::Contains("hex8_full"));
+                        Catch::Contains("must not be negative") && Catch::Contains("hex8_full"));
 }
 
 TEST_CASE("results: after a guard the last good state comes back, as a checkpoint and in the run") {

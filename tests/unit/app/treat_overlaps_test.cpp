@@ -96,12 +96,12 @@ TEST_CASE("move is refused where nodes are held, elements would be flattened, or
     return treated.report.faults.empty() ? "" : treated.report.faults[0];
   };
   CHECK_THAT(refusal({cubes(0.05), "move", "fixed: [{part: b, dofs: [x]}]\n"}),
-             Catch::Contains("would move 25 nodes that fixed.0 holds"));
+             Catch::Contains("would displace 25 nodes constrained by fixed.0"));
   CHECK(Case(cubes(0.05), "move", "fixed: [{part: b, dofs: [y, z]}]\n").treat().report.faults.empty());
   // a's faces of 0.5 let nodes be 0.125 deep; b's first elements are 0.13 thick
   CHECK_THAT(refusal({two_boxes({1, 1, 1}, {2, 2, 2}, {0.13, 0.8, 0.8}, {1, 4, 4}, {0.89, 0.1, 0.1}), "move"}),
              Catch::Contains("would flatten element"));
-  CHECK_THAT(refusal({cubes(0.2), "move"}), Catch::Contains("so deep that contact does not see them"));
+  CHECK_THAT(refusal({cubes(0.2), "move"}), Catch::Contains("too deep for contact to detect"));
 }
 
 TEST_CASE("offset: each overlapping node keeps its depth, nothing moves") {
@@ -127,7 +127,7 @@ TEST_CASE("a plate that is pierced without a node inside") {
     REQUIRE(treated.gaps.piercings.size() == 1);
     CHECK(treated.gaps.piercings[0].edges == 4);
     REQUIRE(treated.report.faults.size() == 2);
-    CHECK_THAT(treated.report.faults[0], Catch::Contains("part 'b' pierces part 'a' (4 edges; first: nodes "));
+    CHECK_THAT(treated.report.faults[0], Catch::Contains("part 'b' intersects part 'a' (4 edges; first: nodes "));
   }
   CHECK(Case(bar_and_plate({1.4, 1.4, -0.5}), "warn").treat().report.warnings.size() == 1);
   for (const double z : {0.1, -1.0, 0.2})  // standing on it, hanging below it, above it
@@ -145,7 +145,7 @@ TEST_CASE("a body put where another one is, with every surface node on the other
     REQUIRE(treated.gaps.shared.size() == 1);
     REQUIRE(treated.report.faults.size() == 2);
     CHECK_THAT(treated.report.faults[0],
-               Catch::Contains("lies in the place of part") && Catch::Contains("elements are inside"));
+               Catch::Contains("coincides with part") && Catch::Contains("elements are inside"));
   }
   CHECK(Case(boxes({1, 1, 1}, {3, 3, 3}, {0, 0, 0}), "warn").treat().report.warnings.size() == 1);  // node on node
   CHECK(Case(boxes({1, 1, 1}, {1, 1, 1}, {0, 0, 0}), "error").treat().report.faults.size() == 2);
@@ -206,15 +206,14 @@ TEST_CASE("a body that overlaps itself is refused, warned of, or kept as zero ga
   };
   TreatedOverlaps treated = treat("error");
   REQUIRE(treated.report.faults.size() == 2);
-  CHECK_THAT(treated.report.faults[0],
-             Catch::Contains("inside part 'a' at the start (one body, which overlaps itself)"));
+  CHECK_THAT(treated.report.faults[0], Catch::Contains("inside part 'a' (one body, which overlaps itself)"));
   treated = treat("warn");
   CHECK(treated.report.faults.empty());
   CHECK(treated.report.warnings.size() == 1);
   CHECK(treated.recovered);
   treated = treat("move");
   REQUIRE(treated.report.faults.size() == 2);
-  CHECK_THAT(treated.report.faults[1], Catch::Contains("move and place do not part a body from itself"));
+  CHECK_THAT(treated.report.faults[1], Catch::Contains("move and place do not separate a body from itself"));
   treated = treat("offset");
   CHECK(treated.report.faults.empty());
   REQUIRE(treated.accepted.size() == test::bent_bar_nodes);

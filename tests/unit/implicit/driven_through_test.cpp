@@ -55,7 +55,7 @@ TEST_CASE("a body that is driven into a fixed one is told of once") {
   REQUIRE(told.size() == 1);
   CHECK_THAT(told[0],
              Contains("through each other: since t = 0.1 ") && Contains("part 'low'") && Contains("part 'top'"));
-  CHECK_THAT(told[0], Contains("now 0.01 mm deep"));
+  CHECK_THAT(told[0], Contains("the depth is now 0.01 mm"));
   CHECK(depth == Approx(0.03));
 }
 

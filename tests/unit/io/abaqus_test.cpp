@@ -219,35 +219,36 @@ TEST_CASE("abaqus: what is wrong is told with its line") {
   const auto with = [](const std::string& more) { return fault_of(pieces + more); };
   const auto next = 1 + std::ranges::count(pieces, '\n');
   const auto at = [&](std::ptrdiff_t line) { return Contains(fmt::format(":{}:", line)); };
-  CHECK_THAT(with("*Node\n1, 0, 0, 0\n"), at(next + 1) && Contains("node 1 is there twice"));
-  CHECK_THAT(with("*Node\n31, 0, zero, 0\n"), at(next + 1) && Contains("'zero' where a coordinate should stand"));
+  CHECK_THAT(with("*Node\n1, 0, 0, 0\n"), at(next + 1) && Contains("invalid node 1: defined twice"));
+  CHECK_THAT(with("*Node\n31, 0, zero, 0\n"), at(next + 1) && Contains("invalid value 'zero'; expected a coordinate"));
   CHECK_THAT(with("*Node\n31, 0, nan, 0\n"), at(next + 1) && Contains("'nan'"));
-  CHECK_THAT(with("*Element, type=C3D4\n1, 1, 2, 3, 5\n"), at(next + 1) && Contains("element 1 is there twice"));
+  CHECK_THAT(with("*Element, type=C3D4\n1, 1, 2, 3, 5\n"),
+             at(next + 1) && Contains("invalid element 1: defined twice"));
   CHECK_THAT(with("*Element, type=C3D4\n31, 1, 2, 3, 77\n"), at(next + 1) && Contains("no node 77"));
   CHECK_THAT(with("*Element, type=C3D4\n31, 1, 2, 3\n"), at(next + 1) && Contains("4 nodes"));
   CHECK_THAT(with("*Element, type=C3D4\n31, 1, 2, 3, 5, 6\n"), at(next + 1) && Contains("has 5 nodes"));
   CHECK_THAT(with("*Element, type=C3D10\n"), at(next) && Contains("second order") && Contains("C3D8"));
-  CHECK_THAT(with("*Element, type=S4R\n"), at(next) && Contains("'S4R' is not a solid"));
+  CHECK_THAT(with("*Element, type=S4R\n"), at(next) && Contains("invalid element type 'S4R': not a solid"));
   CHECK_THAT(with("*Element\n"), at(next) && Contains("element type ''"));
   CHECK_THAT(with("*Include, input=other.inp\n"),
-             at(next) && Contains("included file 'other.inp'") && Contains("is not there"));
-  CHECK_THAT(with("*Nset, nset=a\nmissing\n"), at(next + 1) && Contains("'missing' is no number and no set"));
+             at(next) && Contains("included file 'other.inp'") && Contains("does not exist"));
+  CHECK_THAT(with("*Nset, nset=a\nmissing\n"), at(next + 1) && Contains("unknown set 'missing'"));
   CHECK_THAT(with("*Nset\n1\n"), at(next) && Contains("no NSET="));
   CHECK_THAT(with("*Nset, nset=a, generate\n1, 1000000000\n"), at(next + 1) && Contains("GENERATE"));
   CHECK_THAT(with("*Nset, nset=a, generate\n9, 1, 1\n"), at(next + 1) && Contains("GENERATE"));
-  CHECK_THAT(with("*Nset, nset=a, instance=I\n1,\n"), at(next) && Contains("no instance 'I'"));
+  CHECK_THAT(with("*Nset, nset=a, instance=I\n1,\n"), at(next) && Contains("unknown instance 'I'"));
   CHECK_THAT(with("*Surface, name=s\n1, S7\n"), at(next + 1) && Contains("'S7'"));
-  CHECK_THAT(with("*Surface, name=s\n4, S5\n"), at(next + 1) && Contains("element 4 has no face S5"));
-  CHECK_THAT(with("*Surface, name=s\n77, S1\n"), at(next + 1) && Contains("no solid element 77"));
-  CHECK_THAT(with("*Solid Section, elset=cap\n"), Contains("in no *SOLID SECTION"));
-  CHECK_THAT(with("*Solid Section, elset=none\n"), at(next) && Contains("no element set 'NONE'"));
+  CHECK_THAT(with("*Surface, name=s\n4, S5\n"), at(next + 1) && Contains("invalid face of element 4: it has no S5"));
+  CHECK_THAT(with("*Surface, name=s\n77, S1\n"), at(next + 1) && Contains("unknown solid element 77"));
+  CHECK_THAT(with("*Solid Section, elset=cap\n"), Contains("missing *SOLID SECTION"));
+  CHECK_THAT(with("*Solid Section, elset=none\n"), at(next) && Contains("unknown element set 'NONE'"));
   CHECK_THAT(with("*Elset, elset=two\n1, 2\n*Solid Section, elset=two\n*Solid Section, elset=body\n"),
-             at(next + 3) && Contains("another *SOLID SECTION"));
+             at(next + 3) && Contains("already belongs to another one"));
   CHECK_THAT(with("*End Part\n"), at(next) && Contains("without its beginning"));
-  CHECK_THAT(with("*Part, name=p\n"), at(next) && Contains("has no end"));
-  CHECK_THAT(with("*Assembly, name=a\n*Instance, name=i, part=q\n"), at(next + 1) && Contains("no part 'q'"));
+  CHECK_THAT(with("*Part, name=p\n"), at(next) && Contains("missing end"));
+  CHECK_THAT(with("*Assembly, name=a\n*Instance, name=i, part=q\n"), at(next + 1) && Contains("unknown part 'q'"));
   CHECK_THAT(with("*Element, type=C3D4\n31, 1, 3, 2, 5\n"), Contains("element 31") && Contains("Jacobian"));
-  CHECK_THAT(fault_of("*Node\n1, 0, 0, 0\n"), Contains("no solid elements"));
-  CHECK_THAT(fault_of(two_of_one.substr(0, two_of_one.find("*Assembly"))), Contains("no *INSTANCE"));
-  CHECK_THAT(fault_of("*KEYWORD\n*NODE\n"), Contains("not a mesh file of a known kind") && Contains("Abaqus .inp"));
+  CHECK_THAT(fault_of("*Node\n1, 0, 0, 0\n"), Contains("missing solid elements"));
+  CHECK_THAT(fault_of(two_of_one.substr(0, two_of_one.find("*Assembly"))), Contains("missing *INSTANCE"));
+  CHECK_THAT(fault_of("*KEYWORD\n*NODE\n"), Contains("unknown kind of mesh file") && Contains("Abaqus .inp"));
 }

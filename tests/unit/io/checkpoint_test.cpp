@@ -130,10 +130,10 @@ TEST_CASE_METHOD(Fixture, "checkpoint: another scene, other arrays, other counts
   model::Registry renamed = model.registry;
   renamed.arrays[0].name = "momentum";
   CHECK_THAT(fault_of(path, renamed),
-             Catch::Contains("no table nodes/momentum") && Catch::Contains("has no nodes/velocity"));
+             Catch::Contains("missing table nodes/momentum") && Catch::Contains("unknown table nodes/velocity"));
   model::Registry larger = model.registry;
   larger.global_nodes += 1;
-  CHECK_THAT(fault_of(path, larger), Catch::Contains("nodes/velocity is 23 x 3, expected 24 x 3"));
+  CHECK_THAT(fault_of(path, larger), Catch::Contains("nodes/velocity has the size 23 x 3; expected 24 x 3"));
 }
 
 TEST_CASE_METHOD(Fixture, "checkpoint: format 3, which had no measured times, is read; an older one is refused") {
@@ -207,5 +207,5 @@ TEST_CASE_METHOD(Fixture, "checkpoint: no folder, and a file in the folder's pla
                     Catch::Contains("Not a directory"));
   CHECK_THAT(fault_of(folder / "none.h5", model.registry), Catch::Contains("No such file"));
   CHECK_THAT(fault_of(folder / "file", model.registry),
-             Catch::Contains("cannot open as an HDF5 file") && Catch::Contains("signature"));
+             Catch::Contains("cannot read the file as HDF5") && Catch::Contains("signature"));
 }

@@ -123,7 +123,8 @@ TEST_CASE_METHOD(Fixture, "compare: a folder stands for its file of the other si
   io::replace_text(a + "/history.csv", "step,time,kinetic\n1,0.1,8\n");
   CHECK(io::compare_results(self, a + "/state.h5", b).within(0));
   CHECK(io::compare_results(self, a, b + "/state.h5").within(0));
-  CHECK_THROWS_WITH(io::compare_results(self, a + "/history.csv", b), Catch::Contains("b/history.csv: does not exist"));
+  CHECK_THROWS_WITH(io::compare_results(self, a + "/history.csv", b),
+                    Catch::Contains("b/history.csv: cannot read the file: it does not exist"));
 }
 
 TEST_CASE_METHOD(Fixture, "compare: checkpoints by table; kinds that do not fit are refused") {

@@ -183,25 +183,26 @@ TEST_CASE("an inner surface belongs to the element that its normal points out of
 }
 
 TEST_CASE("what cannot be used is refused with its line", "[gmsh]") {
-  CHECK(fault_of(replaced(version_2, "2.2 0 8", "3.0 0 8")).find("2: MSH version 3; accepted: 2.2 and 4.1") == 0);
-  CHECK(fault_of(replaced(version_4, "4.1 0 8", "4.1 1 8")).find("2: a binary MSH file; accepted") == 0);
-  CHECK(fault_of(replaced(version_2, "7 4 2 1 1 21", "7 11 2 1 1 21")).find("34: element type 11") == 0);
+  CHECK(fault_of(replaced(version_2, "2.2 0 8", "3.0 0 8")).find("2: unknown MSH version 3; expected 2.2 or 4.1") == 0);
+  CHECK(fault_of(replaced(version_4, "4.1 0 8", "4.1 1 8")).find("2: invalid binary MSH file; expected") == 0);
+  CHECK(fault_of(replaced(version_2, "7 4 2 1 1 21", "7 11 2 1 1 21")).find("34: invalid element type 11") == 0);
   CHECK(fault_of(replaced(version_2, "21 22 23 24\n", "21 22 23 25\n")) ==
-        "34: element 7 has node 25, which the file does not define");
+        "34: invalid element 7: unknown node 25; expected nodes defined in $Nodes");
   CHECK(fault_of(replaced(version_2, "21 22 23 24\n", "21 22 23\n")) ==
-        "34: the line ends where a node number should stand");
+        "34: missing value at the end of the line; expected a node number");
   CHECK(fault_of(replaced(version_2, "21 22 23 24\n", "21 22 23 24 1\n")) ==
-        "34: more nodes than the 4 of the element's type");
-  CHECK(fault_of(replaced(version_2, "24 5 0 1", "24 5 0 1x")) == "24: '1x' where a coordinate should stand");
-  CHECK(fault_of(replaced(version_2, "24 5 0 1", "23 5 0 1")) == "24: a second node 23");
-  CHECK(fault_of(replaced(version_2, "\n14\n", "\n13\n")).find("24: '24 5 0 1' where $EndNodes should stand") == 0);
-  CHECK(fault_of(replaced(version_2, "\n14\n", "\n140000000000\n")).find("10: the number of nodes is") == 0);
+        "34: invalid line: too many nodes; expected 4 for this element type");
+  CHECK(fault_of(replaced(version_2, "24 5 0 1", "24 5 0 1x")) == "24: invalid value '1x'; expected a coordinate");
+  CHECK(fault_of(replaced(version_2, "24 5 0 1", "23 5 0 1")) == "24: invalid node 23: defined twice");
+  CHECK(fault_of(replaced(version_2, "\n14\n", "\n13\n")).find("24: invalid text '24 5 0 1'; expected $EndNodes") == 0);
+  CHECK(fault_of(replaced(version_2, "\n14\n", "\n140000000000\n")).find("10: out of range: the number of nodes is") ==
+        0);
   CHECK(fault_of(replaced(version_2, "1 4 3 2", "1 4 3 9")) ==
-        "30: surface element 3 is no face of a volume element; accepted: faces of them, or the block left out: ignore: "
+        "30: invalid surface element 3: not a face of a volume element; expected faces of volume elements, or ignore: "
         "[foot] beside file");
   CHECK(fault_of(replaced(version_4, "1 1 40 0", "1 2 40 41 0")) ==
-        "12: volume 1 is in 2 physical groups; accepted: one");
-  CHECK(fault_of(replaced(version_4, "2 12 1 12", "2 13 1 13")).find("12 nodes in the blocks, 13 promised") !=
+        "12: invalid volume 1: it belongs to 2 physical groups; expected one");
+  CHECK(fault_of(replaced(version_4, "2 12 1 12", "2 13 1 13")).find("12 in the blocks; expected 13") !=
         std::string::npos);
   CHECK(fault_of(replaced(version_2, "21 22 23 24\n", "21 23 22 24\n"))
             .find(" element 7 (block body of steel_tet4): the Jacobian") == 0);

@@ -51,10 +51,10 @@ TEST_CASE_METHOD(Fixture, "measured tables: read back, and no part of the state"
 
 TEST_CASE_METHOD(Fixture, "measured tables: a checkpoint without them, no checkpoint, and damage are told") {
   const std::string path = write(nullptr);
-  CHECK_THAT(fault_of(path), Catch::Contains("holds no measured times"));
+  CHECK_THAT(fault_of(path), Catch::Contains("missing measured times"));
   CHECK_THAT(fault_of(folder / "none.h5"), Catch::Contains("none.h5"));
   io::Hdf5File(self, folder / "other.h5", io::Hdf5File::Mode::create).close();
-  CHECK_THAT(fault_of(folder / "other.h5"), Catch::Contains("is no checkpoint"));
+  CHECK_THAT(fault_of(folder / "other.h5"), Catch::Contains("invalid checkpoint"));
   write(&work);
   {
     io::Hdf5File file(self, path, io::Hdf5File::Mode::append);

@@ -37,7 +37,7 @@ TEST_CASE("partition file: read back, others refused") {
   CHECK_THAT(fault_of(folder / "none"), Catch::Contains("none"));
   io::write_partition(folder / "other", {1, "f", "", {0}});
   io::Hdf5File(self, folder / "other/partition.h5", io::Hdf5File::Mode::create).close();
-  CHECK_THAT(fault_of(folder / "other"), Catch::Contains("is no partition"));
+  CHECK_THAT(fault_of(folder / "other"), Catch::Contains("invalid partition"));
   io::write_partition(path, {2, "f", "", {0, 2}});
   CHECK_THAT(fault_of(path), Catch::Contains("out of range: 2"));
 }

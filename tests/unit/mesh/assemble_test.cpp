@@ -57,8 +57,10 @@ TEST_CASE("names that clash need a prefix", "[assemble]") {
     FAIL("accepted");
   } catch (const InputError& error) {
     REQUIRE(error.faults().size() == 2);
-    CHECK(error.faults()[0] == "block 1 is in two meshes; give one of them a prefix or another part name");
-    CHECK(error.faults()[1] == "node set 3 is in two meshes; give one of them a prefix or another part name");
+    CHECK(error.faults()[0] ==
+          "invalid block 1: two meshes have it; expected different names, by prefix or another part name");
+    CHECK(error.faults()[1] ==
+          "invalid node set 3: two meshes have it; expected different names, by prefix or another part name");
   }
   append(whole, Mesh(read), "b_");
   CHECK(whole.blocks[1].name == "b_1");

@@ -47,11 +47,11 @@ TEST_CASE("other repeats are refused", "[check]") {
                                                                 {0, 1, 1, 3, 4, 5, 6, 6},
                                                                 {0, 0, 0, 0, 0, 0, 0, 0}})
     CHECK(only_fault(one_hex(nodes)) ==
-          "element 77 (block b): its nodes repeat in a way that is no wedge, pyramid or tetrahedron");
+          "invalid element 77 (block b): repeated nodes; expected those of a wedge, pyramid or tetrahedron");
 }
 
 TEST_CASE("inverted and flat elements are named with the place", "[check]") {
-  CHECK(only_fault(one_hex({4, 5, 6, 7, 0, 1, 2, 3})).find("element 77 (block b): the Jacobian at") == 0);
+  CHECK(only_fault(one_hex({4, 5, 6, 7, 0, 1, 2, 3})).find("invalid element 77 (block b): the Jacobian at") == 0);
   Mesh dented = one_hex({0, 1, 2, 3, 4, 5, 6, 7});
   dented.coordinates[6] = {0.3, 0.3, 0.9};  // past the plane of its neighbours, the centre is still right
   CHECK(only_fault(dented).find("at node 16 is not positive") != std::string::npos);
@@ -62,14 +62,14 @@ TEST_CASE("inverted and flat elements are named with the place", "[check]") {
   tet.blocks[0] = {"t", 1, Shape::tet4, {0, 1, 3, 4, 0, 3, 1, 4, 0, 1, 1, 4}, {1, 2, 3}};
   const auto faults = check(tet).faults;
   REQUIRE(faults.size() == 3);
-  CHECK(faults[0].find("element 3 (block t): its nodes repeat") == 0);
-  CHECK(faults[1].find("element 2 (block t): the Jacobian at its centre") == 0);
-  CHECK(faults[2].find("element 2 (block t) has the nodes of element 1") == 0);
+  CHECK(faults[0].find("invalid element 3 (block t): repeated nodes") == 0);
+  CHECK(faults[1].find("invalid element 2 (block t): the Jacobian at its centre") == 0);
+  CHECK(faults[2].find("invalid element 2 (block t): it has the nodes of element 1") == 0);
 }
 
 TEST_CASE("indices and coordinates are checked before they are used", "[check]") {
   CHECK(only_fault(one_hex({0, 1, 2, 3, 4, 5, 6, 8})) ==
-        "element 77 (block b): corner 8 names node position 9, the mesh has 8 nodes");
+        "invalid element 77 (block b): corner 8 refers to node position 9; expected 1 to 8");
   Mesh infinite = one_hex({0, 1, 2, 3, 4, 5, 6, 7});
   infinite.coordinates[2][1] = NAN;
   CHECK(only_fault(infinite).find("node 12: coordinates") == 0);
@@ -79,8 +79,8 @@ TEST_CASE("indices and coordinates are checked before they are used", "[check]")
   CHECK(check(sets).faults.size() == 4);
   Mesh empty = one_hex({});
   empty.blocks[0].element_id.clear();
-  CHECK(only_fault(empty) == "block b has no elements");
-  CHECK(only_fault(Mesh{}) == "the mesh has no element blocks");
+  CHECK(only_fault(empty) == "invalid block b: it has no elements");
+  CHECK(only_fault(Mesh{}) == "missing element blocks; expected at least one");
 }
 
 TEST_CASE("a long list of faults is cut and counted", "[check]") {
@@ -88,17 +88,17 @@ TEST_CASE("a long list of faults is cut and counted", "[check]") {
   for (auto& x : mesh.coordinates) x[0] = -x[0];
   const auto faults = check(mesh).faults;
   REQUIRE(faults.size() == 11);
-  CHECK(faults.back() == "... and 17 more like the line above");
+  CHECK(faults.back() == "... and 17 more lines like the one above");
 }
 
 TEST_CASE("unused and coincident nodes are warnings", "[check]") {
   Mesh mesh = one_hex({0, 1, 2, 2, 4, 5, 6, 6});
   CHECK(check(mesh).warnings ==
-        std::vector<std::string>{"2 nodes belong to no element and are left out (the first is node 13)"});
+        std::vector<std::string>{"2 nodes belong to no element and are excluded (the first is node 13)"});
   Mesh cracked = box("b", {2, 1, 1}, {2, 1, 1});
   cracked.coordinates.push_back(cracked.coordinates[1]);
   cracked.node_id.push_back(13);
   cracked.blocks[0].nodes[8] = 12;  // the second element has a corner of its own
-  CHECK(check(cracked).warnings ==
-        std::vector<std::string>{"1 nodes lie on another node of the same body (nodes 2 and 13 for one): a crack?"});
+  CHECK(check(cracked).warnings == std::vector<std::string>{"1 nodes coincide with another node of the same body (for "
+                                                            "example nodes 2 and 13): the mesh has a crack there"});
 }

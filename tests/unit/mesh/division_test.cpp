@@ -76,7 +76,7 @@ TEST_CASE("boxes, plates and tubes have the places of their divisions", "[primit
                           wrong[1].bias = -1;
                           return wrong;
                         }()),
-                    Catch::Contains("bias of elements must be positive, got -1"));
+                    Catch::Contains("out of range: bias of elements is -1"));
 }
 
 TEST_CASE("a cylinder of given sizes has circles from the first place on", "[primitives]") {

@@ -84,7 +84,8 @@ TEST_CASE("bodies in the same place are found, wherever and however they stand",
         append(whole, std::move(other));
         const auto lines = coincident_elements(whole, {0, 1});
         REQUIRE(lines.size() == 1);
-        CHECK_THAT(lines[0], Catch::StartsWith("block a and block b: " + std::to_string(n * n * n) + " element"));
+        CHECK_THAT(lines[0],
+                   Catch::StartsWith("invalid block a and block b: " + std::to_string(n * n * n) + " element"));
         CHECK(coincident_elements(whole, {0, 0}).empty());
       }
   // one element of many; and bodies that touch, overlap in part, or lie on finer elements, are none
@@ -106,7 +107,7 @@ TEST_CASE("elements too small for their coordinates are a fault", "[duplicates]"
     const Mesh mesh = box("b", {2 * size, size, size}, {2, 1, 1});
     CHECK(resolution_fault(mesh, 0).empty());
     CHECK(resolution_fault(mesh, 1.0e9 * size).empty());
-    CHECK_THAT(resolution_fault(mesh, 1.8e10 * size), Catch::Contains("lost in the rounding"));
+    CHECK_THAT(resolution_fault(mesh, 1.8e10 * size), Catch::Contains("below the rounding"));
     Mesh far = mesh;
     place(far, 1, {0, 0, 1}, 0, {0, 0, 1e15 * size});
     CHECK_THAT(resolution_fault(far, 0), Catch::Contains("(block b)"));

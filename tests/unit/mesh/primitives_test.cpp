@@ -195,9 +195,9 @@ TEST_CASE("wrong parameters are named, all at once", "[primitives]") {
     FAIL("accepted");
   } catch (const InputError& error) {
     REQUIRE(error.faults().size() == 3);
-    CHECK(error.faults()[0] == "tube t: inner_radius 2 must be below outer_radius 1");
-    CHECK(error.faults()[1] == "tube t: length must be positive, got -3");
-    CHECK(error.faults()[2] == "tube t: elements through the wall must be at least 1, got 0");
+    CHECK(error.faults()[0] == "tube t: out of range: inner_radius is 2; expected less than outer_radius 1");
+    CHECK(error.faults()[1] == "tube t: out of range: length is -3; expected a number > 0");
+    CHECK(error.faults()[2] == "tube t: out of range: elements through the wall is 0; expected at least 1");
   }
   CHECK_THROWS_AS(box("b", {1, NAN, 1}, {1, 1, 1}), InputError);
   CHECK_THROWS_AS(box("b", {1, 1, 1}, {2000, 2000, 2000}), InputError);

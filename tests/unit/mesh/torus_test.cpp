@@ -108,9 +108,11 @@ TEST_CASE("what is no torus is refused, every fault in a line", "[torus]") {
   };
   CHECK(faults(76, 20, 24, {3, 3, 1}).empty());
   CHECK(faults(76, 24, 20, {4, 4, 1}) ==
-        std::vector<std::string>{"torus t: inner radius 24 of the tube must be below its outer radius 20"});
+        std::vector<std::string>{
+            "torus t: out of range: the inner radius 24 of the tube; expected less than its outer radius 20"});
   CHECK(faults(24, 20, 24, {4, 4, 1}) ==
-        std::vector<std::string>{"torus t: radius 24 must be above the outer radius 24 of the tube"});
+        std::vector<std::string>{
+            "torus t: out of range: radius is 24; expected more than the outer radius 24 of the tube"});
   CHECK(faults(76, 0, 24, {2, 2, 0}).size() == 4);
   CHECK(faults(76, 20, 24, {100000, 100000, 9}).size() == 1);
 }

@@ -64,7 +64,8 @@ TEST_CASE("an entry that names tied parts unties them, with a warning unless it 
   CHECK(rule.overlap == Overlap::error);
   const Input told = scene_with(tied + "{between: [right, left]}]");
   REQUIRE(told.warnings.size() == 1);
-  CHECK_THAT(told.warnings[0], Catch::Contains("contact.2: unties right and left, which contact.0 ties"));
+  CHECK_THAT(told.warnings[0],
+             Catch::Contains("contact.2: this entry releases the tie of right and left defined by contact.0"));
   CHECK(scene_with(tied + "{between: [right, left], tied: false}]").warnings.empty());
   CHECK(scene_with(tied + "{between: [left, left]}]").warnings.empty());
   CHECK(scene_with("[{between: [left, right]}, {between: [left, right]}]").warnings.empty());

@@ -62,20 +62,20 @@ TEST_CASE("bias and sizes of elements", "[scene]") {
 
 TEST_CASE("wrong bias and sizes are refused at their key", "[scene]") {
   const auto elements = [](const std::string& one) { return fmt::format("elements: [{}, 1, 1]", one); };
-  require_fault(box, elements("[[0, 0.1], [0, 0.2]]"), "elements.0.1.0", "ascending places");
+  require_fault(box, elements("[[0, 0.1], [0, 0.2]]"), "elements.0.1.0", "increasing places");
   require_fault(box, elements("[[0, 0.1], [1.5, 0.2]]"), "elements.0.1.0", "a place from 0 to 1 along x");
   require_fault(box, elements("[[0, -0.1]]"), "elements.0.0.1", "a number > 0");
   require_fault(box, elements("[[0, 0.1, 3]]"), "elements.0.0", "a pair [place, size]");
   require_fault(box, elements("[4, 2]"), "elements.0.0", "a pair [place, size]");
-  require_fault(box, elements("[]"), "elements.0", "sizes at places");
-  require_fault(box, elements("[[0, 1.0e-9]]"), "elements.0", "accepted: at most");
+  require_fault(box, elements("[]"), "elements.0", "sizes [[place, size]");
+  require_fault(box, elements("[[0, 1.0e-9]]"), "elements.0", "expected at most");
   require_fault(box, elements("{a: 1}"), "elements.0", "an integer from 1");
   require_fault(box, "elements: [1, 1, 1], bias: 3", "bias", "3 numbers > 0 [along x, along y, along z]");
   require_fault(box, "elements: [1, 1, 1], bias: [1, 0, 1]", "bias.1", "a number > 0");
   require_fault(box, "elements: [1, 1, 1], bias: [1, 1.0e9, 1]", "bias.1", "from 1e-6 to 1e6");
-  require_fault(box, "elements: [[[0, 0.1]], 1, 1], bias: [2, 1, 1]", "bias.0", "sizes at places already");
-  require_fault(tube, "inner_radius: 1, elements: [1, [[0, 1]], 1]", "elements.1", "accepted: their number");
-  require_fault(tube, "inner_radius: 1, elements: [1, 8, 1], bias: [1, 2, 1]", "bias.1", "accepted: 1");
+  require_fault(box, "elements: [[[0, 0.1]], 1, 1], bias: [2, 1, 1]", "bias.0", "already have sizes");
+  require_fault(tube, "inner_radius: 1, elements: [1, [[0, 1]], 1]", "elements.1", "expected their number");
+  require_fault(tube, "inner_radius: 1, elements: [1, 8, 1], bias: [1, 2, 1]", "bias.1", "expected 1");
   require_fault(tube, "inner_radius: 1, elements: [[[0.5, 1]], 8, 1]", "elements.0.0.0",
                 "from 1 to 2 through the wall");
 }
@@ -85,10 +85,11 @@ TEST_CASE("sectors", "[scene]") {
   CHECK(body.half.sector == mesh::Sector{-2, 3});
   CHECK(body.inner_radius == 0);
   require_fault(tube, "inner_radius: 0, elements: [4, 8, 3]", "inner_radius", "a number > 0");
-  require_fault(tube, "inner_radius: 0, elements: [4, 2, 3], sector: [3, 3]", "sector", "from 3 to 3 is no sector");
+  require_fault(tube, "inner_radius: 0, elements: [4, 2, 3], sector: [3, 3]", "sector", "a sector from 3 to 3");
   require_fault(tube, "inner_radius: 0, elements: [4, 2, 3], sector: [0, 360]", "sector", "less than 360 apart");
   require_fault(tube, "inner_radius: 0, elements: [4, 2, 3], sector: 5", "sector", "two angles in degrees");
-  require_fault(tube, "inner_radius: 1, elements: [4, 8, 3], sector: [0, 5], half: [x]", "sector", "half is given");
+  require_fault(tube, "inner_radius: 1, elements: [4, 8, 3], sector: [0, 5], half: [x]", "sector",
+                "together with half");
   require_fault(tube, "inner_radius: 0, elements: [4, 1, 3], sector: [0, 90]", "elements", "at least 3 around");
   require_fault(cylinder, "elements: [4, 1], sector: [0, 9]", "sector", "a tube with inner_radius: 0");
 }
@@ -123,8 +124,8 @@ TEST_CASE("wrong noses are refused at their key", "[scene]") {
   refuse("cone", "nose", "a map {shape:");
   refuse("{}", "nose.shape", "missing");
   refuse("{shape: con}", "nose.shape", "nearest is 'cone'");
-  refuse("{shape: cone}", "nose", "length or half_angle");
-  refuse("{shape: cone, length: 1, half_angle: 3}", "nose.half_angle", "length is given as well");
+  refuse("{shape: cone}", "nose", "length and half_angle");
+  refuse("{shape: cone, length: 1, half_angle: 3}", "nose.half_angle", "together with length");
   refuse("{shape: cone, half_angle: 90}", "nose.half_angle", "< 90 degrees");
   refuse("{shape: cone, length: 1, tip_radius: 2}", "nose.tip_radius", "a number > 0 and < 2");
   refuse("{shape: cone, length: 1, crh: 2}", "nose.crh", "unknown key");
@@ -145,19 +146,19 @@ TEST_CASE("tori", "[scene]") {
   const auto wrong = [](const std::string& keys, const char* path, const char* what) {
     require_fault(torus, keys, path, what);
   };
-  wrong("radius: 76, tube: [24, 19.5], elements: [40, 20, 2]", "tube", "24; accepted: a larger one");
+  wrong("radius: 76, tube: [24, 19.5], elements: [40, 20, 2]", "tube", "24; expected a larger number");
   wrong("radius: 76, tube: [24, 24], elements: [40, 20, 2]", "tube", "not larger than the inner radius");
   wrong("radius: 76, tube: [0, 24], elements: [40, 20, 2]", "tube.0", "a number > 0");
   wrong("radius: 76, tube: 24, elements: [40, 20, 2]", "tube", "two lengths > 0 [inner radius, outer radius]");
-  wrong("radius: 24, tube: [19.5, 24], elements: [40, 20, 2]", "radius", "accepted: a number > 24");
+  wrong("radius: 24, tube: [19.5, 24], elements: [40, 20, 2]", "radius", "expected a number > 24");
   wrong("radius: -76, tube: [19.5, 24], elements: [40, 20, 2]", "radius", "a number > 0");
   wrong("radius: 76, tube: [19.5, 24], elements: [2, 20, 2]", "elements", "2 around the ring do not close");
   wrong("radius: 76, tube: [19.5, 24], elements: [40, 2, 2]", "elements", "2 around the tube do not close");
-  wrong("radius: 76, tube: [19.5, 24], elements: [40, 20, 0]", "elements.2", "accepted: an integer from 1");
+  wrong("radius: 76, tube: [19.5, 24], elements: [40, 20, 0]", "elements.2", "expected an integer from 1");
   wrong("radius: 76, tube: [19.5, 24], elements: [40, 20]", "elements", "around the ring, around the tube, through");
   wrong("radius: 76, tube: [19.5, 24], elements: [40, 20, 2], bias: [2, 1, 1]", "bias.0", "around the ring are even");
   wrong("radius: 76, tube: [19.5, 24], elements: [40000, 40000, 9]", "elements", "too many");
-  wrong("radius: 76, elements: [40, 20, 2]", "tube", "missing; accepted: two lengths");
+  wrong("radius: 76, elements: [40, 20, 2]", "tube", "missing; expected two lengths");
 }
 
 TEST_CASE("bodies are turned once or more than once", "[scene]") {

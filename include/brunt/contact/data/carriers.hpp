@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Carriers of degrees of freedom. A contact point belongs to itself (three numbers: its mobility says all there is to
-// say) or to a body of six. A body gives velocities to its points, v = V + omega x r with r = x - centre, takes their
-// impulses as P = sum (p, r x p), and answers W P; enforcement asks no more.
+// Carriers of degrees of freedom. A contact point either has its own three (described by its mobility) or belongs to a
+// body with six. A body gives velocities to its points, v = V + omega x r with r = x - centre, receives their impulses
+// as P = sum (p, r x p), and responds with W P; enforcement needs nothing else.
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
@@ -11,16 +11,17 @@
 
 namespace brunt::contact {
 
-/// Of a body: three of translation, three of rotation about its centre, in space.
+/// Vector of a body: three components of translation, three of rotation about its centre, in space.
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 struct Carrier {
-  Vec3 centre = Vec3::Zero();    ///< at t_n, measured as positions of contact nodes are
-  Mat6 mobility = Mat6::Zero();  ///< W: (dV, domega) = W (impulse, moment); symmetric, zero along what is held
+  Vec3 centre = Vec3::Zero();  ///< at t_n, measured as positions of contact nodes are
+  Mat6 mobility =
+      Mat6::Zero();  ///< W: (dV, domega) = W (impulse, moment); symmetric, zero along constrained directions
 };
 
-/// A contact node that a body carries: its own inverse mass is zero, and its predicted velocity that of the body.
+/// A contact node of a body: its own inverse mass is zero, and its predicted velocity is that of the body.
 struct CarriedPoint {
   LocalIndex point = 0;  ///< contact node of this rank, a copy or not
   LocalIndex body = 0;
@@ -31,7 +32,7 @@ struct Carriers {
   std::span<const CarriedPoint> points;  ///< of this rank, each once, ascending
   std::span<const Carrier> bodies;       ///< of all ranks, the same bits on each; none: points carry themselves
 
-  /// The body that carries a contact node; null where none does.
+  /// The body of a contact node; null for other nodes.
   [[nodiscard]] const Carrier* of(LocalIndex point) const {
     if (bodies.empty()) return nullptr;
     const auto found = std::ranges::lower_bound(points, point, {}, &CarriedPoint::point);
@@ -40,7 +41,8 @@ struct Carriers {
   }
 };
 
-/// Change of a point's velocity by an impulse on it: J W J^T, J = [1, -r x]. position: as the carrier's centre.
+/// Change of a point's velocity by an impulse on it: J W J^T, J = [1, -r x]. position: measured as the carrier's
+/// centre.
 inline Mat3 answer_at(const Carrier& carrier, const Vec3& position) {
   const Vec3 r = position - carrier.centre;
   Eigen::Matrix<double, 3, 6> J = Eigen::Matrix<double, 3, 6>::Identity();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What enforcement needs from other ranks, without knowing that there are any. Arrays hold `width` doubles for each
+// Exchange between ranks as seen by enforcement, which does not know about ranks. Arrays have `width` doubles for each
 // contact node of this rank; a node has one owner and any number of copies.
 #pragma once
 #include <cstdint>
@@ -16,12 +16,12 @@ struct NodeValues {
 class Exchange {
  public:
   virtual ~Exchange() = default;
-  /// Copies take their owner's values.
+  /// Copies the owner's values to its copies.
   virtual void share(std::span<double> values, int width) = 0;
-  /// The owner's values become the sum over all copies; copies are left as they are. Only for values whose sums are
-  /// exact (slices of binned sums, counts), so that the order does not matter.
+  /// The owner's value becomes the sum over all copies; copies are unchanged. Only for values whose sums are exact
+  /// (slices of binned sums, counts), so that the order does not matter.
   virtual void sum_to_owner(std::span<double> values, int width) = 0;
-  /// Two arrays with one wait.
+  /// Exchanges two arrays at once.
   virtual void share_both(const NodeValues& one, const NodeValues& other) {
     share(one.values, one.width);
     share(other.values, other.width);
@@ -32,7 +32,7 @@ class Exchange {
   }
   /// Maximum over all ranks, element by element, in place.
   virtual void max(std::span<double> values) = 0;
-  /// The same for `largest` and the sums of `sums` over all ranks in one message; at most six of each.
+  /// The maximum of `largest` and the sums of `sums` over all ranks in one message; at most six of each.
   virtual void reduce(std::span<double> largest, std::span<std::int64_t> sums) = 0;
   /// Sums over all ranks, element by element, in place: any number of them in one message.
   virtual void sum(std::span<std::int64_t> values) = 0;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What contact remembers from one step to the next, as plain records that lie with the owner of the slave (of an edge:
-// where its rows are made), ordered by key. Kept is what acted in the last step, and the side on which a node meets a
-// two-sided face; so the history is a function of the motion alone, whatever the lists held and whenever they were
-// made.
+// The history of contact between steps, as records on the owner of the slave (for an edge: where its rows are created),
+// ordered by key. It contains the rows that acted in the last step, and the side on which a node touches a two-sided
+// face. It is therefore a function of the motion only, independent of the lists and of the time of their creation.
 #pragma once
 #include <array>
 #include <span>
@@ -27,16 +26,17 @@ struct AnchorRecord {
   std::array<double, 3> on_wall{};  ///< the anchor less the wall's point [length]
 };
 
-/// The limit of friction where it lags (see FrictionLaw::lag). The key is that of anchors, so that it stays with a node
-/// which slides over to the next face; of several rows of one key it is the mean of those that are pressed, if any is.
+/// The limit of lagging friction (see FrictionLaw::lag). It has the key of anchors, so that it remains with a node that
+/// slides to the next face. If several rows have one key, it is the mean over the pressed ones, if any.
 struct LimitRecord {
   AnchorKey key{};
-  double limit = 0;      ///< after the last step [force]
-  bool pressed = false;  ///< was its row, in the step that wrote it? Asked only there: not in checkpoints
+  double limit = 0;  ///< after the last step [force]
+  bool pressed =
+      false;  ///< whether its row was pressed in the step that wrote it; used in that step only, not in checkpoints
 };
 
-/// How deep a node lay behind a face that came to the surface in front of it, and how deep it lies now (see
-/// contact/births.hpp). The key is that of anchors: node and body of the master.
+/// Initial and present depth of a node behind a face that has become exterior in front of it (see contact/births.hpp).
+/// It has the key of anchors: node and body of the master.
 struct BirthRecord {
   AnchorKey key{};
   double penetration = 0;  ///< from which gaps are measured [length]
@@ -83,19 +83,19 @@ const AnchorRecord* find_anchor(std::span<const AnchorRecord> anchors, const Anc
 /// The birth of a node in front of a body, or null.
 const BirthRecord* find_birth(std::span<const BirthRecord> births, const AnchorKey& key);
 
-/// Impulses to start the iteration from [momentum]: what the rows, as they are now, admit of the forces of the last
-/// step, over a step of length dt. Where a slave has gone over to the next face, its row there starts from the force of
-/// the row that it has no more, if that points along the new normal: nodes that rest on an edge between faces change
-/// sides at every breath. Zero for rows that did not act. Rows in order.
+/// Initial impulses of the iteration [momentum]: the admissible part of the forces of the last step, over a step of
+/// length dt. If a slave has moved to the next face, its row there starts from the force of the row that no longer
+/// exists, provided that this force points along the new normal: nodes that rest on an edge between faces often change
+/// sides. Zero for rows that did not act. Rows in order.
 void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> records, double dt,
                     std::span<Vec3> impulses, const Tolerances& tolerances = standard_tolerances);
 
-/// The records of a step of length dt: of rows that acted, and of the sides seen (in order of their keys). Allocates
-/// nothing where `records` has room for all rows and sides.
+/// The records of a step of length dt: rows that acted, and the sides found (in order of their keys). Does not allocate
+/// if `records` has room for all rows and sides.
 void write_pairs(std::span<const Row> rows, std::span<const Vec3> impulses, double dt,
                  std::span<const HistoryRecord> sides, std::vector<HistoryRecord>& records);
 
-/// The history as tables for checkpoints and the state hash, and back.
+/// Converts the history to tables for checkpoints and the state hash, and back.
 using HistoryTables = std::array<RecordTable, 4>;
 void to_tables(const History& history, HistoryTables& tables);
 History from_tables(const HistoryTables& tables);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a user may choose of contact.
+// Choices of the user for contact.
 #pragma once
 #include <array>
 #include <cmath>
@@ -20,18 +20,19 @@ enum class Method : std::int8_t {
   reference     ///< the exact solution of (22) by PETSc: for comparisons, not bitwise the same on all ranks
 };
 
-/// By the exact law of complementarity: rows of both passes at once contradict each other in nothing.
+/// Whether the method satisfies the exact complementarity conditions: rows of both passes can then be combined without
+/// conflict.
 constexpr bool holds_rates(Method method) {
   return method == Method::rate || method == Method::row_sum || method == Method::reference;
 }
 
-/// In how many passes two sides meet: nodes of the one on faces of the other, or both ways (see passes.hpp).
+/// Number of passes in which two sides have contact: nodes of one side on faces of the other, or both (see passes.hpp).
 enum class Passes : std::int8_t {
-  automatic,  ///< two within a body and between bodies of equal meshes, where no side is named the slave; else one, in
-              ///< which nodes on the master's rims are held as well
+  automatic,  ///< two within a body, and between bodies of similar meshes without a named slave; otherwise one, in
+              ///< which nodes on the master's rims are constrained as well
   one,
-  two,      ///< held by one system of rows
-  averaged  ///< two, each solved by itself, and the mean of their impulses acts; then so do all of a scene's
+  two,      ///< constrained by one system of rows
+  averaged  ///< two, solved separately; the mean of their impulses acts; then used for all pairs of a scene
 };
 
 /// As scenes name them.
@@ -48,23 +49,23 @@ constexpr std::string_view name_of(Method method) {
   return {};
 }
 
-/// Of two blocks: do they hold together?
+/// Whether two blocks are tied.
 enum class Tied : std::int8_t {
   no,
-  yes,   ///< nodes at faces at the start do, others make contact as usual
-  alone  ///< those do, and nothing else acts between the two
+  yes,   ///< nodes at faces at the start are tied, others have ordinary contact
+  alone  ///< those are tied, and there is no other contact between the two
 };
 
-/// What becomes of nodes of two parts that lie inside each other at the start.
+/// Treatment of nodes of two parts that overlap initially.
 enum class OverlapRule : std::int8_t {
-  error,   ///< the scene is refused
+  error,   ///< the scene is rejected
   warn,    ///< they are reported, and recovered slowly
   move,    ///< nodes are moved out before the run
   offset,  ///< they are kept as zero gap
   place    ///< whole parts are moved apart before the run
 };
 
-/// What decides among faces that compete for a node at a convex place (Heinstein et al. 2000, section 4.5, Fig. 8).
+/// Criterion among faces that compete for a node at a convex place (Heinstein et al. 2000, section 4.5, Fig. 8).
 enum class Criterion : std::int8_t {
   automatic,  ///< nodes in contact by the smallest |gap|, nodes coming into contact by the earliest time
   nearest,    ///< the smallest |gap| for all
@@ -72,10 +73,10 @@ enum class Criterion : std::int8_t {
   velocity    ///< the earliest time for all nodes whose path crosses a face, |gap| for the rest
 };
 
-/// When lists are rebuilt; no result depends on it.
+/// Time of rebuilding the lists; results do not depend on it.
 struct Rebuild {
   enum class When : std::int8_t { motion_used_up, every, random } when = When::motion_used_up;
-  int steps = 1;           ///< for `every`, besides when the motion is used up
+  int steps = 1;           ///< for `every`, in addition to rebuilding when the motion is used up
   std::uint64_t seed = 1;  ///< for `random`, in about one step of four
   friend bool operator==(const Rebuild&, const Rebuild&) = default;
 };
@@ -83,31 +84,33 @@ struct Rebuild {
 struct EnforcementSettings {
   Method method = Method::rate;
   double tolerance = 1e-3;  ///< of the residual, relative to the largest violation by the predicted velocities
-  /// First impacts of meshes askew take 13 to 75 in two passes, a pile of cubes 100 in its worst step; most end long
-  /// before.
+  /// Upper bound of the iterations. Table in cases/README.md ("Softness of contact"): the largest numbers occur at
+  /// first impacts of non-matching meshes with two passes.
   int max_iterations = 200;
-  /// Of rate and row_sum between bodies: start from the impulses of the last step, else from zero. A cold start leaves
-  /// a residual of the size of the tolerance in every step, which jumps with the number of iterations: it stirs turned
-  /// cubes at rest on each other up to 1e-8 of m g h. A warm one leaves a share of what has changed since the last
-  /// step, which is nothing at rest (1e-20), and takes a fifth of the iterations there.
+  /// For rate and row_sum between bodies: start from the impulses of the last step, otherwise from zero. A start from
+  /// zero leaves a residual of the size of the tolerance in every step, which varies with the number of iterations and
+  /// excites bodies at rest (up to 1e-8 of m g h for stacked cubes). A warm start leaves a share of the change since
+  /// the last step, which vanishes at rest (1e-20), and needs a fifth of the iterations there.
   bool warm_start = true;
-  /// Of rows of one of two passes: see enforcement/softness.hpp. Only where impulses are remembered (rate and row_sum
-  /// with warm_start, no pair averaged). 0: rigid, which passes even pressure on exactly, in the same time as 0.05,
-  /// whose error is 1 to 2.4 % (table in cases/README.md, "Softness of contact").
+  /// For rows of one of two passes: see enforcement/softness.hpp. Only if impulses are remembered (rate and row_sum
+  /// with warm_start, no averaged pair). 0: rigid, which transmits uniform pressure exactly (table in cases/README.md,
+  /// "Softness of contact").
   double softness = 0;
-  /// The same of rows between rigid bodies, which are redundant: a stack of six takes 5 times the iterations with 0.
+  /// The same for rows between rigid bodies, which are redundant: without softness stacks need several times as many
+  /// iterations.
   double softness_of_bodies = 0.05;
   bool averaged = false;   ///< of two passes: see Passes::averaged; penalty, kinematic and printed methods always
-  double partition = 1;    ///< beta of (24): share of the gap that a pass closes
+  double partition = 1;    ///< beta of (24): share of the gap that one pass closes
   double stiffness = 0.1;  ///< of penalties, in units of 1 / (H dt^2); at most 2
   double damping = 0.1;    ///< of the rate's penalty, in units of 1 / H; at most 1
 };
 
-/// Coulomb friction; the coefficient falls from `fixed` at rest to `kinetic` with exp(-decay |slip rate|). With a lag
-/// the limit tau of friction follows its law's value late, dtau/dt = (coefficient times pressure - tau) / lag: the
-/// regularised law of Prakash and Clifton (1993) in the form of Cochard and Rice, J. Geophys. Res. 105 (2000) 25891.
-/// Coulomb's law at once makes elastic bodies that slide shiver by themselves from coefficients of 0.3 to 0.5 on
-/// (Martins et al., 1995); a lag longer than the periods of that shiver takes it away, a shorter one feeds it.
+/// Coulomb friction; the coefficient decreases from `fixed` at rest to `kinetic` with exp(-decay |slip rate|). With a
+/// lag, the friction limit tau follows the value of the law with a delay, dtau/dt = (coefficient times pressure - tau)
+/// / lag: the regularised law of Prakash and Clifton (1993) in the form of Cochard and Rice, J. Geophys. Res. 105
+/// (2000) 25891. With Coulomb's law, sliding elastic bodies have self-excited oscillations for coefficients above 0.3
+/// to 0.5 (Martins et al., 1995). A lag longer than the periods of these oscillations removes them; a shorter one
+/// amplifies them.
 struct FrictionLaw {
   double fixed = 0, kinetic = 0;
   double decay = 0;  ///< [time/length]

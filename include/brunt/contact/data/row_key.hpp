@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which row: what identifies the rows of a step, and their order.
+// Identification and order of the rows of a step.
 #pragma once
 #include <array>
 #include <compare>
@@ -28,8 +28,8 @@ struct RowKey {
   GlobalIndex master_second = 0;  ///< of an edge: its other end
 };
 
-/// Where a slave that sticks holds on. A node's key names the master's body, not the face: it finds its anchor again
-/// when it has come to lie over the next face. An edge holds on to an edge.
+/// The key of an anchor. For a node it contains the master's body, not the face: the anchor is found again when the
+/// node has moved to the next face. For an edge it contains the other edge.
 struct AnchorKey {
   RowKind kind = RowKind::face;
   GlobalIndex slave = 0;
@@ -37,8 +37,8 @@ struct AnchorKey {
   GlobalIndex slave_second = 0, master_second = 0;
 };
 
-/// As keys stand in checkpoints and in the state hash, which also is their order: no second ends are -1, a wall w is
-/// -1 - w. Kinds that a key names alike (a tie is a node on a face) have the same.
+/// The form of keys in checkpoints and in the state hash, which also defines their order: absent second ends are -1,
+/// wall w is -1 - w. Kinds with equal keys (a tie is a node on a face) have the same form.
 using SavedKey = std::array<GlobalIndex, 4>;
 inline SavedKey saved(const RowKey& key) {
   if (key.kind == RowKind::edge) return {key.slave, key.slave_second, key.master, key.master_second};

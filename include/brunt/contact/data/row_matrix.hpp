@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What enforcement sees of the rows of a step: a sparse matrix G, three rows of numbers a row (its relative velocity),
-// over contact points, in compressed storage, and the law of each row. Rows have any number of points and weights of
-// any sign; the kind of contact that a row comes from is not known here. Whatever makes rows appends them: `compress`
-// those of detection, others (mortar, joint limits) by `begin_row`, `add` and `close_row`.
+// The rows of a step as seen by enforcement: a sparse matrix G in compressed storage, three numerical rows (a relative
+// velocity) for each row over contact points, and the law of each row. Rows have any number of points and weights of
+// any sign; the kind of contact is not known here. `compress` appends the rows of detection, other sources (mortar,
+// joint limits) use `begin_row`, `add` and `close_row`.
 #pragma once
 #include <cmath>
 #include <cstddef>
@@ -17,39 +17,39 @@
 
 namespace brunt::contact {
 
-/// What a row admits across its normal.
+/// Tangential behaviour of a row.
 enum class Across : std::int8_t {
-  slips,  ///< nothing
-  rubs,   ///< what Coulomb's law allows
-  holds   ///< anything
+  slips,  ///< no tangential impulse
+  rubs,   ///< Coulomb friction
+  holds   ///< any tangential impulse
 };
 
-/// What a row asks for and which impulses it admits: normal . r >= required (equal, for a free cone) and, unless it
-/// slips, r = drift across the normal for as long as its impulse is one that it admits.
+/// Required rates and admissible impulses of a row: normal . r >= required (equality for a free cone) and, unless it
+/// slips, r = drift across the normal as long as its impulse is admissible.
 struct RowLaw {
   Vec3 normal = Vec3::Zero();  ///< unit
   double required = 0;         ///< least rate along the normal [velocity]
   Vec3 drift = Vec3::Zero();   ///< rate across the normal [velocity]
   double friction = 0;         ///< Coulomb coefficient, where it rubs
-  double lagging = 0;          ///< besides, what friction admits for the pressure of before [momentum]
-  double noise = 0;            ///< of what it asks for: bound of what rounding makes of it [velocity]
+  double lagging = 0;          ///< additional admissible tangential impulse for the previous pressure [momentum]
+  double noise = 0;            ///< bound of the error of the required rate due to rounding [velocity]
   double softness = 0;         ///< s of enforcement/softness.hpp; 0: rigid
-  double share = 1;            ///< no point takes more than this times the row's impulse
+  double share = 1;            ///< upper bound of the factor between the row's impulse and that on a point
   Cone cone = Cone::compression;
   Across across = Across::slips;
   bool turns = false;  ///< it has moment arms
 };
 
-/// What single methods ask for besides.
+/// Further quantities for single methods.
 struct RowFigures {
   double gap = 0;          ///< at x_n [length]
-  double gap_share = 0;    ///< share of the penetration that `required` takes back
-  double drift_share = 0;  ///< share of the slip that `drift` takes back
+  double gap_share = 0;    ///< share of the penetration that `required` recovers
+  double drift_share = 0;  ///< share of the slip that `drift` recovers
   double slab = 0;         ///< eq. (29) of Heinstein et al. 2000 [mass/time]; 0: not known
   Pass pass = Pass::both;
 };
 
-/// The moment arm of one point of a row: its velocity v counts by turn v besides its weight.
+/// The lever arm of one point of a row: its velocity v contributes turn v in addition to its weight.
 struct Arm {
   Mat3 turn = Mat3::Zero();
   double size = 0;  ///< bound of |turn v| / |v|
@@ -65,14 +65,16 @@ struct BodyShare {
 
 struct RowMatrix {
   std::vector<LocalIndex> offsets{0};  ///< of the entries: rows + 1
-  std::vector<LocalIndex> points;     ///< contact nodes, an entry each; a row's first one stands for its size and speed
+  std::vector<LocalIndex>
+      points;  ///< contact nodes, one for each entry; the first one of a row represents its size and speed
   std::vector<double> weights;        ///< an entry each, |weight| + size of its arm <= largest_weight
   std::vector<LocalIndex> first_arm;  ///< a row each: where it turns, the arm of its first entry
   std::vector<Arm> arms;              ///< an entry each of the rows that turn
   std::vector<RowLaw> laws;
   std::vector<RowFigures> figures;
-  Ragged<BodyShare> on_bodies;                 ///< a row each; no rows at all where there are no bodies
-  static constexpr double largest_weight = 4;  ///< sums over weights are binned on a grid for it: scale rows to this
+  Ragged<BodyShare> on_bodies;  ///< a row each; no rows at all where there are no bodies
+  static constexpr double largest_weight =
+      4;  ///< sums over weights are binned on a grid for this bound: scale rows to it
 
   [[nodiscard]] std::size_t size() const { return laws.size(); }
   [[nodiscard]] std::size_t entries() const { return points.size(); }
@@ -90,7 +92,7 @@ struct RowMatrix {
   }
 
   void clear();
-  /// Room for so many, so that a step allocates nothing. Of arms: entries of rows that turn.
+  /// Reserves memory, so that a step allocates nothing. arms: number of entries of rows with lever arms.
   void reserve(std::size_t rows, std::size_t entries, std::size_t arms);
   void add(LocalIndex point, double weight) {
     points.push_back(point);
@@ -100,7 +102,7 @@ struct RowMatrix {
     add(point, weight);
     arms.push_back(arm);
   }
-  /// Of the entries added since the last call, all with an arm or none.
+  /// Ends the row of the entries added since the last call, either all with an arm or none.
   void close_row(const RowLaw& law, const RowFigures& of_row);
   /// Row q of another matrix.
   void append(const RowMatrix& other, std::size_t q);
@@ -112,7 +114,7 @@ RowLaw law_of(const Row& row);
 /// The matrix of these rows, in their order.
 const RowMatrix& compress(std::span<const Row> rows, RowMatrix& matrix);
 
-/// What arms add to it.
+/// Contribution of arms to the relative velocity.
 template <std::invocable<LocalIndex> VelocityOf>
 [[gnu::noinline]] void add_turned(const RowMatrix& rows, std::size_t q, const VelocityOf& velocity_of, Vec3& relative) {
   for (std::size_t k = rows.begin(q); k < rows.end(q); ++k)
@@ -131,20 +133,20 @@ template <std::invocable<LocalIndex> VelocityOf>
   return relative;
 }
 
-/// What an entry's point takes of the impulse of row q [momentum].
+/// The part of the impulse of row q that acts on an entry's point [momentum].
 inline Vec3 impulse_on_point(const RowMatrix& rows, std::size_t q, std::size_t entry, const Vec3& impulse) {
   const Vec3 share = rows.weights[entry] * impulse;
   return rows.laws[q].turns ? Vec3(share + rows.arm(q, entry).turn.transpose() * impulse) : share;
 }
 
-/// The largest impulse across the normal [momentum] beside this one along it, where the row rubs.
+/// The largest admissible tangential impulse [momentum] for this normal impulse, if the row has friction.
 inline double friction_limit(const RowLaw& law, double along) {
   return law.friction * std::abs(along) + law.lagging;
 }
 
-/// The impulse nearest to this one among those that the law admits: no pull (unless the cone is free), and across the
-/// normal at most what friction allows beside the impulse along it. The normal part is settled first and by itself:
-/// Coulomb's law, not the projection on the cone, which would push the bodies apart where they slide.
+/// Return of an impulse to the admissible set: no tension (unless the cone is free), and a tangential part within the
+/// friction limit of the normal part. The normal part is determined first and independently: Coulomb's law, not the
+/// projection onto the cone, which would separate sliding bodies.
 inline Vec3 admitted(const RowLaw& law, const Vec3& impulse) {
   const double along = law.normal.dot(impulse);
   const double push = law.cone == Cone::compression && along < 0 ? 0.0 : along;
@@ -156,8 +158,8 @@ inline Vec3 admitted(const RowLaw& law, const Vec3& impulse) {
   return push * law.normal + (size > limit ? Vec3(limit / size * across) : across);
 }
 
-/// What the law asks for beyond this relative velocity: required - n . v along the normal and, unless it slips,
-/// drift - v across it [velocity].
+/// The rate that the law requires beyond this relative velocity: required - n . v along the normal and, unless it
+/// slips, drift - v across it [velocity].
 inline Vec3 missing_rate(const RowLaw& law, const Vec3& relative) {
   const double along = law.normal.dot(relative);
   Vec3 missing = (law.required - along) * law.normal;

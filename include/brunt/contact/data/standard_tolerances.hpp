@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of contact (data/tolerances.hpp) for those who only hand them on: a value that changes there compiles
-// nothing of theirs.
+// The tolerances of contact (data/tolerances.hpp) for code that only passes them on: a change of a value there does not
+// recompile it.
 #pragma once
 
 namespace brunt::contact {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes of two bodies that lie on each other, in two passes: is one row enough for both?
+// Coincident nodes of two bodies in two-pass contact: whether one row is sufficient for both.
 #pragma once
 #include <span>
 
@@ -12,21 +12,21 @@ struct NodeOnSurface {
   const NodeMotion& motion;
   std::span<const LocalIndex> facets;  ///< rows of facet_normal
   std::span<const Vec3> facet_normal;
-  bool two_sided = false;  ///< it lies on a sheet, whose facets look to both sides
+  bool two_sided = false;  ///< it lies on a sheet, whose facets have two sides
 };
 
-/// A contact node of another body that may come to lie where a slave does.
+/// A contact node of another body that may become coincident with a slave.
 struct CoincidentCandidate {
   LocalIndex node = 0;
   std::int32_t body = 0;
 };
 
-/// Is a corner of the faces `near` (of one body) nearer to the node than `distance` [length], so that one row holds
-/// both, that of the corner's node on the node's own faces? It does where the surfaces lie on each other (whatever
-/// looks at the other side by 60 degrees or less has a face there to which it is opposed within 20), and where two
-/// sharp corners meet. A sharp corner that stands on a face, or has pressed a dent into it, does not coincide with the
-/// node there: that node meets one side of the corner, and its row would leave the corner to fall along that side into
-/// the dent. possible: all nodes that may be so near.
+/// Whether a corner of the faces `near` (of one body) is closer to the node than `distance` [length], so that one row,
+/// that of the corner's node on the node's own faces, constrains both. This holds where the surfaces coincide (every
+/// facet that faces the other side within 60 degrees has an opposed face there within 20 degrees), and where two sharp
+/// corners meet. A sharp corner that stands on a face, or has deformed it, does not coincide with the node below it:
+/// that node touches one side of the corner, and its row would let the corner penetrate along that side. possible: all
+/// nodes that may be this near.
 bool is_held_by_coincident_node(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
                                 std::span<const CoincidentCandidate> possible, double distance,
                                 const Tolerances& tolerances);

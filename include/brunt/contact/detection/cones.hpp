@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normal cone of a slave node: the directions in which its own surface looks. A body of a convex corner touches
-// others along any direction between the normals of the faces that meet there, a node within a smooth surface along
-// one only.
+// The normal cone of a slave node: the directions of its own surface. At a convex corner a body can touch others along
+// any direction between the normals of the faces at the corner; within a smooth surface only along the normal.
 #pragma once
 #include <span>
 
@@ -13,17 +12,18 @@ namespace brunt::contact {
 struct NormalCone {
   std::span<const LocalIndex> facets;
   std::span<const Vec3> normals;
-  bool two_sided = false;  ///< the node lies on a sheet: every facet looks both ways
+  bool two_sided = false;  ///< the node lies on a sheet: every facet has two sides
 
   [[nodiscard]] const Vec3& operator[](std::size_t i) const { return normals[static_cast<std::size_t>(facets[i])]; }
 };
 
-/// Do all facets look along the first, by this cosine at least? Then the cone is as good as their normals.
+/// Whether the normals of all facets agree with the first one by at least this cosine. The cone is then represented by
+/// these normals.
 bool is_smooth(const NormalCone& cone, double aligned);
 
-/// Cosine of the least angle between the reversed normal of a face and the cone: 1 where the node's surface can lie on
-/// the face without turning, 0 or less where it looks aside or away. A node without facets looks everywhere. smooth: as
-/// is_smooth says; then the arcs between the facets' normals are passed over.
+/// Cosine of the smallest angle between the reversed normal of a face and the cone: 1 if the node's surface can lie on
+/// the face without rotation, 0 or less if it faces sideways or away. A node without facets admits all directions.
+/// smooth: result of is_smooth; the arcs between the normals of facets are then skipped.
 double admission(const NormalCone& cone, const Vec3& normal, bool smooth);
 
 }  // namespace brunt::contact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edge against edge: where two sharp edges cross, no node need be near a face.
+// Edge-to-edge contact: where two sharp edges cross, no node need be near a face.
 #pragma once
 #include <array>
 #include <limits>
@@ -30,13 +30,13 @@ struct EdgeCandidates {
   Ragged<LocalIndex> near;  ///< a row for each slave edge: master edges in ascending (gid, gid)
 };
 
-/// Appends a row where two edges touch, come into contact in this step, or are near enough for its impulses to bring
-/// them there; the normal is the common perpendicular, out of the master. It must lie between the normals of the two
-/// faces of either edge (else a face or a node is what touches). Where both ends of the slave edge, or the one at which
-/// they cross, have rows of their own along nearly the same normal, those do the work. facet_normal: unit. node_normal:
-/// of each contact node's first row with a face in this step, zero without, the same on every copy. reference:
-/// positions of the contact nodes at the start, from which edges have their accepted overlaps; empty where the settings
-/// accept none.
+/// Appends a row for two edges that touch, come into contact in this step, or are so close that the impulses of the
+/// step may bring them into contact. The normal is the common perpendicular, out of the master. It must lie between the
+/// normals of the two faces of either edge (otherwise a face or a node is in contact). If both ends of the slave edge,
+/// or the end at which they cross, have rows of their own along nearly the same normal, no row is needed. facet_normal:
+/// unit. node_normal: of each contact node's first row with a face in this step, zero without, the same on every copy.
+/// reference: initial positions of the contact nodes, from which edges have their accepted overlaps; empty if the
+/// settings accept none.
 void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex> gid,
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_normal,
                   std::span<const Vec3> node_normal, std::span<const Vec3> reference, double dt,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ledges: where a body slides from one to another that lies flush with it, the first has settled by a little under the
-// load, and the second stands out by so much. A node that slides along comes to the side of the second then, a hair
-// below its edge, and a row there would stop the body dead, or throw it back.
+// Ledges: where a body slides from one body to a flush neighbour, the first has settled slightly under the load, and
+// the second protrudes by this amount. A sliding node then meets the side of the second body slightly below its edge. A
+// row there would stop the body, or reverse its motion.
 #pragma once
 #include <span>
 
@@ -10,15 +10,16 @@
 
 namespace brunt::contact {
 
-/// Sides of ledges become Meeting::none: a node that moves into a face, but along the neighbour across a convex edge,
-/// and is behind that by no more than a ledge, is left to the neighbour, which takes back the height slowly (see
-/// required_rate). What moves as much into the neighbour, or hardly at all, has no ledge: there the nearest face holds.
-/// encounters: of one slave with the faces of one body, with their opposition, after detect_path_hits.
+/// Sides of ledges become Meeting::none. If a node moves into a face, but along the neighbouring face across a convex
+/// edge, and is behind that face by no more than a ledge, only the neighbouring face is used, and the height is
+/// recovered slowly (see required_rate). If the node moves equally into the neighbour, or hardly at all, there is no
+/// ledge, and the nearest face is used. encounters: of one slave with the faces of one body, with their opposition,
+/// after detect_path_hits.
 void remove_ledge_sides(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
                         std::span<Encounter> encounters);
 
-/// Does what moves like this in a step [length] move into what has one normal, but along what has the other?
-/// size: longest edge [length].
+/// Whether this motion in a step [length] is into the face of one normal, but along the face of the other. size:
+/// longest edge [length].
 inline bool slides_into(const Vec3& motion, const Vec3& normal, const Vec3& along, double size,
                         const Tolerances& tolerances) {
   const double into = -motion.dot(normal);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of the faces that a slave node meets become rows: one at a convex edge, one for each face at a concave place.
+// Selects the faces of a slave node that become rows: one at a convex edge, one for each face at a concave place.
 #pragma once
 #include <span>
 
@@ -10,9 +10,9 @@ namespace brunt::contact {
 
 constexpr std::size_t most_rows_of_a_node = 4;
 
-/// Sorts the encounters (of one slave, all bodies) so that those to keep come first, merges those that are one, and
-/// returns how many are kept, at most most_rows_of_a_node. Faces that the slave's own surface opposes by less than half
-/// of the best are left out.
+/// Sorts the encounters (of one slave, all bodies) so that the selected ones come first, merges equal ones, and returns
+/// the number of selected ones, at most most_rows_of_a_node. Faces with an opposition below half of the best one are
+/// excluded.
 std::size_t select_rows(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const NodeMotion& slave,
                         double dt, Criterion criterion, const Tolerances& tolerances, std::span<Encounter> encounters);
 

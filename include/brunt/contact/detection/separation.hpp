@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far candidates are from each other: lists hold what may meet until they are made anew, which in most steps of
-// bodies that fly, and of edges and faces of one body near each other, does not.
+// Distance between candidates. Lists contain everything that may touch until they are rebuilt, but in most steps of
+// bodies in flight, and of edges and faces of one body close to each other, nothing touches.
 #pragma once
 #include <span>
 
@@ -9,9 +9,9 @@
 
 namespace brunt::contact {
 
-/// As long as no node and no wall moves from where it is by more than a third of this [length], the step included, no
-/// candidate of a face, an edge or a wall becomes a row; <= 0 where one may now. Infinite without candidates. reach:
-/// of the faces in this step, as detect_faces leaves it in its scratch.
+/// As long as no node or wall moves from its position by more than a third of this [length], including this step, no
+/// candidate of a face, an edge or a wall becomes a row; <= 0 if one may now. Infinite without candidates. reach: of
+/// the faces in this step, as returned by detect_faces in its scratch.
 double separation_of_faces(const Candidates& candidates, std::span<const FaceReach> reach,
                            std::span<const NodeMotion> motion, double dt);
 double separation_of_edges(const EdgeCandidates& candidates, std::span<const NodeMotion> motion, double dt,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From which side a node meets a two-sided face. It is decided when they first meet and remembered for as long as they
-// do, so that a node that is pressed through the middle is pushed back to where it came from.
+// The side from which a node touches a two-sided face. It is determined at first contact and remembered while contact
+// lasts, so a node that is pressed through the middle surface is pushed back to its side.
 #pragma once
 #include <span>
 
@@ -10,9 +10,9 @@
 namespace brunt::contact {
 
 /// Sets the sides of the two-sided faces among the encounters (of one slave with the faces of one body; only `face` and
-/// the clearance are set): the one remembered; else that of a face across an edge that is remembered, since a node
-/// slides from face to face; else the one that the node is on, or comes from if its path passes through. remembered: of
-/// this slave.
+/// the clearance are set): the remembered one; otherwise that of a remembered face across an edge, since a node slides
+/// from face to face; otherwise the side of the node, or the side from which it comes if its path passes through.
+/// remembered: of this slave.
 void find_sides(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
                 std::span<const HistoryRecord> remembered, std::span<Encounter> encounters);
 

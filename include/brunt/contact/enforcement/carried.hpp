@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows on points that bodies carry (contact/data/carriers.hpp). Their impulses go on from the points to the bodies,
+// Rows on points of bodies (contact/data/carriers.hpp). Impulses on the points are transferred to the bodies,
 //   P = sum over points (p, r x p),   (dV, domega) = W P,   v = v* + dV + domega x r,
-// with exact sums: in any order and on any number of ranks they give the same bits. In the row sums a body counts as
-// one node of inverse mass 1, on which a row has the weight w = sqrt(largest eigenvalue of g W g^T), g its 3x6 block on
-// the body: |g_q W g_p^T| <= w_q w_p (Cauchy and Schwarz), so that H - G W G^T stays positive semidefinite.
+// with exact sums: they give the same bits in any order and on any number of ranks. In the row sums a body counts as
+// one node of inverse mass 1, on which a row has the weight w = sqrt(largest eigenvalue of g W g^T), with g its 3x6
+// block on the body. By Cauchy and Schwarz |g_q W g_p^T| <= w_q w_p, so H - G W G^T remains positive semidefinite.
 //
-// Rows of a body would hold each other back by their number: where 10000 points stand on the floor and 4 carry another
-// box, each of the 4 has the row sum of 10004. So a body's rows are summed group by group (those with nodes, with
-// nothing that moves, with one other body or another), and with shares theta of sum 1
+// The row sums of a body grow with the number of its rows: if 10000 points rest on the floor and 4 carry another box,
+// each of the 4 has a row sum of 10004. The rows of a body are therefore summed in groups (those with nodes, with
+// immovable partners, with other bodies), with shares theta of sum 1
 //   |sum_g x_g|^2 <= sum_g |x_g|^2 / theta_g   gives   H_q = w_q S_g / theta_g,  S_g = sum of w over q's group.
-// theta_g = 1/2 (1/groups + S_g / sum of all S): half of it splits a body evenly, the other half spares a group that is
+// theta_g = 1/2 (1/groups + S_g / sum of all S): half of it divides a body evenly, the other half favours a group that
+// is nearly alone. Any grouping is valid, so a few groups by number (body modulo six) suffice.
 // nearly alone. Any grouping is right, so that one of few by number (body modulo six) serves.
 #pragma once
 #include <array>
@@ -25,7 +26,7 @@
 
 namespace brunt::contact {
 
-/// Of the binned sum of a node's impulses: two slices of four, the components and one to spare.
+/// Width of the binned sum of a node's impulses: two slices of four, three components and an unused one.
 constexpr int impulse_width = 4 * bin_slices;
 
 inline Vec3 sum_of_parts(std::span<const double> impulse_parts, std::size_t node) {
@@ -33,7 +34,7 @@ inline Vec3 sum_of_parts(std::span<const double> impulse_parts, std::size_t node
   return Vec3(parts[0], parts[1], parts[2]) + Vec3(parts[4], parts[5], parts[6]);
 }
 
-/// What the rows do to a body, the same bits on every rank.
+/// The effect of the rows on a body, with the same bits on every rank.
 struct BodyAnswer {
   Vec6 impulse = Vec6::Zero();  ///< P: momentum, angular momentum about the centre
   Vec6 change = Vec6::Zero();   ///< W P: of its velocity, of its angular velocity
@@ -42,7 +43,7 @@ struct BodyAnswer {
 /// Groups of a body's rows: with nodes, with nothing that moves, with other bodies.
 constexpr std::size_t body_groups = 8;
 
-/// Binned sums of so many terms that they are exact.
+/// Binned sums with few enough terms to be exact.
 struct BodyParts {
   /// Coarse and fine of the impulse (four each), then of the moment; or coarse and fine of each group's weights.
   std::array<double, bin_slices * body_groups> slices{};
@@ -74,19 +75,19 @@ struct CarriedScratch {
   void reserve(std::size_t rows, std::size_t nodes, std::size_t bodies);
 };
 
-/// Fills rows.on_bodies. Nothing where there are no bodies.
+/// Fills rows.on_bodies. Does nothing without bodies.
 void lay_rows_on_bodies(const Carriers& carriers, std::span<const NodeMotion> motion, CarriedScratch& scratch,
                         RowMatrix& rows);
 
-/// Before anything else here: which bodies the rows of any rank act on, and bounds. Collective.
+/// To be called first: determines the bodies on which rows of any rank act, and bounds. Collective.
 void start_bodies(const Carriers& carriers, std::span<const NodeMotion> motion, const RowMatrix& rows,
                   Exchange& exchange, CarriedScratch& scratch);
 
 /// scratch.row_sum from scratch.share. Collective.
 void sum_rows_on_bodies(const RowMatrix& rows, Exchange& exchange, CarriedScratch& scratch);
 
-/// From the impulses on the points of this rank (right on the owners): scratch.answer, and what it gives to the points'
-/// velocities is added. largest: bound of a row's impulse on a point. Collective.
+/// From the impulses on the points of this rank (valid on owners): computes scratch.answer, and adds its effect to the
+/// velocities of the points. largest: bound of a row's impulse on a point. Collective.
 void add_answer_of_bodies(const Carriers& carriers, std::span<const NodeMotion> motion,
                           std::span<const double> impulse_parts, double largest, Exchange& exchange,
                           std::span<Vec3> velocity, CarriedScratch& scratch);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The door to all ways of enforcing contact: rows in, impulses and velocities out.
+// The common interface of all enforcement methods: rows in, impulses and velocities out.
 #pragma once
 #include <span>
 
@@ -13,21 +13,22 @@ struct EnforcementResult {
   double residual = 0;   ///< natural residual max_q H_q |p_q - admitted(p_q + missing_q / H_q)| relative to violation,
                          ///< of the last iterate that was judged
   int iterations = 0;
-  bool acted = false;  ///< impulses changed v*: else velocity is what it was
+  bool acted = false;  ///< impulses changed v*; otherwise the velocity is unchanged
 };
 
-/// Did the iteration stop at max_iterations, short of its tolerance? Methods that do not iterate never do.
+/// Whether the iteration ended at max_iterations without reaching its tolerance. Always false for methods without
+/// iteration.
 inline bool ended_at_limit(const EnforcementResult& result, const EnforcementSettings& settings) {
   return result.iterations >= settings.max_iterations && result.residual > settings.tolerance;
 }
 
-/// Collective. impulses: in, the start (zero, or those of the last step); out, p [momentum], a row each. velocity: out,
-/// v on every contact node, the same bits on every copy; equal to v* where nothing acts. dt [time]: of the step ahead.
-/// Throws GuardError where an impulse is not finite.
+/// Collective. impulses: in, the start (zero, or those of the last step); out, p [momentum], one for each row.
+/// velocity: out, v on every contact node, the same bits on every copy; equal to v* if nothing acts. dt [time]: of the
+/// coming step. Throws GuardError if an impulse is not finite.
 EnforcementResult enforce(const System& system, const EnforcementSettings& settings, double dt, Exchange& exchange,
                           std::span<Vec3> impulses, std::span<Vec3> velocity, EnforcementScratch& scratch);
 
-/// What the stable step of the elements is to be multiplied by: penalties are springs of their own.
+/// Factor of the stable step of the elements: penalties are additional springs.
 double step_factor(const EnforcementSettings& settings);
 
 }  // namespace brunt::contact

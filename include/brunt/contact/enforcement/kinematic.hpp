@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The partitioned kinematic predictor-corrector of Heinstein et al. 2000, eq. (24), (25): the predicted penetration is
-// closed by the mass of each row alone, beta of it by this pass, and what is left is corrected once.
+// closed with the mass of each row alone, a share beta of it by this pass, and the remainder is corrected once.
 #pragma once
 #include "brunt/contact/enforcement/enforce.hpp"
 

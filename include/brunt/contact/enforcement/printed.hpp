@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The iteration (26) of Heinstein et al. 2000 with H as printed in eq. (29): the impedances of the two bodies and the
-// tributary area stand for the masses. The slab of eq. (28) is thinner than what the lumped mass of a surface node
-// holds by twice the Courant number, so near the stability limit an iteration over-corrects by up to 1.8: on
-// matching meshes it leaves a rebound after every even iteration, on coarse slaves it diverges. Kept for comparison.
+// tributary area replace the masses. The slab of eq. (28) is thinner than that of the lumped mass of a surface node by
+// twice the Courant number, so near the stability limit an iteration overcorrects by a factor of up to 1.8. On matching
+// meshes it leaves a rebound after every even iteration; on coarse slaves it diverges. For comparisons only.
 #pragma once
 #include "brunt/contact/enforcement/enforce.hpp"
 

@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-// The iterative rate constraint of Heinstein et al. 2000, eq. (26): impulses that the rows admit, such that every row
-// has what it asks for where its impulse acts. Each iteration updates all rows from the previous iterate,
+// The iterative rate constraint of Heinstein et al. 2000, eq. (26): admissible impulses such that every row with an
+// impulse has its required rate. Each iteration updates all rows from the previous iterate,
 //   p <- admitted(p + alpha missing / H),
-// with H the row sums (see system.hpp) in place of the paper's eq. (29).
-// - row sums alone: alpha = 1. Descends monotonically for any masses and meshes; stopped early it never gives energy.
-// - conjugate residuals, where no row has Coulomb friction, or rigid bodies take part: see conjugate.hpp.
-// - Barzilai-Borwein, elsewhere: alpha is the quotient s.Hs / s.As or s.As / As.H^-1 As of the last change s of the
-//   impulses, which is 1 or more (Barzilai and Borwein, IMA J. Numer. Anal. 8, 1988; projected: Dai and Fletcher,
-//   Numer. Math. 100, 2005). The two alternate without a period: a metal strip bent over round supports with friction,
-//   7600 steps, ended 8 of them at the limit, with strict turns 36, and a clamped block 0 for 3. Where thirty
-//   iterations have not halved the residual a few sweeps of row sums come in between, in the last quarter of
-//   max_iterations nothing else (rows that nearly contradict each other have no end, and what is left then depends on
-//   where long steps are stopped); it ends with one, since a long step stopped half-way is a rebound that nothing in
-//   the bodies has asked for.
-// Conjugate residuals have half of the iterations (with friction three quarters: falling stacks ended seven steps of
-// 2000 at the limit with half, one with these, since what comes after needs more): where rows change sides over and
-// over they may wander for ever, far above where they began (residuals of 28 where steps need 20 and 70 at most); the
-// rest is left to Barzilai-Borwein. A warm start may be within the tolerance before anything is done. To leave it at
-// that would let bodies at rest float on forces that answer to nothing, until they have moved by the tolerance; to
-// correct it a little in each step is a soft spring, which the recovery of gaps turns into an engine (its force lags).
-// So it goes on until 0.03 are left of what it began with, or 1e-8 of the tolerance, and makes one sweep at least: what
-// stirs bodies dies out (with 0.1 and 1e-6 the energy of cubes stacked at rest grew by e in 6000 steps, from 1e-20 J to
-// 3e-6 J in a million). That takes 2.3 iterations a step in the mean and 6 at most in cases/stack, none in impacts.
-// They count in max_iterations, but a step that ends there within the tolerance has not ended at the limit (see
-// ended_at_limit).
-// Through chains of rigid bodies the same residual stands for more motion, the more the higher they are: there it goes
-// on until 0.001 are left (with 0.03 six boxes at rest stir by up to 4e-9 m and ten swing by 3e-7 m for ever; with
-// 0.001 both come to rest to 1e-15 m in 20000 steps; twenty would need 0.0003).
+// with H the row sums (see system.hpp) instead of the paper's eq. (29).
+// - row sums only: alpha = 1. Monotone for any masses and meshes; it never supplies energy, even if it is stopped
+// early.
+// - conjugate residuals, if no row has Coulomb friction, or rigid bodies take part: see conjugate.hpp.
+// - Barzilai-Borwein, otherwise: alpha is the quotient s.Hs / s.As or s.As / As.H^-1 As of the last change s of the
+// impulses, at least 1 (Barzilai and Borwein, IMA J. Numer. Anal. 8, 1988; projected: Dai and Fletcher, Numer. Math.
+// 100, 2005). The two alternate without a fixed period, which reaches the limit of iterations less often than strict
+// alternation. If thirty iterations have not halved the residual, a few sweeps of row sums follow, and in the last
+// quarter of max_iterations only these are used: nearly contradictory rows do not converge, and the remainder would
+// depend on where long steps are stopped. The iteration ends with a sweep, since a long step without its successor is a
+// rebound without physical cause.
+//
+// Conjugate residuals have half of the iterations (with friction three quarters, since the following steps need more).
+// If rows keep changing sides they may diverge, far above the initial residual; the remaining iterations use
+// Barzilai-Borwein steps.
+//
+// A warm start may be within the tolerance before the first iteration. Accepting it would let bodies at rest be carried
+// by forces without equilibrium until they have moved by the tolerance; correcting it slightly in each step acts as a
+// soft spring, which supplies energy together with the recovery of gaps (its force lags). The iteration therefore
+// continues to 0.03 of the initial residual, or to 1e-8 of the tolerance, with at least one sweep: perturbations of
+// bodies at rest then decay (with 0.1 and 1e-6 they grow). This costs a few iterations in each step at rest, and none
+// in impacts. They count in max_iterations, but a step that ends there within the tolerance has not ended at the limit
+// (see ended_at_limit).
+//
+// In chains of rigid bodies the same residual corresponds to more motion, increasing with their height: the iteration
+// continues to 0.001 of the initial residual, with which stacks of six to ten boxes come to rest; twenty would need
+// 0.0003.
 #pragma once
 #include <algorithm>
 #include <limits>
@@ -41,9 +43,9 @@ enum class StepLength {
   longer  ///< conjugate residuals or Barzilai-Borwein steps
 };
 
-/// Has the residual been halved in so many iterations? Else a few sweeps of row sums, which descend, come in between.
-/// (To go on with them alone took more than 200 iterations where five of them and long steps again take 60; more of
-/// them each time took 2000 to 1e-6 where the same five take 500.)
+/// Whether the residual has been halved within this number of iterations. If not, a few sweeps of row sums follow,
+/// which decrease monotonically. (Sweeps only would need several times as many iterations; more sweeps each time also
+/// converge more slowly.)
 class Stall {
  public:
   explicit Stall(int patience) : patience_(patience) {}
@@ -60,10 +62,10 @@ class Stall {
   double best_ = std::numeric_limits<double>::infinity(), before_ = best_;
 };
 
-/// Of the velocities: no residual below it is worth an iteration.
+/// Share of the velocities: a smaller residual is rounding.
 constexpr double rounding_share = 1e-15;
 
-/// The residual to end with, of the one to start from: see above.
+/// The final residual, for this initial one: see above.
 double residual_to_reach(const System& system, const EnforcementSettings& settings, double first);
 
 /// As `enforce`; scratch.diagonal is formed here.
@@ -71,8 +73,8 @@ EnforcementResult enforce_rate_constraint(const System& system, const Enforcemen
                                           Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
                                           EnforcementScratch& scratch);
 
-/// The same with scratch.diagonal as it is (any H, without guarantee), from impulses and velocities that belong
-/// together. coupled: of this rank's rows, see form_row_sums.
+/// The same with scratch.diagonal as it is (any H, without guarantee), from consistent impulses and velocities.
+/// coupled: for this rank's rows, see form_row_sums.
 EnforcementResult iterate(const System& system, const EnforcementSettings& settings, StepLength length, bool coupled,
                           double violation, Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
                           EnforcementScratch& scratch);

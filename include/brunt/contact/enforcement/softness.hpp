@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows that give way to a change of their impulse. Where a rigid row asks for normal . r >= required, a soft one asks
-// for
+// Compliant rows: they yield to a change of their impulse. A rigid row requires normal . r >= required, a compliant one
 //   normal . r + C (p - p_before) >= required - kappa C p_before,   C = s / mass of the slave,
-// and likewise across the normal where it sticks: a proximal term (Rockafellar, SIAM J. Control Optim. 14, 1976) that
-// goes from step to step, so that G W G^T + C is solved with, whose eigenvalues are C and more. As a law of contact it
-// is a spring without mass, and without a bound on the step: under a force f the slave lies C f dt^2 deep. The last
-// term makes it one. Recovery takes back the share kappa of a penetration in each step; were the spring's part of it
-// taken back too, under load, contact would do work at every turn of the load: 3e-3 to 2e-2 of what two blocks store
-// when pressed six times (s = 0.1). With the term it does none, however the load comes and goes: it returns what it
-// stored.
-// Soft are rows between rigid bodies (C = s n . G W G^T n): these are far more than the bodies have freedom, their gaps
-// and drifts fit no motion of the bodies to the last digit, and rigid ones would brace against each other the more the
-// longer they last, until some slide. Rows of two passes are soft where the scene asks for it: this lifts the weak end
-// of G W G^T, and fine meshes take as many iterations as coarse ones, but even pressure errs by 1 to 2.4 % (s = 0.05).
-// No law of springs and dashpots gives way to a change of the load and not to the load that stays: J, the depth under a
-// unit of load by frequency, does not fall towards low ones, so J(0) = 0 leaves J = 0 for all. What takes back the
-// depth under load gives the work of it (tables in cases/README.md, "Softness of contact").
+// and likewise across the normal when it sticks. This is a proximal term (Rockafellar, SIAM J. Control Optim. 14, 1976)
+// from step to step: the system has the matrix G W G^T + C, whose eigenvalues are at least C. As a contact law it is a
+// massless spring without a bound on the step: under a force f the penetration of the slave is C f dt^2. The last term
+// makes it conservative: recovery takes back the share kappa of a penetration in each step. If it also recovered the
+// part of the spring under load, contact would do work at every change of the load. With this term it does none, for
+// any history of the load: it returns the energy that it stored.
+//
+// Rows between rigid bodies are compliant (C = s n . G W G^T n): they far outnumber the degrees of freedom of the
+// bodies, their gaps and drifts are compatible with no rigid motion to the last digit, and the impulses of rigid rows
+// would grow against each other with time until some slide. Rows of two passes are compliant if the scene requests it:
+// this raises the small eigenvalues of G W G^T, so that fine meshes need as many iterations as coarse ones, at the cost
+// of an error of uniform pressure (table in cases/README.md, "Softness of contact").
+//
+// No law of springs and dashpots can yield to a change of the load and not to a constant load: the compliance J, the
+// depth under a unit load as a function of frequency, does not decrease towards low frequencies, so J(0) = 0 implies J
+// = 0. Recovery of the depth under load supplies its work (tables in cases/README.md, "Softness of contact").
 #pragma once
 #include <span>
 
@@ -23,8 +24,8 @@
 
 namespace brunt::contact {
 
-/// From scratch.diagonal, which it raises for soft rows, and the impulses of the last step, a row each: fills
-/// scratch.compliance and scratch.borne.
+/// From scratch.diagonal, which is increased for compliant rows, and the impulses of the last step, one for each row:
+/// fills scratch.compliance and scratch.borne.
 void soften(const System& system, std::span<const Vec3> before, EnforcementScratch& scratch);
 
 }  // namespace brunt::contact

@@ -34,8 +34,8 @@ std::array<PlaceRange, 3> places_between(const BinarySort& sorted, std::span<con
 void append_points_in_box(const BinarySort& sorted, std::span<const Vec3> points, const geometry::Box& box,
                           std::vector<LocalIndex>& found);
 
-/// pairs row p: the boxes that contain point p, ascending, as find_pairs has them (search.hpp). A box costs 6 log n and
-/// its shortest list, which is n^(1/2) long on surfaces and n^(2/3) in volumes.
+/// pairs row p: the boxes that contain point p, ascending, as in find_pairs (search.hpp). The cost of a box is 6 log n
+/// plus its shortest list, whose length is n^(1/2) on surfaces and n^(2/3) in volumes.
 void find_pairs_by_bisection(const BinarySort& sorted, std::span<const geometry::Box> boxes,
                              std::span<const Vec3> points, Ragged<LocalIndex>& pairs);
 

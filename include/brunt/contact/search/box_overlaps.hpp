@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which boxes overlap which: the search pairs points with boxes, so one side is taken by size, as midpoints.
+// Overlapping boxes: the search pairs points with boxes, so one side is treated by size classes, as centres.
 #pragma once
 #include <functional>
 #include <map>
@@ -11,11 +11,11 @@
 
 namespace brunt::contact {
 
-/// Kept from one call to the next as a SearchScratch is: one for each size of boxes.
+/// Kept between calls like a SearchScratch: one for each size class.
 using OverlapScratch = std::map<int, SearchScratch>;
 
-/// Calls visit(i, k) for each i, k with first[i] overlapping second[k] (closed boxes), each pair once, in no order that
-/// means anything. Boxes of `first` that are not finite overlap nothing.
+/// Calls visit(i, k) for each i, k with first[i] overlapping second[k] (closed boxes), each pair once, in undefined
+/// order. Boxes of `first` that are not finite overlap nothing.
 void for_each_overlap(std::span<const geometry::Box> first, std::span<const geometry::Box> second,
                       OverlapScratch& scratch, const std::function<void(LocalIndex, LocalIndex)>& visit);
 

@@ -18,16 +18,16 @@ struct BucketGrid {
   std::array<LocalIndex, 3> slices{1, 1, 1};  ///< S_x, S_y, S_z
 
   [[nodiscard]] std::size_t bucket_count() const;  ///< n_b
-  /// Slice of a coordinate: int[(x - x_min) / b_s], and the first or last one for what lies outside. The quotient is
-  /// taken as printed: x/b_s of a point on a border is exact where b_s divides it.
+  /// Slice of a coordinate: int[(x - x_min) / b_s], or the first or last one for coordinates outside. The quotient is
+  /// computed as printed: it is exact for a point on a border if b_s divides its coordinate.
   [[nodiscard]] LocalIndex slice(double coordinate, int axis) const;
 };
 
 /// Grid of buckets of edge `size` over all finite points.
 BucketGrid bucket_grid(std::span<const Vec3> points, double size);
 
-/// As above with the edge of the smallest box (its longest side, for a face's box may be flat), or what is wanted to
-/// need at most `most_buckets`: the size decides about speed and memory, never about the pairs.
+/// As above with the edge of the smallest box (its longest side, since the box of a face may be flat), or a larger one
+/// that needs at most `most_buckets`: the size affects speed and memory, never the pairs.
 BucketGrid bucket_grid(std::span<const Vec3> points, std::span<const geometry::Box> boxes, std::size_t most_buckets);
 
 /// The four vectors of the paper. 18 n + 2 n_b places with those of its work on candidates.
@@ -47,10 +47,10 @@ struct BucketRange {
 };
 BucketRange buckets_of(const BucketGrid& grid, const geometry::Box& box);
 
-/// Appends all points of the buckets that the box occupies; not all of them need be in the box.
+/// Appends all points of the buckets that the box occupies, including points outside the box.
 void append_candidates(const BucketSort& sorted, const geometry::Box& box, std::vector<LocalIndex>& candidates);
 
-/// pairs row p: the boxes that contain point p, ascending, as find_pairs has them (search.hpp).
+/// pairs row p: the boxes that contain point p, ascending, as in find_pairs (search.hpp).
 void find_pairs_in_buckets(const BucketSort& sorted, std::span<const geometry::Box> boxes, std::span<const Vec3> points,
                            Ragged<LocalIndex>& pairs);
 

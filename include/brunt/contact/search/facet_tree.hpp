@@ -2,8 +2,9 @@
 // Bounding volume trees over the facets of deforming surfaces: built once, refitted to the positions of every iterate,
 // traversed in tandem (Yang and Laursen 2008, with the larger volume descended first). No physics, no messages.
 //
-// A rigid surface of triangles has geometry::SlabTree: eight children a node, in the axes of its body, asked with
-// placements. Here all positions change between two searches, so a node has two children and its bounds are a union.
+// For a rigid triangulated surface use geometry::SlabTree: eight children at each node, in the axes of its body,
+// queried with placements. Here all positions change between two searches, so a node has two children and its bounds
+// are their union.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -17,7 +18,7 @@
 namespace brunt::contact {
 
 /// Nodes at the corners, indices into the positions; the fourth of a triangle is no_index. Facets are numbered in the
-/// order of their keys, so that all that depends on these numbers is a function of the mesh.
+/// order of their keys, so that results depending on these numbers are functions of the mesh.
 using FacetNodes = std::array<LocalIndex, 4>;
 
 /// A binary tree in preorder: the root first, then all of its first child, then all of its second. Each leaf is a
@@ -54,14 +55,14 @@ struct FacetPair {
   friend auto operator<=>(const FacetPair&, const FacetPair&) = default;
 };
 
-/// What a traversal works in; kept from one to the next it saves all allocation.
+/// Work arrays of a traversal; reuse avoids all allocation.
 struct TraversalScratch {
   std::vector<FacetPair> found;  ///< in the order of the traversal
   std::vector<LocalIndex> end;   ///< of each slave facet's pairs
 };
 
-/// What a traversal took. A tree whose tests for each pair found have doubled since it was built has lost the order of
-/// its facets and should be built again.
+/// Cost of a traversal. If the number of tests for each pair has doubled since the tree was built, its facets are no
+/// longer in spatial order, and it should be rebuilt.
 struct TraversalCounts {
   std::int64_t tests = 0;  ///< of two volumes, the roots included
   std::int64_t pairs = 0;
@@ -70,14 +71,14 @@ struct TraversalCounts {
   }
 };
 
-/// Which of two nodes that overlap is descended, where both have children.
+/// The node that is descended first when both of two overlapping nodes have children.
 enum class Descent : std::int8_t {
   larger,  ///< the larger one (`width`), of equal ones the slave's
   slave,   ///< always the slave's, as the paper prints it
 };
 
-/// All pairs of facets whose bounds overlap, ordered by (slave, master). Replaces what `pairs` held; allocates only
-/// beyond the capacities. The pairs do not depend on the shapes of the trees, the number of tests does.
+/// All pairs of facets whose bounds overlap, ordered by (slave, master). Replaces the content of `pairs`; allocates
+/// only beyond the capacities. The pairs do not depend on the shapes of the trees, the number of tests does.
 template <int slabs>
 TraversalCounts find_pairs(const FacetTree<slabs>& slave, const FacetTree<slabs>& master, TraversalScratch& scratch,
                            std::vector<FacetPair>& pairs, Descent descent = Descent::larger);

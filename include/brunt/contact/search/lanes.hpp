@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sixteen floats or eight doubles compared at once, with one bit a lane as the answer.
+// Comparison of sixteen floats or eight doubles at once, with one bit for each lane as the result.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -126,8 +126,8 @@ BRUNT_INLINE LaneMask below(LaneMask among, const FloatLanes& a, const FloatLane
 
 #endif
 
-/// Writes first + l for each set bit l in ascending order and returns the end of what is written. All sixteen places
-/// from `to` on must be there: those after the end hold anything.
+/// Writes first + l for each set bit l in ascending order and returns the end of the written part. All sixteen entries
+/// from `to` must exist: those after the end are undefined.
 BRUNT_INLINE LocalIndex* write_lanes(LaneMask mask, LocalIndex first, LocalIndex* to) {
 #ifdef __AVX512F__
   const __m512i lane = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);

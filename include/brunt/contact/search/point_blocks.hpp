@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points in blocks of neighbours under a tree of boxes: what the search looks through.
+// Points in blocks of neighbours below a tree of boxes: the data structure of the search.
 #pragma once
 #include <array>
 #include <span>
@@ -17,7 +17,7 @@ constexpr std::size_t runs_of_block = float_lanes;            ///< runs whose bo
 constexpr std::size_t block_size = run_size * runs_of_block;  ///< points
 constexpr std::size_t branches = double_lanes;                ///< boxes of a tree node, tested at once
 
-/// Eight boxes of a tree node. Unused lanes hold NaN, which touches nothing.
+/// Eight boxes of a tree node. Unused lanes are NaN, which overlaps nothing.
 struct alignas(64) NodeBoxes {
   double low[3][branches], high[3][branches];
 };
@@ -27,19 +27,19 @@ struct alignas(64) RunBoxes {
   float low[3][runs_of_block], high[3][runs_of_block];
 };
 
-/// Sixteen neighbouring points relative to the block's origin. Unused lanes hold NaN.
+/// Sixteen neighbouring points relative to the block's origin. Unused lanes are NaN.
 struct alignas(64) Run {
   float x[3][run_size];
 };
 
-/// Origin of a block, x y z x y z 0 0: what is taken off both bounds of a box.
+/// Origin of a block, x y z x y z 0 0, which is subtracted from both bounds of a box.
 struct BlockOrigin {
   Octet twice;
 };
 
-/// Coordinates inside a block are rounded to float after subtracting the block's origin. Both steps are monotone, and
-/// box bounds take the same two: a point in a box is never lost, and one that is strictly inside after rounding is
-/// inside. Only ties need the coordinates as they were.
+/// Coordinates inside a block are rounded to float after subtracting the block's origin. Both operations are monotone,
+/// and the bounds of boxes undergo the same: a point in a box is never lost, and a point strictly inside after rounding
+/// is inside. Only ties need the original coordinates.
 struct PointBlocks {
   std::vector<LocalIndex> point;      ///< place in the order -> index of the point
   AlignedVector<Run> runs;            ///< of place / 16; whole blocks
@@ -53,7 +53,7 @@ struct PointBlocks {
   [[nodiscard]] std::size_t block_count() const { return origin.size(); }
 };
 
-/// Fills all but `point`, the order, which is given. Coordinates must be finite.
+/// Fills all members except `point`, the order, which is given. Coordinates must be finite.
 void build_blocks(std::span<const Vec3> points, PointBlocks& blocks);
 
 }  // namespace brunt::contact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which points lie in which boxes, on one rank. No physics, no messages.
+// Search on one rank: the points in each box. No physics, no messages.
 #pragma once
 #include <span>
 #include <vector>
@@ -14,8 +14,8 @@ namespace brunt::contact {
 
 constexpr std::size_t box_group = 16;  ///< boxes that are searched together
 
-/// What a search leaves for the next one of the same points and boxes after some motion: its order, which serves as
-/// long as it holds the same and blocks of points and groups of boxes stay small.
+/// Data for the next search of the same points and boxes after some motion: the order, which is reused as long as it
+/// contains the same points and its blocks of points and groups of boxes remain small.
 struct SearchHistory {
   struct Choice {
     std::vector<char> reach;   ///< whether each may pair, and if not whether it may after some motion
@@ -25,8 +25,7 @@ struct SearchHistory {
   std::vector<float> block_extents, group_extents;  ///< when they were sorted [length]
 };
 
-/// What a search works in. Kept from one search to the next, it saves all allocation and most of the sorting. Results
-/// do not depend on it.
+/// Work arrays of a search. Reuse avoids all allocation and most of the sorting. Results do not depend on it.
 struct SearchScratch {
   struct Segment {
     LocalIndex first = 0, count = 0;
@@ -51,17 +50,17 @@ struct SearchScratch {
 };
 
 /// pairs row p: the boxes that contain point p, ascending; boxes are closed. Points with a coordinate that is not
-/// finite are in no box; a box with low > high or a NaN holds nothing, one may have infinite bounds.
+/// finite are in no box; a box with low > high or a NaN contains nothing, and bounds may be infinite.
 ///
-/// Points are packed in blocks along a space-filling curve (spatial_order.hpp), sixteen runs of sixteen, under a tree
-/// of boxes. Boxes are taken sixteen at a time along the same curve: they descend the tree together and meet a common
-/// list of blocks, where each tests sixteen runs at once and then sixteen points at once. This stands where Heinstein
-/// et al. 2000, section 4.4, bisect sorted lists: the curve is the sort, a run is the short list. Work O(n log n) with
-/// a small share of the logarithm, memory linear; nothing depends on a cell size.
+/// Points are stored in blocks along a space-filling curve (spatial_order.hpp), sixteen runs of sixteen points, below a
+/// tree of boxes. Sixteen boxes at a time along the same curve descend the tree together to a common list of blocks,
+/// where each box is tested against sixteen runs and then sixteen points at once. This replaces the bisection of sorted
+/// lists of Heinstein et al. 2000, section 4.4: the curve is the sort, a run is the short list. Work O(n log n) with a
+/// small logarithmic part, memory linear; nothing depends on a cell size.
 void find_pairs(std::span<const geometry::Box> boxes, std::span<const Vec3> points, SearchScratch& scratch,
                 Ragged<LocalIndex>& pairs);
 
-/// The two halves of find_pairs, for those who time them: sorting and packing, then the search with the same arguments.
+/// The two parts of find_pairs, for timing: sorting and packing, then the search with the same arguments.
 void prepare_search(std::span<const geometry::Box> boxes, std::span<const Vec3> points, SearchScratch& scratch);
 void find_prepared(std::span<const geometry::Box> boxes, std::span<const Vec3> points, SearchScratch& scratch,
                    Ragged<LocalIndex>& pairs);

@@ -18,7 +18,7 @@
 
 namespace brunt::contact {
 
-/// The fourth lane of each quad is to spare: it holds the same interval in all bounds.
+/// The fourth lane of each quad is unused: it has the same interval in all bounds.
 template <int slabs>
 struct SlabBounds {
   static_assert(slabs == 3 || slabs == 9);
@@ -26,12 +26,12 @@ struct SlabBounds {
   Quad low[groups], high[groups];  ///< [length]
 };
 
-/// Every bound moves outwards by so much in the coordinate of its slab [length], >= 0.
+/// Every bound moves outwards by this amount in the coordinate of its slab [length], >= 0.
 struct Enlargement {
   double axes = 0, diagonals = 0;
 };
 
-/// A surface grown by the distance `d` [length] stays within bounds enlarged so: a diagonal direction has length
+/// A surface grown by the distance `d` [length] stays within bounds enlarged by this: a diagonal direction has length
 /// sqrt(2).
 inline Enlargement by_distance(double d) {
   return {d, std::numbers::sqrt2 * d};
@@ -56,8 +56,8 @@ BRUNT_INLINE void project(const Vec3& point, Quad (&along)[slabs / 3]) {
   }
 }
 
-/// Of the convex hull of four points. The projections are rounded, so bounds that must hold all of the hull need an
-/// enlargement of one rounding of the coordinates.
+/// Bounds of the convex hull of four points. The projections are rounded, so bounds that must contain the complete hull
+/// need an enlargement by one rounding of the coordinates.
 template <int slabs>
 BRUNT_INLINE SlabBounds<slabs> bounds_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                                          const Enlargement& by) {
@@ -76,7 +76,7 @@ BRUNT_INLINE SlabBounds<slabs> bounds_of(const Vec3& a, const Vec3& b, const Vec
   return bounds;
 }
 
-/// The least bounds that hold both.
+/// The smallest bounds that contain both.
 template <int slabs>
 BRUNT_INLINE SlabBounds<slabs> united(const SlabBounds<slabs>& a, const SlabBounds<slabs>& b) {
   SlabBounds<slabs> both;
@@ -104,8 +104,9 @@ BRUNT_INLINE bool overlap(const SlabBounds<slabs>& a, const SlabBounds<slabs>& b
   return true;
 }
 
-/// Sum of the widths of all slabs [length], by which a traversal descends the larger of two. It stands for the volume,
-/// which is costly for nine slabs and 0 for flat facets along the axes; the tests are as many as by products of widths.
+/// Sum of the widths of all slabs [length], by which a traversal descends the larger of two nodes. It replaces the
+/// volume, which is costly for nine slabs and 0 for flat facets along the axes; the number of tests is the same as with
+/// products of widths.
 template <int slabs>
 BRUNT_INLINE double width(const SlabBounds<slabs>& bounds) {
   Quad sum = bounds.high[0] - bounds.low[0];

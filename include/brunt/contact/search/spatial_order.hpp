@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An order of points or boxes in which neighbours in the order are neighbours in space.
+// Orders points or boxes so that neighbours in the order are neighbours in space.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -17,11 +17,12 @@ struct SortScratch {
 };
 
 /// Reorders `order` (indices into `points`, whose coordinates are finite) along the Hilbert curve of cubic cells over
-/// their bounding box. What shares a cell with many others is ordered again by smaller cells of the same curve, and so
-/// on: far outliers, graded sizes and planes cost another pass over the crowded cells, never the order. O(n) a pass.
+/// their bounding box. Points in crowded cells are ordered again by smaller cells of the same curve, and so on: far
+/// outliers, graded sizes and planes cost another pass over the crowded cells, but do not change the order. O(n) for
+/// each pass.
 void order_in_space(std::span<const Vec3> points, std::vector<LocalIndex>& order, SortScratch& scratch);
 
-/// The same for boxes, each by the centre of what it has in common with `region`, which must be something finite.
+/// The same for boxes, each by the centre of its intersection with `region`, which must be finite.
 void order_in_space(std::span<const geometry::Box> boxes, const geometry::Box& region, std::vector<LocalIndex>& order,
                     SortScratch& scratch);
 
