@@ -86,7 +86,7 @@ def penetration(task):
     limit = math.sqrt(impact**2 - (residual / share)**2)
     second = abs(float(fast.history["shot.z"][0]))
     task.claim("residual velocities are below the bound of momentum", abs(fast.last("shot.z")) < share * second and residual < share * impact)
-    return [("residual velocity from 300 m/s [m/s]", share * math.sqrt(second**2 - limit**2), abs(fast.last("shot.z")), 0.02),
+    return [("residual velocity from 300 m/s [m/s]", share * math.sqrt(second**2 - limit**2), abs(fast.last("shot.z")), 0.03),
             energy_row(slow)]
 
 
