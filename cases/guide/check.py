@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Does each task of the guide as its page says it, and holds what the page quotes against the run.
+"""Runs each task of the guide as its page describes it, and compares what the page quotes with the run.
 
     cases/guide/check.py                  all pages
     cases/guide/check.py --page 1_drop    one page; may be given several times

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A page of the guide as a program: its files and commands are taken from its code blocks, its quotations are compared.
+"""A page of the guide as a program: its code blocks are files and commands, its quotations are compared with the run.
 
-What the page holds, in the order of its lines:
+The parts of a page, in the order of its lines:
 
 - a code block after a line "Save ... `NAME`:" is the file NAME;
 - a `sh` block is run by bash in the folder of the page. It ends at the first command that fails, unless it prints
@@ -76,7 +76,7 @@ class Page:
             at = end + 1
 
     def run(self, folder, brunt, project):
-        """Does what the page says, in a clean folder that looks like a clone with a build."""
+        """Saves the files and runs the commands in a clean folder that looks like a clone with a build."""
         shutil.rmtree(folder, ignore_errors=True)
         os.makedirs(os.path.join(folder, "build/release"))
         for name in LINKED:
