@@ -14,6 +14,12 @@ namespace {
 
 constexpr double xdmf_tetrahedron = 6, xdmf_hexahedron = 9;
 
+/// Gives the memory back, which `= {}` of a vector does not.
+template <class T>
+void release(std::vector<T>& values) {
+  std::vector<T>().swap(values);
+}
+
 StateBlock state_block(const mesh::LocalMesh& mesh, std::size_t b) {
   const mesh::LocalBlock& local = mesh.blocks[b];
   StateBlock block{mesh.block_name[b], mesh.block_id[b], local.shape, local.input, {}, {}};
@@ -105,7 +111,7 @@ std::string state_topology(const comm::Communicator& ranks, const StateMesh& mes
   return xdmf_topology(cells_of(mesh, element_counts(ranks, mesh)), mesh.global_elements);
 }
 
-void StateFile::write_connectivity(const StateMesh& mesh) {
+void StateFile::write_connectivity(StateMesh& mesh) {
   const std::vector<GlobalIndex> counts = element_counts(ranks_, mesh);
   const XdmfCells kind = cells_of(mesh, counts);
   const int one_width = nodes_per_element(kind.shape);
@@ -113,13 +119,16 @@ void StateFile::write_connectivity(const StateMesh& mesh) {
                          kind.mixed ? 1 : one_width);
   if (!kind.mixed) {  // all blocks at once
     std::size_t rows = 0, before = 0, b = 0;
-    for (const StateBlock& block : mesh.blocks) rows += block.element.size();
+    for (StateBlock& block : mesh.blocks) {
+      rows += block.element.size();
+      release(block.element);
+    }
     const auto width = static_cast<std::size_t>(one_width);
     write_integers<LocalIndex>(*file_, "/mesh/connectivity", 0, elements_, rows, one_width,
                                [&](std::size_t i, std::size_t c) {
                                  if (i == 0) before = b = 0;
-                                 while (i - before >= mesh.blocks[b].element.size())
-                                   before += mesh.blocks[b++].element.size();
+                                 while (i - before >= mesh.blocks[b].nodes.size() / width)
+                                   before += mesh.blocks[b++].nodes.size() / width;
                                  return static_cast<double>(mesh.blocks[b].nodes[(i - before) * width + c]);
                                });
   }
@@ -150,13 +159,14 @@ void StateFile::write_mesh(StateMesh& mesh) {
   {
     std::vector<double> block(static_cast<std::size_t>(nodes_.layout().count(ranks_.rank())) * 3);
     nodes_.to_blocks(mesh.coordinates, block, 3);
-    mesh.coordinates = {};
+    release(mesh.coordinates);
     file_->write("/mesh/coordinates", nodes_.layout().first(ranks_.rank()), std::span<const double>(block));
   }
   file_->create_integers("/mesh/node_id", global_nodes_, 1);
   write_integers<GlobalIndex>(*file_, "/mesh/node_id", 0, nodes_, mesh.node_id.size(), 1,
                               [&](std::size_t i, std::size_t) { return static_cast<double>(mesh.node_id[i]); });
-  mesh.node_id = mesh.node = {};
+  release(mesh.node_id);
+  release(mesh.node);
   {
     std::vector<LocalIndex> of_element;
     for (std::size_t b = 0; b < mesh.blocks.size(); ++b)

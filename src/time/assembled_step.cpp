@@ -78,7 +78,7 @@ void estimate(const model::Model& model, const model::State& state, Links& links
 double bounding_rate(AssembledStep& assembled, const model::State& state, double growth, double element_rate) {
   if (state.step == assembled.step) growth = 1;
   const double stiffened = std::sqrt(std::max(growth, 1.0)), changed = element_rate / assembled.element_rate;
-  constexpr double much = 1 + worth_a_step;
+  constexpr double much = 1 + worth_an_estimate;
   if (stiffened > much || changed * much < 1 || (changed > much && assembled.rate == 0)) outdate(assembled);
   return assembled.rate > 0 ? std::min(element_rate, assembled.rate * stiffened) : element_rate;
 }

@@ -92,7 +92,7 @@ class StateFile {
   void start(StateMesh& mesh);
   void resume(const StateMesh& mesh, GlobalIndex restart_step);
   void write_mesh(StateMesh& mesh);
-  void write_connectivity(const StateMesh& mesh);
+  void write_connectivity(StateMesh& mesh);
   void write_xdmf() const;
 
   comm::Communicator ranks_;

@@ -31,8 +31,10 @@ constexpr double lanczos_risk = 1e-6;
 constexpr int estimate_span = 1000;
 /// Steps between two estimates at least: within them the step follows the quickest one lately (time::rate_span).
 constexpr int estimate_pause = 100;
-/// Share of the step beyond which it matters: what the mesh gives over its elements, and what has changed since.
+/// What the mesh gives over its elements matters beyond this share of the step.
 constexpr double worth_a_step = 0.02;
+/// And this change of the elements' bounds is worth a new estimate, paid for as it is.
+constexpr double worth_an_estimate = 0.005;
 
 /// Part of the state: saved and hashed.
 struct AssembledStep {

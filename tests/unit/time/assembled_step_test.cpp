@@ -155,15 +155,15 @@ TEST_CASE("an estimate is outdated where elements have stiffened or softened by 
     CHECK(bound >= std::min(element_rate, assembled.rate));
     return assembled.outdated > 0;
   };
-  const double much = 1 + time::worth_a_step;
+  const double much = 1 + time::worth_an_estimate;
   CHECK_FALSE(outdated(0.9, 1));
-  CHECK_FALSE(outdated(0.99 * much * much, 1));
-  CHECK(outdated(1.01 * much * much, 1));
-  CHECK_FALSE(outdated(1, 1.01 / much));
-  CHECK(outdated(1, 0.99 / much));
+  CHECK_FALSE(outdated(0.999 * much * much, 1));
+  CHECK(outdated(1.001 * much * much, 1));
+  CHECK_FALSE(outdated(1, 1.001 / much));
+  CHECK(outdated(1, 0.999 / much));
   assembled.rate = 0;  // none was made since the elements allowed all that was asked for
-  CHECK_FALSE(outdated(1, 0.99 * much));
-  CHECK(outdated(1, 1.01 * much));
+  CHECK_FALSE(outdated(1, 0.999 * much));
+  CHECK(outdated(1, 1.001 * much));
 }
 
 TEST_CASE("no estimate where the longest step asked for is below that of the elements") {
