@@ -73,9 +73,8 @@ struct Sheets {
   Vec3 way = Vec3::Zero();
 };
 
-/// A model of the faces that a rank has; no more of it than contact asks for. tied_back: the master is tied to the
-/// slave as well.
-model::Model model_of(const Sheets& sheets, Rank rank, const std::vector<Rank>& of_facet, bool tied_back = false) {
+/// A model of the faces that a rank has; no more of it than contact asks for.
+model::Model model_of(const Sheets& sheets, Rank rank, const std::vector<Rank>& of_facet) {
   model::Model model;
   std::vector<Rank> owner(sheets.x.size(), 1 << 20);
   std::vector<char> here(sheets.x.size(), 0);
@@ -107,10 +106,6 @@ model::Model model_of(const Sheets& sheets, Rank rank, const std::vector<Rank>& 
   pair.master = 1;
   pair.choose_slave = false;
   pair.friction = sheets.friction;
-  model.mortar.push_back(pair);
-  if (!tied_back) return model;
-  pair.tied = true;
-  std::swap(pair.slave, pair.master);
   model.mortar.push_back(pair);
   return model;
 }
@@ -198,50 +193,6 @@ GlobalIndex differing(const Contact& shared, const Contact& alone) {
   return count;
 }
 
-/// Some nodes stand on a wall, some are held: by their numbers.
-std::vector<Mat3> movable_of(const ContactNodes& nodes, GlobalIndex round) {
-  std::vector<Mat3> movable;
-  for (std::size_t k = 0; k < nodes.lasting; ++k) {
-    const GlobalIndex draw = (7 * nodes.gid[k] + 3 * round) % 10;
-    movable.push_back(draw < 2 ? Mat3(Mat3::Zero()) : draw < 6 ? Mat3(Vec3(1, 1, 0).asDiagonal()) : nodes.free[k]);
-  }
-  return movable;
-}
-
-/// What is left out in one round, and how much of it differs from what one rank alone leaves out.
-struct LeftOut {
-  GlobalIndex differs = 0, implied = 0, carried = 0;
-};
-LeftOut left_out(Contact& shared, Contact& alone, GlobalIndex round) {
-  std::vector<std::vector<Mat3>> carried;
-  for (Contact* contact : {&shared, &alone}) {
-    const std::vector<Mat3> movable = movable_of(contact->contact.nodes, round);
-    carried.push_back(carried_by_ties(contact->ranks, movable, contact->contact));
-    leave_out_redundant(contact->ranks, movable, contact->contact);
-  }
-  LeftOut out;
-  for (std::size_t k = 0; k < shared.contact.interfaces.size(); ++k) {
-    const Interface &mine = shared.contact.interfaces[k], &whole = alone.contact.interfaces[k];
-    for (std::size_t row = 0; row < mine.count(); ++row) {
-      const auto all = static_cast<std::size_t>(mine.place[row]);
-      const bool same = mine.pair.tied
-                            ? mine.tied[row] == whole.tied[all] && mine.given_apart[row] == whole.given_apart[all]
-                            : mine.active[row] == whole.active[all];
-      out.differs += same ? 0 : 1;
-      if (mine.pair.tied && mine.tie.covered[row] > 0)
-        out.implied += (mine.tied[row] + mine.given_apart[row]).isIdentity(1e-9) ? 0 : 1;
-    }
-  }
-  const ContactNodes &nodes = shared.contact.nodes, &all_nodes = alone.contact.nodes;
-  for (std::size_t k = 0; k < nodes.lasting; ++k) {
-    if (nodes.own[k] == no_index) continue;
-    const Mat3& whole = carried[1][static_cast<std::size_t>(all_nodes.place_of(nodes.gid[k]))];
-    out.differs += carried[0][k] == whole ? 0 : 1;
-    out.carried += whole.isZero(0) ? 0 : 1;
-  }
-  return out;
-}
-
 }  // namespace
 
 TEST_CASE("interfaces shared out over ranks are those of one rank, and complete at every iterate") {
@@ -285,29 +236,4 @@ TEST_CASE("interfaces shared out over ranks are those of one rank, and complete 
   CHECK(segments > 100 * static_cast<GlobalIndex>(seeds));
   CHECK(ranks.sum(sliding) > 0);
   if (ranks.size() > 2) CHECK(ranks.sum(held) < ranks.sum(all_held));
-}
-
-TEST_CASE("rows that others imply, and nodes that ties carry, are the same on any number of ranks") {
-  const comm::Communicator ranks = comm::Communicator::world(), self = comm::Communicator::self();
-  LeftOut sum;
-  constexpr unsigned seeds = 8;
-  for (unsigned seed = 0; seed < seeds; ++seed) {
-    CAPTURE(seed);
-    Sheets sheets(seed);
-    const std::vector<Rank> of_facet = sheets.dealt(ranks.size());
-    Contact shared(ranks, model_of(sheets, ranks.rank(), of_facet, true));
-    Contact alone(self, model_of(sheets, 0, std::vector<Rank>(of_facet.size(), 0), true));
-    GlobalIndex round = 0;
-    for (const double share : {0.0, 0.3, 1.0}) {
-      for (Contact* contact : {&shared, &alone}) contact->go(sheets.at(share), Iterate::first_of_step);
-      for (int k = 0; k < 2; ++k, ++round) {
-        const LeftOut out = left_out(shared, alone, round);
-        REQUIRE(ranks.sum(out.differs) == 0);
-        sum.implied += out.implied;
-        sum.carried += out.carried;
-      }
-    }
-  }
-  CHECK(ranks.sum(sum.implied) > static_cast<GlobalIndex>(seeds));
-  CHECK(ranks.sum(sum.carried) > 10 * static_cast<GlobalIndex>(seeds));
 }
