@@ -29,7 +29,7 @@ def main():
     for k in range(2):
         case.assert_close(f"height after bounce {k + 1}, of the centre of mass [m]", drop, height[tops[k]], 0.01,
                           "Hertz: all is given back")
-    print("heights / drop: " + ", ".join(f"{height[top] / drop:.5f}" for top in tops))
+    case.table("heights", ["bounce", "height / drop"], [[k + 1, f"{height[top] / drop:.5f}"] for k, top in enumerate(tops)])
     start = history["kinetic"][0]
     case.assert_below("energy that the floor gives, in any row", max(0.0, -numpy.diff(history["walls"]).min()) / start, 1e-12)
     case.assert_below("energy that the floor gives, in all", max(0.0, -history["walls"].min()) / start, 1e-12)

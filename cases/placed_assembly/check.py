@@ -35,9 +35,9 @@ def main():
     parts = case.scene()["parts"]
     for part in parts:
         most, shift, turn = moves.get(part, (0, numpy.zeros(3), 0))
-        print(f"{part}: {mass[part]:.4g} kg, moved by {1e3 * most:.3f} mm, centre ({', '.join(f'{1e3 * x:.3f}' for x in shift)}) mm, turned by {turn:.3f} degrees")
+        case.row("parts", ["part", "mass [kg]", "largest displacement [mm]", "displacement of the centre x, y, z [mm]", "rotation [degrees]"],
+                 [part, mass[part], f"{1e3 * most:.3f}", ", ".join(f"{1e3 * x:.3f}" for x in shift), f"{turn:.2f}"])
     overlapping = re.findall(r"^smallest motion .*", listing, re.M)
-    print("\n".join(overlapping))
     case.assert_within("pairs that overlap as drawn", 9, 45, len(overlapping))
     largest = max(most for most, _, _ in moves.values())
     case.assert_below("largest displacement of a point [m]", largest, 0.01, "overlaps of 1 to 4 mm")
