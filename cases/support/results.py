@@ -73,7 +73,12 @@ def figure(value, digits=4):
         return ""
     if isinstance(value, (str, int)):
         return str(value)
-    return f"{float(value):.{digits}g}"
+    value = float(value)
+    if not 1e-3 <= abs(value) < 1e7:
+        return f"{value:.{digits}g}"
+    decimals = max(0, digits - 1 - math.floor(math.log10(abs(value))))
+    text = f"{value:.{decimals}f}"
+    return text.rstrip("0").rstrip(".") if decimals else text
 
 
 def unit_of_last_digit(text):
@@ -104,11 +109,20 @@ def same_check(stored, fresh):
     return abs(a - b) <= max(1.001 * scale, SHARE_OF_TOLERANCE * tolerance, ROUNDING)
 
 
+def _by_name(checks):
+    """Checks by quantity; one that is made several times by its number, too. Not those of equal bits."""
+    found = {}
+    for check in checks:
+        if check["source"] != SAME_BITS:
+            same = sum(name == check["quantity"] or name.startswith(check["quantity"] + " #") for name in found)
+            found[check["quantity"] + (f" #{same + 1}" if same else "")] = check
+    return found
+
+
 def differences(stored, fresh):
     """What a fresh record has otherwise than the stored one, times aside: a line each."""
     found = []
-    old = {check["quantity"]: check for check in stored["checks"] if check["source"] != SAME_BITS}
-    new = {check["quantity"]: check for check in fresh["checks"] if check["source"] != SAME_BITS}
+    old, new = _by_name(stored["checks"]), _by_name(fresh["checks"])
     found += [f"{name}: a check {'no longer made' if name in old else 'not stored'}" for name in sorted(old.keys() ^ new.keys())]
     found += [f"{name}: stored {old[name]['computed']}, now {new[name]['computed']}"
               for name in old if name in new and not same_check(old[name], new[name])]

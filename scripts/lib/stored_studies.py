@@ -53,6 +53,19 @@ def of_study(header, rows):
     return {"header": header, "rows": [[cell(text) for text in row] + [""] * (len(header) - len(row)) for row in rows]}
 
 
+def printed(text):
+    """The markdown tables of a text."""
+    tables, lines = [], []
+    for line in [*text.splitlines(), ""]:
+        if line.strip().startswith("|"):
+            lines.append([cell.strip() for cell in line.strip().strip("|").split("|")])
+        else:
+            if len(lines) > 2 and set("".join(lines[1])) <= set("-: "):
+                tables.append({"header": lines[0], "rows": [row + [""] * (len(lines[0]) - len(row)) for row in lines[2:]]})
+            lines = []
+    return tables
+
+
 def studies_of(folder):
     """Study files of a folder: {name of the form: (program, path)}."""
     found = {}

@@ -48,6 +48,10 @@ class Stale(unittest.TestCase):
         one, other = (record({**check("state on 3 ranks", 0, "same"), **bits, "computed": text}) for text in ("ab", "cd"))
         self.assertEqual(results.differences(one, other), [])
 
+    def test_a_check_of_every_run(self):
+        self.assertEqual(results.differences(record(check("e", 1.0), check("e", 2.0, 2.0)), record(check("e", 1.0), check("e", 2.0, 2.0))), [])
+        self.assertEqual(len(results.differences(record(check("e", 1.0), check("e", 2.0, 2.0)), record(check("e", 1.1), check("e", 2.0, 2.0)))), 1)
+
     def test_other_checks_and_rows(self):
         self.assertEqual(len(results.differences(record(check("force", 1.0)), record(check("speed", 1.0)))), 2)
         self.assertEqual(len(results.differences(record(mesh=[["10", "", ""]]), record(mesh=[]))), 1)
@@ -76,6 +80,11 @@ class Blocks(unittest.TestCase):
         self.assertIn("| force | 1 | 1.001 (0.1 %) | 1.0001 (0.01 %) | 0.01 |", self.block("beside"))
         self.assertIn("| fine | 1.0001 (0.01 %) |", self.block("by_run f*"))
         self.assertIn("| force | 2 | 0.001 | 0.01 |", self.block("worst"))
+
+    def test_a_check_of_every_run_is_one_row(self):
+        self.forms["short"]["checks"] += [check("balance", 1.001), check("balance", 1.002)]
+        results.save(os.path.join(self.root, "results.json"), self.forms)
+        self.assertIn("| balance (largest of 2) | 1 | 1.002 | 0.002 | 0.01 |", self.block("checks"))
 
     def test_what_is_missing_is_named(self):
         for spec, what in (("none", "no stored results"), ("medium/mesh", "form 'medium'"), ("checks x", "'x: ...'"), ("far:mesh", "not there")):
@@ -107,6 +116,11 @@ class Studies(unittest.TestCase):
         table = stored_studies.of_pareto(header, rows)
         self.assertEqual(table["header"], ["setting", "force, error [%] with 10, 20", "order", "loop [s]", "contact [s]"])
         self.assertEqual(table["rows"], [["rate", "1, -0.25", "2.00", "0.1, 0.4", "0.01, 0.02"], ["penalty", "stopped", "", "", ""]])
+
+
+    def test_tables_that_a_program_prints(self):
+        self.assertEqual(stored_studies.printed("loading\n| a | b |\n| --- | ---: |\n| 1 | |\ntext\n| no | table |\n"),
+                         [{"header": ["a", "b"], "rows": [["1", ""]]}])
 
 
 if __name__ == "__main__":
