@@ -74,7 +74,7 @@ def main():
             taken, steps = ours.history["contact"], ours.summary["steps"]
             rows.append([label, steps, free.summary["steps"], f"{steps / free.summary['steps']:.2f}", f"{100 * taken[-1] / energy:.2f}",
                          f"{ours.last('striker.x'):.1f}, {ours.last('target.x'):.1f}", f"{1e-3 * ours.summary['ns_per_element_step']:.3f}",
-                         f"{ours.summary['loop_s']:.2g}"])
+                         ours.summary["loop_s"]])
             # compressed elements are thinner: the step may shrink by the strain behind the wave, not by contact
             case.assert_close(f"{label}: steps with contact / without", 1, steps / free.summary["steps"], 0.05,
                               "free flight of the same cubes")

@@ -31,7 +31,7 @@ def foam_bar(case):
         shown = {"wall": f"{values['wall'] / 1e6:.4f}", "crushed": f"{values['crushed']:.4f}", "stop": f"{1e3 * values['stop']:.4f}",
                  "left": f"{1e3 * values['left']:.3f}"}
         errors = {name: f"{100 * (values[name] / getattr(theory, name) - 1):+.2f} %" for name in shown}
-        case.row("foam", head, [count, *(cell for name in shown for cell in (shown[name], errors[name])), s["steps"], f"{s['loop_s']:.2g}"])
+        case.row("foam", head, [count, *(cell for name in shown for cell in (shown[name], errors[name])), s["steps"], s["loop_s"]])
         energy = result.summary["energy"]
         case.assert_below(f"foam {count}: energy error", energy["error_ratio"], 1e-10, "ledger")
         case.assert_close(f"foam {count}: taken by foam, viscosity, wall / kinetic energy", 1,
@@ -134,14 +134,14 @@ def limiter(case, density=1, speed=40):
     contact = s["contact"]
     case.row("energy", ["speed [m/s]", "elements", "at the start [J]", *(f"{key} [%]" for key in shares)],
              [speed, s["elements"], f"{4e-3 * start:.0f}", *(f"{100 * share:.2f}" for share in shares.values())])
-    mean = 4e-3 * h["impulse_wall.z"][stop] / h["time"][stop]
+    mean = 4e-3 * start / -h["place.z"][stop]  # that takes the whole energy over the stroke [kN]
     case.row("motion", ["speed [m/s]", "elements", "payload stops after [ms]", "stroke [mm]", "largest force [kN]", "mean force over the stroke [kN]",
                         "iterations of contact, mean and most", "steps at their limit", "steps", "loop [s]"],
              [speed, s["elements"], f"{h['time'][stop]:.2f}", f"{-h['place.z'][stop]:.1f}", f"{force.max():.0f}", f"{mean:.0f}",
-              f"{contact['iterations_mean']:.1f}, {contact['iterations_max']}", contact["steps_at_limit"], s["steps"], f"{s['loop_s']:.2g}"])
+              f"{contact['iterations_mean']:.1f}, {contact['iterations_max']}", contact["steps_at_limit"], s["steps"], s["loop_s"]])
     case.assert_below(f"{name}: energy error", energy["error_ratio"], 1e-10, "ledger")
     case.assert_below(f"{name}: momentum error", s["momentum_error"], 1e-10, "ledger")
-    case.assert_within(f"{name}: energy taken by contact, share", 0, 0.01, energy["contact"] / start, "gives nothing")
+    case.assert_within(f"{name}: energy taken by contact, share", 0, 0.01, energy["contact"] / start, "contact adds no energy")
     case.assert_within(f"{name}: absorbed by plastic flow and friction, share", 0.95, 1,
                        sum(absorbed.values()) + energy["friction"] / start, "nothing else takes energy")
     case.assert_below(f"{name}: kinetic energy left, share", energy["kinetic"] / start, 0.02, "the payload stands")

@@ -47,7 +47,7 @@ def main():
     # against the strain energy of a strain of 1e-6 in all parts, about 1e-12 of their moduli times volumes
     scale = 1e-12 * 2e11 * sum(mass.values()) / 7800
     case.assert_below("kinetic energy after 500 steps / that of a strain of 1e-6", energy["kinetic"] / scale, 1e-12, SOURCE)
-    case.assert_below("energy that contact gives or takes / the same", abs(energy["contact"]) / scale, 1e-12, SOURCE)
+    case.assert_below("energy of contact / the same", abs(energy["contact"]) / scale, 1e-12, SOURCE)
     case.assert_below("deepest penetration [m]", result.summary["max_penetration"], 1e-12, SOURCE)
     case.assert_same_on_ranks((1, 2, 3), overrides={"run.steps": 50})
     case.finish()

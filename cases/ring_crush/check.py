@@ -119,7 +119,7 @@ def check_crush(case, scene, elements, ours):
     case.row("rings", ["elements", "greatest depth of an inner node / element", "energy taken by contact / work of the walls",
                        "left-right asymmetry at the end [mm]", "up-down [mm]", "steps", "loop [s]"],
              [f"{elements[0]} x {elements[1]}", f"{max(depth.max() for depth in depths) / layer:.0e}", f"{ours.last('contact') / work:.1e}",
-              f"{ring.asymmetry(-1, 0):.0e}", f"{ring.asymmetry(-1, 1):.0e}", ours.summary["steps"], f"{ours.summary['loop_s']:.2g}"])
+              f"{ring.asymmetry(-1, 0):.0e}", f"{ring.asymmetry(-1, 1):.0e}", ours.summary["steps"], ours.summary["loop_s"]])
 
 
 def main():

@@ -121,7 +121,7 @@ def check_flat(case, name, speed, friction):
     slope, start = numpy.polyfit(time[early], ours[early], 1)
     begins = (ours[late].mean() - start) / slope
     case.assert_close(f"{label}: time when it rolls [s]", until, begins, 0.01, SOURCE)
-    case.assert_close(f"{label}: way until it rolls [m]", (speed + end) / 2 * until,
+    case.assert_close(f"{label}: distance until it rolls [m]", (speed + end) / 2 * until,
                       numpy.interp(until, time, place) - place[0], 0.01, SOURCE)
     at, spin = ball.spins()
     case.assert_close(f"{label}: R x angular velocity once it rolls [m/s]", end, spin[at > 1.3 * until].mean(), SPIN_GATE, SOURCE)

@@ -174,7 +174,7 @@ class Case:
         self._check(quantity, str(reference), str(ours), None, "equal", reference == ours, source)
 
     def table(self, name, header, rows):
-        """A table for the README, printed too: cells are texts, or numbers that get four digits. A head with a time in [s] says
+        """A table for the README, printed too: cells are texts, or numbers that get four digits (times two). A head with a time in [s] says
         that its column is measured, and differs from run to run."""
         for cells in rows:
             self.row(name, header, cells)
@@ -185,7 +185,7 @@ class Case:
             self.tables[name] = {"header": list(header), "rows": []}
             print("\n| " + " | ".join(header) + " |\n" + "|---" * len(header) + "|")
         assert list(header) == self.tables[name]["header"] and len(cells) == len(header), f"table {name}: a row does not fit its header"
-        cells = [results.figure(cell) for cell in cells]
+        cells = [results.figure(cell, 2 if results.TIME.search(head) else 4) for head, cell in zip(header, cells)]
         self.tables[name]["rows"].append(cells)
         print("| " + " | ".join(cells) + " |")
 

@@ -65,4 +65,4 @@ def report(case, label, result):
     case.row("solvers", ["run", "solver", "steps", "halved", "iterations a step, mean and most", "energy of the bodies, change at the end [%]",
                          "largest gain in a step / energy at the start", "deepest row", "loop [s]"],
              [label, "implicit" if work else "explicit", summary["steps"], work.get("halved", ""), iterations,
-              f"{100 * energy(result)[-1]:.2f}", f"{gain_in_a_step(result):.0e}", f"{summary['max_penetration']:.2g}", f"{summary['loop_s']:.2g}"])
+              f"{100 * energy(result)[-1]:.2f}", f"{gain_in_a_step(result):.0e}", f"{summary['max_penetration']:.2g}", summary["loop_s"]])

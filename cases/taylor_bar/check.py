@@ -63,7 +63,7 @@ class Bar:
     def line(self):
         s = self.result.summary
         return [self.name, s["elements"], s["steps"], f"{1e3 * self.face:.4f}", f"{100 * (self.face / FACE - 1):+.2f} %", f"{100 * self.spread:.1f}",
-                f"{1e3 * self.length:.4f}", f"{100 * (self.length / LENGTH - 1):+.2f} %", f"{100 * self.hourglass:.2f}", f"{s['loop_s']:.2g}",
+                f"{1e3 * self.length:.4f}", f"{100 * (self.length / LENGTH - 1):+.2f} %", f"{100 * self.hourglass:.2f}", s["loop_s"],
                 f"{s['ns_per_element_step']:.0f}"]
 
 

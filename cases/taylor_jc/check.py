@@ -86,7 +86,7 @@ class Rod:
         foot = [f"{1e3 * r['face']:.2f}", f"{1e3 * self.face:.2f}", f"{face:+.1f} %"] if face else ["", f"{1e3 * self.face:.2f}", ""]
         return [self.number, r["name"], r["source"], f"{r['T']:.0f}", f"{1e3 * r['L']:.2f}", f"{r['V']:.0f}", f"{self.label}, {self.across}",
                 f"{1e3 * r['length']:.2f}", f"{1e3 * self.length:.2f}", f"{length:+.1f} %", *foot, "**no**" if out else "yes",
-                f"{100 * self.hourglass:.1f}", s["folded_elements"], s["steps"], f"{s['loop_s']:.2g}"]
+                f"{100 * self.hourglass:.1f}", s["folded_elements"], s["steps"], s["loop_s"]]
 
 
 def assert_ledger(case, rod):

@@ -13,6 +13,7 @@ long, others that has the table). TABLE is one of the record's own tables, or
     by_run   the same, a row for each label
     worst    one row a quantity over all labels: how many checks, the largest error, the tolerance
     runs     what each run reports: elements, steps, iterations of contact, balance of energy, time
+    overview one row for each folder below FOLDER: how many checks and runs, the error nearest to its tolerance, time, commit
 """
 import fnmatch
 import os
@@ -181,6 +182,23 @@ def _runs(record):
     return header, rows
 
 
+def _overview(root, folder):
+    rows = []
+    for name in sorted(os.listdir(folder)):
+        record = results.load(os.path.join(folder, name, "results.json")).get("short")
+        if record:
+            checks = record["checks"]
+            shares = [c["error"] / c["tolerance"] for c in checks if isinstance(c["error"], (int, float)) and isinstance(c["tolerance"], (int, float))
+                      and c["tolerance"] > 0]
+            passed = sum(c["passed"] for c in checks)
+            rows.append([f"[{name}]({name}/README.md)", str(len(checks)), str(passed), f"{100 * max(shares, default=0):.0f}", str(len(record["runs"])),
+                         figure(sum(run["loop_s"] for run in record["runs"]), 2), record["commit"], record["date"]])
+    if not rows:
+        raise Missing(f"no folder below {os.path.relpath(folder, root)} has results")
+    header = ["case", "checks", "passed", "largest error / its tolerance [%]", "runs", "loop of all runs [s]", "commit", "date"]
+    return f"{markdown(header, rows)}\n\n`scripts/tables --run`, short form.\n"
+
+
 def _record_with(forms, form, table):
     if form:
         if form not in forms:
@@ -199,6 +217,8 @@ def block(root, page_folder, spec):
     folder, colon, words = words.rpartition(":")
     folder = os.path.join(root, folder) if colon else page_folder
     form, slash, table = words.rpartition("/")
+    if table == "overview":
+        return _overview(root, folder)
     path = os.path.join(folder, "results.json")
     if not os.path.exists(path):
         raise Missing(f"{os.path.relpath(path, root)} is not there")

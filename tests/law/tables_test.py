@@ -86,6 +86,11 @@ class Blocks(unittest.TestCase):
         results.save(os.path.join(self.root, "results.json"), self.forms)
         self.assertIn("| balance (largest of 2) | 1 | 1.002 | 0.002 | 0.01 |", self.block("checks"))
 
+    def test_an_overview_of_all_folders(self):
+        os.makedirs(os.path.join(self.root, "bar"))
+        results.save(os.path.join(self.root, "bar", "results.json"), self.forms)
+        self.assertIn("| [bar](bar/README.md) | 3 | 3 | 10 | 0 | 0 | 0123abc | 2026-01-31 |", self.block("overview"))
+
     def test_what_is_missing_is_named(self):
         for spec, what in (("none", "no stored results"), ("medium/mesh", "form 'medium'"), ("checks x", "'x: ...'"), ("far:mesh", "not there")):
             with self.assertRaisesRegex(result_tables.Missing, what):
