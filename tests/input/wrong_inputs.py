@@ -304,6 +304,12 @@ SCRIPTS = [  # scripts/COMMAND
 
 STUDY_RUNS, STUDY_SCENES = "scene: scene.yaml\nruns: {{{}: {{}}}}", "scenes: {{{}: scene.yaml}}\nruns: {{a: {{}}}}"
 
+SCRIPTS += [
+    Wrong("tables with a misspelt option", ["tables", "--halp"], command="tables", target="", arguments=["--halp"], lines=1),
+    Wrong("tables of a case that is not there", ["tables", "'nope'", "expected"], command="tables", target="", arguments=["nope"], lines=1),
+    Wrong("tables that are checked and run", ["tables", "--check"], command="tables", target="", arguments=["--check", "--run"], lines=1),
+]
+
 SCRIPTS += [  # before anything is built, run or drawn
     Wrong(f"{script} with a misspelt option", [script, option], command=script, target="", arguments=[option], lines=1)
     for script, option in (("test", "--halp"), ("demo", "--halp"), ("setup", "--halp"), ("tidy", "--halp"), ("run", "--halp"),
