@@ -7,9 +7,9 @@ import sys
 
 import numpy
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from support.case_check import Case  # noqa: E402
-from support.surfaces import outward, sphere_grid, torus_grid, write_obj  # noqa: E402
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from case_check import Case  # noqa: E402
+from surfaces import outward, sphere_grid, torus_grid, write_obj  # noqa: E402
 
 METRICS = ("translation", "displacement", "object_norm")
 

@@ -5,9 +5,9 @@ import math
 import os
 import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from support.case_check import Case  # noqa: E402
-from support.surfaces import box, plate_with_hole, write_obj  # noqa: E402
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from case_check import Case  # noqa: E402
+from surfaces import box, plate_with_hole, write_obj  # noqa: E402
 
 HALF, LENGTH, HOLE, DEPTH = 0.2, 1.0, 0.25, 0.3  # of the peg: half-width, half-length; of the hole
 TILTS = (12.0, 15.0, 20.0, 30.0)  # degrees

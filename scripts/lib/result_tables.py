@@ -104,16 +104,17 @@ def _cell(check, with_reference):
         return figure(check["computed"], 2)
     if isinstance(check["expected"], str):
         return _number(check["computed"])
-    if with_reference:
-        return f"{_number(check['computed'])} ({_number(check['expected'])})"
-    if check.get("absolute") or not isinstance(check["error"], (int, float)):
-        return _number(check["computed"])
-    return f"{_number(check['computed'])} ({figure(100 * check['error'], 2)} %)"
+    reference = [_number(check["expected"])] if with_reference else []
+    share = abs(check["computed"] / check["expected"] - 1) if check["expected"] else 0
+    error = [f"{figure(100 * share, 2)} %"] if share > results.ROUNDING else []
+    behind = "; ".join(reference + error)
+    return _number(check["computed"]) + (f" ({behind})" if behind else "")
 
 
 def _tolerance(checks):
-    texts = dict.fromkeys("" if isinstance(c["expected"], str) else figure(c["tolerance"], 3) for c in checks)
-    return " to ".join(texts)
+    """The tolerance, or the smallest and the largest; nothing for bounds, which the reference has."""
+    found = [c["tolerance"] for c in checks if isinstance(c["tolerance"], (int, float)) and not isinstance(c["expected"], str)]
+    return " to ".join(dict.fromkeys(figure(t, 3) for t in (min(found), max(found)))) if found else ""
 
 
 def _beside(record, patterns):
