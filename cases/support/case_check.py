@@ -32,7 +32,8 @@ import results
 
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SKIP_CODE = 77  # ctest reports the case as skipped
-SHOWN_DIFFERENCES = 8  # of the stored results, in lines
+SHOWN_DIFFERENCES = 8  # from the stored results, in lines
+STALE_RESULTS_FAIL = False  # whether a check fails where its figures differ from the stored ones; else it warns
 
 
 class SceneLoader(yaml.SafeLoader):
@@ -224,15 +225,17 @@ class Case:
             cells = [check["quantity"], results.figure(check["expected"], 6), results.figure(check["computed"], 6),
                      results.figure(check["error"], 3), results.figure(check["tolerance"], 2), "yes" if check["passed"] else "**NO**"]
             print("| " + " | ".join(cells) + f" | {check['source']} |")
-        self._keep()
+        stale = self._keep()
         failed = [check["quantity"] for check in self.checks if not check["passed"]]
+        if stale and STALE_RESULTS_FAIL:
+            failed.append("the stored results are stale")
         if not self.checks:
             failed = ["nothing was checked"]
         print(f"{self.name}: {len(self.checks)} checks, {len(failed)} failed" + "".join(f"; {f}" for f in failed))
         sys.exit(1 if failed else 0)
 
     def _keep(self):
-        """To results.json of the work folder; says where the stored results of the case are others."""
+        """Writes results.json into the work folder, and names where it differs from the stored results; how many differences."""
         form = "long" if self.long else "short"
         fresh = results.record(PROJECT, f"cases/{self.name}/check.py" + (" --long" if self.long else ""), self.checks,
                                [_figures_of(name, result) for name, result in self.results.items()], self.tables)
@@ -245,6 +248,7 @@ class Case:
         if found:
             print(f"warning: {len(found)} figures differ from the stored results; run scripts/tables --run {self.name}"
                   + (" --long" if self.long else ""))
+        return len(found)
 
     def _check(self, quantity, expected, computed, error, tolerance, passed, source, absolute=False):
         # A NaN is never below a gate, so it fails without a word of its own.
