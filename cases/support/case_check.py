@@ -95,6 +95,7 @@ class Case:
         parser.add_argument("--brunt", default=os.path.join(PROJECT, "build/release/brunt"), help="the program")
         parser.add_argument("--work", default=os.path.join(PROJECT, "build/cases", self.name), help="folder for results")
         parser.add_argument("--long", action="store_true", help="the thorough form of the check")
+        parser.add_argument("--renew", action="store_true", help="do not compare with the stored results: they are to be written anew")
         parser.add_argument("--errors", metavar="RESULT", help="print the errors of this result as JSON, run nothing")
         parser.add_argument("--scene", default="scene.yaml", help="with --errors: the scene of the result")
         parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="with --errors: its overrides")
@@ -242,7 +243,7 @@ class Case:
         os.makedirs(self.work, exist_ok=True)
         results.save(os.path.join(self.work, "results.json"), {form: fresh})
         stored = results.load(os.path.join(self.folder, "results.json")).get(form)
-        found = results.differences(stored, fresh) if stored else []
+        found = results.differences(stored, fresh) if stored and not self.given.renew else []
         for line in found[:SHOWN_DIFFERENCES]:
             print(f"warning: {line}")
         if found:
