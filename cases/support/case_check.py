@@ -95,6 +95,7 @@ class Case:
         parser.add_argument("--brunt", default=os.path.join(PROJECT, "build/release/brunt"), help="the program")
         parser.add_argument("--work", default=os.path.join(PROJECT, "build/cases", self.name), help="folder for results")
         parser.add_argument("--long", action="store_true", help="the thorough form of the check")
+        parser.add_argument("--one-rank", action="store_true", help="one rank, no comparisons of bits")
         parser.add_argument("--renew", action="store_true", help="do not compare with the stored results: they are to be written anew")
         parser.add_argument("--errors", metavar="RESULT", help="print the errors of this result as JSON, run nothing")
         parser.add_argument("--scene", default="scene.yaml", help="with --errors: the scene of the result")
@@ -127,6 +128,7 @@ class Case:
         if self.given.errors:
             sys.exit(f"{self.name}: its check does not answer --errors")
         name = name or f"np{ranks}"
+        ranks = 1 if self.given.one_rank else ranks
         out = os.path.join(self.work, name)
         shutil.rmtree(out, ignore_errors=True)
         os.makedirs(self.work, exist_ok=True)
@@ -198,16 +200,22 @@ class Case:
 
     def assert_same_state(self, quantity, reference, ours):
         """Two results end with the same bits."""
+        if self.given.one_rank:
+            return
         self.assert_equal(quantity, reference.summary["state_hash"], ours.summary["state_hash"], results.SAME_BITS)
 
     def assert_same_on_ranks(self, counts=(1, 2, 3), **run_arguments):
         """The state has the same bits on every number of ranks."""
+        if self.given.one_rank:
+            return
         first, *others = [self.run(ranks=n, name=f"hash_np{n}", **run_arguments) for n in counts]
         for count, other in zip(counts[1:], others):
             self.assert_same_state(f"state on {count} ranks", first, other)
 
     def assert_same_after_restart(self, reference, middle, before=2, after=3, **run_arguments):
         """Stopped at the time `middle` on some ranks and continued on others: the state of the result `reference`."""
+        if self.given.one_rank:
+            return
         overrides = run_arguments.pop("overrides", None) or {}
         half = {**overrides, "run.end": middle, "checkpoint.every": middle}
         first = self.run(ranks=before, name="restart_before", overrides=half, **run_arguments)
@@ -238,7 +246,8 @@ class Case:
     def _keep(self):
         """Writes results.json into the work folder, and names where it differs from the stored results; how many differences."""
         form = "long" if self.long else "short"
-        fresh = results.record(PROJECT, f"cases/{self.name}/check.py" + (" --long" if self.long else ""), self.checks,
+        options = " --long" * self.long + " --one-rank" * self.given.one_rank
+        fresh = results.record(PROJECT, f"cases/{self.name}/check.py{options}", self.checks,
                                [_figures_of(name, result) for name, result in self.results.items()], self.tables)
         os.makedirs(self.work, exist_ok=True)
         results.save(os.path.join(self.work, "results.json"), {form: fresh})

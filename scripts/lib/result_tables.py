@@ -32,6 +32,10 @@ class Missing(Exception):
     """What a block asks for and the stored results have not."""
 
 
+class NotStored(Missing):
+    """No results of this kind have been stored yet: the block stays as it is."""
+
+
 def markdown(header, rows):
     lines = [list(header), ["---"] * len(header), *rows]
     return "\n".join("| " + " | ".join(str(cell).replace("|", "\\|") for cell in line) + " |" for line in lines)
@@ -203,13 +207,14 @@ def _overview(root, folder):
 def _record_with(forms, form, table):
     if form:
         if form not in forms:
-            raise Missing(f"no results of the form '{form}' are stored")
+            raise NotStored(f"no results of the form '{form}' are stored")
         return form, forms[form]
     order = [f for f in FORMS if f in forms] + sorted(set(forms) - set(FORMS))
     for name in order:
         if table in forms[name]["tables"] or (table in TABLES_OF_RECORDS and forms[name]["checks"]):
             return name, forms[name]
-    raise Missing(f"no stored results have a table '{table}'")
+    kind = Missing if "short" in forms else NotStored
+    raise kind(f"no stored results have a table '{table}'")
 
 
 def block(root, page_folder, spec):
@@ -222,7 +227,7 @@ def block(root, page_folder, spec):
         return _overview(root, folder)
     path = os.path.join(folder, "results.json")
     if not os.path.exists(path):
-        raise Missing(f"{os.path.relpath(path, root)} is not there")
+        raise NotStored(f"{os.path.relpath(path, root)} is not there")
     form, record = _record_with(results.load(path), form if slash else "", table)
     makers = {"checks": lambda: _checks(record, label), "beside": lambda: _beside(record, label),
               "by_run": lambda: _by_run(record, label), "worst": lambda: _worst(record), "runs": lambda: _runs(record)}
@@ -236,23 +241,24 @@ def block(root, page_folder, spec):
 
 
 def filled(root, page):
-    """The page's text with every block written anew, and a line for each block that cannot be."""
+    """The page's text, the text with every block written anew, faults, and blocks whose results have not been stored: a line each."""
     with open(os.path.join(root, page), encoding="utf-8") as stream:
         text = stream.read()
-    faults = []
+    faults, empty = [], []
 
     def write(match):
         try:
             return match[1] + block(root, os.path.dirname(os.path.join(root, page)), match[2]) + match[4]
         except Missing as missing:
-            faults.append(f"{page}: results: {match[2]}: {missing}")
+            lines = empty if isinstance(missing, NotStored) else faults
+            lines.append(f"{page}: results: {match[2]}: {missing}")
             return match[0]
 
     new = BLOCK.sub(write, text)
     marks = text.count("<!-- results: "), text.count("<!-- end of results -->")
     if marks[0] != marks[1]:
         faults.append(f"{page}: {marks[0]} blocks of results begin and {marks[1]} end")
-    return text, new, faults
+    return text, new, faults, empty
 
 
 def pages(root):

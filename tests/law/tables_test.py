@@ -100,12 +100,19 @@ class Blocks(unittest.TestCase):
         page = os.path.join(self.root, "README.md")
         with open(page, "w", encoding="utf-8") as stream:
             stream.write("before\n<!-- results: mesh -->\nold\n<!-- end of results -->\nafter\n")
-        old, new, faults = result_tables.filled(self.root, "README.md")
+        old, new, faults, _ = result_tables.filled(self.root, "README.md")
         self.assertEqual((faults, old == new), ([], False))
         with open(page, "w", encoding="utf-8") as stream:
             stream.write(new)
-        old, again, faults = result_tables.filled(self.root, "README.md")
+        old, again, faults, _ = result_tables.filled(self.root, "README.md")
         self.assertEqual((old, faults), (again, []))
+
+    def test_results_that_are_not_stored_yet_are_no_fault(self):
+        text = "<!-- results: far:mesh -->\n<!-- end of results -->\n"
+        with open(os.path.join(self.root, "README.md"), "w", encoding="utf-8") as stream:
+            stream.write(text)
+        old, new, faults, empty = result_tables.filled(self.root, "README.md")
+        self.assertEqual((old, new, faults, len(empty)), (text, text, [], 1))
 
     def test_a_block_without_end(self):
         with open(os.path.join(self.root, "README.md"), "w", encoding="utf-8") as stream:
