@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Softness of contact rows over all cases: error, energy, iterations and time, as the table of cases/README.md.
 
+    scripts/tables cases    fills the table there, once the results of a complete run are stored in cases/results.json
+
     cases/softness.py [--softness 0,0.002,0.01,0.05] [--only NAME,...] [--repeat 3] [--work DIR] [--brunt PROGRAM]
 
 Runs every scene on one rank with each softness in turn, as many times as asked for (once where a run takes long),
@@ -29,11 +31,14 @@ sys.dont_write_bytecode = True
 CASES = os.path.dirname(os.path.abspath(__file__))
 PROJECT = os.path.dirname(CASES)
 sys.path.insert(0, os.path.join(CASES, "support"))
+import results  # noqa: E402
 from case_check import Result, SceneLoader, _override  # noqa: E402
 from overlap import Bodies  # noqa: E402
 
 STEEL = {"model": "elastic", "density": 7800, "young": 2.0e11, "poisson": 0.3}
 ALUMINIUM = {"model": "elastic", "density": 2700, "young": 6.9e10, "poisson": 0.3}
+HEADER = ["scene", "softness", "error (of what)", "penetration", "contact takes", "gives back at most", "iterations, mean and most",
+          "steps at the limit", "time over that with 0"]
 SHORTEST = 0.25  # runs of less processor time [s] are not compared
 RUBBER = {"model": "neo_hookean", "density": 1000, "young": 1.0e6, "poisson": 0.45}
 
@@ -324,7 +329,7 @@ def cells(name, scene, softness, of):
         ratio = f"{run['time'] / rigid['time']:.2f}" if rigid and rigid["time"] >= SHORTEST else ""
         energy = [f"{run['taken']:.1e}", f"{run['given']:.1e}"] if scene.energy else ["", ""]
         yield [name, f"{s:g}", error, f"{run['depth']:.1e}", *energy,
-               f"{run['mean']:.1f} / {run['max']}", str(run["limit"]), ratio]
+               f"{run['mean']:.1f}, {run['max']}", str(run["limit"]), ratio]
 
 
 def main():
@@ -358,10 +363,13 @@ def main():
             alike.append(name)
         else:
             table += cells(name, scene, values, kept[name])
-    print("| scene | softness | error (of what) | penetration | contact takes | gives back at most | iterations, mean / max | at limit | time |\n"
-          "|---|---|---|---|---|---|---|---|---|")
+    print("| " + " | ".join(HEADER) + " |\n" + "|---" * len(HEADER) + "|")
     for row in table:
         print("| " + " | ".join(row) + " |")
+    if not only:
+        path = os.path.join(CASES, "results.json")
+        stored = results.record(PROJECT, "cases/softness.py", tables={"softness": {"header": HEADER, "rows": table}})
+        results.save(path, {**results.load(path), "softness": stored})
     print(f"\nThe same bits with any softness: {', '.join(alike)}.")
 
 

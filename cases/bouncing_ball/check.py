@@ -28,11 +28,11 @@ def main():
     case.assert_equal("bounces", BOUNCES, len(tops))
     for k in range(2):
         case.assert_close(f"height after bounce {k + 1}, of the centre of mass [m]", drop, height[tops[k]], 0.01,
-                          "Hertz: all is given back")
-    print("heights / drop: " + ", ".join(f"{height[top] / drop:.5f}" for top in tops))
+                          "Hertz, elastic impact")
+    case.table("heights", ["bounce", "height / drop"], [[k + 1, f"{height[top] / drop:.5f}"] for k, top in enumerate(tops)])
     start = history["kinetic"][0]
-    case.assert_below("energy that the floor gives, in any row", max(0.0, -numpy.diff(history["walls"]).min()) / start, 1e-12)
-    case.assert_below("energy that the floor gives, in all", max(0.0, -history["walls"].min()) / start, 1e-12)
+    case.assert_below("energy that the floor adds, in any row", max(0.0, -numpy.diff(history["walls"]).min()) / start, 1e-12)
+    case.assert_below("energy that the floor adds, in all", max(0.0, -history["walls"].min()) / start, 1e-12)
     energy = history["kinetic"] + history["internal"] + history["hourglass"] - history["external"]
     case.assert_below("energy of the ball, growth / energy of the fall", max(0.0, (energy - energy[0]).max()) / start, 1e-6)
     case.assert_energy(result, energy_gate=1e-10, momentum_gate=1e-9)

@@ -100,14 +100,14 @@ def main():
     case.answer(errors)
     scene = case.scene()
     result = case.run()
-    heights = {100: check(case, "N = 100", result, scene, (0.01, 0.04))}
+    heights = {"reference": [exact(scene)[f"peak_{k}"] for k in (1, 2, 1)], 100: check(case, "N = 100", result, scene, (0.01, 0.04))}
     fine = {"mesh.0.box.elements": [1, 1, 500]}
     heights[500] = check(case, "N = 500", case.run(overrides=fine, name="N500"), scene, (0.01, 0.01))
     if case.long:
         finer = {"mesh.0.box.elements": [1, 1, 1000]}
         heights[1000] = check(case, "N = 1000", case.run(overrides=finer, name="N1000"), scene, (0.01, 0.01))
-    for count, peak in heights.items():
-        print(f"N = {count}: peaks " + ", ".join(f"{1e3 * p:.4f}e-3" for p in peak))
+    case.table("peaks", ["elements", "peak 1 [1e-3]", "peak 2 [1e-3]", "peak 3 [1e-3]"],
+               [[count, *(f"{1e3 * p:.4f}" for p in peak[:3])] for count, peak in heights.items()])
     two = {"run.end": 4}
     case.assert_same_on_ranks((1, 2, 3, 4, 7) if case.long else (1, 3), overrides=two)
     case.assert_same_after_restart(case.run(overrides=two, name="two"), 1.3, overrides=two)

@@ -11,6 +11,7 @@ from case_check import Case  # noqa: E402
 
 SOURCE = "Hertz 1881 and finite-size factor, see README"
 QUARTERS = 4  # the scenes hold a quarter of each ball
+MASSES = []  # rows of the table of masses
 WINDOW = 0.015  # of the contact: forces are means over it, 5 us of H4
 # Hertz takes each ball for a half-space. Converged linear finite elements (axisymmetric, three meshes, extrapolated) of
 # a/R = 0.0425, 0.068, 0.081 give F / Hertz = 1.018, 1.030, 1.037 and t / Hertz = 0.9855, 0.979, 0.974.
@@ -87,9 +88,9 @@ def errors(scene, result):
 def check(case, label, scene, result):
     ours = Impact(scene, result)
     whole = [Ball(scene, mesh, None).mass for mesh in meshes(scene)]
-    for name, mass, full in zip("12", ours.masses, whole):
-        print(f"{label}: ball {name} as meshed has {mass / full - 1:+.3%} of its mass; uncorrected reference "
-              f"{exact(scene)['force']:.6g} N, {exact(scene)['duration']:.6g} s")
+    full = exact(scene)
+    MASSES.append([label, ", ".join(f"{100 * (mass / sphere - 1):+.2f}" for mass, sphere in zip(ours.masses, whole)),
+                   f"{full['force']:.5g}", f"{1e6 * full['duration']:.5g}"])
     for mesh in meshes(scene):
         edge = numpy.pi / 4 * mesh["radius"] / round(0.6 * mesh["elements"]) / mesh.get("finer", 1)
         case.assert_within(f"{label}: elements over the contact radius, {mesh['part']}", 6, numpy.inf,
@@ -125,10 +126,13 @@ def main():
         check_mirror(case, scene, plane)
         two = case.scene("two_spheres.yaml")
         check(case, "two steel balls", two, case.run("two_spheres.yaml", name="two", ranks=2))
+        rows = []
         for factor in (0.5, 0.75):
             coarse = {"mesh.sphere.elements": round(factor * scene["mesh"]["sphere"]["elements"])}
             run = Impact(case.scene(overrides=coarse), case.run(overrides=coarse, name=f"coarse_{factor}", ranks=2))
-            print(f"{coarse}: " + ", ".join(f"{name} {error:+.3%}" for name, error in run.errors().items()))
+            rows.append([coarse["mesh.sphere.elements"], *(f"{100 * error:+.2f} %" for error in run.errors().values())])
+        case.table("coarser", ["elements across the radius", "force, error", "duration, error", "restitution, error"], rows)
+    case.table("masses", ["scene", "mass of each ball as meshed, error [%]", "force for the full mass [N]", "duration for the full mass [us]"], MASSES)
     short = {"run.steps": 300}
     case.assert_same_on_ranks((1, 2, 3), overrides=short)
     case.finish()

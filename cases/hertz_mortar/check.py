@@ -17,6 +17,8 @@ from case_check import Case  # noqa: E402
 DEPTH, SINK = 0.1, 1e-4  # of the slab; overlap of whole cylinders, whose travel is prescribed from there
 # P: greatest pressure and half width, converged, from a two-dimensional prototype of our own (neo-Hooke, plane strain)
 CONVERGED = {10: (9.505, 0.671), 1: (2.977, 0.2132)}
+PRESSURE = ["P", "facets", "multipliers", "p0", "error", "a", "error", "L2 error against Hertz", "largest error within 0.97 a", "unknowns",
+            "iterations", "loop [s]"]
 FITTED = 0.9  # share of the contact zone over which the pressure is fitted
 
 
@@ -87,14 +89,18 @@ def press(case, load, facets, multiplier):
 
 
 def line(case, load, facets, multiplier, result, profile):
-    """A row of the README's table."""
+    """Adds a row to the table of pressures."""
     p0, a = profile.fit()
     exact = hertz(case.scene(), load)
     rim = profile.pressure / (exact[1] * numpy.sqrt(numpy.maximum(1e-9, 1 - (profile.x / exact[0]) ** 2)))
     inside = profile.x < 0.97 * exact[0]
     implicit = result.summary["implicit"]
-    return (f"| {load:g} | a/{facets} | {multiplier} | {p0:.4f} | {a:.4f} | {profile.distance(*exact):.4f} | "
-            f"{abs(rim[inside] - 1).max():.3f} | {implicit['unknowns']} | {implicit['iterations']} | {result.summary['wall_s']:.1f} |")
+    (converged, half_width), loop = CONVERGED[load], result.summary["loop_s"]
+    case.row("pressure", PRESSURE, [f"{load:g}", f"a/{facets}", multiplier, f"{p0:.4f}", f"{100 * abs(p0 / converged - 1):.2f} %", f"{a:.4f}",
+                                    f"{100 * abs(a / half_width - 1):.1f} %", f"{profile.distance(*exact):.3f}",
+                                    f"{100 * abs(rim[inside] - 1).max():.1f} %", implicit["unknowns"], implicit["iterations"], loop])
+    case.row("residuals", ["P", "facets", "multipliers", "residuals of the last step over the first one"],
+             [f"{load:g}", f"a/{facets}", multiplier, ", ".join(f"{r / implicit['residuals_last'][0]:.1e}" for r in implicit["residuals_last"])])
 
 
 def check_normal(case, load, facets, gates):
@@ -109,7 +115,7 @@ def check_normal(case, load, facets, gates):
     rises = numpy.diff(profile.pressure)
     case.assert_below(f"{label}: greatest rise of the pressure outwards / p0", max(rises.max(), 0) / p0, 1e-3, "monotone")
     case.assert_energy(result, energy_gate=1e-8)
-    return line(case, load, facets, "dual", result, profile)
+    line(case, load, facets, "dual", result, profile)
 
 
 def forces_of_nodes(result, profile):
@@ -173,9 +179,11 @@ def check_friction(case, facets):
     stick, exact = cattaneo(sheared.friction, sheared.normal, sheared.tangential, half_width, sheared.x)
     label = f"friction, a/{facets}"
     off = math.sqrt((sheared.profile.length * (sheared.traction - exact) ** 2).sum() / (sheared.profile.length * exact ** 2).sum())
-    print(f"{label}: P {sheared.normal:.5f} Q {sheared.tangential:.5f}, a {half_width:.4f}, c {stick:.4f} ours "
-          f"{sheared.stick_half_width(half_width):.4f} (between nodes {sheared.between_nodes():.4f}), L2 of q {off:.3f}, "
-          f"greatest q {sheared.traction.max():.4f} exact at nodes {exact.max():.4f}, {result.summary['wall_s']:.1f} s")
+    case.table("friction", ["facets", "P", "Q", "half width of contact", "of sticking, reference", "computed",
+                            "L2 error of the shear traction", "unknowns", "loop [s]"],
+               [[f"a/{facets}", f"{sheared.normal:.4f}", f"{sheared.tangential:.4f}", f"{half_width:.4f}", f"{stick:.4f}",
+                 f"{sheared.stick_half_width(half_width):.4f}", f"{off:.3f}", result.summary["implicit"]["unknowns"],
+                 result.summary["loop_s"]]])
     case.assert_close(f"{label}: normal force", 10, sheared.normal, 0.01, "travel of the scene, chosen for it")
     case.assert_close(f"{label}: tangential force", 0.936, sheared.tangential, 0.01, "likewise")
     case.assert_close(f"{label}: half width of the stick zone", stick, sheared.stick_half_width(half_width), 0.05, "Cattaneo, Mindlin")
@@ -187,14 +195,13 @@ def check_friction(case, facets):
 
 def main():
     case = Case(__file__)
-    rows = [check_normal(case, 10, 11, (0.01, 0.02))]
+    check_normal(case, 10, 11, (0.01, 0.02))
     if case.long:
-        rows += [check_normal(case, 10, 22, (0.005, 0.02)), check_normal(case, 1, 11, (0.01, 0.02)), check_normal(case, 1, 22, (0.005, 0.02))]
-        rows += [line(case, 10, 11, "standard", *press(case, 10, 11, "standard"))]
+        for load, facets, gates in ((10, 22, (0.005, 0.02)), (1, 11, (0.01, 0.02)), (1, 22, (0.005, 0.02))):
+            check_normal(case, load, facets, gates)
+        line(case, 10, 11, "standard", *press(case, 10, 11, "standard"))
         check_friction(case, 11)
         case.assert_same_on_ranks((1, 3))
-    print("| P | facets | multipliers | p0 | a | L2 error against Hertz | greatest error, x < .97 a | unknowns | iterations | s |\n" + "|---" * 10 + "|")
-    print("\n".join(rows))
     case.finish()
 
 

@@ -61,7 +61,7 @@ def check_sliding(case, name, degrees, friction):
     drive = GRAVITY * math.sin(math.radians(degrees))
     case.assert_close(f"{label}: acceleration [m/s2]", acceleration(degrees, friction), ours, 0.01 * drive, SOURCE, True)
     case.assert_below(f"{label}: momentum", result.summary["momentum_error"], 1e-8)
-    case.assert_within(f"{label}: friction takes energy", 0, math.inf, result.summary["energy"]["friction"])
+    case.assert_within(f"{label}: friction removes energy", 0, math.inf, result.summary["energy"]["friction"])
 
 
 def check_straight_sliding(case, name, degrees, friction):
@@ -91,7 +91,7 @@ def check_lagging(case, name, degrees, friction):
     result, scene, label = run(case, name, degrees, friction, law, " with a lag")
     ours = numpy.polyfit(*late(result, "block.x", scene), 1)[0]
     case.assert_close(f"{label}: acceleration [m/s2]", acceleration(degrees, friction), ours, 1e-3, SOURCE)
-    case.assert_within(f"{label}: friction takes energy", 0, math.inf, result.summary["energy"]["friction"])
+    case.assert_within(f"{label}: friction removes energy", 0, math.inf, result.summary["energy"]["friction"])
 
 
 def check_sticking(case, name, degrees, friction):

@@ -7,9 +7,9 @@ import sys
 
 import numpy
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from support.case_check import Case  # noqa: E402
-from support.surfaces import outward, sphere_grid, torus_grid, write_obj  # noqa: E402
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from case_check import Case  # noqa: E402
+from surfaces import outward, sphere_grid, torus_grid, write_obj  # noqa: E402
 
 METRICS = ("translation", "displacement", "object_norm")
 
@@ -127,8 +127,8 @@ def check_pair(case, pair, mode):
                 for k in range(len(POSES[pair])))
     case.assert_below(f"{name}: object norm <= displacement <= translation, excess", max(order - 1, 0), 1e-9, "identity")
     times = sorted(row["time_ms"] for row in rows)
-    print(f"{name}: depth over best known " + " ".join(f"{r:.3f}" for r in ratios)
-          + f"; {times[len(times) // 2]:.1f} ms in the median, {times[-1]:.1f} at most")
+    case.row("depths", ["pair", "mode", "depth / best known: mean", "largest", "median time [ms]", "largest time [ms]"],
+             [f"{pair[0]} in {pair[1]}", mode, f"{sum(ratios) / len(ratios):.3f}", f"{max(ratios):.3f}", f"{times[len(times) // 2]:.1f}", f"{times[-1]:.0f}"])
     return ratios
 
 

@@ -11,6 +11,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 from case_check import Case  # noqa: E402
 
 PAIRS = ((2, 3), (3, 5), (4, 7), (3, 4))  # columns of the lower and of the upper block
+WAYS = ("exact multipliers", "hex8_full", "hex8")  # columns of the table of one pass
 GAUSS = 1 / numpy.sqrt(3)
 FULL = [(a, b) for a in (-GAUSS, GAUSS) for b in (-GAUSS, GAUSS)]
 
@@ -211,29 +212,26 @@ def check_averaged(case, columns, element):
     depth = interface_depth(pressed.blocks, pressed.end) / pressed.column
     case.assert_below(f"{label}: penetration of either side / column, in units of p/E", depth / strain, 1e-4)
     case.assert_energy(pressed.result, energy_gate=1e-10, momentum_gate=1e-9)
+    return pressed.deviation
 
 
 def main():
     case = Case(__file__)
     case.answer(errors)
-    lines, two, soft = [], [], []
     for columns in PAIRS:
         fine, coarse = (check_pair(case, columns, slave, "hex8_full") for slave in ("upper", "lower"))
         one_point = check_pair(case, columns, "upper", "hex8")[1], check_pair(case, columns, "lower", "hex8")[1]
-        lines.append(f"| {columns[0]}:{columns[1]} | {fine[0]:.4f} | {fine[1]:.4f} | {one_point[0]:.4f} | "
-                     f"{coarse[0]:.4f} | {coarse[1]:.4f} | {one_point[1]:.4f} |")
+        cells = fine[0], fine[1], one_point[0], coarse[0], coarse[1], one_point[1]
+        case.row("one_pass", ["columns below : above", *(f"{side} slave: {what}" for side in ("finer", "coarser") for what in WAYS)],
+                 [f"{columns[0]} : {columns[1]}", *(f"{cell:.4f}" for cell in cells)])
     for columns in PAIRS:
-        check_averaged(case, columns, "hex8_full")
+        averaged = check_averaged(case, columns, "hex8_full")
         full, one_point = check_two_passes(case, columns, "hex8_full"), check_two_passes(case, columns, "hex8")
         given_way = check_soft_passes(case, columns, "hex8_full"), check_soft_passes(case, columns, "hex8")
-        soft.append(f"| {columns[0]}:{columns[1]} | {given_way[0][0]:.4f} | {given_way[1][0]:.4f} | {given_way[0][1]:.1e} | "
-                    f"{given_way[1][1]:.1e} |")
-        two.append(f"| {columns[0]}:{columns[1]} | {full[0]:.4f} | {one_point[0]:.4f} | {full[1]:.1e} | {one_point[1]:.1e} |")
-    for title, table in (("two passes, softness 0.05", soft), ("two passes", two)):
-        print(f"| lower:upper | {title}: hex8_full | hex8 | penetration / column | hex8 |\n|" + 5 * "---|")
-        print("\n".join(table))
-    print("| lower:upper | finer slave: exact | hex8_full | hex8 | coarser slave: exact | hex8_full | hex8 |\n|" + 7 * "---|")
-    print("\n".join(lines))
+        case.row("two_passes", ["columns below : above", "rigid (default): hex8_full", "hex8", "largest penetration / column",
+                                "softness 0.05: hex8_full", "hex8", "largest penetration / column", "averaged passes: hex8_full"],
+                 [f"{columns[0]} : {columns[1]}", *(f"{value[0]:.1e}" for value in (full, one_point)), f"{max(full[1], one_point[1], 0):.0e}",
+                  *(f"{value[0]:.4f}" for value in given_way), f"{max(given_way[0][1], given_way[1][1]):.1e}", f"{averaged:.4f}"])
     case.assert_same_on_ranks((1, 3))
     case.finish()
 

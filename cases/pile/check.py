@@ -33,10 +33,14 @@ def check(case, name):
     # friction on the sides of the box may carry some
     case.assert_within(f"{label}: force on the floor / weight", 0.9, 1.001, force / weight, "statics")
     energy = result.summary["energy"]
-    case.assert_within(f"{label}: energy that friction and contact take", 0, numpy.inf, min(energy["friction"], energy["contact"]))
+    case.assert_within(f"{label}: energy that friction and contact remove", 0, numpy.inf, min(energy["friction"], energy["contact"]))
     case.assert_energy(result, energy_gate=1e-10, momentum_gate=1e-10)
     worst = max((bodies.deepest(time) for time in numpy.arange(0.05, end, 0.05)), key=lambda found: found[0])
-    print(f"{label}: deepest at rest {depth / side:.1e} of a side (cubes {one} and {other}), {worst[0] / side:.1e} on the way")
+    contact, summary = result.summary["contact"], result.summary
+    case.row("depths", ["cubes", "deepest point at rest / side", "on the way / side", "largest penetration that contact reports / side",
+                        "iterations of contact, mean and most", "steps at their limit", "steps", "loop [s]"],
+             [count, f"{depth / side:.1e}", f"{worst[0] / side:.1e}", f"{summary['max_penetration'] / side:.1e}",
+              f"{contact['iterations_mean']:.1f}, {contact['iterations_max']}", contact["steps_at_limit"], summary["steps"], summary["loop_s"]])
 
 
 def main():

@@ -55,8 +55,8 @@ def check_bared(case, result, scene):
             / ((stop - start) * transit)
 
     first = time[result.history["active_contacts"] > 0][0]
-    case.assert_close("time of the blow [s]", meet, first, 1e-3, "straight flight")
-    case.assert_close("force of the blow [N]", 0.5 * density * wave_speed * speed * area, mean(0.15, 1.85), 0.01, SOURCE)
+    case.assert_close("time of the impact [s]", meet, first, 1e-3, "straight flight")
+    case.assert_close("force of the impact [N]", 0.5 * density * wave_speed * speed * area, mean(0.15, 1.85), 0.01, SOURCE)
     case.assert_close("velocity of the striker [m/s]", 0, result.last("striker.x"), 0.01 * speed, SOURCE, absolute=True)
     case.assert_close("velocity of the rod [m/s]", -speed, result.last("rod.x"), 0.015, SOURCE)
     case.assert_below("deepest penetration / element", result.summary["max_penetration"] / 1e-3, 1e-3, "none")

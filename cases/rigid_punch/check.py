@@ -41,7 +41,8 @@ def held(scene, result):
 def check(case, label, scene, result, gate):
     depth, push, reaction, touch = held(scene, result)
     hertz, force = exact_force(scene, depth)
-    print(f"{label}: depth {depth:.6g} m, half-space {hertz:.6g} N, layer {force:.6g} N, ours {push:.6g} N")
+    case.row("forces", ["mesh", "depth [mm]", "force on a half-space [N]", "force on the layer [N]", "computed [N]", "error"],
+             [label, f"{1e3 * depth:.3f}", f"{hertz:.5g}", f"{force:.5g}", f"{push:.5g}", f"{100 * (push / force - 1):+.2f} %"])
     case.assert_close(f"{label}: depth [m]", scene["curves"]["press"][-1][1], depth, 1e-12, "prescribed")
     case.assert_close(f"{label}: force [N]", force, push, gate, SOURCE)
     case.assert_close(f"{label}: reaction of the supports [N]", -push, reaction, 1e-3, "equilibrium")

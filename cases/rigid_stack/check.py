@@ -24,9 +24,6 @@ def check(case, label, scene, result):
     case.assert_below(f"{label}: the top sinks / (g dt^2)", moved.max() / fall, 1, "a fall of one step")
     case.assert_below(f"{label}: the top moves in the second half / side", abs(moved[len(time) // 2:] - moved[-1]).max() / side, 1e-9, SOURCE)
     case.assert_below(f"{label}: the top turns [rad]", turned.max(), 1e-7, SOURCE)
-    half = len(time) // 2
-    print(f"{label}: the top has moved by {moved[half] / side:.2e} of a side halfway, {moved[-1] / side:.2e} at the end, at most "
-          f"{moved.max() / side:.2e}; turned by {turned.max():.2e}")
     for k in range(len(boxes)):
         carried = (len(boxes) - k) * mass * gravity
         impulse = numpy.abs(history[f"impulse_f{k}.z"])
@@ -39,9 +36,9 @@ def check(case, label, scene, result):
     weight = len(boxes) * mass * gravity
     case.assert_below(f"{label}: momentum / (weight dt)", momentum / (weight * scene["run"]["step"]), 1e-2, "contact's tolerance")
     contact = result.summary["contact"]
-    print(f"{label}: {result.summary['steps']} steps, {contact['iterations_mean']:.1f} iterations a step, at most "
-          f"{contact['iterations_max']}, {contact['steps_at_limit']} steps at the limit, deepest penetration "
-          f"{result.summary['max_penetration'] / side:.1e} of a side, {result.summary['loop_s']:.0f} s")
+    case.row("iterations", ["steps", "iterations a step, mean", "most", "steps at the limit", "deepest penetration / side", "loop [s]"],
+             [result.summary["steps"], f"{contact['iterations_mean']:.1f}", contact["iterations_max"], contact["steps_at_limit"],
+              f"{result.summary['max_penetration'] / side:.1e}", result.summary["loop_s"]])
 
 
 def main():

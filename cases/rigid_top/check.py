@@ -119,11 +119,12 @@ def main():
         straight = result.history["time"][:, None] * numpy.array(scene["initial"][0]["velocity"])
         case.assert_below(f"step {step:g}: centre from its straight line [m]", abs(place - straight).max(), 1e-11)
     for what, column, gate in (("spin [rad/s]", 0, 0.02), ("orientation [rad]", 1, 0.02)):
-        for step, error in zip(steps, errors):
-            print(f"step {step:g}: largest error of {what} {error[column]:.3g}")
         case.assert_below(f"error of {what}, step {steps[-1]:g}", errors[-1][column], gate)
         order = numpy.log2(errors[-2][column] / errors[-1][column])
         case.assert_close(f"order of {what}", 2.0, order, 0.02, "midpoint rule")
+    case.table("errors", ["step [s]", "spin in body axes [rad/s]", "orientation [rad]"],
+               [[f"{step:g}", *(f"{value:.2e}" for value in error)] for step, error in zip(steps, errors)]
+               + [["order", *(f"{numpy.log2(errors[-2][column] / errors[-1][column]):.3f}" for column in (0, 1))]])
     small = {"run.end": 0.2}
     case.assert_same_on_ranks((1, 2, 3, 4), overrides=small)
     whole = case.run(overrides=small, name="whole")

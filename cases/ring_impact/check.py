@@ -8,7 +8,7 @@ import numpy
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 from case_check import Case  # noqa: E402
-from implicit_check import EXPLICIT, check_conserved, check_quadratic, energy, told  # noqa: E402
+from implicit_check import EXPLICIT, check_conserved, check_quadratic, energy, report  # noqa: E402
 
 COARSE = {"mesh.0.tube.elements": [2, 50, 1], "mesh.1.tube.elements": [2, 50, 1]}
 UNLIKE = {"mesh.1.tube.elements": [4, 122, 1]}
@@ -54,9 +54,10 @@ class Rings:
         if name not in self.seen:
             overrides = overrides or {}
             impact = Impact(self.case.run(name=name, overrides=overrides), self.case.scene(overrides=overrides))
-            told(name, impact.result)
-            print("  impulse {:.2f}, {:.2f}, spin {:.2f}, touch {:.3f}, release {:.3f}".format(*impact.impulse(), impact.spin(),
-                                                                                          *impact.contact_times()))
+            report(self.case, name, impact.result)
+            self.case.row("impulses", ["run", "impulse x", "impulse y", "drift of the spin", "touch", "release"],
+                          [name, *(f"{value:.2f}" for value in (*impact.impulse(), impact.spin())),
+                           *(f"{time:.3f}" for time in impact.contact_times())])
             self.seen[name] = impact
         return self.seen[name]
 

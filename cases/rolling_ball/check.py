@@ -95,13 +95,13 @@ def check_incline(case, name, degrees, friction):
     leaning = {"gravity.vector": [GRAVITY * math.sin(angle), 0, -GRAVITY * math.cos(angle)], friction_of(scene): friction}
     label = f"{name[:-5]}, {degrees}, {friction}"
     result, ball = run(case, name, leaning, label)
+    assert abs(ball.roundness - 0.4) < 1e-3, "a sphere has J/(m R2) = 0.4"
     reference = exact(case.scene(name, leaning), result)
     time, speed = result.history["time"], result.history["ball.x"]
     ours = numpy.polyfit(time, speed, 1)[0]
     case.assert_close(f"{label}: acceleration [m/s2]", reference["acceleration"], ours, 0.01, SOURCE)
     case.assert_close(f"{label}: R x angular acceleration [m/s2]", reference["spin"], numpy.polyfit(*ball.spins(), 1)[0],
                       SPIN_GATE, SOURCE)
-    print(f"{label}: J/(m R2) {ball.roundness:.5f} (sphere 0.4), a for it {GRAVITY * math.sin(angle) / 1.4:.4f} if rolling")
 
 
 def check_flat(case, name, speed, friction):
@@ -121,7 +121,7 @@ def check_flat(case, name, speed, friction):
     slope, start = numpy.polyfit(time[early], ours[early], 1)
     begins = (ours[late].mean() - start) / slope
     case.assert_close(f"{label}: time when it rolls [s]", until, begins, 0.01, SOURCE)
-    case.assert_close(f"{label}: way until it rolls [m]", (speed + end) / 2 * until,
+    case.assert_close(f"{label}: distance until it rolls [m]", (speed + end) / 2 * until,
                       numpy.interp(until, time, place) - place[0], 0.01, SOURCE)
     at, spin = ball.spins()
     case.assert_close(f"{label}: R x angular velocity once it rolls [m/s]", end, spin[at > 1.3 * until].mean(), SPIN_GATE, SOURCE)
@@ -139,7 +139,8 @@ def check_facets(case, friction, gates):
             result, _ = run(case, "scene.yaml", turned, f"facets, {facets}, {quarter}")
             seen.append(errors(case.scene("scene.yaml", turned), result)["spin"])
         found[facets] = math.sqrt(numpy.square(seen).mean())
-        print(f"{facets} facets, friction {friction}: errors of the spin " + ", ".join(f"{e:+.2%}" for e in seen))
+        case.row("facets", ["facets around", "friction", "errors of the spin from four starting angles [%]", "root mean square [%]"],
+                 [facets, f"{friction:g}", ", ".join(f"{100 * e:+.1f}" for e in seen), f"{100 * found[facets]:.1f}"])
         case.assert_below(f"{facets} facets, friction {friction}: error of the spin, rms of four starts", found[facets], gate, SOURCE)
     few, many = found
     case.assert_within(f"order of it over {few} and {many} facets", 1, math.inf,

@@ -36,8 +36,9 @@ def check(case, label, scene, result, steps):
     early, late = kinetic[:len(kinetic) // 2].max(), kinetic[len(kinetic) // 2:].max()
     case.assert_below(f"{label}: kinetic energy / (m g h), late over early", max(0.0, late - early), 1e-15, SOURCE)
     drift = numpy.hypot(history["top.x"][-1] - history["top.x"][since], history["top.y"][-1] - history["top.y"][since])
-    print(f"{label}: {history['step'][-1] - history['step'][since]:.0f} steps; sideways {drift / side:.1e} of a side; largest "
-          f"kinetic energy {early:.1e}, then {late:.1e} of m g h")
+    case.row("drift", ["run", "steps without damping", "top moves sideways / side", "largest kinetic energy / (m g h): first half", "second half", "loop [s]"],
+             [label, int(history["step"][-1] - history["step"][since]), f"{drift / side:.0e}", f"{early:.0e}", f"{late:.0e}",
+              result.summary["loop_s"]])
     # nodes sink by 1e-5 (seen: 1e-7), rims hang over faces by up to a thousandth of an element, of which a cube has two
     # or three
     case.assert_below(f"{label}: deepest penetration / side", result.summary["max_penetration"] / side, 5e-4)

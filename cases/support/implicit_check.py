@@ -52,17 +52,17 @@ def check_conserved(case, label, result, down):
 def check_quadratic(case, label, result):
     """Of the steps in which the set of contact stood over the last two residuals above rounding."""
     newton = result.summary["implicit"]["newton"]
-    print(f"  {label}: {newton['quadratic']} of {newton['judged']} steps quadratic; the last: {listed(newton['steps'][-1]['residuals'])}")
+    case.row("newton", ["run", "steps with quadratic convergence", "of", "residuals of the last step over the forces that act"],
+             [label, newton["quadratic"], newton["judged"], listed(newton["steps"][-1]["residuals"])])
     case.assert_within(f"{label}: share of {newton['judged']} steps with log r_k+1 / log r_k >= 1.7", 0.9, 1,
                        newton["share_quadratic"], "M6: quadratic")
 
 
-def told(label, result):
-    work = result.summary.get("implicit", {})
-    print(f"{label}: energy {100 * energy(result)[-1]:.2f} %, at most {energy(result).max():.1e}, given in a step at most "
-          f"{gain_in_a_step(result):.1e}; loop {result.summary['loop_s']:.1f} s, {result.summary['steps']} steps")
-    if work:
-        print(f"  iterations {work['iterations_mean']:.2f} / {work['iterations_max']}, halved {work['halved']}; factorise "
-              f"{work['factorise_s']:.1f}, solve {work['solve_s']:.1f}, tangent {work['tangent_s']:.1f}, contact "
-              f"{work['contact_s']:.1f}, forces {work['force_s']:.1f} s; all but the solver {outside_solver(result):.2f}; "
-              f"{work['contact']}; residuals {listed(work['residuals_last'])}")
+def report(case, label, result):
+    """A row of the table of runs, for both solvers."""
+    work, summary = result.summary.get("implicit", {}), result.summary
+    iterations = f"{work['iterations_mean']:.2f}, {work['iterations_max']}" if work else ""
+    case.row("solvers", ["run", "solver", "steps", "halved", "iterations a step, mean and most", "energy of the bodies, change at the end [%]",
+                         "largest gain in a step / energy at the start", "deepest row", "loop [s]"],
+             [label, "implicit" if work else "explicit", summary["steps"], work.get("halved", ""), iterations,
+              f"{100 * energy(result)[-1]:.2f}", f"{gain_in_a_step(result):.0e}", f"{summary['max_penetration']:.2g}", summary["loop_s"]])

@@ -30,7 +30,7 @@ def check(case, label, result, scene):
         margin = 0.15  # of the plateau, off its ends
         return mean(result, name, (start + margin) * transit, (stop - margin) * transit)
 
-    case.assert_close(f"{label}: force of the blow [N]", force, over("blow", 0, 2), 0.01, SOURCE)
+    case.assert_close(f"{label}: force of the impact [N]", force, over("blow", 0, 2), 0.01, SOURCE)
     # the pulse is as long as the bar: at its middle it is pressure, then, come back from the free end, tension
     for start, stop, sign, what in ((1, 3, 1, "pressure"), (3, 5, -1, "tension"), (5, 7, 1, "pressure again")):
         case.assert_close(f"{label}: {what} in the tie [N]", sign * force, over("tie", start, stop), 0.01, SOURCE)
@@ -41,7 +41,7 @@ def check(case, label, result, scene):
     taken = result.history["contact"] + result.history["friction"]
     time = result.history["time"]
     after = numpy.interp(2.5 * transit, time, taken)  # the striker's blow, as in bar_impact, is over
-    case.assert_below(f"{label}: energy that the tie takes or gives / energy of the striker",
+    case.assert_below(f"{label}: energy that the tie removes or adds / energy of the striker",
                       abs(taken[-1] - after) / (0.5 * material["density"] * numpy.prod(size) * speed**2), 1e-3, "none")
     case.assert_energy(result, energy_gate=1e-10, momentum_gate=1e-12)
 

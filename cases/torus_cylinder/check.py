@@ -6,7 +6,7 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 from case_check import Case  # noqa: E402
-from implicit_check import check_conserved, check_quadratic, told  # noqa: E402
+from implicit_check import check_conserved, check_quadratic, report  # noqa: E402
 from overlap import Bodies  # noqa: E402
 
 COARSE = {"mesh.0.torus.elements": [20, 10, 1], "mesh.1.tube.elements": [1, 24, 6], "run.end": 2}
@@ -29,7 +29,7 @@ def check_depth(case, label, result, time):
 
 def check_coarse(case):
     ours = case.run(name="coarse", overrides=COARSE)
-    told("coarse", ours)
+    report(case, "coarse", ours)
     check_conserved(case, "coarse", ours, 0.03)
     check_quadratic(case, "coarse, step at 2", ours)
     case.assert_within("coarse: velocity of the torus at 2", 20, 30, speed(ours, "torus", 2), "it is braked, and goes on")
@@ -40,7 +40,7 @@ def check_fine(case):
     parts, options = [], ()
     for end in (1, 4, 6):
         parts.append(case.run(name=f"to_{end}", overrides={"run.end": end}, options=options))
-        told(f"to {end}", parts[-1])
+        report(case, f"to {end}", parts[-1])
         options = ("--restart", parts[-1].folder)
     for part, (time, (two, one)) in zip(parts, PUBLISHED.items()):
         case.assert_close(f"velocity of the torus at {time:g}", (two + one) / 2, speed(part, "torus", time), GATE,

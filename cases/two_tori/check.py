@@ -8,7 +8,7 @@ import numpy
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 from case_check import Case  # noqa: E402
-from implicit_check import EXPLICIT, check_conserved, check_quadratic, outside_solver, told  # noqa: E402
+from implicit_check import EXPLICIT, check_conserved, check_quadratic, outside_solver, report  # noqa: E402
 from overlap import Bodies  # noqa: E402
 
 COARSE = {"mesh.0.torus.elements": [32, 16, 1], "mesh.1.torus.elements": [32, 16, 1], "run.end": 1.2}
@@ -36,8 +36,8 @@ def check_depth(case, label, result, time):
 def check_coarse(case):
     explicit = case.run(name="coarse_explicit", overrides={**COARSE, **EXPLICIT})
     ours = case.run(name="coarse", overrides=COARSE)
-    told("32x16x1, explicit", explicit)
-    told("32x16x1", ours)
+    report(case, "32x16x1, explicit", explicit)
+    report(case, "32x16x1", ours)
     check_velocity(case, "32x16x1", ours, 1.2, velocity(explicit, 1.2), 0.3, "explicit, same mesh; gate of M8 at 2.5")
     check_conserved(case, "32x16x1", ours, 0.03)
     check_quadratic(case, "32x16x1", ours)
@@ -46,7 +46,7 @@ def check_coarse(case):
 
 def check_fine(case):
     ours = case.run(name="np1")
-    told("40x20x2", ours)
+    report(case, "40x20x2", ours)
     for time, (reference, gate) in PUBLISHED.items():
         check_velocity(case, "40x20x2", ours, time, reference, gate, "M8, explicit on the same mesh")
         check_depth(case, "40x20x2", ours, time)

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 import tiny_meshes as mesh
 import wrong_depths
+import wrong_scripts
 
 GOOD = """\
 title: one cube against a wall
@@ -292,15 +293,7 @@ OPTIONS = [
     Wrong("compare with nothing", ["missing"], command="compare", target="missing", arguments=["missing2"]),
 ]
 
-SCRIPTS = [  # scripts/COMMAND
-    Wrong(f"{script} {what}", [script, *says], command=script, target=target, files=files)
-    for script, inside in (("render", "state.h5"), ("plot", "history.csv"))
-    for what, target, says, files in (
-        ("of nothing", "nope", ["nope", "does not exist", inside], {}),
-        ("of an empty folder", "old", [f"old/{inside}", "does not exist"], {"old/x": b""}),
-        ("of a scene", "scene.yaml", ["scene.yaml"], {}),
-        ("of another kind of file", "old", [f"old/{inside}"], {f"old/{inside}": bytes(range(256)) * 8}))
-]
+SCRIPTS = wrong_scripts.cases(Wrong)
 
 STUDY_RUNS, STUDY_SCENES = "scene: scene.yaml\nruns: {{{}: {{}}}}", "scenes: {{{}: scene.yaml}}\nruns: {{a: {{}}}}"
 
