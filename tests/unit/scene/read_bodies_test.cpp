@@ -123,7 +123,7 @@ TEST_CASE("wrong noses are refused at their key", "[scene]") {
   };
   refuse("cone", "nose", "a map {shape:");
   refuse("{}", "nose.shape", "missing");
-  refuse("{shape: con}", "nose.shape", "nearest is 'cone'");
+  refuse("{shape: con}", "nose.shape", "unknown value 'con' (did you mean 'cone'?)");
   refuse("{shape: cone}", "nose", "length and half_angle");
   refuse("{shape: cone, length: 1, half_angle: 3}", "nose.half_angle", "together with length");
   refuse("{shape: cone, half_angle: 90}", "nose.half_angle", "< 90 degrees");
@@ -152,12 +152,13 @@ TEST_CASE("tori", "[scene]") {
   wrong("radius: 76, tube: 24, elements: [40, 20, 2]", "tube", "two lengths > 0 [inner radius, outer radius]");
   wrong("radius: 24, tube: [19.5, 24], elements: [40, 20, 2]", "radius", "expected a number > 24");
   wrong("radius: -76, tube: [19.5, 24], elements: [40, 20, 2]", "radius", "a number > 0");
-  wrong("radius: 76, tube: [19.5, 24], elements: [2, 20, 2]", "elements", "2 around the ring do not close");
-  wrong("radius: 76, tube: [19.5, 24], elements: [40, 2, 2]", "elements", "2 around the tube do not close");
+  wrong("radius: 76, tube: [19.5, 24], elements: [2, 20, 2]", "elements", "2 elements around the ring do not close");
+  wrong("radius: 76, tube: [19.5, 24], elements: [40, 2, 2]", "elements", "2 elements around the tube do not close");
   wrong("radius: 76, tube: [19.5, 24], elements: [40, 20, 0]", "elements.2", "expected an integer from 1");
   wrong("radius: 76, tube: [19.5, 24], elements: [40, 20]", "elements", "around the ring, around the tube, through");
-  wrong("radius: 76, tube: [19.5, 24], elements: [40, 20, 2], bias: [2, 1, 1]", "bias.0", "around the ring are even");
-  wrong("radius: 76, tube: [19.5, 24], elements: [40000, 40000, 9]", "elements", "too many");
+  wrong("radius: 76, tube: [19.5, 24], elements: [40, 20, 2], bias: [2, 1, 1]", "bias.0",
+        "the elements around the ring are uniform");
+  wrong("radius: 76, tube: [19.5, 24], elements: [40000, 40000, 9]", "elements", "out of range: 1.44e+10 elements");
   wrong("radius: 76, elements: [40, 20, 2]", "tube", "missing; expected two lengths");
 }
 

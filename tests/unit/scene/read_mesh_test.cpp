@@ -52,20 +52,20 @@ TEST_CASE("half and quarter of round bodies", "[scene]") {
 
 TEST_CASE("wrong halves are refused at their key", "[scene]") {
   for (const std::string& body : bodies)
-    for (const auto& [text, what] : {std::pair<std::string, std::string>{"half: [w]", ".half.0: 'w' is unknown"},
-                                     {"half: [x, -x]", ".half.1: '-x': x stands twice"},
-                                     {"half: x", ".half: 'x' is given"},
-                                     {"half: []", ".half: a list of 0"},
-                                     {"quarter: [x]", ".quarter: a list of 1"},
-                                     {"quarter: [x, y, -y]", ".quarter: a list of 3"},
-                                     {"half: [x], quarter: [x, y]", ".quarter: half is given as well"}}) {
+    for (const auto& [text, what] : {std::pair<std::string, std::string>{"half: [w]", ".half.0: unknown value 'w'"},
+                                     {"half: [x, -x]", ".half.1: invalid side '-x': axis x is named twice"},
+                                     {"half: x", ".half: invalid value 'x'"},
+                                     {"half: []", ".half: invalid list of 0 entries"},
+                                     {"quarter: [x]", ".quarter: invalid list of 1 entries"},
+                                     {"quarter: [x, y, -y]", ".quarter: invalid list of 3 entries"},
+                                     {"half: [x], quarter: [x, y]", ".quarter: invalid together with half"}}) {
       INFO(body << ' ' << text);
       CHECK_THROWS_WITH(with_mesh(fmt::format("{{{}}}", fmt::format(fmt::runtime(body), text))),
                         Catch::StartsWith("a.yaml:2: mesh.") && Catch::Contains(what) && Catch::Contains("expected "));
     }
   for (const std::size_t k : {0, 2})
     CHECK_THROWS_WITH(with_mesh(fmt::format("{{{}}}", fmt::format(fmt::runtime(bodies[k]), "half: [z]"))),
-                      Catch::Contains("expected x, -x, y, -y"));
+                      Catch::Contains("unknown value 'z' (did you mean 'x'?); expected one of x, -x, y, -y"));
 }
 
 TEST_CASE("blocks to ignore", "[scene]") {

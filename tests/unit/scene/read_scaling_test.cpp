@@ -48,10 +48,13 @@ TEST_CASE("scaling: counts and lengths of one to three directions, one by one or
 TEST_CASE("scaling: a wrong entry is one line that names it", "[scene]") {
   check_message("{weak: [{counts: [mesh.0.box.elements.0, mesh.5.box.elements.0]}]}", "scaling.weak.0.counts.1",
                 "unknown path 'mesh.5.box.elements.0'");
-  check_message("{weak: [{counts: [mesh.0.box.part]}]}", "scaling.weak.0.counts.0", "names no number of elements");
-  check_message("{weak: [{counts: [mesh.1.box.at.1]}]}", "scaling.weak.0.counts.0", "names no number of elements");
-  check_message("{weak: [{counts: [mesh.0.box.size.0]}]}", "scaling.weak.0.counts.0", "names no number of elements");
-  check_message("{weak: [{counts: []}]}", "scaling.weak.0.counts", "is empty");
+  check_message("{weak: [{counts: [mesh.0.box.part]}]}", "scaling.weak.0.counts.0",
+                "invalid path 'mesh.0.box.part': not a number of elements");
+  check_message("{weak: [{counts: [mesh.1.box.at.1]}]}", "scaling.weak.0.counts.0",
+                "invalid path 'mesh.1.box.at.1': not a number of elements");
+  check_message("{weak: [{counts: [mesh.0.box.size.0]}]}", "scaling.weak.0.counts.0",
+                "invalid path 'mesh.0.box.size.0': not a number of elements");
+  check_message("{weak: [{counts: []}]}", "scaling.weak.0.counts", "missing entries; expected a list of paths");
   check_message("{weak: [{counts: [mesh.0.box.elements]}]}", "scaling.weak.0.counts.0", "leads to no value");
   check_message("{weak: [{counts: [mesh.*.box.elements.0], lengths: [mesh.0.box.part]}]}", "scaling.weak.0.lengths.0",
                 "paths of numbers");

@@ -60,25 +60,26 @@ void check_fault(const std::string& entries, const std::string& where, const std
 
 TEST_CASE("select: a name that the mesh does not have is told with its line and what there is", "[scene]") {
   check_fault("sets: {foot: {part: low}}\nfixed:\n  - {set: food, dofs: [x]}\n", "two.yaml:8: fixed.0.set",
-              {"no part or set 'food'", "nearest is 'foot'", "parts: low, top", "low_zmin"});
-  check_fault("initial:\n  - set: lwo\n    velocity: [0, 0, 1]\n", "two.yaml:7: initial.0.set", {"nearest is 'low'"});
+              {"unknown part or set 'food'", "did you mean 'foot'?", "parts: low, top", "low_zmin"});
+  check_fault("initial:\n  - set: lwo\n    velocity: [0, 0, 1]\n", "two.yaml:7: initial.0.set",
+              {"unknown part or set 'lwo'", "did you mean 'low'?"});
   check_fault("pressure:\n  - {set: low_zmx, value: 1}\n", "two.yaml:7: pressure.0.set",
-              {"no side set 'low_zmx'", "nearest is 'low_zmax'", "top_xmin"});
+              {"unknown side set 'low_zmx'", "did you mean 'low_zmax'?", "top_xmin"});
   check_fault("probes:\n  - {name: tip, node: 99, field: velocity}\n", "two.yaml:7: probes.0.node",
-              {"no node 99", "20 nodes", "from 1 to 20"});
+              {"unknown node 99", "20 nodes", "from 1 to 20"});
   check_fault("symmetry:\n  - {point: [0, 0, 9], normal: [0, 0, 1]}\n", "two.yaml:7: symmetry.0",
               {"it contains no node", "from (0, 0, 0) to (4, 1, 2)"});
   check_fault("sets:\n  far: {box: [[7, 7, 7], [8, 8, 8]]}\nfixed:\n  - {set: far, dofs: [x]}\n",
-              "two.yaml:9: fixed.0.set", {"'far' selects no node", "from (0, 0, 0) to (4, 1, 2)"});
+              "two.yaml:9: fixed.0.set", {"'far' contains no node", "from (0, 0, 0) to (4, 1, 2)"});
 }
 
 TEST_CASE("select: a set that names none of the mesh is told once, where it is defined, used or not", "[scene]") {
   const std::string wrong = "sets:\n  load: {side_set: low_zmx}\n";
   for (const char* use : {"", "pressure: [{set: load, value: 1}]\n", "fixed: [{set: load, dofs: [x]}]\n"})
     check_fault(wrong + use, "two.yaml:7: sets.load.side_set",
-                {"no side set 'low_zmx'", "nearest is 'low_zmax'", "top_zmin"});
+                {"unknown side set 'low_zmx'", "did you mean 'low_zmax'?", "top_zmin"});
   check_fault("sets:\n  a: {part: low}\n  load: {node_set: 8}\n", "two.yaml:8: sets.load.node_set",
-              {"no node set '8'"});
+              {"unknown node set '8'"});
 }
 
 TEST_CASE("select: a set named as one of the mesh is a fault, unless it is the same one", "[scene]") {
@@ -137,11 +138,11 @@ TEST_CASE("select: a wall looks at the parts that it names alone", "[scene]") {
 }
 
 TEST_CASE("select: what is removed holds whole elements, and faces between them may come to the outside", "[scene]") {
-  check_fault("remove:\n  - {set: food, at: 0}\n", "two.yaml:7: remove.0.set", {"no part or set 'food'"});
+  check_fault("remove:\n  - {set: food, at: 0}\n", "two.yaml:7: remove.0.set", {"unknown part or set 'food'"});
   check_fault("sets: {rim: {part: low, box: [[0, 0, 0], [1, 1, 0]]}}\nremove:\n  - {set: rim, at: 0}\n",
-              "two.yaml:8: remove.0.set", {"'rim' holds no whole deformable element"});
+              "two.yaml:8: remove.0.set", {"'rim' contains no complete deformable element"});
   check_fault("sets: {far: {box: [[7, 7, 7], [8, 8, 8]]}}\nremove:\n  - {set: far, at: 0}\n",
-              "two.yaml:8: remove.0.set", {"'far' selects no node"});
+              "two.yaml:8: remove.0.set", {"'far' contains no node"});
 
   mesh::CanonicalMesh whole = two_boxes();
   select(scene_with("sets: {upper: {part: low, box: [[0, 0, 1], [1, 1, 2]]}}\n"

@@ -71,13 +71,13 @@ TEST_CASE("lists and maps lie so deep within each other and no deeper", "[yaml]"
     const int levels = open.size() > 4 ? 2 : 1;
     CHECK(only_fault("a: " + repeated(open, 60 / levels) + "1" + repeated(close, 60 / levels)) == "none");
     for (const int depth : {65, 1000, 200'000})
-      CHECK_THAT(only_fault("a: " + repeated(open, depth)), Catch::Contains("more than 64 levels"));
+      CHECK_THAT(only_fault("a: " + repeated(open, depth)), Catch::Contains("more than 64 nested levels"));
   }
-  CHECK_THAT(only_fault(repeated("- ", 5000)), Catch::Contains("more than 64 levels"));
+  CHECK_THAT(only_fault(repeated("- ", 5000)), Catch::Contains("more than 64 nested levels"));
   // also by aliases: each line one level more
   std::string stairs = "a0: &a0 [1]\n";
   for (int i = 1; i < 100; ++i) stairs += fmt::format("a{0}: &a{0} [*a{1} ]\n", i, i - 1);
-  CHECK_THAT(only_fault(stairs), Catch::Contains("more than 64 levels"));
+  CHECK_THAT(only_fault(stairs), Catch::Contains("more than 64 nested levels"));
 }
 
 TEST_CASE("an override is bounded as a file is", "[yaml]") {
@@ -93,27 +93,27 @@ TEST_CASE("an override is bounded as a file is", "[yaml]") {
 TEST_CASE("a syntax error says what to write", "[yaml]") {
   const std::vector<std::array<std::string, 3>> table{
       {"title: steel: a test", "a.yaml:1: ",
-       "a colon in the value of 'title'; expected a text with a colon in quotes, title: \"steel: a test\""},
+       "invalid colon in the value of 'title'; expected quotes around a text with a colon, title: \"steel: a test\""},
       {"run:\n  end: 1: 2", "a.yaml:2: ", "the value of 'end'"},
       {"- {a: b: c}", "a.yaml:1: ", "expected"},
       {"title: abc\n  foo: bar", "a.yaml:2: ", "deeper than line 1"},
       {"a:\n  b: 1\n\n  # c\n    d: 2", "a.yaml:5: ", "deeper than line 2"},
       {"a:\n  density:7800\n  young: 1",
-       "a.yaml:2: ", "no blank behind the colon of 'density:7800'; expected density: 7800"},
+       "a.yaml:2: ", "missing space after the colon of 'density:7800'; expected density: 7800"},
       {"a: {m: e, density:7800}", "a.yaml:1: a.density: ", "expected density: 7800"},
       {"a:\n  m: elastic\n  density:7800", "a.yaml:3: ", "expected density: 7800"},
-      {"a: {at:[0, 0, 1]}", "a.yaml:1: ", "no blank behind the colon of 'at:"},
-      {"run: {end: 1\nunits: SI", "a.yaml:1: ", "the bracket '{' is not closed"},
-      {"a: 1\nb: [1, {c: 2]\nd: 3", "a.yaml:2: ", "the bracket ']' stands where '{' of line 2 is open"},
-      {"a: [1, 2\nb: 3\nc: 4", "a.yaml:1: ", "the bracket '[' is not closed"},
-      {"a: {b: 1}}", "a.yaml:1: ", "the bracket '}' closes nothing"},
+      {"a: {at:[0, 0, 1]}", "a.yaml:1: ", "missing space after the colon of 'at:"},
+      {"run: {end: 1\nunits: SI", "a.yaml:1: ", "column 6: missing closing bracket for '{'"},
+      {"a: 1\nb: [1, {c: 2]\nd: 3", "a.yaml:2: ", "invalid closing bracket ']': '{' of line 2 is still open"},
+      {"a: [1, 2\nb: 3\nc: 4", "a.yaml:1: ", "column 4: missing closing bracket for '['"},
+      {"a: {b: 1}}", "a.yaml:1: ", "invalid closing bracket '}': no bracket is open"},
       {"a: {b: c, d: e\n  f: g}", "a.yaml:2: ", "missing comma or closing bracket"},
-      {"t: x\ntitle: 'abc\nunits: SI", "a.yaml:2: ", "the quote ' is not closed"},
-      {"title: \"abc\nunits: 'SI'", "a.yaml:1: ", "the quote \" is not closed"},
-      {"- a\n- [b, 'c]", "a.yaml:2: ", "the quote ' is not closed"},
+      {"t: x\ntitle: 'abc\nunits: SI", "a.yaml:2: ", "missing closing quote '"},
+      {"title: \"abc\nunits: 'SI'", "a.yaml:1: ", "missing closing quote \""},
+      {"- a\n- [b, 'c]", "a.yaml:2: ", "missing closing quote '"},
       {"title: 'John's test'\na: 1", "a.yaml:1: ", "doubled ('')"},
       {"title: [draft] test", "a.yaml:1: ", "quotes around a text that begins with a bracket"},
-      {"title: %foo", "a.yaml:1: ", "cannot begin with '%'"},
+      {"title: %foo", "a.yaml:1: ", "invalid first character '%' of a value"},
       {"title: *foo", "a.yaml:1: ", "quotes around a text with '*'"},
       {"title: \"a\\qb\"", "a.yaml:1: ", "backslashes"},
       {"run:\n    end: 1\n  steps: 3", "a.yaml:3: ", "no map or list above it"},
