@@ -72,14 +72,14 @@ TEST_CASE("indices and coordinates are checked before they are used", "[check]")
         "invalid element 77 (block b): corner 8 refers to node position 9; expected 1 to 8");
   Mesh infinite = one_hex({0, 1, 2, 3, 4, 5, 6, 7});
   infinite.coordinates[2][1] = NAN;
-  CHECK(only_fault(infinite).find("node 12: coordinates") == 0);
+  CHECK(only_fault(infinite).find("invalid node 12: coordinates") == 0);
   Mesh sets = one_hex({0, 1, 2, 3, 4, 5, 6, 7});
   sets.node_sets["n"] = {-1};
   sets.side_sets["s"] = {{0, 0, 6}, {1, 0, 0}, {0, 1, 0}};
   CHECK(check(sets).faults.size() == 4);
   Mesh empty = one_hex({});
   empty.blocks[0].element_id.clear();
-  CHECK(only_fault(empty) == "invalid block b: it has no elements");
+  CHECK(only_fault(empty) == "invalid block b: it has no elements; expected at least one");
   CHECK(only_fault(Mesh{}) == "missing element blocks; expected at least one");
 }
 

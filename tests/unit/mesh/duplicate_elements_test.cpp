@@ -34,13 +34,13 @@ TEST_CASE("a duplicate on the same nodes is named with its pair", "[duplicates]"
   CHECK(duplicate_elements(plain).empty());
   for (const LocalIndex e : {0, 5, 11}) {
     const std::vector<LocalIndex> n = nodes_of(plain, e);
-    const std::string pair = " (block second) has the nodes of element " + std::to_string(e + 1) + " (block b)";
+    const std::string pair = " (block second): it has the nodes of element " + std::to_string(e + 1) + " (block b)";
     const std::vector<std::vector<LocalIndex>> orders{
         n, {n[1], n[2], n[3], n[0], n[5], n[6], n[7], n[4]}, {n[4], n[0], n[3], n[7], n[5], n[1], n[2], n[6]}};
     for (const auto& order : orders) {  // as it is, and turned
       const auto faults = check(with_block(plain, Shape::hex8, order)).faults;
       REQUIRE(faults.size() == 1);
-      CHECK_THAT(faults[0], Catch::StartsWith("element 101" + pair));
+      CHECK_THAT(faults[0], Catch::StartsWith("invalid element 101" + pair));
     }
   }
   Mesh same = plain;  // within one block, one of twelve there twice and another three times

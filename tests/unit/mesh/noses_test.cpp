@@ -191,7 +191,8 @@ TEST_CASE("noses of strongly graded sectors keep their shape", "[primitives]") {
 TEST_CASE("wrong noses and sectors are named", "[primitives]") {
   CHECK_THROWS_WITH(cylinder("b", 2, 3, {8, 4}, sector(0, 5)), Catch::Contains("tube with inner_radius 0"));
   CHECK_THROWS_WITH(tube("b", 0, 2, 3, {8, 8, 4}), Catch::Contains("out of range: inner_radius is"));
-  CHECK_THROWS_WITH(tube("b", 0, 2, 3, {8, 8, 4}, sector(5, 0)), Catch::Contains("between 0 and 360"));
+  CHECK_THROWS_WITH(tube("b", 0, 2, 3, {8, 8, 4}, sector(5, 0)),
+                    Catch::Contains("the sector from 5 to 0 degrees; expected an angle > 0 and < 360"));
   CHECK_THROWS_WITH(cylinder("b", 2, 3, {8, 4}, with_nose({.shape = Nose::Shape::cone})),
                     Catch::Contains("out of range: length of the nose is"));
   CHECK_THROWS_WITH(cylinder("b", 2, 3, {8, 4}, with_nose({.shape = Nose::Shape::ogive, .crh = 0.4})),
