@@ -67,16 +67,17 @@ TEST_CASE("A missing triangle leaves three open edges") {
   const SurfaceFaults faults = check_closed(surface);
   CHECK(faults.open.count == 3);
   CHECK(faults.unused_points == 1);
-  CHECK(lines_of(surface) ==
-        Lines{"a.stl: 3 open edges, the first from (1, 1, -1) to (-1, -1, -1); expected a closed surface"});
+  CHECK(lines_of(surface) == Lines{"a.stl: invalid surface: 3 open edges, the first from (1, 1, -1) to (-1, -1, -1); "
+                                   "expected a closed surface"});
 }
 
 TEST_CASE("A turned triangle runs along its three edges as its neighbours do") {
   TriangleSurface surface = cube(1);
   std::swap(surface.triangles[5][0], surface.triangles[5][1]);
   CHECK(check_closed(surface).reversed.count == 3);
-  CHECK(lines_of(surface) == Lines{"a.stl: 3 edges that two triangles run along in the same direction, the first from "
-                                   "(-1, -1, 1) to (1, -1, 1); expected no reversed triangles"});
+  CHECK(lines_of(surface) ==
+        Lines{"a.stl: invalid surface: 3 edges that two triangles traverse in the same direction, the first from "
+              "(-1, -1, 1) to (1, -1, 1); expected no reversed triangles"});
 }
 
 TEST_CASE("A fin makes an edge of three triangles and two open ones") {
@@ -87,10 +88,12 @@ TEST_CASE("A fin makes an edge of three triangles and two open ones") {
   CHECK(faults.open.count == 2);
   CHECK(faults.non_manifold.count == 1);
   CHECK(faults.reversed.count == 0);
-  CHECK(lines_of(surface) ==
-        Lines{"a.stl: 2 open edges, the first from (1, -1, -1) to (0, -3, 0); expected a closed surface",
-              "a.stl: 1 edge of more than two triangles, the first from (1, -1, -1) to (-1, -1, -1); expected two "
-              "triangles at each edge"});
+  CHECK(
+      lines_of(surface) ==
+      Lines{"a.stl: invalid surface: 2 open edges, the first from (1, -1, -1) to (0, -3, 0); expected a closed surface",
+            "a.stl: invalid surface: 1 edge of more than two triangles, the first from (1, -1, -1) to (-1, -1, -1); "
+            "expected two "
+            "triangles at each edge"});
 }
 
 TEST_CASE("Triangles without area are counted; slivers of rounding to floats are none") {
@@ -102,7 +105,7 @@ TEST_CASE("Triangles without area are counted; slivers of rounding to floats are
   surface.triangles.push_back({8, 1, 5});
   CHECK(check_closed(surface).no_area.count == 1);
   CHECK(lines_of(surface) ==
-        Lines{"a.stl: 1 triangle without area, the first is number 3 at (-1, -1, -1); expected none"});
+        Lines{"a.stl: invalid surface: 1 triangle without area, the first is number 3 at (-1, -1, -1); expected none"});
   surface.points[8][1] -= 1e-7;
   CHECK(check_closed(surface).sound());
 }
@@ -117,14 +120,17 @@ TEST_CASE("A cavity in a solid, with an island in it, is sound") {
 }
 
 TEST_CASE("Shells the wrong way round") {
-  CHECK(lines_of(reversed(cube(1))) ==
-        Lines{"a.stl: 1 of 1 shell inside out, the first at (-1, -1, -1), of volume -8; expected triangles "
-              "counter-clockwise seen from outside; all of them may be reversed"});
-  CHECK(lines_of(together({cube(3), box({5, 0, 0}, {6, 1, 1}), reversed(box({7, 0, 0}, {8, 1, 1}))})) ==
-        Lines{"a.stl: 1 of 3 shells inside out, the first at (7, 0, 0), of volume -1; expected triangles "
-              "counter-clockwise seen from outside"});
+  CHECK(lines_of(reversed(cube(1))) == Lines{"a.stl: invalid surface: 1 of 1 shell inside out, the first at (-1, -1, "
+                                             "-1), of volume -8; expected triangles "
+                                             "counter-clockwise seen from outside; all of them may be reversed"});
+  CHECK(
+      lines_of(together({cube(3), box({5, 0, 0}, {6, 1, 1}), reversed(box({7, 0, 0}, {8, 1, 1}))})) ==
+      Lines{
+          "a.stl: invalid surface: 1 of 3 shells inside out, the first at (7, 0, 0), of volume -1; expected triangles "
+          "counter-clockwise seen from outside"});
   CHECK(lines_of(together({cube(3), cube(2)})) ==
-        Lines{"a.stl: 1 of 2 shells inside another without being a cavity, the first at (-2, -2, -2), of volume 64; "
+        Lines{"a.stl: invalid surface: 1 of 2 shells inside another one without being a cavity, the first at (-2, -2, "
+              "-2), of volume 64; "
               "expected cavities of reversed triangles"});
   CHECK(lines_of(reversed(together({cube(3), reversed(cube(2))}))).size() == 1);
   // an island inside out in a cavity
