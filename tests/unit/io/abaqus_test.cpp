@@ -224,16 +224,17 @@ TEST_CASE("abaqus: what is wrong is told with its line") {
   CHECK_THAT(with("*Node\n31, 0, nan, 0\n"), at(next + 1) && Contains("'nan'"));
   CHECK_THAT(with("*Element, type=C3D4\n1, 1, 2, 3, 5\n"),
              at(next + 1) && Contains("invalid element 1: defined twice"));
-  CHECK_THAT(with("*Element, type=C3D4\n31, 1, 2, 3, 77\n"), at(next + 1) && Contains("no node 77"));
+  CHECK_THAT(with("*Element, type=C3D4\n31, 1, 2, 3, 77\n"), at(next + 1) && Contains("unknown node 77"));
   CHECK_THAT(with("*Element, type=C3D4\n31, 1, 2, 3\n"), at(next + 1) && Contains("4 nodes"));
-  CHECK_THAT(with("*Element, type=C3D4\n31, 1, 2, 3, 5, 6\n"), at(next + 1) && Contains("has 5 nodes"));
+  CHECK_THAT(with("*Element, type=C3D4\n31, 1, 2, 3, 5, 6\n"),
+             at(next + 1) && Contains("invalid element 31 of 5 nodes; expected 4 nodes"));
   CHECK_THAT(with("*Element, type=C3D10\n"), at(next) && Contains("second order") && Contains("C3D8"));
   CHECK_THAT(with("*Element, type=S4R\n"), at(next) && Contains("invalid element type 'S4R': not a solid"));
   CHECK_THAT(with("*Element\n"), at(next) && Contains("element type ''"));
   CHECK_THAT(with("*Include, input=other.inp\n"),
              at(next) && Contains("included file 'other.inp'") && Contains("does not exist"));
   CHECK_THAT(with("*Nset, nset=a\nmissing\n"), at(next + 1) && Contains("unknown set 'missing'"));
-  CHECK_THAT(with("*Nset\n1\n"), at(next) && Contains("no NSET="));
+  CHECK_THAT(with("*Nset\n1\n"), at(next) && Contains("missing parameter of *NSET; expected NSET=NAME"));
   CHECK_THAT(with("*Nset, nset=a, generate\n1, 1000000000\n"), at(next + 1) && Contains("GENERATE"));
   CHECK_THAT(with("*Nset, nset=a, generate\n9, 1, 1\n"), at(next + 1) && Contains("GENERATE"));
   CHECK_THAT(with("*Nset, nset=a, instance=I\n1,\n"), at(next) && Contains("unknown instance 'I'"));

@@ -85,7 +85,8 @@ TEST_CASE_METHOD(Fixture, "checkpoint: a flipped bit among the values is found a
   REQUIRE(at != std::string::npos);
   bytes[at] = static_cast<char>(bytes[at] ^ 1);  // the last bit of the mantissa
   write_bytes(path, bytes);
-  CHECK_THAT(fault_of(path, model.registry), Catch::Contains(path) && Catch::Contains("nodes/velocity is damaged"));
+  CHECK_THAT(fault_of(path, model.registry),
+             Catch::Contains(path) && Catch::Contains("invalid values of nodes/velocity: their hash differs"));
 }
 
 TEST_CASE_METHOD(Fixture, "checkpoint: a flipped bit among records is found, and what was read before is kept") {
@@ -102,7 +103,7 @@ TEST_CASE_METHOD(Fixture, "checkpoint: a flipped bit among records is found, and
     write_bytes(path, bytes);
     RecordTable target{.name = "pairs", .key_width = 1, .value_width = 1, .keys = {5}, .values = {5}};
     model.registry.tables = {&target};
-    CHECK_THAT(fault_of(path, model.registry), Catch::Contains("records/pairs is damaged"));
+    CHECK_THAT(fault_of(path, model.registry), Catch::Contains("invalid values of records/pairs: their hash differs"));
     CHECK((target.keys[0] == 5 && target.values[0] == 5));
   }
 }
@@ -169,8 +170,7 @@ TEST_CASE_METHOD(Fixture, "checkpoint: format 3, which had no measured times, is
   CHECK((header.step == 7 && header.time == 0.5));
   CHECK(target.wrong_values() == 0);
   make(2);
-  CHECK_THAT(fault_of(old, target.registry),
-             Catch::Contains("checkpoint format 2 is not known") && Catch::Contains("reads 3 to 4"));
+  CHECK_THAT(fault_of(old, target.registry), Catch::Contains("unknown checkpoint format 2; expected 3 to 4"));
 }
 
 TEST_CASE_METHOD(Fixture, "checkpoint: what it may lack stays as it is, and is read where it is there") {
@@ -178,7 +178,7 @@ TEST_CASE_METHOD(Fixture, "checkpoint: what it may lack stays as it is, and is r
   double later = 5;
   model::Registry more = model.registry;
   more.arrays.push_back({"later", model::StateArray::Entity::global, -1, 1, 1, &later, 1, 1});
-  CHECK_THAT(fault_of(path, more), Catch::Contains("no table globals/later"));
+  CHECK_THAT(fault_of(path, more), Catch::Contains("missing table globals/later"));
   more.arrays.back().expected = false;
   CHECK(fault_of(path, more).empty());
   CHECK(later == 5);

@@ -129,15 +129,15 @@ TEST_CASE("an Exodus mesh that cannot be used is refused by name", "[exodus]") {
   write(file.path, {.first_type = "SHELL8"});
   CHECK(fault_of(file.path) == file.path +
                                    ": invalid block 10 (cube): elements SHELL8 with 8 nodes; expected HEX8, TET4, "
-                                   "WEDGE6, PYRAMID5, or the block left out: ignore: [cube] beside file");
+                                   "WEDGE6, PYRAMID5, or ignore: [cube] beside file to exclude the block");
   write(file.path, {.dimensions = 2});
   CHECK(fault_of(file.path) == file.path + ": invalid number of dimensions, 2; expected 3");
   write(file.path, {.bad_corner = 16});
   CHECK(fault_of(file.path) ==
         file.path + ": invalid element 103 (block tip): corner 4 refers to node position 16; expected 1 to 15");
   write(file.path, {.bad_side = 6});
-  CHECK(fault_of(file.path).find(": side set wedge: side") != std::string::npos);
-  CHECK(fault_of("/no/such/mesh.g").find("/no/such/mesh.g: cannot read the file") == 0);
+  CHECK(fault_of(file.path).find(": invalid side set wedge: unknown side") != std::string::npos);
+  CHECK(fault_of("/no/such/mesh.g").find("/no/such/mesh.g: cannot read the mesh file") == 0);
 }
 
 TEST_CASE("an Exodus file cut off anywhere is refused", "[exodus]") {

@@ -71,26 +71,28 @@ TEST_CASE("what is wrong with an inclusion is one fault at its line", "[include]
     if (!third.empty()) files.put("sub/b.inp", third);
     return files.fault();
   };
-  CHECK_THAT(fault("*Heading\n*Include, input=no.inp\n"), Catch::StartsWith("main.inp:2: included file 'no.inp'"));
+  CHECK_THAT(fault("*Heading\n*Include, input=no.inp\n"),
+             Catch::StartsWith("main.inp:2: cannot read the included file 'no.inp'"));
   CHECK_THAT(fault("*Heading\n*Include, input=no.inp\n"), Catch::Contains("does not exist"));
   CHECK_THAT(fault("*Include\n"), Catch::StartsWith("main.inp:1: missing file of *INCLUDE"));
   CHECK_THAT(fault("*Include, input=.\n"), Catch::Contains("main.inp:1") && Catch::Contains("not a regular file"));
   CHECK_THAT(fault("*Include, input=/dev/zero\n"), Catch::Contains("not a regular file"));
   CHECK_THAT(fault("\n*Include, input=main.inp\n"),
-             Catch::Contains("main.inp:2: included file 'main.inp'") && Catch::Contains("includes itself"));
+             Catch::Contains("main.inp:2: invalid included file 'main.inp'") && Catch::Contains("includes itself"));
   CHECK_THAT(fault("*Include, input=a.inp\n", "*Node\n\n*Include, input=sub/b.inp\n", "*Include, input=../a.inp\n"),
              Catch::StartsWith("sub/b.inp:1: invalid included file '../a.inp'") && Catch::Contains("includes itself"));
   // faults within, before and behind an included file
-  CHECK_THAT(fault("*Include, input=a.inp\n", "*Node\n1, 0, 0, 0\n\n2, x, 0, 0\n"), Catch::StartsWith("a.inp:4: 'x'"));
+  CHECK_THAT(fault("*Include, input=a.inp\n", "*Node\n1, 0, 0, 0\n\n2, x, 0, 0\n"),
+             Catch::StartsWith("a.inp:4: invalid value 'x'"));
   CHECK_THAT(fault("*Node\n*Include, input=a.inp\n\n1, 0, 0, 0\n2, y, 0, 0\n", "11, 0, 0, 0\n12, 0, 0, 0\n"),
-             Catch::StartsWith("main.inp:5: 'y'"));
+             Catch::StartsWith("main.inp:5: invalid value 'y'"));
   CHECK_THAT(fault("*Node\nz, 0, 0, 0\n*Include, input=a.inp\n", "*Node\n1, 0, 0, 0\n"),
-             Catch::StartsWith("main.inp:2: 'z'"));
+             Catch::StartsWith("main.inp:2: invalid value 'z'"));
   CHECK_THAT(fault("*Include, input=a.inp\n*Element, type=C3D4\n1, 1, 2, 3, 9\n",
                    "*Node\n1,0,0,0\n*Include, input=sub/b.inp\n3,0,1,0\n", "2,1,0,0\n"),
-             Catch::StartsWith("main.inp:3: no node 9"));
+             Catch::StartsWith("main.inp:3: unknown node 9"));
   CHECK_THAT(fault("*Include, input=a.inp\n", "*Node\n1,0,0,0\n*Include, input=sub/b.inp\n2,q,1,0\n", "3,1,0,0\n"),
-             Catch::StartsWith("a.inp:4: 'q'"));
+             Catch::StartsWith("a.inp:4: invalid value 'q'"));
 }
 
 TEST_CASE("files that include each other without end are bounded", "[include]") {

@@ -121,13 +121,13 @@ TEST_CASE("a block that is not read is a fault that names the remedy", "[left_ou
   const auto of_inp = faults_of(inp.path, {}), of_msh = faults_of(msh.path, {}), of_exo = faults_of(exo.path, {});
   CHECK(of_inp.size() == 3);
   for (const char* name : {"skin", "ball", "fine"}) CHECK(says(of_inp, fmt::format("ignore: [{}]", name)));
-  CHECK(says(of_inp, "mesh:24: element type 'S4R' is not a solid"));
+  CHECK(says(of_inp, "mesh:24: invalid element type 'S4R': not a solid"));
   CHECK(of_msh.size() == 2);
   CHECK(says(of_msh, "invalid surface element 3: not a face of a volume element"));
   CHECK(says(of_msh, "ignore: [skin]"));
   CHECK(says(of_msh, "ignore: [3]"));
   CHECK(of_exo.size() == 2);
-  CHECK(says(of_exo, "block 30 (skin) has elements SHELL4 with 4 nodes"));
+  CHECK(says(of_exo, "invalid block 30 (skin): elements SHELL4 with 4 nodes"));
   CHECK(says(of_exo, "ignore: [40]"));
   CHECK(faults_of(exo.path, {"skin"}).size() == 1);
 }
@@ -184,7 +184,7 @@ TEST_CASE("a name to ignore that the file does not have is a fault", "[left_out]
   for (const std::string& path : {inp.path, msh.path, exo.path})
     for (const std::string name : {"sknn", "77", "-1", "0"}) {
       const auto faults = faults_of(path, {name});
-      CHECK(says(faults, fmt::format("no block '{}' to ignore", name)));
+      CHECK(says(faults, fmt::format("unknown block '{}' in ignore", name)));
       CHECK(says(faults, "; expected "));
     }
 }

@@ -39,5 +39,5 @@ TEST_CASE("partition file: read back, others refused") {
   io::Hdf5File(self, folder / "other/partition.h5", io::Hdf5File::Mode::create).close();
   CHECK_THAT(fault_of(folder / "other"), Catch::Contains("invalid partition"));
   io::write_partition(path, {2, "f", "", {0, 2}});
-  CHECK_THAT(fault_of(path), Catch::Contains("out of range: 2"));
+  CHECK_THAT(fault_of(path), Catch::Contains("out of range: part 2; expected 0 to 1"));
 }

@@ -108,7 +108,7 @@ TEST_CASE("OBJ: points and indices") {
         "a.obj:1: out of range: coordinate y is 2e+60; expected a magnitude of at most 1e+60");
   CHECK(obj_fault("v 0 0 0 grey\n") == "a.obj:1: invalid weight or colour 'grey'; expected a number");
   CHECK(obj_fault("v 0 0 0 1 1 1 1 1\n") == "a.obj:1: invalid point of 8 numbers; expected 3, 4, 6 or 7");
-  CHECK(obj_fault(points + "f 1 2\n") == "a.obj:5: a face of 2 corners; expected at least 3");
+  CHECK(obj_fault(points + "f 1 2\n") == "a.obj:5: invalid face of 2 corners; expected at least 3");
   CHECK(obj_fault(points + "f 1 2 \\\n0\n") ==
         "a.obj:6: out of range: index 0 of a point; expected one of the 4 points above, or a later one");
   CHECK(obj_fault(points + "f 1 2 -5\n") ==
@@ -164,7 +164,7 @@ TEST_CASE("PLY: the entries") {
   CHECK(with("1 1 0\n", "1 x 0\n") == "a.ply:14: invalid coordinate y 'x'; expected a number");
   CHECK(with("4 0 2 3 1\n", "4 0 2 8 1\n") == "a.ply:19: out of range: index 8 of a point; expected 0 to 7");
   CHECK(with("4 0 2 3 1\n", "4 0 2 3\n") == "a.ply:19: missing index of a point; expected an integer");
-  CHECK(with("4 0 2 3 1\n", "2 0 2\n") == "a.ply:19: a face of 2 corners; expected at least 3");
+  CHECK(with("4 0 2 3 1\n", "2 0 2\n") == "a.ply:19: invalid face of 2 corners; expected at least 3");
   CHECK(with("4 0 2 3 1\n", "4 0 2 3 0\n") ==
         "a.ply:19: invalid face: corner 0 is given twice; expected different corners");
   CHECK(with("4 1 3 7 5\n", "") == "a.ply:23: missing entries: the file is truncated; expected face 6 of 6");
@@ -173,13 +173,15 @@ TEST_CASE("PLY: the entries") {
   const std::string bytes = test::binary_ply<double>(box, std::endian::big);
   const std::size_t header = bytes.find("end_header\n") + 11;
   CHECK(ply_fault(bytes.substr(0, bytes.size() - 1)) ==
-        fmt::format("a.ply: face 6 of 6, byte {}: the file is cut off; expected the rest of the entry", header + 278));
+        fmt::format("a.ply: face 6 of 6, byte {}: missing bytes: the file is truncated; expected the rest of the entry",
+                    header + 278));
   CHECK(ply_fault(bytes + "\n") ==
-        fmt::format("a.ply: 1 bytes follow the last entry, from byte {}; expected the end of the file", header + 294));
+        fmt::format("a.ply: invalid content: 1 bytes follow the last entry, from byte {}; expected the end of the file",
+                    header + 294));
   std::string wrong = bytes;
   wrong.replace(header + 16, 8, "\x7F\xF8\0\0\0\0\0\0", 8);
   CHECK(ply_fault(wrong) ==
-        fmt::format("a.ply: vertex 1 of 8, byte {}: coordinate z is nan; expected a finite number", header + 24));
+        fmt::format("a.ply: vertex 1 of 8, byte {}: invalid coordinate z: nan; expected a finite number", header + 24));
   wrong = bytes;
   wrong[header + 192 + 3] = '\1';
   CHECK(ply_fault(wrong) ==
