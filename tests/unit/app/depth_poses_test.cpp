@@ -32,9 +32,10 @@ TEST_CASE("depth_poses: columns of a file stand in any order, with axis and angl
   CHECK(one[0].translation == Vec3(1, 2, 3));
   CHECK(one[1].rotation == Mat3(Mat3::Identity()));
   const auto fault = [&](const std::string& text) { return folder.write("bad.csv", text); };
-  CHECK_THROWS_WITH(app::read_poses(fault("x,y,z,x\n")), Contains("bad.csv:1: column 'x' twice"));
+  CHECK_THROWS_WITH(app::read_poses(fault("x,y,z,x\n")), Contains("bad.csv:1: invalid second column 'x'"));
   CHECK_THROWS_WITH(app::read_poses(fault("x,y,z,qw\n")), Contains("missing"));
-  CHECK_THROWS_WITH(app::read_poses(fault("x,y,z\n\n1,2\n")), Contains("bad.csv:3: 2 values; expected 3"));
+  CHECK_THROWS_WITH(app::read_poses(fault("x,y,z\n\n1,2\n")),
+                    Contains("bad.csv:3: invalid row of 2 values; expected 3"));
   CHECK_THROWS_WITH(app::read_poses(fault("x,y,z,qw,qx,qy,qz\n1,2,3,0,0,0,0\n")), Contains("bad.csv:2"));
 }
 

@@ -47,7 +47,8 @@ TEST_CASE("depth_table: what is no row is refused by name") {
   auto cut = record, word = record;
   cut.pop_back();
   word[6] = "deep";
-  CHECK_THROWS_WITH(app::row_of_record(cut, "depth.csv: row 4"), Contains("depth.csv: row 4: 28 fields; expected 29"));
+  CHECK_THROWS_WITH(app::row_of_record(cut, "depth.csv: row 4"),
+                    Contains("depth.csv: row 4: invalid row of 28 fields; expected 29"));
   CHECK_THROWS_WITH(app::row_of_record(word, "depth.csv: row 4"), Contains("'deep'"));
   CHECK_THROWS_AS(app::row_of_record({}, "x"), InputError);
 }

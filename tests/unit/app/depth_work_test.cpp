@@ -56,7 +56,8 @@ TEST_CASE("depth_work: faults of both files are told at once; pieces have to lie
   const support::SceneFolder folder;
   app::DepthOptions options = two_cubes(folder);
   options.pieces = folder.write("pieces.yaml", "b: [[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 2]]]\n");
-  CHECK_THROWS_WITH(app::depth_work(comm::Communicator::self(), options), Contains("pieces.yaml: b: piece 1"));
+  CHECK_THROWS_WITH(app::depth_work(comm::Communicator::self(), options),
+                    Contains("pieces.yaml: b: invalid piece 1: a corner lies outside the body"));
   options.a = folder.write("a.obj", "v 0 0 0\n");
   options.b = folder.write("b.obj", "v 0 0 nan\n");
   try {

@@ -66,7 +66,8 @@ TEST_CASE("implicit rules: what becomes of an overlap of the start depends on th
     REQUIRE(notes.size() == 1);
     return notes[0];
   };
-  CHECK_THAT(note("contact_implicit"), Contains("contact.0.initial_overlap: ") && Contains("stays"));
+  CHECK_THAT(note("contact_implicit"),
+             Contains("contact.0.initial_overlap: ") && Contains("an initial overlap remains"));
   CHECK_THAT(note("static"), Contains("the first step closes"));
   CHECK_THAT(note("static", ", enforce: penalty"), Contains("penalty pressure"));
   CHECK(app::notes_of_overlaps(input("run: {end: 1}\ncontact: [{between: [a, b], method: mortar}]\n")).empty());

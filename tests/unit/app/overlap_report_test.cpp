@@ -67,9 +67,10 @@ TEST_CASE("overlap report: nodes and faces have the input's numbers; both ways b
                                  Contains("behind its face 104-105-107-106") && Contains(", at ["));
   CHECK_THAT(report.list[2], Contains("107") && Contains("of anvil") && Contains("inside hammer"));
   REQUIRE(report.faults.size() == 2);
-  CHECK_THAT(report.faults[0],
-             Contains("forge.yaml:6: contact.0: node 108 of part 'hammer' lies 0.25 inside part 'anvil'") &&
-                 Contains("the deepest of 3 nodes") && Contains("; node 108 is at ["));
+  CHECK_THAT(
+      report.faults[0],
+      Contains("forge.yaml:6: contact.0: initial overlap: node 108 of part 'hammer' lies 0.25 inside part 'anvil'") &&
+          Contains("the deepest of 3 overlapping nodes of the two parts") && Contains("; node 108 is at ["));
   CHECK_THAT(report.faults[1], Contains("warn") && Contains("move") && Contains("offset"));
 }
 

@@ -128,5 +128,5 @@ TEST_CASE("probes near a place: the nearest node, of equal ones the smallest num
   CHECK(row == std::vector<double>{1, 0, 0, 1, 0, 0, 0, 0, 0});
   const std::vector<std::string>& notes = prepared.run->overlaps.report.notes;
   REQUIRE(notes.size() == 3);
-  CHECK(notes[0].find("probe any: node 2 at (1, 0, 0), 0.1414 m") != std::string::npos);
+  CHECK(notes[0].find("probe any: node 2 at (1, 0, 0), at a distance of 0.1414 m") != std::string::npos);
 }
