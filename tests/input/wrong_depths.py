@@ -52,7 +52,7 @@ def cases(wrong):
         surface("inside out", "a.obj", obj(faces=[face[::-1] for face in QUADS]), "expected"),
         surface("a needle without volume", "a.obj", obj(corners=[(x, 1e-7 * y, 1e-7 * z) for x, y, z in CORNERS]), "a.obj: ", "volume", "expected"),
         surface("surface that is not there", "cube.obj2", obj(), "cube.obj2", "expected"),
-        wrong("no second surface", ["cube.obj", "expected two"], command="depth", target="cube.obj", files={"cube.obj": obj()}),
+        wrong("no second surface", ["cube.obj", "missing second surface", "expected A and B"], command="depth", target="cube.obj", files={"cube.obj": obj()}),
         option("second surface that is not there", ["nope.obj"], "nope.obj"),
         option("three numbers are a place", ["--at", "'1,2'", "x,y,z"], "cube.obj", "--at", "1,2"),
         option("a place is numbers", ["--at", "'1,2,c'"], "cube.obj", "--at", "1,2,c"),
