@@ -102,8 +102,8 @@ class Scaling(unittest.TestCase):
         self.assert_refused("scaling.weak: missing", "--weak", growth="")
         for growth, phrase in (("{counts: [mesh.7.box.elements.0]}", "scaling.weak.0.counts.0: unknown path 'mesh.7.box.elements.0'"),
                                ("{counts: [mesh.0.box.size.0]}", "scaling.weak.0.counts.0: invalid path 'mesh.0.box.size.0': not a number of elements"),
-                               ("{counts: []}", "scaling.weak.0.counts: is empty"),
-                               ("{counts: [mesh.1.box.at.0]}", "names no number of elements"),
+                               ("{counts: []}", "scaling.weak.0.counts: missing entries"),
+                               ("{counts: [mesh.1.box.at.0]}", "invalid path 'mesh.1.box.at.0': not a number of elements"),
                                ("{count: [mesh.0.box.elements.0]}", "scaling.weak.0")):
             with self.subTest(growth=growth):
                 self.assert_refused(phrase, "--weak", "-np", "1", growth=f"\nscaling: {{weak: [{growth}]}}\n")

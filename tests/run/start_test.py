@@ -157,7 +157,7 @@ run: {steps: 1}
             found, output = self.check(0.99, rule, "--all")
             self.assertEqual(found, code)
             # inside the other: 9 x 9 nodes of left less those beside right, 7 x 7 of right
-            told = re.findall(r"the deepest of (\d+) nodes of the two parts", output)
+            told = re.findall(r"the deepest of (\d+) overlapping nodes of the two parts", output)
             self.assertEqual(len(told), 1, output)
             listed = re.findall(r"^overlap +node +\d+ of (?:left|right) +0.01 m inside (?:left|right), "
                                 r"behind its face \d+-\d+-\d+-\d+, at \[[-\d., e]+\]$", output, re.M)
