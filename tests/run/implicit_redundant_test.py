@@ -168,13 +168,13 @@ class Redundant(Program):
         behind = SEAM.replace("point: [0, 0, 0], normal: [0, 0, 1]}]", "point: [1, 0, 0], normal: [1, 0, 0]}]")
         told = self.go(behind, code=2)
         self.assertRegex(told, r"^brunt: scene.yaml:\d+: rigid_walls\.0: invalid wall: a body of part 'a' lies behind it by up to 1, .*; expected .*\n$")
-        for wrong, phrase in ((SEAM.replace("{scheme: static, step: 0.5, tolerance: 1.0e-11}", "static"), "solver: 'static' is a scheme; expected {scheme: static}, implicit, explicit"),
+        for wrong, phrase in ((SEAM.replace("{scheme: static, step: 0.5, tolerance: 1.0e-11}", "static"), "solver: invalid value 'static', which is a scheme; expected {scheme: static}, implicit or explicit"),
                               (STACK.replace("between: [a, b]", "between: a"), "contact.0.between: unknown value 'a'"),
-                              (STACK.replace("between: [a, b]", "between: [a]"), "contact.0.between: a list of 1 is given"),
+                              (STACK.replace("between: [a, b]", "between: [a]"), "contact.0.between: invalid list of 1 entries; expected all, or two parts [a, b]"),
                               (STACK.replace("between: [a, b], ", ""), "contact.0.between: missing"),
-                              (STACK.replace("between: [a, b]", "between: all"), "contact.0.between: mortar contact is between two parts"),
+                              (STACK.replace("between: [a, b]", "between: all"), "contact.0.between: invalid between for method: mortar; expected two parts [a, b]"),
                               (STACK.replace("between: [a, b]", "between: [a, a], tied: true"), "contact.0.tied: a part cannot be tied to itself"),
-                              (STACK.replace("between: [a, b]", "between: all, tied: true"), "contact.0.tied: 'all' cannot be tied")):
+                              (STACK.replace("between: [a, b]", "between: all, tied: true"), "contact.0.tied: invalid tied for between: all")):
             told = self.go(wrong, code=2)
             self.assertIn(phrase, told)
             self.assertEqual(len(told.splitlines()), 1, told)

@@ -140,11 +140,11 @@ class Implicit(Program):
     def test_what_implicit_scenes_may_not_ask_for(self):
         wrong = {
             "element: hex8_full": ("element: hex8", "bar.element: invalid element hex8: it has no stiffness against hourglass modes"),
-            "run: {end: 1}": ("run: {end: 1, cfl: 0.5}", "run.cfl: no stable step bounds an implicit scene"),
-            "gravity:": ("damping: {alpha: 1}\ngravity:", "damping: is for explicit scenes"),
+            "run: {end: 1}": ("run: {end: 1, cfl: 0.5}", "run.cfl: invalid in an implicit scene, which has no stable step; expected solver.step"),
+            "gravity:": ("damping: {alpha: 1}\ngravity:", "damping: invalid in an implicit scene; expected solver.scheme: hht"),
             "solver: {scheme: contact_implicit, step: 0.1}":
-                ("solver: {scheme: contact_implicit, step: 0.1, alpha: 0.1}", "solver.alpha: only scheme: hht has an alpha"),
-            "step: 0.1}": ("step: 0.1, min_step: 0.2}", "solver.min_step: is above step"),
+                ("solver: {scheme: contact_implicit, step: 0.1, alpha: 0.1}", "solver.alpha: invalid without scheme: hht"),
+            "step: 0.1}": ("step: 0.1, min_step: 0.2}", "solver.min_step: out of range: larger than step; expected a number > 0, at most step"),
             "scheme: contact_implicit": ("scheme: implicit", "solver.scheme: unknown value 'implicit' (did you mean 'static'?); expected one of static, contact_implicit, hht, newmark"),
             "fixed:": ("contact: [{between: all}]\nfixed:", "contact.0: invalid contact in an implicit scene"),
             "probes:": ("rigid_walls: [{point: [0, 0, -1], normal: [0, 0, 1], friction: {static: 0.3, kinetic: 0.2}}]\nprobes:", "invalid friction of a wall in an implicit scene"),

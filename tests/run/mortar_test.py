@@ -312,16 +312,16 @@ probes: [{name: end, set: top_zmax, field: displacement}, {name: foot, set: low_
                 "between: all, method: mortar": "invalid between for method: mortar",
                 "between: [low, low], method: mortar": "invalid between for method: mortar",
                 "between: [low, top]": "contact.0: invalid contact in an implicit scene",
-                "between: [low, top], method: mortar, friction: -1": "contact.0.friction: -1 is out of range; expected a number >= 0",
-                "between: [low, top], method: mortar, softness: 0.1": "contact.0.softness: means nothing to mortar contact",
-                "between: [low, top], method: mortar, multiplier: quad": "contact.0.multiplier: 'quad'",
-                "between: [low, top], method: rate, multiplier: dual": "contact.0.multiplier: is for method: mortar",
+                "between: [low, top], method: mortar, friction: -1": "contact.0.friction: out of range: -1; expected a number >= 0",
+                "between: [low, top], method: mortar, softness: 0.1": "contact.0.softness: invalid with method: mortar",
+                "between: [low, top], method: mortar, multiplier: quad": "contact.0.multiplier: unknown value 'quad'",
+                "between: [low, top], method: rate, multiplier: dual": "contact.0.multiplier: invalid without method: mortar",
             },
             "solver: {scheme: contact_implicit, step: 0.01, tolerance: 1.0e-12}": {
-                "solver: explicit": "contact.0.method: mortar contact is for implicit scenes"},
+                "solver: explicit": "contact.0.method: invalid method: mortar contact exists in implicit scenes only"},
             "initial:": {"fixed: [{part: low, dofs: [x, y, z]}, {part: top, dofs: [x, y, z]}]\ninitial:":
-                         "wrong.yaml:9: contact.0: all nodes of the surfaces of top and low are held"},
-            "at: [0.2, 0.1, 0.52]": {"at: [0.2, 0.1, 0.42]": "inside part 'top' at the start"},
+                         "wrong.yaml:9: contact.0: invalid pair: all surface nodes of top and low are constrained"},
+            "at: [0.2, 0.1, 0.52]": {"at: [0.2, 0.1, 0.42]": "wrong.yaml:8: contact.0: initial overlap: node 42 of part 'low' lies 0.08 inside part 'top'"},
         }
         for old, changes in wrong.items():
             for new, message in changes.items():
