@@ -269,7 +269,7 @@ class Rigid(Program):
               "fixed.0", "moves as a whole", "'head'")
         wrong("driven node", JOINED + "sets: {one: {box: [[0.6, 0, 0], [0.6, 0, 0]]}}\nprescribed: [{set: one, dof: x, velocity: 1}]\n",
               "prescribed.0", "moves as a whole")
-        wrong("rotation", JOINED + "fixed: [{part: bar, dofs: [x, rz]}]\n", "fixed.0.dofs", "rigid parts")
+        wrong("rotation", JOINED + "fixed: [{part: bar, dofs: [x, rz]}]\n", "fixed.0.dofs", "rx, ry or rz of nodes", "a rigid part")
         wrong("twice", ALONE + "fixed: [{part: tool, dofs: [rx]}]\nprescribed: [{part: tool, dof: rx, velocity: 1}]\n",
               "prescribed.0", "fixed.0")
         wrong("probe", JOINED.replace("part: bar, field: energy", "part: bar, field: rotation"), "probes.4.field", "rigid parts")
