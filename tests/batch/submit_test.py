@@ -145,13 +145,13 @@ class Submit(unittest.TestCase):
             ("runless.yaml: runs: missing", ["runless.yaml"]), ("bisect", ["halving.yaml"]), ("invalid YAML", ["broken.yaml"]),
             ("neither scene nor study", ["empty.yaml"]), ("exists", ["scene.yaml", "--out", "there"]),
             ("README.md:3: invalid YAML: found character '`' that cannot start any token; expected a scene or a study", ["README.md"]),
-            ("prose.md: is neither scene nor study", ["prose.md"]), ("'0' is no number of nodes", ["scene.yaml", "--nodes", "0"]),
+            ("prose.md: invalid file, neither scene nor study", ["prose.md"]), ("invalid number of nodes '0'", ["scene.yaml", "--nodes", "0"]),
             ("invalid --set 'foo'; expected KEY.PATH=VALUE", ["scene.yaml", "--set", "foo"]),
             ("invalid --set '=3'", ["scene.yaml", "--set", "=3"]),
             ("missing checkpoint", ["scene.yaml", "--out", "there", "--restart"]), ("--nodes 3", ["scene.yaml", "--nodes", "3"]),
             ("for a study", ["study.yaml", "--out", "x"]), ("invalid --slurm", ["scene.yaml", "--slurm", "two words"]),
             ("printable characters", ["scene.yaml", "--set", "title=a\nb"]), ("unknown option '--nodse'", ["scene.yaml", "--nodse"]))]
-        faults += [("no number of ranks", ["scene.yaml", "-np", "0", "--time", "5"]), ("required: -np", ["scene.yaml", "--time", "5"]),
+        faults += [("invalid number of ranks '0'", ["scene.yaml", "-np", "0", "--time", "5"]), ("required: -np", ["scene.yaml", "--time", "5"]),
                    ("required: --time", ["scene.yaml", "-np", "2"])]
         for phrase, arguments in faults:
             with self.subTest(arguments=arguments):

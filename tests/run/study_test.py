@@ -159,7 +159,7 @@ class Studies(unittest.TestCase):
                                 (("[1, 9]", "[1, 1]"), ("bisect.between", "two different numbers")),
                                 (("[1, 9]", "[1, fast]"), ("bisect.between", "fast")),
                                 (("[1, 9]", "[1, .nan]"), ("bisect.between", "finite")),
-                                (("column: last striker.x", "column: state_hash"), ("bisect.column", "no number")),
+                                (("column: last striker.x", "column: state_hash"), ("bisect.column", "invalid column 'state_hash'", "a column of numbers")),
                                 (("column: last striker.x", "column: last striker.y2"), ("bisect.column", "'striker.y2'"))):
             with self.subTest(change=change):
                 self.assert_refused("study", BISECT.replace(*change), *phrases)
