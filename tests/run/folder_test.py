@@ -94,7 +94,7 @@ class Folder(Program):
             lines = self.faults(ranks, *wrong)
             self.assertEqual(len(lines), 2, lines)
             for k, line in enumerate(lines):
-                self.assertRegex(line, rf"^brunt: --set prescribed=.*: prescribed\.{k}: node \d+ is also constrained in the same direction by fixed\.0")
+                self.assertRegex(line, rf"^brunt: --set prescribed=.*: prescribed\.{k}: invalid constraint: node \d+ is also constrained in the same direction by fixed\.0")
 
 
 if __name__ == "__main__":

@@ -173,7 +173,7 @@ class Redundant(Program):
                               (STACK.replace("between: [a, b]", "between: [a]"), "contact.0.between: invalid list of 1 entries; expected all, or two parts [a, b]"),
                               (STACK.replace("between: [a, b], ", ""), "contact.0.between: missing"),
                               (STACK.replace("between: [a, b]", "between: all"), "contact.0.between: invalid between for method: mortar; expected two parts [a, b]"),
-                              (STACK.replace("between: [a, b]", "between: [a, a], tied: true"), "contact.0.tied: a part cannot be tied to itself"),
+                              (STACK.replace("between: [a, b]", "between: [a, a], tied: true"), "contact.0.tied: invalid tied: a part cannot be tied to itself"),
                               (STACK.replace("between: [a, b]", "between: all, tied: true"), "contact.0.tied: invalid tied for between: all")):
             told = self.go(wrong, code=2)
             self.assertIn(phrase, told)

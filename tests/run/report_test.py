@@ -227,7 +227,7 @@ class Report(Program):
         os.mkdir(os.path.join(self.folder, "empty"))
         for words, arguments in ((["does not exist"], ["nowhere"]), (["missing results"], ["empty"]), (["rod.yaml", "does not exist"], ["rod.yaml"]),
                                  (["does not exist"], ["out", "-o", "nowhere/x.html"]), (["it is a folder"], ["out", "-o", "out"]),
-                                 (["no field nothing", "stress"], ["out", "--field", "nothing"]), (["no component w"], ["out", "--field", "velocity.w"]),
+                                 (["unknown field nothing", "stress"], ["out", "--field", "nothing"]), (["unknown component w"], ["out", "--field", "velocity.w"]),
                                  (["--states", "expected"], ["out", "--states", "-1"]), (["--states", "expected"], ["out", "--states", "1e9"]),
                                  (["unknown option '--feild'", "--field"], ["out", "--feild", "x"]), (["result"], [])):
             done = self.report(*arguments)
