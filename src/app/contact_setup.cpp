@@ -138,11 +138,15 @@ void make_contact(Prepared& run) {
   report_ties(run);
 }
 
+bool bounded_by_mesh(const scene::Input& input) {
+  return input.run.step_bound == scene::StepBound::assembled && !input.implicit;
+}
+
 time::StepControl step_control(Prepared& run) {
   constexpr double growth = 1.02;
   const double factor = run.contact ? contact::step_factor(run.model.contact.enforcement) : 1.0;
   // before the run only static states are sought, whose elements may change by much in a step
-  const bool assembled = run.input.run.step_bound == scene::StepBound::assembled && run.state.relaxation.under_way == 0;
+  const bool assembled = bounded_by_mesh(run.input) && run.state.relaxation.under_way == 0;
   return {run.input.run.cfl * factor, growth, run.input.run.step.value_or(std::numeric_limits<double>::infinity()),
           assembled ? &run.assembled : nullptr};
 }

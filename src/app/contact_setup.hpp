@@ -24,6 +24,9 @@ std::vector<contact::ConstrainedNode> held_nodes(const model::Model& model);
 /// Creates Prepared::contact if the scene has contact or walls. Collective.
 void make_contact(Prepared& run);
 
+/// Whether the frequency of the assembled mesh may bound the step: implicit scenes have no stable step.
+bool bounded_by_mesh(const scene::Input& input);
+
 /// Control of the step: the scene's cfl, less if contact adds springs.
 time::StepControl step_control(Prepared& run);
 

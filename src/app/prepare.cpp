@@ -196,8 +196,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   prepared->links = time::link_ranks(ranks, prepared->model);
   time::initialise(prepared->model, prepared->state, prepared->scratch, prepared->links,
                    scene::initial_velocities(prepared->input, prepared->model));
-  if (prepared->input.run.step_bound == scene::StepBound::assembled && !prepared->input.implicit)
-    prepared->assembled.baseline = force::sized_baseline(prepared->model);
+  if (bounded_by_mesh(prepared->input)) prepared->assembled.baseline = force::sized_baseline(prepared->model);
   make_implicit(*prepared);
   prepared->erosion = {
       prepared->model.any_erosion(), std::vector<time::ErosionCount>(prepared->model.blocks.size()), {}, 0};
