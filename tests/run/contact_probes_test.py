@@ -207,7 +207,7 @@ class ContactProbes(Program):
         own = fault(ITSELF.replace("between: all", "between: all, self: false"))
         self.assertIn("bad.yaml:9: probes.0.contact: invalid probe: part 'cubes' has no contact with itself; expected ", own)
         self.assertIn("part 'cubes' has no contact with any other part; expected ", fault(ITSELF.replace("[cubes, cubes]", "cubes")))
-        self.assertIn("unknown part 'cube', nearest is 'cubes'", fault(ITSELF.replace("[cubes, cubes]", "cube")))
+        self.assertIn("unknown part 'cube' (did you mean 'cubes'?); expected one of cubes", fault(ITSELF.replace("[cubes, cubes]", "cube")))
         self.assertIn("the scene has no contact; expected ", fault(ITSELF.replace("contact: [{between: all}]\n", "")))
         self.assertIn("expected a part a, two parts [a, b], or [a, a]", fault(ITSELF.replace("[cubes, cubes]", "[cubes]")))
 
