@@ -62,8 +62,7 @@ struct Marcher {
     }
     for (int steps = 1; t < end + step; t += step, ++steps) {
       const RigidMotion motion = ray.at(t);
-      if (length(ray.at(t - step)) > options.reach * shortest)
-        return;  // bisection could only find motions out of reach
+      if (length(ray.at(t - step)) > options.reach * shortest) return;  // bisection could find none within reach
       if (encounter.collides(motion)) {
         if (steps > short_march && !ray.turns) t += step * sure_steps(motion, step);
         continue;
