@@ -11,8 +11,8 @@ namespace brunt::implicit {
 namespace {
 
 constexpr double held = 1e-6;       // sine below which a direction is constrained: as `redundant` of wall_node.cpp
-constexpr double of_carried = 1e4;  // likewise of nodes that ties hold: a hundredth of an edge, as meshes that do not
-                                    // match leave of a curved seam
+constexpr double of_carried = 1e4;  // likewise of tied nodes: a hundredth of an edge, the gap of non-matching meshes
+                                    // along a curved seam
 constexpr double of_touching = 10;  // a node is behind a wall from this multiple of the distance at which it touches
 
 /// Largest penetration of rows of this rank whose nodes are all constrained [length].
