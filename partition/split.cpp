@@ -68,7 +68,8 @@ std::vector<idx_t> integer_costs(const std::vector<double>& cost) {
   return integers;
 }
 
-/// A cluster without shared faces is connected to its neighbour in canonical order: METIS requires a connected vertex.
+/// A cluster without shared faces is connected to its neighbour in canonical order: METIS requires that no vertex is
+/// isolated.
 using Ties = std::map<LocalIndex, std::vector<LocalIndex>>;
 
 Ties ties_of(const std::vector<LocalIndex>& lone, LocalIndex clusters) {
