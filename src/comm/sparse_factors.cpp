@@ -16,12 +16,12 @@ namespace {
 // Pivots below this share of the largest entry of the scaled matrix (which is 1) are certainly zero: rows of zeros,
 // linearly dependent rows. Constrained bodies have larger ones (a strip 10^4 times as long as thick: 1e-11).
 constexpr double surely_null = 1e-13;
-// Threshold for unconstrained rigid bodies, whose pivots are rounding errors amplified by the elimination: from 1e-12
-// (a cube of 10 elements an edge) to 1e-8 (a plate 300 times as wide as thick). Only used if the matrix was found
-// singular.
+// The same threshold for unconstrained rigid bodies, used only if the matrix was found singular. Their pivots are
+// rounding errors amplified by the elimination: 1e-12 (a cube of 10 elements an edge) to 1e-8 (a plate 300 times as
+// wide as thick).
 constexpr double null_if_singular = 1e-8;
-// Threshold of inverse iteration for the smallest eigenvalue of the equilibrated matrix: 3e-18 to 1e-16 for
-// unconstrained bodies, 3e-11 for a bar 400 times as long as thick, 4e-13 for a strip 10^4 times as long as thick.
+// Smallest eigenvalues of the equilibrated matrix below this, by inverse iteration, are zero. They are 3e-18 to 1e-16
+// for unconstrained bodies, 3e-11 for a bar 400 times as long as thick, 4e-13 for a strip 10^4 times as long as thick.
 constexpr double smallest_value = 1e-14;
 constexpr int inverse_iterations = 3, scaling_sweeps = 5;
 
