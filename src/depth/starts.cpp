@@ -114,7 +114,7 @@ std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options
   const Vec3 axis_a = main_axis(a), axis_b = into * main_axis(b);
   const std::array<Vec3, 3> for_a{link, axis_a.cross(axis_b), axis_b}, for_b{link, axis_a.cross(axis_b), axis_a};
   const Mat3 axes_a = unique_axes(a, Mat3::Identity(), for_a), axes_b = unique_axes(b, into, for_b);
-  const bool shifts = options.metric == Metric::translation;  // with which the bodies may exchange their sides
+  const bool shifts = options.metric == Metric::translation;  // then the bodies may change places
   Marcher marcher{encounter, options, std::numeric_limits<double>::infinity(), {}};
   const double step = options.march * (shifts ? std::min(a.shape.radius, b.shape.radius) : a.shape.radius);
   const double end = between.norm() + a.shape.radius + b.shape.radius;
