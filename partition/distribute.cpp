@@ -15,7 +15,7 @@ mesh::LocalMesh distribute(const comm::Communicator& ranks, const mesh::Canonica
                            std::span<const Rank> part, Rank root) {
   std::optional<Cutter> cutter;
   if (ranks.rank() == root) cutter.emplace(whole, part, ranks.size());
-  mesh::LocalMesh own;  // of the root, which sends itself nothing
+  mesh::LocalMesh own;  // of the root, which needs no message to itself
   const std::vector<std::byte> bytes = ranks.scatter(
       [&](Rank rank) {
         if (rank != root) return pack(cutter->piece(rank));

@@ -10,9 +10,9 @@
 
 namespace brunt::partition {
 
-/// The piece of this rank. `whole` and `part` (the rank of each element in canonical order) are looked at on `root`
-/// only. The pieces are made and sent one after the other, so that the root never holds more than the whole mesh and
-/// one piece. Collective.
+/// The piece of this rank. `whole` and `part` (the rank of each element in canonical order) are read on `root` only.
+/// The pieces are made and sent one after the other, so that the root never stores more than the whole mesh and one
+/// piece. Collective.
 mesh::LocalMesh distribute(const comm::Communicator& ranks, const mesh::CanonicalMesh& whole,
                            std::span<const Rank> part, Rank root = 0);
 

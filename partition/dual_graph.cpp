@@ -15,7 +15,7 @@ namespace {
 
 using Edge = std::array<LocalIndex, 2>;
 
-/// The two elements of each face that two share.
+/// The two elements that share a face.
 std::vector<Edge> shared_faces(const mesh::Mesh& mesh) {
   const mesh::FaceRows rows(mesh);
   std::vector<Edge> edges;
@@ -49,7 +49,7 @@ void sort_rows(Ragged<LocalIndex>& graph) {
 Ragged<LocalIndex> dual_graph(const mesh::Mesh& mesh) {
   const std::vector<Edge> edges = shared_faces(mesh);
   Ragged<LocalIndex> graph;
-  // counted two places on, so that filling moves the starts where they belong
+  // counted with an offset of two, so that filling moves the starts to their final positions
   std::vector<LocalIndex>& offsets = graph.offsets;
   offsets.assign(static_cast<std::size_t>(first_of_block(mesh).back()) + 2, 0);
   for (const Edge& edge : edges)

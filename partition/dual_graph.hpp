@@ -9,8 +9,8 @@
 
 namespace brunt::partition {
 
-/// Row e: elements that share a face with element e, ascending; e counts over all blocks in order. Every edge stands in
-/// both rows.
+/// Row e: elements that share a face with element e, ascending; e counts over all blocks in order. Every edge appears
+/// in both rows.
 Ragged<LocalIndex> dual_graph(const mesh::Mesh& mesh);
 
 /// Calls visit(nodes of the element, shape) for each element over all blocks in order.

@@ -13,7 +13,7 @@ namespace brunt::partition {
 
 namespace {
 
-/// What a move does for the border: faces that it joins less faces that it cuts.
+/// Gain of a move: the number of faces that it joins minus the number that it cuts.
 struct Move {
   int gain = 0;
   LocalIndex element = 0;
@@ -36,30 +36,30 @@ class Levelling {
       faces_[p] += weights.contact_faces[e];
     }
     mean_cost_ = std::accumulate(cost_.begin(), cost_.end(), 0.0) / parts;
-    constexpr double uneven_faces = 1.02;  // of the mean: their work is a small part of a step
+    constexpr double uneven_faces = 1.02;  // of the mean: the work of contact is a small part of a step
     const double mean_faces = std::accumulate(faces_.begin(), faces_.end(), 0.0) / parts;
     most_faces_ = std::max(*std::ranges::max_element(faces_), static_cast<GlobalIndex>(uneven_faces * mean_faces));
   }
 
-  /// Parts that cost more than `load` times the mean, the fullest first.
+  /// Parts that cost more than `load` times the mean, in descending order of cost.
   [[nodiscard]] std::vector<Rank> above(double load) const;
-  /// Elements of `from` go to its neighbours until it is at the mean. Has any gone?
+  /// Moves elements of `from` to its neighbours until its cost is the mean. Returns whether any was moved.
   bool relieve(Rank from);
-  /// Each element at a border may go once, the best first, also where that cuts more faces; what came after the fewest
-  /// were cut is taken back. No part goes above `load` times the mean. Are fewer cut than before?
+  /// Each element at a border may move once, in descending order of gain, even if this cuts more faces; moves after the
+  /// smallest cut are undone. No part exceeds `load` times the mean. Returns whether fewer faces are cut than before.
   bool smooth(double load);
 
  private:
-  /// To the part where it joins most faces, of those that stay lighter than its own is then.
+  /// To the part where it joins most faces, among those that remain lighter than its own part after the move.
   [[nodiscard]] std::optional<Move> best_move(LocalIndex element, double most_cost = 0) const;
-  /// Stays it lighter than the element's own part is then, or than most_cost?
+  /// Whether the part remains lighter than the element's own part after the move, or than most_cost.
   [[nodiscard]] bool admits(Rank to, LocalIndex element, double most_cost) const;
   void carry_out(const Move& move);
 
   const Ragged<LocalIndex>& graph_;
   const Weights& weights_;
   std::span<Rank> part_;
-  std::vector<std::vector<LocalIndex>> members_;  ///< of each part; those that have left it since are still named
+  std::vector<std::vector<LocalIndex>> members_;  ///< of each part; also elements that have left it since
   std::vector<double> cost_;
   std::vector<GlobalIndex> faces_;
   double mean_cost_ = 0;
@@ -117,7 +117,7 @@ bool Levelling::smooth(double load) {
   for (std::size_t e = 0; e < part_.size(); ++e) propose(static_cast<LocalIndex>(e));
   const std::size_t patience = moves.size() / 4;
   std::vector<bool> moved(part_.size(), false);
-  std::vector<Move> done;  // to where each came from
+  std::vector<Move> done;  // with the part that each came from
   int gained = 0, most = 0;
   std::size_t kept = 0;
   while (!moves.empty() && done.size() <= kept + patience) {
@@ -183,7 +183,7 @@ void smooth(const Ragged<LocalIndex>& graph, const Weights& weights, int parts, 
 }
 
 void level(const Ragged<LocalIndex>& graph, const Weights& weights, int parts, double tolerance, std::span<Rank> part) {
-  constexpr int most_rounds = 64;  // load passes on by one part a round
+  constexpr int most_rounds = 64;  // in each round load moves on by one part
   Levelling levelling(graph, weights, parts, part);
   for (int round = 0; round < most_rounds; ++round) {
     bool any = false;

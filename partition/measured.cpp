@@ -11,7 +11,7 @@
 namespace brunt::partition {
 namespace {
 
-/// Time of each element: that of its rank, shared out by `amount`. Zero where the rank has nothing of it.
+/// Time of each element: that of its rank, distributed in proportion to `amount`. Zero if the rank has no amount.
 std::vector<double> shares(std::span<const double> seconds, std::span<const Rank> rank,
                            std::span<const double> amount) {
   std::vector<double> whole(seconds.size(), 0.0), share(rank.size(), 0.0);
@@ -27,7 +27,7 @@ double sum(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// As integers, whose sum fits what balances them.
+/// As integers whose sum does not overflow in the partitioner.
 std::vector<std::int32_t> whole_numbers(const std::vector<double>& times) {
   constexpr double mean_weight = 1000, largest_sum = 1 << 29;
   const auto some = static_cast<double>(std::ranges::count_if(times, [](double t) { return t > 0; }));

@@ -13,9 +13,10 @@ namespace brunt::partition {
 
 namespace {
 
-// Counter, Writer and Reader have the same functions, so that one list of fields (`fields` below) serves all ways.
+// Counter, Writer and Reader have the same functions, so that one list of fields (`fields` below) defines the layout
+// for all of them.
 
-/// How many bytes a Writer will write.
+/// Number of bytes of a Writer's output.
 class Counter {
  public:
   std::size_t bytes = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A piece of mesh as bytes, to be sent between ranks of one run (never to a file: the layout is this program's).
+// A piece of mesh as bytes, sent between ranks of one run (never written to a file: the layout may change).
 #pragma once
 #include <cstddef>
 #include <span>

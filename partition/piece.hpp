@@ -40,7 +40,7 @@ class Cutter {
   std::vector<std::vector<LocalIndex>> element_;  // gids by rank, ascending
   RankSides exterior_;
   std::map<std::string, RankSides> side_sets_;
-  std::vector<LocalIndex> local_;  // of each node in the piece at hand, else no_index
+  std::vector<LocalIndex> local_;  // of each node in the current piece, otherwise no_index
 };
 
 }  // namespace brunt::partition

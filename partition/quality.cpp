@@ -33,7 +33,7 @@ GlobalIndex cut_edges(const Ragged<LocalIndex>& graph, std::span<const Rank> par
 }
 
 GlobalIndex travelling_forces(const mesh::Mesh& mesh, const Sharing& sharing) {
-  std::vector<GlobalIndex> others(mesh.coordinates.size(), 0);  // that hold a node besides one holder
+  std::vector<GlobalIndex> others(mesh.coordinates.size(), 0);  // number of other holders of a node
   for (LocalIndex i = 0; i < sharing.holders.rows(); ++i)
     others[static_cast<std::size_t>(sharing.shared[static_cast<std::size_t>(i)])] =
         static_cast<GlobalIndex>(sharing.holders.row(i).size()) - 1;

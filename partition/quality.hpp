@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How good a split is: balance of the work, and how much the ranks have to tell each other.
+// Quality of a partition: balance of the work, and communication between the ranks.
 #pragma once
 #include <span>
 
@@ -18,7 +18,7 @@ struct Quality {
   double contact_imbalance = 1.0;  ///< the same of contact faces; 1 where there are none
   GlobalIndex edge_cut = 0;        ///< element faces between two parts
   GlobalIndex shared_nodes = 0;    ///< nodes in two parts or more
-  GlobalIndex corner_forces = 0;   ///< that travel in each step: of an element at a shared node, to each other holder
+  GlobalIndex corner_forces = 0;   ///< sent in each step: of an element at a shared node, to each other holder
   int neighbours_max = 0;          ///< parts that share a node with one part
   double neighbours_mean = 0.0;
 };

@@ -12,7 +12,7 @@ Sharing share_nodes(const mesh::Mesh& mesh, std::span<const Rank> part) {
   constexpr Rank nobody = -1;
   Sharing sharing;
   sharing.owner.assign(mesh.coordinates.size(), nobody);
-  std::vector<std::pair<LocalIndex, Rank>> holder;  // of shared nodes; most nodes have an owner only
+  std::vector<std::pair<LocalIndex, Rank>> holder;  // of shared nodes; most nodes have only an owner
   std::size_t element = 0;
   for_each_element(mesh, [&](std::span<const LocalIndex> nodes, mesh::Shape) {
     const Rank rank = part[element++];

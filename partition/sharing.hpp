@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which parts touch which nodes.
+// The nodes shared between parts.
 #pragma once
 #include <span>
 #include <vector>
@@ -10,9 +10,9 @@
 namespace brunt::partition {
 
 struct Sharing {
-  std::vector<Rank> owner;         ///< of each node: part of the lowest element that touches it, 0 where none does
-  std::vector<LocalIndex> shared;  ///< nodes that two parts or more touch, ascending
-  Ragged<Rank> holders;            ///< those parts ascending, a row for each of `shared`
+  std::vector<Rank> owner;         ///< of each node: part of its element with the lowest number, 0 without elements
+  std::vector<LocalIndex> shared;  ///< nodes of two parts or more, ascending
+  Ragged<Rank> holders;            ///< those parts ascending, one row for each of `shared`
 };
 
 /// part: of each element over all blocks in order.

@@ -20,17 +20,18 @@ namespace brunt::partition {
 namespace {
 
 constexpr idx_t seed = 20231;
-// Per mille above the mean that METIS may load a part. It takes what it is given, and with 4 or less a quarter more
-// faces are cut; since all wait for the fullest part, what is left is levelled after it.
+// Imbalance allowed to METIS, per mille above the mean. METIS uses all of it, and with 4 or less a quarter more faces
+// are cut; since all ranks wait for the slowest part, the rest is balanced afterwards.
 constexpr idx_t tolerance = 8;
-constexpr double levelled = 5e-4;  // of the mean
-constexpr double smoothed = 8e-3;  // of the mean: as METIS, while borders are smoothed
-// With few elements a part METIS leaves parts empty or far from balance; neighbours along the canonical order do.
+constexpr double levelled = 5e-4;  // allowed imbalance over the mean after balancing
+constexpr double smoothed = 8e-3;  // over the mean: as METIS, while borders are smoothed
+// With few elements in each part METIS produces empty or unbalanced parts; intervals of the canonical order are then
+// used.
 constexpr LocalIndex fewest_elements_a_part = 8;
 
-// METIS sees clusters of neighbours along the canonical order where a part has more elements than this many clusters:
-// its time and memory fall by the size of the clusters. It cuts a fifth more faces of 1.8 million hexahedra in 8 parts,
-// which smoothing takes back.
+// METIS partitions clusters of neighbours along the canonical order if a part has more elements than this number of
+// clusters: its time and memory decrease by the size of the clusters. The clusters increase the number of cut faces by
+// about a fifth, which smoothing recovers.
 constexpr LocalIndex clusters_a_part = 8192;
 constexpr LocalIndex largest_cluster = 16;
 
@@ -42,12 +43,13 @@ struct MetisGraph {
   idx_t constraints = 1;
 };
 
-/// Elements a cluster.
+/// Elements in each cluster.
 LocalIndex cluster_size(LocalIndex elements, int parts) {
   return std::clamp<LocalIndex>(elements / parts / clusters_a_part, 1, largest_cluster);
 }
 
-/// Row c: the elements of cluster c are c * size and on; clusters beside it, once for each face between them.
+/// Row c: neighbouring clusters of cluster c, which has the elements from c * size on; repeated for each face between
+/// them.
 void add_neighbours(const Ragged<LocalIndex>& graph, LocalIndex size, LocalIndex c, std::vector<LocalIndex>& row) {
   const LocalIndex first = c * size, last = std::min(first + size, graph.rows());
   for (LocalIndex e = first; e < last; ++e)
@@ -55,7 +57,7 @@ void add_neighbours(const Ragged<LocalIndex>& graph, LocalIndex size, LocalIndex
       if (n / size != c || size == 1) row.push_back(n / size);
 }
 
-/// Costs as integers whose sum METIS can hold.
+/// Costs as integers whose sum does not overflow in METIS.
 std::vector<idx_t> integer_costs(const std::vector<double>& cost) {
   const double total = std::accumulate(cost.begin(), cost.end(), 0.0);
   const double largest = *std::ranges::max_element(cost);
@@ -66,7 +68,8 @@ std::vector<idx_t> integer_costs(const std::vector<double>& cost) {
   return integers;
 }
 
-/// A cluster that shares no face is tied to one beside it in canonical order: METIS wants no lone vertices.
+/// A cluster without shared faces is connected to its neighbour in canonical order: METIS requires that no vertex is
+/// isolated.
 using Ties = std::map<LocalIndex, std::vector<LocalIndex>>;
 
 Ties ties_of(const std::vector<LocalIndex>& lone, LocalIndex clusters) {
@@ -131,7 +134,7 @@ MetisGraph metis_graph(const Ragged<LocalIndex>& graph, const Weights& weights, 
   return out;
 }
 
-/// Empty where METIS fails.
+/// Empty if METIS fails.
 std::vector<idx_t> metis_parts(MetisGraph graph, idx_t parts) {
   std::array<idx_t, METIS_NOPTIONS> options{};
   METIS_SetDefaultOptions(options.data());
@@ -154,7 +157,7 @@ bool every_part_has_elements(const std::vector<idx_t>& part, int parts) {
   return std::ranges::find(used, false) == used.end();
 }
 
-/// Equal pieces of the canonical order.
+/// Equal intervals of the canonical order.
 std::vector<Rank> contiguous(LocalIndex elements, int parts) {
   const comm::BlockLayout layout{elements, parts};
   std::vector<Rank> part;

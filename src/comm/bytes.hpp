@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrays as the byte strings that travel between ranks.
+// Arrays as byte strings for messages between ranks.
 #pragma once
 #include <cstddef>
 #include <cstring>

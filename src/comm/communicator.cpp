@@ -18,7 +18,7 @@ namespace brunt::comm {
 
 namespace {
 
-/// What one reduction carries: maxima as `ordered` keys, then sums.
+/// Data of one reduction: maxima as `ordered` keys, then sums.
 struct Mixed {
   static constexpr std::size_t room = 6;
   std::array<std::int64_t, room> largest;
@@ -84,8 +84,8 @@ int count_of(std::size_t n) {
   return static_cast<int>(n);
 }
 
-/// Integers in the order of the doubles, with every NaN above all numbers: MPI_MAX on doubles may give different ranks
-/// different answers when one of them brings a NaN.
+/// Integers in the order of the doubles, with every NaN above all numbers: MPI_MAX on doubles may return different
+/// results on different ranks if one operand is NaN.
 std::int64_t ordered(double value) {
   if (value != value) return std::numeric_limits<std::int64_t>::max();
   const auto bits = std::bit_cast<std::int64_t>(value);
@@ -99,7 +99,7 @@ void to_keys(std::span<double> values) {
   static_assert(sizeof(double) == sizeof(std::int64_t));
   for (double& value : values) {
     const std::int64_t key = ordered(value);
-    std::memcpy(&value, &key, sizeof key);  // no double: some keys are NaNs that may be changed on the way
+    std::memcpy(&value, &key, sizeof key);  // not a double: some keys are NaNs, whose bits copies may change
   }
 }
 void from_keys(std::span<double> values) {
@@ -110,7 +110,7 @@ void from_keys(std::span<double> values) {
   }
 }
 
-// MPI counts are 32-bit: longer byte strings go in pieces.
+// MPI counts are 32-bit: longer byte strings are sent in pieces.
 constexpr std::size_t piece = std::size_t{1} << 30;
 
 template <class Move>

@@ -18,7 +18,7 @@ namespace {
 using Bytes = std::vector<std::byte>;
 constexpr int result_tag = 7;
 
-/// Counts up on the root, without its help: a rank that works need not answer.
+/// Counter on the root, with one-sided access: a rank that computes need not respond.
 class SharedCounter {
  public:
   explicit SharedCounter(MPI_Comm comm, bool root) {
@@ -50,7 +50,7 @@ class SharedCounter {
   MPI_Win window_ = MPI_WIN_NULL;
 };
 
-/// Results on the root, until those before them are there.
+/// Results on the root, kept until all previous ones have arrived.
 class InOrder {
  public:
   explicit InOrder(const std::function<void(GlobalIndex, std::span<const std::byte>)>& take) : take_(take) {}
@@ -89,7 +89,7 @@ void receive_what_came(MPI_Comm comm, InOrder& results) {
   }
 }
 
-/// Messages under way from this rank.
+/// Pending messages of this rank.
 class Outbox {
  public:
   void send(MPI_Comm comm, GlobalIndex k, const Bytes& bytes) {

@@ -29,7 +29,7 @@ void ExactAccumulator::clear() {
   pending_ = 0;
 }
 
-/// All limbs but the last get into [0, 2^32); the last carries the sign of the sum.
+/// All limbs but the last are normalised to [0, 2^32); the last carries the sign of the sum.
 void ExactAccumulator::normalise() {
   std::int64_t carry = 0;
   for (std::size_t i = 0; i + 1 < limbs; ++i) {
@@ -62,7 +62,7 @@ double ExactAccumulator::round() const {
   while (top >= 0 && limb(top) == 0) --top;
   if (top < 0) return 0.0;
 
-  // The leading 64 bits of the sum, in one word with its first bit set; whatever lies below only breaks ties.
+  // The leading 64 bits of the sum, in one word with its first bit set; lower bits only break ties.
   const int leading = std::countl_zero(static_cast<std::uint32_t>(limb(top)));
   const std::uint64_t upper = limb(top) << limb_bits | limb(top - 1);
   std::uint64_t word = upper << leading | (limb(top - 2) << leading) >> limb_bits;

@@ -15,7 +15,7 @@ struct Graph {
   std::vector<idx_t> begin{0}, neighbour;
 };
 
-/// Neighbours of each unknown in the pattern of A + A^T, itself not among them.
+/// Neighbours of each unknown in the pattern of A + A^T, without itself.
 Graph symmetric_graph(std::span<const SolverIndex> begin, std::span<const SolverIndex> column) {
   const std::size_t n = begin.size() - 1;
   std::vector<std::vector<idx_t>> rows(n);
@@ -42,7 +42,7 @@ std::vector<SolverIndex> elimination_order(std::span<const SolverIndex> begin, s
   Graph graph = symmetric_graph(begin, column);
   auto n = static_cast<idx_t>(begin.size() - 1);
   std::vector<idx_t> order(static_cast<std::size_t>(n)), position(order.size());
-  if (graph.neighbour.empty()) {  // nothing fills in, and METIS takes no graph without edges
+  if (graph.neighbour.empty()) {  // no fill-in, and METIS accepts no graph without edges
     std::vector<SolverIndex> as_given(order.size());
     for (std::size_t i = 0; i < as_given.size(); ++i) as_given[i] = static_cast<SolverIndex>(i);
     return as_given;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// In which order unknowns are eliminated, so that factors stay small: nested dissection by METIS.
+// The elimination order of the unknowns that reduces fill-in: nested dissection by METIS.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace brunt::comm {
 
-/// Position of each unknown in the order of elimination, from the pattern of a whole square matrix alone (made
-/// symmetric). begin: rows + 1 offsets into `column`. Throws MachineError where METIS fails.
+/// Position of each unknown in the elimination order, from the pattern of a whole square matrix only (made symmetric).
+/// begin: rows + 1 offsets into `column`. Throws MachineError if METIS fails.
 std::vector<SolverIndex> elimination_order(std::span<const SolverIndex> begin, std::span<const SolverIndex> column);
 
 }  // namespace brunt::comm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All rows on the root, in canonical order: what is factorised there is a function of the problem, not of the ranks.
+// All rows on the root, in canonical order: the factorised matrix depends on the problem, not on the ranks.
 #include <algorithm>
 #include <cstdint>
 

@@ -62,7 +62,7 @@ struct Halo::Forest {
 
 namespace {
 
-/// What goes to other ranks, of a list of ranks and of the offsets of their values.
+/// Values for other ranks: a list of ranks and the offsets of their values.
 Sent sent_to_others(const Communicator& ranks, PetscInt count_of_ranks, const PetscMPIInt* rank,
                     const PetscInt* offset) {
   Sent sent;
@@ -77,8 +77,8 @@ void count_exchange(const Communicator& ranks, const Sent& of_width_one, int wid
            static_cast<std::size_t>(of_width_one.bytes) * static_cast<std::size_t>(width));
 }
 
-/// Each rank sees which of its roots are wanted, so a wrong index is found where it would do harm. Returns what they
-/// are when they are sent.
+/// Each rank checks the requests for its roots, so that a wrong index is detected where it would be used. Returns their
+/// layout for sending.
 Sent demand_roots_exist(const Communicator& ranks, PetscSF sf, LocalIndex roots) {
   PetscInt askers = 0;
   const PetscMPIInt* rank = nullptr;
@@ -90,7 +90,7 @@ Sent demand_roots_exist(const Communicator& ranks, PetscSF sf, LocalIndex roots)
   return sent_to_others(ranks, askers, rank, offset);
 }
 
-/// What the leaves of this rank are when they are sent to their roots.
+/// The layout of the leaves of this rank for sending to their roots.
 Sent leaves_sent(const Communicator& ranks, PetscSF sf) {
   PetscInt owners = 0;
   const PetscMPIInt* rank = nullptr;

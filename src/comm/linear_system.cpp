@@ -16,7 +16,7 @@
 namespace brunt::comm {
 namespace {
 
-/// Each of the unknowns has one owner, who names it once.
+/// Checks that each unknown has exactly one owner.
 void demand_each_row_once(const Communicator& ranks, GlobalIndex unknowns, std::span<const GlobalIndex> owned) {
   const bool ascend = std::ranges::is_sorted(owned, std::less_equal<>{});
   const bool inside = owned.empty() || (owned.front() >= 0 && owned.back() < unknowns);
@@ -54,7 +54,7 @@ GlobalIndex first_not_finite(const Communicator& ranks, const SparseRows& rows) 
   return -ranks.max(-found);
 }
 
-/// What the root found, on all ranks.
+/// Broadcasts the result of the root.
 void share(const Communicator& ranks, Factorised& done) {
   struct Found {
     double memory, operations;
@@ -82,7 +82,7 @@ struct LinearSystem::Solver {
   GlobalIndex unknowns;
   std::vector<GlobalIndex> owned;
   std::unique_ptr<RowLayout> layout;
-  std::unique_ptr<SparseFactors> factors;  // null on ranks that take no part
+  std::unique_ptr<SparseFactors> factors;  // null on ranks without rows of the solver
   std::optional<Factorised> last;
 
   [[nodiscard]] bool is(FactorStatus status) const { return last && last->status == status; }

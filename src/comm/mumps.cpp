@@ -32,18 +32,19 @@ constexpr int begin = -1, end = -2, analysis = 1, factorisation = 2, solution = 
 namespace control_of {
 constexpr int printing = 4, permutation = 6, ordering = 7, scaling = 8, more_room = 14, matrix = 18;
 constexpr int detect_null = 24, null_vector = 25, analysis = 28;
-constexpr int null_threshold = 3;  // a real one
+constexpr int null_threshold = 3;  // a control of real type
 }  // namespace control_of
 
-constexpr int both_sides_work = 1;  // the first rank has a share of the work, too
+constexpr int both_sides_work = 1;  // the first rank takes part in the factorisation
 constexpr int unsymmetric = 0;
-// The analysis sees the pattern alone: no permutation by values. So factors do not depend on whether it was done anew.
+// The analysis uses only the pattern: no permutation by values. So factors do not depend on whether the analysis was
+// repeated.
 constexpr int no_permutation = 0;
-// Rows and columns are scaled when values are known, not at the analysis.
+// Rows and columns are scaled in the factorisation, when values are known, not in the analysis.
 constexpr int scale_by_values = 7;
-// Operations of 20^3 hexahedra by order of elimination: METIS 27 Gflop, PORD 35 (which ends the program on some small
-// graphs), approximate minimum fill 68, minimum degree 86. Debian's MUMPS has no METIS of its own: it is given the
-// order.
+// Operations for 20^3 hexahedra by elimination order: METIS 27 Gflop, PORD 35 (which aborts on some small graphs),
+// approximate minimum fill 68, minimum degree 86. The packaged MUMPS of Debian has no METIS, so the order is passed to
+// it.
 constexpr int given_order = 1;
 constexpr int analysis_on_the_first_rank = 1;
 constexpr int whole_on_the_first_rank = 0, each_rank_its_entries = 3;
@@ -152,7 +153,7 @@ void Mumps::factorise(const RowRange& rows, double null_pivot) {
   call(job::factorisation);
 }
 
-/// Of the right-hand side in `all_`, which the solution replaces.
+/// For the right-hand side in `all_`, which is replaced by the solution.
 void Mumps::substitute(std::span<double> x) {
   solver_.rhs = all_.data();
   call(job::solution);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// LU factors of one sparse matrix by MUMPS on the ranks of an MPI communicator. MUMPS is called directly: PETSc does
-// not hand over an order of elimination where there are several ranks. Every member is collective, and every error is
-// a status that all ranks see.
+// LU factors of one sparse matrix by MUMPS on the ranks of an MPI communicator. MUMPS is called directly, since PETSc
+// does not pass a user-defined elimination order to it on several ranks. Every member is collective, and every error is
+// a status known to all ranks.
 #pragma once
 #include <dmumps_c.h>
 #include <mpi.h>
@@ -13,7 +13,8 @@
 
 namespace brunt::comm {
 
-/// How many items each rank has, and how many those below it have: as MPI's calls on arrays of every length want them.
+/// Number of items on each rank, and on all ranks below it: counts and displacements of MPI calls on arrays of variable
+/// length.
 struct RankShares {
   std::vector<int> count, first;
 };
@@ -31,14 +32,14 @@ class Mumps {
   Mumps(const Mumps&) = delete;
   Mumps& operator=(const Mumps&) = delete;
 
-  /// Orders elimination by the pattern alone, by METIS on the first rank. more_room: work space beyond the estimate
-  /// [%]. Throws MachineError or bad_alloc, on all ranks, where the order fails.
+  /// Computes the elimination order from the pattern only, by METIS on the first rank. more_room: work space beyond the
+  /// estimate [%]. Throws MachineError or bad_alloc, on all ranks, if the ordering fails.
   void analyse(const RowRange& rows, int more_room);
-  /// Of rows with the pattern that was analysed. Pivots below null_pivot of the scaled matrix are null.
+  /// For rows with the analysed pattern. Pivots below null_pivot of the scaled matrix are null.
   void factorise(const RowRange& rows, double null_pivot);
-  /// Values of the rows of this rank. Throws MachineError, on all ranks, where MUMPS fails.
+  /// Values of the rows of this rank. Throws MachineError, on all ranks, if MUMPS fails.
   void solve(std::span<const double> b, std::span<double> x);
-  /// The which-th, from 0, of the null vectors: as many as null pivots.
+  /// The null vector number `which`, from 0: there are as many as null pivots.
   void null_vector(int which, std::span<double> x);
 
   [[nodiscard]] int status() const { return info(1); }

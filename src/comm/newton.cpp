@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PETSc's Newton iteration with functions of ours in every place where something is computed or decided.
+// PETSc's Newton iteration with our functions for all computations and decisions.
 #include "brunt/comm/newton.hpp"
 
 #include <petscsnes.h>
@@ -21,7 +21,7 @@ struct Drive {
   SNES snes = nullptr;
   NewtonResult result{};
   bool stopped = false;         // for the reason in `result`
-  std::exception_ptr thrown{};  // by a function of the caller: kept here while C frames unwind
+  std::exception_ptr thrown{};  // by a function of the caller: stored until the C functions have returned
 
   void stop(NewtonReason reason) {
     result.reason = reason;
@@ -29,7 +29,7 @@ struct Drive {
   }
 };
 
-/// Nothing may fly through C frames: they get an error code instead, and leave without a message to other ranks.
+/// No exception may pass through C functions: they return an error code instead, without a message to other ranks.
 template <class Call>
 PetscErrorCode guarded(Drive& drive, Call&& call) {
   try {
@@ -109,7 +109,7 @@ PetscErrorCode judge(SNES snes, PetscInt iteration, PetscReal /*x*/, PetscReal /
   });
 }
 
-/// The tangent is made where it is needed, in `correct`.
+/// The tangent is computed in `correct`.
 PetscErrorCode no_tangent(SNES /*snes*/, Vec /*x*/, Mat /*tangent*/, Mat /*same*/, void* /*context*/) {
   return 0;
 }
@@ -129,13 +129,13 @@ PetscErrorCode correct(PC solver, Vec residual, Vec correction) {
   });
 }
 
-/// Takes the share that the line search chose; x and its residual stay where they were if there is none.
+/// Takes the step length chosen by the line search; if there is none, x and its residual remain unchanged.
 void advance_with(Drive& drive, Vec x_vector, Vec residual_vector, Vec correction_vector) {
   const Write x(drive.petsc, x_vector), residual(drive.petsc, residual_vector);
   const Read correction(drive.petsc, correction_vector);
   const std::span<const double> c = correction;
   std::vector<double> point(c.size()), there(c.size());
-  double tried = 0;  // the share of `point` and `there`
+  double tried = 0;  // the step length of `point` and `there`
   bool admissible = false;
   const auto evaluate = [&](double share) {
     for (std::size_t i = 0; i < c.size(); ++i) point[i] = x.get()[i] - share * c[i];
@@ -167,7 +167,7 @@ PetscErrorCode advance(SNESLineSearch search, void* context) {
     drive.petsc.check(SNESLineSearchGetVecs(search, &x, &residual, &correction, nullptr, nullptr));
     if (!drive.stopped) advance_with(drive, x, residual, correction);
     if (drive.stopped) drive.petsc.check(SNESSetConvergedReason(drive.snes, SNES_DIVERGED_LINE_SEARCH));
-    drive.petsc.check(SNESLineSearchSetNorms(search, 1, 1, 1));  // finite, and nothing else matters
+    drive.petsc.check(SNESLineSearchSetNorms(search, 1, 1, 1));  // PETSc requires only finite values here
   });
 }
 
@@ -196,7 +196,7 @@ void set_up(const Communicator& ranks, std::span<double> x, Drive& drive, Object
   petsc.check(SNESSetFunction(objects.snes, objects.residual, residual_at_start, &drive));
   petsc.check(SNESSetJacobian(objects.snes, objects.tangent, objects.tangent, no_tangent, &drive));
   petsc.check(SNESSetConvergenceTest(objects.snes, judge, &drive, nullptr));
-  petsc.check(SNESSetTolerances(objects.snes, 0, 0, 0, PETSC_MAX_INT, PETSC_MAX_INT));  // none but `judge` decides
+  petsc.check(SNESSetTolerances(objects.snes, 0, 0, 0, PETSC_MAX_INT, PETSC_MAX_INT));  // only `judge` decides
   SNESLineSearch search = nullptr;
   petsc.check(SNESGetLineSearch(objects.snes, &search));
   petsc.check(SNESLineSearchSetType(search, SNESLINESEARCHSHELL));
@@ -226,7 +226,7 @@ NewtonResult newton(const Communicator& ranks, std::span<double> x, const Newton
   } catch (const PetscFailure& failure) {
     throw MachineError(failure.what());
   }
-  if (!drive.stopped) drive.stop(NewtonReason::inadmissible);  // PETSc stops by itself where a residual is not finite
+  if (!drive.stopped) drive.stop(NewtonReason::inadmissible);  // PETSc stops by itself if a residual is not finite
   return drive.result;
 }
 

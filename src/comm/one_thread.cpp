@@ -6,7 +6,7 @@
 namespace brunt::comm {
 
 void keep_blas_on_one_thread() {
-  // which BLAS it is, is known when the program starts, not when it is linked
+  // the BLAS is determined when the program starts, not when it is linked
   using SetThreads = void (*)(int);
   for (const char* name : {"openblas_set_num_threads", "MKL_Set_Num_Threads", "omp_set_num_threads"})
     if (void* found = dlsym(RTLD_DEFAULT, name)) reinterpret_cast<SetThreads>(found)(1);

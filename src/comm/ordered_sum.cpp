@@ -13,7 +13,7 @@ namespace {
 
 using RowOf = std::unordered_map<GlobalIndex, LocalIndex>;  // node gid -> row of the shared nodes
 
-/// What a rank tells a sharer of a node about one contribution.
+/// Message of a rank to a sharer of a node about one contribution.
 struct Announcement {
   GlobalIndex node_gid = 0;
   GlobalIndex key = 0;

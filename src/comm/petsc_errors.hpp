@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PETSc's error codes as exceptions. While a `PetscErrors` lives, a failing call of PETSc prints nothing and ends
-// nothing: its first message is kept.
+// PETSc's error codes as exceptions. During the lifetime of a `PetscErrors`, a failing call of PETSc neither prints nor
+// aborts: its first message is stored.
 #pragma once
 #include <petscsys.h>
 
@@ -21,7 +21,7 @@ class PetscErrors {
   PetscErrors(const PetscErrors&) = delete;
   PetscErrors& operator=(const PetscErrors&) = delete;
 
-  /// Throws what went wrong if `code` is an error.
+  /// Throws the stored message if `code` is an error.
   void check(PetscErrorCode code) const {
     if (code != 0) throw PetscFailure(code, "PETSc: " + (first_.empty() ? "error " + std::to_string(code) : first_));
   }

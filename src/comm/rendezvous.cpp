@@ -13,7 +13,7 @@ namespace brunt::comm {
 
 namespace {
 
-/// Row lengths of what every rank will send here.
+/// Row lengths of the messages of every rank to this rank.
 Ragged<std::byte> room_for_incoming(const Communicator& ranks, const std::vector<int>& out_length) {
   std::vector<int> in_length(out_length.size());
   count_collective(ranks, out_length.size() * sizeof(int));
@@ -60,7 +60,7 @@ Ragged<std::byte> exchange_bytes(const Communicator& ranks, const Ragged<std::by
 
 Rank BlockLayout::owner(GlobalIndex id) const {
   demand(id >= 0 && id < total, "an entity of a block layout lies between 0 and the total");
-  const GlobalIndex longer = total % ranks;  // the first blocks hold one more
+  const GlobalIndex longer = total % ranks;  // the first blocks have one more item
   const GlobalIndex length = total / ranks;
   const GlobalIndex in_longer = longer * (length + 1);
   return static_cast<Rank>(id < in_longer ? id / (length + 1) : longer + (id - in_longer) / length);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each rank's rows behind those of the ranks below it, as a parallel solver wants them: numbers that depend on the
+// The rows of each rank after those of the lower ranks, as required by a parallel solver: the numbers depend on the
 // ranks.
 #include <algorithm>
 #include <utility>

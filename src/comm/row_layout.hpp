@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the rows that ranks own become the rows that a solver wants, and vectors with them: all on the root in canonical
-// order, or each rank's own behind those of the ranks below it. Every member is collective.
+// Mapping of the rows that ranks own, and of vectors, to the rows of a solver: all on the root in canonical order, or
+// each rank's own rows after those of the lower ranks. Every member is collective.
 #pragma once
 #include <mpi.h>
 
@@ -16,9 +16,9 @@ namespace brunt::comm {
 class RowLayout {
  public:
   virtual ~RowLayout() = default;
-  /// The solver's communicator; on ranks that take no part MPI_COMM_NULL.
+  /// The solver's communicator; MPI_COMM_NULL on ranks that do not take part.
   [[nodiscard]] virtual MPI_Comm solver_ranks() const = 0;
-  /// The rows of this rank in the solver's numbers, and whether their columns are those of the last call (on all
+  /// The rows of this rank in the solver's numbers, and whether their columns are unchanged since the last call (on all
   /// ranks).
   virtual bool to_solver(const SparseRows& rows, RowRange& range) = 0;
   [[nodiscard]] virtual std::vector<double> to_solver(std::span<const double> owned) const = 0;

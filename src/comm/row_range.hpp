@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of a sparse matrix as a parallel solver wants them: each rank has those of a contiguous range.
+// Rows of a sparse matrix as required by a parallel solver: each rank has a contiguous range.
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -14,7 +14,7 @@ namespace brunt::comm {
 
 Session::Session(int& argc, char**& argv) {
   demand(MPI_Init(&argc, &argv) == MPI_SUCCESS, "MPI starts");
-  // PETSc is not given the program's arguments (they are ours) nor the user's ~/.petscrc (it would change results)
+  // PETSc gets neither the program's arguments nor the user's ~/.petscrc, which would change results
   std::string name = argc > 0 ? argv[0] : "brunt";
   std::string skip = "-skip_petscrc";
   std::array<char*, 3> arguments{name.data(), skip.data(), nullptr};

@@ -13,30 +13,31 @@
 namespace brunt::comm {
 namespace {
 
-// Pivots below this share of the largest entry of the scaled matrix (which is 1) are zero beyond doubt: rows of zeros,
-// rows that repeat others. Held bodies have larger ones (a strip 10^4 times as long as thick: 1e-11).
+// Pivots below this share of the largest entry of the scaled matrix (which is 1) are certainly zero: rows of zeros,
+// linearly dependent rows. Constrained bodies have larger ones (a strip 10^4 times as long as thick: 1e-11).
 constexpr double surely_null = 1e-13;
-// A body that floats leaves larger ones, too: 1e-12 (a cube of 10 elements an edge) to 1e-8 (a plate 300 times as wide
-// as thick), rounding times what elimination makes of it. They are asked for only where the matrix was found singular.
+// The same threshold for unconstrained rigid bodies, used only if the matrix was found singular. Their pivots are
+// rounding errors amplified by the elimination: 1e-12 (a cube of 10 elements an edge) to 1e-8 (a plate 300 times as
+// wide as thick).
 constexpr double null_if_singular = 1e-8;
-// Inverse iteration finds it: the smallest value of the equilibrated matrix was seen at 3e-18 to 1e-16 where bodies
-// float, at 3e-11 for a bar 400 times as long as thick, at 4e-13 for a strip 10^4 times as long as thick.
+// Smallest eigenvalues of the equilibrated matrix below this, by inverse iteration, are zero. They are 3e-18 to 1e-16
+// for unconstrained bodies, 3e-11 for a bar 400 times as long as thick, 4e-13 for a strip 10^4 times as long as thick.
 constexpr double smallest_value = 1e-14;
 constexpr int inverse_iterations = 3, scaling_sweeps = 5;
 
-// Work space beyond the estimate [%]: pivots that are put off (zeros on the diagonal) need it. Tried one by one.
+// Work space beyond the estimate [%], required by delayed pivots (zeros on the diagonal). Tried one after the other.
 constexpr std::array<int, 4> rooms{50, 200, 800, 3200};
 
 constexpr int most_refinements = 2;
 constexpr double accurate = 2 * std::numeric_limits<double>::epsilon();
 
-/// A NaN wins, and stays.
+/// Maximum that propagates NaN.
 void keep_largest(double& largest, double value) {
   if (!(value <= largest) && !std::isnan(largest)) largest = value;
 }
 
 double largest_of_ranks(MPI_Comm comm, double value) {
-  // a NaN must win: the reduction may lose it
+  // checked separately: the reduction may lose a NaN
   std::array<double, 2> pair{std::isnan(value) ? 0 : value, std::isnan(value) ? 1.0 : 0.0};
   MPI_Allreduce(MPI_IN_PLACE, pair.data(), 2, MPI_DOUBLE, MPI_MAX, comm);
   return pair[1] > 0 ? std::numeric_limits<double>::quiet_NaN() : pair[0];
@@ -93,7 +94,7 @@ Factorised SparseFactors::factorise(RowRange&& rows, bool same_pattern) {
       const bool analysed = done.analysed;
       done = factorise_with_room(null_if_singular);
       done.analysed = analysed || done.analysed;
-      if (done.ok()) {  // no pivot tells, but one direction is known
+      if (done.ok()) {  // no null pivot was found, but one direction is known
         done.status = FactorStatus::singular;
         done.null_pivots = 1;
       }
@@ -139,7 +140,7 @@ SparseFactors::Equilibration SparseFactors::equilibration() {
   return of;
 }
 
-/// Inverse iteration on the equilibrated matrix; the direction that grows is kept in `floating_`.
+/// Inverse iteration on the equilibrated matrix; a null direction is stored in `floating_`.
 bool SparseFactors::is_singular() {
   const Equilibration scale = equilibration();
   std::vector<double> z(scale.row.size()), b(z.size()), y(z.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sparse matrix with its factors by MUMPS, on the ranks of an MPI communicator that each own a contiguous
-// range of rows. On one rank the bits of every result depend on the matrix and the right-hand side alone.
+// A sparse matrix with its factors by MUMPS, on the ranks of an MPI communicator that each own a contiguous range of
+// rows. On one rank the bits of every result depend only on the matrix and the right-hand side.
 #pragma once
 #include <mpi.h>
 
@@ -18,7 +18,7 @@ class SparseFactors {
  public:
   explicit SparseFactors(MPI_Comm comm) : comm_(comm) {}
 
-  /// `same_pattern`: columns are those of the last call, on all ranks.
+  /// `same_pattern`: the columns are unchanged since the last call, on all ranks.
   Factorised factorise(RowRange&& rows, bool same_pattern);
   /// Refined x and its componentwise backward error; NaN if x is not finite.
   double solve(std::span<const double> b, std::span<double> x);
@@ -28,8 +28,8 @@ class SparseFactors {
   Factorised factorise_with_room(double null_pivot);
   Factorised factorise_with(int more_room, double null_pivot);
   bool is_singular();
-  /// What multiplies rows and columns of this rank until all of them have a largest entry near 1: equations of contact
-  /// and pressures have units of their own, so rows and columns of one number are not alike.
+  /// Scaling factors of the rows and columns of this rank, with which all largest entries are near 1: equations of
+  /// contact and pressures have different units, so the factors of a row and of the column with the same number differ.
   struct Equilibration {
     std::vector<double> row, column;
   };
@@ -41,8 +41,8 @@ class SparseFactors {
   RowRange rows_;
   RankShares shares_;  // of rows
   std::unique_ptr<Mumps> factors_;
-  std::vector<double> of_all_;    // a vector's values of all ranks
-  std::vector<double> floating_;  // a direction without stiffness, of inverse iteration
+  std::vector<double> of_all_;    // values of a vector on all ranks
+  std::vector<double> floating_;  // a null direction, from inverse iteration
 };
 
 }  // namespace brunt::comm

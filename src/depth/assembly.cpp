@@ -13,7 +13,7 @@
 namespace brunt::depth {
 namespace {
 
-constexpr double coarse_margin = 1e-5;  // of the radius: the first walk keeps it, where rotations meet curvature
+constexpr double coarse_margin = 1e-5;  // of the radius: kept in the first walk, where rotations are curved
 constexpr double first_trust = 0.25;    // of the largest displacement
 constexpr double last_trust = 1e-2;     // of the largest displacement, in the walk that closes the margin
 
@@ -23,7 +23,7 @@ double largest(const Standing& standing, const Pose& pose) {
   return most;
 }
 
-/// Back along all screws at once to within `gap` of a pose that overlaps, and out again by that.
+/// Moves back along all screws to within `gap` of an overlapping pose, and outwards again by this gap.
 Pose drawn_back(const Standing& standing, const Pose& pose, double gap) {
   const double end = gap / largest(standing, pose);
   double free = 1, overlaps = 0, step = end;
@@ -50,7 +50,7 @@ void report(const Standing& standing, const Pose& pose, AssemblyAnswer& answer) 
   for (std::size_t k = 0; k < pose.motions.size(); ++k) answer.farthest.push_back(standing.farthest(pose, k));
 }
 
-/// Pairs of members that both stay.
+/// Pairs of two fixed members.
 std::vector<std::size_t> hopeless(const Standing& standing, const std::vector<std::size_t>& pairs) {
   std::vector<std::size_t> found;
   for (const std::size_t i : pairs) {

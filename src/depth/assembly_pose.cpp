@@ -26,7 +26,7 @@ Placement Standing::relative(const Pose& pose, const MemberPair& pair) const {
 bool Standing::near(const Pose& pose, const MemberPair& pair, double reach) const {
   const MetricShape &a = surface(pair.a, pair.a_surface).shape, &b = surface(pair.b, pair.b_surface).shape;
   const Vec3 between = placement(pose, pair.a)(a.centroid) - placement(pose, pair.b)(b.centroid);
-  return between.norm() < (1 + 1e-9) * (a.radius + b.radius) + reach;  // wider than rounding
+  return between.norm() < (1 + 1e-9) * (a.radius + b.radius) + reach;  // margin above rounding
 }
 
 bool Standing::collides(const Pose& pose, const MemberPair& pair) const {

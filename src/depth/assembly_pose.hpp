@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the members of an assembly stand, and which pairs overlap there.
+// Poses of the members of an assembly, and the overlapping pairs.
 #pragma once
 #include <vector>
 
@@ -12,7 +12,7 @@ struct Pose {
   std::vector<RigidMotion> motions;  ///< of each member, in the common axes
 };
 
-/// Questions about poses of one assembly.
+/// Geometric queries for poses of one assembly.
 class Standing {
  public:
   explicit Standing(const Assembly& assembly);
@@ -26,12 +26,12 @@ class Standing {
   [[nodiscard]] Placement placement(const Pose& pose, std::size_t k) const {
     return moved({}, pose.motions[k], member(k).centroid);
   }
-  /// Surface a of the pair as surface b sees it.
+  /// Motion of surface a of the pair relative to surface b.
   [[nodiscard]] Placement relative(const Pose& pose, const MemberPair& pair) const;
   [[nodiscard]] Encounter encounter(const Pose& pose, const MemberPair& pair) const {
     return {surface(pair.a, pair.a_surface), surface(pair.b, pair.b_surface), relative(pose, pair)};
   }
-  /// Whether spheres around the surfaces come nearer than `reach` [length].
+  /// Whether the distance of the surfaces' bounding spheres is below `reach` [length].
   [[nodiscard]] bool near(const Pose& pose, const MemberPair& pair, double reach) const;
   [[nodiscard]] bool collides(const Pose& pose, const MemberPair& pair) const;
   [[nodiscard]] bool free(const Pose& pose) const;
@@ -47,7 +47,7 @@ class Standing {
   double radius_ = 0, mass_ = 0;
 };
 
-/// Each member at the same fraction of its own screw; beyond 1 outwards.
+/// Each member at the same fraction of its own screw; outwards for fractions above 1.
 [[nodiscard]] Pose along_screws(const Pose& pose, double s);
 
 }  // namespace brunt::depth

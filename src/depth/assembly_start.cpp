@@ -13,12 +13,12 @@ namespace {
 
 constexpr int most_rounds = 60;       // of planes, and of pairs
 constexpr int most_turned_aside = 3;  // directions of one pair
-constexpr double beyond = 1e-3;       // of a translation: walks have room at first
-constexpr double push_growth = 0.02;  // of each round by pairs, so that crowded members do not close up on each other
+constexpr double beyond = 1e-3;       // of a translation: initial clearance of walks
+constexpr double push_growth = 0.02;  // in each round of pairs, so that members in a dense group do not overlap again
 constexpr double first_spread = 0.02, spread_growth = 1.3;
 constexpr int most_spreads = 40;  // the last is 1.3^40 x 0.02 = 700 distances from the centre
 
-/// Orthonormal columns that span both bases, without `aside`; zero ones to spare.
+/// Orthonormal columns that span both bases, without `aside`; unused columns are zero.
 Mat3 common_basis(const Member& a, const Member& b, const std::vector<Vec3>& aside) {
   Mat3 done = Mat3::Zero();
   std::vector<Vec3> kept;
@@ -58,12 +58,12 @@ std::optional<Vec3> separating(const Standing& standing, const Pose& pose, const
   return Vec3(to_common * (here.start.rotation * answer.motion.shift));
 }
 
-/// Splits a relative translation in the way that needs least sum m |x|^2.
+/// Splits a relative translation so that sum m |x|^2 is least.
 void share_translation(const Standing& standing, const MemberPair& pair, const Vec3& t, Pose& pose) {
   const Member &a = standing.member(pair.a), &b = standing.member(pair.b);
   const Mat3 of_a = a.basis * a.basis.transpose() / a.mass, of_b = b.basis * b.basis.transpose() / b.mass;
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(of_a + of_b);
-  Vec3 force = Vec3::Zero();  // along directions in which neither moves t has no part
+  Vec3 force = Vec3::Zero();  // zero along directions in which neither member moves
   for (int c = 0; c < 3; ++c)
     if (const Vec3 axis = solver.eigenvectors().col(c); solver.eigenvalues()[c] > 1e-9 * solver.eigenvalues()[2])
       force += axis.dot(t) / solver.eigenvalues()[c] * axis;
@@ -83,7 +83,7 @@ bool is_full(const Member& member) {
   return member.turns && (member.basis.colwise().norm().array() > 0).all();
 }
 
-/// Parts the pair by its least motion; false if that cannot be.
+/// Separates the pair by its least motion; false if this is impossible.
 bool part_pair(const Standing& standing, const MemberPair& pair, double push, double margin, Pose& pose) {
   const Member &a = standing.member(pair.a), &b = standing.member(pair.b);
   const bool screws = (is_full(a) || !a.moves()) && (is_full(b) || !b.moves());
@@ -102,7 +102,7 @@ bool part_pair(const Standing& standing, const MemberPair& pair, double push, do
   const double out = push + margin / answer.depth;
   const double share = !a.moves() ? 0 : !b.moves() ? 1 : b.mass / (a.mass + b.mass);
   const Placement from_a = standing.placement(pose, pair.a), from_b = standing.placement(pose, pair.b);
-  // M takes a to its place beside b, its inverse b to the place from which a is seen there
+  // M moves a to its position beside b, its inverse moves b to the position from which a has that relative position
   const Placement to_a{from_b.rotation * answer.placement.rotation,
                        from_b.rotation * answer.placement.translation + from_b.translation};
   const Mat3 R = from_a.rotation * to_a.rotation.transpose();  // of the inverse of M
@@ -137,7 +137,7 @@ std::optional<Pose> start_by_planes(const Standing& standing, double margin, std
     }
     std::vector<std::size_t> proof;
     while (!program.solve(planes, pose, proof)) {
-      // the youngest plane between members that both may move gives way, else the youngest
+      // the last plane between two movable members is removed, otherwise the last one
       std::size_t yields = planes.size();
       for (const std::size_t p : proof) {
         const MemberPair& pair = assembly.pairs[planes[p].pair];
@@ -192,8 +192,7 @@ std::optional<Pose> start_by_expansion(const Standing& standing) {
     for (std::size_t k = 0; k < pose.motions.size(); ++k) {
       const Member& member = standing.member(k);
       Vec3 away = member.centroid - centre;
-      if (away.norm() <
-          1e-3 * standing.radius())  // a member at the centre, and others in the same place, need a way too
+      if (away.norm() < 1e-3 * standing.radius())  // a member at the centre, and coincident ones, need a direction too
         away = standing.radius() *
                Vec3(std::cos(static_cast<double>(k)), std::sin(static_cast<double>(k)), 0.3 * static_cast<double>(k));
       pose.motions[k].shift = spread * (member.basis * (member.basis.transpose() * away));

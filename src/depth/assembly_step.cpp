@@ -10,9 +10,9 @@
 namespace brunt::depth {
 namespace {
 
-constexpr double feasible = 1e-12;        // of the trust region: violation of a condition that counts as none
-constexpr double least_curvature = 1e-9;  // of the object norm in rotations, relative: at phi = pi it has none
-constexpr int most_rounds = 500;          // of conditions that join: random stacks of ten boxes need at most 40
+constexpr double feasible = 1e-12;        // of the trust region: smaller violations of a condition count as none
+constexpr double least_curvature = 1e-9;  // of the object norm in rotations, relative: it vanishes at phi = pi
+constexpr int most_rounds = 500;          // of added conditions: random stacks of ten boxes need at most 40
 
 }  // namespace
 

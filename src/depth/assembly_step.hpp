@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The best small motion of all members under the linear conditions of near pairs.
+// The optimal small motion of all members under the linear conditions of near pairs.
 //
 // Unknowns: the components of tau_k along the admitted directions, and rho_k omega_k where the member turns, each at
 // most `trust`, rho_k = sqrt(tr J_k/2). A condition n . (tau_a + omega_a x r_a - tau_b - omega_b x r_b) >= bound has
@@ -15,7 +15,7 @@
 
 namespace brunt::depth {
 
-/// Of two members: near_pairs.hpp with both in motion. Vectors in the common axes.
+/// Of two members: as near_pairs.hpp, with both moving. Vectors in the common axes.
 struct AssemblyCondition {
   std::size_t pair = 0;
   Vec3 normal = Vec3::Zero();                       ///< from b to a
@@ -27,14 +27,14 @@ struct AssemblyCondition {
 
 struct SmallMotion {
   std::vector<Vec3> tau, omega;  ///< of each member [length], [rad]
-  double size = 0;               ///< the greatest unknown [length]
+  double size = 0;               ///< the largest unknown [length]
 };
 
 class AssemblyStep {
  public:
   AssemblyStep(const Standing& standing, const Pose& pose);
 
-  /// None where the conditions exclude each other within the trust region. predicted: length of the linearised motion.
+  /// None if the conditions are contradictory within the trust region. predicted: length of the linearised motion.
   [[nodiscard]] std::optional<SmallMotion> solve(std::span<const AssemblyCondition> conditions, double trust,
                                                  double& predicted);
 

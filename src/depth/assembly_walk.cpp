@@ -8,11 +8,11 @@
 namespace brunt::depth {
 namespace {
 
-constexpr double band_share = 0.1;  // of the trust region; wider where the step collides with what lies beyond
-constexpr double widen = 3;         // of the band then
-constexpr double wide_band = 2;     // of the trust region: all that a step of two members can reach
+constexpr double band_share = 0.1;  // of the trust region; wider if the step collides with features beyond it
+constexpr double widen = 3;         // factor of the band in that case
+constexpr double wide_band = 2;     // of the trust region: the reach of a step of two members
 constexpr double least_band = 4;    // of the margin
-constexpr int corrections = 4;      // of second order, of one step
+constexpr int corrections = 4;      // of second order, for one step
 constexpr double shrink = 0.4, grow = 2;
 constexpr double good = 0.7, poor = 0.2;  // actual decrease over predicted one: grow, shrink
 constexpr double most_trust = 0.5;        // of the radius

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a free pose of all members to one from which no small motion is shorter: walk.hpp for an assembly.
+// From a free pose of all members to a local minimum of the motion: walk.hpp for an assembly.
 #pragma once
 #include "assembly_step.hpp"
 
@@ -7,7 +7,7 @@ namespace brunt::depth {
 
 struct AssemblyWalkOptions {
   double margin = 0;  ///< kept between surfaces [length]
-  double trust = 0;   ///< at first [length]
+  double trust = 0;   ///< initial value [length]
   int most_steps = 100;
 };
 
@@ -15,7 +15,7 @@ class AssemblyWalker {
  public:
   explicit AssemblyWalker(const Standing& standing) : standing_(standing) {}
 
-  /// `start` must be free; so is the result, and not longer.
+  /// `start` must be free; the result is free too, and not longer.
   [[nodiscard]] Pose walk(const Pose& start, const AssemblyWalkOptions& options);
   [[nodiscard]] int steps() const { return steps_; }  ///< of all walks
 

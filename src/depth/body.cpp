@@ -15,11 +15,11 @@ namespace brunt::depth {
 namespace {
 
 constexpr int grid_cells = 24;            // along the longest side of the box
-constexpr double whole = 1e-6;            // of a cell: what rounding takes from a whole number of cells
-constexpr double most_grid = 30;          // of the cells asked for: points of the box that are looked at
+constexpr double whole = 1e-6;            // of a cell: rounding of an integer number of cells
+constexpr double most_grid = 30;          // of the requested cells: tested points of the box
 constexpr int ascent_steps = 12;          // of a grid point towards greater depth
 constexpr double covered_share = 0.9;     // of a ball's radius
-constexpr std::size_t most_corners = 32;  // of a convex body that is a piece: 5,000 triples
+constexpr std::size_t most_corners = 32;  // of a convex body treated as a piece: 5,000 triples
 constexpr double flat = 1e-9;             // of the radius: corners over a face of a convex body by rounding
 constexpr int most_outposts = 200;
 constexpr double least_volume = 1e-12;  // of the cube on the box's diagonal
@@ -50,7 +50,7 @@ std::vector<Vec3> component_points(const TriangleSurface& surface) {
   return points;
 }
 
-/// Away from the nearest point of the surface, by shares of the depth that shrink where it does not grow.
+/// Moves away from the nearest point of the surface, by shares of the depth that decrease if it does not grow.
 InnerBall risen(const geometry::SlabTree& tree, const Vec3& start, geometry::PointDepth here) {
   InnerBall ball{start, here.depth, 1};
   double share = 0.5;
@@ -79,8 +79,8 @@ struct GridPoint {
   geometry::PointDepth here;
 };
 
-/// Balls of the points themselves and of those where they rise to. What a risen ball covers would rise towards it: near
-/// the centre of a round body each look costs as much as all its triangles.
+/// Balls at the points, and at the maxima to which they ascend. Points covered by such a ball would ascend towards it
+/// and are skipped: near the centre of a round body each depth query costs as much as all its triangles.
 std::vector<InnerBall> grid_and_risen_balls(const geometry::SlabTree& tree, std::vector<GridPoint>& grid) {
   std::stable_sort(grid.begin(), grid.end(),
                    [](const GridPoint& a, const GridPoint& b) { return a.here.depth > b.here.depth; });
@@ -93,8 +93,8 @@ std::vector<InnerBall> grid_and_risen_balls(const geometry::SlabTree& tree, std:
   return all;
 }
 
-/// The corners of a convex body, which is one piece itself; none of another one, or of one with many corners (a piece
-/// is found by trying all triples of its corners).
+/// The corners of a convex body, which is itself one piece; empty for other bodies, and for many corners (the depth of
+/// a piece is found from all triples of its corners).
 std::vector<Vec3> corners_if_convex(const geometry::SlabTree& tree, const MetricShape& shape) {
   if (shape.extremes.size() > most_corners) return {};
   for (const geometry::Triangle& t : tree.triangles) {
@@ -147,7 +147,7 @@ std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricS
 
 std::vector<Vec3> spread_points(std::span<const Vec3> points, const Vec3& centre, int most) {
   std::vector<Vec3> chosen;
-  std::vector<double> distance2(points.size());  // from those chosen; at first, from the centre
+  std::vector<double> distance2(points.size());  // from the chosen ones; initially from the centre
   for (std::size_t i = 0; i < points.size(); ++i) distance2[i] = (points[i] - centre).squaredNorm();
   for (int k = 0; k < most; ++k) {
     const auto farthest = std::max_element(distance2.begin(), distance2.end());
@@ -203,7 +203,7 @@ Body make_body(const TriangleSurface& surface, const BodyOptions& options) {
       if (!seen) used.push_back(surface.points[static_cast<std::size_t>(corner)]);
       seen = 1;
     }
-  // by position: what follows does not depend on the order of points and triangles
+  // by position: the result does not depend on the order of points and triangles
   std::sort(used.begin(), used.end(), [](const Vec3& x, const Vec3& y) {
     return std::lexicographical_compare(x.data(), x.data() + 3, y.data(), y.data() + 3);
   });

@@ -9,8 +9,8 @@
 namespace brunt::depth {
 namespace {
 
-constexpr double flat = 1e-9;             // of the size: points so near to a plane lie in it
-constexpr double parallel = 1e-9;         // sine: directions are the same
+constexpr double flat = 1e-9;             // of the size: points with a smaller distance from a plane lie in it
+constexpr double parallel = 1e-9;         // sine: directions coincide
 constexpr double no_edge_product = 1e-7;  // sine: parallel edges span no facet
 
 void add_direction(std::vector<Vec3>& directions, const Vec3& u) {

@@ -12,17 +12,17 @@
 namespace brunt::depth {
 namespace {
 
-constexpr std::size_t batch = 512;       // boxes judged together: the same on any number of ranks
-constexpr std::int32_t balls_used = 80;  // of A, the greatest
+constexpr std::size_t batch = 512;       // boxes tested together: the same on any number of ranks
+constexpr std::int32_t balls_used = 80;  // the largest balls of A
 constexpr double sqrt3 = std::numbers::sqrt3;
-constexpr double slimmest_box = 2;  // half widths of translation: others are cut before they differ by more
+constexpr double slimmest_box = 2;  // half widths of translation: largest ratio before other axes are cut
 constexpr double safety = 1e-9;     // of A's radius: rounding of depths and lengths
 
 double chord(double half_turn) {
   return 2 * std::sin(0.5 * std::min(sqrt3 * half_turn, std::numbers::pi));
 }
 
-/// The least length of a motion in the box may not be below this.
+/// Lower bound of the length of a motion in the box.
 double least_length(const MetricShape& shape, Metric metric, double widest, const CoverBox& box) {
   const auto nearest = [&](const Vec3& d) { return (d.cwiseAbs() - box.half_shift).cwiseMax(0).norm(); };
   const double turning = chord(box.half_turn);
@@ -37,7 +37,7 @@ double least_length(const MetricShape& shape, Metric metric, double widest, cons
   return least;
 }
 
-/// A proof that all placements in a box collide: positive `excess`; and what takes most from it.
+/// A proof that all placements in a box collide, by a positive `excess`; and its largest loss.
 struct Proof {
   double excess = -std::numeric_limits<double>::infinity();  ///< depth beyond the motion inside the box [length]
   std::int32_t cut = 0;
@@ -45,8 +45,8 @@ struct Proof {
 
 constexpr std::int32_t along_rotation = 3;  ///< as CoverVerdict::cut
 
-/// shifts: what the half widths take from a proof. Its own turning part would not do: that of a ball near the centroid
-/// is small, whichever way the box is too large.
+/// shifts: the loss of a proof by the half widths. Its own rotational part cannot be used: that of a ball near the
+/// centroid is small, although the box may be too large in rotations.
 std::int32_t best_cut(const MetricShape& shape, const CoverBox& box, const Vec3& shifts) {
   if (chord(box.half_turn) * shape.radius > shifts.sum()) return along_rotation;
   Eigen::Index axis = 0, widest = 0;
@@ -71,14 +71,14 @@ struct Proofs {
 
   [[nodiscard]] std::int32_t count() const { return pairs + balls; }
 
-  /// Not exact where no greater than `least`.
+  /// Not exact if the result does not exceed `least`.
   [[nodiscard]] Proof proof(std::int32_t i, double least) const {
     return i < pairs ? of_pieces(static_cast<std::size_t>(i), least)
                      : of_ball(static_cast<std::size_t>(i - pairs), least);
   }
 
  private:
-  /// What a proof needs beyond the motion inside the box: surfaces nearer than `apart` collide as well.
+  /// Required excess beyond the motion inside the box: surfaces nearer than `apart` count as colliding.
   [[nodiscard]] double less() const { return safety * encounter.a.shape.radius - encounter.apart; }
 
   [[nodiscard]] Proof of_pieces(std::size_t i, double least) const {
@@ -88,7 +88,7 @@ struct Proofs {
     const Mat3 shifts = encounter.start.rotation * box.half_shift.asDiagonal();
     const Narrowest narrowest =
         narrowest_overlap(encounter.a.pieces[a], encounter.b.pieces[b], now, shifts, least + motion);
-    const double shell = narrowest.depth > 0 ? 0 : encounter.apart;  // pieces apart: an axis does not tell how far
+    const double shell = narrowest.depth > 0 ? 0 : encounter.apart;  // disjoint pieces: an axis gives no distance
     return {narrowest.depth - motion - shell,
             best_cut(encounter.a.shape, box, (shifts.transpose() * narrowest.axis).cwiseAbs())};
   }
@@ -182,7 +182,7 @@ CoverResult cover(const Encounter& encounter, double upper, const CoverOptions& 
           child.turn = box.turn + half * Vec3(part & 1 ? 1 : -1, part & 2 ? 1 : -1, part & 4 ? 1 : -1);
         else
           child.shift[axis] = box.shift[axis] + (part == 0 ? -half : half);
-        if (child.turn.norm() - sqrt3 * child.half_turn > std::numbers::pi) continue;  // the same as others
+        if (child.turn.norm() - sqrt3 * child.half_turn > std::numbers::pi) continue;  // equivalent to others
         const double least = least_length(shape, options.metric, widest, child);
         child.least = std::max(box.least, least - safety * shape.radius);
         if (child.least >= upper) continue;
@@ -192,7 +192,7 @@ CoverResult cover(const Encounter& encounter, double upper, const CoverOptions& 
     }
     if (best < now.size()) upper = std::min(upper, improve(now[best].middle()));
   }
-  if (heap.empty()) {  // nothing shorter is left
+  if (heap.empty()) {  // no shorter motion remains
     result.bound = upper;
     result.reached = true;
   }

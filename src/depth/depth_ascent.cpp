@@ -10,17 +10,17 @@ namespace brunt::depth {
 namespace {
 
 constexpr double first_size = 0.5;   // of the step, in units of the sum, which is
-constexpr double least_sum = 0.05;   // of A's radius, at least
-constexpr double accuracy = 1e-13;   // of A's radius: a promised gain that ends the ascent
+constexpr double least_sum = 0.05;   // of A's radius: lower bound
+constexpr double accuracy = 1e-13;   // of A's radius: a predicted gain that ends the ascent
 constexpr double feasible = 1e-12;   // of the size
-constexpr double weight = 10;        // of the gain against the square of the step: it is at most twice the size
-constexpr double enough_gain = 0.1;  // of the promised one, for the point to be taken
-constexpr double good_gain = 0.7;    // of the promised one: longer steps
+constexpr double weight = 10;        // of the gain against the square of the step, which bounds it by twice the size
+constexpr double enough_gain = 0.1;  // of the predicted one, for acceptance of the point
+constexpr double good_gain = 0.7;    // of the predicted one: longer steps
 constexpr double longer = 2, shorter = 0.25;
 constexpr std::size_t most_triangles = 32;  // of a body
-constexpr double on_surface = 1e-12;        // of an edge: a point so near tells no direction
+constexpr double on_surface = 1e-12;        // of an edge: the direction from a nearer point is undefined
 
-/// Unit vector that leads away from the nearest point of the triangle: into the body, where x lies inside or on it.
+/// Unit vector away from the nearest point of the triangle: into the body, if x lies inside or on it.
 Vec3 away_from(const geometry::Triangle& triangle, const Vec3& x, const Vec3& nearest) {
   const Vec3 away = x - nearest;
   const double length = away.norm(), size = (triangle[1] - triangle[0]).norm();
@@ -44,7 +44,7 @@ SeenPoint DepthAscent::look(const Vec3& y) const {
   seen.y = y;
   seen.in_a = encounter_.start.back(y);
   seen.a = point_depth(encounter_.a.tree, seen.in_a);
-  if (metric_ == Metric::object_norm && seen.a.depth < 0) {  // no point of A; the nearest one has no smaller sum
+  if (metric_ == Metric::object_norm && seen.a.depth < 0) {  // outside A; the nearest point of A has no smaller sum
     seen.in_a = seen.a.nearest;
     seen.y = encounter_.start(seen.in_a);
     seen.a.depth = 0;
@@ -69,7 +69,7 @@ SeenPoint DepthAscent::look(const Vec3& y) const {
   return seen;
 }
 
-/// Whether one of them is new.
+/// Whether any of them is new.
 bool DepthAscent::keep_triangles(const SeenPoint& seen) {
   const auto keep = [](std::vector<LocalIndex>& list, LocalIndex triangle) {
     if (std::find(list.begin(), list.end(), triangle) != list.end()) return false;
@@ -80,7 +80,7 @@ bool DepthAscent::keep_triangles(const SeenPoint& seen) {
   return new_a || new_b;
 }
 
-/// Of one body: the depth there is an unknown that no triangle lets grow beyond its distance.
+/// For one body: its depth is an unknown, bounded by the distance to each triangle.
 void DepthAscent::lay_rows_of(const geometry::SlabTree& tree, std::vector<LocalIndex>& list, const Vec3& x,
                               const geometry::PointDepth& here, int unknown, const Mat3& out, double size) {
   struct Kept {
@@ -92,13 +92,13 @@ void DepthAscent::lay_rows_of(const geometry::SlabTree& tree, std::vector<LocalI
   for (const LocalIndex t : list) {
     const geometry::Triangle& triangle = tree.triangles[static_cast<std::size_t>(t)];
     const bool first = t == here.triangle;
-    // outside the nearest triangle alone counts: the greatest of concave functions
+    // outside, only the nearest triangle counts: the maximum of concave functions
     if (here.depth < 0 && !first) continue;
     const Vec3 nearest = first ? here.nearest : geometry::nearest_point(triangle, x);
     const Vec3 slope = (here.depth < 0 ? -1 : 1) * away_from(triangle, x, nearest);
     kept.push_back({first ? 0 : std::max(0.0, (x - nearest).norm() - here.depth), t, slope});
   }
-  if (kept.size() > most_triangles) {  // the farthest are forgotten
+  if (kept.size() > most_triangles) {  // the farthest ones are removed
     std::sort(kept.begin(), kept.end(), [](const Kept& p, const Kept& q) { return p.above < q.above; });
     kept.resize(most_triangles);
     list.clear();
@@ -119,7 +119,7 @@ void DepthAscent::lay_rows(const SeenPoint& centre, double size) {
   lay_rows_of(encounter_.a.tree, of_a_, centre.in_a, centre.a, 3, encounter_.start.rotation, size);
   lay_rows_of(encounter_.b.tree, of_b_, centre.y, centre.b, 4, Mat3::Identity(), size);
   if (metric_ != Metric::object_norm) return;
-  Row<5> inside;  // only points of A count
+  Row<5> inside;  // restricts the step to points of A
   inside.normal[3] = 1;
   inside.bound = -centre.a.depth / size;
   rows_.push_back(inside);

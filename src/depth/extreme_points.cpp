@@ -10,7 +10,7 @@
 namespace brunt::depth {
 namespace {
 
-constexpr int first_directions = 200;  // whose supporting points begin the set
+constexpr int first_directions = 200;  // their supporting points form the initial set
 constexpr std::size_t most_supports = 512;
 constexpr double proof_accuracy = 1e-13;  // of the size of the body
 
@@ -47,7 +47,7 @@ struct Hull {
     rows.push_back(row);
   }
 
-  /// x is the convex combination of the set that the proof holds.
+  /// x is the convex combination of the points of the set.
   [[nodiscard]] bool proven(const Vec3& x, const QuadraticProgram<3>& program) const {
     Vec3 sum = Vec3::Zero();
     double total = 0;

@@ -9,10 +9,10 @@
 namespace brunt::depth {
 namespace {
 
-constexpr double feasible = 1e-12;        // of the trust region: violation of a row that counts as none
+constexpr double feasible = 1e-12;        // of the trust region: smaller violations of a row count as none
 constexpr double proximal = 1e-3;         // eps
 constexpr int most_cuts = 80;             // of one step
-constexpr double least_curvature = 1e-9;  // of the object norm in rotations, relative: at phi = pi it has none
+constexpr double least_curvature = 1e-9;  // of the object norm in rotations, relative: it vanishes at phi = pi
 
 /// Whether no motion in the trust region can violate the condition.
 bool out_of_reach(const NearCondition& condition, const LocalProblem& problem, double turn_length) {

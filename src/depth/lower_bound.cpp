@@ -10,13 +10,13 @@
 namespace brunt::depth {
 namespace {
 
-constexpr double mean_distance = 0.48030;  // of a cube's points from its middle, in sides: .480296, rounded up
-constexpr std::size_t balls_tried = 200;   // of each body, the greatest first
+constexpr double mean_distance = 0.48030;  // of a cube's points from its centre, in sides: .480296, rounded up
+constexpr std::size_t balls_tried = 200;   // of each body, the largest ones
 constexpr std::size_t most_ascents = thorough_bound.ascents;
-constexpr double start_spacing = 0.1;  // of the smaller radius: points nearer to each other rise to the same top
+constexpr double start_spacing = 0.1;  // of the smaller radius: nearer points ascend to the same maximum
 
-/// The root of a lower sum of (1/V) integral over A of max(0, phi_A + phi_B)^2. Depths change by no more than the
-/// distance, and the square is convex: its mean over a cell is no less than that of the mean (Jensen).
+/// The root of a lower sum of (1/V) integral over A of max(0, phi_A + phi_B)^2. Depths change by at most the distance,
+/// and the square is convex, so its mean over a cell is at least the square of the mean (Jensen).
 double volume_bound(const Encounter& encounter) {
   const InnerCells& cells = encounter.a.cells;
   const double loss = 2 * mean_distance * cells.side;
@@ -34,7 +34,7 @@ struct Candidate {
   Vec3 y;
 };
 
-/// The best, no two of them nearer to each other than `spacing`: near ones rise to the same top.
+/// The best candidates with distances of at least `spacing`: nearer ones ascend to the same maximum.
 struct Candidates {
   std::array<Candidate, most_ascents> list;  // the best first
   double spacing;

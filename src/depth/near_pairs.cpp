@@ -11,10 +11,10 @@ namespace {
 
 constexpr double same_point = 1e-9;  // of A's size
 
-constexpr double same_way = 0.5;  // cosine of the angle between n and an axis that may stand for it
+constexpr double same_way = 0.5;  // cosine of the angle between n and an axis that may replace it
 
-constexpr double clear_gain = 1e-12;  // of the coordinates: by which one axis is better than another
-constexpr double parallel = 1e-7;     // sine: parallel edges have no product
+constexpr double clear_gain = 1e-12;  // of the coordinates: least improvement of an axis over another
+constexpr double parallel = 1e-7;     // sine: the product of parallel edges is undefined
 
 /// Gap along the unit vector `axis`, from b to a.
 double gap_along(const geometry::Triangle& a, const geometry::Triangle& b, const Vec3& axis) {
@@ -23,7 +23,7 @@ double gap_along(const geometry::Triangle& a, const geometry::Triangle& b, const
   return low - high;
 }
 
-/// Gap along the axis u of any length; -infinity if it does not go the way of n.
+/// Gap along the axis u of any length; -infinity if its angle to n is too large.
 double gap_along(const geometry::Triangle& a, const geometry::Triangle& b, const Vec3& u, const Vec3& n) {
   const double length = u.norm(), along = u.dot(n);
   if (!(std::abs(along) > same_way * length)) return -std::numeric_limits<double>::infinity();

@@ -10,11 +10,11 @@
 namespace brunt::depth {
 namespace {
 
-constexpr double contact_band = 1e-4;  // of A's radius: gaps of contact points
-constexpr double clear_gap = 1e-9;     // of A's radius: the nearest points of greater gaps tell a direction to 7 digits
-constexpr double careful_march = 0.08;  // step of marches: with the fast .1 the slender box on end is missed
-constexpr double trusted = 1.3;         // of the lower bound: a warm answer that is longer is searched for anew
-constexpr double independent = 1e-6;    // sine: directions nearer to the span of the others add nothing
+constexpr double contact_band = 1e-4;   // of A's radius: gaps of contact points
+constexpr double clear_gap = 1e-9;      // of A's radius: the nearest points of larger gaps give a direction to 7 digits
+constexpr double careful_march = 0.08;  // step of marches: with the standard .1 narrow free regions may be missed
+constexpr double trusted = 1.3;         // of the lower bound: a longer answer of a warm start is searched again
+constexpr double independent = 1e-6;    // sine: directions nearer to the span of the others are dependent
 
 /// Orthonormal columns that span the directions, in A's axes at q_0.
 Mat3 admitted(const Query& query, const Mat3& into) {
@@ -31,7 +31,7 @@ Mat3 admitted(const Query& query, const Mat3& into) {
   return basis;
 }
 
-/// From B to A: of the nearest points, or of the features that touch where those are too near to tell a direction.
+/// From B to A: between the nearest points, or from the touching features if those are too near for a direction.
 Vec3 contact_normal(const Encounter& encounter, const Placement& placement, const NearCondition& condition) {
   const Vec3 normal = (encounter.start.rotation * condition.normal).normalized();
   if (condition.distance > clear_gap * encounter.a.shape.radius) return normal;
@@ -53,7 +53,7 @@ void list_contacts(const Encounter& encounter, Answer& answer) {
   }
 }
 
-/// Covers what is shorter than the answer; free placements found on the way improve it.
+/// Covers all motions shorter than the answer; free placements found in this search improve it.
 void certify(const Encounter& encounter, const Query& query, Search& search, Answer& answer) {
   const CoverOptions options{query.metric, query.gap, query.boxes, answer.bound, query.evaluate, query.stop};
   const auto improve = [&](const RigidMotion& motion) {

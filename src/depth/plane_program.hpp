@@ -17,7 +17,8 @@ class PlaneProgram {
  public:
   explicit PlaneProgram(const Standing& standing);
 
-  /// Sets the shifts of the pose; false if there is no solution: `proof` are planes that exclude each other, if known.
+  /// Sets the translations of the pose; false if there is no solution: `proof` then contains contradictory planes, if
+  /// known.
   bool solve(const std::vector<Plane>& planes, Pose& pose, std::vector<std::size_t>& proof) const;
 
  private:

@@ -7,7 +7,7 @@
 namespace brunt::depth {
 namespace {
 
-constexpr double dependent = 1e-13;  // part of a normal outside of the span of the active ones, relative: rounding
+constexpr double dependent = 1e-13;  // part of a normal outside the span of the active ones, relative: rounding
 constexpr int most_steps = 400;      // of one call; random problems of 6 unknowns and 200 rows need at most 40
 
 constexpr std::size_t at(int i) {
@@ -105,7 +105,7 @@ Outcome QuadraticProgram<N>::enter(std::span<const Row<N>> rows, int entering) {
   for (;; ++steps_) {
     const Vector d = J_.transpose() * row.normal;
     Vector z = Vector::Zero(), r = Vector::Zero();
-    double outside = 0;  // square of the part of the normal that the active ones do not span
+    double outside = 0;  // square of the part of the normal outside the span of the active ones
     for (int k = count_; k < N; ++k) {
       z += d[k] * J_.col(k);
       outside += d[k] * d[k];

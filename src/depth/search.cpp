@@ -12,10 +12,10 @@ using Rounds = std::array<Round, 3>;
 constexpr Rounds fast_rounds{{{32, 4, 3, 4500}, {10, 2, 6, 7500}, {3, 1, 40, 10000}}};
 constexpr Rounds careful_rounds{{{100, 40, 5, 80000}, {30, 12, 10, 150000}, {12, 4, 100, 250000}}};
 constexpr Rounds helping_rounds{{{30, 10, 5, 15000}, {10, 3, 10, 25000}, {4, 2, 60, 35000}}};
-constexpr std::size_t helpful_ends = 4;      // of a metric, from which the others start
-constexpr std::int64_t step_work = 40;       // of a step without pairs, in near pairs
-constexpr double close_to_bound = 1 + 1e-7;  // an answer this near to the bound needs no more walks
-constexpr double near_start = 0.1;           // of the length: starts nearer to each other share their walk
+constexpr std::size_t helpful_ends = 4;      // of a metric, as starts of the others
+constexpr std::int64_t step_work = 40;       // of a step without pairs, in units of near pairs
+constexpr double close_to_bound = 1 + 1e-7;  // an answer this near to the bound needs no further walks
+constexpr double near_start = 0.1;           // of the length: starts nearer to each other share a walk
 
 RigidMotion difference(const RigidMotion& one, const RigidMotion& other) {
   return {(other.turn * one.turn.conjugate()).normalized(), other.shift - one.shift};
@@ -31,7 +31,7 @@ bool shorter_walk(const Walk& x, const Walk& y) {
 }  // namespace
 
 Effort effort_of(Metric metric, bool careful, double clearance, const Mat3& basis) {
-  const int grid = metric == Metric::translation ? 2 : 1;  // translations have no other freedom to find a way with
+  const int grid = metric == Metric::translation ? 2 : 1;  // translations have no rotation to avoid obstacles
   Effort effort{careful ? careful_rounds : fast_rounds, careful ? 3 : grid, careful ? 1e-9 : 1e-7, {}};
   effort.walk.metric = metric;
   effort.walk.clearance = clearance;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many walks, of which the shortest go on: what one query does between its starts and its answer.
+// Walks of one query, from its starts to its answer: many short ones, of which the best are continued.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,11 +11,12 @@
 
 namespace brunt::depth {
 
-/// Walks are many at first; after some steps of each the shortest go on.
+/// Many walks at first; after some steps of each only the shortest are continued.
 struct Round {
   std::size_t walks, least;  // at most and at least
   int steps;                 // of each
-  std::int64_t work;         // found so far (near pairs, and 40 a step): with more than this only `least` walks go on
+  std::int64_t work;  // upper limit of the work so far (near pairs, and 40 for each step); beyond it only `least` walks
+                      // are continued
 };
 
 struct Effort {
@@ -29,20 +30,20 @@ struct Effort {
 
 class Search {
  public:
-  /// bound: nothing shorter is free [length].
+  /// bound: no shorter motion is free [length].
   Search(Encounter& encounter, const Effort& effort, double bound)
       : encounter_(encounter), effort_(effort), bound_(bound) {}
 
   void walk_from(const RigidMotion& start) { walk_from_all({{start, 0}}); }
   void walk_from_all(const std::vector<Start>& starts);
-  /// From the motion, made free and admitted (a translation has no rotation and only admitted directions).
+  /// From the given motion, made free and admissible (a translation has no rotation and only admitted directions).
   void walk_from_placement(const RigidMotion& motion);
-  /// Walks in the other metrics, and from where they end in the own one.
+  /// Walks in the other metrics, and walks from their ends in its own one.
   void help_by_other_metrics(const std::vector<Start>& starts);
-  /// What was done so far does not count against the work of the rounds that follow: what is tried first takes nothing
-  /// from the walks after it.
+  /// Excludes the work so far from the limits of the following rounds, so that preliminary trials do not reduce their
+  /// walks.
   void forget_work() { work_before_ = work(); }
-  /// The best answer brought to contact, and in the careful mode improved from there with a hundredth of the clearance.
+  /// The best answer brought to contact, in the careful mode improved from there with a hundredth of the clearance.
   void finish(bool careful);
 
   [[nodiscard]] bool done() const;  ///< as short as the bound
@@ -60,7 +61,7 @@ class Search {
   Effort effort_;
   double bound_;
   Walker walker_;
-  std::vector<RigidMotion> ends_;  // where the best walks of the last call ended, the shortest first
+  std::vector<RigidMotion> ends_;  // ends of the best walks of the last call, the shortest first
   Start best_{{}, std::numeric_limits<double>::infinity()};
   int walks_ = 0, steps_ = 0;
   std::int64_t pairs_ = 0, work_before_ = 0;

@@ -95,7 +95,7 @@ void SparseProgram::rotate(int k, double c, double s) {
   }
 }
 
-/// The row with J^T n = d_ becomes active.
+/// Activates the row with J^T n = d_.
 void SparseProgram::add() {
   for (int k = n_ - 1; k > count_; --k) {
     const double length = std::hypot(d_[at(k - 1)], d_[at(k)]);
@@ -132,7 +132,7 @@ Outcome SparseProgram::enter(std::span<const SparseRow> rows, int entering) {
   const SparseRow& row = rows[at(entering)];
   double weight = 0;
   for (;; ++steps_) {
-    double outside = 0, all = 0;  // squares of the part of the normal that the active ones do not span, and of all
+    double outside = 0, all = 0;  // squares of the part of the normal outside the span of the active ones, and of all
     std::fill(z_.begin(), z_.end(), 0.0);
     for (int k = 0; k < n_; ++k) {
       const double* J = column(k);

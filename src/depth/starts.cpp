@@ -11,9 +11,9 @@ namespace brunt::depth {
 namespace {
 
 constexpr double equal_moments = 1e-3;  // relative: axes with such moments are not unique
-constexpr double parallel = 0.05;       // sine: a vector this near to an axis does not complete it
+constexpr double parallel = 0.05;       // sine: a vector nearer to an axis does not complete it
 constexpr int bisections = 3;
-constexpr int short_march = 32;  // steps; longer ones ask how deep A is, which costs as much as a step
+constexpr int short_march = 32;  // steps; longer ones query the depth of A, which costs as much as a step
 
 /// Unit vectors through the grid points of the surface of the cube [-grid, grid]^3.
 std::vector<Vec3> cube_directions(int grid) {
@@ -45,25 +45,24 @@ struct Marcher {
     return length_of(encounter.a.shape, options.metric, motion);
   }
 
-  /// Whole steps from here on whose ends are sure to collide: the greatest ball of A is as deep in B as this.
+  /// Number of steps whose ends certainly collide: from the depth of A's largest ball in B.
   [[nodiscard]] double sure_steps(const RigidMotion& here, double step) const {
     if (encounter.a.balls.empty()) return 0;
     const InnerBall& ball = encounter.a.balls.front();
     const double depth = ball.depth + point_depth(encounter.b.tree, encounter.placement(here)(ball.centre)).depth;
-    return std::max(0.0, std::floor((1 - 1e-9) * depth / step));  // less by rounding
+    return std::max(0.0, std::floor((1 - 1e-9) * depth / step));  // reduced by rounding
   }
 
-  /// Up to the first exit, if it is not too far.
+  /// Up to the first exit, if it is within reach.
   void march(const Ray& ray, double step, double end) {
     double t = step;
     if (options.nothing_below > 0) {
-      const double slope = length(ray.at(1e-3)) / 1e-3;  // lengths grow at most so fast
-      t = step *
-          std::max(1.0, std::floor(options.nothing_below / (slope * step)));  // the same places whatever the bound
+      const double slope = length(ray.at(1e-3)) / 1e-3;  // upper bound of the growth of lengths
+      t = step * std::max(1.0, std::floor(options.nothing_below / (slope * step)));  // the same positions for any bound
     }
     for (int steps = 1; t < end + step; t += step, ++steps) {
       const RigidMotion motion = ray.at(t);
-      if (length(ray.at(t - step)) > options.reach * shortest) return;  // all that bisection could find is too far
+      if (length(ray.at(t - step)) > options.reach * shortest) return;  // bisection could find none within reach
       if (encounter.collides(motion)) {
         if (steps > short_march && !ray.turns) t += step * sure_steps(motion, step);
         continue;
@@ -135,7 +134,7 @@ std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options
     for (int i = 0; options.careful && i < 3; ++i)
       for (const double sign : {1.0, -1.0}) rotate(sign * axes_b.col(i));
   }
-  // whatever the order of the marches, the same set
+  // the set does not depend on the order of the marches
   std::erase_if(marcher.found, [&](const Start& start) { return start.length > options.reach * marcher.shortest; });
   std::sort(marcher.found.begin(), marcher.found.end(),
             [](const Start& x, const Start& y) { return x.length < y.length; });

@@ -10,17 +10,17 @@ namespace {
 
 constexpr double first_trust = 0.25;  // of the length
 constexpr double most_trust = 0.5;    // of the length
-constexpr double band_share = 0.1;    // of the trust region: wider bands cost ten times more for the same results
-constexpr double widen = 3;           // of the band, where the step collides with what lies beyond it
-constexpr double narrow = 0.4;        // of the band, after a step that was taken
-constexpr double wide_band = 0.25;    // of the step: no wider ones, but
-constexpr double enough_pairs = 60;   // conditions: the next band is narrower by what is more
-constexpr double whole_reach = 3;     // of the step, where no pair is in the band
+constexpr double band_share = 0.1;    // of the trust region: wider bands cost ten times as much for equal results
+constexpr double widen = 3;           // of the band, if the step collides with features beyond it
+constexpr double narrow = 0.4;        // of the band, after an accepted step
+constexpr double wide_band = 0.25;    // of the step: upper bound, except
+constexpr double enough_pairs = 60;   // conditions: with more the next band is narrower
+constexpr double whole_reach = 3;     // of the step, if no pair is in the band
 constexpr double cut_share = 0.1;     // of the decrease that ends a walk: accuracy of the least DISP
 constexpr double least_band = 4;      // of the clearance
 constexpr std::array<double, 2> outward{0.02, 0.08};  // shares of the trust region for a placement that collides
-constexpr int corrections = 2;                        // of second order, of one step
-constexpr std::array<double, 4> grazes{1e-6, 1e-5, 1e-4, 1e-3};  // of the screw: looked for beyond a contact
+constexpr int corrections = 2;                        // of second order, for one step
+constexpr std::array<double, 4> grazes{1e-6, 1e-5, 1e-4, 1e-3};  // of the screw: positions tested beyond a contact
 constexpr int most_grazes = 8;
 constexpr double shrink = 0.4, grow = 2;
 constexpr double good = 0.7, poor = 0.2;  // actual decrease over predicted one: grow, shrink
@@ -69,7 +69,7 @@ void Walker::advance(Encounter& encounter, Walk& walk, const WalkOptions& option
   problem.metric = options.metric;
   problem.basis = options.basis;
   problem.axes = encounter.a.axes;
-  bool fresh = true;  // conditions are of another placement or a narrower band
+  bool fresh = true;  // conditions belong to another placement or a narrower band
   for (const int end = walk.steps + most_steps; !walk.ended && walk.steps < end; ++walk.steps) {
     walk.ended = walk.trust < options.least_trust * walk.length;
     if (walk.ended) return;
@@ -108,7 +108,7 @@ void Walker::advance(Encounter& encounter, Walk& walk, const WalkOptions& option
 
 namespace {
 
-/// The least s up to `free` that is free and above one that collides within `end`.
+/// The least s up to `free` that is free and above a colliding one within `end`.
 double pulled_share(Encounter& encounter, const RigidMotion& motion, double free, double end) {
   double collides = 0, step = std::min(0.5, 4 * end);
   while (free - collides > end) {
@@ -132,7 +132,7 @@ RigidMotion pulled(Encounter& encounter, Metric metric, const RigidMotion& motio
   double free = 1;
   for (int i = 0; i < most_grazes; ++i) {
     free = pulled_share(encounter, motion, free, accuracy / length);
-    // what is only grazed collides on a short part of the screw
+    // grazing features collide only on a short part of the screw
     const auto* beyond = std::find_if(grazes.begin(), grazes.end(), [&](double share) {
       return !encounter.collides(along_screw(motion, free * (1 - share)));
     });

@@ -23,7 +23,7 @@ void for_each_batch(const AlignedVector<double>& linear, const Use& use) {
   for (std::size_t batch = 0; batch < linear.size() / stride; ++batch) use(batch);
 }
 
-/// 0 for what has no stiffness: padding and removed elements.
+/// 0 for lanes without stiffness: padding and removed elements.
 Pack inverse(Pack value) {
   return select(value > 0.0, 1.0 / value, Pack{});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces of linear elements: a short kernel, since a bound of the step asks for tens of products with the whole mesh.
+// Forces of linear elements: a reduced kernel, since a bound of the step needs tens of products with the whole mesh.
 #include "block_loop.hpp"
 #include "brunt/element/hex8.hpp"
 #include "brunt/element/tet4.hpp"

@@ -13,7 +13,7 @@
 
 namespace brunt::force {
 
-/// Corner values of a batch: one cache line a node in, components out.
+/// Corner values of a batch: one cache line for each node in, components out.
 template <int nodes>
 BRUNT_INLINE void gather_motion(const LocalIndex* node, const model::NodeLine* lines,
                                 element::BatchMotion<nodes>& motion) {
@@ -34,7 +34,7 @@ BRUNT_INLINE void gather_reference(const LocalIndex* node, const Quad* reference
   }
 }
 
-/// Adds corner forces to the nodes, element after element in canonical order; keeps those of border nodes aside.
+/// Adds corner forces to the nodes, element by element in canonical order; stores those of border nodes separately.
 /// Removed elements have none.
 template <int nodes>
 BRUNT_INLINE void scatter_forces(const LocalIndex* node, int lanes, std::uint8_t living, const Pack (&f)[3][nodes],
@@ -55,7 +55,7 @@ BRUNT_INLINE void scatter_forces(const LocalIndex* node, int lanes, std::uint8_t
     slots[kept.slot] = lives(living, kept.lane) ? quad(kept.corner, kept.lane) : Quad{};
 }
 
-/// A batch of removed elements alone: all that was kept of their forces is nothing now.
+/// A batch of removed elements only: clears all stored data of their forces.
 template <int nodes>
 void leave_out(std::span<const model::BorderCorner> border, Quad* slots, const KeptForces& kept, LocalIndex batch) {
   for (const model::BorderCorner& corner : border) slots[corner.slot] = Quad{};
@@ -109,8 +109,8 @@ void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalInde
     if (watched.baseline != nullptr)
       see_growth<nodes>(out, watched.baseline + std::ptrdiff_t{batch} * 2, lanes, living, report.growth);
 
-    if (any(out.rate > largest)) {  // rare: only where an element is quicker than all before it
-      // lanes of padding have no say: their histories are neither saved nor restored
+    if (any(out.rate > largest)) {  // rare: only if an element has a larger rate than all previous ones
+      // lanes of padding are ignored: their histories are neither saved nor restored
       for (int lane = 0; lane < lanes; ++lane)
         if (lives(living, lane) && out.rate[lane] > report.rate) {
           report.rate = out.rate[lane];

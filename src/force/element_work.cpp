@@ -6,7 +6,7 @@
 namespace brunt::force {
 namespace {
 
-/// Power of the kept forces of a batch with the velocities that the nodes have now.
+/// Power of the stored forces of a batch with the current velocities of the nodes.
 Pack power_now(const model::ElementBlock& block, LocalIndex batch, const model::State& state, const Pack* force) {
   const LocalIndex* node = block.node.data() + std::ptrdiff_t{batch} * block.corners * pack_width;
   Pack sum = broadcast(0.0);
@@ -21,7 +21,7 @@ Pack power_now(const model::ElementBlock& block, LocalIndex batch, const model::
   return sum;
 }
 
-/// Calls use(block, element, power before the step, power now) for the elements whose forces are kept.
+/// Calls use(block, element, power before the step, current power) for the elements whose forces are stored.
 template <class Use>
 void for_kept(const model::Model& model, const model::State& state, const model::Scratch& scratch, Use&& use) {
   for (std::size_t b = 0; b < scratch.element_force.size(); ++b) {

@@ -12,7 +12,7 @@
 namespace brunt::force {
 namespace {
 
-/// Smallest Jacobian at a corner over the largest in size, of a batch.
+/// Smallest Jacobian at a corner over the one of largest magnitude, for each element of a batch.
 Pack least_of_corners(const Pack (&x)[3][8]) {
   Pack least = broadcast(std::numeric_limits<double>::max()), largest = broadcast(0.0);
   for (std::size_t k = 0; k < 8; ++k) {

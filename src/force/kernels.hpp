@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the force room asks of the kernels of one kind of element. A source a kind: with every law they are the longest
-// to compile, and so they compile side by side.
+// Interface of the kernels of one element type. Each type has its own source: with all material laws these take longest
+// to compile, and can be compiled in parallel.
 #pragma once
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace brunt::force {
 
-/// Everything that a pass over a block reads and changes.
+/// All data that a pass over a block reads and changes.
 struct BlockPass {
   const model::Model& model;
   const Motion& motion;
@@ -19,7 +19,7 @@ struct BlockPass {
   ElementReport& report;
 };
 
-/// The kernels of one kind of element with every law; called once a block.
+/// The kernels of one element type with every law; called once for each block.
 struct Kernels {
   std::vector<element::HistoryField> (*history)(const model::ElementBlock& block);
   void (*forces)(const model::ElementBlock& block, LocalIndex block_index, const BlockPass& pass);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Batches with removed elements. A kernel computes all lanes of a batch at once; those of removed elements repeat a
-// living one, as padding does, so that nothing of a removed element (whose nodes may be anywhere by now) is computed.
-// What it does not see are the histories: those of removed elements stay as they were.
+// Batches with removed elements. A kernel computes all lanes of a batch together; the lanes of removed elements repeat
+// a living one, as padding does, so that no data of a removed element (whose nodes may be anywhere) are used. The
+// histories of removed elements remain unchanged.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ namespace brunt::force {
 
 constexpr std::uint8_t every_lane = 0xff;
 
-/// A bit for each lane of the batch whose element lives. `lanes`: of the block; empty where all live.
+/// A bit for each lane of the batch with a living element. `lanes`: of the block; empty if all live.
 BRUNT_INLINE std::uint8_t living_lanes(std::span<const std::uint8_t> lanes, LocalIndex batch) {
   return lanes.empty() ? every_lane : lanes[static_cast<std::size_t>(batch)];
 }
@@ -36,10 +36,10 @@ BRUNT_INLINE bool lives(std::uint8_t living, int lane) {
 
 template <int nodes, int history_size>
 struct RepeatedLane {
-  std::array<LocalIndex, static_cast<std::size_t>(nodes* pack_width)> node;  ///< that the kernel is to see
-  std::array<Pack, static_cast<std::size_t>(history_size)> memory, kept;     ///< likewise, and as it was
+  std::array<LocalIndex, static_cast<std::size_t>(nodes* pack_width)> node;  ///< as input of the kernel
+  std::array<Pack, static_cast<std::size_t>(history_size)> memory, kept;     ///< likewise, and the original values
 
-  /// Puts a living element in the place of each removed one.
+  /// Replaces each removed element by a living one.
   void put(const LocalIndex* nodes_of_batch, std::uint8_t living, const Pack* committed) {
     const int shown = std::countr_zero(living);
     for (int c = 0; c < nodes; ++c)
@@ -52,7 +52,7 @@ struct RepeatedLane {
       for (int lane = 0; lane < pack_width; ++lane)
         if (!lives(living, lane)) value[lane] = value[shown];
   }
-  /// Gives removed elements what they remembered.
+  /// Restores the histories of removed elements.
   void take_off(std::uint8_t living, Pack* trial) const {
     for (std::size_t k = 0; k < kept.size(); ++k)
       for (int lane = 0; lane < pack_width; ++lane)
@@ -60,7 +60,7 @@ struct RepeatedLane {
   }
 };
 
-/// Where the forces of a block's elements are kept (see Scratch::element_force); null where they are not.
+/// Storage for the forces of a block's elements (see Scratch::element_force); null if they are not stored.
 struct KeptForces {
   Pack *force = nullptr, *power = nullptr;
   Pack* bounds = nullptr;  ///< rate and volume, of blocks that erode
@@ -74,10 +74,10 @@ inline KeptForces kept_forces(model::Scratch& scratch, LocalIndex block) {
           scratch.element_bounds[b].empty() ? nullptr : reinterpret_cast<Pack*>(scratch.element_bounds[b].data())};
 }
 
-/// What happens to elements of a block that erodes and that have collapsed.
+/// Treatment of collapsed elements in a block with erosion.
 struct Collapse {
-  bool is_taken = false;    ///< they are deleted: none stops the run or controls the step
-  double largest_rate = 0;  ///< [1/time] beyond it an element has collapsed
+  bool is_taken = false;    ///< they are deleted: none stops the run or bounds the step
+  double largest_rate = 0;  ///< [1/time] elements with a larger rate have collapsed
   static Collapse of(const model::ElementBlock& block) {
     if (!block.erosion || !block.erosion->takes_collapsed()) return {};
     const double step = block.erosion->step.value_or(0);
@@ -85,8 +85,9 @@ struct Collapse {
   }
 };
 
-/// Keeps rate and volume of a batch, the volume over that of the reference. Lanes without volume have no forces and
-/// forget all but their mass; they and those that are too quick leave the bounds of the step.
+/// Stores rate and volume of a batch, the volume over that of the reference configuration. Lanes without volume have no
+/// forces and lose their histories except the mass; they and those with too large a rate are excluded from the bounds
+/// of the step.
 template <int nodes>
 BRUNT_INLINE void keep_bounds(const Collapse& collapse, double density, LocalIndex batch, int history_size,
                               const KeptForces& kept, Pack* history, element::BatchForce<nodes>& out) {
@@ -105,7 +106,7 @@ BRUNT_INLINE void keep_bounds(const Collapse& collapse, double density, LocalInd
   out.volume = select(folded, broadcast(1.0), out.volume);
 }
 
-/// Keeps the forces of a batch, none of removed elements, and their power with the velocities before the step.
+/// Stores the forces of a batch, zero for removed elements, and their power with the velocities before the step.
 template <int nodes>
 BRUNT_INLINE void keep_forces(const Pack (&f)[3][nodes], const Pack (&v)[3][nodes], std::uint8_t living,
                               LocalIndex batch, const KeptForces& kept) {

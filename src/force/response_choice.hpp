@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the constants of a material to the response that a kernel calls in its loop.
+// Mapping from the constants of a material to the response used in the loop of a kernel.
 #pragma once
 #include <type_traits>
 #include <utility>
@@ -23,7 +23,8 @@ auto with_rate(const Constants& constants, const Use& use) {
   return use(Response(constants));
 }
 
-/// Calls `use(response)` with the response of the law: options are decided here, once a block, never in the loop.
+/// Calls `use(response)` with the response of the law: options are resolved here, once for each block, never in the
+/// loop.
 template <class Use>
 auto with_response(const material::Law& law, Use&& use) {
   return std::visit(

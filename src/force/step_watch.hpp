@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the loop over elements keeps for bounds of the assembled mesh (force/assembled.hpp).
+// Data that the loop over elements stores for bounds of the assembled mesh (force/assembled.hpp).
 #pragma once
 #include <algorithm>
 
@@ -9,7 +9,7 @@
 
 namespace brunt::force {
 
-/// Of one block; null: not asked for.
+/// Of one block; null if not required.
 struct WatchedBlock {
   const Pack* baseline = nullptr;
   Pack* linear = nullptr;
@@ -35,7 +35,7 @@ BRUNT_INLINE void keep_linear(const element::BatchForce<nodes>& out, Pack* linea
   linear[at_rate] = out.rate;
 }
 
-/// Elements that have collapsed and are taken for that have no rate (see keep_bounds), and no say.
+/// Collapsed elements in a block that deletes them have no rate (see keep_bounds) and are ignored.
 template <int nodes>
 BRUNT_INLINE void see_growth(const element::BatchForce<nodes>& out, const Pack* baseline, int lanes,
                              std::uint8_t living, double& largest) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Element matrices by forward differentiation of the kernel itself: one element a call, one direction a lane.
+// Element matrices by forward differentiation of the kernel itself: one element in each call, one direction in each
+// lane.
 #pragma once
 #include <vector>
 
@@ -23,7 +24,7 @@ struct TangentPass {
 using Tangents = void (*)(const model::ElementBlock& block, const TangentPass& pass);
 extern const Tangents hex8_full_tangents, hex8_bbar_tangents, tet4_tangents;
 
-/// One element in all lanes; no slopes.
+/// One element in all lanes; zero derivatives.
 template <class Kernel>
 void spread_element(const model::ElementBlock& block, LocalIndex element, const TangentPass& pass,
                     element::BatchMotion<Kernel::nodes, Dual>& motion, Pack* committed) {
@@ -42,7 +43,8 @@ void spread_element(const model::ElementBlock& block, LocalIndex element, const 
   for (int entry = 0; entry < Kernel::history_size; ++entry) committed[entry] = broadcast(history[entry * pack_width]);
 }
 
-/// Kernel calls of pack_width directions each. A shift of a position shifts the mean velocity by its share of the step.
+/// Kernel calls of pack_width directions each. A change of a position changes the mean velocity by its share of the
+/// step.
 template <class Kernel>
 void run_tangents(const Kernel& kernel, const model::ElementBlock& block, const TangentPass& pass) {
   constexpr int size = 3 * Kernel::nodes;

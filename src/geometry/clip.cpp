@@ -21,7 +21,7 @@ double size(const Point& a) {
   return std::sqrt(dot(a, a));
 }
 
-/// The corner where a polygon's side `side` ends.
+/// The end corner of side `side` of a polygon.
 std::size_t after(std::size_t side, std::size_t corners) {
   return side + 1 == corners ? 0 : side + 1;
 }
@@ -29,10 +29,10 @@ std::size_t after(std::size_t side, std::size_t corners) {
 struct Corner {
   ClipCorner recipe;
   Point point{};
-  std::size_t side = 0;  ///< that leaves it, numbered over both polygons
+  std::size_t side = 0;  ///< the side that begins here, numbered over both polygons
 };
 
-/// A polygon that is being cut.
+/// A polygon during clipping.
 struct Work {
   std::array<Corner, ClippedPolygon::most_corners> corner;
   std::size_t count = 0;
@@ -62,7 +62,7 @@ class Clipper {
       now_.add({{Kind::subject, static_cast<std::int8_t>(i), 0}, subject[i], i});
   }
 
-  /// Keeps what lies left of side `j` of the clip; false: nothing does.
+  /// Keeps the part left of side `j` of the clip polygon; returns false if it is empty.
   bool cut(std::size_t j) {
     const Point from = clip_[j], along = clip_[after(j, clip_.size())] - from;
     const double tolerance = on_side * extent_ * size(along);
@@ -107,7 +107,7 @@ class Clipper {
   }
 
  private:
-  /// The corner where the side that leaves v meets side `side` of the clip.
+  /// The intersection of the side that begins at v with side `side` of the clip polygon.
   [[nodiscard]] Corner meet(const Corner& v, const Corner& u, std::size_t side, double inside_v,
                             double inside_u) const {
     Corner corner{recipe_of(v.side, side), {}, side};
@@ -117,7 +117,7 @@ class Clipper {
     return {nearer.recipe, nearer.point, side};
   }
 
-  /// Of two sides, the second one of the clip.
+  /// Of two sides, the second one of the clip polygon.
   [[nodiscard]] ClipCorner recipe_of(std::size_t first, std::size_t second) const {
     const std::size_t n = subject_.size(), m = clip_.size();
     if (first >= n && after(first - n, m) == second - n) return {Kind::clip, static_cast<std::int8_t>(second - n), 0};

@@ -19,7 +19,7 @@ std::size_t at(LocalIndex i) {
   return static_cast<std::size_t>(i);
 }
 
-/// A side of a triangle. Those of one edge stand beside each other, in the order of their triangles.
+/// A side of a triangle. Sides of one edge are adjacent, in the order of their triangles.
 struct Side {
   LocalIndex low, high;  // points
   LocalIndex triangle;
@@ -54,7 +54,7 @@ void add(EdgeFaults& faults, const Side& side) {
   faults.points = side.points();
 }
 
-/// Counts the faults of edges, and joins the triangles at each edge to shells.
+/// Counts the errors of edges, and joins the triangles at each edge to shells.
 void check_edges(const TriangleSurface& surface, DisjointSets& shells, SurfaceFaults& faults) {
   const std::vector<Side> sides = sorted_sides(surface);
   for (auto begin = sides.begin(); begin != sides.end();) {
@@ -93,7 +93,7 @@ std::int64_t unused_points(const TriangleSurface& surface) {
 std::vector<LocalIndex> number_shells(DisjointSets& sets, std::size_t triangles, std::vector<Shell>& shells) {
   std::vector<LocalIndex> shell_of(triangles, no_index);
   for (LocalIndex t = 0; t < static_cast<LocalIndex>(triangles); ++t) {
-    const LocalIndex first = sets.find(t);  // the least triangle of the shell
+    const LocalIndex first = sets.find(t);  // the triangle of the shell with the lowest number
     if (first == t) {
       shell_of[at(t)] = static_cast<LocalIndex>(shells.size());
       shells.push_back({t, 0, 0});

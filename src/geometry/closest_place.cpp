@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The steps are those of closest_point.cpp: keep the two alike.
+// The steps are those of closest_point.cpp: changes must be made in both.
 #include "brunt/geometry/closest_place.hpp"
 
 #include <limits>
@@ -16,8 +16,8 @@ BRUNT_INLINE Pack clamped(Pack a, double low, double high) {
 /// Newton's iterates, lane by lane.
 struct Iterate {
   Pack xi, eta;
-  PackMask running;  ///< still to be settled
-  PackMask settled;  ///< lanes that are neither were given up
+  PackMask running;  ///< not yet converged
+  PackMask settled;  ///< lanes with neither flag have failed
 };
 
 BRUNT_INLINE Pack edge_area(const PackVec& x, const PackVec& from, const PackVec& to, const PackVec& normal) {
@@ -29,7 +29,7 @@ BRUNT_INLINE Pack area_ratio(Pack low_side, Pack high_side) {
   return select(sum > 0, clamped((low_side - high_side) / sum, -1.5, 1.5), broadcast(0.0));
 }
 
-/// The start of the iteration; lanes without area, or with what is not finite, are given up at once.
+/// The start of the iteration; lanes without area, or with values that are not finite, fail at once.
 BRUNT_INLINE Iterate seed(const PackVec& x, const PackQuad& quad) {
   const PackVec(&c)[4] = quad.corner;
   const PackVec area = broadcast(0.5) * cross(c[2] - c[0], c[3] - c[1]);
@@ -52,7 +52,7 @@ BRUNT_INLINE void newton_step(const PackVec& x, const PackQuad& quad, const Pack
   const PackVec offset = x - combine(quad, quad_weights(p.xi, p.eta));
   const Pack a = dot(t.xi, t.xi), b = dot(t.eta, t.eta);
   Pack mixed = dot(t.xi, t.eta) - dot(offset, twist);
-  const PackMask convex = a * b - mixed * mixed > 0.05 * a * b;  // else Gauss-Newton
+  const PackMask convex = a * b - mixed * mixed > 0.05 * a * b;  // otherwise Gauss-Newton
   mixed = select(convex, mixed, dot(t.xi, t.eta));
   const Pack settled = select(convex, broadcast(1e-7), broadcast(1e-13));
   const Pack determinant = a * b - mixed * mixed;
@@ -70,7 +70,7 @@ BRUNT_INLINE void newton_step(const PackVec& x, const PackQuad& quad, const Pack
 }
 
 BRUNT_INLINE Iterate newton(const PackVec& x, const PackQuad& quad) {
-  constexpr int most_steps = 5;  // closest_point has patience for the few that need more
+  constexpr int most_steps = 5;  // the few points that need more are left to closest_point
   const PackVec(&c)[4] = quad.corner;
   const PackVec twist = broadcast(0.25) * ((c[0] - c[1]) + (c[2] - c[3]));
   const PackTangents middle = tangents(quad, broadcast(0.0), broadcast(0.0));
@@ -81,7 +81,7 @@ BRUNT_INLINE Iterate newton(const PackVec& x, const PackQuad& quad) {
   return p;
 }
 
-/// The nearest point of the rim, in place of what the iteration gave.
+/// The nearest point of the boundary, in place of the result of the iteration.
 BRUNT_INLINE void to_rim(const PackVec& x, const PackQuad& quad, PackPlace& place) {
   Pack least = broadcast(std::numeric_limits<double>::infinity());
   place.edge = place.along = broadcast(0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closest point on a bilinear quadrilateral or a triangle: Newton, then edges, then sampling as the safe way out.
+// Closest point on a bilinear quadrilateral or a triangle: Newton, then edges, then sampling as a fallback.
 #include "brunt/geometry/closest_point.hpp"
 
 #include <Eigen/Geometry>
@@ -13,8 +13,8 @@ namespace {
 using Weights = std::array<double, 4>;
 using QuadCorners = std::span<const Vec3, 4>;
 
-// Contact spends most of its time here, a hundred nanoseconds a face: the small steps on a quadrilateral are unrolled
-// (a fixed number of corners) and put in one piece.
+// Most of the time of contact is spent here, about a hundred nanoseconds for each face: the steps on a quadrilateral
+// are unrolled (a fixed number of corners) and inlined.
 #define BRUNT_IN_PLACE [[gnu::always_inline]] inline
 
 BRUNT_IN_PLACE Weights quad_weights(double xi, double eta) {
@@ -46,7 +46,7 @@ FacePoint face_point(Corners corners, double xi, double eta, Region region) {
   return result;
 }
 
-/// Signed by the side of the edge on which the point lies; in proportion to the area between the two.
+/// Signed by the side of the edge of the point; proportional to the area between the two.
 BRUNT_IN_PLACE double edge_area(const Vec3& x, const Vec3& from, const Vec3& to, const Vec3& normal) {
   return normal.dot((to - from).cross(x - from));
 }
@@ -60,14 +60,14 @@ BRUNT_IN_PLACE double area_ratio(double low_side, double high_side) {
   return sum > 0 ? std::clamp((low_side - high_side) / sum, -1.5, 1.5) : 0.0;
 }
 
-/// area: of the face; its length falls out of the ratios.
+/// area: of the face; its magnitude cancels in the ratios.
 BRUNT_IN_PLACE Parameters seed(const Vec3& x, QuadCorners c, const Vec3& area) {
   return {area_ratio(edge_area(x, c[3], c[0], area), edge_area(x, c[1], c[2], area)),
           area_ratio(edge_area(x, c[0], c[1], area), edge_area(x, c[2], c[3], area))};
 }
 
-/// Unconstrained stationary point; nothing where ten steps do not settle. On a nearly flat face Newton's method does
-/// not stray: an iterate far outside stands for a point far outside, and the nearest edge will decide.
+/// Unconstrained stationary point; none if ten steps do not converge. On a nearly flat face Newton's method does not
+/// diverge: an iterate far outside indicates a point far outside, and the nearest edge is then used.
 BRUNT_IN_PLACE std::optional<Parameters> newton(const Vec3& x, QuadCorners c, Parameters p) {
   constexpr int max_steps = 10;
   constexpr double lost = 4.0;
@@ -79,8 +79,8 @@ BRUNT_IN_PLACE std::optional<Parameters> newton(const Vec3& x, QuadCorners c, Pa
     const Vec3 offset = x - combine(c, quad_weights(p.xi, p.eta));
     const double a = t.xi.squaredNorm(), b = t.eta.squaredNorm();
     double mixed = t.xi.dot(t.eta) - offset.dot(twist);
-    double settled = 1e-7;                        // the error left is the square of the step
-    if (a * b - mixed * mixed <= 0.05 * a * b) {  // Gauss-Newton where Newton is not convex
+    double settled = 1e-7;                        // the remaining error is the square of the step
+    if (a * b - mixed * mixed <= 0.05 * a * b) {  // Gauss-Newton if the Hessian is not positive definite
       mixed = t.xi.dot(t.eta);
       settled = 1e-13;
     }
@@ -113,7 +113,7 @@ BRUNT_IN_PLACE EdgePoint nearest_edge(const Vec3& x, std::span<const Vec3, count
     const double length2 = (to - from).squaredNorm();
     const double along = length2 > 0 ? std::clamp((x - from).dot(to - from) / length2, 0.0, 1.0) : 0.0;
     const double distance2 = (x - ((1 - along) * from + along * to)).squaredNorm();
-    const double rank = along > 0 && along < 1 ? distance2 : distance2 * (1 + 1e-15);  // of equals to rounding the edge
+    const double rank = along > 0 && along < 1 ? distance2 : distance2 * (1 + 1e-15);  // of equal ones, the edge
     if (rank < least) {
       least = rank;
       best = {along, distance2, edge};
@@ -140,7 +140,7 @@ FacePoint on_edge(Corners c, const EdgePoint& at) {
   return face_point(c, place[at.edge].xi, place[at.edge].eta, region);
 }
 
-/// Best of a grid of points, refined around the best again and again: slow, always ends, never leaves the face.
+/// Best point of a grid, refined repeatedly around the best one: slow, but it always ends and never leaves the face.
 FacePoint by_sampling(const Vec3& x, Corners c) {
   constexpr int half = 4;
   Parameters best;
@@ -161,7 +161,7 @@ FacePoint by_sampling(const Vec3& x, Corners c) {
     spacing *= 0.4;
   }
   const EdgePoint edge = nearest_edge(x, c);
-  const bool on_rim = std::max(std::abs(best.xi), std::abs(best.eta)) >= 1;  // by rounding it may seem nearer there
+  const bool on_rim = std::max(std::abs(best.xi), std::abs(best.eta)) >= 1;  // by rounding it may appear nearer there
   if (on_rim || edge.distance2 <= best_distance2) return on_edge(c, edge);
   return face_point(c, best.xi, best.eta, Region::face);
 }
@@ -180,7 +180,7 @@ bool inside(const Parameters& p, double reach) {
 FacePoint on_quad(const Vec3& x, QuadCorners c, const Vec3& area) {
   constexpr double reach = 1 + 2 * face_tolerance;  // the parametric width is 2
   std::optional<Parameters> p = newton(x, c, seed(x, c, area));
-  if (!p) {  // squared distances resolve a place to half the digits only: polish
+  if (!p) {  // squared distances determine a position to half the digits only: refine by Newton
     FacePoint sampled = by_sampling(x, c);
     p = newton(x, c, {sampled.xi, sampled.eta});
     if (sampled.region != Region::face || !p || !inside(*p, reach)) return sampled;

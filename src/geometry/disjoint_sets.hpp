@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of n items belong together, joined pair by pair.
+// Disjoint sets of n items, joined pair by pair.
 #pragma once
 #include <algorithm>
 #include <numeric>

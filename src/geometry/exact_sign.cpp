@@ -7,7 +7,7 @@
 namespace brunt::geometry {
 namespace {
 
-/// A sum of doubles without overlapping bits, the smallest first, zeros left out: exact.
+/// A sum of doubles without overlapping bits, in ascending order of magnitude, without zeros: exact.
 template <std::size_t capacity>
 struct Expansion {
   std::array<double, capacity> term;
@@ -100,12 +100,12 @@ int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
   return sign((minor_of(u, v, 1, 2) * w[0] + minor_of(u, v, 2, 0) * w[1]) + minor_of(u, v, 0, 1) * w[2]);
 }
 
-/// Closed segments in one plane seen along an axis; one of them may be a point, and so may both.
+/// Whether closed segments in one plane intersect in the projection along an axis; one or both may be points.
 bool segments_meet_along(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, int axis) {
   const int on_c = turn(a, b, c, axis), on_d = turn(a, b, d, axis);
   const int on_a = turn(c, d, a, axis), on_b = turn(c, d, b, axis);
   if (on_c * on_d > 0 || on_a * on_b > 0) return false;
-  for (int k = 0; k < 3; ++k) {  // of segments in one line the boxes decide
+  for (int k = 0; k < 3; ++k) {  // for collinear segments the boxes decide
     if (k == axis) continue;
     const auto [a_low, a_high] = std::minmax(a[k], b[k]);
     const auto [c_low, c_high] = std::minmax(c[k], d[k]);
@@ -114,8 +114,8 @@ bool segments_meet_along(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3
   return true;
 }
 
-/// Where all four points are in one plane, the segments meet if they do seen along every axis: along one of them at
-/// least the plane is seen as a plane.
+/// If all four points are coplanar, the segments intersect if their projections along every axis do: in at least one of
+/// them the projection of the plane is not degenerate.
 bool segments_meet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   for (int axis = 0; axis < 3; ++axis)
     if (!segments_meet_along(a, b, c, d, axis)) return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signs of determinants of points, exact for the coordinates given: a filter by a bound of the rounding, then sums
-// without rounding (Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997).
+// Signs of determinants of points, exact for the given coordinates: a filter by a bound of the rounding error, then
+// sums without rounding (Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates,
+// 1997).
 #pragma once
 #include <algorithm>
 #include <array>
@@ -9,23 +10,24 @@
 
 namespace brunt::geometry {
 
-/// Bound of the rounding of a determinant of three differences, relative to the same sum with all terms positive: three
-/// differences, two products, three sums along the longest path, each 2^-53, and as much for the bound itself.
+/// Bound of the rounding error of a determinant of three differences, relative to the same sum with all terms positive:
+/// three differences, two products, three sums along the longest path, each 2^-53, and the same amount for the bound
+/// itself.
 constexpr double determinant_rounding = 16 * 0x1p-53;
 
-/// Sign of (b - a) x (c - a) . (d - a): positive where d is on the side from which a, b, c run counter-clockwise.
+/// Sign of (b - a) x (c - a) . (d - a): positive if d is on the side from which a, b, c run counter-clockwise.
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// Sign of the area of a, b, c seen along an axis: of the two other components in cyclic order.
+/// Sign of the area of a, b, c projected along an axis: of the two other components in cyclic order.
 int turn(const Vec3& a, const Vec3& b, const Vec3& c, int axis);
 
-/// Whether the closed segment and the closed triangle have a common point; exact, whatever is degenerate.
+/// Whether the closed segment and the closed triangle have a common point; exact, also for degenerate input.
 bool segment_meets(const Vec3& from, const Vec3& to, const Triangle& triangle);
 
 /// Whether the triangle has no area, exactly.
 bool without_area(const Triangle& triangle);
 
-/// The plane of a triangle, asked for the sides of points.
+/// The plane of a triangle, for sides of points.
 struct SidePlane {
   Vec3 origin, normal, bound;  ///< bound: of the components of the normal with all terms positive
 
@@ -39,7 +41,7 @@ struct SidePlane {
     }
   }
 
-  /// 1 or -1 where the sign of the orientation is certain, else 0.
+  /// 1 or -1 if the sign of the orientation is certain, otherwise 0.
   [[nodiscard]] int certain_side(const Vec3& p) const {
     const Vec3 d = p - origin;
     const double x = d[0] * normal[0], y = d[1] * normal[1], z = d[2] * normal[2];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places of the unit square back on the face, with the region that they belong to.
+// Maps parameters of the unit square to those of the face, with their region.
 #include "face_distance.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace brunt::geometry {
 namespace {
 
-/// `near[k]`: the place lies at edge k; edges k-1 and k meet in vertex k.
+/// `near[k]`: the position is at edge k; edges k-1 and k meet in vertex k.
 Region region_at(std::span<const bool> near) {
   constexpr int first_edge = static_cast<int>(Region::edge0), first_vertex = static_cast<int>(Region::vertex0);
   const std::size_t count = near.size();

@@ -16,7 +16,7 @@ Vec3 middle_of(std::span<const Vec3> corners) {
 void shift_weights(std::span<const Vec3> corners, const Vec3& normal, const Vec3& by, std::array<double, 4>& weights) {
   const Vec3 middle = middle_of(corners);
   const Mat3 upright = normal * normal.transpose(), flat = Mat3::Identity() - upright;
-  Mat3 spread = area_vector(corners).norm() * upright;  // makes it regular, and plays no part
+  Mat3 spread = area_vector(corners).norm() * upright;  // makes the matrix regular, without influence on the result
   for (const Vec3& corner : corners) {
     const Vec3 arm = flat * (corner - middle);
     spread += arm * arm.transpose();

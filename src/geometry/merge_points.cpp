@@ -86,7 +86,7 @@ class Grid {
     cells_.reserve(points.size());
   }
 
-  /// Joins each point with those before it; cells are filled on the way.
+  /// Joins each point with previous ones; cells are filled in the same pass.
   DisjointSets join() {
     for (LocalIndex i = 0; i < static_cast<LocalIndex>(points_.size()); ++i) {
       const Vec3& x = points_[at(i)];
@@ -103,7 +103,7 @@ class Grid {
 
  private:
   struct Members {
-    LocalIndex last = no_index;  // the others follow by next_
+    LocalIndex last = no_index;  // the others are linked by next_
     std::size_t count = 0;
   };
 

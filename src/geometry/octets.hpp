@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What g++ does not make one instruction of, on eight doubles.
+// Operations on eight doubles that g++ does not compile to one instruction.
 #pragma once
 #include <cstdint>
 #include <type_traits>

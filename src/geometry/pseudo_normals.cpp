@@ -18,7 +18,7 @@ struct Corner {
   }
 };
 
-/// A number for each place that holds corners, in the order of the coordinates.
+/// A number for each position of corners, in the order of the coordinates.
 std::vector<std::array<std::size_t, 3>> corner_places(std::span<const Triangle> triangles, std::size_t& count) {
   std::vector<Corner> corners;
   corners.reserve(3 * triangles.size());
@@ -35,7 +35,7 @@ std::vector<std::array<std::size_t, 3>> corner_places(std::span<const Triangle> 
   return places;
 }
 
-/// Unit, or zero where it is not clear.
+/// Unit, or zero if it is undefined.
 Vec3 clear_normal(const Triangle& t) {
   const Vec3 normal = accurate_cross(t[1] - t[0], t[2] - t[0]);
   const double longest2 =
@@ -49,7 +49,7 @@ double angle_at(const Triangle& t, std::size_t corner) {
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-/// A sum of normals in the order of the triangles, zero for good once one of them is.
+/// A sum of normals in the order of the triangles; zero if any of them is zero.
 struct NormalSum {
   Vec3 sum = Vec3::Zero();
   bool clear = true;
@@ -58,7 +58,7 @@ struct NormalSum {
     sum += weight * normal;
   }
   [[nodiscard]] Vec3 result() const {
-    const double size = sum.norm();  // of two faces folded flat onto each other it is rounding
+    const double size = sum.norm();  // for two coincident opposite faces it is rounding
     return clear && size > clear_height ? Vec3(sum / size) : Vec3::Zero();
   }
 };

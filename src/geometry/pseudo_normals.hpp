@@ -7,11 +7,11 @@
 
 namespace brunt::geometry {
 
-/// Triangles whose height is less than this share of their longest edge have no clear normal: rounding of their corners
-/// turns it by more than 1e-6.
+/// Triangles whose height is less than this share of their longest edge have no defined normal: the rounding of their
+/// corners rotates it by more than 1e-6.
 constexpr double clear_height = 1e-10;
 
-/// Of all features of all triangles; corners at one place are one corner.
+/// Of all features of all triangles; coincident corners are one corner.
 std::vector<TriangleNormals> pseudo_normals(std::span<const Triangle> triangles);
 
 }  // namespace brunt::geometry

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A segment through a face, as the first zero of face(u, v) - segment(tau).
+// Intersection of a segment with a face, as the first zero of face(u, v) - segment(tau).
 #include "brunt/geometry/segment_face.hpp"
 
 #include <Eigen/Geometry>

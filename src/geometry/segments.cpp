@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nearest points, common perpendicular and first meeting of segments.
+// Nearest points, common perpendicular and first contact of segments.
 #include "brunt/geometry/segments.hpp"
 
 #include <Eigen/Geometry>
@@ -36,7 +36,8 @@ struct Parameters {
   double s = 0, t = 0;
 };
 
-/// Where the two lines cross as seen along a direction (of any length); nothing for lines parallel as seen so.
+/// The intersection of the two lines in the projection along a direction (of any length); none if the projections are
+/// parallel.
 std::optional<Parameters> feet_along(const Segment& a, const Segment& b, const Vec3& seen, double least_sine) {
   const Vec3 p = direction(a), q = direction(b), offset = b.start - a.start;
   const double area = p.cross(q).dot(seen);
@@ -45,12 +46,12 @@ std::optional<Parameters> feet_along(const Segment& a, const Segment& b, const V
   return Parameters{offset.cross(q).dot(seen) / area, offset.cross(p).dot(seen) / area};
 }
 
-/// Feet of the common perpendicular of the two lines; nothing for parallel ones.
+/// Feet of the common perpendicular of the two lines; none for parallel lines.
 std::optional<Parameters> feet(const Segment& a, const Segment& b, double least_sine) {
   return feet_along(a, b, direction(a).cross(direction(b)), least_sine);
 }
 
-/// Keeps the nearer of two pairs; the first one of equals.
+/// Keeps the nearer of two pairs; of equal ones the first.
 void keep_nearer(SegmentPair& best, const Segment& a, const Segment& b, const Parameters& p) {
   const Vec3 on_a = point_at(a, p.s), on_b = point_at(b, p.t);
   const double distance = (on_a - on_b).norm();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles of one surface that cross other than in corners and edges that they share.
+// Triangles of one surface that intersect outside their shared corners and edges.
 #include <utility>
 
 #include "exact_sign.hpp"
@@ -8,7 +8,7 @@
 namespace brunt::geometry {
 namespace {
 
-/// Corners at the same place: which of a and of b, paired.
+/// Coincident corners: pairs of corners of a and b.
 struct Shared {
   std::size_t count = 0;
   std::array<std::size_t, 9> of_a{}, of_b{};
@@ -22,7 +22,7 @@ struct Shared {
   }
 };
 
-/// Two triangles with an edge in common have more in common only where they are folded flat onto each other.
+/// Two triangles with a common edge have other common points only if they are coplanar and overlap.
 bool folded(const Vec3& from, const Vec3& to, const Vec3& c, const Vec3& d) {
   if (orientation(from, to, c, d) != 0) return false;
   for (int axis = 0; axis < 3; ++axis)
@@ -35,7 +35,7 @@ bool cross_beyond_shared(const Triangle& a, const Triangle& b) {
   const Shared shared(a, b);
   if (shared.count == 0) return triangles_cross(a, b);
   const std::size_t i = shared.of_a[0], j = shared.of_b[0];
-  // From the shared corner a common line runs on to the opposite edge of one of the two.
+  // From the shared corner a common line extends to the opposite edge of one of the two.
   if (shared.count == 1)
     return segment_meets(a[(i + 1) % 3], a[(i + 2) % 3], b) || segment_meets(b[(j + 1) % 3], b[(j + 2) % 3], a);
   if (shared.count > 2) return true;

@@ -12,9 +12,9 @@
 namespace brunt::geometry {
 namespace {
 
-/// How far a winding number may be from an integer to be believed: rounding gives 1e-12, a point on a surface 1/2.
+/// Largest accepted deviation of a winding number from an integer: rounding gives 1e-12, a point on a surface 1/2.
 constexpr double winding_margin = 0.25;
-/// Triangles of a shell whose centres are tried before a number between is taken as it is.
+/// Number of triangles of a shell whose centres are tried before a deviating winding number is accepted.
 constexpr std::size_t most_centres = 8;
 
 std::size_t at(LocalIndex i) {
@@ -30,7 +30,7 @@ Triangle triangle_of(const TriangleSurface& surface, LocalIndex t) {
   return {surface.points[at(a)], surface.points[at(b)], surface.points[at(c)]};
 }
 
-/// Solid angle of a triangle from the origin, > 0 where its corners run clockwise seen from there. Van Oosterom and
+/// Solid angle of a triangle from the origin, > 0 if its corners appear clockwise from there. Van Oosterom and
 /// Strackee, IEEE Transactions on Biomedical Engineering 30 (1983).
 double solid_angle(const Triangle& t) {
   const double a = t.a.norm(), b = t.b.norm(), c = t.c.norm();
@@ -49,7 +49,7 @@ class Shells {
     }
   }
 
-  /// From the shell's own first point, so that shells far from the origin keep their digits.
+  /// Relative to the shell's first point, to avoid cancellation for shells far from the origin.
   [[nodiscard]] double volume(std::size_t shell) const {
     const Vec3 origin = triangle_of(surface_, triangles_[shell].front()).a;
     double sum = 0;

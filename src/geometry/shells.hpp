@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shells of a closed surface against each other: which lie inside which.
+// Nesting of the shells of a closed surface.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace brunt::geometry {
 
-/// `shell_of`: the shell of each triangle. Sets volumes, and the faults of shells where `edges_sound`.
+/// `shell_of`: the shell of each triangle. Sets volumes, and the errors of shells if `edges_sound`.
 void check_shells(const TriangleSurface& surface, std::span<const LocalIndex> shell_of, bool edges_sound,
                   SurfaceFaults& faults);
 

@@ -10,8 +10,8 @@
 
 namespace brunt::geometry {
 
-/// Rounding of moved points and of the tests' sums, relative to the greatest coordinate that takes part: boxes are
-/// grown by it, so that no test separates what the triangles, placed and rounded, do not.
+/// Rounding of moved points and of the tests' sums, relative to the largest coordinate involved: boxes are enlarged by
+/// it, so that no test separates the boxes of triangles that touch after placement and rounding.
 constexpr double box_rounding = 64 * 0x1p-53;
 
 /// A box along the axes of its own body.
@@ -42,7 +42,7 @@ struct Relative {
         turned_back(placement.rotation.transpose() * placement.translation),
         slack((box_rounding + 4 * distortion(placement.rotation)) * scale) {}
 
-  /// How far products of rotations are from one.
+  /// Error of the orthogonality of products of rotations.
   static double distortion(const Mat3& r) { return (r.transpose() * r - Mat3::Identity()).cwiseAbs().sum(); }
 };
 
@@ -50,7 +50,7 @@ inline Placement inverse(const Placement& p) {
   return {p.rotation.transpose(), p.rotation.transpose() * -p.translation};
 }
 
-/// A box seen from the axes of a tree, and from its own with the origin of the tree: each grown by the slack.
+/// A box in the axes of a tree, and in its own axes with the origin of the tree: each enlarged by the rounding bound.
 struct PlacedBox {
   Vec3 middle, half;
   Vec3 own_middle, own_half;
@@ -70,7 +70,7 @@ struct PlacedBox {
 /// Of a box and the children of a node.
 struct Gaps {
   Octet distance2;  ///< lower bound of the squared distance
-  Octet widest;     ///< the greatest gap along any direction, negative where all overlap: the more so the deeper
+  Octet widest;     ///< the largest gap along any direction, negative if all overlap: its size is then the depth
 };
 
 BRUNT_INLINE void widen(Gaps& gaps, Octet along, Octet& sum) {

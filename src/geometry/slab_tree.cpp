@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the tree is built: triangles are halved along the direction that leaves the smallest boxes, in whole leaves,
-// until eight groups are children of a node.
+// Construction of the tree: triangles are bisected along the direction with the smallest resulting boxes, in whole
+// leaves, until eight groups are children of a node.
 #include "brunt/geometry/slab_tree.hpp"
 
 #include <algorithm>
@@ -14,14 +14,14 @@
 namespace brunt::geometry {
 namespace {
 
-constexpr double no_lane = -1e300;  ///< half of a lane without a child: no sum of squares with it is a number to keep
+constexpr double no_lane = -1e300;  ///< half width of a lane without a child: sums of its squares overflow
 
 struct Item {
   Box box;
   LocalIndex triangle = no_index;
 };
 
-/// By the middle along an axis; equal ones by the other axes, so that the tree depends on places, not on numbers.
+/// By the middle along an axis; equal ones by the other axes, so that the tree depends on positions, not on numbers.
 struct AlongAxis {
   int axis;
   bool operator()(const Item& a, const Item& b) const {
@@ -50,7 +50,7 @@ double half_area(const Box& box) {
   return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
 }
 
-/// Puts the `count` items that come first along the best axis in front.
+/// Moves the first `count` items along the best axis to the front.
 void divide(Items items, std::size_t count) {
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -68,7 +68,7 @@ void divide(Items items, std::size_t count) {
   by(best);
 }
 
-/// Cuts `items` into groups of `unit` (the last may be smaller).
+/// Divides `items` into groups of `unit` (the last may be smaller).
 void group(Items items, std::size_t unit, std::vector<Items>& groups) {
   const std::size_t units = (items.size() + unit - 1) / unit;
   if (units <= 1) {

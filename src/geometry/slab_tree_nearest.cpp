@@ -8,8 +8,8 @@
 namespace brunt::geometry {
 namespace {
 
-/// Where the vector from the nearest point is nearer than this to the plane across the pseudo-normal (sine of the
-/// angle), rounding may decide the sign: of sharp edges, and of points that are on the surface to rounding.
+/// If the angle between the vector from the nearest point and the plane perpendicular to the pseudo-normal is smaller
+/// (sine), rounding may determine the sign: at sharp edges, and for points on the surface up to rounding.
 constexpr double clear_sine = 1e-6;
 
 struct NearestTriangle {
@@ -17,7 +17,7 @@ struct NearestTriangle {
   LocalIndex triangle = no_index;
 };
 
-/// Goes down to the triangle nearest to a point, of equally near ones to the one with the least number.
+/// Descends to the triangle nearest to a point; of equally near ones to that with the lowest number.
 class Descent {
  public:
   /// Ends as soon as a triangle is nearer than `near_enough`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The walk down two trees at once: nodes whose boxes may be near, then single triangles of a against the tree of b.
+// Simultaneous traversal of two trees: nodes whose boxes may be near, then single triangles of a against the tree of b.
 #pragma once
 #include "slab_boxes.hpp"
 
@@ -31,7 +31,7 @@ class SlabWalk {
   /// Finite, so that lanes without a child, whose distance is infinite, are never within it.
   void set_limit(double limit) { limit2_ = std::min(limit * limit, std::numeric_limits<double>::max()); }
 
-  /// True if a visit ended it.
+  /// True if a visit ended the traversal.
   bool run() {
     if (a_.nodes.empty() || b_.nodes.empty()) return false;
     return nodes(0, own_box(a_.box), 0, own_box(b_.box));
@@ -42,7 +42,7 @@ class SlabWalk {
     return 2 * greatest_coordinate(a.box) + greatest_coordinate(b.box) + a_in_b.translation.cwiseAbs().maxCoeff();
   }
 
-  /// Calls work(lane) for children within the limit, those that overlap most first.
+  /// Calls work(lane) for children within the limit, in descending order of overlap.
   template <class Work>
   bool by_nearness(const Gaps& gaps, const Work& work) {
     unsigned left = lanes_up_to(gaps.distance2, Octet() + limit2_);
@@ -58,8 +58,7 @@ class SlabWalk {
     return false;
   }
 
-  /// Node `i` of a with its box against node `j` of b: the larger one is opened, but triangles of b are left to the
-  /// last.
+  /// Node `i` of a with its box against node `j` of b: the larger one is expanded, but triangles of b are tested last.
   bool nodes(std::size_t i, const OwnBox& box_a, std::size_t j, const OwnBox& box_b) {
     const bool open_b = b_.nodes[j].leaf == no_index && box_b.half.maxCoeff() > box_a.half.maxCoeff();
     if (open_b)

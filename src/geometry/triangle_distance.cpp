@@ -20,7 +20,7 @@ BRUNT_INLINE Quad size_of(Quad a) {
   return a < 0.0 ? -a : a;
 }
 
-/// One of the two triangles: in lanes its corners and the edges from them, and what is the same for all.
+/// One of the two triangles: its corners and edges in lanes, and derived values.
 struct Side {
   SidePlane plane;
   QuadVec corners, edges;  ///< corner and edge i in lane i; the last lane repeats corner 0
@@ -42,8 +42,9 @@ struct Side {
   }
 };
 
-/// Squared distance of the common perpendicular of two edges, infinite where its foot is on neither: ends of edges are
-/// corners. Where s is uncertain, of nearly parallel edges, t belongs to it and the distance hardly depends on s.
+/// Squared distance along the common perpendicular of two edges, infinite if a foot lies outside its edge: the ends of
+/// edges are treated as corners. For nearly parallel edges s is uncertain, but t is consistent with it and the distance
+/// hardly depends on s.
 BRUNT_INLINE Quad perpendicular2(const QuadVec& a, const QuadVec& u, const Side& b) {
   const QuadVec between = b.corners - a, normal = cross(u, b.edges);
   const Quad zero = Quad(), one = zero + 1.0;
@@ -55,8 +56,8 @@ BRUNT_INLINE Quad perpendicular2(const QuadVec& a, const QuadVec& u, const Side&
   return meets ? dot(apart, apart) : zero + std::numeric_limits<double>::infinity();
 }
 
-/// Which candidate is the nearest: corner `i` of a (kind 0) or of b (kind 1) to the other triangle, or the edges j of a
-/// and i of b (kind 2 + j).
+/// The nearest candidate: corner `i` of a (kind 0) or of b (kind 1) to the other triangle, or the edges j of a and i of
+/// b (kind 2 + j).
 struct Candidate {
   double distance2 = std::numeric_limits<double>::infinity();
   std::size_t kind = 0, i = 0;
@@ -86,7 +87,7 @@ Candidate nearest_candidate(const Triangle& a, const Triangle& b, const Side& si
   return {lanes.distance2[lane], static_cast<std::size_t>(lanes.kind[lane]), best};
 }
 
-/// The least positive number where it is 0 to rounding: triangles that do not cross are apart.
+/// The smallest positive number if it is 0 up to rounding: triangles that do not intersect have a distance.
 double distance_of(const Candidate& nearest) {
   return std::max(std::sqrt(nearest.distance2), std::numeric_limits<double>::min());
 }
@@ -112,7 +113,7 @@ NearestPoints points_of(const Triangle& a, const Triangle& b, const Candidate& n
   return result;
 }
 
-/// A common point of triangles that cross: where an edge pierces the other triangle, or a candidate where they touch.
+/// A common point of intersecting triangles: where an edge pierces the other triangle, or a candidate if they touch.
 NearestPoints common_point(const Triangle& a, const Triangle& b, const Candidate& nearest) {
   const NearestPoints touching = points_of(a, b, nearest);
   Vec3 common = 0.5 * (touching.on_a + touching.on_b);
@@ -135,7 +136,7 @@ NearestPoints common_point(const Triangle& a, const Triangle& b, const Candidate
   return {0, common, common};
 }
 
-/// Whether the plane leaves the triangle on one side, for certain, and farther away than the bound.
+/// Whether the triangle is certainly on one side of the plane, at a distance above the bound.
 struct PlaneGap {
   bool apart = false, far = false;
   BRUNT_INLINE PlaneGap(const Side& face, const Side& other, double nearer_than) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether two triangles have a common point: sides of planes that the filter is certain of, two determinants (Guigue
-// and Devillers, Fast and robust triangle-triangle overlap test using orientation predicates, 2003), or all edges
-// exactly.
+// Whether two triangles have a common point: sides of planes that the filter determines with certainty, two
+// determinants (Guigue and Devillers, Fast and robust triangle-triangle overlap test using orientation predicates,
+// 2003), or all edges by exact predicates.
 #include "brunt/geometry/triangle_pair.hpp"
 
 #include "exact_sign.hpp"
@@ -18,19 +18,19 @@ struct Sides {
   std::array<int, 3> of{};
   Sides(const SidePlane& plane, const Triangle& t)
       : of{plane.certain_side(t[0]), plane.certain_side(t[1]), plane.certain_side(t[2])} {}
-  /// Where the filter is not certain, exactly.
+  /// If the filter is not certain, by exact predicates.
   void settle(const Triangle& face, const Triangle& t) {
     for (std::size_t i = 0; i < 3; ++i)
       if (of[i] == 0) of[i] = orientation(face[0], face[1], face[2], t[i]);
   }
   [[nodiscard]] bool apart() const { return std::abs(of[0] + of[1] + of[2]) == 3; }
   [[nodiscard]] bool off_plane() const { return of[0] * of[1] * of[2] != 0; }
-  /// The corner whose side no other has.
+  /// The corner that is alone on its side.
   [[nodiscard]] std::size_t alone() const { return of[0] == of[1] ? 2 : (of[0] == of[2] ? 1 : 0); }
 };
 
-/// All corners are off the other plane, and not all on one side of it: the planes meet in a line, and the
-/// triangles where the two intervals on it overlap.
+/// No corner lies in the other plane, and not all are on one side of it: the planes intersect in a line, and the
+/// triangles intersect if the two intervals on it overlap.
 bool intervals_overlap(const Triangle& a, const Triangle& b, const Sides& sides_a, const Sides& sides_b) {
   const std::size_t i = sides_a.alone(), j = sides_b.alone();
   const Vec3 *a0 = &a[i], *a1 = &a[(i + 1) % 3], *a2 = &a[(i + 2) % 3];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The point of a triangle nearest to a point: as a number in lanes, for searches, and with all that belongs to it.
+// The point of a triangle nearest to a point: as a distance in lanes, for searches, and with all related data.
 #pragma once
 #include <Eigen/Geometry>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace brunt::geometry {
 
-/// Into [0, 1]; what is not a number (0 / 0 of an edge without length) becomes 0.
+/// Clamps to [0, 1]; NaN (0 / 0 of an edge without length) becomes 0.
 template <class T>
 BRUNT_INLINE T clamp_to_unit(T t) {
   const T zero = T(), one = zero + 1.0;
@@ -36,8 +36,8 @@ BRUNT_INLINE void consider_edge(const VecOf<T>& edge, T inverse2, const VecOf<T>
   nearest.away = {nearer ? away.x : nearest.away.x, nearer ? away.y : nearest.away.y, nearer ? away.z : nearest.away.z};
 }
 
-/// A triangle as searches want it: corners, the normal (b - a) x (c - a), and one over the squared lengths of the edges
-/// and of the normal (infinite where there is no length).
+/// A triangle prepared for searches: corners, the normal (b - a) x (c - a), and the reciprocals of the squared lengths
+/// of the edges and of the normal (infinite for zero length).
 template <class T>
 struct TriangleOf {
   VecOf<T> a, b, c, normal;
@@ -51,8 +51,8 @@ BRUNT_INLINE TriangleOf<T> triangle_of(const VecOf<T>& a, const VecOf<T>& b, con
   return {a, b, c, normal, one / dot(ab, ab), one / dot(bc, bc), one / dot(ac, ac), one / dot(normal, normal)};
 }
 
-/// Squared distance of the point p to the triangle: of all that is finite a number. In a sliver the height over its
-/// plane is measured from the nearest edge, so that the direction of the plane need not be exact.
+/// Squared distance of the point p to the triangle; never NaN for finite input. In a sliver the height over its plane
+/// is measured from the nearest edge, so that errors of its normal have little effect.
 template <class T>
 BRUNT_INLINE T distance2_to_triangle(const VecOf<T>& p, const TriangleOf<T>& t) {
   const VecOf<T> ab = t.b - t.a, bc = t.c - t.b, ca = t.a - t.c, pa = p - t.a, pb = p - t.b, pc = p - t.c;

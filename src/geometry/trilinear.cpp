@@ -10,7 +10,7 @@
 namespace brunt::geometry {
 namespace {
 
-/// Half widths below this are not divided further, and no search looks at more boxes than `most_boxes`.
+/// Half widths below this are not divided further, and no search tests more boxes than `most_boxes`.
 constexpr double smallest_box = 1e-9;
 constexpr int most_boxes = 4096;
 
@@ -40,7 +40,8 @@ Local expand(const Trilinear& f, const Cell& cell) {
           a * b * c * f.uv_tau};
 }
 
-/// The derivative at a place: what its inverse needs (rows of the adjugate) and what tells a crossing from a touch.
+/// The derivative at a position: data for its inverse (rows of the adjugate), and for the distinction of crossing and
+/// touching.
 struct Jacobian {
   Vec3 v_tau, tau_u, u_v;
   double determinant, scale;
@@ -67,7 +68,7 @@ Jacobian jacobian_at(const Trilinear& f, const Vec3& x) {
   return jacobian(derivative_u(f, at), derivative_v(f, at), derivative_tau(f, at));
 }
 
-/// Zero near x by Newton's method; nothing where it does not settle.
+/// Zero near x by Newton's method; none if it does not converge.
 std::optional<Vec3> newton(const Trilinear& f, Vec3 x) {
   constexpr int max_steps = 12;
   constexpr double settled = 1e-15, stagnant = 1e-9;
@@ -79,7 +80,7 @@ std::optional<Vec3> newton(const Trilinear& f, Vec3 x) {
     const double size = change.cwiseAbs().maxCoeff();
     if (!(size < 1e3)) return std::nullopt;
     x -= change;
-    if (size <= settled || (size < stagnant && size >= last)) return x;  // rounding is reached
+    if (size <= settled || (size < stagnant && size >= last)) return x;  // rounding error reached
     last = size;
   }
   return last < stagnant ? std::optional(x) : std::nullopt;
@@ -89,11 +90,11 @@ enum class Verdict { empty, at_most_one, unknown };
 
 struct Study {
   Verdict verdict = Verdict::unknown;
-  Vec3 low = Vec3::Constant(-1), high = Vec3::Constant(1);  ///< in s: where zeros can be
+  Vec3 low = Vec3::Constant(-1), high = Vec3::Constant(1);  ///< in s: bounds of zeros
   Vec3 start = Vec3::Zero();                                ///< in s: Newton's first guess
 };
 
-/// The widest of the axes along which the function bends.
+/// The widest axis along which the function is nonlinear.
 int bending_axis(const Local& d, const Vec3& half) {
   const double uv = d.d12.norm(), ut = d.d13.norm(), vt = d.d23.norm();
   const Vec3 bend(uv + ut, uv + vt, ut + vt);
@@ -107,7 +108,8 @@ int bending_axis(const Local& d, const Vec3& half) {
   return widest;
 }
 
-/// Can no zero in the cell cross? The determinant's greatest value by the bounds of its three columns.
+/// Whether no zero in the cell can be a crossing: the upper bound of the determinant by the bounds of its three
+/// columns.
 bool never_crosses(const Local& d, const Jacobian& j, Crossing crossing) {
   const double a = d.d1.norm(), b = d.d2.norm(), c = d.d3.norm(), all = d.d123.norm();
   const double uv = d.d12.norm() + all, ut = d.d13.norm() + all, vt = d.d23.norm() + all;
@@ -140,7 +142,7 @@ Study study(const Local& d, Crossing crossing) {
   if (!(result.low.array() <= result.high.array()).all()) {
     result.verdict = Verdict::empty;
   } else if (steepest < 0.25) {
-    const bool wrong_way = crossing == Crossing::positive && j.determinant < 0;  // and so in all of the cell
+    const bool wrong_way = crossing == Crossing::positive && j.determinant < 0;  // and so in the whole cell
     result.verdict = wrong_way ? Verdict::empty : Verdict::at_most_one;
   }
   return result;
@@ -197,14 +199,14 @@ class Search {
     }
     const Cell rest{cell.middle + 0.5 * cell.half.cwiseProduct(seen.low + seen.high),
                     0.5 * cell.half.cwiseProduct(seen.high - seen.low)};
-    if ((seen.high - seen.low).prod() < 2.0) {  // less than a quarter is left: look again before dividing
+    if ((seen.high - seen.low).prod() < 2.0) {  // less than a quarter is left: repeat before dividing
       push(rest);
     } else {
       halve(rest, bending_axis(local, rest.half));
     }
   }
 
-  /// The second half is pushed first, so that the earlier one is looked at first.
+  /// The second half is pushed first, so that the earlier one is processed first.
   void halve(const Cell& cell, int axis) {
     Cell first = cell, second = cell;
     first.half[axis] = second.half[axis] = 0.5 * cell.half[axis];
@@ -223,7 +225,7 @@ class Search {
   bool found_ = false;
 };
 
-/// Everything stays in one plane but for rounding: two things that slide along each other meet in whole curves.
+/// Whether all points lie in one plane up to rounding: bodies sliding along each other have curves of common points.
 bool slides(const Trilinear& f, const TrilinearDomain& domain) {
   const Cell whole{0.5 * Vec3(domain.low.u + domain.high.u, domain.low.v + domain.high.v, 1), Vec3::Constant(0.5)};
   const Local d = expand(f, whole);

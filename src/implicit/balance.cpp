@@ -14,7 +14,7 @@
 namespace brunt::implicit {
 namespace {
 
-/// What acts on a node but for contact and supports.
+/// Forces on a node except those of contact and supports.
 struct NodeForces {
   Vec3 inertia = Vec3::Zero(), now, before;  ///< m M (u - u*), now F_{n+1}, before F_n
 };
@@ -38,7 +38,7 @@ double at_walls(const RigidBodies& bodies, std::size_t own) {
   return bodies.at_walls[static_cast<std::size_t>(bodies.place[own].body)];
 }
 
-/// What is left at a node (place in Unknowns::node) that supports and walls hold.
+/// Residual at a node (place in Unknowns::node) with constraints by supports and walls.
 Vec3 supported(const Scene& scene, Solver& solver, std::size_t own, Vec3 left) {
   const auto i = static_cast<std::size_t>(solver.unknowns.node[own]);
   const Vec3 travel = Vec3(&solver.trial.displacement[3 * i]) - of(scene.state.displacement[i]);
@@ -63,8 +63,8 @@ Vec3 supported(const Scene& scene, Solver& solver, std::size_t own, Vec3 left) {
   return left + by_supports;
 }
 
-/// What rounding leaves of the forces on a node, squared: a place is rounded, which strains the elements at it, and so
-/// is a displacement, which inertia multiplies.
+/// Square of the residual due to rounding at a node: the rounding of positions strains the elements, and that of
+/// displacements enters inertia.
 double rounding_at(const Scene& scene, const Solver& solver, std::size_t i) {
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();  // of u, of u_n, of their difference, of u*
   const model::NodeLine& node = scene.state.nodes[i];
@@ -97,8 +97,8 @@ void find_contact_forces(const Scene& scene, Solver& solver, std::span<const dou
   share(solver.unknowns, trial.friction_force);
 }
 
-/// Of contact's nodes that this rank owns: directions that supports and walls leave free. Walls push nodes of rigid
-/// bodies as springs do, which hold nothing.
+/// For the nodes of contact that this rank owns: directions left free by supports and walls. Walls act on nodes of
+/// rigid bodies by springs, which are no constraints.
 std::vector<Mat3> movable_now(const Solver& solver) {
   const ContactNodes& nodes = solver.contact.nodes;
   std::vector<Mat3> movable(nodes.free.begin(), nodes.free.begin() + static_cast<std::ptrdiff_t>(nodes.lasting));
@@ -110,14 +110,15 @@ std::vector<Mat3> movable_now(const Solver& solver) {
   return movable;
 }
 
-/// What is left at a node (place in Unknowns::node) without supports and walls.
+/// Residual at a node (place in Unknowns::node) without supports and walls.
 Vec3 left_at(const Scene& scene, const Solver& solver, std::size_t own) {
   const auto i = static_cast<std::size_t>(solver.unknowns.node[own]);
   const NodeForces forces = forces_on(scene, solver, own);
   return forces.inertia - forces.now - forces.before - of(solver.trial.contact_force, i);
 }
 
-/// Nodes that ties hold to places in the same walls leave them: after a look at what walls would do. Collective.
+/// Removes the wall constraints of nodes that ties constrain to positions in the same walls; determines the active
+/// walls first. Collective.
 void let_ties_carry(const Scene& scene, Solver& solver) {
   const auto tied = [](const Interface& face) { return face.pair.tied; };
   if (!solver.walls.any() || std::ranges::none_of(solver.contact.interfaces, tied)) return;
@@ -169,7 +170,7 @@ void balance(const Scene& scene, Solver& solver, std::span<double> residual) {
     const NodeForces forces = forces_on(scene, solver, k);
     const Vec3 contact = of(trial.contact_force, i);
     Vec3 left = forces.inertia - forces.now - forces.before - contact;
-    // a motion that nothing disturbs has momentum all the same, of which rounding leaves something
+    // a free motion has momentum too, whose rounding errors remain in the residual
     const bool carried = solver.bodies.carries(k);
     const double momentum = carried ? 0.0 : trial.rule.mass * trial.rule.dt * scene.state.nodes[i].mass;
     sums[1].add(forces.inertia.squaredNorm() + forces.now.squaredNorm() + forces.before.squaredNorm());
@@ -188,7 +189,7 @@ void balance(const Scene& scene, Solver& solver, std::span<double> residual) {
   if (solver.contact.any()) {
     if (solver.walls.any() ||
         (solver.contact.may_imply && std::ranges::any_of(solver.contact.interfaces, &Interface::presses)))
-      leave_out_redundant(scene.links.ranks, movable_now(solver), solver.contact);  // else it is as at the start
+      leave_out_redundant(scene.links.ranks, movable_now(solver), solver.contact);  // else as at the start
     multiplier_residuals(solver.contact, multipliers);
   }
   for (const double left : multipliers) sums[0].add(left * left);

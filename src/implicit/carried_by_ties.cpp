@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes on walls that the places to which they are tied hold there. Which of two nodes relies on the other depends on
-// the order: all ranks go through the same few rows.
+// Nodes on walls whose projections, to which they are tied, are constrained by the same walls. Which of two nodes
+// depends on the other is a matter of order: all ranks process the same few rows in the same order.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -12,7 +12,7 @@
 namespace brunt::implicit {
 namespace {
 
-/// Projector on the directions that two projectors have in common.
+/// Projector onto the common directions of two projectors.
 Mat3 common(const Mat3& one, const Mat3& other) {
   return contact::held_by_all(2 * Mat3::Identity() - one - other);
 }
@@ -29,10 +29,10 @@ Mat3 matrix_of(const Values& values) {
   return Eigen::Map<const Mat3>(values.data());
 }
 
-/// A row whose slave node walls hold along directions along which the place under it is held.
+/// A row whose slave node is constrained by walls along directions along which its projection is constrained.
 struct RowTold {
   GlobalIndex interface = 0, place = 0, slave = 0;
-  std::array<GlobalIndex, 4> below{};  ///< nodes with a share in the place, or -1
+  std::array<GlobalIndex, 4> below{};  ///< nodes with a weight in the projection, or -1
   Values slave_free{}, slave_movable{};
   std::array<Values, 4> movable{};  ///< of `below`
 };
@@ -41,8 +41,8 @@ bool before(const RowTold& a, const RowTold& b) {
   return a.interface < b.interface || (a.interface == b.interface && a.place < b.place);
 }
 
-/// Rows of this rank that walls and what lies below might carry. movable: of slaves; that of `nodes` may be of an
-/// iterate before.
+/// Rows of this rank whose wall constraints may be redundant with those of the projection. movable: of slaves; that of
+/// `nodes` may be of a previous iterate.
 bool stands_on_walls(const ContactNodes& nodes, const Interface& face, std::size_t row, std::span<const Mat3> movable) {
   const auto node = static_cast<std::size_t>(face.surfaces.rows[row]);
   return face.tie.covered[row] > 0 && !(nodes.free[node] - movable[node]).isZero();
@@ -86,7 +86,7 @@ std::vector<RowTold> rows_of_all(const comm::Communicator& ranks, const MortarCo
   return all;
 }
 
-/// By node: what is carried. A node on which others rely stays on its walls.
+/// For each node: redundant directions. A node on which others depend keeps its wall constraints.
 std::map<GlobalIndex, Mat3> carried_of(const std::vector<RowTold>& rows) {
   std::map<GlobalIndex, Mat3> carried, movable;
   std::map<GlobalIndex, bool> carries;

@@ -15,11 +15,11 @@
 namespace brunt::implicit {
 namespace {
 
-/// What contact did in one step, summed over the nodes that ranks own.
+/// Effect of contact in one step, summed over the nodes that ranks own.
 class ContactSums {
  public:
-  /// With both ends of the step on a straight way, a force at its end and the mean place change the angular momentum by
-  /// the moment of the force there.
+  /// If nodes move in straight lines in a step, a force at its end and the mean positions change the angular momentum
+  /// by the moment of the force at these positions.
   void add(const NodeStep& step, const Vec3& mean_place) {
     const Vec3 moment = mean_place.cross(step.contact_impulse);
     sums_[normal].add(-(step.contact - step.friction).dot(step.travel));
@@ -56,7 +56,7 @@ void find_wall_forces(const Scene& scene, Solver& solver) {
   share(solver.unknowns, trial.wall_friction);
 }
 
-/// What walls did in one step, summed over the nodes that ranks own.
+/// Effect of walls in one step, summed over the nodes that ranks own.
 class WallSums {
  public:
   void add(const NodeStep& step) {
@@ -92,7 +92,7 @@ void begin_step(const Scene& scene, Solver& solver, double dt, double time) {
   for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k) {
     const auto i = static_cast<std::size_t>(solver.unknowns.node[k]);
     Vec3 travel = trial.rule.mass > 0 ? Vec3(dt * of(trial.velocity, i)) : Vec3(Vec3::Zero());
-    // what is given comes with the first correction, which moves the nodes around with it
+    // prescribed motion is applied in the first correction, which moves the adjacent nodes too
     if (const LocalIndex held = solver.held[i]; held != no_index)
       travel = scene.model.constrained[static_cast<std::size_t>(held)].free * travel;
     put(of(state.displacement[i]) + travel, solver.u, k);

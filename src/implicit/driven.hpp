@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a drive gives over one step.
+// Prescribed motion of a drive over one step.
 #pragma once
 #include "brunt/model/model.hpp"
 
@@ -9,8 +9,8 @@ struct Given {
   double travel = 0, velocity = 0;  ///< over the step, at its end: [length] or [rad]
 };
 
-/// From t_n to t_{n+1}, exact for curves that are linear within the step. The velocity of a displacement that is given
-/// is its mean over the step.
+/// From t_n to t_{n+1}, exact for curves that are linear within the step. The velocity of a prescribed displacement is
+/// its mean over the step.
 Given driven(const model::Drive& drive, double velocity_before, double from, double to);
 
 }  // namespace brunt::implicit

@@ -11,7 +11,8 @@
 namespace brunt::implicit {
 namespace {
 
-/// Displacement that a drive gives from t = 0 to a time; nothing of an acceleration, which needs the velocity there.
+/// Prescribed displacement of a drive from t = 0 to a time; none for an acceleration, which requires the velocity
+/// there.
 double travel_of(const model::Drive& drive, double time) {
   switch (drive.gives) {
     case model::Drive::Gives::displacement:
@@ -30,7 +31,7 @@ bool accelerates(const model::Model& model, const model::ConstrainedNode& node) 
   });
 }
 
-/// Is what supports give a body more than shifts from t = 0 on?
+/// Whether the prescribed motion of a body from t = 0 on contains rotations.
 bool is_hard_to_foresee(const model::Model& model, const model::RigidBody& body) {
   for (std::size_t c = 0; c < body.drive.size(); ++c)
     if (body.drive[c] &&
@@ -39,13 +40,13 @@ bool is_hard_to_foresee(const model::Model& model, const model::RigidBody& body)
   return false;
 }
 
-/// The corner of a place with the largest share.
+/// The corner of a projection with the largest weight.
 LocalIndex nearest_node(const contact::MasterPlace& place) {
   const auto most = std::ranges::max_element(place.weights) - place.weights.begin();
   return place.nodes[static_cast<std::size_t>(most)];
 }
 
-/// A row that opens, and its turn among all.
+/// The opening of a row, and its number among all.
 struct Opening {
   double share = 0;  ///< of a facet's edge
   GlobalIndex of_implied = 0, interface = 0, place = 0;
@@ -53,13 +54,13 @@ struct Opening {
   std::array<double, 3> apart{}, reference{};
 };
 
-/// The wider one, else that whose turn comes first.
+/// The larger opening; of equal ones that with the lower number.
 bool comes_before(const Opening& a, const Opening& b) {
   if (a.share != b.share) return a.share > b.share;
   return std::tie(a.of_implied, a.interface, a.place) < std::tie(b.of_implied, b.interface, b.place);
 }
 
-/// Keeps the row of this rank that opens most, over a facet's edge.
+/// Stores the row of this rank with the largest opening over a facet's edge.
 class Widest {
  public:
   explicit Widest(const MortarContact& contact) : contact_(contact) {}
@@ -77,7 +78,7 @@ class Widest {
     Eigen::Map<Vec3>(opening.reference.data()) = contact_.nodes.reference[slave];
     if (found_.empty() || comes_before(opening, found_[0])) found_ = {opening};
   }
-  /// Of all ranks. Collective.
+  /// Over all ranks. Collective.
   [[nodiscard]] std::optional<DrivenApart> of_all(const comm::Communicator& ranks) const {
     if (!ranks.any(!found_.empty())) return {};
     const std::vector<Opening> all =
@@ -89,10 +90,10 @@ class Widest {
 
  private:
   const MortarContact& contact_;
-  std::vector<Opening> found_;  ///< one or none
+  std::vector<Opening> found_;  ///< at most one
 };
 
-/// Along directions in which the slave node and the place under it are held. displacement: of lasting nodes.
+/// Along directions in which the slave node and its projection are constrained. displacement: of lasting nodes.
 void look_at_places(const MortarContact& contact, std::span<const Vec3> displacement, Widest& widest) {
   for (std::size_t k = 0; k < contact.interfaces.size(); ++k) {
     const Interface& face = contact.interfaces[k];
@@ -105,7 +106,7 @@ void look_at_places(const MortarContact& contact, std::span<const Vec3> displace
   }
 }
 
-/// Along directions in which other rows imply a row's equation.
+/// Along directions in which the equation of a row is redundant.
 void look_at_implied(const MortarContact& contact, Widest& widest) {
   for (std::size_t k = 0; k < contact.interfaces.size(); ++k) {
     const Interface& face = contact.interfaces[k];
@@ -120,7 +121,7 @@ void look_at_implied(const MortarContact& contact, Widest& widest) {
   }
 }
 
-/// Of nodes of this rank, four each: travel that supports give from t = 0 to `time`, and 1 where it is not known.
+/// For nodes of this rank, four each: prescribed displacement from t = 0 to `time`, and 1 if it is not known.
 std::vector<double> travel_by_supports(const model::Model& model, double time) {
   std::vector<double> travel(4 * static_cast<std::size_t>(model.nodes()), 0.0);
   const auto give = [&](LocalIndex node, std::size_t axis, std::int32_t drive) {

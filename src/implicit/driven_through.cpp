@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies that supports drive through each other or through walls, where contact can do nothing but report it.
+// Bodies that supports drive through each other or through walls, where contact cannot act and only reports it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 namespace brunt::implicit {
 namespace {
 
-constexpr double held = 1e-6;       // sine below which a direction is held: as `redundant` of wall_node.cpp
-constexpr double of_carried = 1e4;  // likewise of nodes that ties hold: a hundredth of an edge, as meshes that do not
-                                    // match leave of a curved seam
-constexpr double of_touching = 10;  // a node is behind a wall from so many times the distance at which it touches
+constexpr double held = 1e-6;       // sine below which a direction is constrained: as `redundant` of wall_node.cpp
+constexpr double of_carried = 1e4;  // likewise of tied nodes: a hundredth of an edge, the gap of non-matching meshes
+                                    // along a curved seam
+constexpr double of_touching = 10;  // a node is behind a wall from this multiple of the distance at which it touches
 
-/// How far the rows of this rank that nothing can move lie in the master, the deepest [length].
+/// Largest penetration of rows of this rank whose nodes are all constrained [length].
 double depth_of(const ContactNodes& nodes, const Interface& face) {
   double deepest = 0;
   for (std::size_t row = 0; row < face.count(); ++row) {
@@ -42,7 +42,7 @@ std::int32_t block_of(const model::Model& model, LocalIndex node) {
   return no_index;
 }
 
-/// Of each wall: the deepest of the nodes of this rank that supports hold along its normal.
+/// For each wall: the deepest node of this rank with a support along its normal.
 std::vector<AtWall> held_behind_walls(const Scene& scene, const Solver& solver) {
   std::vector<AtWall> found(scene.model.walls.size());
   const WallContact& walls = solver.walls;
@@ -66,7 +66,7 @@ std::vector<AtWall> held_behind_walls(const Scene& scene, const Solver& solver) 
   return found;
 }
 
-/// Deepens a pair of the memory; true where it is new.
+/// Updates the depth of a pair in the memory; returns whether it is new.
 bool deepen(double depth, double time, double* since_and_depth) {
   if (!(depth > since_and_depth[1])) return false;
   const bool fresh = since_and_depth[1] == 0;

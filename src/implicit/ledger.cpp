@@ -37,7 +37,7 @@ void add_forces(const model::State& state, std::size_t i, Sums& sums) {
   }
 }
 
-/// What moves as one, with this velocity.
+/// A node or a body with its velocity.
 void add_motion(double mass, const Vec3& v, bool moves, Sums& sums) {
   sums[mass_of_all].add(mass);
   if (!moves) return;
@@ -46,7 +46,7 @@ void add_motion(double mass, const Vec3& v, bool moves, Sums& sums) {
   sums[momentum_scale].add(mass * v.norm());
 }
 
-/// Works of forces on its nodes are booked there. Every rank knows all bodies; the root counts them.
+/// The work of forces on its nodes is counted for the nodes. Every rank has all bodies; the root counts them.
 void add_body(const model::RigidBody& body, const rigid::BodyState& state, const model::BodyAccount& account,
               bool moves, Sums& sums) {
   add_motion(body.body.mass.mass, state.velocity, moves, sums);

@@ -14,9 +14,10 @@ namespace {
 
 using contact::MortarPair;
 
-/// Share of a penetration that a row recovers in a step, and the most of it over a facet's edge. What slides over a
-/// curved surface with the normals of t_{n+1} goes along a chord, deeper by travel^2 over twice the radius in a step:
-/// half of it a step leaves as much. More than a twentieth of a facet at once would be a blow.
+/// Share of a penetration that a row recovers in a step, and its upper bound over a facet's edge. A node that slides
+/// over a curved surface with the normals of t_{n+1} moves along a chord, which increases the penetration by travel^2
+/// over twice the radius in each step: if half is recovered in a step, the penetration is bounded by the same amount.
+/// Recovery of more than a twentieth of a facet at once would act as an impact.
 constexpr double recovered = 0.5, most_recovered = 0.05;
 
 void find_pressures(Interface& face, bool first) {
@@ -46,7 +47,7 @@ void find_least_gaps(Interface& face, double recovery) {
   }
 }
 
-/// Of each row that keeps its gap the energy `of(face, row)`, added up over all rows of all ranks in their order.
+/// Energy `of(face, row)` of the rows that keep their gap, summed over all rows of all ranks in their order.
 template <class Energy>
 double sum_over_rows(const MortarContact& contact, const Energy& of) {
   double sum = 0;
@@ -60,7 +61,7 @@ double sum_over_rows(const MortarContact& contact, const Energy& of) {
   return sum;
 }
 
-/// Share of the recovery that the budget pays for, by the pressures of t_n.
+/// Share of the recovery within the energy budget, estimated with the pressures of t_n.
 double affordable(const MortarContact& contact) {
   if (!(contact.budget > 0)) return 0;
   const double needed = sum_over_rows(contact, [](const Interface& face, std::size_t row) {
@@ -76,7 +77,7 @@ void find_tractions(const ContactNodes& nodes, Interface& face) {
     contact::normal_tractions(face.rows, face.z, face.tractions);
 }
 
-/// Rows of a tie have the weights of the start; their normals turn.
+/// Rows of a tie have the initial weights; their normals rotate.
 void find_tie(const ContactNodes& nodes, Interface& face) {
   contact::nodal_normals(face.surfaces, face.topology, nodes.x, face.rows.normals);
   for (std::size_t row = 0; row < face.count(); ++row) face.tractions[row] = Vec3(&face.z[3 * row]);
@@ -93,7 +94,7 @@ void find_rows(const MortarContact& contact, Iterate iterate, Interface& face) {
   for (std::size_t row = 0; row < face.count(); ++row) face.pressed_before[row] = face.z[row] > 0 ? 1 : 0;
 }
 
-/// Multipliers of this rank to its rows.
+/// Distributes the multipliers of this rank to its rows.
 void take_multipliers(std::span<const double> own_z, MortarContact& contact) {
   for (Interface& face : contact.interfaces)
     if (face.multipliers() > 0) {
@@ -177,7 +178,7 @@ void restore_contact(const comm::Communicator& ranks, const model::State& state,
   gather_contact(ranks, state, own_z, contact);
   const std::vector<double> tractions = contact.traction_before;
   find_contact(ranks, contact, Iterate::first_of_step);
-  keep_contact(contact);  // weights and normals are those of the places
+  keep_contact(contact);  // weights and normals follow from the positions
   std::size_t first = 0;
   for (Interface& face : contact.interfaces) {
     if (face.pair.tied || face.friction.coefficient == 0) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces of contact, added up by the owners of the nodes in an order that does not depend on the ranks: ties first,
-// then the other interfaces, each by its rows.
+// Forces of contact, summed by the owners of the nodes in an order that does not depend on the ranks: ties first, then
+// the other interfaces, each by its rows.
 #include <algorithm>
 #include <array>
 
@@ -10,9 +10,9 @@
 namespace brunt::implicit {
 namespace {
 
-/// What one row does to one node.
+/// Contribution of one row to one node.
 struct Share {
-  std::int64_t turn = 0;  ///< of its interface
+  std::int64_t turn = 0;  ///< number of its interface
   GlobalIndex row = 0;    ///< its slave node
   GlobalIndex node = 0;
   std::array<double, 3> force{}, friction{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which facets of masters a rank needs, and how it comes by them.
+// The facets of masters that a rank needs, and their exchange.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -11,8 +11,8 @@
 namespace brunt::implicit {
 namespace {
 
-/// What nodes may travel until masters are told of anew, over the capture distance; told are those that could be met
-/// after both sides have gone so far, and a little more than that for rounding.
+/// Displacement of nodes until the next exchange of masters, over the capture distance. The exchange includes all
+/// facets within reach after both sides have moved by it, and a small margin for rounding.
 constexpr double travel_of_capture = 0.5, spare = 1.1;
 
 struct Box {
@@ -48,17 +48,17 @@ Box box_of(const contact::FacetNodes& facet, std::span<const Vec3> x) {
   return box;
 }
 
-/// A node that a rank is told of.
+/// A node sent to another rank.
 struct NodeTold {
   GlobalIndex gid = 0;
   Rank owner = 0;
-  LocalIndex node = 0;  ///< of the owner
+  LocalIndex node = 0;  ///< local index on the owner
   std::int32_t several = 0;
   std::array<double, 9> free{}, movable{};
 };
 struct FacetTold {
   GlobalIndex key = 0;
-  std::array<GlobalIndex, 4> node{};  ///< the last -1 for a triangle
+  std::array<GlobalIndex, 4> node{};  ///< the last is -1 for a triangle
   double wall = 0;
   std::int64_t interface = 0;
 };
@@ -71,7 +71,7 @@ NodeTold told(const ContactNodes& nodes, LocalIndex place) {
   return node;
 }
 
-/// Of each rank and interface the box that its slave facets may reach into. Collective.
+/// For each rank and interface the box reached by its slave facets. Collective.
 Ragged<Box> reaches(const comm::Communicator& ranks, const MortarContact& contact) {
   std::vector<Box> mine;
   for (const Interface& face : contact.interfaces) {
@@ -90,7 +90,7 @@ struct Told {
   std::vector<NodeTold> nodes;
 };
 
-/// What another rank needs of the masters of this one.
+/// The masters of this rank that another rank needs.
 Told told_to(std::span<const Box> reach, const MortarContact& contact) {
   Told all;
   std::vector<LocalIndex> nodes;
@@ -131,14 +131,14 @@ Told exchanged(const comm::Communicator& ranks, const MortarContact& contact) {
   return here;
 }
 
-/// Weights of t_n refer to nodes, which are needed as long as they do.
+/// Weights of t_n refer to nodes, which are kept until the weights are replaced.
 void add_remembered(const MortarContact& contact, std::vector<NodeTold>& nodes) {
   for (const Interface& face : contact.interfaces)
     for (const LocalIndex node : face.history.weights.nodes.values)
       if (static_cast<std::size_t>(node) >= contact.nodes.lasting) nodes.push_back(told(contact.nodes, node));
 }
 
-/// Puts these nodes behind the lasting ones, in place of those that are there.
+/// Stores these nodes after the lasting ones, in place of the previous ones.
 void lay_nodes(const comm::Communicator& ranks, std::vector<NodeTold> told, ContactNodes& nodes) {
   std::ranges::sort(told, {}, &NodeTold::gid);
   const LocalIndex of_rank = nodes.gather.roots();

@@ -10,15 +10,15 @@
 namespace brunt::implicit {
 namespace {
 
-/// Where a piece stands in the order of the sums.
+/// Position of a piece in the order of the sums.
 struct PieceKey {
   GlobalIndex interface = 0;
-  GlobalIndex of_tractions = 0;  ///< 0: the patch of a facet; 1: weights of a row times slopes of its traction
+  GlobalIndex of_tractions = 0;  ///< 0: the patch of a facet; 1: weights of a row times derivatives of its traction
   GlobalIndex source = 0;        ///< key of the facet, number of the row's node
   friend auto operator<=>(const PieceKey&, const PieceKey&) = default;
 };
 
-/// A piece as it is made here; rows and columns are places in ContactNodes.
+/// A piece computed on this rank; rows and columns are places in ContactNodes.
 struct Piece {
   PieceKey key;
   std::span<const LocalIndex> rows, columns;
@@ -34,7 +34,7 @@ struct Piece {
   }
 };
 
-/// Calls visit(piece) for all pieces that are made here, in the order of their keys.
+/// Calls visit(piece) for all pieces of this rank, in the order of their keys.
 template <class Visit>
 void for_each_piece(const MortarContact& contact, const std::vector<contact::TractionSlopes>& tractions,
                     const Visit& visit) {
@@ -60,13 +60,13 @@ void for_each_piece(const MortarContact& contact, const std::vector<contact::Tra
   }
 }
 
-/// Pieces on their way, as words: key, numbers of rows and columns, their nodes, then values.
+/// Pieces in a message, as words: key, numbers of rows and columns, their nodes, then values.
 class Outgoing {
  public:
   Outgoing(Rank here, int ranks, const ContactNodes& nodes)
       : here_(here), nodes_(nodes), words_(static_cast<std::size_t>(ranks)), rows_(static_cast<std::size_t>(ranks)) {}
 
-  /// The rows of a piece that other ranks own, to these.
+  /// Sends the rows of a piece that other ranks own to these.
   void send(const Piece& piece) {
     for (std::size_t r = 0; r < piece.rows.size(); ++r) {
       const Rank owner = nodes_.source[static_cast<std::size_t>(piece.rows[r])].rank;
@@ -104,7 +104,7 @@ class Outgoing {
   Rank here_;
   const ContactNodes& nodes_;
   std::vector<std::vector<GlobalIndex>> words_;
-  std::vector<std::vector<std::size_t>> rows_;  ///< of the piece in hand, by rank
+  std::vector<std::vector<std::size_t>> rows_;  ///< of the current piece, by rank
   std::vector<Rank> asked_;                     ///< ranks that have some of these
 };
 
@@ -116,7 +116,7 @@ class Incoming {
       pieces_.push_back({{words_[at], words_[at + 1], words_[at + 2]}, at});
     std::ranges::sort(pieces_, {}, &Place::key);
   }
-  /// Adds those before a key.
+  /// Adds the pieces before a key.
   void add_before(const PieceKey& key, const ContactNodes& nodes, const TakeBlock& take) {
     for (; next_ < pieces_.size() && pieces_[next_].key < key; ++next_) add(pieces_[next_].at, nodes, take);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is told of mortar contact: counts, branches of rows, pictures.
+// Reports of mortar contact: counts, branches of rows, output fields.
 #include <algorithm>
 #include <array>
 
@@ -8,7 +8,7 @@
 namespace brunt::implicit {
 namespace {
 
-/// Pairs of the slave facets that are counted here.
+/// Pairs of the slave facets that are counted on this rank.
 GlobalIndex pairs_of(const Interface& face) {
   if (face.pair.tied) return face.search.counts.pairs;
   GlobalIndex pairs = 0;

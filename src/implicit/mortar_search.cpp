@@ -5,7 +5,7 @@ namespace brunt::implicit {
 
 void search(Interface& face, std::span<const Vec3> x) {
   PairSearch& search = face.search;
-  constexpr double worn_out = 2;  // trees are built anew where a pair takes so many times the tests it took at first
+  constexpr double worn_out = 2;  // trees are rebuilt if the number of tests for each pair has grown by this factor
   search.candidates.clear();
   if (face.surfaces.slave.empty() || face.surfaces.master.empty()) {
     search.counts = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mortar interfaces as a scene asks for them: which side is the slave, how far facets look, what is tied.
+// Set-up of mortar interfaces from the scene: the slave side, capture distances, ties.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,15 +20,15 @@ namespace {
 using contact::FacetNodes;
 using contact::MortarPair;
 
-/// Rows touch at the start where their gap is below this share of a facet's edge: what coordinates of a mesh file in
-/// single precision leave, and less than any contact cares for.
+/// Rows touch initially if their gap is below this share of a facet's edge: above the rounding of mesh files in single
+/// precision, and negligible for contact.
 constexpr double touching = 1e-6;
 
-/// Meshes whose mean edges differ by less are alike: the first is the slave then.
+/// Meshes whose mean edges differ by less count as equal: the first is then the slave.
 constexpr double clearly = 1 - 1e-6;
 
-/// Stiffness of sticking rows over that of a layer of one facet, E / edge: at a traction of E they slip by a tenth of
-/// an edge. Softer ones creep before they slide, stiffer ones cost iterations.
+/// Stiffness of sticking rows over that of a layer of one facet, E / edge: at a traction of E the elastic slip is a
+/// tenth of an edge. Lower values allow creep before sliding, higher ones need more iterations.
 constexpr double sticking = 10;
 
 struct EdgeLengths {
@@ -51,7 +51,7 @@ EdgeLengths edges_of(const std::vector<FacetNodes>& facets, std::span<const Vec3
   return edges;
 }
 
-/// Infinite of rigid parts: the other side is the softer one.
+/// Infinite for rigid parts: the other side is the softer one.
 double young_of(const model::ElementBlock& block) {
   if (material::is_rigid(block.law)) return std::numeric_limits<double>::infinity();
   const material::ElasticModuli moduli = material::initial_moduli(block.law);
@@ -73,7 +73,7 @@ void lay_rows(const WholeSurfaces& whole, contact::MortarSurfaces& surfaces) {
   }
 }
 
-/// Is there a node that supports leave a direction to?
+/// Whether supports leave any node a free direction.
 bool can_move(const WholeSurfaces& whole, const std::vector<FacetNodes>& facets) {
   return std::ranges::any_of(facets, [&](const FacetNodes& facet) {
     return std::ranges::any_of(facet, [&](LocalIndex node) {
@@ -82,8 +82,8 @@ bool can_move(const WholeSurfaces& whole, const std::vector<FacetNodes>& facets)
   });
 }
 
-/// Multipliers of a slave that is wholly held would act on the master's nodes alone, more rows than they can follow:
-/// what can move is the slave then, else the finer side.
+/// The multipliers of a fully constrained slave would act only on the master's nodes, with more rows than these have
+/// degrees of freedom. The side that can move is therefore the slave, otherwise the finer side.
 bool master_is_better(const WholeSurfaces& whole, const std::vector<FacetNodes>& slave,
                       const std::vector<FacetNodes>& master) {
   const bool slave_moves = can_move(whole, slave), master_moves = can_move(whole, master);
@@ -91,7 +91,7 @@ bool master_is_better(const WholeSurfaces& whole, const std::vector<FacetNodes>&
   return edges_of(master, whole.reference).mean < clearly * edges_of(slave, whole.reference).mean;
 }
 
-/// A rigid part is the master: it could not follow the rows of its nodes.
+/// A rigid part is the master: as a slave it could not satisfy the rows of all its nodes.
 bool is_swapped(const model::Model& model, const WholeSurfaces& whole, const MortarPair& asked,
                 const WholeInterface& of) {
   const auto rigid = [&](std::int32_t b) { return material::is_rigid(model.blocks[static_cast<std::size_t>(b)].law); };
@@ -99,7 +99,7 @@ bool is_swapped(const model::Model& model, const WholeSurfaces& whole, const Mor
   return master_is_better(whole, of.slave.facets, of.master.facets);
 }
 
-/// Which facets meet, and how far they look.
+/// Candidate facets, and the capture distance.
 void lay_sides(const model::Model& model, const WholeSurfaces& whole, const MortarPair& asked, WholeInterface& of) {
   Interface& face = of.face;
   face.pair = asked;
@@ -120,7 +120,7 @@ void lay_sides(const model::Model& model, const WholeSurfaces& whole, const Mort
   lay_rows(whole, surfaces);
 }
 
-/// What is tied in the reference configuration.
+/// The tied rows in the reference configuration.
 void lay_tie(const WholeSurfaces& whole, Interface& face) {
   search(face, whole.reference);
   contact::mortar_rows(face.surfaces, face.topology, face.search.candidates, whole.reference,
@@ -129,7 +129,7 @@ void lay_tie(const WholeSurfaces& whole, Interface& face) {
   contact::find_places_below(face.surfaces, face.topology, face.search.candidates, whole.reference, face.tie);
 }
 
-/// Both sides wholly held: nothing can give way.
+/// Whether both sides are fully constrained, so that no multiplier can act.
 void refuse_held(const model::Model& model, const WholeSurfaces& whole, const Interface& face) {
   const auto& part = [&](std::int32_t b) -> const std::string& {
     return model.blocks[static_cast<std::size_t>(b)].part;
@@ -178,7 +178,7 @@ WholeInterface make_interface(const model::Model& model, const WholeSurfaces& wh
   return of;
 }
 
-/// Where the multipliers stand in the system, and which of them are this rank's.
+/// The positions of the multipliers in the system, and those of this rank.
 void number_multipliers(const Unknowns& unknowns, MortarContact& contact) {
   GlobalIndex next = unknowns.total;
   for (Interface& face : contact.interfaces) {

@@ -10,7 +10,7 @@ namespace {
 
 using contact::FacetNodes;
 
-/// Which nodes this rank keeps all along.
+/// The nodes that this rank keeps throughout.
 class Kept {
  public:
   explicit Kept(std::size_t nodes) : keeps_(nodes, 0), place_(nodes, no_index) {}
@@ -20,7 +20,7 @@ class Kept {
   void keep(const FacetNodes& facet) {
     for (const LocalIndex node : facet) keep(node);
   }
-  /// Places in the whole surfaces, ascending; from now on `place` may be asked.
+  /// Places in the whole surfaces, ascending; required before `place`.
   std::vector<std::size_t> list() {
     std::vector<std::size_t> nodes;
     for (std::size_t node = 0; node < keeps_.size(); ++node) {
@@ -42,18 +42,18 @@ class Kept {
   std::vector<LocalIndex> place_;
 };
 
-/// The part of one interface that a rank has: numbers of rows and slave facets of the whole.
+/// The part of one interface on a rank: numbers of rows and slave facets of the whole.
 struct Part {
   std::vector<std::size_t> rows, facets;
   std::vector<std::uint8_t> ours;        ///< of `facets`
-  std::vector<std::size_t> rows_beside;  ///< whose tractions the patches of its own facets need
+  std::vector<std::size_t> rows_beside;  ///< rows whose tractions the patches of its own facets need
 };
 
 Rank owner_of(const WholeSurfaces& whole, LocalIndex node) {
   return whole.nodes[static_cast<std::size_t>(node)].owner;
 }
 
-/// A facet is that of the owner of its first node in canonical order.
+/// A facet belongs to the owner of its first node in canonical order.
 Rank owner_of(const WholeSurfaces& whole, const FacetNodes& facet) {
   LocalIndex first = facet[0];
   for (const LocalIndex node : facet)
@@ -97,7 +97,7 @@ void keep_nodes(Rank rank, const WholeSurfaces& whole, const WholeInterface& of,
   }
 }
 
-/// Rows of all ranks to all rows in order, and to the rows beside.
+/// Maps rows of all ranks to all rows in order, and to the rows beside.
 void link_rows(const comm::Communicator& ranks, const WholeSurfaces& whole, const Interface& all, const Part& part,
                Interface& face) {
   std::vector<comm::RemoteSlot> source, beside;
@@ -177,7 +177,7 @@ void lay_nodes(const comm::Communicator& ranks, const model::Model& model, const
   nodes.friction_force = nodes.force;
 }
 
-/// A flag for each node: surfaces of several interfaces with multipliers have it.
+/// A flag for each node: whether surfaces of several interfaces with multipliers contain it.
 std::vector<std::uint8_t> nodes_of_several(const WholeSurfaces& whole, const std::vector<WholeInterface>& interfaces) {
   std::vector<std::uint8_t> several(whole.nodes.size(), 0);
   std::vector<std::int32_t> seen(whole.nodes.size(), -1);
@@ -201,7 +201,7 @@ bool has_supports(const WholeSurfaces& whole, const std::vector<LocalIndex>& nod
       nodes, [&](LocalIndex node) { return !whole.free[static_cast<std::size_t>(node)].isIdentity(0); });
 }
 
-/// The part of `of` that this rank has, with nodes as places of those kept.
+/// The part of `of` on this rank, with nodes as places of the kept ones.
 Interface interface_of(const comm::Communicator& ranks, const WholeSurfaces& whole, const WholeInterface& of,
                        const Part& part, const Kept& kept, std::span<const Vec3> reference) {
   Interface face;
@@ -214,7 +214,7 @@ Interface interface_of(const comm::Communicator& ranks, const WholeSurfaces& who
   face.topology = contact::make_topology(face.surfaces, reference);
   face.topology.edge = of.face.topology.edge;
   if (face.pair.tied) lay_tie(of.face, part, kept, face);
-  if (face.pair.tied && ranks.is_root()) {  // of the start: counted once
+  if (face.pair.tied && ranks.is_root()) {  // initial rows: counted once
     face.rows.segments = of.face.rows.segments;
     face.search.counts = of.face.search.counts;
   }

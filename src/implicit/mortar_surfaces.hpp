@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole surfaces of all mortar interfaces, as every rank knows them while interfaces are made.
+// The whole surfaces of all mortar interfaces, known to every rank during the set-up of interfaces.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,24 +14,24 @@ namespace brunt::implicit {
 /// An exterior face of a body in contact.
 struct FaceRecord {
   GlobalIndex key = 0;
-  std::array<GlobalIndex, 4> node{};  ///< the last -1 for a triangle
+  std::array<GlobalIndex, 4> node{};  ///< the last is -1 for a triangle
   std::int32_t block = 0;
-  Rank rank = 0;  ///< that has its element
+  Rank rank = 0;  ///< rank of its element
 };
 
 struct NodeRecord {
   GlobalIndex gid = 0;
   Rank owner = 0;
-  LocalIndex node = 0;  ///< of the owner
+  LocalIndex node = 0;  ///< local index on the owner
   std::array<double, 3> reference{};
-  std::array<double, 9> free{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< projector on what supports leave free, by rows
+  std::array<double, 9> free{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< projector onto directions without supports, by rows
 
   [[nodiscard]] Mat3 free_directions() const;
 };
 
 struct MirrorRecord {
   GlobalIndex gid = 0;
-  std::array<double, 3> normal{};  ///< of a plane of symmetry that the node lies in
+  std::array<double, 3> normal{};  ///< of a plane of symmetry that contains the node
 };
 
 struct WholeSurfaces {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What mortar contact adds to the matrix of the system.
+// The contribution of mortar contact to the matrix of the system.
 #include <algorithm>
 #include <array>
 
@@ -20,7 +20,7 @@ struct ColumnTold {
   std::array<double, 3> slope{};
 };
 
-/// Adds terms to this rank's rows, supports taken out; those of other ranks' rows are kept for them.
+/// Adds terms to this rank's rows, projected onto directions free of supports; stores those of other ranks' rows.
 class Terms {
  public:
   Terms(const comm::Communicator& ranks, MortarContact& contact) : ranks_(ranks), contact_(contact) {
@@ -29,7 +29,7 @@ class Terms {
     columns_to_.resize(static_cast<std::size_t>(ranks.size()));
   }
 
-  /// - dF_row/dx_column: residuals have the forces with a minus. row: a place of a node that this rank owns.
+  /// - dF_row/dx_column: residuals contain the forces with a minus. row: a place of a node that this rank owns.
   void node_node(LocalIndex row, GlobalIndex column, const Mat3& slope) {
     contact_.sums[static_cast<std::size_t>(row)].add(column, -(taken(row) * slope));
   }
@@ -45,8 +45,7 @@ class Terms {
   }
   void multiplier_multiplier(GlobalIndex row, GlobalIndex column, double slope) { add(row, column, slope); }
 
-  /// All of it, by row and column; of what has multipliers, terms of one place in the order in which they came.
-  /// Collective.
+  /// All terms, by row and column; with multipliers, terms of one entry in the order of their computation. Collective.
   void write(std::vector<ContactTerm>& terms) {
     for (const ColumnTold& column : comm::exchange(ranks_, columns_to_).values)
       add_column(contact_.nodes.place_of(column.node), column.multiplier, Vec3(column.slope.data()));
@@ -111,7 +110,7 @@ void add_multipliers(const MortarContact& contact, const Interface& face, const 
   }
 }
 
-/// Tractions of this rank's rows, behind them those of the rows beside. Collective.
+/// Tractions of this rank's rows, followed by those of the rows beside. Collective.
 std::vector<Vec3> tractions_around(const Interface& face) {
   std::vector<double> own(3 * face.count()), others(3 * face.surfaces.rows_elsewhere.size());
   for (std::size_t row = 0; row < face.count(); ++row) put(face.tractions[row], own, row);
@@ -121,7 +120,7 @@ std::vector<Vec3> tractions_around(const Interface& face) {
   return all;
 }
 
-/// Slopes of the rows and of their tractions. Collective.
+/// Derivatives of the rows and of their tractions. Collective.
 void find_slopes(MortarContact& contact, Interface& face, contact::TractionSlopes& tractions, Terms& terms) {
   contact::mortar_rows_and_slopes(
       face.surfaces, face.topology, face.search.candidates, contact.nodes.x, tractions_around(face), *face.scratch,

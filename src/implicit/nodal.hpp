@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors of nodes in arrays of three doubles a node.
+// Vectors of nodes in arrays with three doubles for each node.
 #pragma once
 #include <vector>
 
@@ -12,7 +12,7 @@ inline Vec3 of(const Quad& q) {
   return {q[0], q[1], q[2]};
 }
 
-/// Zero where the array is empty: what a scene does not use.
+/// Zero if the array is empty: a feature that the scene does not use.
 inline Vec3 of(const std::vector<double>& nodal, std::size_t node) {
   return nodal.empty() ? Vec3(Vec3::Zero()) : Vec3(&nodal[3 * node]);
 }

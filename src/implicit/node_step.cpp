@@ -6,7 +6,7 @@
 namespace brunt::implicit {
 namespace {
 
-/// Along held directions supports give what is missing in the balance of momentum, and of energy.
+/// Along constrained directions the supports supply the remainder of the balances of momentum and of energy.
 void book_support(model::State& state, const Mat3& free, const NodeStep& step, bool moves, std::size_t i) {
   const Mat3 held = Mat3::Identity() - free;
   const Vec3 change = moves ? Vec3(step.mass * (step.after - step.before)) : Vec3(Vec3::Zero());
@@ -17,8 +17,8 @@ void book_support(model::State& state, const Mat3& free, const NodeStep& step, b
   for (std::size_t c = 0; c < 3; ++c) state.reaction_impulse[3 * i + c] += impulse[static_cast<int>(c)];
 }
 
-/// What a force that goes from `before` to `now` adds to momentum in a step of the rule. hht adds to velocities what
-/// its accelerations stand for, forces at t_n and t_{n-1} among them; they stand in `inertial`, which goes to t_{n+1}.
+/// Impulse in a step of the scheme by a force that changes from `before` to `now`. For hht the velocities contain its
+/// accelerations, and thus forces at t_n and t_{n-1}; they are stored in `inertial`, which is updated to t_{n+1}.
 Vec3 impulse_of(const Rule& rule, const Vec3& before, const Vec3& now, std::vector<double>& inertial, std::size_t i) {
   if (inertial.empty()) return 0.5 * rule.dt * (before + now);
   const Vec3 then = of(inertial, i), next = rule.now * now + rule.before * before;
@@ -70,7 +70,7 @@ NodeStep commit_node(const Scene& scene, Solver& solver, std::size_t i) {
     if (trial.rule.mass > 0) step.after = free * step.after + trial.given_velocity[h];
     book_support(state, free, step, trial.rule.mass > 0, i);
   }
-  const double* u = &trial.displacement[3 * i];  // itself, not a sum: a restart finds the same rows of contact there
+  const double* u = &trial.displacement[3 * i];  // stored, not a sum: a restart finds the same rows of contact
   state.displacement[i] = Quad{u[0], u[1], u[2], state.displacement[i][3] + step.internal.dot(step.travel)};
   if (!state.load_work.empty()) {
     state.load_work[i] += step.load.dot(step.travel);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Multipliers that are redundant beside what supports, walls and other multipliers hold. Each rank finds those of its
-// rows that others might imply, which are few; all ranks go through all of them in the same order.
+// Multipliers that are redundant with supports, walls and other multipliers. Each rank selects the few rows that may be
+// redundant; all ranks process all of them in the same order.
 #include <algorithm>
 #include <bit>
 #include <map>
@@ -22,7 +22,7 @@ contact::Equations equations_of(const Interface& face) {
     equations.held = face.tied;
     return equations;
   }
-  // of rows that say the same those that have pressed go on pressing: else they would take turns
+  // of redundant rows those with previous pressure remain active: otherwise they would alternate
   equations.preferred.resize(face.count());
   equations.held.assign(face.count(), Mat3::Zero());
   if (face.multipliers() == 0) return equations;  // a penalty has no equations
@@ -34,7 +34,7 @@ contact::Equations equations_of(const Interface& face) {
   return equations;
 }
 
-/// What the rows of ties hold by what is free at each row's own nodes.
+/// The directions of the rows of ties, from the free directions of each row's own nodes.
 void find_tied(MortarContact& contact) {
   for (Interface& face : contact.interfaces) {
     if (!face.pair.tied) continue;
@@ -45,7 +45,7 @@ void find_tied(MortarContact& contact) {
   }
 }
 
-/// Might others imply a row of this rank? Whether nodes of several interfaces have rows of several is not asked.
+/// Whether a row of this rank may be redundant. Nodes shared by several interfaces are not considered here.
 bool is_in_question(const MortarContact& contact) {
   const ContactNodes& nodes = contact.nodes;
   for (const Interface& face : contact.interfaces)
@@ -55,13 +55,13 @@ bool is_in_question(const MortarContact& contact) {
   return false;
 }
 
-/// A node that has a share in equations of an interface.
+/// A node with a coefficient in equations of an interface.
 struct NodeSeen {
   GlobalIndex gid = 0;
   std::int64_t interface = 0;
 };
 
-/// Of each of contact's nodes that this rank owns: equations of several interfaces have it. Collective.
+/// For each node of contact that this rank owns: whether equations of several interfaces contain it. Collective.
 std::vector<std::uint8_t> shared_nodes(const comm::Communicator& ranks, const MortarContact& contact,
                                        const std::vector<contact::Equations>& equations) {
   const ContactNodes& nodes = contact.nodes;
@@ -88,13 +88,13 @@ std::vector<std::uint8_t> shared_nodes(const comm::Communicator& ranks, const Mo
   return shared;
 }
 
-/// Where a line stands in the elimination.
+/// Position of a line in the elimination.
 struct Turn {
   GlobalIndex after_preferred = 0, interface = 0, place = 0;
   friend auto operator<=>(const Turn&, const Turn&) = default;
 };
 
-/// Lines of this rank as words: turn, number of terms, columns and values.
+/// Lines of this rank as words: position, number of terms, columns and values.
 void write(const Turn& turn, const contact::Line& line, std::vector<GlobalIndex>& words) {
   words.insert(words.end(), {turn.after_preferred, turn.interface, turn.place, static_cast<GlobalIndex>(line.size())});
   for (const auto& [column, value] : line) {
@@ -108,7 +108,7 @@ struct Told {
   std::size_t at = 0;  ///< first of its words
 };
 
-/// Lines that others before them imply, as a flag for each of all in the order of `told`. `words`: of all ranks.
+/// Redundant lines, as a flag for each in the order of `told`. `words`: of all ranks.
 std::vector<std::uint8_t> implied_of(const std::vector<GlobalIndex>& words, std::vector<Told>& told) {
   constexpr std::size_t header = 4;
   for (std::size_t at = 0; at < words.size(); at += header + 2 * static_cast<std::size_t>(words[at + 3]))
@@ -125,7 +125,7 @@ std::vector<std::uint8_t> implied_of(const std::vector<GlobalIndex>& words, std:
   return implied;
 }
 
-/// Takes out of Equations::held what the rows before, preferred ones first, imply. Collective.
+/// Removes from Equations::held the directions implied by previous rows, preferred ones first. Collective.
 void leave_out_implied(const comm::Communicator& ranks, const MortarContact& contact,
                        std::vector<contact::Equations>& equations) {
   const std::vector<std::uint8_t> shared = shared_nodes(ranks, contact, equations);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is left of the forces on rigid bodies.
+// Residual forces on rigid bodies.
 #include <Eigen/Geometry>
 #include <array>
 #include <limits>
@@ -24,7 +24,7 @@ model::Wrench inertia_of(const model::RigidBody& body, const rigid::BodyState& b
           (trial.momentum.momentum - before.angular_momentum) / rule.dt};
 }
 
-/// Six equations, all as forces, and what they say of the balance.
+/// Six equations, all as forces, and their contribution to the balance.
 struct BodyResidual {
   Vec3 shift, turn;
   double given = 0, rounding = 0;  ///< squares [force^2]
@@ -45,7 +45,7 @@ BodyResidual residual_of(const model::RigidBody& body, const rigid::BodyState& b
   result.shift = support.free_shift * (trial.left.force + inertia.force - gravity) +
                  stiffness * (travel - support.free_shift * travel - trial.given_shift);
   result.turn = support.free_turn * moment + stiffness * radius * (turn - support.free_turn * turn - trial.given_turn);
-  // a motion that nothing disturbs has momentum all the same, of which rounding leaves something
+  // a free motion has momentum too, whose rounding errors remain in the residual
   const double rate = rule.mass * rule.dt;
   const Vec3 momentum = rate * body.body.mass.mass * before.velocity;
   const Vec3 spin = rate / radius * before.angular_momentum;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies at the start of a run and of a step, and where they are at an iterate.
+// Bodies at the start of a run and of a step, and their positions at an iterate.
 #include "brunt/implicit/rigid_bodies.hpp"
 
 #include <algorithm>
@@ -35,12 +35,12 @@ void drive(const model::Model& model, const model::RigidBody& body, const rigid:
   }
 }
 
-/// Gravity on all bodies together is one acceleration [length/time^2].
+/// Acceleration of gravity, common to all bodies [length/time^2].
 Vec3 gravity_at(const model::Model& model, double time) {
   return model.has_gravity() ? Vec3(model::value_at(model.gravity_curve, time) * model.gravity) : Vec3(Vec3::Zero());
 }
 
-/// The six unknowns of all bodies, from the root that has them.
+/// The six unknowns of all bodies, sent by the root.
 std::vector<double> told_to_all(const comm::Communicator& ranks, const RigidBodies& bodies, std::span<const double> u) {
   std::vector<double> values(body_unknowns * bodies.trial.size());
   std::vector<std::byte> bytes(values.size() * sizeof(double));
@@ -125,7 +125,7 @@ void begin_bodies(const Scene& scene, Solver& solver, bool still) {
     BodyTrial& trial = bodies.trial[b];
     const double mass = body.body.mass.mass;
     drive(scene.model, body, before, step.time_before, step.time, trial);
-    // a static run begins without loads: its first step brings on those of t = 0
+    // a static run begins without loads: its first step applies those of t = 0
     const bool loaded = step.rule.mass > 0 || scene.state.step > 0;
     trial.gravity = mass * gravity_at(scene.model, step.time);
     trial.gravity_before = loaded ? Vec3(mass * gravity_at(scene.model, step.time_before)) : Vec3(Vec3::Zero());
@@ -133,7 +133,7 @@ void begin_bodies(const Scene& scene, Solver& solver, bool still) {
     trial.base = before.orientation;
     trial.base_arc.setZero();
     Vec3 shift = Vec3::Zero(), arc = Vec3::Zero();
-    if (step.rule.mass > 0 && !still) {  // what is given comes with the first correction
+    if (step.rule.mass > 0 && !still) {  // prescribed motion is applied in the first correction
       shift = body.support.free_shift * (step.rule.dt * before.velocity);
       arc = bodies.radius[b] * (body.support.free_turn * (step.rule.dt * rigid::angular_velocity(body.body, before)));
     }

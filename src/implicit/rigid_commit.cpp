@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid bodies where a step is accepted: their motion, works and impulses.
+// Rigid bodies in an accepted step: their motion, works and impulses.
 #include <Eigen/Geometry>
 
 #include "brunt/implicit/rigid_bodies.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t width = 6;  // impulses of force and moment
 
-/// State at t_{n+1}; `free_momentum`: the angular momentum before what is given along held axes.
+/// State at t_{n+1}; `free_momentum`: the angular momentum before the prescribed motion is applied.
 rigid::BodyState moved(const model::RigidBody& body, const rigid::BodyState& before, const Rule& rule,
                        const BodyTrial& trial, Vec3& free_momentum) {
   rigid::BodyState after = before;
@@ -39,7 +39,7 @@ double energy_of_spin(const rigid::Body& body, const rigid::BodyState& state, co
   return 0.5 * momentum.dot(rigid::angular_velocity(body, turning));
 }
 
-/// Along held directions supports give what is missing in the balances of momentum, and of energy.
+/// Along constrained directions the supports supply the remainder of the balances of momentum and of energy.
 void book_support(const model::RigidBody& body, const rigid::BodyState& before, const rigid::BodyState& after,
                   const Rule& rule, const BodyTrial& trial, const model::Wrench& impulse, const Vec3& free_momentum,
                   model::BodyAccount& account) {
@@ -72,7 +72,7 @@ void book_impulse(std::size_t own, const Vec3& impulse, Solver& solver) {
   const RigidBodies::Place& place = solver.bodies.place[own];
   const auto b = static_cast<std::size_t>(place.body);
   const BodyTrial& trial = solver.bodies.trial[b];
-  // by the mean arms impulses do the work that they do on the travel of the nodes
+  // with the mean arms the work of impulses equals that on the displacements of the nodes
   const Vec3 arm = 0.5 * (trial.turn_before * place.arm + trial.turn_now * place.arm);
   const Vec3 moment = arm.cross(impulse);
   comm::ExactAccumulator* sums = &solver.bodies.sums[width * b];

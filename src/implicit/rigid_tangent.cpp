@@ -12,7 +12,7 @@
 namespace brunt::implicit {
 namespace {
 
-/// How the force left at a body's node changes with one unknown, and the node's arm.
+/// Derivative of the residual force at a body's node by one unknown, and the node's arm.
 struct Piece {
   GlobalIndex node = 0, column = 0;
   LocalIndex body = 0;
@@ -120,7 +120,7 @@ void add_own_block(const model::RigidBody& body, const Solver& solver, std::size
     }
 }
 
-/// The rows of bodies from the pieces of all ranks: a node's are of one rank, and stay in their order.
+/// Assembles the rows of bodies from the pieces of all ranks: those of a node are of one rank, and keep their order.
 void add_body_rows(const Scene& scene, const Solver& solver, std::vector<Piece>& pieces,
                    std::vector<ContactTerm>& terms) {
   std::ranges::stable_sort(pieces, {}, &Piece::node);
@@ -143,7 +143,7 @@ void add_body_rows(const Scene& scene, const Solver& solver, std::vector<Piece>&
 }  // namespace
 
 void body_terms(const Scene& scene, Solver& solver, std::vector<ContactTerm>& terms) {
-  for (BodyTrial& trial : solver.bodies.trial) {  // rotations are by the orientation of this iterate from here on
+  for (BodyTrial& trial : solver.bodies.trial) {  // rotations are now relative to the orientation of this iterate
     trial.base = trial.orientation;
     trial.base_arc = trial.arc;
   }

@@ -12,11 +12,11 @@
 namespace brunt::implicit {
 namespace {
 
-/// Nodes touch a wall where their gap is below this share of the mean distance of nodes: what coordinates of a mesh
-/// file in single precision leave.
+/// Nodes touch a wall if their gap is below this share of the mean distance of nodes: above the rounding of mesh files
+/// in single precision.
 constexpr double touching_share = 1e-6;
 
-/// A flag for each node: does the wall act on it?
+/// A flag for each node: whether the wall acts on it.
 std::vector<char> acts_on_nodes(const model::Model& model, const model::RigidWall& wall) {
   std::vector<char> acts(static_cast<std::size_t>(model.nodes()), 0);
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
@@ -30,7 +30,7 @@ double place_of(const model::RigidWall& wall, double position) {
   return wall.normal.dot(wall.point) + position;
 }
 
-/// The nearest walls of a node at t_n, as many as it can touch.
+/// The walls nearest to a node at t_n, as many as can be active.
 void look_at_nearest(const model::Model& model, const WallContact& walls, const Vec3& x, WallNode& node) {
   std::vector<std::pair<double, std::int32_t>> by_gap;
   for (std::int32_t k = 0; k < node.count; ++k) {
@@ -44,7 +44,7 @@ void look_at_nearest(const model::Model& model, const WallContact& walls, const 
   std::sort(node.kept, node.kept + node.looked_at);
 }
 
-/// What is pressed in the first iterate, from the state of t_n alone: a restart finds the same.
+/// The active set of the first iterate, from the state of t_n only, so that a restart finds the same.
 WallChoice first_choice(const model::Model& model, const WallContact& walls, const WallNode& node, const Vec3& x) {
   WallChoice choice;
   for (std::int32_t k = 0; k < node.looked_at; ++k) {
@@ -166,7 +166,7 @@ void keep_walls(const comm::Communicator& ranks, const model::Model& model, doub
   std::vector<comm::ExactAccumulator> sums(walls.force.size());
   for (const WallNode& node : walls.nodes) {
     double largest = 0;
-    std::size_t pushes = 0;  // friction of a node at several walls counts for the one that presses most
+    std::size_t pushes = 0;  // friction of a node at several walls is assigned to the one with the largest pressure
     for (std::int32_t k = 0; k < node.looked_at; ++k) {
       const auto w = static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(node.kept[k])]);
       const double pressure = node.action.pressure[k];

@@ -18,8 +18,8 @@ comm::LinearMethod method_of(model::LinearSolver linear) {
   return linear == model::LinearSolver::direct ? comm::LinearMethod::direct : comm::LinearMethod::mumps;
 }
 
-/// Greatest modulus lambda + 2 mu times a node's share of the model in length: about the stiffness of an element in the
-/// way of one node. Held directions have it in the matrix: of the order of its other entries, whatever units are.
+/// Largest modulus lambda + 2 mu times the mean spacing of nodes: about the stiffness of an element. Used for
+/// constrained directions in the matrix, so that their entries have the order of the others in any units.
 void scale_supports(const Scene& scene, double step, double& spacing, double& stiffness) {
   double modulus = 0, volume = 0;
   std::vector<double> volumes;
@@ -38,7 +38,7 @@ void scale_supports(const Scene& scene, double step, double& spacing, double& st
   stiffness = mass / (step * step);
 }
 
-/// What of Memory the scheme needs.
+/// The parts of Memory that the scheme needs.
 struct Remembered {
   bool load = false, acceleration = false, inertial = false;
 };
@@ -47,7 +47,7 @@ Remembered remembered(const model::Model& model, const model::ImplicitSolver& se
   return {model.loaded(), rule.beta > 0, rule.beta > 0 && rule.before > 0};
 }
 
-/// Forces at t = 0 and the accelerations that they give.
+/// Forces at t = 0 and the resulting accelerations.
 void start_memory(const Scene& scene, Solver& solver) {
   Memory& memory = solver.memory;
   const std::size_t n = scene.state.nodes.size();
@@ -57,7 +57,7 @@ void start_memory(const Scene& scene, Solver& solver) {
   const bool moves = solver.settings.scheme != model::Scheme::statics;
   if (kept.acceleration) memory.acceleration.assign(3 * n, 0.0);
   begin_step(scene, solver, solver.settings.step, scene.state.time);
-  for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k)  // at rest where the nodes are
+  for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k)  // at rest at the positions of the nodes
     for (std::size_t c = 0; c < 3; ++c)
       solver.u[3 * k + c] =
           scene.state.displacement[static_cast<std::size_t>(solver.unknowns.node[k])][static_cast<int>(c)];
@@ -67,7 +67,7 @@ void start_memory(const Scene& scene, Solver& solver) {
     for (int c = 0; c < 3; ++c) {
       const std::size_t at = 3 * i + static_cast<std::size_t>(c);
       memory.internal_force[at] = scene.scratch.force[i][c];
-      // a static run begins without loads: its first step brings on those of t = 0 too
+      // a static run begins without loads: its first step applies also those of t = 0
       if (!memory.load.empty() && moves) memory.load[at] = scene.scratch.load[i][c];
     }
   for (std::size_t i = 0; kept.acceleration && i < n; ++i) {
@@ -159,7 +159,7 @@ void add_arrays(const model::Model& model, Solver& solver, model::Registry& regi
     registry.arrays.push_back(
         {name, model::StateArray::Entity::node, -1, model.nodes(), 3, values.data(), 1, 3, 1, 0, true, true});
   };
-  // the same arrays on every rank, also on one without nodes
+  // the same arrays on every rank, even without nodes
   Memory& memory = solver.memory;
   const Remembered kept = remembered(model, solver.settings);
   nodal("internal_force", memory.internal_force);
@@ -189,7 +189,7 @@ void add_arrays(const model::Model& model, Solver& solver, model::Registry& regi
     global("wall_impulses", solver.walls.impulse.data(), solver.walls.impulse.size());
     global("wall_forces", solver.walls.force.data(), solver.walls.force.size());
   }
-  if (!solver.driven.empty())  // says nothing of the bodies
+  if (!solver.driven.empty())  // a diagnostic, not a state of the bodies
     registry.arrays.push_back({"driven_through", model::StateArray::Entity::global, -1, 1,
                                static_cast<int>(solver.driven.size()), solver.driven.data(), 1, 1, 1, 0, true, false});
   registry.arrays.push_back({"step_length", model::StateArray::Entity::global, -1, 1, step_length_values,

@@ -17,17 +17,17 @@
 namespace brunt::implicit {
 namespace {
 
-/// Share of the energy that contact has taken so far which its recovery may give in a step, by a forecast with the
-/// pressures before it.
+/// Share of the energy taken by contact so far that its recovery may return in a step, estimated with the previous
+/// pressures.
 constexpr double of_taken = 0.5;
 
-/// Where the forces that are left are largest: who looks finds its part there.
+/// The node with the largest residual, for messages.
 struct Unbalanced {
   double force = 0;      ///< [force]; the same on all ranks
   GlobalIndex gid = -1;  ///< canonical number of the node
 };
 
-/// The node of this many unknowns with the largest part, the one with the least number of equals. Collective.
+/// The node with the largest residual of these unknowns; of equal ones that with the lowest number. Collective.
 Unbalanced largest_of(const Scene& scene, const Solver& solver, std::span<const double> values) {
   Unbalanced most;
   for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k) {
@@ -41,17 +41,18 @@ Unbalanced largest_of(const Scene& scene, const Solver& solver, std::span<const 
   return {largest, gid < scene.model.mesh.global_nodes ? gid : -1};
 }
 
-/// Newton's iteration of one step and what it knows when it ends.
+/// Newton's iteration of one step and its final state.
 struct Attempt {
   comm::NewtonResult newton;
   comm::Factorised factors;
   Unbalanced worst;
-  std::vector<double> floating;  ///< a direction in which nothing holds the bodies, if the matrix was singular
+  std::vector<double> floating;  ///< a null direction of the matrix, if it was singular
 };
 
-/// The share of a correction that is taken. Sets of contact and branches of friction change in the first iterations,
-/// which may raise what is left for a while: they are full. Later ones that leave more than before go round in circles
-/// (nodes of little pressure that change the direction of their slip): of halved ones the first that leaves less.
+/// The step length of a correction. Active sets and branches of friction change in the first iterations, which may
+/// increase the residual temporarily: these corrections are full. A later correction that increases the residual
+/// belongs to a cycle (nodes of small pressure whose slip direction alternates): it is halved until the residual
+/// decreases.
 double share_of(const comm::NewtonStep& step, const Trial& trial) {
   constexpr int full_steps = 4, halvings = 5;
   if (step.iteration < full_steps) return 1;
@@ -140,7 +141,7 @@ std::string cause_of(const Attempt& attempt, const Trial& trial) {
                      trial.ratios.empty() ? 1.0 : trial.ratios.back(), attempt.newton.iterations);
 }
 
-/// What cannot be mended by a shorter step.
+/// Failures that a shorter step cannot avoid.
 void refuse_hopeless(const Scene& scene, const Solver& solver, const Attempt& attempt,
                      const std::function<std::string(GlobalIndex)>& place) {
   using comm::FactorStatus;
@@ -169,7 +170,7 @@ void refuse_hopeless(const Scene& scene, const Solver& solver, const Attempt& at
                              : ""));
 }
 
-/// Contact may give back what it has taken, and no more: the bodies never have more energy than at the start.
+/// Contact may return at most the energy that it has taken, so the energy of the bodies never exceeds the initial one.
 bool gives_too_much(const Solver& solver) {
   return solver.contact.recovery > 0 && solver.contact.budget > 0 &&
          given_in_step(solver.contact) > std::max(0.0, solver.contact_account.normal);

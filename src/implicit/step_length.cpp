@@ -6,7 +6,7 @@
 namespace brunt::implicit {
 namespace {
 
-constexpr double rounding = 1e-9;  // of bounds that are the first length times a power of two, given in decimals
+constexpr double rounding = 1e-9;  // of bounds that are the first length times a power of two, in decimals
 
 }  // namespace
 

@@ -12,7 +12,7 @@
 namespace brunt::implicit {
 namespace {
 
-constexpr LocalIndex elements_at_once = 64;  // their matrices fit the second-level cache
+constexpr LocalIndex elements_at_once = 64;  // their matrices fit into the second-level cache
 
 /// Calls visit(key of the first corner, nodes) for all elements and then for all faces under pressure, in the order of
 /// their keys.
@@ -79,7 +79,7 @@ void Stiffness::number_corners(const model::Model& model, const Unknowns& unknow
 void Stiffness::lay_pattern(const model::Model& model, const Unknowns& unknowns, const Ragged<Slot>& received) {
   const mesh::LocalMesh& mesh = model.mesh;
   std::vector<std::vector<GlobalIndex>> columns(unknowns.node.size());
-  for (std::size_t r = 0; r < unknowns.node.size(); ++r)  // a node without an element has its mass alone
+  for (std::size_t r = 0; r < unknowns.node.size(); ++r)  // a node without an element has only its mass
     columns[r].push_back(mesh.node_gid[static_cast<std::size_t>(unknowns.node[r])]);
   std::size_t next = 0;
   for_each_patch(model, [&](GlobalIndex, std::span<const LocalIndex> nodes) {

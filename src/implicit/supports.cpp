@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Held and driven nodes over one step.
+// Constrained and driven nodes over one step.
 #include "brunt/implicit/balance.hpp"
 #include "brunt/model/curve.hpp"
 #include "driven.hpp"

@@ -7,7 +7,7 @@
 namespace brunt::implicit {
 namespace {
 
-/// A sparse row is pushed column by column, columns ascending.
+/// A sparse row that is assembled column by column, columns ascending.
 class Rows {
  public:
   explicit Rows(const std::vector<GlobalIndex>& row, comm::SparseRows& rows) : rows_(rows) {
@@ -26,11 +26,11 @@ class Rows {
   comm::SparseRows& rows_;
 };
 
-/// Terms of contact row by row, those of one place added up in their order.
+/// Terms of contact row by row, those of one entry summed in their order.
 class ContactRows {
  public:
   explicit ContactRows(const std::vector<ContactTerm>& terms) : terms_(terms) {}
-  /// The next column of this row and its sum; false where there is none before `until`.
+  /// The next column of this row and its sum; false if there is none before `until`.
   bool next(GlobalIndex row, GlobalIndex until, GlobalIndex& column, double& value) {
     if (at_ == terms_.size() || terms_[at_].row != row || terms_[at_].column >= until) return false;
     column = terms_[at_].column;
@@ -44,7 +44,7 @@ class ContactRows {
   std::size_t at_ = 0;
 };
 
-/// Walls take the directions that they hold out of contact's rows as well.
+/// The directions constrained by walls are removed from contact's rows as well.
 void take_walls_out(const WallContact& walls, ContactNodes& nodes) {
   for (std::size_t k = 0; k < nodes.own.size(); ++k) {
     if (nodes.own[k] == no_index) continue;
@@ -53,7 +53,7 @@ void take_walls_out(const WallContact& walls, ContactNodes& nodes) {
   }
 }
 
-/// Three rows of one node from its blocks, of bodies and inertia, supports and walls taken out.
+/// Three rows of one node from its blocks, of bodies and inertia, without the directions of supports and walls.
 std::vector<Mat3> blocks_of(const Scene& scene, const Solver& solver, std::size_t r) {
   const NodeRows& nodes = solver.stiffness.rows();
   const Rule& rule = solver.trial.rule;

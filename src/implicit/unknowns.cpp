@@ -9,7 +9,7 @@
 namespace brunt::implicit {
 namespace {
 
-/// Where the owners of `copy` have these nodes: their local indices there. Collective.
+/// The local indices of the nodes `copy` on their owners. Collective.
 std::vector<comm::RemoteSlot> at_owners(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
                                         std::span<const LocalIndex> copy) {
   const auto size = static_cast<std::size_t>(ranks.size());

@@ -10,28 +10,28 @@ namespace {
 
 constexpr std::size_t most = WallChoice::most;
 
-/// Walls whose normals differ from what supports and other walls hold by less than this share hold nothing more: rows
-/// that are redundant. Rounding of normals is far below, angles between walls that anyone builds far above.
+/// A wall whose normal differs by a smaller share from the directions constrained by supports and other walls is
+/// redundant. The rounding of normals is far below, realistic angles between walls are far above.
 constexpr double redundant = 1e-6;
 
-/// Planes that a set of walls holds a node in.
+/// Planes of a set of walls that constrain a node.
 struct Held {
   std::array<std::size_t, most> wall{};  ///< of each column
   int count = 0;
   Mat3 along = Mat3::Zero();        ///< columns: normals along free directions
   Mat3 normals = Mat3::Zero();      ///< columns: normals
   Mat3 inverse = Mat3::Zero();      ///< of along' along, count x count
-  Mat3 slides = Mat3::Identity();   ///< projector on the free directions that no wall holds
-  Mat3 tangent = Mat3::Identity();  ///< likewise on all of them, those along which supports hold the node included
+  Mat3 slides = Mat3::Identity();   ///< projector onto the free directions without a wall
+  Mat3 tangent = Mat3::Identity();  ///< likewise onto all of them, including those constrained by supports
 
   [[nodiscard]] auto columns() const { return along.leftCols(count); }
-  /// along (along' along)^-1: turns gaps into travel, and its transpose forces into pressures.
+  /// along (along' along)^-1: transforms gaps to displacements, and its transpose forces to pressures.
   [[nodiscard]] Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> lift() const {
     return columns() * inverse.topLeftCorner(count, count);
   }
 };
 
-/// Takes the direction of a vector out of a projector; false where it holds next to nothing of it.
+/// Removes the direction of a vector from a projector; returns false if its part in the projector is negligible.
 bool take_out(const Vec3& direction, Mat3& projector) {
   const Vec3 rest = projector * direction;
   if (rest.norm() < redundant) return false;
@@ -60,7 +60,7 @@ Held hold(const WallQuestion& question, const bool (&active)[most]) {
   return held;
 }
 
-/// Pressures of a set's walls from what is left at the node.
+/// Pressures of a set's walls from the residual at the node.
 std::array<double, most> pressures(const Held& held, const Vec3& left) {
   std::array<double, most> pressure{};
   if (held.count == 0) return pressure;
@@ -83,8 +83,8 @@ void choose_active(const WallQuestion& question, const WallChoice& solved, WallC
   }
 }
 
-/// How much of a wall's pressure friction goes by, and its derivative by the pressure: a wall that holds back presses
-/// the node from the other side.
+/// The part of a wall's pressure that determines friction, and its derivative by the pressure: a bilateral wall in
+/// tension presses the node from the other side.
 double pressing(const WallMeeting& meeting, double pressure) {
   return meeting.bilateral ? std::abs(pressure) : std::max(pressure, 0.0);
 }
@@ -93,7 +93,7 @@ double pressing_slope(const WallMeeting& meeting, double pressure) {
   return meeting.bilateral ? -1 : 0;
 }
 
-/// What friction can hold [force].
+/// Limit of friction [force].
 double capacity(const WallQuestion& question, const Held& held, const WallAction& action) {
   double sum = 0;
   for (int k = 0; k < held.count; ++k) {

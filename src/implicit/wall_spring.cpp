@@ -6,7 +6,7 @@
 namespace brunt::implicit {
 namespace {
 
-/// What friction can hold, its derivative by the node's place, and the directions that no pressing wall takes.
+/// Limit of friction, its derivative by the node's position, and the directions free of active walls.
 struct Friction {
   double most = 0;  ///< [force]
   Vec3 slope = Vec3::Zero();
@@ -15,7 +15,7 @@ struct Friction {
 };
 
 void take_out(const Vec3& normal, Mat3& along) {
-  constexpr double redundant = 1e-6;  // as of other nodes at walls
+  constexpr double redundant = 1e-6;  // as for other nodes at walls
   const Vec3 rest = along * normal;
   if (rest.norm() < redundant) return;
   const Vec3 unit = rest.normalized();
@@ -23,7 +23,7 @@ void take_out(const Vec3& normal, Mat3& along) {
 }
 
 void add_friction(const WallQuestion& question, const Friction& friction, WallAction& action) {
-  const double stiffness = question.stiffness;  // stiffer ones than along the normal would swing for longer
+  const double stiffness = question.stiffness;  // a higher stiffness than along the normal would oscillate for longer
   const Vec3 trial = friction.along * (question.friction_before - stiffness * question.travel);
   const double size = trial.norm();
   action.friction = trial;

@@ -66,7 +66,7 @@ double YieldCurve::plastic_increment(double plastic_strain, double excess, doubl
   std::size_t k = piece_of(plastic_strain);
   double increment = 0;
   for (; k + 1 < pieces_.size(); ++k) {
-    // what the return takes up from here to the end of the piece; it rises along the curve since slope > -3 G
+    // the part returned from here to the end of the piece; it increases along the curve since slope > -3 G
     const double stiffness = three_shear + pieces_[k].slope;
     const double room = pieces_[k + 1].strain - (plastic_strain + increment);
     if (stiffness * room >= excess) return increment + excess / stiffness;

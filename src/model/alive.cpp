@@ -8,7 +8,7 @@
 namespace brunt::model {
 namespace {
 
-/// A bit for each lane that lives, batch by batch; padding repeats the last element. Empty where all live.
+/// A bit for each living lane, batch by batch; padding repeats the last element. Empty if all live.
 std::vector<std::uint8_t> living_lanes(const ElementBlock& block, const std::vector<double>& alive) {
   if (std::ranges::all_of(alive, [](double flag) { return flag > 0; })) return {};
   static_assert(pack_width <= 8);
@@ -20,7 +20,7 @@ std::vector<std::uint8_t> living_lanes(const ElementBlock& block, const std::vec
       const LocalIndex element = std::min(batch * pack_width + lane, block.count - 1);
       if (alive[static_cast<std::size_t>(element)] <= 0) bits = static_cast<std::uint8_t>(bits & ~(1U << lane));
     }
-    if (static_cast<std::uint8_t>(bits << (8 - pack_width)) == 0) bits = 0;  // no bits of lanes that packs do not have
+    if (static_cast<std::uint8_t>(bits << (8 - pack_width)) == 0) bits = 0;  // clears bits beyond the width of a pack
   }
   return lanes;
 }

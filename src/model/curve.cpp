@@ -16,7 +16,7 @@ double value_at(const Curve& curve, double time) {
 }
 
 double integral(const Curve& curve, double from, double to) {
-  // a trapezoid between each two of the ends and the points of the curve between them
+  // trapezoidal rule between the ends and the points of the curve between them
   double sum = 0, left = from, at_left = value_at(curve, from);
   const auto add_until = [&](double right) {
     const double at_right = value_at(curve, right);

@@ -9,8 +9,8 @@
 namespace brunt::rigid {
 namespace {
 
-/// The M of P' - P = dt M x J^-1 M, P' = 2 M - P, by Newton's method: its error is squared in each iteration, and the
-/// start is off by the square of the angle of a step.
+/// The M of P' - P = dt M x J^-1 M, P' = 2 M - P, by Newton's method: its error is squared in each iteration, and that
+/// of the start is of the order of the squared angle of a step.
 Vec3 middle_momentum(const Body& body, const Vec3& start, double dt) {
   constexpr int most = 50;
   constexpr double rounding = 4e-16;

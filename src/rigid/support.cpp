@@ -8,9 +8,9 @@
 namespace brunt::rigid {
 namespace {
 
-/// Projector on what these directions leave free; `any`: is there one?
+/// Projector onto the directions left free by these; `any`: whether there are any.
 Mat3 free_of(std::span<const Vec3> held) {
-  constexpr double dependent = 1e-9;  // of a unit vector: what is left of it is rounding
+  constexpr double dependent = 1e-9;  // of a unit vector: a smaller remainder is rounding
   Mat3 free = Mat3::Identity();
   int directions = 3;
   for (const Vec3& one : held) {
@@ -36,7 +36,7 @@ Support make_support(std::span<const Vec3> held_shift, std::span<const Vec3> hel
 Mat3 supported_mobility(const Mat3& free_turn, const Mat3& inertia) {
   const Mat3& P = free_turn;
   if (P.isZero(0)) return P;
-  // the axes that are not free get some moment of the body's size, so that the matrix can be inverted
+  // constrained axes get a moment of inertia of the body's magnitude, so that the matrix is regular
   const Mat3 others = Mat3::Identity() - P;
   const Mat3 along_free = P * inertia * P + inertia.trace() / 3 * others;
   return P * along_free.inverse() * P;

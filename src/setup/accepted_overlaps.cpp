@@ -8,9 +8,9 @@
 
 namespace brunt::setup {
 
-/// Both sides are named; contact uses those of its slaves. A node behind faces of two blocks of a body has the deeper.
-/// A node that was moved onto a face keeps nothing itself, but an edge from it to a node beside the face still hangs
-/// over the rim: it keeps its overlap there, as edges of named nodes do.
+/// Both sides are listed; contact uses those of its slaves. A node behind faces of two blocks of a body keeps the
+/// larger depth. A node that was moved onto a face has no overlap itself, but an edge from it to a node beside the face
+/// still overlaps at the face's boundary: it keeps its overlap there, as edges of listed nodes do.
 std::vector<contact::AcceptedOverlap> accepted_overlaps(const std::vector<InitialOverlap>& overlaps) {
   constexpr double named = std::numeric_limits<double>::min();
   std::map<std::pair<GlobalIndex, std::int32_t>, contact::AcceptedOverlap> deepest;

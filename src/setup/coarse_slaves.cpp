@@ -22,7 +22,7 @@ class Pairs {
         sides_(contact_faces(mesh, rules.symmetric)),
         outlook_{.density = rules.density, .velocity = velocity, .duration = duration} {}
 
-  /// Median of the longest edges of the block's faces that may meet the other's [length]; 0 where none may.
+  /// Median of the longest edges of the block's faces that may meet the other's [length]; 0 if there are none.
   [[nodiscard]] double edge(std::size_t block, std::size_t other) const {
     const std::set<Direction> met = directions(near(other, block));
     std::vector<double> edges;
@@ -41,7 +41,7 @@ class Pairs {
     Vec3 normal;      ///< unit, outwards
   };
   using Direction = std::array<int, 3>;
-  static constexpr int notches = 8;  // normals are sorted into so many a side, or large meshes would cost seconds
+  static constexpr int notches = 8;  // classes of normals for each axis: without them large meshes would take seconds
 
   static std::set<Direction> directions(const std::vector<Face>& faces) {
     std::set<Direction> found;
@@ -50,13 +50,13 @@ class Pairs {
     return found;
   }
 
-  /// Sides of a bar that stands on its end are near the ground, but do not meet it.
+  /// Whether the face is directed towards the other body: lateral faces near it do not meet it.
   [[nodiscard]] bool faces_it(const Vec3& normal, const Direction& direction) const {
     const Vec3 other(direction[0], direction[1], direction[2]);
     return normal.dot(other) < -tolerances_.facing * other.norm();
   }
 
-  /// The block's faces that are near the other's or fly on towards them.
+  /// The block's faces that are near the other's or move towards them.
   [[nodiscard]] std::vector<Face> near(std::size_t block, std::size_t other) const {
     const auto own = static_cast<std::int32_t>(block);
     contact::Specification alone{.pairs = {mesh_.blocks.size(), {}}};

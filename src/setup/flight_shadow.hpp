@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points as they are seen along a direction: does a body that flies along it meet one of them?
+// Points projected along a direction: whether a body that moves in this direction meets one of them.
 #pragma once
 #include <algorithm>
 #include <utility>
@@ -11,7 +11,7 @@ namespace brunt::setup {
 
 class FlightShadow {
  public:
-  /// way: of the flight, of any length; zero: points are compared where they are.
+  /// way: direction of motion, of any length; zero: points are compared at their positions.
   FlightShadow(const Vec3& way, const std::vector<Vec3>& points)
       : direction_(way.norm() > 0 ? way.normalized() : Vec3::Zero()) {
     points_.reserve(points.size());
@@ -19,7 +19,7 @@ class FlightShadow {
     std::ranges::sort(points_, {}, &Keyed::key);
   }
 
-  /// Does one of the points pass by this one nearer than `within` [length]?
+  /// Whether the path of this point passes one of the points at a distance below `within` [length].
   [[nodiscard]] bool passes_by(const Vec3& point, double within) const {
     const Keyed wanted = keyed(point);
     auto one = std::ranges::lower_bound(points_, wanted.key - within, {}, &Keyed::key);
@@ -34,7 +34,7 @@ class FlightShadow {
     Vec3 place;
   };
   [[nodiscard]] Keyed keyed(const Vec3& point) const {
-    static const Vec3 askew = Vec3(0.81, 0.47, 0.35).normalized();  // few nodes of a mesh lie in a plane across it
+    static const Vec3 askew = Vec3(0.81, 0.47, 0.35).normalized();  // few nodes of a mesh lie in a plane normal to it
     const Vec3 place = point - direction_.dot(point) * direction_;
     return {askew.dot(place), place};
   }

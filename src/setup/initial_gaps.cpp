@@ -13,7 +13,7 @@
 namespace brunt::setup {
 namespace {
 
-/// Where detection stops looking behind a face.
+/// Depth limit of detection behind a face.
 double reach_behind(const SolidFace& face, const contact::Tolerances& tolerances) {
   return tolerances.max_penetration(face.size, face.element_depth);
 }
@@ -51,7 +51,7 @@ class Survey {
     if (gaps.overlaps.size() + gaps.piercings.size() == known) find_shared_space(a, b, rule);
   }
 
-  /// Only where nodes and edges have found nothing.
+  /// Only if no overlap of nodes or edges was found.
   void find_shared_space(std::size_t a, std::size_t b, OverlapRule rule) {
     if (body_of(solids_[a]) == body_of(solids_[b]) || !geometry::overlaps(solids_[a].box, solids_[b].box)) return;
     for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
@@ -64,7 +64,7 @@ class Survey {
   }
 
   void compare_nodes(std::size_t a, std::size_t b, OverlapRule rule, std::vector<char>& inside) {
-    constexpr std::size_t most_examined = 1000;  // of those so deep that each costs a look at all faces
+    constexpr std::size_t most_examined = 1000;  // upper limit of nodes so deep that each is tested against all faces
     const Solid& solid = solids_[b];
     const bool one_body = std::ranges::any_of(
         bodies_of(solids_[a]), [&](std::int32_t body) { return std::ranges::binary_search(bodies_of(solid), body); });
@@ -113,7 +113,7 @@ class Survey {
     gaps.other_block = other_block;
   }
 
-  /// In one pass contact does not look for nodes of the master: how deep they are is no matter.
+  /// In one pass contact does not search nodes of the master: their depth is irrelevant.
   void forgive_masters() {
     if (std::ranges::none_of(gaps.overlaps, &InitialOverlap::too_deep)) return;
     const SlaveChoice choice(mesh_, rules_);

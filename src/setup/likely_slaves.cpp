@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faces against the boxes of what they may meet: near it now, or hit by it on a straight flight.
+// Faces against the boxes of possible contact partners: near now, or on a straight path.
 #include "brunt/setup/likely_slaves.hpp"
 
 #include <Eigen/Geometry>
@@ -73,7 +73,7 @@ std::vector<Face> measure_faces(const mesh::Mesh& mesh, std::span<const mesh::Si
   return faces;
 }
 
-/// Six tetrahedra around the diagonal of a hexahedron: exact for plane faces.
+/// Volume by six tetrahedra around the diagonal of a hexahedron: exact for plane faces.
 double volume(const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex element) {
   const LocalIndex* nodes = block.element(element);
   const auto corner = [&](int c) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(nodes[c])]; };
@@ -139,7 +139,7 @@ Patches patches_of(std::span<const Face> faces) {
   return patches;
 }
 
-/// Does the straight way from `start` pass through the box?
+/// Whether the straight path from `start` intersects the box.
 bool passes_through(const geometry::Box& box, const Vec3& start, const Vec3& way) {
   double enter = 0, leave = 1;
   for (int a = 0; a < 3; ++a) {
@@ -154,19 +154,19 @@ bool passes_through(const geometry::Box& box, const Vec3& start, const Vec3& way
   return enter <= leave;
 }
 
-/// farthest: a way longer than this is cut off.
+/// farthest: longer paths are truncated.
 bool may_reach(const Face& face, const Patch& other, double duration, double farthest) {
   const geometry::Box near = geometry::grown(face.box, face.size);
   if (geometry::overlaps(near, other.box)) return true;
   const Vec3 velocity = face.velocity - other.velocity;
   const double speed = velocity.norm();
-  if (!(speed > 0) || velocity.dot(face.area) <= 0) return false;  // nothing ahead of it, or its own body is
+  if (!(speed > 0) || velocity.dot(face.area) <= 0) return false;  // at rest, or moving into its own body
   const Vec3 way = std::min(duration, farthest / speed) * velocity;
   const Vec3 reach = 0.5 * (near.high - near.low);
   return passes_through({other.box.low - reach, other.box.high + reach}, 0.5 * (near.low + near.high), way);
 }
 
-/// Where the patch's nodes are, as one sees them who flies on it.
+/// The patch's nodes, projected along the direction `way` of the motion.
 FlightShadow shadow_of(const mesh::Mesh& mesh, std::span<const mesh::Side> sides, const Patch& patch, const Vec3& way) {
   std::vector<Vec3> nodes;
   for (const std::size_t f : patch.faces)
@@ -175,7 +175,7 @@ FlightShadow shadow_of(const mesh::Mesh& mesh, std::span<const mesh::Side> sides
   return {way, nodes};
 }
 
-/// Have all nodes of the face coincident ones there? In the second of two passes they have no rows then (see
+/// Whether all nodes of the face have coincident nodes there. In the second of two passes they then have no rows (see
 /// detect_faces).
 bool has_coincident_nodes(const mesh::Mesh& mesh, const mesh::Side& side, double within, const FlightShadow& others) {
   return std::ranges::all_of(corners_of(mesh, side), [&](LocalIndex node) {
@@ -207,7 +207,7 @@ std::vector<mesh::Side> likely_slaves(const mesh::Mesh& mesh, std::span<const me
   bool any_pair = false;
   for (const auto& [own, slave] : patches)
     for (const auto& [others, master] : patches) {
-      if (own.first == others.first) continue;  // folds are not foretold
+      if (own.first == others.first) continue;  // self-contact is not predicted
       const contact::SurfaceNode node{{&own.second, 1}, own.first};
       if (!contact::may_meet(specification, bodies, node, others.second, others.first)) continue;
       any_pair = true;

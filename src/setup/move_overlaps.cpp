@@ -15,8 +15,8 @@ namespace {
 
 constexpr int most_rounds = 200;
 
-/// One overlap as the coordinates now have it: the node onto the face, or the corners of the face onto the node.
-/// Returns the depth as a share of the face's longest edge.
+/// Resolves one overlap at the current coordinates: moves the node onto the face, or the corners of the face onto the
+/// node. Returns the depth as a share of the face's longest edge.
 double push_out(const InitialOverlap& overlap, bool node_moves, std::vector<Vec3>& x) {
   std::array<Vec3, 4> corners;
   std::size_t count = 0;
@@ -27,7 +27,7 @@ double push_out(const InitialOverlap& overlap, bool node_moves, std::vector<Vec3
   if (!closest) return 0;
   const Vec3 normal = geometry::face_normal({corners.data(), count}, closest->xi, closest->eta);
   const double depth = (closest->point - node).dot(normal);
-  if (!(depth > 0)) return 0;  // an earlier move has done it
+  if (!(depth > 0)) return 0;  // resolved by a previous move
   const double share = depth / geometry::longest_edge({corners.data(), count});
   if (node_moves) {
     node += depth * normal;
@@ -40,7 +40,7 @@ double push_out(const InitialOverlap& overlap, bool node_moves, std::vector<Vec3
   return share;
 }
 
-/// Volumes of the tetrahedra at the corners of an element, six times.
+/// Six times the volumes of the tetrahedra at the corners of an element.
 std::vector<double> corner_volumes(const std::vector<Vec3>& x, const mesh::Block& block, LocalIndex element) {
   const LocalIndex* nodes = block.element(element);
   const auto corner = [&](int c) -> const Vec3& { return x[static_cast<std::size_t>(nodes[c])]; };
@@ -57,7 +57,7 @@ std::vector<double> corner_volumes(const std::vector<Vec3>& x, const mesh::Block
   return volumes;
 }
 
-/// What of its volume the worst corner keeps.
+/// Smallest ratio of the new to the old volume at a corner.
 double kept_share(const std::vector<Vec3>& before, const std::vector<Vec3>& after, const mesh::Block& block,
                   LocalIndex element, const contact::Tolerances& tolerances) {
   const std::vector<double> old = corner_volumes(before, block, element), now = corner_volumes(after, block, element);
@@ -69,7 +69,7 @@ double kept_share(const std::vector<Vec3>& before, const std::vector<Vec3>& afte
   return least;
 }
 
-/// What the moves from `before` do that they must not.
+/// Inadmissible effects of the moves from `before`.
 class Judge {
  public:
   Judge(const mesh::Mesh& mesh, const std::vector<Vec3>& before, const contact::Tolerances& tolerances)
@@ -123,7 +123,7 @@ class Judge {
   const contact::Tolerances& tolerances_;
 };
 
-/// Pass after pass; returns the overlaps that are left.
+/// Iterates; returns the remaining overlaps.
 std::vector<InitialOverlap> push_all_out(mesh::Mesh& mesh, const StartRules& rules, const InitialGaps& before) {
   const SlaveChoice choice(mesh, rules);
   InitialGaps gaps = before;
@@ -137,7 +137,7 @@ std::vector<InitialOverlap> push_all_out(mesh::Mesh& mesh, const StartRules& rul
     std::erase_if(gaps.overlaps,
                   [&](const InitialOverlap& o) { return is_slave(o) != slaves_first || o.face[0] == no_index; });
     const contact::Tolerances& tolerances = *rules.contact.tolerances;
-    double deepest = 1;  // nodes behind one face push the same corners: they agree in some rounds
+    double deepest = 1;  // nodes behind one face move the same corners: some iterations are needed
     for (int round = 0; round < most_rounds && deepest > tolerances.slight * tolerances.touching; ++round) {
       deepest = 0;
       for (const InitialOverlap& overlap : gaps.overlaps)

@@ -22,7 +22,7 @@ struct Crossing {
   std::size_t face;
 };
 
-/// Corners of the face's edge or vertex that the region names; both the same at a vertex, none inside the face.
+/// Corners of the face's edge or vertex given by the region; both equal at a vertex, none inside the face.
 std::array<std::size_t, 2> corners_of(geometry::Region region, std::size_t corner_count) {
   using geometry::Region;
   if (region >= Region::vertex0) {
@@ -46,9 +46,10 @@ struct NearestPlace {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-/// Direction whose sign tells inside from outside at the nearest place: the normal, at an edge the sum of the normals
-/// of its faces, at a vertex that sum weighted by the faces' angles (Baerentzen and Aanaes 2005). One face alone does
-/// not tell: above the sharp rim of a half sphere a point is behind the round face and in front of the flat one.
+/// Pseudo-normal at the nearest point, whose sign distinguishes inside from outside: the normal, at an edge the sum of
+/// the normals of its faces, at a vertex that sum weighted by the faces' angles (Baerentzen and Aanaes 2005). The
+/// normal of one face is not sufficient: a point near a sharp edge may be behind one of its faces and in front of the
+/// other, although it is outside.
 Vec3 outward_at(const Solid& solid, const std::vector<LocalIndex>& near, const NearestPlace& nearest) {
   const SolidFace& of_nearest = solid.faces[static_cast<std::size_t>(nearest.face)];
   if (nearest.point.region == geometry::Region::face)
@@ -69,8 +70,8 @@ Vec3 outward_at(const Solid& solid, const std::vector<LocalIndex>& near, const N
   return sum.normalized();
 }
 
-/// Is the middle of the stretch that begins or ends at the crossing deeper inside than `touching`? A crossing that
-/// rounding has made where the segment only touches has a stretch outside.
+/// Whether the middle of the stretch that begins or ends at the crossing is deeper inside than `touching`. A false
+/// crossing due to rounding, where the segment only touches, has a stretch outside.
 bool is_deep(const Solid& solid, const std::vector<LocalIndex>& near, const Vec3& middle,
              const contact::Tolerances& tolerances) {
   NearestPlace nearest;
@@ -82,11 +83,11 @@ bool is_deep(const Solid& solid, const std::vector<LocalIndex>& near, const Vec3
     if (distance <= tolerances.touching * face.size) return false;
     if (distance < nearest.distance) nearest = {f, *closest, distance};
   }
-  if (nearest.face == no_index) return true;  // where no face can tell
+  if (nearest.face == no_index) return true;  // no face decides
   return (middle - nearest.point.point).dot(outward_at(solid, near, nearest)) < -tolerances.rounding * nearest.distance;
 }
 
-/// The face through which the segment comes to a stretch deep inside.
+/// The face through which the segment enters a stretch deep inside.
 std::optional<std::size_t> pierced_face(const Solid& solid, const std::vector<LocalIndex>& near,
                                         const geometry::Segment& segment, const contact::Tolerances& tolerances) {
   std::vector<Crossing> crossings;

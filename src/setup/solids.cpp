@@ -62,19 +62,19 @@ void collect_nodes(Solid& solid) {
   solid.edges.erase(std::unique(solid.edges.begin(), solid.edges.end()), solid.edges.end());
 }
 
-/// Is x in the closed tetrahedron?
+/// Whether x is in the closed tetrahedron.
 bool in_tetrahedron(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double rounding) {
   const auto volume = [](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
     return (q - p).cross(r - p).dot(s - p);
   };
   const double whole = volume(a, b, c, d);
-  if (!(whole > 0)) return false;  // flat: nothing is in it
+  if (!(whole > 0)) return false;  // flat: contains no point
   const double slack = -rounding * whole;
   return volume(x, b, c, d) >= slack && volume(a, x, c, d) >= slack && volume(a, b, x, d) >= slack &&
          volume(a, b, c, x) >= slack;
 }
 
-/// Cosine between the face's normal and the reversed normal of the own face that opposes it most.
+/// Cosine between the face's normal and the reversed normal of the most nearly opposite face of its own body.
 double opposition(std::span<const Vec3> outwards, const Vec3& normal) {
   double least = 1;
   for (const Vec3& own : outwards) least = std::min(least, own.dot(normal));

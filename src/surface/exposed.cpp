@@ -13,7 +13,7 @@ namespace {
 
 using mesh::ExteriorFace;
 
-/// A face as its home rank sees it, where all elements that have its nodes meet.
+/// A face on its home rank, which receives all elements with its nodes.
 struct FaceUse {
   std::array<GlobalIndex, 4> nodes{};  ///< gids ascending, led by no_index for a triangle
   GlobalIndex key = 0;
@@ -21,7 +21,7 @@ struct FaceUse {
   LocalIndex element = 0;  ///< of that rank, counted through its blocks
 };
 
-/// What the rank of a face is told: an element on the other side.
+/// Message to the rank of a face: the element on the other side.
 struct Beyond {
   GlobalIndex key = 0, other = 0;  ///< of the face, of the same face as the other element has it
   Rank rank = 0;
@@ -55,7 +55,7 @@ std::vector<double> flags_of(const mesh::LocalMesh& mesh, Alive alive) {
   return flags;
 }
 
-/// At the home of its lowest node each face meets the same face of the other elements.
+/// On the home rank of its lowest node each face is matched with the same face of other elements.
 std::vector<FaceUse> uses_at_home(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
                                   std::span<const ExteriorFace> faces) {
   const std::vector<LocalIndex> first = first_of_block(mesh);
@@ -74,7 +74,7 @@ std::vector<FaceUse> uses_at_home(const comm::Communicator& ranks, const mesh::L
   return uses;
 }
 
-/// What is beyond each face of this rank, by face.
+/// The element on the other side of each face of this rank.
 std::vector<Beyond> found_beyond(const comm::Communicator& ranks, const std::vector<FaceUse>& uses) {
   std::vector<std::vector<Beyond>> to_face(static_cast<std::size_t>(ranks.size()));
   for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
@@ -91,10 +91,10 @@ std::vector<Beyond> found_beyond(const comm::Communicator& ranks, const std::vec
   return found;
 }
 
-/// Marks of a node: what the elements around it want.
+/// Flags of a node from the elements around it.
 enum Mark : char { none = 0, held = 1, taken = 2 };
 
-/// By this rank's elements: held by a living one, taken along by a removed one; both may be.
+/// By this rank's elements: kept by a living one, removed with a removed one; both flags may be set.
 std::vector<char> marks_here(const mesh::LocalMesh& mesh, std::span<const double> flags) {
   std::vector<char> marks(mesh.node_gid.size(), none);
   auto flag = flags.begin();

@@ -9,12 +9,12 @@
 namespace brunt::time {
 namespace {
 
-/// Times the elements' stable step: of a length where damping counts as springs. The bound holds for any. Where the
-/// mesh allows more, damping counts for too much (by 1 % of the step with the default bulk viscosity); where it allows
-/// less, all stiffness counts as if it were damping, which costs more.
+/// Times the elements' stable step: the step for which damping is converted to springs. The bound is valid for any
+/// value. If the mesh allows a longer step, damping is overestimated (by 1 % of the step with the default bulk
+/// viscosity); if it allows a shorter one, all stiffness is treated as if it were damping, which is a larger loss.
 constexpr double expected_gain = 1.1;
 
-/// In the place of a removed element its batch kept what a living one has; which one depends on the ranks.
+/// In the lane of a removed element its batch stored the values of a living one; which one depends on the ranks.
 void clear_removed(const model::State& state, force::Baseline& baseline) {
   for (std::size_t b = 0; b < state.living.lanes.size(); ++b)
     for (std::size_t batch = 0; batch < state.living.lanes[b].size() && !baseline[b].empty(); ++batch)
@@ -46,17 +46,17 @@ double assembled_rate(const model::Model& model, const model::State& state, Link
                       double element_rate) {
   const double dt = expected_gain / element_rate;
   force::include_damping(linear, dt);
-  // elements bound stiffness with damping by 4 rate^2, dashpots of hourglass modes by as much again
+  // the bound of the elements: stiffness with damping by 4 rate^2, dashpots of hourglass modes by the same amount
   const double scale = 8 * element_rate * element_rate;
   const int products = lanczos_products(3.0 * static_cast<double>(model.mesh.global_nodes));
-  // where damping makes it so stiff (see below) the mesh gives next to nothing over its elements
+  // if damping is so stiff (see below), the mesh allows almost no longer step than its elements
   static_assert(1 + worth_a_step < expected_gain);
   const double no_gain = 4 * element_rate / (dt * (1 + worth_a_step));
   const double enough = no_gain * (1 - lanczos_share) / scale;
   const double found = largest_eigenvalue(model, state, links, linear, scale, products, enough);
   if (!(found > 0) || found >= enough) return element_rate;
   const double stiffness = scale * found / (1 - lanczos_share);
-  // a shorter step than dt makes damping count for more, by dt over it at most
+  // for a shorter step than dt the effect of damping increases, at most by dt over the step
   const double allowed = 2 / std::sqrt(stiffness);
   const double stable = allowed >= dt ? allowed : 4 / (stiffness * dt);
   return std::min(element_rate, 1 / stable);

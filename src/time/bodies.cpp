@@ -39,12 +39,12 @@ Vec3 gravity_at(const model::Model& model, double time) {
   return model.has_gravity() ? Vec3(model::value_at(model.gravity_curve, time) * model.gravity) : Vec3(Vec3::Zero());
 }
 
-/// Velocities that drives give the body for the half step to come.
+/// Prescribed velocities of the body by drives for the next half step.
 void drive(const model::Model& model, const model::State& state, const RigidBody& body, const Interval& step,
            BodyStep& now) {
   now.given_velocity.setZero();
   now.given_spin.setZero();
-  if (state.relaxation.under_way != 0) return;  // before the run has begun
+  if (state.relaxation.under_way != 0) return;  // before t = 0
   for (std::size_t dof = 0; dof < body.drive.size(); ++dof) {
     if (!body.drive[dof]) continue;
     const auto c = static_cast<int>(dof % 3);
@@ -55,7 +55,7 @@ void drive(const model::Model& model, const model::State& state, const RigidBody
   }
 }
 
-/// Directions that supports hold get what is given there; the impulses that this takes.
+/// Applies the prescribed velocity along constrained directions, with the required impulses.
 void support(const RigidBody& body, const Interval& step, BodyStep& now) {
   now.reaction = {};
   if (!body.support.any()) return;
@@ -88,7 +88,7 @@ void predict(const model::Model& model, const model::State& state, const RigidBo
   now.after = now.predicted;
 }
 
-/// The components of a velocity into the bounds of contact::VelocitySpan: the largest, then minus the least.
+/// The components of a velocity as bounds of contact::VelocitySpan: the largest, then minus the smallest.
 template <class Velocity>
 void widen(const Velocity& velocity, double* bounds) {
   for (int c = 0; c < 3; ++c) {
@@ -154,7 +154,7 @@ void predict_bodies(const model::Model& model, model::State& state, model::Scrat
     predict(model, state, model.bodies[b], state.bodies[b], step, now);
     for_nodes(model.bodies[b], [&](std::size_t, std::size_t i) {
       const Vec3 arm = Eigen::Map<const Vec3>(state.nodes[i].x) - now.centre;
-      widen(scratch.before[i], velocities.data());  // as it has moved
+      widen(scratch.before[i], velocities.data());  // with its current velocity
       scratch.before[i] = now.before.velocity + now.before.spin.cross(arm);
       Eigen::Map<Vec3> predicted(state.nodes[i].v);
       predicted = now.predicted.velocity + now.predicted.spin.cross(arm);
@@ -187,7 +187,7 @@ void push_bodies(const model::Model& model, std::span<const contact::BodyAnswer>
     const contact::Vec6 &impulse = answers[b].impulse, &change = answers[b].change;
     const double mass = body.body.mass.mass;
     now.after.velocity += change.head<3>();
-    // supports take what they do not let through
+    // impulses along constrained directions act on the supports
     if (body.support.holds_shift) now.reaction.force += (1 + drag) * mass * change.head<3>() - impulse.head<3>();
     if (body.support.holds_turn) {
       const Vec3 let_through = now.inertia * change.tail<3>();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid bodies at the start of a run: what the ranks know together, masses, velocities.
+// Rigid bodies at the start of a run: exchange between ranks, masses, velocities.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ Vec3 of(const Quad& q) {
   return {q[0], q[1], q[2]};
 }
 
-/// Motion and planes of symmetry: ranks without nodes of the body know nothing, all others the same.
+/// Motion and planes of symmetry: ranks without nodes of the body have none, all others have the same.
 void share_knowledge(const comm::Communicator& ranks, model::RigidBody& body) {
   std::vector<double> values(6 + body.mirrors.size(), -infinity);
   if (!body.nodes.empty()) {
@@ -32,7 +32,7 @@ void share_knowledge(const comm::Communicator& ranks, model::RigidBody& body) {
   for (std::size_t k = 0; k < body.mirrors.size(); ++k) body.mirrors[k].touches = values[6 + k] > 0;
 }
 
-/// The mirror image of the body is one with it: it slides along the plane and turns about the normal.
+/// The mirror image of the body is rigidly connected to it: it slides along the plane and rotates about the normal.
 void close_support(model::RigidBody& body) {
   for (const model::MirrorPlane& plane : body.mirrors) {
     if (!plane.touches) continue;
@@ -44,7 +44,7 @@ void close_support(model::RigidBody& body) {
   body.support = rigid::make_support(body.held_shift, body.held_turn);
 }
 
-/// Middle of the box around the body's nodes: moments about a point near the body lose no digits.
+/// Middle of the box around the body's nodes: moments about a point near the body avoid cancellation.
 Vec3 middle_of(const comm::Communicator& ranks, const model::Model& model, const model::RigidBody& body) {
   std::array<double, 6> far;
   far.fill(-infinity);
@@ -84,7 +84,7 @@ MassMoments element_moments(const model::Model& model, const model::ElementBlock
                             : rigid::tetrahedron_moments(std::span<const Vec3, 8>(corner).first<4>(), density);
 }
 
-/// Of its parts alone, from their elements or as given; positions from `from`.
+/// Of its parts only, from their elements or as given; positions relative to `from`.
 MassProperties own_properties(const comm::Communicator& ranks, const model::Model& model, const model::RigidBody& body,
                               const Vec3& from) {
   MomentSums sums;
@@ -154,9 +154,9 @@ void start_bodies(const model::Model& model, model::State& state) {
              model.drives[static_cast<std::size_t>(*body.drive[dof])].gives == model::Drive::Gives::acceleration;
     };
     const Vec3 velocity = body.start.velocity + body.start.spin.cross(body.body.mass.centre);
-    now.velocity = body.support.free_shift * velocity;  // a held direction is at rest from the start
+    now.velocity = body.support.free_shift * velocity;  // a constrained direction is at rest initially
     Vec3 spin = body.support.free_turn * body.start.spin;
-    for (int c = 0; c < 3; ++c) {  // an acceleration changes the velocity that there is
+    for (int c = 0; c < 3; ++c) {  // an acceleration changes the existing velocity
       if (driven(static_cast<std::size_t>(c))) now.velocity[c] = velocity[c];
       if (driven(static_cast<std::size_t>(c) + 3)) spin[c] = body.start.spin[c];
     }

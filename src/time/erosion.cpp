@@ -12,13 +12,13 @@ namespace {
 
 using model::Erosion;
 
-/// What elements of a block remember, entry by entry.
+/// Fields in the histories of a block's elements, entry by entry.
 class Histories {
  public:
   Histories(const model::ElementBlock& block, const model::State& state, const model::Scratch& scratch, std::size_t b)
       : block_(block), history_(state.history[b]), bounds_(scratch.element_bounds[b]) {}
 
-  /// The largest of the points, or their mean; 0 without the field. Not-a-number counts as infinite.
+  /// The maximum over the points, or their mean; 0 without the field. NaN counts as infinite.
   [[nodiscard]] double measure(const model::HistoryRange* range, LocalIndex e, Erosion::Points rule) const {
     if (range == nullptr) return 0;
     double largest = 0, sum = 0;
@@ -30,7 +30,7 @@ class Histories {
     return counted(rule == Erosion::Points::any ? largest : sum / range->components);
   }
 
-  /// Mean stress of the points times the sign: the largest, or the mean.
+  /// Mean stress of the points times the sign: the maximum, or the mean.
   [[nodiscard]] double pressure(const model::HistoryRange& stress, LocalIndex e, Erosion::Points rule,
                                 double sign) const {
     const int points = stress.components / 6;
@@ -65,7 +65,7 @@ class Histories {
   std::span<const double> history_, bounds_;
 };
 
-/// Which criterion an element meets; null: none.
+/// The criterion that an element meets; null: none.
 GlobalIndex* met(const model::ElementBlock& block, const Histories& histories, LocalIndex e, ErosionCount& count) {
   const Erosion& erosion = *block.erosion;
   if (erosion.damage && histories.measure(block.find("damage"), e, erosion.points) >= *erosion.damage)

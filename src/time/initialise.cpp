@@ -94,7 +94,7 @@ model::StateArray global(const std::string& name, double* values, int components
   return {name, model::StateArray::Entity::global, -1, 1, components, values, 1, components, 1, 0, true, true};
 }
 
-/// A row a body of each of its quantities.
+/// Registers each quantity of the bodies, one row for each body.
 void add_bodies(model::State& state, std::vector<model::StateArray>& arrays) {
   const auto rows = [&](const char* name, double* first, int components, std::size_t stride) {
     arrays.push_back({name, model::StateArray::Entity::global, -1, static_cast<LocalIndex>(state.bodies.size()),
@@ -115,7 +115,7 @@ void add_bodies(model::State& state, std::vector<model::StateArray>& arrays) {
 
 void initialise(model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
                 std::span<const Vec3> velocity) {
-  // asked of all ranks: a registry must list the same arrays everywhere
+  // decided over all ranks: a registry must list the same arrays everywhere
   model.any_constrained = links.ranks.any(!model.constrained.empty());
   model.books_interface = links.ranks.any(!model.between_parts.empty());
   model.block_size.clear();
@@ -145,7 +145,7 @@ void initialise(model::Model& model, model::State& state, model::Scratch& scratc
     weigh_bodies(links.ranks, model, {scratch.force.data(), scratch.force.size()});
   }
   sum_masses(force::Lumped::all);
-  std::ranges::fill(scratch.slots, 0.0);  // those of rigid elements stay so: no force comes from them
+  std::ranges::fill(scratch.slots, 0.0);  // those of rigid elements remain zero, since these have no forces
   for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i].mass = scratch.force[i][0];
   for (const LocalIndex node : model.deferred) state.nodes[static_cast<std::size_t>(node)].deferred = 1.0;
   for (const model::RigidBody& body : model.bodies)
@@ -163,11 +163,11 @@ void start_velocities(const model::Model& model, model::State& state, std::span<
   for (const model::ConstrainedNode& constrained : model.constrained) {
     Eigen::Map<Vec3> v(state.nodes[static_cast<std::size_t>(constrained.node)].v);
     const Vec3 given = v;
-    v = constrained.free * v;  // a held direction is at rest from the start; driven ones follow in the first step
+    v = constrained.free * v;  // a constrained direction is at rest initially; driven ones follow in the first step
     for (int c = 0; c < 3; ++c) {
       const std::int32_t drive = constrained.drive[static_cast<std::size_t>(c)];
       if (drive >= 0 && model.drives[static_cast<std::size_t>(drive)].gives == model::Drive::Gives::acceleration)
-        v[c] = given[c];  // which an acceleration changes
+        v[c] = given[c];  // changed by an acceleration
     }
   }
   start_bodies(model, state);

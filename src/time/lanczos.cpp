@@ -2,7 +2,7 @@
 // Lanczos' iteration (C. Lanczos, J. Res. Natl. Bur. Stand. 45 (1950) 255) for inverse mass times stiffness, in the
 // inner product of the masses, in which that is symmetric: with q . M q = 1 for the motions q_j,
 //   w = M^-1 K q_j - beta_j-1 q_j-1,  alpha_j = q_j . M w,  beta_j q_j+1 = w - alpha_j q_j.
-// Motions are not made orthogonal to all before them: what that costs are copies of eigenvalues, none of them above the
+// Motions are not orthogonalised to all previous ones: this only produces copies of eigenvalues, none of them above the
 // largest (B. N. Parlett, The Symmetric Eigenvalue Problem, 1980, section 13.6).
 #include "brunt/time/lanczos.hpp"
 
@@ -59,7 +59,7 @@ class Lanczos {
       diagonal.push_back(along());
       if (largest_of_tridiagonal(diagonal, beside) >= enough) return enough;
       const double beta = subtract(diagonal.back(), k > 0 ? beside.back() : 0.0);
-      // beside the eigenvalues of order 1 that the iteration looks for: it has seen all that the start holds
+      // small against the eigenvalues of order 1: the Krylov space of the start is exhausted
       constexpr double nothing = 1e-6;
       if (!(beta > nothing)) break;
       beside.push_back(beta);
@@ -72,12 +72,12 @@ class Lanczos {
  private:
   [[nodiscard]] double inverse_mass(std::size_t i) const { return nodes_[i].mass > 0 ? 1 / nodes_[i].mass : 0.0; }
 
-  /// Masses of deformable elements alone: a rigid body may be lighter than the elements that it is drawn with, but has
-  /// the masses of those that it is joined to.
+  /// Masses of deformable elements only: a rigid body may be lighter than its visible elements, but has the masses of
+  /// those that are joined to it.
   void weigh() {
     for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
       const model::ElementBlock& block = model_.blocks[b];
-      const double* mass = state_.history[b].data();  // the first of what an element remembers
+      const double* mass = state_.history[b].data();  // the first entry of an element's history
       for (LocalIndex batch = 0; batch < block.batches() && !material::is_rigid(block.law); ++batch) {
         const auto share = [&](int lane) {
           return mass[static_cast<std::ptrdiff_t>(batch) * block.history_size * pack_width + lane] / block.corners;
@@ -99,7 +99,7 @@ class Lanczos {
     links_.corner_forces.end(slots_, 4, {reinterpret_cast<double*>(answer_.data()), 4 * answer_.size()}, 4);
   }
 
-  /// Each direction of each node with the same energy on the average.
+  /// Each direction of each node has the same mean energy.
   void begin() {
     const std::uint64_t draw = scrambled(static_cast<std::uint64_t>(state_.step));
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -107,7 +107,7 @@ class Lanczos {
       const double size = std::sqrt(inverse_mass(i));
       for (std::uint64_t c = 0; c < 3; ++c) answer_[i][static_cast<int>(c)] = size * normal_of(draw + 3 * gid + c);
     }
-    constexpr double largest_term = 256;  // no three normal numbers of 53 bits have a larger sum of squares
+    constexpr double largest_term = 256;  // three normal numbers of 53 bits have no larger sum of squares
     shift(std::sqrt(mass_norm(FixedUnit(largest_term))));
     before_.assign(before_.size(), Quad{});
   }
@@ -132,7 +132,7 @@ class Lanczos {
     return unit.value(links_.ranks.sum(sum));
   }
 
-  /// Of what is left of the answer.
+  /// Norm of the remainder of the answer.
   double subtract(double alpha, double beta) {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       answer_[i] -= beta * before_[i];
@@ -150,7 +150,7 @@ class Lanczos {
     return unit.value(links_.ranks.sum(sum));
   }
 
-  /// The answer becomes the next motion, of unit length.
+  /// The normalised answer becomes the next motion.
   void shift(double length) {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       before_[i] = nodes_[i].v_late();
@@ -170,7 +170,7 @@ class Lanczos {
   AlignedVector<double> slots_;
 };
 
-/// Are all eigenvalues below x? They are where no pivot of the matrix less x is positive (Sylvester).
+/// Whether all eigenvalues are below x: no pivot of the matrix minus x is positive (Sylvester).
 bool all_below(double x, const std::vector<double>& diagonal, const std::vector<double>& beside) {
   double pivot = diagonal[0] - x;
   for (std::size_t k = 1; k < diagonal.size() && pivot < 0; ++k)

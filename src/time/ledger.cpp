@@ -38,13 +38,13 @@ Vec3 of(const Quad& q) {
   return {q[0], q[1], q[2]};
 }
 
-/// What the step did to a node besides forces; null where there is nothing.
+/// Effects of the step on a node besides forces; null if there are none.
 struct NodeStep {
   const Vec3 *before = nullptr, *reaction = nullptr;
   bool is_dropped = false;  ///< left with its last element
 };
 
-/// Adds one node: accounts hold the work of whole steps, so half of the last impulse's work is taken off again.
+/// Adds one node: accounts contain the work of whole steps, so half of the last impulse's work is subtracted.
 void add_node(const model::Model& model, const model::State& state, const model::Scratch& scratch,
               const StepReport& step, const NodeStep& own, std::size_t i, Sums& sums) {
   const auto& [before, reaction, is_dropped] = own;
@@ -69,7 +69,7 @@ void add_node(const model::Model& model, const model::State& state, const model:
     for (std::size_t c = 0; c < 3; ++c) sums[impulse_x + c].add(state.reaction_impulse[3 * i + c]);
   }
   const Vec3 momentum_before = before ? Vec3(node.mass * *before) : Vec3(node.mass * v - impulse);
-  if (is_dropped) {  // takes along what it has, from now on
+  if (is_dropped) {  // its energy is removed with it
     sums[dropped].add(0.5 * v.dot(momentum_before));
     for (std::size_t c = 0; c < 3; ++c) sums[impulse_x + c].add(-node.mass * v[static_cast<int>(c)]);
     return;
@@ -80,7 +80,7 @@ void add_node(const model::Model& model, const model::State& state, const model:
   sums[momentum_scale].add(node.mass * v.norm());
 }
 
-/// As of a node: half of the work of the last impulses is taken off again.
+/// As for a node: half of the work of the last impulses is subtracted.
 void add_body(const model::RigidBody& body, const model::BodyAccount& account, const model::BodyStep& now,
               const StepReport& step, Sums& sums) {
   const double mass = body.body.mass.mass;
@@ -105,7 +105,7 @@ void add_body(const model::RigidBody& body, const model::BodyAccount& account, c
   sums[momentum_scale].add(mass * now.after.velocity.norm());
 }
 
-/// Every rank knows all bodies; the root counts them.
+/// Every rank has all bodies; the root counts them.
 void add_bodies(const model::Model& model, const model::State& state, const model::Scratch& scratch, const Links& links,
                 const StepReport& step, Sums& sums) {
   if (!links.ranks.is_root()) return;
@@ -130,7 +130,7 @@ void add_nodes(const model::Model& model, const model::State& state, const model
   }
 }
 
-/// Removed elements: all that their forces have taken, half of their last impulse's work taken off again as on nodes.
+/// Removed elements: the total work of their forces, minus half of their last impulse's work as on nodes.
 void add_removed(const model::State& state, const model::Scratch& scratch, Sums& sums) {
   for (std::size_t b = 0; b < state.alive.size(); ++b)
     for (std::size_t e = 0; e < state.alive[b].size(); ++e)
@@ -154,7 +154,7 @@ void add_elements(const model::Model& model, const model::State& state, Sums& su
   }
 }
 
-/// What contact and walls have taken, half of the last step's impulses not counted.
+/// The work taken by contact and walls, without half of the last step's impulses.
 void add_contact(const Links& links, const contact::Contact& contact, Ledger& result) {
   result.contact_totals = contact::collect(contact);
   const contact::ContactTotals& totals = result.contact_totals;

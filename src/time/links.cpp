@@ -9,7 +9,7 @@
 namespace brunt::time {
 namespace {
 
-/// Gives each corner on a node that other ranks share, or that probes watch, a slot, in canonical element order.
+/// Gives a slot to each corner on a node that is shared with other ranks or used by probes, in canonical element order.
 std::vector<comm::Contribution> number_slots(model::Model& model) {
   std::vector<char> shared(model.mesh.node_gid.size(), 0);
   for (const LocalIndex node : model.mesh.shared) shared[static_cast<std::size_t>(node)] = 1;
@@ -33,15 +33,15 @@ std::vector<comm::Contribution> number_slots(model::Model& model) {
   return contributions;
 }
 
-/// The corners on nodes between parts, of which the work is booked element by element.
+/// The corners on nodes between parts, whose work is recorded element by element.
 void find_interface(model::Model& model) {
   model.interface_corners.clear();
   for (const model::ElementBlock& block : model.blocks)
     model.interface_corners.push_back(force::watched_corners(block, model.between_parts));
 }
 
-/// How a total or a traction is spread: every face gives equal shares of its reference area to its corners. Sums at a
-/// node in the order of faces, the area of all faces exactly: the same bits on any number of ranks. Collective.
+/// Distribution of a total or a traction: every face gives equal shares of its reference area to its corners. Sums at a
+/// node are in the order of faces, the area of all faces is exact: the same bits on any number of ranks. Collective.
 void weigh_dead_load(const comm::Communicator& ranks, model::DeadLoad& load, const model::Model& model,
                      std::span<const GlobalIndex> shared_gid) {
   const mesh::LocalMesh& mesh = model.mesh;

@@ -28,7 +28,7 @@ inline void book_drag(model::State& state, double drag, std::size_t i, const Qua
   for (std::size_t c = 0; c < 3; ++c) state.load_impulse[3 * i + c] += impulse[c];
 }
 
-/// Books the work of the element forces and moves the node.
+/// Adds the work of the element forces and moves the node.
 inline void move(const Quad& X, const Quad& force, NodeLine& node, Quad& u, double dt, double dt_mean,
                  const Quad& twice_mean_v) {
   const Quad velocity = __builtin_shufflevector(node.v_late(), Quad{}, 0, 1, 2, 7);
@@ -37,10 +37,10 @@ inline void move(const Quad& X, const Quad& force, NodeLine& node, Quad& u, doub
   node.x_mass() = __builtin_shufflevector(X + u, node.x_mass(), 0, 1, 2, 7);
 }
 
-/// The least and the largest components of velocities, four at a time.
+/// The smallest and the largest components of velocities, four at a time.
 struct Spread {
   Quad low = Quad{} + std::numeric_limits<double>::infinity(), high = -low;
-  Quad lost{};  // NaN once there was something that is not finite: comparisons lose it
+  Quad lost{};  // NaN after any value that is not finite: comparisons would lose it
   void add(const Quad& v) {
     low = v < low ? v : low;
     high = v > high ? v : high;
@@ -59,7 +59,7 @@ struct NodeSpread {
 };
 struct NoSpread {};
 
-/// v_after of a node without contact; the fourth component stays as it is.
+/// v_after of a node without contact; the fourth component is unchanged.
 template <bool damped>
 inline Quad velocity_after(const Quad& before, const Quad& force, double mass, const Interval& step) {
   if constexpr (!damped) return before + (step.dt_mean / mass) * force;  // the fourth component of forces is zero
@@ -101,7 +101,7 @@ void predict_nodes(const model::Model& model, model::State& state, model::Scratc
     predict_all<false, false>(model, state, scratch, step, velocities);
 }
 
-/// The given velocity of a constrained node at the half step to come; none before the run has begun.
+/// The prescribed velocity of a constrained node at the next half step; none before t = 0.
 Vec3 driven_velocity(const model::Model& model, const model::State& state, const model::ConstrainedNode& constrained,
                      const Vec3& before, double dt, double dt_mean) {
   Vec3 velocity = Vec3::Zero();
@@ -161,7 +161,7 @@ contact::VelocitySpan predict(const model::Model& model, model::State& state, mo
 
 namespace {
 
-/// Late nodes lie apart from each other, and what all nodes have does not fit the cache: asks for a node's share early.
+/// Deferred nodes are scattered in memory, and the nodal data exceed the cache: prefetches the data of a node.
 inline void fetch(const model::Model& model, const model::State& state, const model::Scratch& scratch, std::size_t i) {
   __builtin_prefetch(&state.nodes[i], 1);
   __builtin_prefetch(&state.displacement[i], 1);
@@ -170,7 +170,7 @@ inline void fetch(const model::Model& model, const model::State& state, const mo
   __builtin_prefetch(&scratch.before[i]);
 }
 
-/// Nodes that left with their last element, whose forces act a last time: no supports, no damping, no contact.
+/// Nodes removed with their last element, whose forces act a last time: no supports, no damping, no contact.
 void fly_on(const model::Model& model, model::State& state, const model::Scratch& scratch, const Interval& step) {
   for (const LocalIndex dropped : state.living.dropped) {
     const auto i = static_cast<std::size_t>(dropped);

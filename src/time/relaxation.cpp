@@ -31,13 +31,13 @@ double kinetic_energy(const model::Model& model, const model::State& state, cons
   return energy[0] + kinetic_energy_of_bodies(model, state);
 }
 
-/// Norm of the forces that are left over the norm of the loads, and the energy that the bodies have stored.
+/// Norm of the unbalanced forces over the norm of the loads, and the strain energy of the bodies.
 struct Balance {
   double residual = 0, stored = 0;
 };
 
-/// After a step of `dt_mean`: deferred nodes have met contact and supports, all that acts on the others is force and
-/// load.
+/// After a step of `dt_mean`: the residual of deferred nodes includes contact and supports, that of others only forces
+/// and loads.
 Balance balance(const model::Model& model, const model::State& state, const model::Scratch& scratch, const Links& links,
                 double dt_mean) {
   enum { left, given, work, terms };
@@ -63,16 +63,16 @@ Balance balance(const model::Model& model, const model::State& state, const mode
   return {value[given] > 0 ? std::sqrt(value[left] / value[given]) : 0.0, value[work]};
 }
 
-/// Model::Relaxation::under_way: what the next step does once it has its forces.
+/// Model::Relaxation::under_way: the action of the next step after its forces are computed.
 constexpr double move = 1, stop = 2, stop_at_rest = 3;
 
 Vec3 of(const Quad& q) {
   return {q[0], q[1], q[2]};
 }
 
-/// Lets the nodes be at rest at x_n: their velocity half a step before is minus what the forces give until then, so
-/// that half a step later it is plus that. (Zero at n - 1/2 would feed the fastest modes, and a first step of half the
-/// length would halve the impulses of contact.)
+/// Brings the nodes to rest at x_n: their velocity half a step before is minus the one that the forces produce until
+/// then, so that half a step later it has the opposite sign. (Zero at n - 1/2 would excite the highest modes, and a
+/// first step of half the length would halve the impulses of contact.)
 void stop_nodes(const model::Model& model, model::State& state, const model::Scratch& scratch, double dt_mean) {
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     model::NodeLine& node = state.nodes[i];
@@ -86,7 +86,8 @@ void stop_nodes(const model::Model& model, model::State& state, const model::Scr
   stop_bodies(model, scratch, dt_mean, state);
 }
 
-/// What held the deferred nodes in the step just taken: all that changed their velocities but forces and loads.
+/// Constraint forces on the deferred nodes in the last step: all changes of their velocities except by forces and
+/// loads.
 void keep_held_forces(const model::Model& model, model::State& state, const model::Scratch& scratch, double dt_mean) {
   std::ranges::fill(state.held_force, 0.0);
   for (const LocalIndex deferred : model.deferred) {
@@ -99,14 +100,14 @@ void keep_held_forces(const model::Model& model, model::State& state, const mode
   keep_held_wrenches(model, scratch, dt_mean, state);
 }
 
-/// The work of element forces along the way of the nodes, by the trapezoidal rule: half a step on each side of t_n. The
-/// accounts of `advance` (impulse times mean velocity) are about velocities that a stop takes away.
+/// The work of element forces on the displacements of the nodes, by the trapezoidal rule: half a step on each side of
+/// t_n. The accounts of `advance` (impulse times mean velocity) refer to velocities that a stop removes.
 class WorkAlongTheWay {
  public:
   WorkAlongTheWay(const model::Model& model, model::State& state, const model::Scratch& scratch)
       : model_(model), state_(state), scratch_(scratch) {}
 
-  /// after: of the half step behind t_n, else before it.
+  /// after: the half step after t_n, otherwise the one before it.
   void add(double half_step, bool after) {
     for (std::size_t i = 0; i < state_.nodes.size(); ++i)
       state_.displacement[i][3] += half_step * Eigen::Map<const Vec3>(state_.nodes[i].v).dot(of(scratch_.force[i]));
@@ -138,17 +139,17 @@ class WorkAlongTheWay {
   std::vector<std::vector<double>> interface_, elements_;
 };
 
-/// So many steps after its peak a swing is over. The fastest modes have periods of 3 steps and more: their peaks, which
-/// come and go while a slow swing still grows, must not end it. A stop takes from a mode what it has of kinetic energy
-/// then, which is nothing where these steps are a quarter of its period: so their number differs from swing to swing in
-/// no order (5 to 13). (A fixed order of four numbers can lock in: 12115 steps for a hanging bar of 4 elements, not
-/// 923.)
+/// Number of steps after its peak at which an oscillation ends. The highest modes have periods of 3 steps and more:
+/// their peaks, which alternate while a slow oscillation still grows, must not end it. A stop removes the current
+/// kinetic energy of a mode, which vanishes if the number of steps is a quarter of its period. The number therefore
+/// varies without a fixed order (5 to 13): a fixed short sequence can lock in and delay convergence by an order of
+/// magnitude.
 double patience(const model::Relaxation& phase) {
   constexpr std::uint64_t least = 5, kinds = 9;
   return static_cast<double>(least + model::mix_bits(static_cast<std::uint64_t>(phase.swing_start)) % kinds);
 }
 
-/// A swing has ended: what it says of the static state, and the next stage of the loads. True at rest.
+/// At the end of an oscillation: its information on the static state, and the next stage of the loads. True at rest.
 bool judge_swing(const Balance& now, double tolerance, model::Relaxation& phase) {
   const double length = phase.steps - phase.swing_start;
   const bool small = phase.peak <= tolerance * tolerance * now.stored || phase.peak == 0;
@@ -174,7 +175,7 @@ RelaxationStep relax(const model::Model& model, model::State& state, model::Scra
   RelaxationStep result;
   result.step = evaluate(model, state, scratch, links, control);
   if (result.step.stop) return result;
-  result.step.alpha = 0;  // the drag of `damping` belongs to the run
+  result.step.alpha = 0;  // mass damping by `damping` applies to the run only
   const double share = phase.stage / relaxation_stages;
   if (share < 1) {
     for (Quad& load : scratch.load) load *= share;
@@ -182,7 +183,7 @@ RelaxationStep relax(const model::Model& model, model::State& state, model::Scra
   }
   WorkAlongTheWay work(model, state, scratch);
   work.add(0.5 * state.dt, false);
-  // only now: stresses follow the velocities, so that those of the step before had to stay until they were used
+  // not earlier: stresses follow the velocities of the previous step, which were needed until here
   result.at_rest = phase.under_way == stop_at_rest;
   if (result.at_rest) return result;
   if (phase.under_way == stop) stop_nodes(model, state, scratch, result.step.dt_mean);

@@ -9,8 +9,8 @@
 namespace brunt::time {
 namespace {
 
-/// The first step at or past the time of a removal; nothing but the times of the state decides, so that a restart
-/// finds the same step.
+/// The first step at or after the time of a removal; it depends only on the times of the state, so that a restart finds
+/// the same step.
 bool is_due(const model::Removal& removal, const model::State& state) {
   return removal.at <= state.time && removal.at > state.time_before;
 }

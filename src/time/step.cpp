@@ -17,15 +17,15 @@
 namespace brunt::time {
 namespace {
 
-/// The step to come. stable: cfl times the stable step of the stiffest element anywhere and lately.
+/// The length of the next step. stable: cfl times the smallest recent stable step of all elements.
 double next_dt(const model::State& state, const StepControl& control, double stable) {
   const double grown = control.growth * state.dt;
   if (state.dt == 0 || stable < state.dt) return stable;
   return stable < grown ? state.dt : grown;
 }
 
-/// Where damping acts at t_n or will at t_{n+1}, both steps next to that time are bounded: a = alpha dt_mean / 2 <=
-/// cfl, so that damping alone changes no velocity's sign.
+/// If damping acts at t_n or will act at t_{n+1}, both steps adjacent to that time are bounded: a = alpha dt_mean / 2
+/// <= cfl, so that damping alone changes no velocity's sign.
 double bounded_by_damping(const model::Model& model, const model::State& state, const StepControl& control, double dt) {
   const bool acts = model.damped() && state.relaxation.under_way == 0 && state.time + dt >= model.damping_from &&
                     state.time < model.damping_to;
@@ -39,12 +39,12 @@ void remember_rate(model::State& state, double rate) {
   state.rate_now = 0;
 }
 
-/// Walls stand still until the run has begun.
+/// Walls are at rest before t = 0.
 double wall_speed(const model::RigidWall& wall, const model::State& state, double time) {
   return wall.moves && state.relaxation.under_way == 0 ? model::value_at(wall.motion, time) : 0.0;
 }
 
-/// `walls` keeps its memory from step to step.
+/// `walls` keeps its storage from step to step.
 void place_walls(const model::Model& model, const model::State& state, double time, std::vector<contact::Wall>& walls) {
   walls.clear();
   for (std::size_t w = 0; w < model.walls.size(); ++w) {
@@ -54,7 +54,7 @@ void place_walls(const model::Model& model, const model::State& state, double ti
   }
 }
 
-/// v = v* + W G^T impulses on the nodes that touch something.
+/// v = v* + W G^T impulses on the nodes in contact.
 void correct_contact(const model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
                      contact::Contact& contact, const StepReport& step, contact::VelocitySpan velocities) {
   const double dt = step.dt;
@@ -79,7 +79,7 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
   if (!model.bodies.empty() && contact.ledger.statistics.last.acted)
     push_bodies(model, contact.step.scratch.enforcement.carried.answer, step.drag(), state, scratch);
   if (scratch.contact_impulse.empty()) return;
-  // what contact pushes into held directions goes to whatever holds them
+  // impulses of contact along constrained directions act on the supports
   for (const model::ConstrainedNode& constrained : model.constrained)
     scratch.contact_impulse[static_cast<std::size_t>(constrained.node)].setZero();
   contact::add_impulses(contact, scratch.contact_impulse);
@@ -120,7 +120,7 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
   }
   report.stop = reduced[1] > 0;
   report.bound = report.rate = reduced[0];
-  // where run.step is below what the elements allow, the mesh has nothing to give
+  // if run.step is below the bound of the elements, an estimate of the mesh has no benefit
   if (!(control.cfl < control.largest * report.rate)) linear.clear();
   if (due && !report.stop) {
     const auto timed = links.timers.measure(Phase::element);
@@ -128,13 +128,13 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
   }
   if (assembled) report.bound = bounding_rate(*assembled, state, reduced[2], report.rate);
   const double largest = std::max({report.bound, state.rate_now, state.rate_before});
-  const bool all_gone = !(largest > 0) && model.loses_elements();  // then the step stays as it is, if there was one
+  const bool all_gone = !(largest > 0) && model.loses_elements();  // then the previous step is kept, if any
   const double kept = state.dt > 0 ? state.dt : std::numeric_limits<double>::infinity();
   report.stable_dt = std::min(all_gone ? kept : control.cfl / largest, control.largest);
   report.dt = bounded_by_damping(model, state, control, next_dt(state, control, report.stable_dt));
   report.dt_mean = 0.5 * (state.dt + report.dt);
   report.alpha = force::damping_rate(model, state.time);
-  // a run that begins in equilibrium: contact carries the same impulse in all steps, and nothing changes velocities
+  // a run that begins in equilibrium: contact has the same impulse in all steps, and no velocity changes
   if (model.relaxes && state.dt == 0) report.dt_mean = report.dt;
   return report;
 }

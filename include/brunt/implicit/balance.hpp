@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The forces of a trial step, and what of them is left over.
+// The forces of a trial step and their residual.
 #pragma once
 #include <span>
 
@@ -7,18 +7,18 @@
 
 namespace brunt::implicit {
 
-/// Puts nodes at X + u, with the mean velocities since t_n, and finds internal forces, trial histories and loads at
-/// t_{n+1}. `u`: of Unknowns::node. False: some element has no volume left there. Collective.
+/// Sets nodes to X + u, with the mean velocities since t_n, and computes internal forces, trial histories and loads at
+/// t_{n+1}. `u`: of Unknowns::node. Returns false if an element has no positive volume there. Collective.
 bool find_forces(const Scene& scene, Solver& solver, std::span<const double> u);
 
-/// After find_forces: the residual of the step's equation along free directions, and along held ones
-/// support_stiffness times what is missing of the given travel; sets Trial::balance. Collective.
+/// After find_forces: the residual of the equation of motion along free directions, and along constrained ones
+/// support_stiffness times the missing part of the prescribed displacement; sets Trial::balance. Collective.
 void balance(const Scene& scene, Solver& solver, std::span<double> residual);
 
-/// Derivative of the residual by u at the iterate, factorised. Collective.
+/// Derivative of the residual with respect to u at the iterate, factorised. Collective.
 comm::Factorised factorise_tangent(const Scene& scene, Solver& solver);
 
-/// What supports and drives give for the step to come: Trial::given, given_velocity.
+/// Prescribed values of supports and drives for the next step: Trial::given, given_velocity.
 void prescribe(const Scene& scene, Trial& trial);
 
 }  // namespace brunt::implicit

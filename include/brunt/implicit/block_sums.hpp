@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of a sparse matrix of 3 x 3 blocks that are added up one by one.
+// Rows of a sparse matrix of 3 x 3 blocks, assembled from single terms.
 #pragma once
 #include <vector>
 
@@ -7,13 +7,13 @@
 
 namespace brunt::implicit {
 
-/// One row: a block for each column that something was added to. Blocks of one place are added in the order of the
-/// calls. A row meets some dozens of columns, so that a walk through them finds a column faster than a table would.
+/// One row: a block for each column with a term. Blocks of one entry are added in the order of the calls. A row has
+/// some dozens of columns, for which a linear search is faster than a hash table.
 class BlockRow {
  public:
   void clear();
   void add(GlobalIndex column, const Mat3& block);
-  /// Columns ascending. Call once all is added.
+  /// Columns ascending. To be called after the last term.
   void sort();
   [[nodiscard]] const std::vector<GlobalIndex>& columns() const { return columns_; }
   [[nodiscard]] const Mat3& block(std::size_t k) const { return blocks_[place_[k]]; }  ///< of columns()[k], sorted

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a step begins and ends: from t_n to a trial, and from the trial to t_{n+1} or back.
+// The beginning and the end of a step: from t_n to a trial, and from the trial to t_{n+1} or back.
 #pragma once
 #include "brunt/implicit/solver.hpp"
 
@@ -11,7 +11,7 @@ void begin_step(const Scene& scene, Solver& solver, double dt, double time);
 /// The trial becomes the state of t_{n+1}: histories, displacements, velocities, works by the trapezoidal rule.
 void commit_step(const Scene& scene, Solver& solver);
 
-/// The state of t_n again.
+/// Restores the state of t_n.
 void give_back(const Scene& scene, Solver& solver);
 
 }  // namespace brunt::implicit

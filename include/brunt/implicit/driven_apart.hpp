@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where no multiplier can act: ties whose two sides supports or walls drive apart, and contact whose two sides, or a
-// wall and nodes, they drive into each other.
+// Constraints that no multiplier can satisfy: ties whose two sides are separated by supports or walls, and contact
+// whose two sides, or a wall and nodes, are driven into each other.
 #pragma once
 #include <optional>
 #include <span>
@@ -11,34 +11,35 @@
 
 namespace brunt::implicit {
 
-/// Motions across a tie agree where they differ by less than this share of a facet's edge: nodes that touch a wall at
-/// the start lie within a tenth of it (`touching`), and walls then hold them in their planes.
+/// Motions across a tie are compatible if they differ by less than this share of a facet's edge: nodes that touch a
+/// wall in the initial configuration lie within a tenth of it (`touching`), and walls then constrain them to their
+/// planes.
 constexpr double agreed = 1e-5;
 
-/// The row of a tie that opens most.
+/// The row of a tie with the largest opening.
 struct DrivenApart {
   std::size_t interface = 0;
-  GlobalIndex slave = -1, master = -1;  ///< canonical numbers: the row's node, and the nearest of the place under it
-  Vec3 apart = Vec3::Zero();            ///< motion of the slave less that of the master's place [length]
+  GlobalIndex slave = -1, master = -1;  ///< canonical numbers: the row's node, its master node of largest weight
+  Vec3 apart = Vec3::Zero();            ///< motion of the slave minus that of its projection [length]
   Vec3 place = Vec3::Zero();            ///< of the slave node at the start [length]
 };
 
-/// After a step that has converged: along directions without multipliers. The same on all ranks. Collective.
+/// After a converged step: along directions without multipliers. The same on all ranks. Collective.
 std::optional<DrivenApart> driven_apart(const comm::Communicator& ranks, const MortarContact& contact);
 
-/// By supports alone at a time to come, where both sides' motions are given from t = 0 on; acceleration is not looked
-/// at. The same on all ranks. Collective.
+/// By supports only, at a future time, if the motions of both sides are prescribed from t = 0 on; prescribed
+/// accelerations are not considered. The same on all ranks. Collective.
 std::optional<DrivenApart> driven_apart_at(const comm::Communicator& ranks, const model::Model& model, double time,
                                            const MortarContact& contact);
 
-/// Times at which a motion of supports changes its course, up to `end`, ascending, and `end`.
+/// Times up to `end` at which a prescribed motion changes its slope, ascending, and `end`.
 std::vector<double> turning_times(const model::Model& model, double end);
 
-/// Looks for rows of contact and for nodes at walls that lie behind what cannot give way, since supports hold all their
-/// nodes along the normal; deepens Solver::driven. Returns a warning for each that is new. Collective.
+/// Searches rows of contact and nodes at walls whose penetration cannot be resolved, since supports constrain all their
+/// nodes along the normal; updates Solver::driven. Returns a warning for each new one. Collective.
 std::vector<std::string> watch_driven(const Scene& scene, Solver& solver, const std::string& length_unit);
 
-/// Depth of all of them so far [length].
+/// Largest penetration of all of them so far [length].
 double driven_penetration(const Solver& solver);
 
 }  // namespace brunt::implicit

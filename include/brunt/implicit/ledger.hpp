@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the energy is at t_n of an implicit run. Works are those of the mean of the forces at both ends of each step on
-// its travel, so that with the trapezoidal rule the total is an identity up to what Newton's iteration has left.
+// The energy balance at t_n of an implicit run. The work of each force in a step is the mean of its values at both ends
+// times the displacement, so that with the trapezoidal rule the total is an identity up to the residual of Newton's
+// iteration.
 #pragma once
 #include "brunt/implicit/solver.hpp"
 #include "brunt/time/ledger.hpp"
 
 namespace brunt::implicit {
 
-/// After a step, or at the start. Static states have neither kinetic energy nor momentum. Collective.
+/// After a step, or at t = 0. Static states have neither kinetic energy nor momentum. Collective.
 time::Ledger ledger(const Scene& scene, const Solver& solver);
 
 }  // namespace brunt::implicit

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the time of implicit steps goes.
+// Wall time of the parts of implicit steps.
 #pragma once
 #include <chrono>
 
 namespace brunt::implicit {
 
-/// Adds the time of its life to an account [s].
+/// Adds the time of its lifetime to an account [s].
 class Measure {
  public:
   explicit Measure(double& account) : account_(account) {}

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mortar contact in an implicit step. A row belongs to the owner of its slave node, who holds the slave facets around
-// it and the master facets that these may meet; what a row does to nodes of other ranks is sent to their owners, who
-// add it up in the order of facets and rows. A facet on the border between ranks is integrated on both sides.
+// Mortar contact in an implicit step. A row belongs to the owner of its slave node, which has the slave facets around
+// the node and the master facets that these may meet. Contributions of a row to nodes of other ranks are sent to their
+// owners, which add them in the order of facets and rows. A facet on the border between ranks is integrated on both
+// sides.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -20,30 +21,30 @@
 
 namespace brunt::implicit {
 
-/// Nodes of the facets that this rank holds. Those up to `lasting` stay all along, in canonical order: nodes of its own
-/// surfaces, of slave facets around its rows, of its ties. Behind them, in canonical order too, stand those of masters
-/// of other ranks that are near.
+/// Nodes of the facets on this rank. Those up to `lasting` remain throughout, in canonical order: nodes of its own
+/// surfaces, of slave facets around its rows, of its ties. They are followed, also in canonical order, by those of near
+/// masters of other ranks.
 struct ContactNodes {
   std::vector<GlobalIndex> gid;
   std::size_t lasting = 0;
-  std::vector<comm::RemoteSlot> source;  ///< of each: its owner, and its local index there
-  std::vector<LocalIndex> own;           ///< of each: its place in Unknowns::node where this rank owns it, or no_index
-  std::vector<Mat3> rows;                ///< of each of this rank: multiplies its rows, supports and walls taken out
-  std::vector<Mat3> free;                ///< of each: projector on the directions that supports leave free
-  std::vector<Mat3> movable;             ///< likewise of those that walls leave free too, as it was last shared
-  std::vector<std::uint8_t> several;     ///< of each: surfaces of several interfaces have it
-  comm::Halo gather;                     ///< from all ranks' nodes to these
-  std::vector<Vec3> reference;           ///< of lasting ones, at the start [length]
-  std::vector<Vec3> x;                   ///< at the iterate [length]
-  std::vector<Vec3> x_before;            ///< at t_n [length]
-  std::vector<Vec3> x_told;              ///< of lasting ones, when masters were last told of [length]
-  std::vector<Vec3> force;               ///< of contact at the iterate, on nodes that this rank owns [force]
-  std::vector<Vec3> friction_force;      ///< of it, the tangential part
+  std::vector<comm::RemoteSlot> source;  ///< for each: its owner, and its local index there
+  std::vector<LocalIndex> own;           ///< for each: its place in Unknowns::node if this rank owns it, or no_index
+  std::vector<Mat3> rows;  ///< for each of this rank: factor of its rows, without the directions of supports and walls
+  std::vector<Mat3> free;  ///< for each: projector onto the directions left free by supports
+  std::vector<Mat3> movable;          ///< likewise by supports and walls, as last exchanged
+  std::vector<std::uint8_t> several;  ///< for each: whether surfaces of several interfaces contain it
+  comm::Halo gather;                  ///< from all ranks' nodes to these
+  std::vector<Vec3> reference;        ///< of lasting ones, in the initial configuration [length]
+  std::vector<Vec3> x;                ///< at the iterate [length]
+  std::vector<Vec3> x_before;         ///< at t_n [length]
+  std::vector<Vec3> x_told;           ///< of lasting ones, at the last exchange of masters [length]
+  std::vector<Vec3> force;            ///< of contact at the iterate, on nodes that this rank owns [force]
+  std::vector<Vec3> friction_force;   ///< of it, the tangential part
 
-  [[nodiscard]] LocalIndex place_of(GlobalIndex node) const;  ///< no_index where this rank does not hold it
+  [[nodiscard]] LocalIndex place_of(GlobalIndex node) const;  ///< no_index if this rank does not have it
 };
 
-/// Facets of a master that belong to elements of this rank: it tells others of them.
+/// Facets of a master that belong to elements of this rank, which sends them to others.
 struct OwnMasters {
   std::vector<GlobalIndex> key;
   std::vector<contact::FacetNodes> nodes;  ///< places in ContactNodes
@@ -55,10 +56,10 @@ struct PairSearch {
   contact::KdopTree slave, master;
   contact::TraversalScratch scratch;
   contact::TraversalCounts counts;
-  bool anew = true;       ///< the trees are to be built
+  bool anew = true;       ///< the trees must be built
   double built_with = 0;  ///< tests per pair when the trees were built
   std::vector<contact::FacetPair> pairs;
-  Ragged<LocalIndex> candidates;  ///< a slave facet each
+  Ragged<LocalIndex> candidates;  ///< for each slave facet
 };
 
 struct Interface {
@@ -70,44 +71,44 @@ struct Interface {
   PairSearch search;
   contact::MortarScratchPointer scratch;
   std::vector<LocalIndex> place;  ///< of each row among those of all ranks
-  std::size_t rows_of_all = 0;    ///< how many these are
+  std::size_t rows_of_all = 0;    ///< number of rows of all ranks
   comm::Halo to_all;              ///< from the rows of all ranks to all rows in order: for sums and what is saved
   comm::Halo beside;              ///< from the rows of all ranks to surfaces.rows_elsewhere
-  GlobalIndex first = 0;          ///< row of the whole system of the first multiplier of all
-  double stiffness = 0;           ///< of a layer of one facet [force/length^3]
+  GlobalIndex first = 0;          ///< row, in the whole system, of the first multiplier
+  double stiffness = 0;           ///< of a layer with the thickness of one facet [force/length^3]
   contact::MortarFriction friction;
   // at the iterate
   contact::MortarRows rows;
   contact::MortarSlopes slopes;
-  std::vector<double> z;  ///< pressures, a row each; of ties three multipliers [force/length^2]
+  std::vector<double> z;  ///< pressures, one for each row; for ties three multipliers [force/length^2]
   std::vector<std::uint8_t> active;
-  std::vector<double> start_gaps;  ///< of these rows at the places of t_n, weighted; empty unless kept [length^3]
-  std::vector<double> least_gaps;  ///< that the rows ask for, weighted; empty: zero [length^3]
-  std::vector<double> least_by_start, least_by_covered;  ///< its derivatives by start_gaps, and by what is covered
+  std::vector<double> start_gaps;  ///< of these rows at the positions of t_n, weighted; empty unless kept [length^3]
+  std::vector<double> least_gaps;  ///< required by the rows, weighted; empty: zero [length^3]
+  std::vector<double> least_by_start, least_by_covered;  ///< its derivatives by start_gaps and by area
   std::vector<std::uint8_t> pressed_before;              ///< at t_n
   std::vector<Vec3> tractions;
   std::vector<contact::FrictionState> states;
-  // of t_n and the start
+  // of t_n and of the initial configuration
   contact::FrictionHistory history;
   contact::TieStart tie;
-  std::vector<Mat3> tied;             ///< of ties, a row each: projector on the directions that its multipliers hold
-  std::vector<Mat3> given_apart;      ///< likewise those along which the slave and the place under it are both held
-  std::vector<std::uint8_t> touches;  ///< rows that touch at the start: in the set from the first iterate on
-  bool at_start = false;              ///< that iterate: what touches is stiff there, though nothing presses yet
+  std::vector<Mat3> tied;             ///< of ties, for each row: projector onto the directions of its multipliers
+  std::vector<Mat3> given_apart;      ///< likewise those along which the slave and its projection are both constrained
+  std::vector<std::uint8_t> touches;  ///< rows that touch initially: active from the first iterate on
+  bool at_start = false;              ///< at the first iterate of the run: touching rows are stiff there
 
-  [[nodiscard]] int multipliers() const {  ///< unknowns a row
+  [[nodiscard]] int multipliers() const {  ///< unknowns of each row
     return pair.tied ? 3 : pair.enforce == contact::MortarPair::Enforce::penalty ? 0 : 1;
   }
   [[nodiscard]] bool presses() const { return !pair.tied; }
-  /// Over the part of the row that lies under the master [length]; 0 where none does.
+  /// Mean over the covered part of the row [length]; 0 if nothing is covered.
   [[nodiscard]] double mean_gap(std::size_t row) const {
     return rows.covered[row] > 0 ? rows.gaps[row] / rows.covered[row] : 0.0;
   }
-  /// How far the gap is above what the row asks for, weighted [length^3].
+  /// Gap minus the gap required by the row, weighted [length^3].
   [[nodiscard]] double above(std::size_t row) const {
     return rows.gaps[row] - (least_gaps.empty() ? 0.0 : least_gaps[row]);
   }
-  /// Gaps of t_n are kept: exact multipliers of a scheme in which contact acts as at the end of the step.
+  /// Whether gaps of t_n are kept: for exact multipliers with a scheme whose contact force acts at the end of the step.
   [[nodiscard]] bool keeps(const struct MortarContact& contact) const;
   [[nodiscard]] std::size_t count() const { return surfaces.rows.size(); }  ///< rows of this rank
   /// Row of the whole system.
@@ -119,20 +120,20 @@ struct Interface {
 /// Sums of contact over all ranks.
 struct ContactCounts {
   GlobalIndex segments = 0, pairs = 0, tests = 0;
-  GlobalIndex active = 0;    ///< rows that push, or hold (ties)
-  GlobalIndex touching = 0;  ///< of these, rows that are no ties
+  GlobalIndex active = 0;    ///< active rows, and rows of ties
+  GlobalIndex touching = 0;  ///< of these, rows without ties
 };
 
 struct MortarContact {
   ContactNodes nodes;
   std::vector<Interface> interfaces;
-  bool keeps_gaps = false;           ///< rows that begin a step at a negative gap keep it, but for what is recovered
-  double budget = 0;                 ///< what recovery may give in this step, by its forecast [energy]
+  bool keeps_gaps = false;           ///< rows with a negative gap at t_n keep it, apart from the recovered part
+  double budget = 0;                 ///< largest energy supplied by recovery in this step, by its estimate [energy]
   double recovery = 0;               ///< share of `recovered` in this step, 0 to 1
-  double travel = 0;                 ///< that nodes may make until masters are told of anew [length]
+  double travel = 0;                 ///< largest displacement of nodes until the next exchange of masters [length]
   bool shares_nodes = false;         ///< on some rank there are ContactNodes::several
-  bool may_imply = false;            ///< without walls too rows may imply others: shared nodes, slaves at supports
-  std::vector<std::string> notes{};  ///< of the start: multipliers that are left out, and why
+  bool may_imply = false;            ///< rows may be redundant even without walls: shared nodes, slaves at supports
+  std::vector<std::string> notes{};  ///< of the set-up: omitted multipliers and the reasons
   std::vector<double> z_before{};    ///< multipliers of all interfaces at t_n, the same on every rank: saved
   std::vector<double> traction_before{};  ///< tangential tractions at t_n of all rows with friction, three each: saved
   std::vector<double> impulses{};         ///< of interfaces on their slaves since t = 0, an InterfaceForce each: saved
@@ -140,7 +141,7 @@ struct MortarContact {
   std::vector<GlobalIndex> own_rows;  ///< multipliers whose slave node this rank owns: rows of the system, ascending
   std::vector<LocalIndex> own;        ///< their places in `z_before`
   ContactCounts counts{};             ///< at the last call of `tally`
-  BlockSums sums{};                   ///< of each of `nodes`: what contact adds to its rows of the matrix
+  BlockSums sums{};                   ///< for each of `nodes`: contributions of contact to its rows of the matrix
   [[nodiscard]] bool any() const { return !interfaces.empty(); }
 };
 
@@ -148,41 +149,42 @@ inline bool Interface::keeps(const MortarContact& contact) const {
   return contact.keeps_gaps && multipliers() == 1;
 }
 
-/// Interfaces of Model::mortar. Throws InputError where two surfaces cannot make one. Collective.
+/// Interfaces of Model::mortar. Throws InputError if two surfaces cannot form one. Collective.
 MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns);
 
-/// Positions of contact's nodes at X + u, and multipliers `own_z` of this rank; masters that have come near.
-/// Collective.
+/// Positions of the nodes of contact at X + u, and multipliers `own_z` of this rank; exchanges masters that have come
+/// near. Collective.
 void gather_contact(const comm::Communicator& ranks, const model::State& state, std::span<const double> own_z,
                     MortarContact& contact);
 
-/// Which iterate find_contact is at.
+/// The kind of iterate of find_contact.
 enum class Iterate : std::int8_t {
   later,
   first_of_step,  ///< the predictor: pressures are those of t_n, and recovery is chosen
-  first_of_run    ///< likewise; rows that touch at the start are pressed
+  first_of_run    ///< likewise; rows that touch initially are active
 };
 
 /// Pairs, rows, active sets and forces at the gathered positions. Collective.
 void find_contact(const comm::Communicator& ranks, MortarContact& contact, Iterate iterate);
 
-/// Leaves out multipliers that are redundant: of rows that nothing can satisfy or that others imply over the directions
-/// that are free at the iterate. Their rows say that they are zero. movable: of each of contact's nodes that this rank
-/// owns, projector on the directions that supports and walls leave free now. Call after find_contact. Collective.
+/// Omits redundant multipliers: those of rows that cannot be satisfied or that are implied by others along the
+/// directions that are free at the iterate. Their equations set them to zero. movable: for each node of contact that
+/// this rank owns, projector onto the directions left free by supports and walls. To be called after find_contact.
+/// Collective.
 void leave_out_redundant(const comm::Communicator& ranks, std::span<const Mat3> movable, MortarContact& contact);
 
-/// Of each of contact's nodes that this rank owns: projector on directions along which walls hold it and supports or
-/// walls hold the place that it is tied to. The tie carries what presses it to that place: no wall need do so, nor find
-/// out whether it does. movable: as above. Collective.
+/// For each node of contact that this rank owns: projector onto directions along which walls constrain it and supports
+/// or walls constrain the projection to which it is tied. The tie transmits its pressure to the projection, so the wall
+/// constraint is redundant. movable: as above. Collective.
 std::vector<Mat3> carried_by_ties(const comm::Communicator& ranks, std::span<const Mat3> movable,
                                   MortarContact& contact);
 
-/// What contact along the normals gives to the bodies in the step, where it acts as at the end of it [energy].
+/// Energy supplied to the bodies by normal contact in the step, if its force acts at the end of the step [energy].
 /// Collective.
 double given_in_step(const MortarContact& contact);
 
-/// What is left of each multiplier's equation, as a force: stiffness times gap where pressed, else the pressure times
-/// its area. Of `own`.
+/// Residual of each multiplier's equation, as a force: stiffness times gap if active, otherwise pressure times area.
+/// For `own`.
 void multiplier_residuals(const MortarContact& contact, std::span<double> residual);
 
 /// A piece of the matrix: 3 x 3 (node, node), or columns and rows of multipliers.
@@ -195,18 +197,19 @@ struct ContactTerm {
   return a.row < b.row || (a.row == b.row && a.column < b.column);
 }
 
-/// Derivatives of the residual by positions and multipliers, rows of this rank alone: by row and column, those of one
-/// place in an order that does not depend on the ranks. Call after find_contact at the same positions. Collective.
+/// Derivatives of the residual with respect to positions and multipliers, for rows of this rank: by row and column,
+/// those of one entry in an order that does not depend on the ranks. To be called after find_contact at the same
+/// positions. Collective.
 void contact_terms(const comm::Communicator& ranks, MortarContact& contact, std::vector<ContactTerm>& terms);
 
-/// The step is accepted: multipliers, histories of friction. Collective.
+/// Accepts the step: multipliers, histories of friction. Collective.
 void keep_contact(MortarContact& contact);
 
-/// After a restart has filled z_before and traction_before: the rest of what is kept of t_n, from the places of
+/// After a restart has filled z_before and traction_before: recomputes the other data of t_n from the positions of
 /// `state`. Collective.
 void restore_contact(const comm::Communicator& ranks, const model::State& state, MortarContact& contact);
 
-/// What this rank has of these counts at the iterate.
+/// The contribution of this rank to the counts at the iterate.
 ContactCounts count(const MortarContact& contact);
 /// Their sums over the ranks, kept in MortarContact::counts. Collective.
 void tally(const comm::Communicator& ranks, MortarContact& contact);
@@ -214,9 +217,9 @@ void tally(const comm::Communicator& ranks, MortarContact& contact);
 /// The branch of every row of this rank - open, pressed, keeping its gap, sticking, sliding - at the iterate.
 std::vector<std::uint8_t> branches(const MortarContact& contact);
 
-/// By local node, of those that this rank owns: pressures of the slave's rows [stress], and their gaps (below 0:
-/// penetration) [length]; 0 elsewhere.
-/// Of a node with rows in several interfaces the largest pressure, the smallest gap.
+/// By local node, for those that this rank owns: pressures of the slave's rows [stress], and their gaps (below 0:
+/// penetration) [length]; 0 elsewhere. A node with rows in several interfaces has the largest pressure and the smallest
+/// gap.
 std::vector<double> contact_pressures(const MortarContact& contact, LocalIndex nodes);
 std::vector<double> contact_gaps(const MortarContact& contact, LocalIndex nodes);
 

@@ -9,28 +9,29 @@
 
 namespace brunt::implicit {
 
-/// Residuals below are near rounding, and no longer squared.
+/// Smaller residuals are near rounding, where convergence is no longer quadratic.
 constexpr double least_ratio = 1e-11;
-/// log r_{k+1} / log r_k from which on a step counts as quadratic; 2 in the limit (M6).
+/// A step counts as quadratic from this value of log r_{k+1} / log r_k; the limit is 2.
 constexpr double quadratic_order = 1.7;
 
-/// One step that converged.
+/// One converged step.
 struct NewtonRecord {
   double time = 0;             ///< t_{n+1}
-  std::vector<double> ratios;  ///< forces left over those that act, iterate by iterate
-  bool stood = true;           ///< the set of contact was the same at the last two iterates above least_ratio
+  std::vector<double> ratios;  ///< residual over applied forces, for each iterate
+  bool stood = true;           ///< the active set was the same at the last two iterates above least_ratio
 };
 
 struct NewtonTable {
   std::deque<NewtonRecord> last;          ///< of the last most_records steps
-  GlobalIndex judged = 0, quadratic = 0;  ///< of all steps: with two residuals above least_ratio and a set that stood
+  GlobalIndex judged = 0, quadratic = 0;  ///< number of steps with two residuals above least_ratio and an unchanged
+                                          ///< active set, and those with quadratic convergence
 };
 constexpr std::size_t most_records = 1000;
 
-/// Place of the last residual above least_ratio that has one before it; 0: there are no two.
+/// Index of the last residual above least_ratio that has a predecessor; 0 if there are not two.
 std::size_t last_judged(std::span<const double> ratios);
 
-/// log r_{k+1} / log r_k of the last two residuals above least_ratio; 0 where there are no two.
+/// log r_{k+1} / log r_k of the last two residuals above least_ratio; 0 if there are not two.
 double order_of(std::span<const double> ratios);
 
 void add(NewtonTable& table, NewtonRecord record);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who owns a solver need not know what it is made of.
+// The owner of a solver needs no complete definition of it.
 #pragma once
 #include <memory>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rigid bodies in implicit steps. A body has six unknowns: the displacement of its centre and a rotation. Its nodes
-// have no equations of their own: their rows of the system say that they move with the body, u - d - (R - 1) arm = 0,
-// and what is left of their forces goes to the body's rows by the arms.
+// have no equations of motion: their rows are the constraints u - d - (R - 1) arm = 0, and their residual forces are
+// transferred to the rows of the body by their arms.
 //
-// Rotations are multiplicative: the orientation of an iterate is exp(ds) times that at which the matrix was laid last.
+// Rotations are multiplicative: the orientation of an iterate is exp(ds) times that of the last assembled matrix.
 // Unknowns and rows of rotation are scaled by the body's radius of gyration, as arcs [length] and forces. With inertia
-// arms are the means of both ends of the step (rigid/trapezoidal.hpp), without it those of its end.
+// the arms are the means of both ends of the step (rigid/trapezoidal.hpp), otherwise those of its end.
 //
-// Every rank holds all bodies with the same bits; the root has their rows.
+// Every rank has all bodies with the same bits; the root has their rows.
 #pragma once
 #include <Eigen/Geometry>
 #include <array>
@@ -26,24 +26,24 @@ struct Scene;
 struct Solver;
 struct Rule;
 
-/// One body in the step under way.
+/// One body in the current step.
 struct BodyTrial {
   // of the step
   Mat3 turn_before = Mat3::Identity();                            ///< R_n
-  Vec3 given_shift = Vec3::Zero(), given_turn = Vec3::Zero();     ///< travel [length], angles [rad] by drives
+  Vec3 given_shift = Vec3::Zero(), given_turn = Vec3::Zero();     ///< prescribed displacement [length], angles [rad]
   Vec3 given_velocity = Vec3::Zero(), given_spin = Vec3::Zero();  ///< at t_{n+1}
   Vec3 gravity = Vec3::Zero(), gravity_before = Vec3::Zero();     ///< the body's weight [force]
-  // where the matrix was laid last
+  // at the last assembled matrix
   Eigen::Quaterniond base = Eigen::Quaterniond::Identity();
-  Vec3 base_arc = Vec3::Zero();  ///< unknowns of rotation there [length]
+  Vec3 base_arc = Vec3::Zero();  ///< unknowns of rotation at that matrix [length]
   // at the iterate
   Vec3 arc = Vec3::Zero();
   Vec3 displacement = Vec3::Zero();
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity(), turn = orientation;  ///< R, R R_n^T
   Mat3 turn_now = Mat3::Identity();                                                     ///< R
-  rigid::MomentumAfter momentum;  ///< where the scheme has inertia
-  model::Wrench left;             ///< of all nodes, without supports: minus what acts [force]
-  Mat3 by_arms = Mat3::Zero();    ///< derivative of the moment left by a small rotation, forces as they are
+  rigid::MomentumAfter momentum;                                                        ///< if the scheme has inertia
+  model::Wrench left;           ///< residual of all nodes, without supports: minus the applied forces [force]
+  Mat3 by_arms = Mat3::Zero();  ///< derivative of the residual moment by a small rotation, at constant forces
 };
 
 struct RigidBodies {
@@ -51,60 +51,61 @@ struct RigidBodies {
   struct Place {
     LocalIndex body = no_index;
     bool forced = false;      ///< elements or loads may act on it
-    Vec3 arm = Vec3::Zero();  ///< X less the body's centre [length]
+    Vec3 arm = Vec3::Zero();  ///< X minus the body's centre [length]
   };
   GlobalIndex first = 0;         ///< row of the system of the first body's first unknown
   bool rows_here = false;        ///< this rank has the bodies' rows
   std::size_t first_here = 0;    ///< its place in Solver::u
   std::vector<double> radius;    ///< of gyration, a body each [length]
-  std::vector<double> at_walls;  ///< stiffness of walls at a node, a body each [force/length]
-  std::vector<BodyTrial> trial;  ///< a body each
-  std::vector<Place> place;      ///< by place in Unknowns::node; empty where there are no bodies
+  std::vector<double> at_walls;  ///< stiffness of walls at a node, for each body [force/length]
+  std::vector<BodyTrial> trial;  ///< for each body
+  std::vector<Place> place;      ///< by place in Unknowns::node; empty without bodies
   std::vector<comm::ExactAccumulator> sums;
 
   [[nodiscard]] bool any() const { return !trial.empty(); }
   [[nodiscard]] bool carries(std::size_t own) const { return any() && place[own].body != no_index; }
-  [[nodiscard]] std::vector<GlobalIndex> own_rows() const;  ///< six a body on the root
+  [[nodiscard]] std::vector<GlobalIndex> own_rows() const;  ///< six for each body on the root
 };
 constexpr std::size_t body_unknowns = 6;
 
-/// first: row of the system behind those of nodes and multipliers; first_here: likewise of this rank's unknowns.
+/// first: row of the system after those of nodes and multipliers; first_here: likewise of this rank's unknowns.
 RigidBodies make_bodies(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns,
                         GlobalIndex first, std::size_t first_here);
 
-/// Walls push nodes of bodies as springs do. After make_walls. Collective.
+/// Walls act on nodes of bodies by springs. After make_walls. Collective.
 void soften_walls(const comm::Communicator& ranks, const model::Model& model, Solver& solver);
 
-/// Directions in which supports let the body of this node move, if it has one: all where the body may turn.
+/// Directions in which supports let the body of this node move, if it has one: all if the body may rotate.
 Mat3 freed_by_body(const model::Model& model, LocalIndex node);
 
-/// What drives give in the step from t_n, and the first iterate: as the bodies move on, or where they are at t_n.
+/// Prescribed motion in the step from t_n, and the first iterate: bodies continue their motion, or stay at their
+/// position of t_n.
 void begin_bodies(const Scene& scene, Solver& solver, bool still);
 
 /// Bodies and their nodes (Trial::displacement) at these unknowns. Collective.
 void place_bodies(const Scene& scene, Solver& solver, std::span<const double> u);
 
-/// Begins the sums of what is left at the bodies' nodes.
+/// Resets the sums of the residuals at the bodies' nodes.
 void begin_left(RigidBodies& bodies);
-/// What is left at an own node of a body [force].
+/// Adds the residual at an own node of a body [force].
 void leave_to_body(std::size_t own, const Vec3& left, Solver& solver);
 /// After all nodes: residuals of the bodies' rows, and their parts of the sums of Balance (left, given, rounding).
 /// Collective.
 void balance_bodies(const Scene& scene, Solver& solver, std::span<double> residual,
                     std::span<comm::ExactAccumulator, 3> sums);
 
-/// The matrix's rows of bodies and of their nodes: takes contact's terms in rows of bodies' nodes out of `terms`, and
-/// adds the rows of this rank; by row and column again. After Stiffness::assemble. Collective.
+/// The matrix's rows of bodies and of their nodes: moves the terms of contact in rows of bodies' nodes out of `terms`,
+/// and adds the rows of this rank, sorted by row and column. After Stiffness::assemble. Collective.
 void body_terms(const Scene& scene, Solver& solver, std::vector<ContactTerm>& terms);
 
-/// Begins the sums of impulses.
+/// Resets the sums of impulses.
 void begin_impulses(RigidBodies& bodies);
-/// What acted on an own node of a body in the step that is accepted [momentum].
+/// Adds the impulse on an own node of a body in the accepted step [momentum].
 void book_impulse(std::size_t own, const Vec3& impulse, Solver& solver);
-/// Bodies to t_{n+1}, and the velocities of their nodes; works and impulses. Collective.
+/// Advances bodies to t_{n+1}, with the velocities of their nodes; works and impulses. Collective.
 void commit_bodies(const Scene& scene, Solver& solver);
 
-/// What probes of parts see of the bodies between steps: model::Scratch::bodies at t_n.
+/// Data of the bodies for probes of parts between steps: model::Scratch::bodies at t_n.
 void show_bodies(const model::Model& model, const model::State& state, model::Scratch& scratch);
 
 }  // namespace brunt::implicit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid walls in implicit steps: planes that nodes cannot pass, at rest or in motion along their normals.
+// Rigid walls in implicit steps: impenetrable planes, at rest or moving along their normals.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -17,27 +17,27 @@ namespace brunt::implicit {
 struct WallNode {
   std::size_t own = 0;                    ///< place in Unknowns::node
   std::int32_t first = 0, count = 0;      ///< its entries in WallContact::wall
-  std::int32_t kept[WallChoice::most]{};  ///< walls looked at in this step: its nearest
+  std::int32_t kept[WallChoice::most]{};  ///< walls considered in this step: the nearest ones
   std::int32_t looked_at = 0;
-  bool springs = false;      ///< of a rigid body: walls push it as springs do (wall_spring.hpp)
-  Mat3 tied = Mat3::Zero();  ///< projector on directions along which a tie holds it in its walls, at the iterate
-  WallChoice solved;         ///< what the last linear solve took the walls to do
+  bool springs = false;      ///< of a rigid body: walls act on it by springs (wall_spring.hpp)
+  Mat3 tied = Mat3::Zero();  ///< projector onto directions along which a tie constrains it to its walls, at the iterate
+  WallChoice solved;         ///< the active walls assumed in the last linear solve
   WallAction action;         ///< at the iterate
 };
 
-/// What walls have done since t = 0: saved.
+/// Sums over walls since t = 0: saved.
 struct WallAccount {
   double normal = 0, friction = 0;  ///< taken from the bodies [energy]
 };
 constexpr int wall_account_width = sizeof(WallAccount) / sizeof(double);
 
 struct WallContact {
-  double touching = 0;              ///< gaps below it at t_n belong to nodes that are pressed at first [length]
-  bool first = true;                ///< no linear solve has been made in this step
+  double touching = 0;              ///< nodes with a smaller gap at t_n are active at first [length]
+  bool first = true;                ///< before the first linear solve of this step
   std::vector<double> place;        ///< of each wall at t_{n+1}: normal . x of its plane [length]
   std::vector<WallNode> nodes;      ///< ascending by `own`
   std::vector<std::int32_t> wall;   ///< by node
-  std::vector<std::uint8_t> holds;  ///< of each of `wall`: the node lay in the plane of a bilateral wall at the start
+  std::vector<std::uint8_t> holds;  ///< for each of `wall`: the node lay initially in the plane of a bilateral wall
   std::vector<LocalIndex> node_of;  ///< by place in Unknowns::node: index into `nodes`, or no_index
   WallAccount account;
   std::vector<double> impulse;  ///< of each wall on the bodies since t = 0, three each [momentum]: saved
@@ -48,23 +48,25 @@ struct WallContact {
 /// spacing: mean distance of nodes [length].
 WallContact make_walls(const model::Model& model, const Unknowns& unknowns, double spacing);
 
-/// Walls go to their places at `time`, a step after `state`'s; what is pressed at first follows from the state of t_n.
+/// Moves walls to their positions at `time`, one step after that of `state`; the first active set follows from the
+/// state of t_n.
 void begin_walls(const model::Model& model, const model::State& state, const Unknowns& unknowns, double time_before,
                  double time, WallContact& walls);
 
-/// What walls do at a node (place in Unknowns::node) at x; nullptr where none may meet it. question: all but the walls.
+/// Action of the walls on a node (place in Unknowns::node) at x; nullptr if no wall can meet it. question: all data
+/// except walls.
 const WallAction* meet_walls(const model::Model& model, const Vec3& x, std::size_t own, WallQuestion question,
                              WallContact& walls);
-/// As it was last found.
+/// The last result.
 const WallAction* action_of(const WallContact& walls, std::size_t own);
 
-/// The matrix is laid as walls are now.
+/// The matrix is assembled with the current active walls.
 void remember_choice(WallContact& walls);
 
-/// Appends what walls do at each node of this rank as a number: rows and slip change together with it.
+/// Appends the branch of the walls at each node of this rank as a number: it changes with the active set and with slip.
 void add_branches(const WallContact& walls, std::vector<std::uint8_t>& branches);
 
-/// Has every node that is pressed been so chosen by its balance, and not by its place alone? Collective.
+/// Whether the active set of every node follows from its balance, and not only from its position. Collective.
 bool chosen_by_balance(const comm::Communicator& ranks, const WallContact& walls);
 
 /// Normal and tangential forces of walls on a node at the iterate [force].
@@ -73,12 +75,12 @@ struct WallForces {
 };
 WallForces forces_of(const model::Model& model, const WallContact& walls, std::size_t own);
 
-/// The step of length dt is accepted: impulses of each wall, of_impulse of the forces now and the rest of those at t_n,
-/// which become those of now. Collective.
+/// Accepts the step of length dt: adds to the impulses of each wall the share of_impulse of the current forces and the
+/// rest of those at t_n, which are then replaced by the current ones. Collective.
 void keep_walls(const comm::Communicator& ranks, const model::Model& model, double dt, double of_impulse,
                 WallContact& walls);
 
-/// Rows that press a node. Collective.
+/// Number of active rows. Collective.
 GlobalIndex pressed(const comm::Communicator& ranks, const WallContact& walls);
 
 }  // namespace brunt::implicit

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The schemes in time as numbers. With F = loads - internal forces, F^c of contact and F^s of supports, a step solves
+// Coefficients of the time integration schemes. With F = loads - internal forces, F^c of contact and F^s of supports, a
+// step solves
 //
 //   m M (u_{n+1} - u*) = now F_{n+1} + before F_n + F^c + F^s
 //
@@ -19,16 +20,16 @@ struct Rule {
   double mass = 0;  ///< m [1/time^2]
   double now = 1, before = 0;
   double dt = 0;               ///< [time]
-  double beta = 0, gamma = 0;  ///< of newmark and hht, else 0
+  double beta = 0, gamma = 0;  ///< of newmark and hht, otherwise 0
 };
 
 Rule rule_of(const model::ImplicitSolver& solver, double dt);
 
-/// What the motion of a node would be without forces: u* - u_n [length].
+/// Displacement of a node without forces: u* - u_n [length].
 Vec3 free_travel(const Rule& rule, const Vec3& velocity, const Vec3& acceleration);
 
-/// Velocity and acceleration at t_{n+1} from `travel` = u_{n+1} - u_n. `acceleration` goes from t_n to t_{n+1}; where
-/// the scheme has none (beta = 0) it stays.
+/// Velocity and acceleration at t_{n+1} from `travel` = u_{n+1} - u_n. `acceleration` is advanced from t_n to t_{n+1};
+/// schemes without it (beta = 0) leave it unchanged.
 Vec3 velocity_after(const Rule& rule, const Vec3& travel, const Vec3& velocity, Vec3& acceleration);
 
 }  // namespace brunt::implicit

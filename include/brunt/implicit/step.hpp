@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// One implicit step, THE page: predict, Newton's iteration, commit; with shorter steps where the iteration fails.
+// One implicit step: predictor, Newton's iteration, commit; with shorter steps if the iteration fails.
 //
-//   u = u* = u_n + dt v_n                                  predict; what supports give at t_{n+1}
-//   until the forces left over are small against those that act:
-//     r(u) = m M (u - u*) - now F(u) - before F_n          out of balance: elements, loads, inertia, supports
+//   u = u* = u_n + dt v_n                                  predictor; prescribed values of supports at t_{n+1}
+//   until the residual is small compared to the applied forces:
+//     r(u) = m M (u - u*) - now F(u) - before F_n          residual: elements, loads, inertia, supports
 //     u -= K^-1 r,  K = dr/du                              consistent tangent, sparse direct solution
 //   histories, velocities, accounts of work                commit
 //
@@ -16,10 +16,10 @@
 
 namespace brunt::implicit {
 
-constexpr int most_iterations = 20;  ///< three times those of a hard step that succeeds; then a shorter one is cheaper
+constexpr int most_iterations = 20;  ///< three times those of a difficult step that converges
 
-/// From t_n to t_{n+1}. Throws GuardError where no step down to min_step converges or a body floats that nothing
-/// holds: then the state is that of t_n. `place` tells the node of a message. Collective.
+/// From t_n to t_{n+1}. Throws GuardError if no step down to min_step converges or a body has an unconstrained rigid
+/// motion: the state is then that of t_n. `place` describes the location of a node in a message. Collective.
 void advance(const Scene& scene, Solver& solver, const std::function<std::string(GlobalIndex gid)>& place);
 
 }  // namespace brunt::implicit

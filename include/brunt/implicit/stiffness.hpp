@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stiffness of the bodies: derivatives of the forces on the nodes that a rank owns by the places of all nodes,
-// summed from the matrices of elements and pressed faces in canonical order, whichever rank computes them.
+// The stiffness of the bodies: derivatives of the forces on the nodes that a rank owns with respect to the positions of
+// all nodes, assembled from the matrices of elements and pressed faces in canonical order, independent of the rank that
+// computes them.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -29,21 +30,21 @@ class Stiffness {
   /// The pattern is that of the mesh. Collective.
   Stiffness(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns);
 
-  /// d(internal force - forces of pressure)/du at the end of the motion, as force::element_tangents has it; loads of
-  /// State::time. Collective.
+  /// d(internal force - forces of pressure)/du at the end of the motion, as computed by force::element_tangents; loads
+  /// of State::time. Collective.
   void assemble(const model::Model& model, const model::State& state, const force::Motion& motion,
                 const force::History& committed);
 
   [[nodiscard]] const NodeRows& rows() const { return rows_; }
 
  private:
-  /// Rows of a border node's contribution, as its owner has to know them.
+  /// Contribution of an element or face to the rows of a border node, as identified by the owner of the node.
   struct Slot {
     GlobalIndex key = 0;  ///< orders the sum at a node: element, then corner; faces under pressure after all elements
     GlobalIndex row = 0;
     std::array<GlobalIndex, 8> column{};
     std::int32_t nodes = 0;
-    LocalIndex slot = 0;  ///< of the rank that computes it
+    LocalIndex slot = 0;  ///< on the rank that computes it
   };
   static constexpr int slot_width = 9 * 8;
 
@@ -57,10 +58,10 @@ class Stiffness {
   void add_border();
 
   NodeRows rows_;
-  std::vector<LocalIndex> target_;  ///< of corners in the order in which they are added: a row, or -1 - slot
+  std::vector<LocalIndex> target_;  ///< of corners in the order of addition: a row, or -1 - slot
   std::size_t next_target_ = 0;
   std::vector<double> slots_, leaves_;
-  std::vector<Slot> leaf_;    ///< what the leaves hold
+  std::vector<Slot> leaf_;    ///< contents of the leaves
   Ragged<LocalIndex> terms_;  ///< by row: leaves, in the order of their keys
   comm::Halo border_;
   std::vector<double> matrices_;  ///< of some elements

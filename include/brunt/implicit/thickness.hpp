@@ -8,8 +8,8 @@
 
 namespace brunt::implicit {
 
-/// Of each facet: distance, along its normal and into its body, of the nearest facet of the same surface that looks the
-/// other way [length]; infinite where there is none within `reach`. x: positions of all nodes.
+/// For each facet: distance, along its normal and into its body, of the nearest facet of the same surface with an
+/// opposite normal [length]; infinite if there is none within `reach`. x: positions of all nodes.
 std::vector<double> thickness_behind(const std::vector<contact::FacetNodes>& facets, std::span<const Vec3> x,
                                      double reach);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The unknowns of an implicit step: the displacements of all nodes, three a node, in the canonical order of the mesh.
+// The unknowns of an implicit step: the displacements of all nodes, three for each node, in the canonical order of the
+// mesh.
 #pragma once
 #include <span>
 #include <vector>
@@ -15,7 +16,7 @@ struct Unknowns {
   GlobalIndex total = 0;           ///< of all ranks
   std::vector<LocalIndex> node;    ///< nodes this rank owns, ascending
   std::vector<GlobalIndex> row;    ///< three for each of them, ascending
-  std::vector<LocalIndex> copy;    ///< nodes of other ranks that this rank holds, ascending
+  std::vector<LocalIndex> copy;    ///< nodes of other ranks with a copy on this rank, ascending
   comm::Halo copies;               ///< from the nodes of all ranks to these copies
   std::vector<double> received{};  ///< three for each of `copy`
 };
@@ -23,7 +24,7 @@ struct Unknowns {
 /// Collective.
 Unknowns number_unknowns(const comm::Communicator& ranks, const model::Model& model);
 
-/// Gives the copies of nodes what their owners have; `nodal`: three a node of this rank. Collective.
+/// Updates the copies of nodes with the values of their owners; `nodal`: three for each node of this rank. Collective.
 void share(Unknowns& unknowns, std::span<double> nodal);
 
 }  // namespace brunt::implicit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A node at rigid walls: along normals of walls that press it its equations say that it lies in their planes, along the
-// rest that friction does what it can. No unknowns are added: pressures are what is left of the node's own balance.
+// A node at rigid walls: along the normals of active walls its equations constrain it to their planes, along the other
+// directions friction acts. No unknowns are added: pressures are the residual of the node's own balance.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -14,45 +14,45 @@ struct WallMeeting {
   Vec3 normal = Vec3::UnitZ();  ///< unit, out of the wall
   double gap = 0;               ///< of the node at the iterate; below 0: behind the plane [length]
   double friction = 0;          ///< Coulomb's coefficient
-  bool bilateral = false;       ///< holds the node back as well
+  bool bilateral = false;       ///< constrains the node in both directions
 };
 
-/// What the walls do at a node: chosen anew at every iterate from what the last linear solve took them to do.
+/// The active walls of a node: determined anew at every iterate from those of the last linear solve.
 struct WallChoice {
   static constexpr std::size_t most = 3;  ///< walls a node can touch: more are redundant
   bool active[most] = {false, false, false};
-  bool slides = false;  ///< friction is all that it can be
+  bool slides = false;  ///< friction has reached its Coulomb limit
 };
 
-/// The node's equations and what the walls give.
+/// The node's equations and the forces of the walls.
 struct WallAction {
   WallChoice choice;
-  Mat3 rows = Mat3::Identity();                   ///< multiplies the node's rows of the matrix
-  Mat3 free = Mat3::Identity();                   ///< projector on directions that neither supports nor walls hold
+  Mat3 rows = Mat3::Identity();                   ///< factor of the node's rows of the matrix
+  Mat3 free = Mat3::Identity();                   ///< projector onto directions free of supports and walls
   Mat3 own = Mat3::Zero();                        ///< added to its diagonal block [force/length]
-  Vec3 left = Vec3::Zero();                       ///< of the node's equations [force]
+  Vec3 left = Vec3::Zero();                       ///< residual of the node's equations [force]
   double pressure[WallChoice::most] = {0, 0, 0};  ///< of each wall along its normal [force]
   Vec3 friction = Vec3::Zero();                   ///< of all walls on the node [force]
 };
 
 struct WallQuestion {
   std::span<const WallMeeting> meetings;  ///< at most WallChoice::most
-  Mat3 free = Mat3::Identity();           ///< projector on the directions that supports leave free
-  Vec3 left = Vec3::Zero();               ///< left without walls, along `free`: inertia less what acts [force]
-  Vec3 travel = Vec3::Zero();             ///< since t_n, that which supports give included [length]
-  Vec3 friction_before = Vec3::Zero();    ///< at t_n [force]
-  double stiffness = 0;                   ///< of held directions in the matrix: does not enter pressures [force/length]
-  bool first = false;  ///< the first iterate of a step: the choice given stands, and what lies behind a wall is pressed
-  Mat3 tied = Mat3::Zero();  ///< projector on directions along which ties hold the node in its walls
+  Mat3 free = Mat3::Identity();           ///< projector onto the directions left free by supports
+  Vec3 left = Vec3::Zero();             ///< residual without walls, along `free`: inertia minus applied forces [force]
+  Vec3 travel = Vec3::Zero();           ///< displacement since t_n, including prescribed displacements [length]
+  Vec3 friction_before = Vec3::Zero();  ///< at t_n [force]
+  double stiffness = 0;      ///< of constrained directions in the matrix: does not influence pressures [force/length]
+  bool first = false;        ///< the first iterate of a step: the given active set is kept, penetrated walls are active
+  Mat3 tied = Mat3::Zero();  ///< projector onto directions along which ties constrain the node to its walls
 };
 
-/// The primal-dual active set: a wall presses where pressure - stiffness gap > 0. Friction is a spring of `sticking`
-/// times the stiffness between the node and the walls, from its force at t_n on, that gives way where Coulomb's law
-/// does (Hueber and Wohlmuth 2005; return mapping: J. C. Simo, T. A. Laursen 1992).
+/// The primal-dual active set: a wall is active if pressure - stiffness gap > 0. Friction is a spring of `sticking`
+/// times the stiffness between the node and the walls, which starts from its force at t_n and slides by Coulomb's law
+/// (Hueber and Wohlmuth 2005; return mapping: J. C. Simo, T. A. Laursen 1992).
 WallAction act(const WallQuestion& question, const WallChoice& solved);
 
-/// Stiffness of sticking over that of held directions, which is about that of an element: at stresses of the order of
-/// the modulus a node slips by a tenth of an edge before it slides. As in mortar contact.
+/// Sticking stiffness over that of constrained directions, which is about that of an element: at stresses of the order
+/// of the modulus the elastic slip of a node is a tenth of an edge. As in mortar contact.
 constexpr double sticking_at_walls = 10;
 
 }  // namespace brunt::implicit

@@ -9,11 +9,13 @@
 
 namespace brunt::time {
 
-/// Decides what each element remembers, sizes all arrays, lumps the mass. Collective. `links` must belong to the model.
+/// Determines the history variables of each element, sizes all arrays, lumps the mass. Collective. `links` must belong
+/// to the model.
 void initialise(model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
                 std::span<const Vec3> velocity);
 
-/// Initial velocities of all nodes, less what is held. `initialise` gives them unless the scene relaxes first.
+/// Initial velocities of all nodes, without constrained components. Called by `initialise` unless the scene relaxes
+/// first.
 void start_velocities(const model::Model& model, model::State& state, std::span<const Vec3> velocity);
 
 /// Positions from displacements: after a restart has filled the state.

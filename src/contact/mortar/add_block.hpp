@@ -6,7 +6,7 @@
 
 namespace brunt::contact {
 
-/// Adds a block to the last row, which is not closed yet.
+/// Adds a block to the last row, which is still open.
 template <class Block>
 void add_block(NodeBlocks<Block>& blocks, LocalIndex node, const Block& block) {
   const std::vector<LocalIndex>& nodes = blocks.nodes.values;
@@ -25,7 +25,7 @@ inline void add_row(NodeBlocks<Mat3>& blocks, const Mat3& left, const NodeBlocks
   for (std::size_t k = 0; k < nodes.size(); ++k) add_block(blocks, nodes[k], Mat3(left * other.row(row)[k]));
 }
 
-/// sum_K w_AK x_K of one row, from a point near it so that no digits are lost far from the origin.
+/// sum_K w_AK x_K of one row, relative to a point near it to avoid cancellation far from the origin.
 inline Vec3 weighted_sum(const NodeBlocks<double>& weights, LocalIndex row, std::span<const Vec3> x) {
   const std::span<const LocalIndex> nodes = weights.nodes.row(row);
   Vec3 sum = Vec3::Zero();

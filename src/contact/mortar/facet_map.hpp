@@ -35,7 +35,7 @@ struct FacetMap {
   }
 };
 
-/// A point a lane; the fourth function of a triangle is zero.
+/// One point in each lane; the fourth function of a triangle is zero.
 struct ShapeFunctions {
   Pack value[4], by_x[4], by_y[4];
 };

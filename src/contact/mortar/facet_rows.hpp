@@ -9,7 +9,7 @@ namespace brunt::contact {
 
 class FacetRows {
  public:
-  /// False: nothing is covered. candidates: master facets.
+  /// Returns false if nothing is covered. candidates: master facets.
   bool evaluate(const MortarSurfaces& surfaces, std::size_t facet, std::span<const LocalIndex> candidates,
                 std::span<const Vec3> x, bool with_slopes);
 
@@ -17,9 +17,9 @@ class FacetRows {
   [[nodiscard]] std::size_t segments() const { return integrals_.size(); }
   /// The slave's corners, then master nodes.
   [[nodiscard]] std::span<const LocalIndex> nodes() const { return nodes_; }
-  /// w_jK: + int psi_j N_K of slave nodes, - int psi_j N_K of master nodes.
+  /// w_jK: + int psi_j N_K at slave nodes, - int psi_j N_K at master nodes.
   [[nodiscard]] double weight(std::size_t j, std::size_t node) const { return weights_[j * nodes_.size() + node]; }
-  /// Of w_jK by all coordinates of the facet's nodes: 3 node + axis.
+  /// Derivatives of w_jK by all coordinates of the facet's nodes: 3 node + axis.
   [[nodiscard]] std::span<const double> slope(std::size_t j, std::size_t node) const {
     const std::size_t size = 3 * nodes_.size();
     return {slopes_.data() + (j * nodes_.size() + node) * size, size};
@@ -37,9 +37,9 @@ class FacetRows {
   [[nodiscard]] Vec3 gap_vector(std::size_t j) const;
   /// Its derivative by node `node`, for all nodes at once [length^2].
   void gap_slopes(std::size_t j, std::vector<Mat3>& slopes) const;
-  /// Derivatives by all nodes of sum_K w_jK y_K, of places that do not move with the nodes [length^2].
+  /// Derivatives by all nodes of sum_K w_jK y_K, for positions y that do not move with the nodes [length^2].
   void fixed_slopes(std::size_t j, std::span<const Vec3> places, std::vector<Mat3>& slopes) const;
-  /// sum_j T_j (x) dw_jK: matrix of 3 nodes() rows and columns.
+  /// sum_j T_j (x) dw_jK: matrix with 3 nodes() rows and columns.
   void traction_patch(const std::array<Vec3, 4>& tractions, std::vector<double>& values) const;
 
  private:
@@ -53,7 +53,7 @@ class FacetRows {
   double* row_slope(std::size_t j, std::size_t node) {
     return slopes_.data() + (j * nodes_.size() + node) * 3 * nodes_.size();
   }
-  /// Where direction 3 k of a segment's derivatives goes, k a corner of the slave or 4 + one of the master.
+  /// Target of direction 3 k of a segment's derivatives: k is a corner of the slave or 4 + one of the master.
   [[nodiscard]] std::size_t local_node(std::size_t segment, std::size_t k) const {
     return k < 4 ? k : local_[segment][k - 4];
   }
@@ -61,7 +61,7 @@ class FacetRows {
   SlavePlane plane_;
   std::size_t corners_ = 0;
   std::vector<SegmentIntegrals> integrals_;
-  std::vector<SegmentSlopes> segment_slopes_;      ///< of each segment; those beyond are kept for their memory
+  std::vector<SegmentSlopes> segment_slopes_;      ///< of each segment; unused entries keep their memory
   std::vector<LocalIndex> masters_;                ///< of each segment
   std::vector<std::array<std::size_t, 4>> local_;  ///< of each segment: places of its master's corners in nodes_
   std::vector<std::size_t> master_corners_;        ///< of each segment

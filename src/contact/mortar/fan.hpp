@@ -11,7 +11,7 @@ namespace brunt::contact {
 /// Products: ten of two slave functions (SegmentSlopes::pair_of_corners), then sixteen 4 A + C of slave and master.
 constexpr int slave_products = 10, products = slave_products + 16;
 
-/// A triangle of the fan: centre, corner, next corner; with slopes where derivatives are asked for.
+/// A triangle of the fan: centre, corner, next corner; with derivatives on request.
 template <class Number>
 struct FanTriangle {
   std::array<geometry::PlanePoint<Number>, 3> corner{};
@@ -21,7 +21,7 @@ struct FanTriangle {
 /// Points of the rule in each triangle: seven, of degree five, and one without weight to fill a pack.
 constexpr int fan_points = 8, point_packs = fan_points / pack_width;
 
-/// Shape functions at the points of one triangle, a point a column.
+/// Shape functions at the points of one triangle, one point in each column.
 struct alignas(64) FanFunctions {
   double value[8][fan_points];  ///< four of the slave, four of the master
   double by_x[8][fan_points], by_y[8][fan_points];

@@ -33,12 +33,12 @@ BRUNT_INLINE void keep(const ShapeFunctions& shape, int from, int points, FanFun
   }
 }
 
-/// Slopes of shape functions `from` to `from + 3` at a point that moves by (x, y) relative to the facet.
+/// Derivatives of shape functions `from` to `from + 3` at a point that moves by (x, y) relative to the facet.
 BRUNT_INLINE void function_slopes(const FanFunctions& functions, int from, int q, Pack x, Pack y, Pack (&slopes)[4]) {
   for (int a = 0; a < 4; ++a) slopes[a] = functions.by_x[from + a][q] * x + functions.by_y[from + a][q] * y;
 }
 
-/// Where a facet's corners move in the directions of pack p, a fixed point moves by -N_k relative to the facet.
+/// If a facet's corners move in the directions of pack p, a fixed point moves by -N_k relative to the facet.
 BRUNT_INLINE void move_corners(const FanFunctions& functions, int from, int q, int p, Pack& x, Pack& y) {
   constexpr int packs_a_facet = slope_packs / 2, corners_a_pack = pack_width / 2;
   if (p / packs_a_facet != from / 4) return;

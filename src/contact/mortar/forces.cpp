@@ -26,7 +26,7 @@ void pressure_columns(const MortarRows& rows, std::span<const Vec3> by_pressure,
 
 namespace {
 
-/// d(normal_A . V_A)/dx, of vectors with the slopes `of_vectors`.
+/// d(normal_A . V_A)/dx, for vectors with the derivatives `of_vectors`.
 template <class VectorOf>
 void normal_part_gradient(const MortarRows& rows, const MortarSlopes& slopes, const NodeBlocks<Mat3>& of_vectors,
                           const VectorOf& vector, NodeBlocks<Vec3>& gradient) {
@@ -34,7 +34,7 @@ void normal_part_gradient(const MortarRows& rows, const MortarSlopes& slopes, co
   for (std::size_t row = 0; row < rows.normals.size(); ++row) {
     const auto index = static_cast<LocalIndex>(row);
     const std::span<const LocalIndex> nodes = of_vectors.nodes.row(index);
-    for (std::size_t k = 0; k < nodes.size(); ++k) {  // each node once: nothing to add to
+    for (std::size_t k = 0; k < nodes.size(); ++k) {  // each node once: entries need no sum
       gradient.nodes.values.push_back(nodes[k]);
       gradient.blocks.emplace_back(of_vectors.row(index)[k].transpose() * rows.normals[row]);
     }

@@ -12,7 +12,7 @@ Mat3 across(const Vec3& normal) {
   return Mat3::Identity() - normal * normal.transpose();
 }
 
-/// What one row takes from the last step.
+/// History of one row from the last step.
 class RowFriction {
  public:
   RowFriction(const MortarRows& rows, std::span<const Vec3> x, const FrictionHistory& history, std::size_t row)
@@ -31,7 +31,7 @@ class RowFriction {
   [[nodiscard]] Vec3 trial(double stiffness) const {
     return turned(traction_, old_normal_, normal_) - stiffness * slip();
   }
-  /// Adds left times the slopes of the trial traction to the last row of `out`.
+  /// Adds left times the derivatives of the trial traction to the last row of `out`.
   void add_trial_slopes(const Mat3& left, double stiffness, const MortarSlopes& slopes, const FrictionHistory& history,
                         LocalIndex row, NodeBlocks<Mat3>& out) const {
     if (!known_) return;
@@ -51,7 +51,7 @@ class RowFriction {
 
  private:
   Vec3 normal_, old_normal_ = Vec3::Zero(), traction_ = Vec3::Zero();
-  Vec3 gap_ = Vec3::Zero();     ///< mean over what is covered now
+  Vec3 gap_ = Vec3::Zero();     ///< mean over the currently covered part
   Vec3 change_ = Vec3::Zero();  ///< sum_K (w_AK / covered - the same of the last step) x_K
   double covered_, covered_before_ = 0;
   bool known_ = false;

@@ -27,7 +27,7 @@ void gather(const std::vector<Entry<Block>>& entries, std::size_t rows, MortarSc
     for (LocalIndex k = first[row]; k < first[row + 1]; ++k) {
       const Entry<Block>& entry = entries[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])];
       LocalIndex& at = place[static_cast<std::size_t>(entry.node)];
-      if (at < out.nodes.offsets.back()) {  // not met in this row
+      if (at < out.nodes.offsets.back()) {  // not yet in this row
         at = static_cast<LocalIndex>(out.blocks.size());
         out.nodes.values.push_back(entry.node);
         out.blocks.push_back(entry.block);
@@ -40,7 +40,7 @@ void gather(const std::vector<Entry<Block>>& entries, std::size_t rows, MortarSc
   for (const LocalIndex node : out.nodes.values) place[static_cast<std::size_t>(node)] = no_index;
 }
 
-/// Entries of one facet's rows; weights, and slopes of gap vectors where asked for.
+/// Entries of one facet's rows; weights, and derivatives of gap vectors on request.
 void take_facet(const FacetRows& facet, const FacetNodes& slave, const MortarTopology& topology, MortarScratch& scratch,
                 MortarRows& rows, std::span<const Vec3> fixed, bool with_slopes) {
   for (std::size_t j = 0; j < facet.corners(); ++j) {

@@ -11,7 +11,7 @@ namespace brunt::contact {
 
 namespace {
 
-/// Unit normal of a facet (of its two diagonals) and its slopes by the corners.
+/// Unit normal of a facet (of its two diagonals) and its derivatives by the corners.
 struct FacetNormal {
   Vec3 normal = Vec3::Zero();
   double area = 0;
@@ -39,18 +39,18 @@ struct FacetNormal {
   }
 };
 
-/// What leaves no component along these normals, which need not be orthogonal.
+/// Projector onto the complement of these normals, which need not be orthogonal.
 Mat3 projector(std::span<const Vec3> mirrors) {
   Mat3 left = Mat3::Identity();
   for (const Vec3& mirror : mirrors) {
     const Vec3 rest = left * mirror;
-    constexpr double parallel = 1e-6;  // sine below which two planes are one
+    constexpr double parallel = 1e-6;  // sine below which two planes coincide
     if (rest.norm() > parallel) left -= rest.normalized() * rest.normalized().transpose();
   }
   return left;
 }
 
-/// The facets around one node and what each counts.
+/// The facets around one node and their weights.
 class Around {
  public:
   Around(const MortarSurfaces& surfaces, std::span<const LocalIndex> facets, std::span<const Vec3> x,

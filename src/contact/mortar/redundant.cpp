@@ -15,7 +15,7 @@ Line::const_iterator largest(const Line& line) {
 }
 
 Line line_of(const Equations& equations, std::size_t row, const Vec3& direction, const EquationNodes& of) {
-  constexpr double none = 1e-12;  // of what is covered
+  constexpr double none = 1e-12;  // share of the covered area
   Line line;
   const auto index = static_cast<LocalIndex>(row);
   const std::span<const LocalIndex> nodes = equations.weights->nodes.row(index);
@@ -28,13 +28,13 @@ Line line_of(const Equations& equations, std::size_t row, const Vec3& direction,
   return line;
 }
 
-/// The directions of a row that have no unknown of their own, one a column.
+/// The directions of a row without an unknown of their own, one in each column.
 Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> directions_to_look_at(const Mat3& held, const Mat3& free,
                                                                         bool shared) {
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> directions(3, 0);
   const Mat3 without = shared ? held : Mat3(held * (Mat3::Identity() - free) * held);
   if (without.isZero()) return directions;
-  constexpr double own = 1e-9;  // what a direction that the node is free along at all has of eigenvalue below 1
+  constexpr double own = 1e-9;  // tolerance of the eigenvalue 1 of a free direction of the node
   const Eigen::SelfAdjointEigenSolver<Mat3> axes(without);
   for (Eigen::Index k = 0; k < 3; ++k) {
     if (axes.eigenvalues()[k] < 1 - own) continue;
@@ -47,7 +47,7 @@ Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> directions_to_look_at(const Ma
 }  // namespace
 
 bool Echelon::add(Line line) {
-  constexpr double rounding = 1e-6;  // of the largest entry: what a pivot of integrals must have to be one
+  constexpr double rounding = 1e-6;  // least pivot over the largest entry: smaller ones are errors of the integrals
   if (line.empty()) return false;
   const double size = std::abs(largest(line)->second);
   eliminate(line);
@@ -62,7 +62,7 @@ bool Echelon::add(Line line) {
   return true;
 }
 
-/// A kept line has no pivot of those before it: taken in their order, each is needed once.
+/// A stored line has no pivots of previous lines, so in their order each is applied once.
 void Echelon::eliminate(Line& line) const {
   std::set<std::size_t> to_do;
   const auto note = [&](GlobalIndex column) {

@@ -23,7 +23,7 @@ struct MortarScratch {
   std::vector<Entry<Vec3>> covered;
   std::vector<Mat3> gap_slopes, fixed_slopes;
   std::vector<LocalIndex> first_of_row, next_of_row, order;
-  std::vector<LocalIndex> place_of_node;  ///< of the entry of a node in the row that is being gathered
+  std::vector<LocalIndex> place_of_node;  ///< of the entry of a node in the current row
 };
 
 }  // namespace brunt::contact

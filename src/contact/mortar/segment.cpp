@@ -23,7 +23,7 @@ std::array<Vec3, 2> diagonals(FacetCorners x) {
   return {x[2] - x[0], x[3] - x[1]};
 }
 
-/// The master facet as seen on the slave's plane: counter-clockwise, so in the reverse order of its corners.
+/// The master facet projected onto the slave's plane: counter-clockwise, so in the reverse order of its corners.
 struct SeenMaster {
   std::size_t corners = 0;
   std::array<std::size_t, 4> corner{};  ///< of the facet
@@ -49,10 +49,10 @@ bool faces(const SlavePlane& plane, FacetCorners master) {
   const auto [d1, d2] = diagonals(master);
   const Vec3 normal = d1.cross(d2);
   const double size = normal.norm();
-  return size > 0 && normal.dot(plane.normal) < opposing_normals * size;  // false where it is not finite
+  return size > 0 && normal.dot(plane.normal) < opposing_normals * size;  // false if it is not finite
 }
 
-/// Bounds of the two facets in the plane do not overlap: most pairs without a segment end here.
+/// Whether the bounds of the two facets in the plane do not overlap: excludes most pairs without a segment.
 bool apart(Polygon<double> a, Polygon<double> b) {
   const auto beyond = [&](double PlanePoint<double>::*axis) {
     double low[2] = {a[0].*axis, b[0].*axis}, high[2] = {low[0], low[1]};
@@ -66,8 +66,8 @@ bool apart(Polygon<double> a, Polygon<double> b) {
   return beyond(&Point::x) || beyond(&Point::y);
 }
 
-/// Corners of the polygon and its centroid as a fan. The centroid, unlike the mean of the corners, does not jump where
-/// a corner splits in two: integrals that the rule does not meet exactly stay continuous.
+/// Corners of the polygon and its centroid as a fan. The centroid, unlike the mean of the corners, is continuous when a
+/// corner splits in two, so integrals that the rule does not evaluate exactly remain continuous.
 template <class Number>
 struct Fan {
   std::array<FanTriangle<Number>, ClippedPolygon::most_corners> triangle;
@@ -92,7 +92,7 @@ struct Fan {
   }
 };
 
-/// Facets' corners as coordinates to differentiate by.
+/// Facets' corners as independent variables of the derivatives.
 std::array<SlopedPoint, 4> seeded(Polygon<double> polygon, int first_direction) {
   std::array<SlopedPoint, 4> out{};
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -191,8 +191,8 @@ void take_values(const SlavePlane& plane, const SeenMaster& master, const Integr
   integrals.distance = moment / from.area;
 }
 
-/// From the sixteen coordinates in the plane to the 24 in space. A turn of the plane by dn moves a corner at height h
-/// by -h dn in the plane; translations and turns of all corners within the plane change no integral.
+/// From the sixteen coordinates in the plane to the 24 in space. A rotation of the plane by dn moves a corner at height
+/// h by -h dn in the plane; translations and rotations of all corners within the plane change no integral.
 class ToSpace {
  public:
   ToSpace(const SlavePlane& plane, const SeenMaster& master) : plane_(plane), master_(master) {

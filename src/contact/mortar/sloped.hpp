@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A number and its derivatives by the sixteen coordinates that two facets have in a plane.
+// A number and its derivatives by the sixteen coordinates of two facets in a plane.
 #pragma once
 #include "brunt/core/simd.hpp"
 
@@ -21,7 +21,7 @@ struct Sloped {
   }
 };
 
-/// A number with f's value and the slopes  da * a.slope + db * b.slope.
+/// A number with f's value and the derivatives  da * a.slope + db * b.slope.
 inline Sloped chain(double value, double da, const Sloped& a, double db, const Sloped& b) {
   Sloped out;
   out.value = value;

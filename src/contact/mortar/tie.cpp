@@ -14,7 +14,7 @@ namespace brunt::contact {
 
 namespace {
 
-/// The facet point nearest to a place, of the facets that may lie under these.
+/// The facet point nearest to a position, among the facets that may lie below these.
 MasterPlace place_below(const MortarSurfaces& surfaces, std::span<const LocalIndex> facets,
                         const Ragged<LocalIndex>& candidates, std::span<const Vec3> x, const Vec3& place) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -52,7 +52,7 @@ Mat3 freedom_of(const MasterPlace& place, std::span<const Mat3> free) {
 }
 
 Mat3 held_by_all(const Mat3& freedom) {
-  constexpr double none = 1e-9;  // eigenvalues of sums of projectors: directions that no node is free along
+  constexpr double none = 1e-9;  // eigenvalues of sums of projectors: constrained directions of all nodes
   Mat3 held = Mat3::Zero();
   const Eigen::SelfAdjointEigenSolver<Mat3> axes(freedom);
   for (Eigen::Index k = 0; k < 3; ++k)

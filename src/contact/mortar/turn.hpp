@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The least rotation that takes one unit vector into another.
+// The smallest rotation from one unit vector to another.
 #pragma once
 #include "brunt/core/types.hpp"
 
 namespace brunt::contact {
 
-/// 1 + from . to below this: the vectors are opposite, and no rotation is the least.
+/// If 1 + from . to is smaller, the vectors are opposite, and the smallest rotation is not unique.
 constexpr double opposite = 1e-8;
 
-/// R v = v - ((from + to) . v)/(1 + from . to) (from + to) + 2 (from . v) to; v itself where they are opposite.
+/// R v = v - ((from + to) . v)/(1 + from . to) (from + to) + 2 (from . v) to; v itself if they are opposite.
 inline Vec3 turned(const Vec3& v, const Vec3& from, const Vec3& to) {
   const double c = 1 + from.dot(to);
   if (c < opposite) return v;

@@ -10,8 +10,8 @@ namespace {
 
 using Matrix4 = std::array<std::array<double, 4>, 4>;
 
-/// Inverse of the leading n x n part of a symmetric positive definite matrix by Cholesky's factors, which do not suffer
-/// from functions of different size; false where a pivot is not positive.
+/// Inverse of the leading n x n part of a symmetric positive definite matrix by Cholesky's factors, which are accurate
+/// for functions of different magnitude; false if a pivot is not positive.
 bool invert(const Matrix4& matrix, std::size_t n, Matrix4& inverse) {
   Matrix4 low{}, low_inverse{};
   for (std::size_t j = 0; j < n; ++j)
@@ -34,9 +34,9 @@ bool invert(const Matrix4& matrix, std::size_t n, Matrix4& inverse) {
   return true;
 }
 
-/// A cubic between hats_coverage and 1, without slope at both ends.
+/// A cubic between hats_coverage and 1, with zero derivative at both ends.
 void blend(double coverage, MultiplierFunctions& functions) {
-  constexpr double whole = 1 - 1e-9;  // what clipping leaves of a facet that lies wholly under others
+  constexpr double whole = 1 - 1e-9;  // rounding of the clipped area of a fully covered facet
   functions.dual_share = 1;
   if (coverage >= whole) return;
   constexpr double over = 1 / (1 - hats_coverage);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Coulomb friction of mortar rows, eqs. (26) to (29) of Yang and Laursen (2008): slip is measured by the change of the
-// mortar weights over the step, which a rigid motion of both bodies leaves alone; sticking is a penalty.
+// mortar weights over the step, which is invariant under a rigid motion of both bodies; sticking is a penalty.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -15,7 +15,7 @@ struct MortarFriction {
   double stiffness = 0;    ///< tangential, of sticking rows [force/length^3]
 };
 
-/// What is kept of the last step, a row each. A row without old weights has neither slip nor traction.
+/// History of the last step, one entry for each row. A row without previous weights has neither slip nor traction.
 struct FrictionHistory {
   NodeBlocks<double> weights;   ///< w_AK [length^2]
   std::vector<double> covered;  ///< [length^2]
@@ -25,18 +25,19 @@ struct FrictionHistory {
 
 enum class FrictionState : std::int8_t { open, stick, slip };
 
-/// Slip of the slave relative to the master over the step [length], a row each:
-/// s_A = - (1 - n n^T) sum_K (w_AK / covered_A - the same of the last step) x_K: means over what is covered, so that
-/// sticking is as stiff at a rim as within.
+/// Slip of the slave relative to the master over the step [length], one entry for each row:
+/// s_A = - (1 - n n^T) sum_K (w_AK / covered_A - the same of the last step) x_K: means over the covered part, so that
+/// the sticking stiffness at an edge of the overlap equals that in its interior.
 void slips(const MortarRows& rows, std::span<const Vec3> x, const FrictionHistory& history, std::vector<Vec3>& out);
 
-/// T_A = z_A normal_A + t_A with t_A = t_tr where |t_tr| <= mu z_A (stick), else mu z_A t_tr/|t_tr|;
-/// t_tr = (t of the last step, turned with the normal) - stiffness s_A. Rows with z_A <= 0 have none.
+/// T_A = z_A normal_A + t_A with t_A = t_tr if |t_tr| <= mu z_A (stick), otherwise mu z_A t_tr/|t_tr|;
+/// t_tr = (t of the last step, rotated with the normal) - stiffness s_A. Rows with z_A <= 0 have no traction.
 void friction_tractions(const MortarRows& rows, std::span<const Vec3> x, std::span<const double> z,
                         const MortarFriction& law, const FrictionHistory& history, std::vector<Vec3>& tractions,
                         std::vector<FrictionState>& states);
 
-/// Their slopes, along the branch taken. assumed: rows that are taken to stick where they have no pressure; or empty.
+/// Their derivatives, along the branch taken. assumed: rows that are assumed to stick although they have no pressure;
+/// or empty.
 void friction_traction_slopes(const MortarRows& rows, const MortarSlopes& slopes, std::span<const Vec3> x,
                               std::span<const double> z, const MortarFriction& law, const FrictionHistory& history,
                               TractionSlopes& out, std::span<const std::uint8_t> assumed = {});

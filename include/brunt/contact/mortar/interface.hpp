@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// One mortar interface: its two surfaces, its rows at a configuration, and their derivatives. Rank-free: whoever holds
-// all facets around a slave node and their candidates has its whole row.
+// One mortar interface: its two surfaces, its rows at a configuration, and their derivatives. It does not depend on
+// ranks: a rank with all facets around a slave node and their candidates has the complete row of the node.
 //
-// Signs are the house's: the normal of a row points out of the master (minus the slave's nodal normal), gap > 0 is
-// open, a multiplier z >= 0 is a pressure. Row A has the weights w_AK = + int psi_A N_B at slave nodes and
+// Sign convention: the normal of a row points out of the master (minus the slave's nodal normal), gap > 0 is open, a
+// multiplier z >= 0 is a pressure. Row A has the weights w_AK = + int psi_A N_B at slave nodes and
 // - int psi_A N_C at master nodes, of sum zero, so
 //   vector gap G_A = sum_K w_AK x_K,  gap = normal_A . G_A,  force of a traction T_A on node K: w_AK T_A,
 // with T_A = z_A normal_A without friction.
@@ -25,23 +25,23 @@ namespace brunt::contact {
 using FacetNodes = std::array<LocalIndex, 4>;
 
 struct MortarSurfaces {
-  std::vector<FacetNodes> slave;   ///< in the order of their keys; those without candidates shape normals only
+  std::vector<FacetNodes> slave;   ///< in the order of their keys; those without candidates contribute to normals only
   std::vector<FacetNodes> master;  ///< nodes number one array, common to both sides
   std::vector<LocalIndex> rows;    ///< the slave node of each row
-  Ragged<Vec3> mirrors;            ///< a row each: unit normals of the symmetry planes its node lies in; or no rows
+  Ragged<Vec3> mirrors;  ///< for each row: unit normals of the symmetry planes that contain its node; or no rows
   Multiplier multiplier = Multiplier::dual;
   double capture = 0;  ///< greatest distance of two facets along the normal [length]
-  /// Of each facet: thickness of its own body behind it [length]; empty where bodies are thicker than `capture`.
+  /// For each facet: thickness of its own body behind it [length]; empty if all bodies are thicker than `capture`.
   std::vector<double> slave_wall{}, master_wall{};
-  /// Where a surface is shared out: slave nodes whose rows others have, tractions of which follow those of the rows.
+  /// On distributed surfaces: slave nodes with rows on other ranks; their tractions follow those of the rows.
   std::vector<LocalIndex> rows_elsewhere{};
-  /// Of each slave facet: its segments are counted and its patch is formed here; empty: of all.
+  /// For each slave facet: whether its segments are counted and its patch is formed here; empty: for all.
   std::vector<std::uint8_t> ours{};
 
   [[nodiscard]] bool is_ours(std::size_t slave_facet) const { return ours.empty() || ours[slave_facet] != 0; }
-  /// How deep the facets of a pair may lie in each other [length]: what is deeper is seen through a wall.
+  /// Largest admissible penetration of the facets of a pair [length]: a deeper facet is on the far side of a wall.
   [[nodiscard]] double deepest(std::size_t slave_facet, std::size_t master_facet) const {
-    constexpr double of_wall = 0.8;  // the wall is that of the reference configuration: loaded, it is thinner
+    constexpr double of_wall = 0.8;  // below 1: a loaded wall is thinner than in the reference configuration
     double wall = capture;
     if (!slave_wall.empty()) wall = std::min(wall, of_wall * slave_wall[slave_facet]);
     if (!master_wall.empty()) wall = std::min(wall, of_wall * master_wall[master_facet]);
@@ -49,22 +49,22 @@ struct MortarSurfaces {
   }
 };
 
-/// What follows from the surfaces and the reference configuration alone.
+/// Data that depend only on the surfaces and the reference configuration.
 struct MortarTopology {
-  std::vector<LocalIndex> row_of_node;  ///< from the number of rows up: rows elsewhere; no_index: no row
-  Ragged<LocalIndex> facets_around;     ///< a row each: slave facets, ascending
-  std::vector<double> kappa;            ///< a row each: 1 / int N_A over the reference slave surface [1/length^2]
+  std::vector<LocalIndex> row_of_node;  ///< from the number of rows on: rows of other ranks; no_index: no row
+  Ragged<LocalIndex> facets_around;     ///< for each row: slave facets, ascending
+  std::vector<double> kappa;            ///< for each row: 1 / int N_A over the reference slave surface [1/length^2]
   double edge = 0;                      ///< mean edge of the slave facets in the reference configuration [length]
 };
 
-/// reference: of all nodes. Throws (demand) where a row's node has no slave facet of positive area.
+/// reference: of all nodes. Throws (demand) if the node of a row has no slave facet of positive area.
 MortarTopology make_topology(const MortarSurfaces& surfaces, std::span<const Vec3> reference);
 
 /// A sparse matrix of vectors or blocks by row and node; nodes of a row in the order of their first contribution.
 template <class Block>
 struct NodeBlocks {
   Ragged<LocalIndex> nodes;
-  std::vector<Block> blocks;  ///< an entry each
+  std::vector<Block> blocks;  ///< one for each entry
   void clear() {
     nodes.clear();
     blocks.clear();
@@ -81,7 +81,7 @@ struct MortarRows {
   std::vector<Vec3> gap_vectors;  ///< G_A [length^3]
   std::vector<double> covered;    ///< sum of the slave's weights; 0: the row is empty [length^2]
   std::vector<double> gaps;       ///< normal . G, weighted [length^3]
-  std::size_t segments = 0;       ///< pairs that have one
+  std::size_t segments = 0;       ///< number of pairs with a segment
 
   /// kappa times the weighted gap [length].
   [[nodiscard]] double normalised_gap(const MortarTopology& topology, std::size_t row) const {
@@ -95,7 +95,7 @@ struct Patch {
   std::vector<double> values;
 };
 
-/// Parts of one matrix, to be added in this order. Patches beyond `count` are kept for their memory.
+/// Parts of one matrix, to be added in this order. Patches beyond `count` are kept to reuse their memory.
 struct Patches {
   std::vector<Patch> patch;
   std::vector<LocalIndex> source;  ///< of each: the slave facet or the row that it comes from
@@ -109,10 +109,10 @@ struct MortarSlopes {
   NodeBlocks<Mat3> of_fixed;     ///< d(sum_L w_AL y_L) / dx_K of places y that do not move with x [length^2]
   NodeBlocks<Mat3> normals;      ///< d normal_A / dx_K [1/length]
   NodeBlocks<Vec3> covered;      ///< d covered_A / dx_K [length]
-  Patches weights;               ///< sum_A T_A (x) dw_AK / dx_L at fixed tractions T, a patch a slave facet
+  Patches weights;               ///< sum_A T_A (x) dw_AK / dx_L at fixed tractions T, one patch for each slave facet
 };
 
-/// Arrays of an evaluation, kept from one to the next.
+/// Work arrays of an evaluation, reused by the next.
 struct MortarScratch;
 struct MortarScratchDeleter {
   void operator()(MortarScratch* scratch) const;
@@ -120,13 +120,13 @@ struct MortarScratchDeleter {
 using MortarScratchPointer = std::unique_ptr<MortarScratch, MortarScratchDeleter>;
 MortarScratchPointer make_mortar_scratch();
 
-/// candidates: a slave facet each, master facets in the order of their keys. x: current positions of all nodes.
+/// candidates: for each slave facet, master facets in the order of their keys. x: current positions of all nodes.
 void mortar_rows(const MortarSurfaces& surfaces, const MortarTopology& topology, const Ragged<LocalIndex>& candidates,
                  std::span<const Vec3> x, MortarScratch& scratch, MortarRows& rows);
 
-/// The same with derivatives; tractions: T_A of each row at which `weights` is formed, behind them those of
-/// MortarSurfaces::rows_elsewhere [force/length^2]; fixed: places
-/// y of all nodes for MortarSlopes::of_fixed, which stays empty without them [length].
+/// The same with derivatives; tractions: T_A of each row at which `weights` is formed, followed by those of
+/// MortarSurfaces::rows_elsewhere [force/length^2]; fixed: positions y of all nodes for MortarSlopes::of_fixed, which
+/// otherwise remains empty [length].
 void mortar_rows_and_slopes(const MortarSurfaces& surfaces, const MortarTopology& topology,
                             const Ragged<LocalIndex>& candidates, std::span<const Vec3> x,
                             std::span<const Vec3> tractions, MortarScratch& scratch, MortarRows& rows,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constraint equations that others imply: their multipliers have no unique value, and the system would be singular.
+// Linearly dependent constraint equations: their multipliers are not unique, and the system would be singular.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -11,13 +11,13 @@
 
 namespace brunt::contact {
 
-/// The rows of one interface as equations sum_K w_AK d . x_K = given, d in the directions that a row holds.
+/// The rows of one interface as equations sum_K w_AK d . x_K = given, with d in the constrained directions of a row.
 struct Equations {
   const NodeBlocks<double>* weights = nullptr;  ///< [length^2]
-  std::span<const double> covered;              ///< a row each [length^2]
+  std::span<const double> covered;              ///< one entry for each row [length^2]
   std::span<const LocalIndex> slaves;           ///< the slave node of each row
-  std::vector<Mat3> held;               ///< a row each: projector on the directions that it holds; zero: no equation
-  std::vector<std::uint8_t> preferred;  ///< rows that are kept before others; or empty: all are
+  std::vector<Mat3> held;               ///< for each row: projector onto its constrained directions; zero: no equation
+  std::vector<std::uint8_t> preferred;  ///< rows that are retained before others; or empty: all have equal rank
 };
 
 /// A scalar equation: coefficients by 3 number of the node + axis.
@@ -30,21 +30,21 @@ struct RowLine {
   Line line;
 };
 
-/// The nodes of the equations, and what is known of them.
+/// The nodes of the equations and their data.
 struct EquationNodes {
   std::span<const GlobalIndex> number;   ///< canonical
-  std::span<const Mat3> free;            ///< projector on the free directions
-  std::span<const std::uint8_t> shared;  ///< equations of several interfaces have the node; asked of slave nodes
+  std::span<const Mat3> free;            ///< projector onto the free directions
+  std::span<const std::uint8_t> shared;  ///< equations of several interfaces contain the node; used for slave nodes
 };
 
-/// What others might imply, by rows: a slave node that is free along a direction and has rows of one interface alone is
-/// an unknown of its own equation, which is never implied.
+/// Equations that may be redundant, by rows. A slave node that is free along a direction and has rows of one interface
+/// only is an unknown of its own equation, which is therefore never redundant.
 std::vector<RowLine> lines_to_look_at(const Equations& equations, const EquationNodes& nodes);
 
-/// Scalar equations in echelon form: one that those before it imply has nothing left.
+/// Scalar equations in echelon form: a redundant equation is reduced to zero by the previous ones.
 class Echelon {
  public:
-  /// False: implied.
+  /// Returns false if the equation is redundant.
   bool add(Line line);
 
  private:

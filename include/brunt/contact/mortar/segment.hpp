@@ -19,20 +19,20 @@ constexpr double opposing_normals = -0.2;
 /// Overlaps below this share of the slave facet have no segment.
 constexpr double least_overlap = 1e-9;
 
-/// The plane that the segments of a slave facet are integrated on: through its centre, across the normal of its two
-/// diagonals (of a triangle: of its edges).
+/// The integration plane of the segments of a slave facet: through its centre, perpendicular to the normal of its two
+/// diagonals (for a triangle: of its edges).
 struct SlavePlane {
   int corners = 0;
   Vec3 centre = Vec3::Zero(), normal = Vec3::Zero(), first = Vec3::Zero(), second = Vec3::Zero();  ///< axes: unit
   std::array<Vec3, 2> diagonal{Vec3::Zero(), Vec3::Zero()};  ///< their cross product points along the normal
-  double twice_area = 0;                                     ///< size of that product [length^2]
+  double twice_area = 0;                                     ///< length of that product [length^2]
   std::array<geometry::PlanePoint<double>, 4> point{};       ///< corners in the plane [length]
   std::array<double, 4> height{};                            ///< of the corners along the normal [length]
 
   [[nodiscard]] double area() const { return 0.5 * twice_area; }
 };
 
-/// False: the facet has no area, or something is not finite.
+/// Returns false if the facet has no area, or a value is not finite.
 bool make_slave_plane(FacetCorners slave, SlavePlane& plane);
 
 /// A, B: corners of the slave facet; C: of the master facet. Entries of absent corners are 0. All [length^2].
@@ -52,15 +52,15 @@ struct SegmentSlopes {
   std::array<Slopes, 10> slave{};                 ///< of int N_A N_B, A <= B: see `pair_of_corners`
   std::array<std::array<Slopes, 4>, 4> master{};  ///< of int N_A N_C
 
-  /// Where the pair (a, b) of slave corners stands in `slave`.
+  /// Position of the pair (a, b) of slave corners in `slave`.
   static constexpr std::size_t pair_of_corners(std::size_t a, std::size_t b) {
     const std::size_t low = a < b ? a : b, high = a < b ? b : a;
     return low * 4 - low * (low + 1) / 2 + high;
   }
 };
 
-/// The segment of a pair, with derivatives where `slopes` is given. False: there is none. capture: greatest mean
-/// distance along the normal, either way [length].
+/// The segment of a pair, with derivatives if `slopes` is given. Returns false if there is none. capture: largest mean
+/// distance along the normal, in both directions [length].
 bool integrate_segment(const SlavePlane& plane, FacetCorners master, double capture, SegmentIntegrals& integrals,
                        SegmentSlopes* slopes = nullptr);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Weights of one slave facet: the integrals of its segments, turned into rows of its multiplier functions.
+// Weights of one slave facet: the integrals of its segments, transformed to its multiplier functions.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,11 +10,12 @@
 
 namespace brunt::contact {
 
-/// Facets covered by less than this share are left out.
+/// Facets with a smaller covered share are ignored.
 constexpr double least_coverage = 1e-6;
 /// Dual functions of a partly covered facet extrapolate: the gap of a row is then that of its node, which lies outside
-/// the overlap, on the planes of what is covered, and surfaces apart look closed. Below this share the hats take their
-/// place, which are positive; from here up to the whole facet the dual ones come in smoothly.
+/// the overlap, on the planes of the covered part, and separated surfaces may appear closed. Below this share the
+/// standard shape functions, which are positive, replace them; between this share and full coverage the dual functions
+/// are blended in smoothly.
 constexpr double hats_coverage = 0.5;
 
 /// psi_j = sum_k matrix[j][k] N_k on one slave facet.
@@ -26,11 +27,11 @@ struct MultiplierFunctions {
   std::array<std::array<double, 4>, 4> mass{};  ///< M_jk: sum over segments of int N_j N_k [length^2]
   /// A = dual_share D M^-1 + (1 - dual_share) 1.
   std::array<std::array<double, 4>, 4> matrix{};
-  std::array<std::array<double, 4>, 4> inverse{};  ///< M^-1, where dual [1/length^2]
+  std::array<std::array<double, 4>, 4> inverse{};  ///< M^-1, if dual [1/length^2]
   double area = 0;                                 ///< of the facet [length^2]
-  double dual_share = 0, dual_share_slope = 0;     ///< by the covered share of the facet; 1 and 0 where it is whole
+  double dual_share = 0, dual_share_slope = 0;     ///< by the covered share of the facet; 1 and 0 if fully covered
 
-  /// int psi_j N_k over the covered part: diagonal where wholly dual.
+  /// int psi_j N_k over the covered part: diagonal if fully dual.
   [[nodiscard]] double slave_weight(std::size_t j, std::size_t k) const;
   /// A without its dual part: dA/d(dual_share) = D M^-1 - 1.
   [[nodiscard]] double dual_part(std::size_t j, std::size_t k) const { return share[j] * inverse[j][k] - (j == k); }
