@@ -206,10 +206,12 @@ bool names_unknown_command(const CLI::App& program, int argc, char** argv) {
 int parse_failure(const CLI::App& program, const CLI::ParseError& error, bool root) {
   if (!root) return error.get_exit_code() == 0 ? 0 : 2;
   if (error.get_exit_code() == 0) return program.exit(error);
-  const bool missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
-  fmt::print(stderr, "brunt: {}: {}; expected {}, see brunt --help\n",
-             missing ? "missing argument" : "invalid command line", error.what(),
-             missing ? "all required arguments" : "known arguments and values");
+  if (dynamic_cast<const CLI::RequiredError*>(&error))
+    fmt::print(stderr, "brunt: missing argument: {}; expected all required arguments, see brunt --help\n",
+               error.what());
+  else
+    fmt::print(stderr, "brunt: invalid arguments: {}; expected known arguments and values, see brunt --help\n",
+               error.what());
   return 2;
 }
 

@@ -276,7 +276,7 @@ class Stops(Program):
     def test_iterations_that_end_at_their_limit_are_told_once_and_counted(self):
         self.write("rubber.yaml", scenes.RUBBER.replace("METHOD", "rate"))
         self.run_scene(1, "rubber.yaml", "--out", "enough")
-        parted = "warning: contact took"  # of the energy: of three elements on four, which is right, and no matter here
+        parted = "warning: contact dissipated"  # of the energy: of three elements on four, which is right, and no matter here
         self.assertEqual(self.summary("enough")["warnings"], self.text("enough", "log.txt").count(parted))
         self.assertEqual(self.summary("enough")["contact"]["steps_at_limit"], 0)
         self.assertNotIn("max_iterations", self.text("enough", "log.txt"))
