@@ -109,9 +109,9 @@ class Studies(unittest.TestCase):
         self.assertLess(float(rows[1]["last striker.x"]), float(rows[0]["last striker.x"]))
 
     def test_study_with_a_column_that_no_run_has_ends_with_the_first(self):
-        for change, phrases in ((("steps,", "stps,"), ("'stps'", "no key of summary.json", "nearest is 'steps'", "energy.total")),
+        for change, phrases in ((("steps,", "stps,"), ("'stps'", "unknown key of summary.json", "nearest is 'steps'", "energy.total")),
                                 (("energy.error_ratio", "energy"), ("'energy'", "energy.kinetic")),
-                                (("last striker.x", "last striker.y2"), ("'striker.y2'", "no column of history.csv", "striker.x"))):
+                                (("last striker.x", "last striker.y2"), ("'striker.y2'", "unknown column of history.csv", "striker.x"))):
             with self.subTest(change=change):
                 self.assert_refused("study", STUDY.replace(*change), "columns", *phrases)
         self.assertFalse(os.path.exists(os.path.join(self.folder, "s.out", "long")))
