@@ -246,9 +246,11 @@ void Hex8<Response, hourglass>::resist(const Kinematics& k, const Viscous& visco
   const Pack largest = viscous.largest, over_mass = viscous.over_mass;
   const Pack mass = committed[Memory::at_mass];
   const Pack frequency_factor = 8.0 * k.over_volume * over_mass;
-  r.omega2 = frequency_factor * (tangent.lambda * trace + 2.0 * tangent.mu * largest);
+  // a negative lambda lowers no mode that has no volume change
+  const Pack lambda = pack_max(tangent.lambda, broadcast(0.0));
+  r.omega2 = frequency_factor * (lambda * trace + 2.0 * tangent.mu * largest);
   r.damping = frequency_factor * trace * viscous.viscosity;
-  r.plane2 = frequency_factor * ((tangent.lambda + 2.0 * tangent.mu) * largest);
+  r.plane2 = frequency_factor * ((lambda + 2.0 * tangent.mu) * largest);
   constexpr int place[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};
   for (int c = 0; c < 9; ++c) r.stress[c] = s[place[c]];
   for (int c = 0; c < 9; c += 4) r.stress[c] += viscous.stress;
