@@ -8,6 +8,7 @@
 #include "brunt/contact/join_surface.hpp"
 #include "brunt/contact/passes.hpp"
 #include "initial_state.hpp"
+#include "move_history.hpp"
 #include "tied_parts.hpp"
 
 namespace brunt::contact {
@@ -135,6 +136,7 @@ void update_surface(Contact& contact, const mesh::LocalMesh& mesh, const Remains
   contact.derived.detection.accepted = std::move(accepted);
   contact.derived.detection.fitted = std::move(fitted);
   release_ties(contact, remains.outside.faces);
+  if (contact.derived.remembers) move_history(contact);
   contact.list_state.exist = false;
   contact.elements_are_gone =
       contact.ranks.any(std::ranges::any_of(remains.alive, [](const std::vector<double>& block) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sends records of contact's history to the ranks that create their rows, after a restart on any number of ranks.
+// Sends records of contact's history to the ranks that create their rows: after a restart on any number of ranks, and
+// after a change of the surface.
 #include <algorithm>
 #include <vector>
 
 #include "brunt/comm/rendezvous.hpp"
 #include "brunt/contact/contact.hpp"
+#include "move_history.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -55,16 +57,15 @@ HistoryTables history_tables(const Contact& contact) {
   return tables;
 }
 
-void restore_history(const HistoryTables& tables, Contact& contact) {
+void move_history(Contact& contact) {
   const Surface& surface = contact.surface;
   const Rank here = contact.ranks.rank();
   History& history = contact.history;
-  const History loose = from_tables(tables);
   const std::vector<GlobalIndex> slaves = slaves_here(surface, here);
-  history.pairs = fetch(contact.ranks, loose.pairs, slaves);
-  history.anchors = fetch(contact.ranks, loose.anchors, slaves);
-  history.limits = fetch(contact.ranks, loose.limits, slaves);
-  history.births = fetch(contact.ranks, loose.births, slaves);
+  history.pairs = fetch(contact.ranks, history.pairs, slaves);
+  history.anchors = fetch(contact.ranks, history.anchors, slaves);
+  history.limits = fetch(contact.ranks, history.limits, slaves);
+  history.births = fetch(contact.ranks, history.births, slaves);
   const auto owns = [&](GlobalIndex gid) {
     const auto found = std::ranges::lower_bound(surface.gid, gid);
     return found != surface.gid.end() && *found == gid &&
@@ -88,6 +89,11 @@ void restore_history(const HistoryTables& tables, Contact& contact) {
   std::ranges::sort(history.anchors, {}, &AnchorRecord::key);
   std::ranges::sort(history.limits, {}, &LimitRecord::key);
   std::ranges::sort(history.births, {}, &BirthRecord::key);
+}
+
+void restore_history(const HistoryTables& tables, Contact& contact) {
+  contact.history = from_tables(tables);
+  move_history(contact);
 }
 
 }  // namespace brunt::contact

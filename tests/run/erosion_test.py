@@ -40,6 +40,26 @@ output: {every: 5.0e-6, fields: [displacement, velocity, damage, temperature]}
 """
 
 
+# Erosion changes which rank creates the row of an edge: its history has to move there. Seen on 3 ranks from step 43 on.
+EDGES = """\
+units: none
+mesh:
+  - {box: {part: a, size: [1, 1, 1], elements: [5, 5, 5]}}
+  - {box: {part: b, size: [1.2, 1.1, 1], elements: [6, 6, 4], at: [1.001, 0.05, 0.03]}}
+  - {box: {part: p, size: [0.3, 0.3, 0.3], elements: [3, 3, 3], at: [0, 0, 1.01]}}
+materials:
+  metal: {model: j2, density: 1, young: 1, poisson: 0.3, yield: 0.005, hardening: 0.01}
+  rubber: {model: neo_hookean, density: 1, young: 1, poisson: 0.3}
+parts:
+  a: {material: metal, erosion: {plastic_strain: 0.6}}
+  b: {material: rubber, element: hex8_full}
+  p: {material: metal}
+initial: [{part: a, velocity: [0.25, 0, 0.01]}, {part: p, velocity: [0, 0.1, -0.2]}]
+contact: [{between: all, friction: 0.2}]
+run: {steps: 60, step_bound: element}
+"""
+
+
 def plate(kind="hex8", erosion="{damage: 1.0, volume: 0.1}"):
     return PLATE.replace("KIND", kind).replace("EROSION", erosion)
 
@@ -65,6 +85,15 @@ class Erosion(Program):
                 other = self.go(plate(), ranks, f"np{ranks}")
                 self.assertEqual(other["state_hash"], first["state_hash"])
                 self.assertEqual(other["removed_elements"], first["removed_elements"])
+
+    def test_edges_keep_their_history_where_erosion_moves_them_to_another_rank(self):
+        self.write("edges.yaml", EDGES)
+        hashes = []
+        for ranks in (1, 2, 3, 4):
+            self.run_scene(ranks, "edges.yaml", "--out", f"edges{ranks}")
+            hashes.append(self.summary(f"edges{ranks}")["state_hash"])
+        self.assertGreater(self.summary("edges1")["removed_elements"], 0)
+        self.assertEqual(len(set(hashes)), 1, hashes)
 
     def test_a_restart_in_the_middle_goes_on_with_the_same_bits(self):
         whole = self.go(plate(), 1, "whole")
