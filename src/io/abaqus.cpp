@@ -11,6 +11,7 @@
 #include <set>
 #include <span>
 
+#include "abaqus_numbers.hpp"
 #include "abaqus_parts.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/mesh/topology.hpp"
@@ -50,26 +51,29 @@ struct Placed {
   const AbaqusPart* part;
   LocalIndex first_node = 0;
   std::vector<std::pair<LocalIndex, LocalIndex>> element;  ///< block and position, of each of the part
+  AbaqusNumbers numbers;
   [[nodiscard]] std::string named(const std::string& name) const {
-    return instance->name.empty() ? name : instance->name + '.' + name;
+    return instance->name.shown.empty() ? name : instance->name.shown + '.' + name;
   }
 };
 
 class MeshMaker {
  public:
-  MeshMaker(const AbaqusDeck& deck, const AbaqusModel& model) : deck_(deck), model_(model) {}
+  MeshMaker(const AbaqusDeck& deck, const AbaqusModel& model)
+      : deck_(deck), model_(model), assembly_numbers_(model), notes_(model.notes.begin(), model.notes.end()) {}
 
   FileContent make() {
     for (const AbaqusInstance& instance : model_.instances) place(instance);
-    for (const Placed& placed : placed_) add_scope(*placed.part, &placed);
+    for (Placed& placed : placed_) add_scope(*placed.part, &placed);
     add_scope(model_.assembly, nullptr);
+    mesh_.notes.assign(notes_.begin(), notes_.end());
     return {std::move(mesh_), std::move(foreign_), std::move(foreign_sides_)};
   }
 
  private:
   void place(const AbaqusInstance& instance) {
     const AbaqusPart& part = model_.parts[instance.part];
-    Placed placed{&instance, &part, static_cast<LocalIndex>(mesh_.coordinates.size()), {}};
+    Placed placed{&instance, &part, static_cast<LocalIndex>(mesh_.coordinates.size()), {}, AbaqusNumbers(part)};
     const bool alone = model_.instances.size() == 1;
     for (std::size_t n = 0; n < part.coordinates.size(); ++n) {
       mesh_.coordinates.push_back(moved(instance, part.coordinates[n]));
@@ -89,25 +93,27 @@ class MeshMaker {
   }
 
   /// The element set that each element's block is of: of a solid section, or of its card.
-  std::vector<std::string> block_names(const AbaqusPart& part) const {
+  std::vector<std::string> block_names(Placed& placed) {
+    const AbaqusPart& part = *placed.part;
     if (part.sections.empty()) return part.dealt;
     std::vector<std::string> names(part.elements.size());
     std::vector<bool> taken(part.elements.size(), false);
-    for (const auto& [set, line] : part.sections) {
-      const auto found = part.element_sets.find(set);
+    for (const auto& [key, line] : part.sections) {
+      const auto found = part.element_sets.find(key);
       if (found == part.element_sets.end())
         deck_.fail(
-            line, fmt::format("unknown element set '{}' of *SOLID SECTION; expected an element set of this part", set));
-      for (const AbaqusMember& member : found->second.members) {
-        if (part.other_at.contains(member.number)) continue;
-        const LocalIndex e = element_of(part, member.number, line);
-        if (taken[static_cast<std::size_t>(e)] && names[static_cast<std::size_t>(e)] != set)
+            line, fmt::format("unknown element set '{}' of *SOLID SECTION; expected an element set of this part", key));
+      for_elements(found->second, placed.named(found->second.name), &placed, [&](Placed*, std::int64_t number, int) {
+        const auto solid = part.element_at.find(number);
+        if (solid == part.element_at.end()) return;
+        const auto e = static_cast<std::size_t>(solid->second);
+        if (taken[e] && names[e] != key)
           deck_.fail(line, fmt::format("invalid *SOLID SECTION: element {} already belongs to another one; expected "
                                        "one section for each element",
-                                       member.number));
-        taken[static_cast<std::size_t>(e)] = true;
-        names[static_cast<std::size_t>(e)] = set;
-      }
+                                       number));
+        taken[e] = true;
+        names[e] = key;
+      });
     }
     const auto free = std::ranges::find(taken, false);
     if (free != taken.end()) {
@@ -122,7 +128,7 @@ class MeshMaker {
 
   void add_blocks(Placed& placed, bool alone) {
     const AbaqusPart& part = *placed.part;
-    const std::vector<std::string> names = block_names(part);
+    const std::vector<std::string> names = block_names(placed);
     std::map<std::pair<std::string, Shape>, LocalIndex> at;
     for (std::size_t e = 0; e < part.elements.size(); ++e) {
       const AbaqusElement& element = part.elements[e];
@@ -144,7 +150,7 @@ class MeshMaker {
   }
 
   /// Elements that are not read, as a block for each set that a section names, else of each card's set, else type.
-  void add_foreign(const Placed& placed) {
+  void add_foreign(Placed& placed) {
     const AbaqusPart& part = *placed.part;
     std::vector<std::string> names;
     for (const AbaqusOther& other : part.others) names.push_back(other.dealt);
@@ -152,9 +158,9 @@ class MeshMaker {
       for (const auto& [set, line] : *sections) {
         const auto found = part.element_sets.find(set);
         if (found == part.element_sets.end()) continue;
-        for (const AbaqusMember& member : found->second.members)
-          if (const auto other = part.other_at.find(member.number); other != part.other_at.end())
-            names[other->second] = set;
+        for_elements(found->second, placed.named(found->second.name), &placed, [&](Placed*, std::int64_t number, int) {
+          if (const auto other = part.other_at.find(number); other != part.other_at.end()) names[other->second] = set;
+        });
       }
     std::map<std::pair<std::string, std::string>, std::size_t> at;
     for (std::size_t e = 0; e < part.others.size(); ++e) {
@@ -178,68 +184,105 @@ class MeshMaker {
     if (named != placed.part->element_sets.end())
       block.name = placed.named(named->second.name);
     else
-      block.name = placed.instance->name;
+      block.name = placed.instance->name.shown;
     block.id = static_cast<GlobalIndex>(mesh_.blocks.size()) + 1;
     block.shape = shape;
     mesh_.blocks.push_back(std::move(block));
   }
 
-  LocalIndex element_of(const AbaqusPart& part, std::int64_t number, int line) const {
-    const auto found = part.element_at.find(number);
-    if (found == part.element_at.end())
-      deck_.fail(line,
-                 fmt::format("unknown solid element {}; expected the number of a solid element of this part", number));
-    return found->second;
+  /// own: of a part's scope; of the assembly each member says its own. Null: of no instance.
+  Placed* placed_of(const AbaqusMembers& members, Placed* own) {
+    if (own != nullptr) return own;
+    return members.instance < 0 ? nullptr : &placed_[static_cast<std::size_t>(members.instance)];
   }
 
-  /// own: of a part's scope; of the assembly each member says its own.
-  const Placed* placed_of(const AbaqusMember& member, const Placed* own) const {
-    if (own != nullptr) return own;
-    const auto found = std::ranges::find_if(
-        placed_, [&](const Placed& p) { return in_capitals(p.instance->name) == member.instance; });
-    return found == placed_.end() ? nullptr : &*found;
+  template <class Visit>
+  void for_numbers(const std::vector<AbaqusMembers>& chosen, AbaqusNumbers::Kind kind, const std::string& name,
+                   Placed* own, const Visit& visit) {
+    for (const AbaqusMembers& members : chosen) {
+      Placed* placed = placed_of(members, own);
+      AbaqusNumbers& numbers = placed == nullptr ? assembly_numbers_ : placed->numbers;
+      for (const std::int64_t number : existing(deck_, members, numbers, kind, name, notes_))
+        visit(placed, number, members.line);
+    }
+  }
+
+  template <class Visit>
+  void for_elements(const AbaqusChoice& choice, const std::string& name, Placed* own, const Visit& visit) {
+    for_numbers(choice.members, AbaqusNumbers::Kind::element, name, own, visit);
   }
 
   /// Nodes that are no part of an instance are points of rigid bodies and loads: they are left out.
-  void add_nodes(const AbaqusMember& member, const Placed* own, std::set<LocalIndex>& nodes) const {
-    const Placed* placed = placed_of(member, own);
-    if (placed == nullptr) return;
-    const auto found = placed->part->node_at.find(member.number);
-    if (found != placed->part->node_at.end()) nodes.insert(placed->first_node + found->second);
+  void add_nodes(const AbaqusChoice& choice, const std::string& name, Placed* own, std::set<LocalIndex>& nodes) {
+    std::size_t points = 0;
+    for_numbers(choice.members, AbaqusNumbers::Kind::node, name, own, [&](Placed* placed, std::int64_t number, int) {
+      if (placed == nullptr)
+        ++points;
+      else
+        nodes.insert(placed->first_node + placed->part->node_at.at(number));
+    });
+    for_numbers(choice.of_elements, AbaqusNumbers::Kind::element, name, own,
+                [&](Placed* placed, std::int64_t number, int line) {
+                  const auto solid = placed == nullptr ? std::unordered_map<std::int64_t, LocalIndex>::const_iterator{}
+                                                       : placed->part->element_at.find(number);
+                  if (placed == nullptr || solid == placed->part->element_at.end())
+                    deck_.fail(line, fmt::format("invalid member of '{}': element {} is not a solid element of first "
+                                                 "order, so its nodes are not read; expected solid elements",
+                                                 name, number));
+                  const AbaqusElement& element = placed->part->elements[static_cast<std::size_t>(solid->second)];
+                  for (int k = 0; k < element.corners; ++k)
+                    nodes.insert(placed->first_node + element.nodes[static_cast<std::size_t>(k)]);
+                });
+    if (points > 0) notes_.insert(fmt::format("node set {}: {} points of the assembly are not read", name, points));
   }
 
-  void add_scope(const AbaqusScope& scope, const Placed* own) {
+  template <class Kept, class Found>
+  void keep(std::map<std::string, Kept>& sets, const std::string& name, const Found& found, int line) {
+    if (!sets.try_emplace(name, found.begin(), found.end()).second)
+      deck_.fail(line,
+                 fmt::format("invalid name '{}': two sets or surfaces have it; expected names that differ", name));
+  }
+
+  void add_scope(const AbaqusScope& scope, Placed* own) {
     const auto named = [&](const std::string& name) { return own == nullptr ? name : own->named(name); };
     for (const auto& [key, set] : scope.node_sets) {
       std::set<LocalIndex> nodes;
-      for (const AbaqusMember& member : set.members) add_nodes(member, own, nodes);
-      if (!nodes.empty()) mesh_.node_sets[named(set.name)].assign(nodes.begin(), nodes.end());
+      add_nodes(set, named(set.name), own, nodes);
+      const int line = set.members.empty() ? set.of_elements.front().line : set.members.front().line;
+      if (!nodes.empty()) keep(mesh_.node_sets, named(set.name), nodes, line);
     }
-    for (const AbaqusSurface& surface : scope.surfaces) add_surface(surface, named(surface.name), own);
+    for (const auto& [key, set] : scope.element_sets)
+      for_elements(set, named(set.name), own, [](Placed*, std::int64_t, int) {});
+    for (const AbaqusSurface& surface : scope.surfaces) add_surface(surface, named(surface.name.shown), own);
   }
 
-  void add_surface(const AbaqusSurface& surface, const std::string& name, const Placed* own) {
+  void add_surface(const AbaqusSurface& surface, const std::string& name, Placed* own) {
     std::set<LocalIndex> nodes;
     std::set<Side> sides;
-    for (const AbaqusSurface::Piece& piece : surface.pieces)
-      for (const AbaqusMember& member : piece.members) {
-        if (surface.of_nodes) {
-          add_nodes(member, own, nodes);
-        } else if (const Placed* placed = placed_of(member, own); placed == nullptr) {
-          continue;
-        } else if (placed->part->other_at.contains(member.number)) {
-          ++foreign_sides_[name];
-        } else {
-          add_sides(*placed, element_of(*placed->part, member.number, piece.line), piece, sides);
-        }
+    for (const AbaqusSurface::Piece& piece : surface.pieces) {
+      if (surface.of_nodes) {
+        add_nodes(piece, name, own, nodes);
+        continue;
       }
+      for_elements(piece, name, own, [&](Placed* placed, std::int64_t number, int) {
+        const bool solid = placed != nullptr && placed->part->element_at.contains(number);
+        if (solid)
+          add_sides(*placed, placed->part->element_at.at(number), piece, sides);
+        else
+          ++foreign_sides_[name];
+      });
+    }
     for (const Side& side : sides) {
       const Block& block = mesh_.blocks[static_cast<std::size_t>(side.block)];
       for (const LocalIndex node : face_nodes(block.shape, block.element(side.element), side.face))
         if (node != no_index) nodes.insert(node);
     }
-    if (!sides.empty() || foreign_sides_.contains(name)) mesh_.side_sets[name].assign(sides.begin(), sides.end());
-    if (!nodes.empty()) mesh_.node_sets[name].assign(nodes.begin(), nodes.end());
+    if (!sides.empty() || foreign_sides_.contains(name)) keep(mesh_.side_sets, name, sides, surface.line);
+    if (nodes.empty()) return;
+    if (!surface.of_nodes && mesh_.node_sets.contains(name))
+      notes_.insert(fmt::format("surface {}: it gives a side set only, since a node set has the same name", name));
+    else
+      keep(mesh_.node_sets, name, nodes, surface.line);
   }
 
   /// Found when it is asked for the first time: most surfaces name their faces.
@@ -280,6 +323,8 @@ class MeshMaker {
   std::vector<ForeignBlock> foreign_;
   std::map<std::string, GlobalIndex> foreign_sides_;
   std::vector<Placed> placed_;
+  AbaqusNumbers assembly_numbers_;
+  std::set<std::string> notes_;
   std::vector<Side> exterior_;  ///< ordered
   GlobalIndex elements_ = 0;
 };

@@ -10,7 +10,9 @@
 #include <filesystem>
 #include <iterator>
 #include <limits>
+#include <utility>
 
+#include "abaqus_keywords.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/io/csv.hpp"
 #include "brunt/io/text_file.hpp"
@@ -18,9 +20,25 @@
 namespace brunt::io {
 namespace {
 
-std::string unquoted(std::string_view text) {
-  const bool quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
-  return std::string(quoted ? text.substr(1, text.size() - 2) : text);
+bool is_quoted(std::string_view text) {
+  return text.size() >= 2 && text.front() == '"' && text.back() == '"';
+}
+
+/// Words in capitals, separated by one blank.
+std::string spaced(std::string_view text) {
+  std::string result;
+  for (const char c : in_capitals(text))
+    if (c != ' ' && c != '\t')
+      result += c;
+    else if (!result.ends_with(' '))
+      result += ' ';
+  return result;
+}
+
+/// The position behind the line that begins at `from`; lines end with LF, CR LF or CR. end: of its text.
+std::size_t next_line(std::string_view text, std::size_t from, std::size_t& end) {
+  end = std::min(text.find_first_of("\r\n", from), text.size());
+  return end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
 }
 
 }  // namespace
@@ -32,50 +50,107 @@ std::string in_capitals(std::string_view text) {
   return result;
 }
 
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields = comma_fields(line);
-  if (fields.back().empty()) fields.pop_back();
-  return fields;
+std::string compact(std::string_view text) {
+  std::string result = in_capitals(text);
+  std::erase_if(result, [](char c) { return c == ' ' || c == '\t'; });
+  return result;
+}
+
+std::string printable(std::string_view text) {
+  std::string result(text);
+  std::ranges::replace_if(
+      result, [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  return result;
+}
+
+std::string shortened(std::string_view text) {
+  constexpr std::size_t most = 60;
+  return printable(text.substr(0, most)) + (text.size() > most ? "..." : "");
+}
+
+DeckLabel label_of(std::string_view text) {
+  if (!is_quoted(text)) return {std::string(text), compact(text)};
+  const std::string inside(text.substr(1, text.size() - 2));
+  return {inside, inside};
 }
 
 std::string DeckCard::value(const std::string& name) const {
+  return label(name).shown;
+}
+
+DeckLabel DeckCard::label(const std::string& name) const {
   const auto found = parameter.find(name);
-  return found == parameter.end() ? "" : found->second;
+  return found == parameter.end() ? DeckLabel{} : label_of(found->second);
 }
 
 AbaqusDeck::AbaqusDeck(const std::string& path) {
   read_file(path, 0);
 }
 
+std::vector<std::string_view> AbaqusDeck::fields(const DeckLine& line) const {
+  std::vector<std::string_view> found;
+  if (line.text.find('"') == std::string_view::npos) {
+    found = comma_fields(line.text);
+  } else {
+    bool quoted = false;
+    std::size_t from = 0;
+    for (std::size_t at = 0; at <= line.text.size(); ++at)
+      if (at == line.text.size() || (line.text[at] == ',' && !quoted)) {
+        found.push_back(trimmed(line.text.substr(from, at - from)));
+        from = at + 1;
+      } else if (line.text[at] == '"') {
+        quoted = !quoted;
+      }
+    if (quoted)
+      fail(line.number, "missing quotation mark: a name in quotation marks has no end; expected '\"' behind it");
+  }
+  if (found.back().empty()) found.pop_back();
+  return found;
+}
+
 void AbaqusDeck::read_file(const std::string& path, int depth) {
-  const std::string_view text = *texts_.emplace_back(std::make_unique<const std::string>(read_text(path)));
+  std::string_view text = *texts_.emplace_back(std::make_unique<const std::string>(read_text(path)));
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte-order mark of UTF-8
   open_.push_back(std::filesystem::weakly_canonical(path).string());
   runs_.push_back({path, count_ + 1, 1});
   bool goes_on = false;  // a keyword line that ends in a comma
   int line_of_file = 0;
-  for (std::size_t from = 0; from < text.size();) {
-    const std::size_t end = std::min(text.find('\n', from), text.size());
-    const std::string_view line = trimmed(text.substr(from, end - from));
-    from = end + 1;
+  for (std::size_t from = 0, end = 0; from < text.size();) {
+    const std::size_t begin = std::exchange(from, next_line(text, from, end));
+    const std::string_view line = trimmed(text.substr(begin, end - begin));
     ++line_of_file;
     if (count_ == std::numeric_limits<int>::max())
       fail(count_, "out of range: the deck has more than 2^31 lines; expected fewer");
-    const int number = ++count_;
+    ++count_;
+    if (end == text.size()) unended_.insert(count_);
     if (line.empty() || line.starts_with("**")) continue;
-    if (line.front() == '*' || goes_on) {
-      if (!goes_on) cards_.push_back({.keyword = {}, .parameter = {}, .line = number, .data = {}});
-      add_card(goes_on ? line : line.substr(1), number);
-      goes_on = line.back() == ',';
-      if (goes_on) continue;
-      const std::size_t runs = runs_.size();
-      take_inclusion(path, depth);
-      if (runs_.size() > runs) runs_.push_back({path, count_ + 1, line_of_file + 1});
-    } else {
-      if (cards_.empty()) fail(number, "invalid data before the first keyword; expected a line that begins with *");
-      cards_.back().data.push_back({line, number});
-    }
+    const bool is_keyword = line.front() == '*' || goes_on;
+    goes_on = read_line(line, goes_on);
+    if (!is_keyword || goes_on) continue;
+    const std::size_t runs = runs_.size();
+    take_inclusion(path, depth);
+    if (runs_.size() > runs) runs_.push_back({path, count_ + 1, line_of_file + 1});
   }
+  if (goes_on)
+    fail(count_, fmt::format("missing continuation of *{}: its line ends in a comma, and the file ends here; expected "
+                             "the rest of its parameters",
+                             cards_.back().keyword));
   open_.pop_back();
+}
+
+bool AbaqusDeck::read_line(std::string_view line, bool goes_on) {
+  if (line.front() != '*' && !goes_on) {
+    if (cards_.empty()) fail(count_, "invalid data before the first keyword; expected a line that begins with *");
+    cards_.back().data.push_back({line, count_});
+    return false;
+  }
+  if (line.front() == '*' && goes_on) {
+    cards_.back().fault = "missing continuation: the line ends in a comma; expected more parameters, or no comma";
+    goes_on = false;
+  }
+  if (!goes_on) cards_.push_back({.keyword = {}, .parameter = {}, .line = count_, .data = {}});
+  add_card(goes_on ? line : line.substr(1), count_);
+  return line.back() == ',';
 }
 
 void AbaqusDeck::take_inclusion(const std::string& path, int depth) {
@@ -83,6 +158,8 @@ void AbaqusDeck::take_inclusion(const std::string& path, int depth) {
   const DeckCard& card = cards_.back();
   const bool whole = card.keyword == "INCLUDE";
   if (!whole && (std::ranges::find(with_data, card.keyword) == with_data.end() || !card.has("INPUT"))) return;
+  std::vector<std::string> notes;
+  if (whole) is_read(*this, card, notes);
   const std::string name = card.value("INPUT");
   const int line = card.line;
   if (name.empty()) fail(line, fmt::format("missing file of *{}; expected INPUT=FILE", card.keyword));
@@ -118,35 +195,42 @@ void AbaqusDeck::include(const std::string& from, const std::string& name, int l
 
 void AbaqusDeck::add_card(std::string_view text, int line) {
   DeckCard& card = cards_.back();
-  for (const std::string_view field : fields_of(text)) {
+  for (const std::string_view field : fields({text, line})) {
     if (card.keyword.empty()) {
-      card.keyword = in_capitals(field);
+      card.keyword = spaced(field);
+      if (card.keyword.empty()) break;
       continue;
     }
     const auto equals = field.find('=');
-    const std::string name = in_capitals(trimmed(field.substr(0, equals)));
-    if (name.empty()) fail(line, fmt::format("missing name of a parameter of *{}; expected NAME=VALUE", card.keyword));
-    card.parameter[name] = equals == std::string_view::npos ? "" : unquoted(trimmed(field.substr(equals + 1)));
+    const std::string name = compact(field.substr(0, equals));
+    if (name.empty()) card.fault = "missing name of a parameter: a field is empty; expected NAME=VALUE";
+    const std::string_view value = equals == std::string_view::npos ? "" : trimmed(field.substr(equals + 1));
+    if (!card.parameter.emplace(name, value).second)
+      card.fault = fmt::format("invalid parameter {}: given twice; expected it once", shortened(name));
   }
   if (card.keyword.empty()) fail(line, "missing keyword after the star; expected *KEYWORD");
 }
 
 std::int64_t AbaqusDeck::integer(const DeckLine& line, std::string_view field, std::string_view what) const {
+  const std::string_view digits = field.starts_with('+') ? field.substr(1) : field;
   std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc{} || end != field.data() + field.size())
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc{} || end != digits.data() + digits.size() ||
+      (digits.size() < field.size() && digits[0] == '-'))
     fail(line.number, fmt::format("invalid value '{}'; expected {}", field.substr(0, 40), what));
   return value;
 }
 
 double AbaqusDeck::real(const DeckLine& line, std::string_view field, std::string_view what) const {
   if (field.empty()) return 0;  // as Abaqus has it
-  std::string written(field.starts_with('+') ? field.substr(1) : field);
+  const bool plus = field.starts_with('+');
+  std::string written(plus ? field.substr(1) : field);
   std::ranges::replace_if(
       written, [](char c) { return c == 'd' || c == 'D'; }, 'e');  // Fortran's exponents
   double value = 0;
   const auto [end, error] = std::from_chars(written.data(), written.data() + written.size(), value);
-  if (error != std::errc{} || end != written.data() + written.size() || !std::isfinite(value))
+  if (error != std::errc{} || end != written.data() + written.size() || !std::isfinite(value) ||
+      (plus && written.starts_with('-')))
     fail(line.number, fmt::format("invalid value '{}'; expected {}", field.substr(0, 40), what));
   return value;
 }
@@ -158,7 +242,7 @@ std::string AbaqusDeck::place(int line) const {
 }
 
 void AbaqusDeck::fail(int line, const std::string& what) const {
-  throw InputError(fmt::format("{}: {}", place(line), what));
+  throw InputError(fmt::format("{}: {}", place(line), printable(what)));
 }
 
 }  // namespace brunt::io

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,16 +16,25 @@ struct DeckLine {
   int number = 0;  ///< counted over all files in the order of reading: `AbaqusDeck::place` gives file and line
 };
 
+/// A name of the deck. Names are compared by their keys: without quotation marks in capitals and without blanks, within
+/// them as written (Abaqus Analysis Guide, "Input syntax rules").
+struct DeckLabel {
+  std::string shown;  ///< as written, without quotation marks
+  std::string key;
+};
+
 struct DeckCard {
-  std::string keyword;  ///< in capitals, without the star
-  std::map<std::string, std::string>
-      parameter;               ///< names in capitals; values without quotes, empty where there is none
+  std::string keyword;  ///< in capitals, without the star; words are separated by one blank
+  /// Names in capitals and without blanks; values as written, empty where there is none.
+  std::map<std::string, std::string> parameter;
   int line = 0;                ///< as of a DeckLine
   std::vector<DeckLine> data;  ///< without comments and blank lines
+  std::string fault{};         ///< of its parameters, if the card is read
 
   [[nodiscard]] bool has(const std::string& name) const { return parameter.contains(name); }
-  /// Empty if it is not given.
+  /// Without quotation marks. Empty if it is not given.
   [[nodiscard]] std::string value(const std::string& name) const;
+  [[nodiscard]] DeckLabel label(const std::string& name) const;
 };
 
 class AbaqusDeck {
@@ -34,8 +44,12 @@ class AbaqusDeck {
   explicit AbaqusDeck(const std::string& path);
 
   [[nodiscard]] const std::vector<DeckCard>& cards() const { return cards_; }
+  /// The fields between commas outside of quotation marks, trimmed; an empty last field does not count.
+  [[nodiscard]] std::vector<std::string_view> fields(const DeckLine& line) const;
   [[nodiscard]] std::int64_t integer(const DeckLine& line, std::string_view field, std::string_view what) const;
   [[nodiscard]] double real(const DeckLine& line, std::string_view field, std::string_view what) const;
+  /// The last line of a file, if it has no line end.
+  [[nodiscard]] bool is_unended(const DeckLine& line) const { return unended_.contains(line.number); }
   /// "FILE:LINE".
   [[nodiscard]] std::string place(int line) const;
   [[noreturn]] void fail(int line, const std::string& what) const;
@@ -48,22 +62,33 @@ class AbaqusDeck {
   };
 
   void read_file(const std::string& path, int depth);
+  /// One line of a file; true if it is a keyword line that goes on in the next one.
+  bool read_line(std::string_view line, bool goes_on);
   void add_card(std::string_view text, int line);
   void include(const std::string& from, const std::string& name, int line, int depth);
   void take_inclusion(const std::string& path, int depth);
 
   std::vector<std::unique_ptr<const std::string>> texts_;  // the cards' lines point into them
   std::vector<Run> runs_;                                  ///< ascending in first_number
-  std::vector<std::string> open_;                          ///< files that are being read, the outermost first
-  int count_ = 0;                                          ///< lines so far
-  int included_ = 0;                                       ///< files so far
+  std::set<int> unended_;
+  std::vector<std::string> open_;  ///< files that are being read, the outermost first
+  int count_ = 0;                  ///< lines so far
+  int included_ = 0;               ///< files so far
   std::vector<DeckCard> cards_;
 };
 
-/// The fields between commas, trimmed; an empty last field does not count.
-std::vector<std::string_view> fields_of(std::string_view line);
+/// text: trimmed, perhaps in quotation marks.
+DeckLabel label_of(std::string_view text);
 
-/// Labels do not depend on the case of letters.
+/// In capitals and without blanks: as keywords and names of parameters are compared.
+std::string compact(std::string_view text);
+
 std::string in_capitals(std::string_view text);
+
+/// For messages: with '?' for control characters.
+std::string printable(std::string_view text);
+
+/// For messages: at most 60 characters, printable.
+std::string shortened(std::string_view text);
 
 }  // namespace brunt::io

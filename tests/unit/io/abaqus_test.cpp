@@ -235,19 +235,21 @@ TEST_CASE("abaqus: what is wrong is told with its line") {
              at(next) && Contains("included file 'other.inp'") && Contains("does not exist"));
   CHECK_THAT(with("*Nset, nset=a\nmissing\n"), at(next + 1) && Contains("unknown set 'missing'"));
   CHECK_THAT(with("*Nset\n1\n"), at(next) && Contains("missing parameter of *NSET; expected NSET=NAME"));
-  CHECK_THAT(with("*Nset, nset=a, generate\n1, 1000000000\n"), at(next + 1) && Contains("GENERATE"));
+  CHECK_THAT(with("*Nset, nset=a, generate\n1, 1000000000\n"), at(next + 1) && Contains("out of range: 1000000000"));
   CHECK_THAT(with("*Nset, nset=a, generate\n9, 1, 1\n"), at(next + 1) && Contains("GENERATE"));
   CHECK_THAT(with("*Nset, nset=a, instance=I\n1,\n"), at(next) && Contains("unknown instance 'I'"));
   CHECK_THAT(with("*Surface, name=s\n1, S7\n"), at(next + 1) && Contains("'S7'"));
   CHECK_THAT(with("*Surface, name=s\n4, S5\n"), at(next + 1) && Contains("invalid face of element 4: it has no S5"));
-  CHECK_THAT(with("*Surface, name=s\n77, S1\n"), at(next + 1) && Contains("unknown solid element 77"));
+  CHECK_THAT(with("*Surface, name=s\n77, S1\n"), at(next + 1) && Contains("unknown element 77 of 's'"));
   CHECK_THAT(with("*Solid Section, elset=cap\n"), Contains("missing *SOLID SECTION"));
   CHECK_THAT(with("*Solid Section, elset=none\n"), at(next) && Contains("unknown element set 'NONE'"));
   CHECK_THAT(with("*Elset, elset=two\n1, 2\n*Solid Section, elset=two\n*Solid Section, elset=body\n"),
              at(next + 3) && Contains("already belongs to another one"));
   CHECK_THAT(with("*End Part\n"), at(next) && Contains("without its beginning"));
-  CHECK_THAT(with("*Part, name=p\n"), at(next) && Contains("missing end"));
-  CHECK_THAT(with("*Assembly, name=a\n*Instance, name=i, part=q\n"), at(next + 1) && Contains("unknown part 'q'"));
+  CHECK_THAT(with("*Part, name=p\n"), at(next) && Contains("nodes are defined outside of parts"));
+  CHECK_THAT(fault_of("*Part, name=p\n"), Contains(":1: missing end"));
+  CHECK_THAT(fault_of("*Assembly, name=a\n*Instance, name=i, part=q\n"),
+             Contains(":2:") && Contains("unknown part 'q'"));
   CHECK_THAT(with("*Element, type=C3D4\n31, 1, 3, 2, 5\n"), Contains("element 31") && Contains("Jacobian"));
   CHECK_THAT(fault_of("*Node\n1, 0, 0, 0\n"), Contains("missing solid elements"));
   CHECK_THAT(fault_of(two_of_one.substr(0, two_of_one.find("*Assembly"))), Contains("missing *INSTANCE"));

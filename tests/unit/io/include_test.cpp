@@ -74,6 +74,7 @@ TEST_CASE("what is wrong with an inclusion is one fault at its line", "[include]
   CHECK_THAT(fault("*Heading\n*Include, input=no.inp\n"),
              Catch::StartsWith("main.inp:2: cannot read the included file 'no.inp'"));
   CHECK_THAT(fault("*Heading\n*Include, input=no.inp\n"), Catch::Contains("does not exist"));
+  CHECK_THAT(fault("*Include, input=a.inp\n", "** nothing\n"), Catch::Contains("missing solid elements"));
   CHECK_THAT(fault("*Include\n"), Catch::StartsWith("main.inp:1: missing file of *INCLUDE"));
   CHECK_THAT(fault("*Include, input=.\n"), Catch::Contains("main.inp:1") && Catch::Contains("not a regular file"));
   CHECK_THAT(fault("*Include, input=/dev/zero\n"), Catch::Contains("not a regular file"));
