@@ -245,6 +245,8 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   const double turned = std::max(run_.extremes.momentum_scale, e.contact_totals.push) * extent_;
   summary["angular_momentum_error"] = turned > 0 ? e.contact_totals.spin.norm() / turned : 0.0;
   summary["max_penetration"] = e.contact_totals.penetration;
+  const contact::DeepNode& deepest = depth_.deepest();
+  summary["deepest_penetration"] = {{"depth", deepest.depth}, {"elements", deepest.share}};
   summary["driven_penetration"] = run_.implicit ? implicit::driven_penetration(*run_.implicit) : run_.driven.largest();
   const auto solved = static_cast<double>(std::max<GlobalIndex>(contact_.solved_steps, 1));
   summary["contact"] = {{"searches", contact_.searches},

@@ -12,6 +12,7 @@
 #include "brunt/io/history.hpp"
 #include "brunt/io/state_file.hpp"
 #include "brunt/time/ledger.hpp"
+#include "depth_watch.hpp"
 #include "guards.hpp"
 #include "log.hpp"
 #include "prepare.hpp"
@@ -60,6 +61,8 @@ class Results {
   void watch_folds();
   /// Warns of parts that supports move through each other, and records the depth. Collective.
   void watch_driven();
+  /// Warns of nodes and edges that lie in other bodies at x_n, and records the depth. Collective.
+  void watch_depth();
   /// Warns if hourglass control took up too much energy, or contact more than the loss of an impact.
   void report_at_end();
   std::string write_checkpoint();
@@ -93,7 +96,8 @@ class Results {
   std::vector<io::StateField> fields_;
   double fields_step_ = 0, fields_time_ = 0;
   time::Ledger last_ledger_;
-  GlobalIndex folded_ = 0;                        ///< largest number of folded elements seen at one look
+  GlobalIndex folded_ = 0;  ///< largest number of folded elements seen at one look
+  DepthWatch depth_;
   std::array<bool, guarded_columns> reported_{};  ///< of which a warning has been given
   double extent_ = 0;                             ///< half of the diagonal of the model at the start [length]
   comm::Traffic sent_;

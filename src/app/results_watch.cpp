@@ -42,9 +42,10 @@ std::string where_friction_gives(const Prepared& run) {
 }
 
 /// Elastic hourglass springs differ from those of `stiffness` only in plastic flow.
-const char* remedy_of_folds(const material::Law& law) {
-  if (std::holds_alternative<material::J2>(law)) return "hourglass: {kind: elastic} or element: hex8_full";
-  if (std::holds_alternative<material::NeoHookean>(law)) return "element: hex8_full";
+const char* remedy_of_folds(const model::ElementBlock& block) {
+  if (block.kind != element::ElementKind::hex8) return "smaller elements there";
+  if (std::holds_alternative<material::J2>(block.law)) return "hourglass: {kind: elastic} or element: hex8_full";
+  if (std::holds_alternative<material::NeoHookean>(block.law)) return "element: hex8_full";
   return "element: hex8_full or hex8_bbar";
 }
 
@@ -94,7 +95,7 @@ void Results::watch(const time::Ledger& ledger, double time) {
                     -ledger.walls, time));
   if (!growth.empty())
     throw GuardError(fmt::format("energy grows at t = {:g}: {}{}", time, growth,
-                                 folded_ > 0 ? fmt::format(" ({} hex8 elements are folded)", folded_) : ""));
+                                 folded_ > 0 ? fmt::format(" ({} elements are folded)", folded_) : ""));
 }
 
 void Results::watch_folds() {
@@ -107,11 +108,12 @@ void Results::watch_folds() {
     const GlobalIndex element = ranks.max(here.worst == worst ? here.element : -1);
     const auto block = static_cast<std::size_t>(ranks.max(GlobalIndex{here.element == element ? here.block : -1}));
     log_.warning(
-        fmt::format("{} hex8 element{} folded at t = {:g}, step {}, with an inverted corner; the worst is element {} "
+        fmt::format("{} {} element{} folded at t = {:g}, step {}, with an inverted corner; the worst is element {} "
                     "(position in the input) of part '{}'. Contact loses nodes behind folded faces and may generate "
                     "energy. Use {} (reported once; folded_elements in summary.json is the largest number)",
-                    count, count == 1 ? " is" : "s are", run_.state.time, static_cast<GlobalIndex>(run_.state.step),
-                    element + 1, run_.model.blocks[block].part, remedy_of_folds(run_.model.blocks[block].law)));
+                    count, element::name_of(run_.model.blocks[block].kind), count == 1 ? " is" : "s are",
+                    run_.state.time, static_cast<GlobalIndex>(run_.state.step), element + 1,
+                    run_.model.blocks[block].part, remedy_of_folds(run_.model.blocks[block])));
   }
   folded_ = std::max(folded_, count);
 }
@@ -124,6 +126,11 @@ void Results::watch_driven() {
   for (const std::string& warning : run_.driven.look(run_.links.ranks, *run_.contact, run_.model, run_.state,
                                                      scene::find_unit_system(run_.input.units)->length))
     log_.warning(warning);
+}
+
+void Results::watch_depth() {
+  const Recording recording = record();
+  for (const std::string& warning : depth_.look(run_)) log_.warning(warning);
 }
 
 void Results::report_at_end() {

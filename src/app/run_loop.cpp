@@ -114,6 +114,7 @@ void Loop::pass(bool last) {
   if (fields || watch) {
     results_.watch_folds();
     results_.watch_driven();
+    results_.watch_depth();
   }
   const bool sampled = static_cast<GlobalIndex>(state.step) % steps_between_samples == 0;
   const time::StepReport step = evaluate(control, sampled);

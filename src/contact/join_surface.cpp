@@ -14,6 +14,7 @@
 #include "brunt/contact/seams.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/closest_point.hpp"
+#include "brunt/geometry/shortest_edge.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -198,6 +199,7 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
   const std::size_t block_count = mesh.blocks.size();
   std::vector<GlobalIndex> counts(3 * body_count, 0);  // faces, nodes, nodes that cannot move
   std::vector<GlobalIndex> faces_of(body_count * block_count, 0);
+  std::vector<double> edges(2 * body_count, -std::numeric_limits<double>::infinity());  // longest, minus the shortest
   for (const SurfaceFace& face : surface.faces) {
     std::array<Vec3, 4> corners;
     const auto count = static_cast<std::size_t>(face.corner_count);
@@ -210,6 +212,8 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
     sums[body].add(geometry::area_vector(view).norm());
     const double edge = geometry::longest_edge(view);
     sums[2 * body_count].add(edge);
+    edges[2 * body] = std::max(edges[2 * body], edge);
+    edges[2 * body + 1] = std::max(edges[2 * body + 1], -geometry::shortest_edge(view));
     sums[2 * body_count + 1].add(std::min(edge, face.element_depth));
     ++counts[body];
     if (static_cast<std::size_t>(face.block) < block_count)
@@ -229,12 +233,16 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
   comm::exact_sum(ranks, sums, totals);
   ranks.sum(counts);
   ranks.sum(faces_of);
+  ranks.max(edges);
   GlobalIndex faces = 0;
   for (std::size_t body = 0; body < body_count; ++body) {
     const double mass = mean(totals[body_count + body], counts[body_count + body]);
     const bool held = counts[2 * body_count + body] > 0;
-    surface.bodies.push_back(
-        {mean(totals[body], counts[body]), held ? std::numeric_limits<double>::infinity() : mass, {}});
+    surface.bodies.push_back({mean(totals[body], counts[body]),
+                              held ? std::numeric_limits<double>::infinity() : mass,
+                              {},
+                              edges[2 * body],
+                              -edges[2 * body + 1]});
     for (std::size_t block = 0; block < block_count; ++block)
       if (faces_of[body * block_count + block] > 0)
         surface.bodies.back().blocks.push_back(static_cast<std::int32_t>(block));

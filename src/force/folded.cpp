@@ -65,7 +65,7 @@ void look_at(const model::ElementBlock& block, std::int32_t index, const model::
 FoldedElements folded_elements(const model::Model& model, const model::State& state) {
   FoldedElements folded;
   for (std::size_t b = 0; b < model.blocks.size(); ++b)
-    if (model.blocks[b].kind == element::ElementKind::hex8)
+    if (model.blocks[b].corners == 8 && !material::is_rigid(model.blocks[b].law))
       look_at(model.blocks[b], static_cast<std::int32_t>(b), state, folded);
   return folded;
 }

@@ -16,6 +16,7 @@
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/box.hpp"
 #include "brunt/geometry/closest_point.hpp"
+#include "brunt/geometry/shortest_edge.hpp"
 #include "brunt/mesh/topology.hpp"
 #include "flight_shadow.hpp"
 
@@ -25,7 +26,7 @@ namespace {
 struct Face {
   geometry::Box box{};
   Vec3 area = Vec3::Zero(), velocity = Vec3::Zero();
-  double size = 0;  ///< longest edge
+  double size = 0, shortest = 0;  ///< longest edge, shortest edge [length]
   std::int32_t body = 0, block = 0;
 };
 
@@ -57,6 +58,7 @@ Face measure(const mesh::Mesh& mesh, const mesh::Side& side, std::span<const Vec
   face.box = geometry::bounding_box(corners);
   face.area = geometry::area_vector(corners);
   face.size = geometry::longest_edge(corners);
+  face.shortest = geometry::shortest_edge(corners);
   return face;
 }
 
@@ -111,6 +113,8 @@ std::vector<contact::BodyFigures> figures_of(const mesh::Mesh& mesh, std::span<c
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto body = static_cast<std::size_t>(faces[f].body);
     bodies[body].mean_area += faces[f].area.norm();
+    bodies[body].longest_edge = std::max(bodies[body].longest_edge, faces[f].size);
+    bodies[body].shortest_edge = std::min(bodies[body].shortest_edge, faces[f].shortest);
     ++face_count[body];
     for (const LocalIndex node : corners_of(mesh, sides[f])) {
       const auto i = static_cast<std::size_t>(node);

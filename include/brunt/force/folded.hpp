@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Elements that are inverted at a corner. The one-point hexahedron evaluates its mean gradient and its volume only.
 // Plastic flow limits the hourglass forces, so a corner can fold without resistance while the volume remains positive.
-// Contact loses the nodes behind such faces.
+// The points of the other hexahedra see a folded corner late. Contact loses the nodes behind such faces.
 #pragma once
 #include "brunt/model/model.hpp"
 
@@ -14,8 +14,8 @@ struct FoldedElements {
   std::int32_t block = -1;
 };
 
-/// For this rank's one-point hexahedra, at x_n. A corner counts below -1e-6: the corner of a wedge is flat up to
-/// rounding.
+/// For this rank's hexahedra that are not rigid, at x_n. A corner counts below -1e-6: the corner of a wedge is flat up
+/// to rounding.
 FoldedElements folded_elements(const model::Model& model, const model::State& state);
 
 }  // namespace brunt::force

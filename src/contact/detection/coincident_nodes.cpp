@@ -41,6 +41,13 @@ struct Around {
   }
 };
 
+/// Is the node itself on a rim or corner? The faces around it then look in different directions.
+bool is_sharp(const NodeOnSurface& node, const Tolerances& tolerances) {
+  Vec3 normals = Vec3::Zero();
+  for (const LocalIndex facet : node.facets) normals += node.facet_normal[static_cast<std::size_t>(facet)];
+  return normals.norm() < tolerances.aligned * static_cast<double>(node.facets.size());
+}
+
 /// Are both surfaces flat there and on each other, as around nearly all coincident nodes? What is said to be so here
 /// the thorough look below finds too: every face lies on the first facet, and every facet on the first face.
 bool surfaces_coincide(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
@@ -87,7 +94,9 @@ bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, st
   }
   fit = fit && std::none_of(facet_lies.begin(), facet_lies.end(),
                             [&](double cosine) { return cosine > tolerances.facing && cosine < tolerances.aligned; });
-  return fit || around.are_sharp_corner(tolerances);
+  // A sharp corner on a flat surface is held as the slave of that surface. Where both are sharp and do not fit, the row
+  // of either alone lets the other slide off its ridge.
+  return fit || (around.are_sharp_corner(tolerances) && !is_sharp(node, tolerances));
 }
 
 }  // namespace

@@ -27,7 +27,22 @@ bool have_similar_meshes(const BodyFigures& one, const BodyFigures& other, const
          near(one.mean_mass, other.mean_mass, edges * edges * edges);
 }
 
+bool is_finer_everywhere(const BodyFigures& slave, const BodyFigures& master, const Tolerances& tolerances) {
+  return slave.longest_edge <= master.shortest_edge * (1 + tolerances.equal_figures);
+}
+
 namespace {
+
+/// In one pass nothing holds the nodes of the master between those of the slave.
+bool need_two_passes(const Specification& specification, std::span<const BodyFigures> bodies, std::int32_t a,
+                     std::int32_t b) {
+  if (a == b) return true;
+  const Tolerances& tolerances = *specification.tolerances;
+  const BodyFigures &one = bodies[static_cast<std::size_t>(a)], &other = bodies[static_cast<std::size_t>(b)];
+  if (have_similar_meshes(one, other, tolerances)) return true;
+  return is_slave(bodies, a, b, tolerances) ? !is_finer_everywhere(one, other, tolerances)
+                                            : !is_finer_everywhere(other, one, tolerances);
+}
 
 bool in_two_passes(const Specification& specification, std::span<const BodyFigures> bodies, std::int32_t block,
                    const SurfaceNode& node, std::int32_t other_block, std::int32_t other_body) {
@@ -35,10 +50,7 @@ bool in_two_passes(const Specification& specification, std::span<const BodyFigur
   if (pair.rule == PairRule::apart) return false;
   if (pair.passes != Passes::automatic) return pair.passes != Passes::one;
   if (node.on_rim && node.body != other_body && holds_rims(specification)) return true;
-  return pair.rule == PairRule::automatic &&
-         (node.body == other_body ||
-          have_similar_meshes(bodies[static_cast<std::size_t>(node.body)], bodies[static_cast<std::size_t>(other_body)],
-                              *specification.tolerances));
+  return pair.rule == PairRule::automatic && need_two_passes(specification, bodies, node.body, other_body);
 }
 
 bool bodies_in_two_passes(const Specification& specification, std::span<const BodyFigures> bodies, std::int32_t a,

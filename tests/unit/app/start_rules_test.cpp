@@ -20,6 +20,8 @@ TEST_CASE("start rules: the figures that choose the slave are those of the run")
   REQUIRE(foretold.size() == bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     CHECK(foretold[b].mean_area == Approx(bodies[b].mean_area).epsilon(1e-12));
+    CHECK(foretold[b].longest_edge == bodies[b].longest_edge);
+    CHECK(foretold[b].shortest_edge == bodies[b].shortest_edge);
     CHECK(foretold[b].mean_mass == Approx(bodies[b].mean_mass).epsilon(1e-12));
   }
 }

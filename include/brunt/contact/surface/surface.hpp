@@ -2,6 +2,7 @@
 // The faces and nodes that may have contact, and the choice of the slave of two bodies.
 #pragma once
 #include <array>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -55,6 +56,8 @@ struct BodyFigures {
   double mean_area = 0;                ///< of its contact faces [length^2]
   double mean_mass = 0;                ///< of its surface nodes [mass]; infinite if one of them is immovable
   std::vector<std::int32_t> blocks{};  ///< of its contact faces, ascending
+  double longest_edge = 0;             ///< of its contact faces [length]
+  double shortest_edge = std::numeric_limits<double>::infinity();  ///< likewise
 };
 
 /// The properties of a node that determine its admissible contacts.
@@ -101,6 +104,11 @@ bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t 
 
 /// Whether the meshes are similar, neither side much finer or lighter. See Passes::automatic.
 bool have_similar_meshes(const BodyFigures& one, const BodyFigures& other,
+                         const Tolerances& tolerances = standard_tolerances);
+
+/// Whether the nodes of `slave` are nowhere and in no direction farther apart than those of `master`. Means over a body
+/// do not show this: a bar of long elements may have small faces, and a graded plate coarse ones at its rim.
+bool is_finer_everywhere(const BodyFigures& slave, const BodyFigures& master,
                          const Tolerances& tolerances = standard_tolerances);
 
 /// Whether a node and a face of this block and body have two-pass contact. In automatic one-pass contact this also

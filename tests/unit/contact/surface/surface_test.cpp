@@ -84,6 +84,24 @@ TEST_CASE("two passes: by order, or where neither side is much finer or lighter 
   CHECK(ways(1, 2) == Ways{true, false, true, false});
 }
 
+TEST_CASE("two passes: where the slave is finer on average, but not in every direction") {
+  const std::vector<BodyFigures> bodies{{1.0, 5.0, {0}, 1.0, 1.0},
+                                        {0.4, 5.0, {1}, 4.0, 0.1},   // long elements with small faces
+                                        {0.25, 1.0, {2}, 0.5, 0.5},  // finer everywhere
+                                        {4.0, 40.0, {3}, 12, 0.4}};  // graded: fine in the middle
+  CHECK(is_finer_everywhere(bodies[2], bodies[0]));
+  CHECK_FALSE(is_finer_everywhere(bodies[1], bodies[0]));
+  Specification rules{.pairs = {4, {PairRule::automatic, Passes::automatic}}};
+  const auto both = [&](std::int32_t a, std::int32_t b) {
+    const std::vector<std::int32_t> own{a}, other{b};
+    return may_meet(rules, bodies, {own, a}, b, b) && may_meet(rules, bodies, {other, b}, a, a);
+  };
+  CHECK(both(0, 1));
+  CHECK_FALSE(both(0, 2));
+  CHECK(both(0, 3));
+  CHECK(both(2, 3));
+}
+
 TEST_CASE("bodies in two passes are slaves and masters") {
   const std::vector<BodyFigures> bodies{{1.0, 5.0, {0}}, {0.9, 5.0, {1}}};
   Specification rules{.pairs = {2, {PairRule::automatic}}};

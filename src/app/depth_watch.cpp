@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "depth_watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "brunt/core/error.hpp"
+#include "brunt/geometry/box.hpp"
+#include "brunt/model/alive.hpp"
+#include "brunt/scene/units.hpp"
+
+namespace brunt::app {
+namespace {
+
+using geometry::Box;
+
+/// Boxes around the surface nodes of each part, of all ranks. Collective.
+std::vector<Box> boxes_of_parts(const Prepared& run, const contact::VectorView& position) {
+  const contact::Surface& surface = run.contact->surface;
+  std::vector<double> most(6 * run.model.blocks.size(), -std::numeric_limits<double>::infinity());
+  for (LocalIndex node = 0; node < static_cast<LocalIndex>(surface.gid.size()); ++node) {
+    if (!surface.owns(node, run.links.ranks.rank())) continue;
+    const Vec3 x = position[surface.model_node[static_cast<std::size_t>(node)]];
+    for (const std::int32_t block : surface.blocks.row(node))
+      for (std::size_t a = 0; a < 3; ++a) {
+        double* const at = &most[6 * static_cast<std::size_t>(block) + a];
+        at[0] = std::max(at[0], -x[static_cast<Eigen::Index>(a)]);
+        at[3] = std::max(at[3], x[static_cast<Eigen::Index>(a)]);
+      }
+  }
+  run.links.ranks.max(most);
+  std::vector<Box> boxes;
+  for (std::size_t b = 0; b < run.model.blocks.size(); ++b)
+    boxes.push_back({-Vec3(&most[6 * b]), Vec3(&most[6 * b + 3])});
+  return boxes;
+}
+
+/// The elements in which a node may lie: those within the box of another part, and those at the surface, which a body
+/// meets first where it meets itself.
+std::vector<contact::GhostElement> elements_within_reach(const Prepared& run, const contact::VectorView& position) {
+  const std::vector<Box> parts = boxes_of_parts(run, position);
+  const contact::PairTable& pairs = run.contact->settings.specification.pairs;
+  const auto meets = [&](std::size_t one, std::size_t other) {
+    return pairs.at(static_cast<std::int32_t>(one), static_cast<std::int32_t>(other)).rule != contact::PairRule::apart;
+  };
+  std::vector<GlobalIndex> at_surface;
+  for (const contact::SurfaceFace& face : run.contact->surface.faces) at_surface.push_back(face.key / 8);
+  std::vector<contact::GhostElement> elements;
+  for (std::size_t b = 0; b < run.model.blocks.size(); ++b) {
+    const model::ElementBlock& block = run.model.blocks[b];
+    if (block.corners != 8 && block.corners != 4) continue;
+    for (LocalIndex e = 0; e < block.count; ++e) {
+      if (!model::lives(run.state, b, e)) continue;
+      contact::GhostElement element{.gid = block.gid[static_cast<std::size_t>(e)],
+                                    .corner_count = block.corners,
+                                    .block = static_cast<std::int32_t>(b)};
+      element.nodes.fill(no_index);
+      Box box;
+      for (int c = 0; c < block.corners; ++c) {
+        const LocalIndex node = block.corner_node(e, c);
+        const Vec3 x = position[node];
+        element.nodes[static_cast<std::size_t>(c)] = run.model.mesh.node_gid[static_cast<std::size_t>(node)];
+        element.corner[static_cast<std::size_t>(c)] = {x[0], x[1], x[2]};
+        geometry::extend(box, x);
+      }
+      const auto in_part = [&](std::size_t other) {
+        return other != b && meets(other, b) && geometry::overlaps(parts[other], box);
+      };
+      bool near = meets(b, b) && std::ranges::binary_search(at_surface, element.gid);
+      for (std::size_t other = 0; other < parts.size() && !near; ++other) near = in_part(other);
+      if (!near) continue;
+      element.capture = contact::PlainBox(box);
+      elements.push_back(element);
+    }
+  }
+  return elements;
+}
+
+std::string text_of(const Prepared& run, const contact::DeepNode& deep) {
+  const auto part = [&](std::int32_t block) { return run.model.blocks[static_cast<std::size_t>(block)].part; };
+  const model::Model& model = run.model;
+  const auto node = std::ranges::find(model.mesh.node_gid, deep.node);
+  const GlobalIndex id =
+      run.links.ranks.max(node == model.mesh.node_gid.end()
+                              ? GlobalIndex{-1}
+                              : model.mesh.node_id[static_cast<std::size_t>(node - model.mesh.node_gid.begin())]);
+  return fmt::format("{} {} of part '{}' {} {} deep in part '{}' at t = {:g}, step {}, {:.2g} of an element there",
+                     deep.on_edge ? "an edge at node" : "node", id, part(deep.node_block), "lies",
+                     scene::with_length(deep.depth, run.input.units), part(deep.block), run.state.time,
+                     static_cast<GlobalIndex>(run.state.step), deep.share);
+}
+
+}  // namespace
+
+std::vector<std::string> DepthWatch::look(const Prepared& run) {
+  if (!run.contact || !run.contact->derived.bodies || run.implicit) return {};
+  const contact::VectorView position{run.state.nodes.empty() ? nullptr : run.state.nodes.front().x,
+                                     sizeof(model::NodeLine) / sizeof(double)};
+  const contact::DeepNodes found =
+      contact::find_deep_nodes(*run.contact, position, elements_within_reach(run, position), warned_depth);
+  const contact::DeepNode& worst = found.worst;
+  if (worst.share > deepest_.share) deepest_ = worst;
+  if (!(worst.share > warned_depth)) return {};
+  const bool begins_inside = run.overlaps.recovered || !run.contact->derived.detection.accepted.empty();
+  const bool lost = !worst.on_edge && worst.share >= lost_depth && !begins_inside && !run.contact->settings.erodes;
+  const std::pair pair(worst.node_block, worst.block);
+  const bool known = std::ranges::find(reported_, pair) != reported_.end();
+  if (known && !lost) return {};
+  const std::string text = text_of(run, worst);
+  if (lost)
+    throw GuardError("contact has lost nodes: " + text +
+                     "; use smaller elements there, element: hex8_full, or passes: two");
+  reported_.push_back(pair);
+  return {fmt::format(
+      "contact leaves penetration: {}{}; contact does not hold edges between nodes, nor nodes that "
+      "passed a folded or a very coarse element: use smaller elements there (reported once for each pair "
+      "of parts; deepest_penetration in summary.json is the largest)",
+      text,
+      found.count > 1 ? fmt::format(" ({} nodes and edges are deeper than {:g})", found.count, warned_depth) : "")};
+}
+
+}  // namespace brunt::app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Penetration by positions: nodes and sharp edges inside elements of other bodies, whatever contact knows of them.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "brunt/contact/deep_nodes.hpp"
+#include "prepare.hpp"
+
+namespace brunt::app {
+
+/// Shares of an element. Where contact holds all nodes it leaves less than a hundredth of an element, and at edges
+/// between nodes up to a tenth in hard impacts (src/contact/surface/README.md): more is worth a warning. A node deeper
+/// than an element has been lost: contact reaches half of one, and the result is wrong there.
+constexpr double warned_depth = 0.1, lost_depth = 1;
+
+class DepthWatch {
+ public:
+  /// Looks at x_n. Returns warnings, of each pair of parts one. Throws GuardError where a node is lost, unless the
+  /// scene lets bodies begin inside each other or removes elements. Collective.
+  std::vector<std::string> look(const Prepared& run);
+  /// The deepest so far.
+  [[nodiscard]] const contact::DeepNode& deepest() const { return deepest_; }
+
+ private:
+  contact::DeepNode deepest_{};
+  std::vector<std::pair<std::int32_t, std::int32_t>> reported_;
+};
+
+}  // namespace brunt::app
