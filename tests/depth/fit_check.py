@@ -6,7 +6,7 @@ a ray). Either alone misses overlaps.
 """
 import numpy as np
 
-from fit_shapes import mass_of
+from fit_shapes import mass_of, prism, rectangle
 
 CHUNK = 2_000_000  # point-triangle pairs at a time
 
@@ -116,10 +116,11 @@ def deepest_point(points, surface):
 
 
 def overlap(a, b, tolerance):
-    """How deep two surfaces overlap at least; 0: no deeper than the tolerance, by edges and by vertices."""
+    """How deep two surfaces overlap at least; 0: no deeper than the tolerance, by edges, and by vertices and middles of
+    triangles (where faces and edges are flush, no edge crosses a triangle and no vertex is inside)."""
     depth = max(deepest_crossing(a, b, tolerance), deepest_crossing(b, a, tolerance))
     if depth <= tolerance:
-        depth = max(deepest_point(a[0], b), deepest_point(b[0], a))
+        depth = max(deepest_point(np.concatenate([one[0], one[0][one[1]].mean(axis=1)]), other) for one, other in ((a, b), (b, a)))
     return depth if depth > tolerance else 0.0
 
 
@@ -140,3 +141,26 @@ def lengths(surface, start, end):
     middle = difference[:, :3] @ centroid + difference[:, 3]
     turn = difference[:, :3]
     return float(np.linalg.norm(shifts, axis=1).max()), float(np.sqrt(middle @ middle + np.trace(turn @ second @ turn.T)))
+
+
+def check_itself():
+    """Placements of two boxes whose overlap is known: face in face, bar through bar without vertices inside, one in the
+    other, touching, apart."""
+    def box(x, y, z):
+        return prism(rectangle(x, y), -0.5 * z, 0.5 * z)
+
+    def at(surface, shift):
+        return surface[0] + np.asarray(shift, dtype=float), surface[1]
+    cube, bar, small = box(2, 2, 2), box(0.6, 0.8, 9), box(0.5, 0.5, 0.5)
+    cases = [(cube, at(cube, [1.9, 0.13, 0.07]), 0.1), (cube, at(cube, [1.9, 0, 0]), 0.1), (cube, at(bar, [0.3, 0.2, 0]), None),
+             (cube, at(small, [0.1, 0.2, 0.3]), None), (cube, at(cube, [2, 0.13, 0.07]), 0), (cube, at(cube, [2, 0, 0]), 0),
+             (cube, at(cube, [2.001, 0, 0]), 0), (bar, at(bar, [0.3, 0.4, 2]), None)]
+    for a, b, depth in cases:
+        for one, other in ((a, b), (b, a)):
+            found = overlap(one, other, 1e-9)
+            assert found > 1e-3 if depth is None else abs(found - depth) < 1e-9 or (depth > 0 and 0 < found <= depth + 1e-9), (depth, found)
+    centroid, second = mass_of(at(bar, [1, 2, 3]))
+    assert np.allclose(centroid, [1, 2, 3]) and np.allclose(second, np.diag([0.6**2, 0.8**2, 9**2]) / 12)
+    turn = np.column_stack([np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1.0]]), [0, 0, 0.1]])  # a quarter about z, and a slide
+    most, mean = lengths(bar, np.eye(3, 4), turn)
+    assert np.isclose(most**2, 2 * (0.3**2 + 0.4**2) + 0.01) and np.isclose(mean**2, 2 * (0.6**2 + 0.8**2) / 12 + 0.01)

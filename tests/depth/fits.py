@@ -39,7 +39,8 @@ class Pair:
     sizes: dict
     planes: list = field(default_factory=list)  # (normal, offset, z-range of A's points) that bound the free space
     seed: int = 0
-    bounds: dict = field(default_factory=dict)  # of each metric: a free motion of that length exists
+    bounds: dict = field(default_factory=dict)  # of each metric: a free motion of A of that length exists
+    bounds_of_b: dict = field(default_factory=dict)  # the same where B moves
     overlaps: float = 0.0
     extension: str = "stl"
 
@@ -259,13 +260,13 @@ def on_the_way(pair, share):
 
 
 def offer(pair, at):
-    """A free placement bounds each metric."""
-    most, mean = fit_check.lengths(pair.a, pair.start, at)
-    found = {"displacement": most, "object_norm": mean}
-    if np.abs(at[:, :3] - pair.start[:, :3]).max() < 1e-12:
-        found["translation"] = float(np.linalg.norm(at[:, 3] - pair.start[:, 3]))
-    for metric, length in found.items():
-        pair.bounds[metric] = min(length, pair.bounds.get(metric, np.inf))
+    """A free placement bounds each metric, whichever of the two moves there."""
+    straight = np.abs(at[:, :3] - pair.start[:, :3]).max() < 1e-12
+    for surface, bounds, start, end in ((pair.a, pair.bounds, pair.start, at), (pair.b, pair.bounds_of_b, inverse(pair.start), inverse(at))):
+        most, mean = fit_check.lengths(surface, start, end)
+        found = {"displacement": most, "object_norm": mean} | ({"translation": most} if straight else {})
+        for metric, length in found.items():
+            bounds[metric] = min(length, bounds.get(metric, np.inf))
 
 
 def judge(pair):
@@ -305,15 +306,13 @@ def in_frames(pair, dice, reach=100):
     """The same pair with the files of A and B each in axes of their own."""
     to_a, to_b = (placement(random_rotation(dice), [dice.uniform(-reach, reach) for _ in range(3)]) for _ in "ab")
     return Pair(pair.kind, fit_check.placed(pair.a, to_a), fit_check.placed(pair.b, to_b), moved(to_b, moved(pair.free, inverse(to_a))),
-                moved(to_b, moved(pair.start, inverse(to_a))), pair.sizes, [], pair.seed, pair.bounds, pair.overlaps, pair.extension)
+                moved(to_b, moved(pair.start, inverse(to_a))), pair.sizes, [], pair.seed, pair.bounds, pair.bounds_of_b, pair.overlaps, pair.extension)
 
 
 def exchanged(pair):
-    """B moves and A stands still; the bounds of translations hold for both, those of rotations do not."""
-    bounds = {"translation": pair.bounds["translation"]} if "translation" in pair.bounds else {}
-    if bounds:
-        bounds["displacement"] = bounds["object_norm"] = bounds["translation"]
-    return Pair(pair.kind, pair.b, pair.a, inverse(pair.free), inverse(pair.start), pair.sizes, [], pair.seed, bounds, pair.overlaps, pair.extension)
+    """B moves and A stands still."""
+    return Pair(pair.kind, pair.b, pair.a, inverse(pair.free), inverse(pair.start), pair.sizes, [], pair.seed, pair.bounds_of_b, pair.bounds,
+                pair.overlaps, pair.extension)
 
 
 def quaternion(turn):
@@ -356,8 +355,8 @@ def main():
         pair = make(options.kind or KINDS[k % len(KINDS)], options.seed + k)
         name = f"{pair.kind}{pair.seed}"
         a, b, pose = write(pair, options.folder, name)
-        told.append({"name": name, "a": a, "b": b, "pose": pose, "kind": pair.kind, "sizes": pair.sizes, "bounds": pair.bounds,
-                     "sum_of_overlaps": pair.overlaps})
+        told.append({"name": name, "a": a, "b": b, "pose": pose, "kind": pair.kind, "sizes": pair.sizes,
+                     "bounds": pair.bounds, "bounds_of_b": pair.bounds_of_b, "sum_of_overlaps": pair.overlaps})
     with open(os.path.join(options.folder, "pairs.json"), "w", encoding="ascii") as file:
         json.dump(told, file, indent=1)
 
