@@ -68,7 +68,7 @@ def ask(pair, name, mode, order, frame):
         for metric in METRICS:
             words = ["--metric", metric] + (["--careful"] if mode == "careful" else [])
             done = subprocess.run([os.environ["BRUNT"], "depth", a, b, "--poses", pose, "--json", *words], capture_output=True,
-                                  text=True, timeout=PATIENCE)
+                                  text=True, timeout=PATIENCE, env=os.environ | {"OMPI_MCA_orte_tmpdir_base": folder})
             if done.returncode != 0:
                 raise RuntimeError(f"{name}, {mode}, {order} moves: exit {done.returncode}: {done.stderr}")
             row, = json.loads(done.stdout)
