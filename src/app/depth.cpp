@@ -9,6 +9,7 @@
 
 #include "brunt/comm/deal_out.hpp"
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/depth/samples.hpp"
 #include "commands.hpp"
 #include "depth_folder.hpp"
 #include "depth_message.hpp"
@@ -39,6 +40,14 @@ void judge_on_all(const comm::Communicator& ranks, const depth::Encounter& encou
   for (std::size_t k = 0; k < own.size(); ++k) own[k] = depth::judge(encounter, metric, upper, boxes[first + k]);
   const std::vector<std::vector<depth::CoverVerdict>> to_all(static_cast<std::size_t>(ranks.size()), own);
   std::ranges::copy(comm::exchange(ranks, to_all).values, verdicts.begin());
+}
+
+/// The best end of walks from the samples nearest to the pose is one more start of its search.
+void start_from_samples(const DepthWork& work, const depth::Body& a, const depth::Body& b, depth::Query& query) {
+  if (work.samples.empty()) return;
+  depth::Encounter encounter{a, b, depth::rounded(query.a_in_b, a.shape.radius), 0, query.apart};
+  if (!encounter.collides({})) return;
+  if (const auto best = depth::best_from_samples(encounter, query.metric, work.samples)) query.tries.push_back(*best);
 }
 
 /// The answers of one pose. before: those of the pose before, or none.
@@ -73,6 +82,7 @@ std::vector<DepthRow> answers_of(const comm::Communicator& ranks, const DepthWor
     query.apart = options.clearance;
     if (metric == depth::Metric::translation) query.along = work.along;
     DepthRow row;
+    start_from_samples(work, a, b, query);
     row.answer = depth::penetration_depth(a, b, query);
     row.seconds = seconds();
     row.pose = static_cast<std::int64_t>(k);

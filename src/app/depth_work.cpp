@@ -10,6 +10,7 @@
 
 #include "brunt/core/error.hpp"
 #include "brunt/depth/encounter.hpp"
+#include "brunt/depth/samples.hpp"
 #include "depth_poses.hpp"
 #include "prepare.hpp"
 
@@ -78,6 +79,8 @@ DepthWork work_of_files(const comm::Communicator& ranks, const DepthOptions& opt
                                    work.poses.size(), farthest_place));
     work.poses.push_back({0, 1, pose});
   }
+  if (options.samples > 0)
+    work.samples = depth::sample_contacts(work.bodies[0], work.bodies[1], static_cast<std::size_t>(options.samples));
   return work;
 }
 
@@ -157,8 +160,10 @@ std::string fingerprint_of(const DepthOptions& options, const DepthWork& work) {
   std::string metrics;
   for (const depth::Metric metric : metrics_of(options)) metrics += std::string(name_of(metric)) + " ";
   return fmt::format(
-      "bodies and poses {:016x}\nmetrics {}\nclearance {}\nalong {}\ncareful {}\nsequence {}\ncertify {} {}\n", hash,
-      metrics, options.clearance, options.along, options.careful, options.sequence, options.certify, options.boxes);
+      "bodies and poses {:016x}\nmetrics {}\nclearance {}\nalong {}\ncareful {}\nsequence {}\ncertify {} {}\nsamples "
+      "{}\n",
+      hash, metrics, options.clearance, options.along, options.careful, options.sequence, options.certify,
+      options.boxes, options.samples);
 }
 
 }  // namespace brunt::app

@@ -19,8 +19,9 @@ struct DepthWork {
     Placement start;  ///< of a, in the coordinates of b
   };
   std::vector<Pose> poses;
-  ConvexPieces pieces;      ///< of two files
-  std::vector<Vec3> along;  ///< axes of admitted translations; none: all
+  ConvexPieces pieces;             ///< of two files
+  std::vector<Placement> samples;  ///< of a, in contact with b; none: not asked for
+  std::vector<Vec3> along;         ///< axes of admitted translations; none: all
 };
 
 /// Translations first: their answers start the others.

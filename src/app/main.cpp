@@ -183,6 +183,12 @@ void add_depth(CLI::App& program, app::DepthOptions& options, Command& chosen) {
       ->check(no_number);
   depth->add_flag("--sequence", options.sequence,
                   "Start each pose also from the result of the previous one, in chains of 32 poses");
+  depth
+      ->add_option("--samples", options.samples,
+                   "Sample this number of placements in contact first, and start each pose also from the nearest ones")
+      ->type_name("N")
+      ->needs("--poses")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{10'000'000}));
   depth->add_flag("--json", options.json, "Print JSON instead of text");
   depth
       ->add_option("--out", options.out,

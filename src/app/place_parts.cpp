@@ -10,6 +10,7 @@
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/select.hpp"
 #include "brunt/scene/units.hpp"
+#include "placed_far.hpp"
 #include "scene_assembly.hpp"
 
 namespace brunt::app {
@@ -78,6 +79,22 @@ struct Placer {
     return fault;
   }
 
+  /// The part that leaves what it overlaps, where the scene gives no limit.
+  [[nodiscard]] std::optional<std::string> beyond_overlap(const setup::InitialGaps& gaps,
+                                                          const depth::AssemblyAnswer& answer) const {
+    std::vector<char> judged(scene.blocks.size());
+    for (std::size_t k = 0; k < judged.size(); ++k) judged[k] = answer.farthest[k] > 0 && !limit_of(k);
+    const std::optional<FarMotion> far = placed_far(scene, gaps, answer, judged);
+    if (!far) return std::nullopt;
+    const std::string &one = part(far->block), &other = part(far->other_block);
+    return fmt::format(
+        "{}: out of range: initial_overlap: place would move part '{}' by {} out of part '{}', which it overlaps by "
+        "{}; expected at most {:g} times the overlap: correct the positions or sizes of the parts, or set limit to the "
+        "largest displacement that is intended",
+        input.at(scene::contact_key(input, one, other)), one, length(far->motion), other, length(far->overlap),
+        most_overlaps);
+  }
+
   [[nodiscard]] std::string moved_line(std::size_t k, const depth::AssemblyAnswer& answer) const {
     const Vec3& t = answer.motions[k].shift;
     const Vec3 turn = depth::rotation_vector(answer.motions[k].turn);
@@ -96,7 +113,8 @@ struct Placer {
 
 }  // namespace
 
-PlacedParts place_parts(const scene::Input& input, mesh::Mesh& mesh, const setup::StartRules& rules) {
+PlacedParts place_parts(const scene::Input& input, mesh::Mesh& mesh, const setup::StartRules& rules,
+                        const setup::InitialGaps& gaps) {
   PlacedParts placed;
   const SceneAssembly scene = scene_assembly(input, mesh, rules);
   placed.faults = scene.faults;
@@ -106,6 +124,8 @@ PlacedParts place_parts(const scene::Input& input, mesh::Mesh& mesh, const setup
   for (const std::size_t pair : answer.left) placed.faults.push_back(placer.unparted(pair));
   if (!answer.found) return placed;
   if (const std::optional<std::string> fault = placer.beyond_limit(answer)) placed.faults.push_back(*fault);
+  if (placed.faults.empty())
+    if (const std::optional<std::string> fault = placer.beyond_overlap(gaps, answer)) placed.faults.push_back(*fault);
   if (!placed.faults.empty()) return placed;
 
   const double largest = std::ranges::max(answer.farthest);

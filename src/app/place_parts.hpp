@@ -6,6 +6,7 @@
 
 #include "brunt/mesh/mesh.hpp"
 #include "brunt/scene/input.hpp"
+#include "brunt/setup/initial_gaps.hpp"
 #include "brunt/setup/start_rules.hpp"
 
 namespace brunt::app {
@@ -18,7 +19,9 @@ struct PlacedParts {
 /// Moves the coordinates of parts by the smallest sum of mass times object norm squared (depth/assembly.hpp) for which
 /// no pair with the rule `place` or `error` overlaps. Parts that only touch are separated by the clearance of 1e-8 of
 /// the largest radius. Sets have been selected before. Rigid walls, and planes of symmetry for parts without nodes in
-/// them, are not considered: see placed_beyond.hpp.
-[[nodiscard]] PlacedParts place_parts(const scene::Input& input, mesh::Mesh& mesh, const setup::StartRules& rules);
+/// them, are not considered: see placed_beyond.hpp. gaps: of the mesh as it is given; parts that would leave the parts
+/// that they overlap are a fault, see placed_far.hpp.
+[[nodiscard]] PlacedParts place_parts(const scene::Input& input, mesh::Mesh& mesh, const setup::StartRules& rules,
+                                      const setup::InitialGaps& gaps);
 
 }  // namespace brunt::app

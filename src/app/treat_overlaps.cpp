@@ -28,7 +28,7 @@ bool any_to_place(const setup::InitialGaps& gaps) {
 std::vector<std::string> place(const scene::Input& input, mesh::Mesh& mesh, const setup::StartRules& rules,
                                TreatedOverlaps& treated) {
   const std::vector<Vec3> before = mesh.coordinates;
-  PlacedParts placed = place_parts(input, mesh, rules);
+  PlacedParts placed = place_parts(input, mesh, rules, treated.gaps);
   OverlapReport& report = treated.report;
   report.faults = std::move(placed.faults);
   if (!report.faults.empty()) return {};

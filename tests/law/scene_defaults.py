@@ -46,6 +46,7 @@ PLACES = {
     "rigid_walls": {"friction": [(CONTACT, "FrictionLaw", "fixed")], "bilateral": [(INPUT, "RigidWall", "bilateral")]},
     "contact": {**FIGURES, "friction": [(CONTACT, "FrictionLaw", "fixed")],
                 "initial_overlap": [(INPUT, "ContactEntry", "initial_overlap"), ("src/scene/read_contact.cpp", None, "contact.initial_overlap")],
+                "limit": [("src/app/placed_far.hpp", None, "most_overlaps")],
                 **{key: [(INPUT, "ContactEntry", key)] for key in ("self", "passes", "slave", "tied", "multiplier", "enforce")}},
     "contact.friction": {"decay": [(CONTACT, "FrictionLaw", "decay")], "lag": [(CONTACT, "FrictionLaw", "lag")]},
     "enforcement": FIGURES,

@@ -217,7 +217,26 @@ def search():
     return figure
 
 
-ALL = {f.__name__: f for f in (stable_step, enforcement, friction_cone, ties, element_bending, material_paths, rigid_top, search)}
+def depth_samples():
+    t = table("depth_samples")
+    pairs = list(dict.fromkeys(t["pair"]))
+    figure, axes = panels(len(pairs), width=4.4)
+    methods = (("marches", "marches (in use)", "k", "o-"), ("samples 100", "nearest of 100 samples", "tab:green", "s--"),
+               ("samples 1000", "nearest of 1,000", "tab:blue", "s-"), ("samples 10000", "nearest of 10,000", "tab:orange", "s-"),
+               ("both", "marches and 10,000 samples", "tab:red", "^-"))
+    for one, pair in zip(axes, pairs):
+        for method, text, colour, line in methods:
+            c = where(t, pair=pair, metric="DISP", starts=method)
+            one.plot(c["ms"], 100 * np.maximum(c["excess"], 1e-3), line, color=colour, markersize=4, label=text)
+            if method == "marches":
+                for k, x, y in zip(c["k"], c["ms"], c["excess"]):
+                    one.annotate(f"{k:.0f}", (x, 100 * max(y, 1e-3)), xytext=(3, 3), textcoords="offset points", fontsize=7)
+        one.set(xscale="log", yscale="log")
+        label(one, "CPU time of a query [ms]", "mean excess above the best known depth [%]", f"{pair}, DISP; K = 1, 2, 5, 10, 20")
+    return figure
+
+
+ALL = {f.__name__: f for f in (stable_step, enforcement, friction_cone, ties, element_bending, material_paths, rigid_top, search, depth_samples)}
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -236,7 +236,15 @@ def search():
           ["scene", "method", "nodes", "pairs", "build_ms", "query_ms"], rows)
 
 
-ALL = {f.__name__: f for f in (stable_step, enforcement, friction, lag, ties, bending, material, rigid, search)}
+def depth_samples():
+    program = os.environ.get("BENCH_DEPTH_SAMPLES", os.path.join(ROOT, "build/release/tests/bench/bench_depth_samples"))
+    queries = 40
+    done = subprocess.run([program, str(queries)], check=True, capture_output=True, text=True).stdout.splitlines()
+    rows = [[cell if k < 3 else float(cell) for k, cell in enumerate(line.split(","))] for line in done[1:]]
+    store("depth_samples", f"tests/bench/bench_depth_samples, {queries} random queries a pair; CPU times of one machine", done[0].split(","), rows)
+
+
+ALL = {f.__name__: f for f in (stable_step, enforcement, friction, lag, ties, bending, material, rigid, search, depth_samples)}
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)

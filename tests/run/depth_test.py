@@ -88,6 +88,17 @@ class Depth(Program):
         self.assertEqual(longer, [], "a start from the pose before comes on top of all others")
         self.assertTrue(any(int(row["walks"]) > int(other["walks"]) for row, other in zip(rows, alone)))
 
+    def test_samples_are_the_same_bits_on_any_number_of_ranks(self):
+        self.write("poses.csv", poses(24))
+        rows = self.assert_same_on_ranks("--poses", "poses.csv", "--metric", "displacement", "--samples", "200")
+        self.write("again.csv", poses(24))
+        alone = self.depth(1, "alone", "--poses", "again.csv")
+        longer = [row["pose"] for row, other in zip(rows, alone) if float(row["depth"]) > float(other["depth"]) + 5e-6]
+        self.assertEqual(longer, [], "starts from samples come on top of all others")
+        overlapping = [(int(row["walks"]), int(other["walks"])) for row, other in zip(rows, alone) if row["overlap"] == "1"]
+        self.assertTrue(all(with_samples > without for with_samples, without in overlapping), overlapping)
+        self.assertIn("--poses", self.ask(1, "none", "--at", "0.5,0.4,0.1", "--samples", "200", code=2))
+
     def test_certificates_are_the_same_bits_on_any_number_of_ranks(self):
         self.write("poses.csv", poses(2))
         self.write("pieces.yaml", json.dumps({"b": [[[x, y, z] for x in (0, w) for y in (0, h) for z in (-.5, .5)]

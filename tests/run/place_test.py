@@ -112,6 +112,32 @@ class Place(Program):
         self.assertEqual(len(errors.splitlines()), 1)
         self.assertRegex(errors, r"^brunt: scene\.yaml:\d+: contact\.0\.limit: out of range: initial_overlap: place would move part '\w+' by 0\.05 m; expected at most 0\.04 m$")
 
+    def test_parts_that_would_leave_what_they_overlap_are_refused(self):
+        """A pin too thick for its bore can only be pulled out of it."""
+        press = (CUBES[:CUBES.index("mesh:")].replace("SI", "mm-ms-kg") + """\
+mesh:
+  - {tube: {part: left, inner_radius: 10, outer_radius: 25, length: 30, elements: [2, 24, 2]}}
+  - {cylinder: {part: right, radius: 10.3, length: 60, elements: [4, 6], at: [0, 0, -15]}}
+""" + CUBES[CUBES.index("materials:"):]).replace("young: 1.0e9", "young: 1")
+        code, _, errors = self.check(press)
+        self.assertEqual(code, 2)
+        self.assertEqual(len(errors.splitlines()), 1, errors)
+        told = re.match(r"brunt: scene\.yaml:\d+: contact\.0: out of range: initial_overlap: place would move part '(?:left|right)' by (\S+) mm out of part "
+                        r"'(?:left|right)', which it overlaps by (\S+) mm; expected at most 5 times the overlap: .*set limit", errors)
+        self.assertIsNotNone(told, errors)
+        self.assertGreater(float(told.group(1)), 20)  # half of the hub's length and more
+        self.assertAlmostEqual(float(told.group(2)), 0.3, delta=0.1)  # facets
+        self.assertEqual(len(self.placed(press.replace("place}", "place, limit: 100}"))[0]), 2)
+
+    def test_a_row_of_parts_moves_far_as_a_whole(self):
+        """Each cube overlaps the next by 0.1, and the first is held: the last moves by seven overlaps, by one beside its neighbour."""
+        cubes = "".join(f"  - {{box: {{part: c{k}, size: [1, 1, 1], elements: [1, 1, 1], at: [{0.9 * k:.1f}, 0, 0]}}}}\n" for k in range(8))
+        row = (CUBES[:CUBES.index("mesh:")] + "mesh:\n" + cubes + CUBES[CUBES.index("materials:"):CUBES.index("parts:")]
+               + "parts: {" + ", ".join(f"c{k}: {{material: light}}" for k in range(8)) + "}\nfixed: [{part: c0, dofs: [x, y, z]}]\n"
+               + CUBES[CUBES.index("contact:"):])
+        moved, _ = self.placed(row)
+        self.assertAlmostEqual(moved["c7"][0], 0.7, delta=1e-5)
+
     def test_no_element_is_distorted_and_nothing_moves_in_the_run(self):
         self.write("scene.yaml", HEAP)
         self.run_scene(1, "scene.yaml", "--out", "one")
