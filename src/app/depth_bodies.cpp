@@ -12,6 +12,7 @@
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/closed_surface.hpp"
 #include "brunt/geometry/merge_points.hpp"
+#include "brunt/geometry/flip_slivers.hpp"
 #include "brunt/geometry/slab_tree.hpp"
 #include "brunt/io/surface_file.hpp"
 #include "brunt/io/text_file.hpp"
@@ -64,6 +65,9 @@ NamedSurface closed_surface_of(const std::string& path, double merge) {
                                           ? fmt::format("; {} triangles without area removed", merged.dropped_triangles)
                                           : ""));
   const geometry::SurfaceFaults faults = geometry::check_closed(merged.surface);
+  if (const std::int64_t flips = geometry::flip_slivers(merged.surface); flips > 0)
+    named.notes.push_back(fmt::format("{}: {} triangle{} without area joined with neighbours; the volume is the same",
+                                      path, flips, flips == 1 ? "" : "s"));
   if (!faults.sound()) throw InputError(geometry::describe(faults, merged.surface, path));
   named.surface = std::move(merged.surface);
   note_crossings(named);
