@@ -16,6 +16,7 @@
 #include "implicit_loop.hpp"
 #include "implicit_rules.hpp"
 #include "results.hpp"
+#include "stop_causes.hpp"
 
 namespace brunt::app {
 namespace {
@@ -45,6 +46,9 @@ std::string where_friction_gives(const Prepared& run) {
 const char* remedy_of_folds(const material::Law& law) {
   if (std::holds_alternative<material::J2>(law)) return "hourglass: {kind: elastic} or element: hex8_full";
   if (std::holds_alternative<material::NeoHookean>(law)) return "element: hex8_full";
+  if (const auto* metal = std::get_if<material::Metal>(&law); metal != nullptr && metal->shear == 0)
+    return "element: hex8_full, and a shorter run: nothing in a fluid (shear: 0) resists a change of shape, so its "
+           "elements fold where it flows far";
   return "element: hex8_full or hex8_bbar";
 }
 
@@ -82,8 +86,11 @@ void Results::watch(const time::Ledger& ledger, double time) {
     const std::string text = fmt::format(
         "{}{}; {}", text_of(finding, time), where(finding.fault),
         makes_energy    ? "the trapezoidal rule with exact multipliers generates energy: use scheme: contact_implicit"
-        : run_.implicit ? likely_cause_in_implicit(finding.fault)
-                        : likely_cause(finding.fault));
+        : run_.implicit ? likely_cause_in_implicit(finding.fault, run_.model)
+        : finding.fault == Fault::internal
+            ? cause_of_given_work(run_.model,
+                                  run_.links.ranks.sum(force::folded_elements(run_.model, run_.state).count))
+            : likely_cause(finding.fault));
     if (stop) throw GuardError(text);
     log_.warning(text + " (reported once)");
   }
