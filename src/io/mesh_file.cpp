@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -12,6 +13,7 @@
 #include "brunt/io/abaqus.hpp"
 #include "brunt/io/exodus.hpp"
 #include "brunt/io/gmsh.hpp"
+#include "brunt/io/text_file.hpp"
 #include "brunt/mesh/check.hpp"
 #include "sound_mesh.hpp"
 
@@ -37,18 +39,19 @@ mesh::Mesh read_mesh(const std::string& path, const std::vector<std::string>& ig
   if (std::filesystem::exists(path, unknown) && !std::filesystem::is_regular_file(path, unknown))
     throw InputError(fmt::format("{}: invalid mesh file; expected a regular file", path));
   std::ifstream file(path, std::ios::binary);
-  std::string start(16, '\0');
+  std::string start(4096, '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  if (file.bad() || (!file && file.gcount() == 0))
+  start.resize(static_cast<std::size_t>(file.gcount()));
+  if (file.bad() || start.empty())
     throw InputError(fmt::format(
         "{}: cannot read the mesh file, or it is empty; expected Exodus II, Gmsh MSH 2.2 or 4.1, or Abaqus .inp",
         path));
   if (start.starts_with("CDF") || start.starts_with("\x89HDF")) return read_exodus(path, ignore);
-  if (start.starts_with("$MeshFormat") || start.starts_with("$Comments")) return read_gmsh(path, ignore);
-  const auto text = start.find_first_not_of(" \t\r\n");
-  const bool deck =
-      text != std::string::npos && start[text] == '*' && !in_capitals(start.substr(text)).starts_with("*KEYWORD");
-  if (deck) return read_abaqus(path, ignore);
+  refuse_utf16(start, path);
+  const std::size_t mark = start.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  const std::string text = start.substr(std::min(start.find_first_not_of(" \t\r\n", mark), start.size()));
+  if (text.starts_with("$MeshFormat") || text.starts_with("$Comments")) return read_gmsh(path, ignore);
+  if (text.starts_with('*') && !in_capitals(text).starts_with("*KEYWORD")) return read_abaqus(path, ignore);
   throw InputError(
       fmt::format("{}: unknown kind of mesh file; expected Exodus II, Gmsh MSH 2.2 or 4.1, or Abaqus .inp", path));
 }
