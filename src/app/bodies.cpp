@@ -73,7 +73,7 @@ mesh::Mesh assemble(const scene::Input& input, std::vector<std::string>& warning
       if (const std::string fault = place(piece, entry.placement); !fault.empty())
         faults.push_back(where + ": " + fault);
       piece_of_block.insert(piece_of_block.end(), piece.blocks.size(), pieces++);
-      mesh::append(whole, std::move(piece), file ? file->prefix : "");
+      mesh::append(whole, std::move(piece), file ? file->prefix : "", file ? file->file : "");
     } catch (const InputError& error) {
       for (const std::string& fault : error.faults())
         faults.push_back(file && fault.starts_with(file->file) ? input.at(entry.key + ".file") + ": " + fault

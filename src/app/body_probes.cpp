@@ -54,7 +54,8 @@ Vec3 body_impulse(const Prepared& run, std::size_t b, std::string_view field) {
   const model::BodyAccount& account = run.state.body_accounts[b];
   if (field == "force") return account.impulse;
   if (field == "moment") return account.angular_impulse;
-  return field == "reaction" ? account.reaction_impulse : account.reaction_angular_impulse;
+  if (field == "reaction") return account.reaction_impulse;
+  return account.reaction_angular_impulse - step_of(run, b).late_turn;
 }
 
 Vec3 body_part_center(const Prepared& run, std::size_t b) {

@@ -10,7 +10,9 @@
 #include <filesystem>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "brunt/geometry/closed_surface.hpp"
+#include "brunt/geometry/flip_slivers.hpp"
 #include "brunt/geometry/merge_points.hpp"
 #include "brunt/geometry/slab_tree.hpp"
 #include "brunt/io/surface_file.hpp"
@@ -63,6 +65,9 @@ NamedSurface closed_surface_of(const std::string& path, double merge) {
                                       merged.dropped_triangles > 0
                                           ? fmt::format("; {} triangles without area removed", merged.dropped_triangles)
                                           : ""));
+  if (const std::int64_t flips = geometry::flip_slivers(merged.surface); flips > 0)
+    named.notes.push_back(fmt::format("{}: {} triangle{} without area joined with neighbours; the volume is the same",
+                                      path, flips, flips == 1 ? "" : "s"));
   const geometry::SurfaceFaults faults = geometry::check_closed(merged.surface);
   if (!faults.sound()) throw InputError(geometry::describe(faults, merged.surface, path));
   named.surface = std::move(merged.surface);
@@ -140,7 +145,7 @@ std::vector<NamedSurface> surfaces_of_scene(const comm::Communicator& ranks, con
 ConvexPieces read_pieces(const std::string& path) {
   YAML::Node tree;
   try {
-    tree = YAML::Load(io::read_text(path));
+    tree = YAML::Load(io::plain_text(io::read_text(path), path));
   } catch (const YAML::Exception& error) {
     throw InputError(fmt::format("{}:{}: invalid YAML: {}; expected {{a: [pieces], b: [pieces]}}", path,
                                  error.mark.line + 1, error.msg));
@@ -148,7 +153,7 @@ ConvexPieces read_pieces(const std::string& path) {
   if (!tree.IsMap()) throw InputError(path + ": invalid pieces; expected {a: [pieces], b: [pieces]}");
   for (const auto& entry : tree)
     if (const auto key = entry.first.as<std::string>(""); key != "a" && key != "b")
-      throw InputError(fmt::format("{}: unknown key '{}'; expected a or b", path, key));
+      throw InputError(fmt::format("{}: unknown key '{}'; expected a or b", path, excerpt(key)));
   return {pieces_of(tree["a"], path + ": a"), pieces_of(tree["b"], path + ": b")};
 }
 

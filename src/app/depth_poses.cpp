@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "brunt/io/csv.hpp"
 #include "brunt/io/text_file.hpp"
 
@@ -33,7 +34,7 @@ std::vector<double> numbers_of_option(const char* option, const std::string& tex
   for (const std::string_view field : io::comma_fields(text))
     if (const auto value = number(field)) values.push_back(*value);
   if (values.size() != count || io::comma_fields(text).size() != count)
-    throw InputError(fmt::format("invalid {} '{}': expected {}", option, text, expected));
+    throw InputError(fmt::format("invalid {} '{}': expected {}", option, excerpt(text), expected));
   return values;
 }
 
@@ -65,10 +66,11 @@ Columns columns_of(std::string_view header, const std::string& place) {
   columns.at.fill(std::string_view::npos);
   for (const std::string_view name : io::comma_fields(header)) {
     const auto found = std::ranges::find(known, name);
-    if (found == known.end()) throw InputError(fmt::format("{}: unknown column '{}'{}", place, name, expected));
+    if (found == known.end())
+      throw InputError(fmt::format("{}: unknown column '{}'{}", place, excerpt(name), expected));
     std::size_t& at = columns.at[static_cast<std::size_t>(found - known.begin())];
     if (at != std::string_view::npos)
-      throw InputError(fmt::format("{}: invalid second column '{}'{}", place, name, expected));
+      throw InputError(fmt::format("{}: invalid second column '{}'{}", place, excerpt(name), expected));
     at = columns.count++;
   }
   const bool axis = columns.has_any(3, 7), quaternion = columns.has_any(7, 11);
@@ -101,7 +103,8 @@ Placement pose_of(const std::string& at, const std::string& turn) {
   if (!turn.empty()) {
     const std::vector<double> t = numbers_of_option("--turn", turn, 4, "an axis and an angle, x,y,z,degrees");
     const Vec3 axis(t[0], t[1], t[2]);
-    if (!(axis.norm() > 0)) throw InputError("invalid --turn '" + turn + "': expected an axis that is not zero");
+    if (!(axis.norm() > 0))
+      throw InputError("invalid --turn '" + excerpt(turn) + "': expected an axis that is not zero");
     pose.rotation = turned(axis, t[3]);
   }
   if (!at.empty()) {
@@ -112,7 +115,7 @@ Placement pose_of(const std::string& at, const std::string& turn) {
 }
 
 std::vector<Placement> read_poses(const std::string& path) {
-  const std::string text = io::read_text(path);
+  const std::string text = io::plain_text(io::read_text(path), path);
   std::vector<Placement> poses;
   std::optional<Columns> columns;
   std::size_t line_number = 0;
@@ -129,7 +132,8 @@ std::vector<Placement> read_poses(const std::string& path) {
     std::vector<double> row;
     for (const std::string_view field : io::comma_fields(line)) {
       const auto value = number(field);
-      if (!value) throw InputError(fmt::format("{}: invalid number '{}'; expected a finite number", place, field));
+      if (!value)
+        throw InputError(fmt::format("{}: invalid number '{}'; expected a finite number", place, excerpt(field)));
       row.push_back(*value);
     }
     if (row.size() != columns->count)
@@ -147,7 +151,7 @@ std::vector<Vec3> axes_named(const std::string& text) {
   for (const std::string_view name : io::comma_fields(text)) {
     const std::size_t axis = std::string_view("xyz").find(name);
     if (name.size() != 1 || axis == std::string_view::npos)
-      throw InputError("invalid --along '" + text + "': expected one or more of x, y, z, as in --along x,z");
+      throw InputError("invalid --along '" + excerpt(text) + "': expected one or more of x, y, z, as in --along x,z");
     axes.push_back(Vec3::Unit(static_cast<Eigen::Index>(axis)));
   }
   return axes;

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "brunt/io/csv.hpp"
 #include "depth_options.hpp"
 #include "depth_report.hpp"
@@ -54,7 +55,7 @@ class Record {
     const std::string& field = fields_[k];
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (error != std::errc{} || end != field.data() + field.size())
-      fail(fmt::format("invalid number '{}'; expected a row of brunt depth", field));
+      fail(fmt::format("invalid number '{}'; expected a row of brunt depth", excerpt(field)));
     return value;
   }
   [[nodiscard]] bool flag(std::size_t k) const { return fields_[k] == "1"; }

@@ -108,8 +108,7 @@ std::string likely_cause(Fault fault) {
       return "likely cause: sticking nodes are returned against their load where the faces of the master are much "
              "larger than their own, or rotate fast. Use smaller elements there, or passes: two";
     case Fault::internal:
-      return "likely cause: folded elements, or large cyclic strains of a hypoelastic law (elastic, j2), whose "
-             "stresses have no potential. Use neo_hookean, or smaller elements";
+      break;  // depends on the laws: cause_of_given_work
     case Fault::contact:
       return "likely cause: nodes are pushed out of faces that they never crossed, for example in bodies that are "
              "compressed to a small part of their thickness and touch themselves (use self: false in contact), or in "

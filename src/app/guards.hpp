@@ -77,7 +77,7 @@ std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, dou
 
 /// The sentence for it, without the place: what is wrong, and the likely cause.
 std::string text_of(const Finding& finding, double time);
-/// What to do about it, or where it comes from.
+/// What to do about it, or where it comes from. Empty for `internal`, see cause_of_given_work.
 std::string likely_cause(Fault fault);
 
 /// Share of the largest energy of the bodies that contact has taken, if bodies have touched and none touches another

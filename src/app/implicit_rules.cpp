@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <variant>
 
 #include "brunt/comm/linear_system.hpp"
 #include "brunt/element/options.hpp"
@@ -107,9 +108,13 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
   return faults;
 }
 
-std::string likely_cause_in_implicit(Fault fault) {
+std::string likely_cause_in_implicit(Fault fault, const model::Model& model) {
   switch (fault) {
     case Fault::internal:
+      if (std::ranges::all_of(model.blocks, [](const model::ElementBlock& block) {
+            return std::holds_alternative<material::NeoHookean>(block.law) || material::is_rigid(block.law);
+          }))
+        break;
       return "likely cause: large cyclic strains of a hypoelastic law (elastic, j2), whose stresses have no potential. "
              "Use neo_hookean, or smaller elements";
     case Fault::friction:

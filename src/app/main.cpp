@@ -14,6 +14,7 @@
 
 #include "brunt/comm/communicator.hpp"
 #include "brunt/comm/session.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "commands.hpp"
 #include "failure.hpp"
 #include "run.hpp"
@@ -69,7 +70,7 @@ std::string no_count_of_parts(const std::string& text) {
   int parts = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parts);
   if (error == std::errc{} && end == text.data() + text.size() && parts >= 1 && parts <= most) return {};
-  return fmt::format("invalid number of parts '{}'; expected an integer from 1 to {}, as in -n 4", text, most);
+  return fmt::format("invalid number of parts '{}'; expected an integer from 1 to {}, as in -n 4", excerpt(text), most);
 }
 
 void add_partition(CLI::App& program, app::PartitionOptions& options, Command& chosen) {
@@ -96,7 +97,7 @@ std::string no_tolerance(const std::string& text) {
   double tolerance = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), tolerance);
   if (error == std::errc{} && end == text.data() + text.size() && std::isfinite(tolerance) && tolerance >= 0) return {};
-  return fmt::format("invalid --tol '{}': expected a number >= 0, as in --tol 1e-9", text);
+  return fmt::format("invalid --tol '{}': expected a number >= 0, as in --tol 1e-9", excerpt(text));
 }
 
 void add_compare(CLI::App& program, app::CompareOptions& options, Command& chosen) {
@@ -131,13 +132,14 @@ std::string no_number(const std::string& text) {
   double value = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc{} && end == text.data() + text.size() && std::isfinite(value) && value >= 0) return {};
-  return fmt::format("invalid number '{}'; expected a finite number >= 0", text);
+  return fmt::format("invalid number '{}'; expected a finite number >= 0", excerpt(text));
 }
 
 /// "10s": seconds, with or without the unit.
 std::string no_time(std::string& text) {
   if (text.ends_with('s')) text.pop_back();
-  return no_number(text).empty() ? std::string{} : fmt::format("invalid time '{}'; expected seconds, as in 10s", text);
+  return no_number(text).empty() ? std::string{}
+                                 : fmt::format("invalid time '{}'; expected seconds, as in 10s", excerpt(text));
 }
 
 void add_depth(CLI::App& program, app::DepthOptions& options, Command& chosen) {
@@ -242,7 +244,7 @@ int run_command(const comm::Communicator& ranks, int argc, char** argv) {
     chosen = app::info;
   });
   if (names_unknown_command(program, argc, argv)) {
-    if (ranks.is_root()) fmt::print(stderr, "brunt: unknown command '{}'; see brunt --help\n", argv[1]);
+    if (ranks.is_root()) fmt::print(stderr, "brunt: unknown command '{}'; see brunt --help\n", excerpt(argv[1]));
     return 2;
   }
   try {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "brunt/scene/build.hpp"
@@ -97,6 +98,29 @@ std::vector<Pair> pairs_of(const Reporter& reporter, const InitialGaps& gaps) {
   return pairs;
 }
 
+const char* word_of_rule(OverlapRule rule) {
+  switch (rule) {
+    case OverlapRule::error:
+      return "error";
+    case OverlapRule::warn:
+      return "warn";
+    case OverlapRule::move:
+      return "move";
+    case OverlapRule::place:
+      return "place";
+    case OverlapRule::offset:
+      break;
+  }
+  return "offset";
+}
+
+/// Whether the scene says anywhere what happens to overlaps.
+bool is_given(const scene::Input& input) {
+  for (std::size_t k = 0; k < input.contact.size(); ++k)
+    if (input.places.has(fmt::format("contact.{}.initial_overlap", k))) return true;
+  return false;
+}
+
 std::string listed(const Reporter& reporter, const InitialOverlap& overlap) {
   return fmt::format(
       "node {:>8} of {:<16} {} inside {}{}{}, {}", reporter.node(overlap.node), reporter.part(overlap.block),
@@ -155,20 +179,23 @@ OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh,
   if (gaps.overlaps.empty() && gaps.piercings.empty() && gaps.shared.empty()) return report;
   const Reporter reporter{input, mesh};
   list_overlaps(reporter, gaps, report);
-  bool refused = false, untreatable = false;
+  bool refused = false, untreatable = false;     // without a rule of the scene: nodes that rules can, and cannot treat
+  std::set<std::string> insufficient, unsuited;  // rules of the scene that do not treat an overlap; a body in itself
   const auto judge = [&](OverlapRule rule, bool treatable, std::string line) {
     if (rule == OverlapRule::place) return;
     if (rule == OverlapRule::warn) return report.warnings.push_back(std::move(line));
     if (rule != OverlapRule::error && treatable) return;
-    (treatable ? refused : untreatable) = true;
+    if (rule == OverlapRule::error)
+      (treatable ? refused : untreatable) = true;
+    else
+      insufficient.insert(word_of_rule(rule));
     report.faults.push_back(std::move(line));
   };
-  bool moves_itself = false;
   for (const Pair& pair : pairs_of(reporter, gaps)) {
     std::string line = reporter.describe(*pair.deepest, pair.nodes, pair.too_deep);
     const OverlapRule rule = pair.deepest->rule;
     if (pair.itself && (rule == OverlapRule::move || rule == OverlapRule::place)) {
-      moves_itself = true;
+      unsuited.insert(word_of_rule(rule));
       report.faults.push_back(std::move(line));
     } else {
       judge(pair.deepest->rule, pair.too_deep == 0, std::move(line));
@@ -176,19 +203,25 @@ OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh,
   }
   for (const Piercing& piercing : gaps.piercings) judge(piercing.rule, false, reporter.describe(piercing));
   for (const SharedSpace& shared : gaps.shared) judge(shared.rule, false, reporter.describe(shared));
-  if (refused)
+  if (refused && !untreatable)
     report.faults.push_back(
         input.at("contact") +
         ": invalid initial overlap; expected parts that do not overlap, or initial_overlap: warn (recovered slowly), "
         "place (parts moved apart before the run), move (nodes moved out) or offset (kept as zero gap)");
   if (untreatable)
     report.faults.push_back(input.at("contact") +
-                            ": invalid initial_overlap: move and offset treat nodes less than a quarter of a face's "
-                            "edge and half an element inside; expected parts farther apart, or initial_overlap: place");
-  if (moves_itself)
-    report.faults.push_back(input.at("contact") +
-                            ": invalid initial_overlap: move and place do not separate a body from itself; expected a "
-                            "corrected mesh, or warn (recovered slowly) or offset (kept as zero gap)");
+                            ": invalid initial overlap; expected parts that do not overlap, or initial_overlap: place "
+                            "(parts moved apart before the run); these overlaps are too deep for other treatments");
+  for (const std::string& rule : insufficient)
+    report.faults.push_back(
+        fmt::format("{}: invalid initial_overlap: {}{} treats nodes less than a quarter of a face's edge and half an "
+                    "element inside; expected parts farther apart, or initial_overlap: place",
+                    input.at("contact"), rule, is_given(input) ? "" : ", the default of ties,"));
+  for (const std::string& rule : unsuited)
+    report.faults.push_back(fmt::format(
+        "{}: invalid initial_overlap: {} does not separate a body from itself; expected a corrected mesh, or warn "
+        "(recovered slowly) or offset (kept as zero gap)",
+        input.at("contact"), rule));
   return report;
 }
 

@@ -90,6 +90,7 @@ int partition(const comm::Communicator& ranks, const PartitionOptions& options) 
     if (!options.write.empty()) demand_new(options.write);
     std::vector<std::string> warnings;
     const mesh::CanonicalMesh whole = whole_mesh(input, warnings);
+    scene.fingerprint = with_mesh(scene.fingerprint, whole);
     const Ragged<LocalIndex> graph = partition::dual_graph(whole.mesh);
     const partition::Weights usual = weigh(input, whole);
     std::optional<io::MeasuredWork> measured;

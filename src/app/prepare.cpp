@@ -85,7 +85,7 @@ scene::Input read_input(const comm::Communicator& ranks, const std::string& scen
   on_root(ranks, [&] {
     if (std::filesystem::is_directory(scene_file))
       throw InputError(scene_file + ": invalid scene: it is a folder; expected the scene file in it");
-    text = io::read_text(scene_file);
+    text = io::plain_text(io::read_text(scene_file), scene_file);
   });
   ranks.broadcast(text);
   if (fingerprint) *fingerprint = scene::fingerprint(text, scene_file, overrides);
@@ -166,6 +166,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   on_root(ranks, [&] {
     prepared->warnings = prepared->input.warnings;
     whole = whole_mesh(prepared->input, prepared->warnings, &prepared->start_up);
+    prepared->fingerprint = with_mesh(prepared->fingerprint, whole);
     prepared->left_out = left_out_lines(whole.mesh);
     prepared->overlaps = treat_overlaps(prepared->input, whole);
     for (std::string& line : scene::nearest_nodes(prepared->input, whole))
@@ -177,6 +178,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
                ? partition::split(partition::dual_graph(whole.mesh), weigh(prepared->input, whole), ranks.size())
                : given_partition(*prepared, whole, partition);
   });
+  ranks.broadcast(prepared->fingerprint);
   prepared->start_up.end(StartStage::partitioning);
   share_accepted(ranks, prepared->overlaps.accepted);
   prepared->overlaps.recovered = ranks.any(prepared->overlaps.recovered);

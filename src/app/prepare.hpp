@@ -37,7 +37,7 @@ struct ErosionAccount {
 
 struct Prepared {
   scene::Input input;
-  std::string fingerprint;            ///< of the data that must not change at a restart
+  std::string fingerprint;            ///< of scene and mesh, which must not change at a restart
   std::vector<std::string> warnings;  ///< on the root
   TreatedOverlaps overlaps;           ///< on the root, but for what is accepted or recovered
   model::Model model;

@@ -70,7 +70,7 @@ io::CheckpointHeader restart_from(Prepared& run, const std::string& checkpoint) 
     refuse_other_scene(checkpoint, {header.fingerprint, header.scene}, {run.fingerprint, run.scene_values});
     // one of a program that did not save it begins anew
     run.assembled = time::AssembledStep{.baseline = std::move(run.assembled.baseline)};
-    header = io::read_checkpoint(ranks, checkpoint, run.fingerprint, run.registry());
+    header = io::read_checkpoint(ranks, checkpoint, expected_of(header.fingerprint, run.fingerprint), run.registry());
   } catch (const InputError& error) {
     faults = error.faults();
   }

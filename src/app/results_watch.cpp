@@ -16,6 +16,7 @@
 #include "implicit_loop.hpp"
 #include "implicit_rules.hpp"
 #include "results.hpp"
+#include "stop_causes.hpp"
 
 namespace brunt::app {
 namespace {
@@ -43,6 +44,10 @@ std::string where_friction_gives(const Prepared& run) {
 
 /// Elastic hourglass springs differ from those of `stiffness` only in plastic flow.
 const char* remedy_of_folds(const model::ElementBlock& block) {
+  const auto* metal = std::get_if<material::Metal>(&block.law);
+  if (metal != nullptr && metal->shear == 0)
+    return "element: hex8_full, and a shorter run: nothing in a fluid (shear: 0) resists a change of shape, so its "
+           "elements fold where it flows far";
   if (block.kind != element::ElementKind::hex8) return "smaller elements there";
   if (std::holds_alternative<material::J2>(block.law)) return "hourglass: {kind: elastic} or element: hex8_full";
   if (std::holds_alternative<material::NeoHookean>(block.law)) return "element: hex8_full";
@@ -83,8 +88,11 @@ void Results::watch(const time::Ledger& ledger, double time) {
     const std::string text = fmt::format(
         "{}{}; {}", text_of(finding, time), where(finding.fault),
         makes_energy    ? "the trapezoidal rule with exact multipliers generates energy: use scheme: contact_implicit"
-        : run_.implicit ? likely_cause_in_implicit(finding.fault)
-                        : likely_cause(finding.fault));
+        : run_.implicit ? likely_cause_in_implicit(finding.fault, run_.model)
+        : finding.fault == Fault::internal
+            ? cause_of_given_work(run_.model,
+                                  run_.links.ranks.sum(force::folded_elements(run_.model, run_.state).count))
+            : likely_cause(finding.fault));
     if (stop) throw GuardError(text);
     log_.warning(text + " (reported once)");
   }

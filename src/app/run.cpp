@@ -90,12 +90,13 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   std::optional<io::CheckpointHeader> restart;
   if (!checkpoint.empty()) restart = restart_from(*prepared, checkpoint);
   const io::ExistingResults existing = existing_results(options, checkpoint, folder);
-  io::prepare_result_folder(ranks, folder, existing);
+  const bool was_asked_to_stop = io::prepare_result_folder(ranks, folder, existing, seconds_since(start));
   on_root(ranks, [&] { log.open(folder, restart.has_value()); });
   announce(*prepared, log);
   for (const std::string& line : prepared->left_out) log.line(line);
   for (const std::string& warning : prepared->warnings) log.warning(warning);
   for (const std::string& note : prepared->overlaps.report.notes) log.line(note);
+  if (was_asked_to_stop) log.line(fmt::format("removed {}/{}, which is older than this run", folder, io::stop_file));
   if (restart) log.line(fmt::format("restart from {} at step {}", checkpoint, restart->step));
   const bool over = restart && at_end(prepared->state, prepared->input.run);
   if (over)

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "brunt/core/error.hpp"
+#include "brunt/io/result_folder.hpp"
 #include "brunt/time/relaxation.hpp"
 #include "brunt/time/step.hpp"
 #include "contact_setup.hpp"
@@ -197,14 +198,14 @@ bool Loop::finished(Outcome& outcome) {
   const Requests asked = take_requests();
   const bool root = run_.links.ranks.is_root();
   const bool late = root && run_.input.run.wall_limit && seconds_since(program_start_) > *run_.input.run.wall_limit;
-  const bool control = root && std::filesystem::exists(results_.folder() + "/stop");
+  const bool control = root && std::filesystem::exists(results_.folder() + '/' + io::stop_file);
   double flags[4] = {asked.checkpoint ? 1.0 : 0.0, asked.stop ? 1.0 : 0.0, late ? 1.0 : 0.0, control ? 1.0 : 0.0};
   run_.links.ranks.max(flags);
   if (flags[0] > 0) log_.line("checkpoint on request: " + results_.write_checkpoint());
   if (flags[1] + flags[2] + flags[3] == 0) return false;
   outcome.code = ExitCode::on_request;
   outcome.stopped_by = flags[1] > 0 ? "signal" : flags[2] > 0 ? "wall_limit" : "control";
-  if (control) std::filesystem::remove(results_.folder() + "/stop");
+  if (control) std::filesystem::remove(results_.folder() + '/' + io::stop_file);
   return true;
 }
 

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <variant>
+#include <vector>
 
 #include "brunt/time/relaxation.hpp"
 
@@ -26,6 +28,31 @@ const char* cause_of_lost_volume(const model::ElementBlock& block) {
   return ". Likely cause: a concentrated load on a corner of hex8_bbar, which constrains the mean volume of an element "
          "only and yields otherwise; use element: hex8_full, or hex8 with hourglass: {kind: elastic}, for bodies that "
          "hit others with edges and corners";
+}
+
+std::string cause_of_given_work(const model::Model& model, GlobalIndex folded) {
+  const auto has = [&](auto&& holds) {
+    return std::ranges::any_of(model.blocks, [&](const model::ElementBlock& block) { return holds(block.law); });
+  };
+  const auto has_eos = [](const material::Law& law) {
+    const auto* metal = std::get_if<material::Metal>(&law);
+    return metal != nullptr && metal->eos.has_value();
+  };
+  const auto is_hypoelastic = [&](const material::Law& law) {
+    return !has_eos(law) && !std::holds_alternative<material::NeoHookean>(law) && !material::is_rigid(law);
+  };
+  std::vector<std::string> causes;
+  if (folded > 0) causes.push_back(fmt::format("{} folded hex8 element{}", folded, folded == 1 ? "" : "s"));
+  if (has(has_eos))
+    causes.emplace_back(
+        "a step in which the pressure of an equation of state changes by much, as in a strong shock: use a smaller "
+        "run.cfl, such as 0.3");
+  if (has(is_hypoelastic))
+    causes.emplace_back(
+        "large cyclic strains of a law in rate form, whose stresses have no potential: use neo_hookean, or smaller "
+        "elements");
+  if (causes.empty()) causes.emplace_back("a step that is too long for the material: use a smaller run.cfl");
+  return fmt::format("likely cause: {}", fmt::join(causes, "; or "));
 }
 
 std::string not_at_rest(const model::Relaxation& phase, const scene::Relaxation& asked) {

@@ -14,6 +14,10 @@ const char* cause_of_collapse(const ElementPlace& place);
 /// Possible cause of the loss of volume of an element of this block; empty: unknown.
 const char* cause_of_lost_volume(const model::ElementBlock& block);
 
+/// Of a negative internal energy: elements give more work than they took. Only causes that the model has are named.
+/// folded: number of folded hex8 elements.
+std::string cause_of_given_work(const model::Model& model, GlobalIndex folded);
+
 std::string not_at_rest(const model::Relaxation& phase, const scene::Relaxation& asked);
 
 }  // namespace brunt::app

@@ -70,13 +70,6 @@ void check_edges(const TriangleSurface& surface, DisjointSets& shells, SurfaceFa
   }
 }
 
-bool has_area(const TriangleSurface& surface, const std::array<LocalIndex, 3>& triangle) {
-  const Vec3 &a = surface.points[at(triangle[0])], &b = surface.points[at(triangle[1])],
-             &c = surface.points[at(triangle[2])];
-  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  return (b - a).cross(c - a).norm() > least_height_ratio * longest;
-}
-
 void check_areas(const TriangleSurface& surface, SurfaceFaults& faults) {
   for (LocalIndex t = 0; t < static_cast<LocalIndex>(surface.triangles.size()); ++t)
     if (!has_area(surface, surface.triangles[at(t)]) && faults.no_area.count++ == 0) faults.no_area.first = t;
@@ -113,6 +106,13 @@ std::string plural(std::int64_t count, std::string_view one) {
 }
 
 }  // namespace
+
+bool has_area(const TriangleSurface& surface, const std::array<LocalIndex, 3>& triangle) {
+  const Vec3 &a = surface.points[at(triangle[0])], &b = surface.points[at(triangle[1])],
+             &c = surface.points[at(triangle[2])];
+  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return (b - a).cross(c - a).norm() > least_height_ratio * longest;
+}
 
 bool SurfaceFaults::sound() const {
   return open.count + non_manifold.count + reversed.count + no_area.count + inside_out.count + doubled.count == 0;

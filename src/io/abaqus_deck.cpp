@@ -14,6 +14,7 @@
 
 #include "abaqus_keywords.hpp"
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "brunt/io/csv.hpp"
 #include "brunt/io/text_file.hpp"
 
@@ -33,12 +34,6 @@ std::string spaced(std::string_view text) {
     else if (!result.ends_with(' '))
       result += ' ';
   return result;
-}
-
-/// The position behind the line that begins at `from`; lines end with LF, CR LF or CR. end: of its text.
-std::size_t next_line(std::string_view text, std::size_t from, std::size_t& end) {
-  end = std::min(text.find_first_of("\r\n", from), text.size());
-  return end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
 }
 
 }  // namespace
@@ -61,11 +56,6 @@ std::string printable(std::string_view text) {
   std::ranges::replace_if(
       result, [](unsigned char c) { return c < ' ' || c == 127; }, '?');
   return result;
-}
-
-std::string shortened(std::string_view text) {
-  constexpr std::size_t most = 60;
-  return printable(text.substr(0, most)) + (text.size() > most ? "..." : "");
 }
 
 DeckLabel label_of(std::string_view text) {
@@ -109,14 +99,15 @@ std::vector<std::string_view> AbaqusDeck::fields(const DeckLine& line) const {
 }
 
 void AbaqusDeck::read_file(const std::string& path, int depth) {
-  std::string_view text = *texts_.emplace_back(std::make_unique<const std::string>(read_text(path)));
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte-order mark of UTF-8
+  const std::string_view text =
+      *texts_.emplace_back(std::make_unique<const std::string>(plain_text(read_text(path), path)));
   open_.push_back(std::filesystem::weakly_canonical(path).string());
   runs_.push_back({path, count_ + 1, 1});
   bool goes_on = false;  // a keyword line that ends in a comma
   int line_of_file = 0;
-  for (std::size_t from = 0, end = 0; from < text.size();) {
-    const std::size_t begin = std::exchange(from, next_line(text, from, end));
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t begin = from, end = std::min(text.find('\n', from), text.size());
+    from = end + 1;
     const std::string_view line = trimmed(text.substr(begin, end - begin));
     ++line_of_file;
     if (count_ == std::numeric_limits<int>::max())
@@ -206,7 +197,7 @@ void AbaqusDeck::add_card(std::string_view text, int line) {
     if (name.empty()) card.fault = "missing name of a parameter: a field is empty; expected NAME=VALUE";
     const std::string_view value = equals == std::string_view::npos ? "" : trimmed(field.substr(equals + 1));
     if (!card.parameter.emplace(name, value).second)
-      card.fault = fmt::format("invalid parameter {}: given twice; expected it once", shortened(name));
+      card.fault = fmt::format("invalid parameter {}: given twice; expected it once", excerpt(name));
   }
   if (card.keyword.empty()) fail(line, "missing keyword after the star; expected *KEYWORD");
 }

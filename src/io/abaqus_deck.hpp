@@ -88,7 +88,4 @@ std::string in_capitals(std::string_view text);
 /// For messages: with '?' for control characters.
 std::string printable(std::string_view text);
 
-/// For messages: at most 60 characters, printable.
-std::string shortened(std::string_view text);
-
 }  // namespace brunt::io

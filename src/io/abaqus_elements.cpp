@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "brunt/core/excerpt.hpp"
+
 namespace brunt::io {
 namespace {
 
@@ -73,13 +75,12 @@ AbaqusElementType element_type_of(const DeckCard& card) {
   if (solid && first_order && is_variant(digits.substr(1)))
     type.corners = count[0] - '0';
   else if (solid && first_order)
-    type.fault = fmt::format("unknown element type {}; expected {}", shortened(type.name), element_types);
+    type.fault = fmt::format("unknown element type {}; expected {}", excerpt(type.name), element_types);
   else if (solid && !count.empty())
-    type.fault =
-        fmt::format("invalid element type {} of second order; expected {}", shortened(type.name), element_types);
+    type.fault = fmt::format("invalid element type {} of second order; expected {}", excerpt(type.name), element_types);
   else
-    type.fault = fmt::format("invalid element type '{}': not a solid; expected {}", shortened(card.value("TYPE")),
-                             element_types);
+    type.fault =
+        fmt::format("invalid element type '{}': not a solid; expected {}", excerpt(card.value("TYPE")), element_types);
   return type;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "abaqus_other_keywords.hpp"
+#include "brunt/core/excerpt.hpp"
 
 namespace brunt::io {
 namespace {
@@ -112,7 +113,7 @@ void check_parameters(const AbaqusDeck& deck, const DeckCard& card, const DeckKe
     const auto known = std::ranges::find(rule.parameters, std::string_view(name), &DeckParameter::name);
     if (known == rule.parameters.end()) {
       if (rule.any_parameter) continue;
-      deck.fail(card.line, fmt::format("unknown parameter {} of *{}; expected {}, written in full", shortened(name),
+      deck.fail(card.line, fmt::format("unknown parameter {} of *{}; expected {}, written in full", excerpt(name),
                                        rule.name, names_of(rule)));
     }
     if (known->effect == refused)
@@ -129,9 +130,9 @@ void check_unknown(const AbaqusDeck& deck, const DeckCard& card, const std::stri
   for (const DeckKeyword& one : deck_keywords())
     if (compact(one.name).starts_with(name))
       deck.fail(card.line,
-                fmt::format("unknown keyword *{}; expected *{} written in full", shortened(card.keyword), one.name));
+                fmt::format("unknown keyword *{}; expected *{} written in full", excerpt(card.keyword), one.name));
   notes.push_back(fmt::format("{}: unknown keyword *{}: it and its data are not read", deck.place(card.line),
-                              shortened(card.keyword)));
+                              excerpt(card.keyword)));
 }
 
 }  // namespace

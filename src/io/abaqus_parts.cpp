@@ -10,6 +10,7 @@
 #include "abaqus_frame.hpp"
 #include "abaqus_keywords.hpp"
 #include "abaqus_sets.hpp"
+#include "brunt/core/excerpt.hpp"
 
 namespace brunt::io {
 namespace {
@@ -260,7 +261,7 @@ class ModelReader {
     const bool of_mesh = word == "NODE" || word == "ELEMENT" || word == "NSET" || word == "ELSET" || word == "SURFACE";
     if (of_mesh)
       model_.notes.push_back(fmt::format("{}: the file ends with *{}: whether it is truncated cannot be checked",
-                                         deck_.place(last.line), shortened(last.keyword)));
+                                         deck_.place(last.line), excerpt(last.keyword)));
   }
 
   void note_unused_parts() {

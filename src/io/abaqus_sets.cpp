@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "brunt/core/excerpt.hpp"
 #include "brunt/io/csv.hpp"
 
 namespace brunt::io {
@@ -50,7 +51,7 @@ AbaqusSet& AbaqusSetReader::named(const DeckCard& card, AbaqusSets& sets, const 
 int AbaqusSetReader::instance_called(const DeckLabel& name, int line) const {
   const auto found = std::ranges::find_if(model_.instances, [&](const auto& one) { return one.name.key == name.key; });
   if (found == model_.instances.end())
-    deck_.fail(line, fmt::format("unknown instance '{}'; expected an instance defined above", shortened(name.shown)));
+    deck_.fail(line, fmt::format("unknown instance '{}'; expected an instance defined above", excerpt(name.shown)));
   return static_cast<int>(found - model_.instances.begin());
 }
 
@@ -141,7 +142,7 @@ AbaqusChoice AbaqusSetReader::choice_of_set(const DeckLine& line, std::string_vi
     const int behind = instance_called(label_of(trimmed(field.substr(0, point))), line.number);
     return choice_of(line, trimmed(field.substr(point + 1)), behind, scope, kind);
   }
-  deck_.fail(line.number, fmt::format("unknown set '{}'; expected a number, or a set defined above", shortened(field)));
+  deck_.fail(line.number, fmt::format("unknown set '{}'; expected a number, or a set defined above", excerpt(field)));
 }
 
 int AbaqusSetReader::face_of(const DeckLine& line, std::string_view field) const {
@@ -149,7 +150,7 @@ int AbaqusSetReader::face_of(const DeckLine& line, std::string_view field) const
   const std::string face = in_capitals(field);
   if (shell_sides.contains(face)) return -1;
   if (face.size() != 2 || face[0] != 'S' || face[1] < '1' || face[1] > '6')
-    deck_.fail(line.number, fmt::format("invalid face '{}'; expected S1 to S6, or none", shortened(field)));
+    deck_.fail(line.number, fmt::format("invalid face '{}'; expected S1 to S6, or none", excerpt(field)));
   return face[1] - '0';
 }
 

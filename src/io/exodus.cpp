@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "left_out.hpp"
 #include "netcdf_layout.hpp"
 #include "sound_mesh.hpp"
@@ -121,17 +122,20 @@ BlockRead read_block(const ExodusFile& file, std::int64_t id) {
   read.block.name = file.name(EX_ELEM_BLOCK, id);
   read.block.id = id;
   const std::size_t count = file.plausible(header.num_entry, fmt::format("elements in block {}", id));
-  if (count == 0) return read;
+  if (count == 0) {  // as decomposed meshes have them; of any type, often NULL
+    read.foreign = {.name = read.block.name, .id = id, .type = header.topology, .passed = true};
+    return read;
+  }
   Kind kind{};
   if (!known_kind(header.topology, header.num_nodes_per_entry, kind)) {
-    const std::string shown = read.block.name.empty() ? "" : " (" + read.block.name + ")";
+    const std::string shown = read.block.name.empty() ? "" : " (" + excerpt(read.block.name) + ")";
     read.foreign = {
         .name = read.block.name,
         .id = id,
         .type = header.topology,
         .count = static_cast<GlobalIndex>(count),
         .fault = fmt::format("{}: invalid block {}{}: elements {} with {} nodes; expected HEX8, TET4, WEDGE6, PYRAMID5",
-                             file.path(), id, shown, header.topology, header.num_nodes_per_entry)};
+                             file.path(), id, shown, excerpt(header.topology), header.num_nodes_per_entry)};
     return read;
   }
   read.block.shape = kind.shape;

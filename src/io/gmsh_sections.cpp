@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <unordered_map>
 
+#include "brunt/core/excerpt.hpp"
+
 namespace brunt::io {
 namespace {
 
@@ -23,8 +25,7 @@ class Sections {
     while (in_.next_line()) {
       const std::string section(in_.rest());
       if (section[0] != '$')
-        in_.fail(
-            fmt::format("invalid text '{}'; expected the beginning of a section ($Nodes, ...)", section.substr(0, 40)));
+        in_.fail(fmt::format("invalid text '{}'; expected the beginning of a section ($Nodes, ...)", excerpt(section)));
       if (version_ == Version::unknown && section != "$MeshFormat" && section != "$Comments")
         in_.fail("invalid beginning of the file; expected $MeshFormat");
       read_section(section);
@@ -41,7 +42,7 @@ class Sections {
   enum class Version { unknown, two, four };
 
   void read_section(const std::string& section) {
-    const std::string end = "$End" + section.substr(1);
+    const std::string end = "$End" + section.substr(1), shown_end = excerpt(end);
     if (section == "$MeshFormat") {
       read_format();
     } else if (section == "$PhysicalNames") {
@@ -50,7 +51,8 @@ class Sections {
       read_entities();
     } else if (section == "$PartitionedEntities") {
       in_.fail("invalid section: partitioned meshes are not supported; expected a mesh written without partitions");
-    } else if (section == "$Nodes") {
+    } else if (section == "$Nodes" || (section == "$ParametricNodes" && version_ == Version::two)) {
+      // parametric nodes: the coordinates are followed by parameters on the geometry, which are not used
       once(nodes_seen_, section);
       version_ == Version::two ? read_nodes_2() : read_nodes_4();
     } else if (section == "$Elements") {
@@ -58,15 +60,15 @@ class Sections {
       once(elements_seen_, section);
       version_ == Version::two ? read_elements_2() : read_elements_4();
     } else {
-      do in_.need_line(end);
+      do in_.need_line(shown_end);
       while (in_.rest() != end);
       return;
     }
-    in_.need_line(end);
-    if (in_.rest() != end) in_.fail(fmt::format("invalid text '{}'; expected {}", in_.rest().substr(0, 40), end));
+    in_.need_line(shown_end);
+    if (in_.rest() != end) in_.fail(fmt::format("invalid text '{}'; expected {}", excerpt(in_.rest()), shown_end));
   }
   void once(bool& seen, const std::string& section) {
-    if (seen) in_.fail("invalid second section " + section + "; expected one of each");
+    if (seen) in_.fail(fmt::format("invalid second section {}; expected one of each", excerpt(section)));
     seen = true;
   }
 
@@ -74,7 +76,7 @@ class Sections {
     in_.need_line("the version of the format");
     const double version = in_.real("the version of the format");
     const std::int64_t binary = in_.integer("the file type");
-    constexpr auto expected = "expected 2.2 or 4.1 in ASCII (gmsh -format msh22 or msh41)";
+    constexpr auto expected = "expected 2.2 or 4.1 in ASCII (gmsh -save -format msh41 FILE -o NEW.msh)";
     if (version != 2.2 && version != 4.1) in_.fail(fmt::format("unknown MSH version {}; {}", version, expected));
     if (binary != 0) in_.fail(fmt::format("invalid binary MSH file; {}", expected));
     version_ = version == 2.2 ? Version::two : Version::four;

@@ -8,6 +8,7 @@
 #include <charconv>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "brunt/io/text_file.hpp"
 
 namespace brunt::io {
@@ -23,7 +24,7 @@ bool parsed(std::string_view token, T& value) {
 
 }  // namespace
 
-LineReader::LineReader(const std::string& path) : path_(path), text_(read_text(path)) {}
+LineReader::LineReader(const std::string& path) : path_(path), text_(plain_text(read_text(path), path)) {}
 
 bool LineReader::next_line() {
   while (next_ < text_.size()) {
@@ -59,14 +60,14 @@ std::string_view LineReader::token(std::string_view what) {
 std::int64_t LineReader::integer(std::string_view what) {
   const std::string_view word = token(what);
   std::int64_t value = 0;
-  if (!parsed(word, value)) fail(fmt::format("invalid value '{}'; expected {}", word.substr(0, 40), what));
+  if (!parsed(word, value)) fail(fmt::format("invalid value '{}'; expected {}", excerpt(word), what));
   return value;
 }
 
 double LineReader::real(std::string_view what) {
   const std::string_view word = token(what);
   double value = 0;
-  if (!parsed(word, value)) fail(fmt::format("invalid value '{}'; expected {}", word.substr(0, 40), what));
+  if (!parsed(word, value)) fail(fmt::format("invalid value '{}'; expected {}", excerpt(word), what));
   return value;
 }
 

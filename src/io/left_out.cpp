@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "brunt/mesh/canonical.hpp"
 #include "sound_mesh.hpp"
 
@@ -16,6 +17,8 @@ using mesh::Block;
 using mesh::Mesh;
 using mesh::Side;
 
+constexpr const char* by_ignore = "the key ignore of the mesh excludes it";
+
 template <class AnyBlock>
 bool is_called(const AnyBlock& block, const std::string& word) {
   return block.name == word || (block.id > 0 && std::to_string(block.id) == word);
@@ -23,7 +26,7 @@ bool is_called(const AnyBlock& block, const std::string& word) {
 
 std::string shown(const std::string& name, GlobalIndex id) {
   if (name.empty()) return std::to_string(id);
-  return id > 0 ? fmt::format("{} ({})", id, name) : name;
+  return id > 0 ? fmt::format("{} ({})", id, excerpt(name)) : excerpt(name);
 }
 
 class Leaver {
@@ -40,13 +43,15 @@ class Leaver {
     for (std::size_t f = 0; f < content_.foreign.size(); ++f)
       if (const ForeignBlock& block = content_.foreign[f]; !drop_foreign_[f] && !block.fault.empty())
         faults_.push_back(fmt::format("{}, or ignore: [{}] beside file to exclude the block", block.fault,
-                                      name_or_number(block.name, block.id)));
+                                      excerpt(name_or_number(block.name, block.id))));
     if (!faults_.empty()) throw InputError(faults_);
     drop_foreign_sets();
     drop_blocks();
     if (content_.mesh.blocks.empty() && !content_.mesh.left_out.empty())
-      throw InputError(path_ +
-                       ": invalid ignore: it excludes every block; expected at least one block of solid elements");
+      throw InputError(path_ + (ignore.empty() ? ": missing solid elements: no block of the file has any; expected at "
+                                                 "least one block of solid elements"
+                                               : ": invalid ignore: it excludes every block; expected at least one "
+                                                 "block of solid elements"));
     if (!ignore.empty()) drop_nodes();
     return std::move(content_.mesh);
   }
@@ -73,15 +78,18 @@ class Leaver {
     };
     std::ranges::for_each(content_.mesh.blocks, add);
     std::ranges::for_each(content_.foreign, add);
-    faults_.push_back(fmt::format("{}: unknown block '{}' in ignore; expected {}", path_, word,
+    faults_.push_back(fmt::format("{}: unknown block '{}' in ignore; expected {}", path_, excerpt(word),
                                   known.empty() ? "none, since the file has no block" : known));
   }
 
   void drop_foreign_sets() {
     for (std::size_t f = 0; f < drop_foreign_.size(); ++f) {
       const ForeignBlock& block = content_.foreign[f];
-      if (!drop_foreign_[f] || block.count == 0) continue;
-      content_.mesh.left_out.push_back({block.name, block.id, block.type, block.count});
+      if (!drop_foreign_[f] || (block.count == 0 && !block.passed)) continue;
+      const char* why = block.count == 0 ? "it has no elements"
+                        : block.passed   ? "its elements are no solids"
+                                         : by_ignore;
+      content_.mesh.left_out.push_back({block.name, block.id, block.type, block.count, why});
       if (block.own_sets.empty()) continue;
       content_.mesh.side_sets.erase(block.own_sets);
       content_.mesh.node_sets.erase(block.own_sets);
@@ -96,7 +104,7 @@ class Leaver {
       Block& block = mesh.blocks[b];
       if (drop_block_[b]) {
         mesh.left_out.push_back(
-            {block.name, block.id, block.shape == mesh::Shape::hex8 ? "hex8" : "tet4", block.count()});
+            {block.name, block.id, block.shape == mesh::Shape::hex8 ? "hex8" : "tet4", block.count(), by_ignore});
       } else {
         place[b] = static_cast<LocalIndex>(kept.size());
         kept.push_back(std::move(block));
@@ -115,8 +123,8 @@ class Leaver {
       const std::size_t lost =
           gone + static_cast<std::size_t>(foreign == content_.foreign_sides.end() ? 0 : foreign->second);
       if (lost > 0)
-        mesh.notes.push_back(
-            fmt::format("side set {}: {} of its {} sides belong to excluded blocks", name, lost, lost + sides.size()));
+        mesh.notes.push_back(fmt::format("side set {}: {} of its {} sides belong to excluded blocks", excerpt(name),
+                                         lost, lost + sides.size()));
     }
     mesh.blocks = std::move(kept);
   }
@@ -137,8 +145,8 @@ class Leaver {
     mesh::drop_unused_nodes(mesh);
     for (const auto& [name, nodes] : mesh.node_sets)
       if (nodes.size() < before[name])
-        mesh.notes.push_back(fmt::format("node set {}: {} of its {} nodes belong to no remaining element", name,
-                                         before[name] - nodes.size(), before[name]));
+        mesh.notes.push_back(fmt::format("node set {}: {} of its {} nodes belong to no remaining element",
+                                         excerpt(name), before[name] - nodes.size(), before[name]));
   }
 
   const std::string& path_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks of a mesh file that are excluded by `ignore`, and blocks of unsupported elements.
+// Blocks of a mesh file that are excluded: by `ignore`, without elements, or of unsupported elements.
 #pragma once
 #include <map>
 #include <string>
@@ -17,7 +17,7 @@ struct ForeignBlock {
   GlobalIndex count = 0;
   int dimension = 3;       ///< if several blocks have this name, the one of the highest dimension is meant
   std::string fault{};     ///< "PATH[:LINE]: what is wrong; expected ...", unless it is ignored; empty: no fault
-  bool passed = false;     ///< excluded in any case
+  bool passed = false;     ///< excluded in any case: without elements, or of elements beside solids
   std::string own_sets{};  ///< name of the node set and side set that go with it
 };
 

@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
+#include "brunt/io/text_file.hpp"
 #include "polygons.hpp"
 #include "surface_formats.hpp"
 #include "surface_text.hpp"
@@ -42,7 +44,7 @@ class ObjParser {
       in_.fail(
           fmt::format("unknown statement '{}'; expected v, f, or what goes with polygons (vt, vn, g, o, s, usemtl, "
                       "...)",
-                      shown(keyword)));
+                      excerpt(keyword)));
     while (!in_.word().empty()) continue;  // a long statement goes on in the next lines
   }
 
@@ -54,7 +56,7 @@ class ObjParser {
     for (std::string_view word = in_.word(); !word.empty(); word = in_.word(), ++more) {
       double unused = 0;
       if (!parse_number(word, unused))
-        in_.fail(fmt::format("invalid weight or colour '{}'; expected a number", shown(word)));
+        in_.fail(fmt::format("invalid weight or colour '{}'; expected a number", excerpt(word)));
     }
     if (more > 4) in_.fail(fmt::format("invalid point of {} numbers; expected 3, 4, 6 or 7", more + 3));
   }
@@ -74,7 +76,7 @@ class ObjParser {
     const auto slash = word.find('/');
     std::int64_t index = 0;
     if (!parse_number(word.substr(0, slash), index) || !are_others(slash, word))
-      in_.fail(fmt::format("invalid corner '{}'; expected a, a/b, a//c or a/b/c of integers", shown(word)));
+      in_.fail(fmt::format("invalid corner '{}'; expected a, a/b, a//c or a/b/c of integers", excerpt(word)));
     const auto count = static_cast<std::int64_t>(surface_.points.size());
     if (index == 0 || index < -count || index > std::numeric_limits<LocalIndex>::max())
       in_.fail(fmt::format("out of range: index {} of a point; expected one of the {} points above, or a later one",
@@ -111,7 +113,8 @@ class ObjParser {
 }  // namespace
 
 SurfaceFile parse_obj(std::string_view content, const std::string& name) {
-  return {ObjParser(content, name).parse(), false};
+  const std::string plain = plain_text(std::string(content), name);
+  return {ObjParser(plain, name).parse(), false};
 }
 
 }  // namespace brunt::io

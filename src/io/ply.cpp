@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "brunt/core/error.hpp"
+#include "brunt/io/text_file.hpp"
 #include "ply_body.hpp"
 #include "ply_header.hpp"
 #include "polygons.hpp"
@@ -159,12 +160,29 @@ class PlyParser {
   Polygons faces_;
 };
 
+/// The content with line feeds in place of carriage returns in its header, if the header's lines end with these alone;
+/// otherwise empty. The entries of a binary file may begin with any byte, so they stay.
+std::string with_plain_header(std::string_view content) {
+  const auto end = content.find_first_of("\r\n");
+  if (end == std::string_view::npos || content[end] != '\r' || content.substr(end + 1).starts_with('\n')) return {};
+  constexpr std::string_view last = "\rend_header\r";
+  const auto header = content.find(last);
+  if (header == std::string_view::npos) return {};
+  std::string own(content);
+  std::replace(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(header + last.size()), '\r', '\n');
+  return own;
+}
+
 }  // namespace
 
 SurfaceFile parse_ply(std::string_view content, const std::string& name) {
+  refuse_utf16(content, name);
+  const std::string own = with_plain_header(content);
+  if (!own.empty()) content = own;
   const PlyHeader header = read_ply_header(content, name);
-  if (header.encoding == PlyEncoding::ascii) return PlyParser<PlyAsciiBody>(header, content, name).parse();
-  return PlyParser<PlyBinaryBody>(header, content, name).parse();
+  if (header.encoding != PlyEncoding::ascii) return PlyParser<PlyBinaryBody>(header, content, name).parse();
+  const std::string plain = plain_text(std::string(content), name);
+  return PlyParser<PlyAsciiBody>(read_ply_header(plain, name), plain, name).parse();
 }
 
 }  // namespace brunt::io

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "raw_number.hpp"
 
 namespace brunt::io {
@@ -14,18 +15,18 @@ PlyAsciiBody::PlyAsciiBody(std::string_view content, const std::string& name, co
 
 void PlyAsciiBody::begin(const PlyElement& element, std::int64_t entry) {
   if (!in_.next_filled_line())
-    in_.fail(fmt::format("missing entries: the file is truncated; expected {} {} of {}", shown(element.name), entry + 1,
-                         element.count));
+    in_.fail(fmt::format("missing entries: the file is truncated; expected {} {} of {}", excerpt(element.name),
+                         entry + 1, element.count));
 }
 
 void PlyAsciiBody::end() {
   if (const std::string_view word = in_.word(); !word.empty())
-    in_.fail(fmt::format("unknown text '{}'; expected the end of the line", shown(word)));
+    in_.fail(fmt::format("unknown text '{}'; expected the end of the line", excerpt(word)));
 }
 
 void PlyAsciiBody::need_end() {
   if (in_.next_filled_line())
-    in_.fail(fmt::format("unknown text '{}' after the last entry; expected the end of the file", shown(in_.word())));
+    in_.fail(fmt::format("unknown text '{}' after the last entry; expected the end of the file", excerpt(in_.word())));
 }
 
 std::int64_t PlyAsciiBody::integer(PlyType /*type*/, std::string_view what) {
@@ -115,7 +116,7 @@ void PlyBinaryBody::need_room(PlyType type, std::int64_t count) const {
 }
 
 std::string PlyBinaryBody::where(const PlyElement& element, std::int64_t entry, std::int64_t place) const {
-  return fmt::format("{}: {} {} of {}, byte {}", name_, shown(element.name), entry + 1, element.count, place);
+  return fmt::format("{}: {} {} of {}, byte {}", name_, excerpt(element.name), entry + 1, element.count, place);
 }
 
 void PlyBinaryBody::fail(const std::string& fault) const {

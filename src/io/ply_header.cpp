@@ -9,6 +9,7 @@
 #include <set>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "surface_text.hpp"
 
 namespace brunt::io {
@@ -41,9 +42,9 @@ class HeaderParser {
       : content_(content), name_(name), in_(content, name) {}
 
   PlyHeader parse() {
-    in_.next_line();
+    in_.next_filled_line();
     if (const std::string_view word = in_.word(); word != "ply")
-      in_.fail(fmt::format("invalid beginning '{}' of the file; expected 'ply'", shown(word)));
+      in_.fail(fmt::format("invalid beginning '{}' of the file; expected 'ply'", excerpt(word)));
     while (parse_line()) continue;
     if (!has_format_) in_.fail("missing format; expected 'format ascii 1.0' or a binary one");
     header_.size = std::min(in_.next(), content_.size());
@@ -68,9 +69,9 @@ class HeaderParser {
     else
       in_.fail(
           fmt::format("unknown statement '{}'; expected format, comment, obj_info, element, property or end_header",
-                      shown(keyword)));
+                      excerpt(keyword)));
     if (const std::string_view more = in_.word(); !more.empty())
-      in_.fail(fmt::format("unknown text '{}'; expected the end of the line", shown(more)));
+      in_.fail(fmt::format("unknown text '{}'; expected the end of the line", excerpt(more)));
     return true;
   }
 
@@ -84,8 +85,8 @@ class HeaderParser {
       header_.encoding = PlyEncoding::big_endian;
     else
       in_.fail(fmt::format("unknown format '{}'; expected ascii, binary_little_endian or binary_big_endian",
-                           shown(encoding)));
-    if (version != "1.0") in_.fail(fmt::format("unknown version '{}' of PLY; expected 1.0", shown(version)));
+                           excerpt(encoding)));
+    if (version != "1.0") in_.fail(fmt::format("unknown version '{}' of PLY; expected 1.0", excerpt(version)));
     if (has_format_) in_.fail("invalid second format; expected one format");
     has_format_ = true;
   }
@@ -96,9 +97,9 @@ class HeaderParser {
     element.line = in_.line();
     const std::string_view count = in_.word();
     if (!parse_number(count, element.count) || element.count < 0)
-      in_.fail(fmt::format("invalid number '{}' of entries; expected an integer >= 0", shown(count)));
+      in_.fail(fmt::format("invalid number '{}' of entries; expected an integer >= 0", excerpt(count)));
     if (!element_names_.insert(element.name).second)
-      in_.fail(fmt::format("invalid second element {}; expected different names", shown(element.name)));
+      in_.fail(fmt::format("invalid second element {}; expected different names", excerpt(element.name)));
     header_.elements.push_back(std::move(element));
     property_names_.clear();
   }
@@ -115,7 +116,7 @@ class HeaderParser {
     property.type = type_of(type);
     property.name = need("name of the property");
     if (!property_names_.insert(property.name).second)
-      in_.fail(fmt::format("invalid second property {}; expected different names", shown(property.name)));
+      in_.fail(fmt::format("invalid second property {}; expected different names", excerpt(property.name)));
     header_.elements.back().properties.push_back(std::move(property));
   }
 
@@ -131,7 +132,7 @@ class HeaderParser {
     in_.fail(
         fmt::format("unknown type '{}'; expected char, uchar, short, ushort, int, uint, float, double, or int8 to "
                     "float64",
-                    shown(word)));
+                    excerpt(word)));
   }
 
   /// Counts are believed only where the file is long enough for them.
@@ -145,7 +146,7 @@ class HeaderParser {
       if (count > left / least)
         throw InputError(fmt::format(
             "{}:{}: out of range: {} entries of {}; expected at most {}, which the rest of the file can hold", name_,
-            element.line, count, shown(element.name), left / least));
+            element.line, count, excerpt(element.name), left / least));
       left -= count * least;
     }
   }

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
+#include "brunt/io/text_file.hpp"
 #include "raw_number.hpp"
 #include "surface_formats.hpp"
 #include "surface_text.hpp"
@@ -69,7 +72,8 @@ bool same_word(std::string_view word, std::string_view keyword) {
 /// The statements of an ASCII file; keywords in upper or lower case, in any lines.
 class AsciiStl {
  public:
-  AsciiStl(std::string_view content, const std::string& name) : name_(name), in_(content, name) {}
+  AsciiStl(std::string content, const std::string& name)
+      : content_(std::move(content)), name_(name), in_(content_, name) {}
 
   TriangleSurface parse() {
     while (!next_solid().empty()) parse_solid();
@@ -82,7 +86,7 @@ class AsciiStl {
     const std::string_view word = in_.word_anywhere();
     if (word.empty()) return {};
     if (!same_word(word, "solid"))
-      in_.fail(fmt::format("unknown text '{}'; expected 'solid', or a binary file of 84 + 50 n bytes", shown(word)));
+      in_.fail(fmt::format("unknown text '{}'; expected 'solid', or a binary file of 84 + 50 n bytes", excerpt(word)));
     in_.skip_line();
     return word;
   }
@@ -119,9 +123,10 @@ class AsciiStl {
 
   [[noreturn]] void fail(std::string_view keyword, std::string_view word) const {
     if (word.empty()) in_.fail(fmt::format("missing end of a solid: the file is truncated; expected '{}'", keyword));
-    in_.fail(fmt::format("unknown text '{}'; expected '{}'", shown(word), keyword));
+    in_.fail(fmt::format("unknown text '{}'; expected '{}'", excerpt(word), keyword));
   }
 
+  std::string content_;
   const std::string& name_;
   TextCursor in_;
   TriangleSurface surface_;
@@ -141,8 +146,9 @@ class AsciiStl {
 
 SurfaceFile parse_stl(std::string_view content, const std::string& name) {
   if (has_binary_size(content)) return {parse_binary(content, name), true};
+  refuse_utf16(content, name);
   if (!is_text(content)) fail_size(content, name);
-  return {AsciiStl(content, name).parse(), true};
+  return {AsciiStl(plain_text(std::string(content), name), name).parse(), true};
 }
 
 }  // namespace brunt::io

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "brunt/io/text_file.hpp"
 #include "surface_formats.hpp"
 #include "surface_text.hpp"
@@ -42,8 +43,8 @@ SurfaceFormat surface_format(const std::string& path) {
   if (extension == ".stl") return SurfaceFormat::stl;
   if (extension == ".obj") return SurfaceFormat::obj;
   if (extension == ".ply") return SurfaceFormat::ply;
-  throw InputError(
-      fmt::format("{}: unknown extension '{}' of a surface file; expected .stl, .obj or .ply", path, shown(extension)));
+  throw InputError(fmt::format("{}: unknown extension '{}' of a surface file; expected .stl, .obj or .ply", path,
+                               excerpt(extension)));
 }
 
 SurfaceFile read_surface(const std::string& path) {

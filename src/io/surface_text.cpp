@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "brunt/io/surface_file.hpp"
 
 namespace brunt::io {
@@ -90,7 +91,7 @@ std::int64_t TextCursor::integer(std::string_view what) {
   const std::string_view found = word();
   if (found.empty()) fail(fmt::format("missing {}; expected an integer", what));
   std::int64_t value = 0;
-  if (!parse_number(found, value)) fail(fmt::format("invalid {} '{}'; expected an integer", what, shown(found)));
+  if (!parse_number(found, value)) fail(fmt::format("invalid {} '{}'; expected an integer", what, excerpt(found)));
   return value;
 }
 
@@ -98,7 +99,7 @@ double TextCursor::real(std::string_view what) {
   const std::string_view found = word();
   if (found.empty()) fail(fmt::format("missing {}; expected a number", what));
   double value = 0;
-  if (!parse_number(found, value)) fail(fmt::format("invalid {} '{}'; expected a number", what, shown(found)));
+  if (!parse_number(found, value)) fail(fmt::format("invalid {} '{}'; expected a number", what, excerpt(found)));
   return value;
 }
 
@@ -124,14 +125,6 @@ std::string coordinate_fault(int axis, double value) {
   if (std::isinf(value)) return fmt::format("invalid coordinate {}: {}; expected a finite number", name, value);
   return fmt::format("out of range: coordinate {} is {}; expected a magnitude of at most {}", name, value,
                      largest_coordinate);
-}
-
-std::string shown(std::string_view word) {
-  constexpr std::size_t length = 40;  // characters: longer words are cut
-  std::string text(word.substr(0, length));
-  for (char& c : text)
-    if (c < ' ' || c > '~') c = '?';
-  return word.size() > length ? text + "..." : text;
 }
 
 bool is_web_page(std::string_view text) {

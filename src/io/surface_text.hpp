@@ -65,9 +65,6 @@ bool parse_number(std::string_view word, double& value);
 /// What is wrong with a coordinate, as "coordinate x is nan; expected ..."; empty where it is sound. axis: 0, 1, 2.
 std::string coordinate_fault(int axis, double value);
 
-/// A word of the file as a message may show it: short and printable.
-std::string shown(std::string_view word);
-
 /// Does the text begin as a web page does? Downloads that failed are often such.
 bool is_web_page(std::string_view text);
 

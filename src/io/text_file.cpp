@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "brunt/core/error.hpp"
 
@@ -58,7 +59,25 @@ std::string read_text(const std::string& path) {
                      "); expected a readable file");
   std::ostringstream text;
   text << file.rdbuf();
-  return text.str();
+  return std::move(text).str();
+}
+
+void refuse_utf16(std::string_view text, const std::string& name) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw InputError(name + ":1: invalid encoding: the text is UTF-16; expected a file saved as UTF-8");
+}
+
+std::string plain_text(std::string text, const std::string& name) {
+  refuse_utf16(text, name);
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  std::size_t to = text.find('\r');
+  if (to == std::string::npos) return text;
+  for (std::size_t from = to; from < text.size(); ++from) {
+    if (text[from] == '\r' && from + 1 < text.size() && text[from + 1] == '\n') continue;
+    text[to++] = text[from] == '\r' ? '\n' : text[from];
+  }
+  text.resize(to);
+  return text;
 }
 
 }  // namespace brunt::io

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 
 namespace brunt::mesh {
 namespace {
@@ -40,13 +41,13 @@ void refuse_clashes(const Mesh& whole, const Mesh& piece) {
   for (const Block& block : whole.blocks) names.insert(shown(block));
   for (const Block& block : piece.blocks)
     if (names.count(shown(block)))
-      faults.push_back(fmt::format("invalid block {}: two meshes have it; {}", shown(block), cure));
+      faults.push_back(fmt::format("invalid block {}: two meshes have it; {}", excerpt(shown(block)), cure));
   for (const auto& [name, nodes] : piece.node_sets)
     if (whole.node_sets.count(name))
-      faults.push_back(fmt::format("invalid node set {}: two meshes have it; {}", name, cure));
+      faults.push_back(fmt::format("invalid node set {}: two meshes have it; {}", excerpt(name), cure));
   for (const auto& [name, sides] : piece.side_sets)
     if (whole.side_sets.count(name))
-      faults.push_back(fmt::format("invalid side set {}: two meshes have it; {}", name, cure));
+      faults.push_back(fmt::format("invalid side set {}: two meshes have it; {}", excerpt(name), cure));
   const auto corners = [](const Mesh& mesh) {
     std::size_t sum = mesh.coordinates.size();
     for (const Block& block : mesh.blocks) sum += block.nodes.size();
@@ -95,7 +96,7 @@ void place(Mesh& mesh, double scale, const Vec3& axis, double degrees, const Vec
   for (Vec3& x : mesh.coordinates) x = turn * x + at;
 }
 
-void append(Mesh& whole, Mesh&& piece, const std::string& prefix) {
+void append(Mesh& whole, Mesh&& piece, const std::string& prefix, const std::string& file) {
   name_with_prefix(piece, prefix);
   refuse_clashes(whole, piece);
 
@@ -110,12 +111,18 @@ void append(Mesh& whole, Mesh&& piece, const std::string& prefix) {
   }
   for (const Block& block : piece.blocks) last_block = std::max(last_block, block.id);
 
-  shift(piece.node_id, largest(whole.node_id));
+  const GlobalIndex last_node = largest(whole.node_id);
+  shift(piece.node_id, last_node);
+  if (!file.empty() && !piece.node_id.empty()) {
+    const auto [first, last] = std::ranges::minmax(piece.node_id);
+    whole.files.push_back({file, prefix, last_node, first, last});
+  }
   whole.node_id.insert(whole.node_id.end(), piece.node_id.begin(), piece.node_id.end());
   whole.coordinates.insert(whole.coordinates.end(), piece.coordinates.begin(), piece.coordinates.end());
   for (Block& block : piece.blocks) {
     for (LocalIndex& node : block.nodes) node += first_node;
     shift(block.element_id, last_element);
+    if (!file.empty()) block.file_id = block.id;
     if (taken.count(block.id)) block.id = ++last_block;
     whole.blocks.push_back(std::move(block));
   }

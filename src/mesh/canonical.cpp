@@ -70,7 +70,7 @@ std::vector<LocalIndex> curve_order(const Mesh& mesh, const Block& block, const 
 }
 
 Block reordered(const Block& block, const std::vector<LocalIndex>& order) {
-  Block result{block.name, block.id, block.shape, {}, {}};
+  Block result{block.name, block.id, block.shape, {}, {}, block.file_id};
   result.nodes.reserve(block.nodes.size());
   result.element_id.reserve(order.size());
   for (const LocalIndex e : order) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "brunt/core/excerpt.hpp"
 #include "brunt/mesh/duplicate_elements.hpp"
 #include "brunt/mesh/topology.hpp"
 #include "element_shape.hpp"
@@ -35,7 +36,7 @@ class Lines {
 };
 
 std::string shown(const Block& block) {
-  return block.name.empty() ? fmt::format("block {}", block.id) : fmt::format("block {}", block.name);
+  return block.name.empty() ? fmt::format("block {}", block.id) : "block " + excerpt(block.name);
 }
 
 template <class Visit>
@@ -128,8 +129,14 @@ void warn_unused(const Mesh& mesh, std::vector<std::string>& warnings) {
   const auto count = std::count(used.begin(), used.end(), false);
   if (count == 0) return;
   const auto first = static_cast<std::size_t>(std::find(used.begin(), used.end(), false) - used.begin());
-  warnings.push_back(
-      fmt::format("{} nodes belong to no element and are excluded (the first is node {})", count, mesh.node_id[first]));
+  std::string sets;
+  for (const auto& [name, nodes] : mesh.node_sets) {
+    const auto lost = std::ranges::count_if(nodes, [&](LocalIndex n) { return !used[static_cast<std::size_t>(n)]; });
+    if (lost > 0) sets += fmt::format("; node set {} loses {} of its {} nodes", excerpt(name), lost, nodes.size());
+  }
+  warnings.push_back(fmt::format("{} belong{} to no element and {} excluded (the first is node {}){}",
+                                 count == 1 ? "1 node" : fmt::format("{} nodes", count), count == 1 ? "s" : "",
+                                 count == 1 ? "is" : "are", mesh.node_id[first], sets));
 }
 
 void warn_coincident(const Mesh& mesh, std::vector<std::string>& warnings) {

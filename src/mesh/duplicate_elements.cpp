@@ -12,6 +12,8 @@
 #include <map>
 #include <unordered_map>
 
+#include "brunt/core/excerpt.hpp"
+
 namespace brunt::mesh {
 namespace {
 
@@ -45,7 +47,7 @@ std::uint64_t code_of(const Corners& corners) {
 }
 
 std::string shown(const Block& block) {
-  return block.name.empty() ? fmt::format("block {}", block.id) : fmt::format("block {}", block.name);
+  return block.name.empty() ? fmt::format("block {}", block.id) : "block " + excerpt(block.name);
 }
 
 GlobalIndex id_of(const Block& block, LocalIndex e) {

@@ -50,15 +50,16 @@ Mat3 inertia_now(const Body& body, const BodyState& state) {
   return inertia_at(body, state.orientation);
 }
 
-void move_supported(const Body& body, const Mat3& free_turn, const Vec3& given, double dt, BodyState& state) {
+Gyroscopic move_supported(const Body& body, const Mat3& free_turn, const Vec3& given, double dt, BodyState& state) {
   constexpr int most = 50;
   constexpr double rounding = 4e-16;
   state.displacement += dt * state.velocity;
   const Eigen::Quaterniond start = state.orientation;
   const Vec3 l = state.angular_momentum;
   Vec3 omega = supported_spin(free_turn, inertia_at(body, start), l, given);
+  Mat3 middle = Mat3::Zero();
   for (int i = 0; i < most; ++i) {
-    const Mat3 middle = inertia_at(body, (rotation_by(0.5 * dt * omega) * start).normalized());
+    middle = inertia_at(body, (rotation_by(0.5 * dt * omega) * start).normalized());
     const Vec3 next = supported_spin(free_turn, middle, l, given);
     const double change = (next - omega).norm();
     omega = next;
@@ -67,6 +68,8 @@ void move_supported(const Body& body, const Mat3& free_turn, const Vec3& given, 
   state.orientation = (rotation_by(dt * omega) * start).normalized();
   const Mat3 inertia = inertia_at(body, state.orientation);
   state.angular_momentum = inertia * supported_spin(free_turn, inertia, l, given);
+  const Vec3 in_the_middle = middle * omega;
+  return {in_the_middle - l, state.angular_momentum - in_the_middle};
 }
 
 }  // namespace brunt::rigid

@@ -7,6 +7,8 @@
 #include <cctype>
 #include <charconv>
 
+#include "brunt/core/excerpt.hpp"
+
 namespace brunt::scene {
 namespace {
 
@@ -47,9 +49,9 @@ bool comma_in_value(const Key& key, std::string_view expected, IsValue is_value)
   const bool thousands = has_thousands(text) && is_value(joined), decimal = is_value(pointed);
   std::string write;
   if (thousands || decimal)
-    write = fmt::format(": write {}{}{}", thousands ? joined : "", thousands && decimal ? " or " : "",
-                        decimal ? pointed : "");
-  fault(key, fmt::format("invalid number '{}': {}{}; expected {}", text, without_comma, write, expected));
+    write = fmt::format(": write {}{}{}", thousands ? excerpt(joined) : "", thousands && decimal ? " or " : "",
+                        decimal ? excerpt(pointed) : "");
+  fault(key, fmt::format("invalid number '{}': {}{}; expected {}", excerpt(text), without_comma, write, expected));
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "brunt/core/error.hpp"
+#include "brunt/scene/places.hpp"
 
 namespace brunt::scene {
 
@@ -14,8 +15,8 @@ std::size_t Faults::add(const Place& place, std::string_view path, std::string_v
   const bool in_file = place.line > 0;
   const std::string where = in_file ? fmt::format("{}:{}", place.source, place.line) : place.source;
   const int order = in_file ? place.line : std::numeric_limits<int>::max();
-  lines_.push_back(
-      {order, path.empty() ? fmt::format("{}: {}", where, what) : fmt::format("{}: {}: {}", where, path, what)});
+  lines_.push_back({order, path.empty() ? fmt::format("{}: {}", where, what)
+                                        : fmt::format("{}: {}: {}", where, shown_path(path), what)});
   return lines_.size() - 1;
 }
 

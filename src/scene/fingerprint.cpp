@@ -10,8 +10,10 @@
 #include <string_view>
 #include <utility>
 
+#include "brunt/core/excerpt.hpp"
 #include "brunt/model/hash.hpp"
 #include "brunt/scene/overrides.hpp"
+#include "brunt/scene/places.hpp"
 #include "brunt/scene/tree.hpp"
 
 namespace brunt::scene {
@@ -81,12 +83,12 @@ std::vector<std::string> differences(const std::string& there, const std::string
       both[line.substr(0, equals)][side] = line.substr(std::min(equals + 1, line.size()));
     }
   }
-  const auto reported = [](const std::string& value) { return value.empty() ? "not given" : value; };
+  const auto reported = [](const std::string& value) { return value.empty() ? "not given" : excerpt(value); };
   std::vector<std::string> different;
   for (const auto& [path, values] : both)
     if (values[0] != values[1])
-      different.push_back(fmt::format("{} is {} in the earlier run and {} in this scene", path, reported(values[0]),
-                                      reported(values[1])));
+      different.push_back(fmt::format("{} is {} in the earlier run and {} in this scene", shown_path(path),
+                                      reported(values[0]), reported(values[1])));
   return different;
 }
 

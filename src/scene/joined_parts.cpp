@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "brunt/core/excerpt.hpp"
 #include "brunt/scene/rigid_parts.hpp"
 
 namespace brunt::scene {
@@ -28,14 +29,14 @@ void check_join(const Input& input, const Part& part, std::vector<std::string>& 
     fault("invalid joins: the part refers to itself; expected the name of another rigid part");
   else if (!is_rigid(input, *lead))
     fault(fmt::format("invalid joins: part '{}' is not rigid; expected a part whose material has model: rigid",
-                      lead->name));
+                      excerpt(lead->name)));
   else if (joins_another(*lead))
-    fault(fmt::format("invalid joins: part '{}' itself joins '{}'; expected joins: {}", lead->name, lead->rigid->joins,
-                      lead->rigid->joins));
+    fault(fmt::format("invalid joins: part '{}' itself joins '{}'; expected joins: {}", excerpt(lead->name),
+                      excerpt(lead->rigid->joins), excerpt(lead->rigid->joins)));
   if (rigid.mass || rigid.centre || rigid.inertia)
     fault(fmt::format(
         "invalid mass, centre or inertia: they belong to the whole body; expected these keys in parts.{}.rigid",
-        rigid.joins));
+        excerpt(rigid.joins)));
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ void check_joins(const Input& input, std::vector<std::string>& faults) {
   const auto of_the_body = [&](const std::string& key, const std::string& where) {
     if (const std::string& lead = lead_of(input, where); lead != where)
       faults.push_back(fmt::format("{}: invalid part '{}': it is one rigid body with '{}'; expected part: {}",
-                                   input.at(key), where, lead, lead));
+                                   input.at(key), excerpt(where), excerpt(lead), excerpt(lead)));
   };
   for (std::size_t k = 0; k < input.initial.size(); ++k)
     of_the_body(fmt::format("initial.{}", k), input.initial[k].where);
@@ -70,7 +71,7 @@ void check_joins(const Input& input, std::vector<std::string>& faults) {
       faults.push_back(
           fmt::format("{}: invalid pair: '{}' and '{}' are one rigid body, which has no contact with itself; expected "
                       "parts of two bodies",
-                      input.at(fmt::format("contact.{}", k)), pair[0], pair[1]));
+                      input.at(fmt::format("contact.{}", k)), excerpt(pair[0]), excerpt(pair[1])));
   }
 }
 

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <vector>
 
+#include "brunt/core/excerpt.hpp"
+
 namespace brunt::scene {
 namespace {
 
@@ -41,7 +43,7 @@ std::string nearest(std::string_view word, std::span<const std::string> known) {
 std::string listed(std::span<const std::string> words) {
   constexpr std::size_t most = 24;
   std::string text;
-  for (std::size_t i = 0; i < std::min(words.size(), most); ++i) text += (i == 0 ? "" : ", ") + words[i];
+  for (std::size_t i = 0; i < std::min(words.size(), most); ++i) text += (i == 0 ? "" : ", ") + excerpt(words[i]);
   return words.size() > most ? text + ", ..." : text;
 }
 

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <optional>
 
+#include "brunt/core/excerpt.hpp"
+
 namespace brunt::scene {
 namespace {
 
@@ -76,7 +78,7 @@ void apply(Tree& scene, const std::string& path, const Tree& value, const Place&
 
 void apply_overrides(Tree& scene, std::span<const std::string> overrides, Faults& faults) {
   for (const std::string& override_text : overrides) {
-    const Place place{"--set " + override_text, 0};
+    const Place place{"--set " + excerpt(override_text), 0};
     const std::size_t equals = override_text.find('=');
     const std::string path = override_text.substr(0, equals);
     const bool empty_step =

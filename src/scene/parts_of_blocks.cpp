@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "brunt/scene/nearest.hpp"
 #include "brunt/scene/rigid_parts.hpp"
 #include "brunt/scene/select.hpp"
@@ -20,7 +21,7 @@ const char* fitting_elements(mesh::Shape shape) {
 
 /// "7" or "7 (bar)": a scene may use either.
 std::string shown(const mesh::Block& block) {
-  return fmt::format("{}{}", block.id, block.name.empty() ? "" : " (" + block.name + ")");
+  return fmt::format("{}{}", block.id, block.name.empty() ? "" : " (" + excerpt(block.name) + ")");
 }
 
 std::string shown_blocks(const mesh::Mesh& mesh) {
@@ -29,10 +30,31 @@ std::string shown_blocks(const mesh::Mesh& mesh) {
   return known.empty() ? "(the mesh has no block)" : listed(known);
 }
 
-bool is_left_out(const mesh::Mesh& mesh, const std::string& word) {
-  return std::ranges::any_of(mesh.left_out, [&](const mesh::LeftOut& block) {
+/// Why a mesh file's block of this name or number is excluded; empty if there is none.
+std::string why_left_out(const mesh::Mesh& mesh, const std::string& word) {
+  const auto found = std::ranges::find_if(mesh.left_out, [&](const mesh::LeftOut& block) {
     return block.name == word || (block.id > 0 && std::to_string(block.id) == word);
   });
+  return found == mesh.left_out.end() ? "" : found->why;
+}
+
+/// The blocks of this name; if there is none, those of this number in the whole mesh or in their file.
+std::vector<std::size_t> blocks_called(const mesh::Mesh& mesh, const std::string& word) {
+  std::vector<std::size_t> named, numbered;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const mesh::Block& block = mesh.blocks[b];
+    if (block.name == word) named.push_back(b);
+    if (std::to_string(block.id) == word || (block.file_id > 0 && std::to_string(block.file_id) == word))
+      numbered.push_back(b);
+  }
+  return named.empty() ? numbered : named;
+}
+
+std::string ambiguous(const mesh::Mesh& mesh, const std::vector<std::size_t>& blocks, const std::string& word) {
+  std::vector<std::string> known;
+  for (const std::size_t b : blocks) known.push_back(shown(mesh.blocks[b]));
+  return fmt::format("invalid block '{}': several blocks of the mesh have this number: {}; expected the name of one",
+                     excerpt(word), listed(known));
 }
 
 }  // namespace
@@ -43,25 +65,26 @@ std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& m
   for (std::size_t p = 0; p < input.parts.size(); ++p) {
     const Part& part = input.parts[p];
     const std::string key = "parts." + part.name;
-    std::size_t b = 0;
-    while (b < mesh.blocks.size() && mesh.blocks[b].name != part.block &&
-           std::to_string(mesh.blocks[b].id) != part.block)
-      ++b;
-    if (b == mesh.blocks.size()) {
-      if (is_left_out(mesh, part.block)) {
-        faults.push_back(
-            fmt::format("{}: invalid block '{}': the key ignore of the mesh excludes it; expected one of {}",
-                        input.at(key + ".block"), part.block, shown_blocks(mesh)));
+    const std::vector<std::size_t> found = blocks_called(mesh, part.block);
+    if (found.size() > 1) {
+      faults.push_back(input.at(key + ".block") + ": " + ambiguous(mesh, found, part.block));
+      continue;
+    }
+    if (found.empty()) {
+      if (const std::string why = why_left_out(mesh, part.block); !why.empty()) {
+        faults.push_back(fmt::format("{}: invalid block '{}': {}; expected one of {}", input.at(key + ".block"),
+                                     excerpt(part.block), why, shown_blocks(mesh)));
         continue;
       }
       faults.push_back(fmt::format("{}: unknown block '{}' of the mesh; expected one of {}", input.at(key + ".block"),
-                                   part.block, shown_blocks(mesh)));
+                                   excerpt(part.block), shown_blocks(mesh)));
       continue;
     }
+    const std::size_t b = found.front();
     if (part_of[b] != none)
       faults.push_back(fmt::format(
           "{}: invalid block {}: it already belongs to part '{}'; expected a block of its own for each part",
-          input.at(key + ".block"), part.block, input.parts[part_of[b]].name));
+          input.at(key + ".block"), excerpt(part.block), excerpt(input.parts[part_of[b]].name)));
     part_of[b] = p;
     if (!is_rigid(input, part) && (part.element == ElementKind::tet4) != (mesh.blocks[b].shape == mesh::Shape::tet4))
       faults.push_back(fmt::format("{}: invalid element {} for the shape of the block's elements; expected {}",
@@ -74,7 +97,7 @@ std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& m
           fmt::format("{}: missing part for block {} of the mesh; expected NAME: {{block: {}, material: ...}} in "
                       "parts, or ignore: [{}] in the entry of the mesh file",
                       input.at("parts"), shown(mesh.blocks[b]), mesh.blocks[b].id,
-                      mesh.blocks[b].name.empty() ? std::to_string(mesh.blocks[b].id) : mesh.blocks[b].name));
+                      mesh.blocks[b].name.empty() ? std::to_string(mesh.blocks[b].id) : excerpt(mesh.blocks[b].name)));
   if (!faults.empty()) throw InputError(std::move(faults));
   return part_of;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "brunt/core/excerpt.hpp"
 #include "brunt/scene/sections.hpp"
 #include "read_enforcement.hpp"
 
@@ -50,7 +51,7 @@ void read_slave(const Key& key, ContactEntry& contact) {
   if (parts.empty() && key.tree->kind == Tree::Kind::value && key.tree->text != "auto")
     return fault(key,
                  fmt::format("invalid slave '{}' for between: all; expected auto, or an entry with between: [a, b]",
-                             key.tree->text));
+                             excerpt(key.tree->text)));
   std::vector<std::string> words{"auto", "first", "second"};
   words.insert(words.end(), parts.begin(), parts.end());
   const std::size_t chosen = read_choice(key, words, {});

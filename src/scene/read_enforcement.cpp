@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "brunt/core/excerpt.hpp"
+
 namespace brunt::scene {
 namespace {
 
@@ -49,7 +51,7 @@ void read_rebuild(const Key& key, Rebuild& rebuild) {
   double number = 1;
   if (!read(key, number, steps)) return;
   if (std::trunc(number) != number)
-    fault(key, fmt::format("invalid value '{}'; expected {}", key.tree->text, steps.words));
+    fault(key, fmt::format("invalid value '{}'; expected {}", excerpt(key.tree->text), steps.words));
   rebuild = {Rebuild::When::every, static_cast<int>(number)};
 }
 
@@ -96,7 +98,7 @@ void EnforcementReader::read_entry(const Key& whole, Section& entry) {
       fault(entry.at(figure.name),
             fmt::format(
                 "invalid value {}: enforcement.{} is {}; expected the same value in both places, or one of the keys",
-                entry.at(figure.name).tree->text, figure.name, section_->at(figure.name).tree->text));
+                excerpt(entry.at(figure.name).tree->text), figure.name, excerpt(section_->at(figure.name).tree->text)));
   if (entry.has("softness")) softness_ = entry.at("softness");
   judge_figures(entry);
   if (input_.enforcement.settings.method == Method::printed && !section_has("method"))

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "brunt/core/excerpt.hpp"
 #include "brunt/scene/sections.hpp"
 
 namespace brunt::scene {
@@ -45,7 +46,7 @@ void check_erosion(const Input& input, const Part& part, const Key& key) {
   if (part.erosion->damage && (metal == nullptr || !metal->fracture))
     fault(section.at("damage"),
           fmt::format("invalid criterion: material '{}' has no damage; expected a material with damage: {{...}}",
-                      part.material));
+                      excerpt(part.material)));
   else if (part.erosion->damage && *part.erosion->damage > metal->fracture->critical)
     fault(section.at("damage"),
           fmt::format(
@@ -54,7 +55,7 @@ void check_erosion(const Input& input, const Part& part, const Key& key) {
   if (part.erosion->plastic_strain && metal == nullptr && !std::holds_alternative<material::J2>(law))
     fault(section.at("plastic_strain"), fmt::format("invalid criterion: material '{}' has no plastic strain; expected "
                                                     "a material of model j2, johnson_cook or another metal",
-                                                    part.material));
+                                                    excerpt(part.material)));
 }
 
 }  // namespace brunt::scene

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "brunt/core/excerpt.hpp"
 #include "brunt/scene/sections.hpp"
 #include "read_bodies.hpp"
 
@@ -41,7 +42,7 @@ MeshFile read_file(Section& entry, const std::string& scene_file, Placement& pla
       std::string& block = mesh.ignore.emplace_back();
       if (read(name, block, "the name or number of a block of the file") &&
           std::count(mesh.ignore.begin(), mesh.ignore.end(), block) > 1)
-        fault(name, fmt::format("invalid block '{}': listed twice; expected each block once", block));
+        fault(name, fmt::format("invalid block '{}': listed twice; expected each block once", excerpt(block)));
     }
   read_placement(entry, placement);
   return mesh;

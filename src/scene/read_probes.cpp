@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "brunt/core/excerpt.hpp"
 #include "brunt/scene/sections.hpp"
+#include "commas.hpp"
 
 namespace brunt::scene {
 namespace {
@@ -21,7 +23,7 @@ void read_name(Section& entry, Probe& probe) {
   });
   if (!good) {
     fault(entry.at("name"),
-          fmt::format("invalid name '{}' of a column; expected letters, digits, '_', '-' or '.'", probe.name));
+          fmt::format("invalid name '{}' of a column; expected letters, digits, '_', '-' or '.'", excerpt(probe.name)));
   }
 }
 
@@ -86,9 +88,20 @@ void read_parts(const Key& key, Probe& probe) {
   if (read(parts[0], probe.where, Named::part)) read(parts[1], probe.other, Named::part);
 }
 
+/// A number, or the prefix of a mesh file and a number.
 void read_node(Section& entry, Probe& probe) {
+  constexpr GlobalIndex most = 1'000'000'000'000;
+  const Key key = entry.at("node");
+  const bool is_value = key.tree != nullptr && key.tree->kind == Tree::Kind::value;
+  const std::string text = is_value ? key.tree->text : "";
   GlobalIndex node = 0;
-  if (entry.required("node", node, Count{0, 1'000'000'000'000})) probe.where = std::to_string(node);
+  if (scene::is_number(text) || text.find(',') != std::string::npos) {
+    if (read(key, node, Count{0, most})) probe.where = std::to_string(node);
+  } else if (!text.empty() && text.back() >= '0' && text.back() <= '9') {
+    probe.where = text;
+  } else {
+    wrong(key, fmt::format("an integer from 0 to {}, or the prefix of a mesh file and a number", most));
+  }
 }
 
 /// The node nearest to a point, of all nodes or of a part or set.

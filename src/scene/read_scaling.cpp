@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "brunt/core/excerpt.hpp"
 #include "brunt/scene/sections.hpp"
 
 namespace brunt::scene {
@@ -79,14 +80,15 @@ void check_paths(Section& direction, std::string_view name, const Tree& scene, c
     const std::vector<const Tree*> values = values_at(scene, path);
     if (const std::vector<std::string> steps = steps_of(path);
         !step.empty() && std::ranges::find(steps, step) == steps.end()) {
-      fault(entry, fmt::format("invalid path '{}': not a number of elements; expected {}", path, expected));
+      fault(entry, fmt::format("invalid path '{}': not a number of elements; expected {}", excerpt(path), expected));
     } else if (values.empty()) {
-      fault(entry, fmt::format("unknown path '{}' in this scene; expected {}", path, expected));
+      fault(entry, fmt::format("unknown path '{}' in this scene; expected {}", excerpt(path), expected));
     } else if (const auto bad =
                    std::ranges::find_if_not(values, [&good = kind.is_good](const Tree* v) { return good(*v); });
                bad != values.end()) {
-      const std::string there = (*bad)->kind == Tree::Kind::value ? fmt::format("'{}'", (*bad)->text) : "no value";
-      fault(entry, fmt::format("invalid path '{}': it leads to {}; expected {}", path, there, expected));
+      const std::string there =
+          (*bad)->kind == Tree::Kind::value ? fmt::format("'{}'", excerpt((*bad)->text)) : "no value";
+      fault(entry, fmt::format("invalid path '{}': it leads to {}; expected {}", excerpt(path), there, expected));
     }
   }
 }

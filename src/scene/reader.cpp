@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "brunt/core/excerpt.hpp"
 #include "brunt/scene/nearest.hpp"
 #include "commas.hpp"
 
@@ -23,7 +24,7 @@ std::string described(const Key& key) {
     case Tree::Kind::map:
       return "invalid map";
     default:
-      return fmt::format("invalid {} '{}'", key.tree->quoted ? "quoted text" : "value", key.tree->text);
+      return fmt::format("invalid {} '{}'", key.tree->quoted ? "quoted text" : "value", excerpt(key.tree->text));
   }
 }
 
@@ -56,7 +57,7 @@ void fault(const Key& key, std::string_view what) {
 std::string place_of(const Key& key) {
   const std::string where =
       key.place.line > 0 ? fmt::format("{}:{}", key.place.source, key.place.line) : key.place.source;
-  return fmt::format("{}: {}", where, key.path);
+  return fmt::format("{}: {}", where, shown_path(key.path));
 }
 
 bool wrong(const Key& key, std::string_view expected) {
@@ -88,11 +89,11 @@ bool read(const Key& key, double& target, const Range& range) {
   const std::optional<double> number = number_in(key);
   if (!number) return !comma_in_value(key, range.words) && wrong(key, range.words);
   if (!std::isfinite(*number)) {
-    fault(key, fmt::format("invalid value {}: not a finite number; expected {}", key.tree->text, range.words));
+    fault(key, fmt::format("invalid value {}: not a finite number; expected {}", excerpt(key.tree->text), range.words));
     return false;
   }
   if (!range.holds(*number)) {
-    fault(key, fmt::format("out of range: {}; expected {}", key.tree->text, range.words));
+    fault(key, fmt::format("out of range: {}; expected {}", excerpt(key.tree->text), range.words));
     return false;
   }
   target = *number;
@@ -114,7 +115,8 @@ bool read(const Key& key, GlobalIndex& target, Count count) {
   const bool integer = std::abs(*number) < exact && std::trunc(*number) == *number;
   const GlobalIndex value = integer ? static_cast<GlobalIndex>(*number) : 0;
   if (!integer || value < count.low || value > count.high) {
-    fault(key, fmt::format("{}; expected {}", integer ? "out of range: " + key.tree->text : described(key), expected));
+    fault(key, fmt::format("{}; expected {}", integer ? "out of range: " + excerpt(key.tree->text) : described(key),
+                           expected));
     return false;
   }
   target = value;
@@ -201,7 +203,8 @@ std::size_t read_choice(const Key& key, const std::vector<std::string>& now, con
     later(key, "'" + word + "'", expected);
     return now.size();
   }
-  fault(key, fmt::format("unknown value '{}' (did you mean '{}'?); expected {}", word, nearest(word, now), expected));
+  fault(key, fmt::format("unknown value '{}' (did you mean '{}'?); expected {}", excerpt(word),
+                         excerpt(nearest(word, now)), expected));
   return now.size();
 }
 

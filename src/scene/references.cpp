@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "brunt/core/excerpt.hpp"
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/curve.hpp"
 #include "brunt/scene/nearest.hpp"
@@ -45,11 +46,11 @@ void check_uses(const Input& input, Section& scene) {
     if (std::find(names.begin(), names.end(), use.name) != names.end()) continue;
     const bool required = use.kind == Named::material || use.kind == Named::part;
     if (required && scene.at(sections[kind]).tree == nullptr) continue;
-    const std::string what = fmt::format("unknown {} '{}'", words[kind], use.name);
-    const std::string expected =
-        names.empty()
-            ? fmt::format("; expected a name defined in {}, which is empty", sections[kind])
-            : fmt::format(" (did you mean '{}'?); expected one of {}", nearest(use.name, names), listed(names));
+    const std::string what = fmt::format("unknown {} '{}'", words[kind], excerpt(use.name));
+    const std::string expected = names.empty()
+                                     ? fmt::format("; expected a name defined in {}, which is empty", sections[kind])
+                                     : fmt::format(" (did you mean '{}'?); expected one of {}",
+                                                   excerpt(nearest(use.name, names)), listed(names));
     findings.faults.add(use.place, use.path, what + expected);
   }
 }
@@ -85,16 +86,16 @@ void check_bodies(const Input& input, Section& scene) {
     const Key key = mesh_key(scene, position++);
     if (part.empty()) continue;
     if (std::find(bodies.begin(), bodies.end(), part) != bodies.end()) {
-      fault(key,
-            fmt::format("invalid body: part '{}' already has one; expected a part of its own for each body", part));
+      fault(key, fmt::format("invalid body: part '{}' already has one; expected a part of its own for each body",
+                             excerpt(part)));
       continue;
     }
     bodies.push_back(part);
     const bool has_part =
         std::any_of(input.parts.begin(), input.parts.end(), [&](const Part& known) { return known.block == part; });
     if (!has_part && !input.parts.empty()) {
-      fault(key,
-            fmt::format("missing part of the generated body '{0}'; expected parts: {{{0}: {{material: ...}}}}", part));
+      fault(key, fmt::format("missing part of the generated body '{0}'; expected parts: {{{0}: {{material: ...}}}}",
+                             excerpt(part)));
     }
   }
   for (const Part& part : input.parts) {
@@ -104,7 +105,7 @@ void check_bodies(const Input& input, Section& scene) {
     for (const std::string& name : parts.key().tree->keys) parts.has(name);
     fault(parts.at(part.name),
           fmt::format("unknown block '{}' (did you mean '{}'?): no body of the mesh has this name; expected one of {}",
-                      part.block, nearest(part.block, bodies), listed(bodies)));
+                      excerpt(part.block), excerpt(nearest(part.block, bodies)), listed(bodies)));
   }
 }
 
@@ -119,7 +120,7 @@ void check_displacements(const Input& input, Section& scene) {
     const Key key = items(scene.at("prescribed"), "")[k];
     fault(key,
           fmt::format("invalid curve '{}': its displacement at t = 0 is {:g}, a jump of the nodes; expected 0 at t = 0",
-                      motion.curve, start));
+                      excerpt(motion.curve), start));
   }
 }
 
@@ -133,16 +134,16 @@ std::string fault_of_contact_probe(const Input& input, const Probe& probe) {
     return fmt::format(
         "invalid probe: part '{0}' has no contact with itself; expected an entry of contact with between: all, or "
         "between: [{0}, {0}]",
-        probe.where);
+        excerpt(probe.where));
   if (!probe.other.empty() && probe.other != probe.where && !touches(probe.other))
     return fmt::format(
         "invalid probe: no entry of contact covers '{}' and '{}'; expected parts between which contact is defined",
-        probe.where, probe.other);
+        excerpt(probe.where), excerpt(probe.other));
   const auto is_met = [&](const Part& part) { return part.name != probe.where && touches(part.name); };
   if (probe.other.empty() && std::ranges::none_of(input.parts, is_met))
     return fmt::format(
         "invalid probe: part '{}' has no contact with any other part; expected a part with contact to another one",
-        probe.where);
+        excerpt(probe.where));
   return {};
 }
 
@@ -182,7 +183,7 @@ void check_twice(const Key& section, const std::vector<std::string>& names, std:
     const Tree& entry = section.tree->children[std::min(i, section.tree->children.size() - 1)];
     section.findings->faults.add(
         entry.place, fmt::format("{}.{}", section.path, i),
-        fmt::format("invalid name '{}': used twice; expected a name of its own for each {}", names[i], what));
+        fmt::format("invalid name '{}': used twice; expected a name of its own for each {}", excerpt(names[i]), what));
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "brunt/core/excerpt.hpp"
 #include "brunt/mesh/topology.hpp"
 #include "brunt/scene/select.hpp"
 
@@ -90,13 +91,31 @@ void refuse_node_supports(const Input& input, const BodyOfNode& bodies, const me
       faults.push_back(reported(input, fmt::format("{}.{}", list, k),
                                 "invalid selection: node {} of '{}' belongs to the rigid part '{}', which moves as a "
                                 "whole; expected part: {}, or nodes of deformable parts only",
-                                whole.mesh.node_id[static_cast<std::size_t>(node)], where, bodies.part(body),
-                                bodies.part(body)));
+                                whole.mesh.node_id[static_cast<std::size_t>(node)], excerpt(where),
+                                excerpt(bodies.part(body)), excerpt(bodies.part(body))));
       return;
     }
   };
   for (std::size_t k = 0; k < input.fixed.size(); ++k) look("fixed", k, input.fixed[k].where);
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) look("prescribed", k, input.prescribed[k].where);
+}
+
+/// The supports of a body act on the whole of it: single nodes have no reaction, and 0 would be wrong.
+void refuse_node_reactions(const Input& input, const BodyOfNode& bodies, const mesh::CanonicalMesh& whole,
+                           std::vector<std::string>& faults) {
+  for (std::size_t k = 0; k < input.probes.size(); ++k) {
+    const Probe& probe = input.probes[k];
+    const auto set = whole.mesh.node_sets.find(selection_name("probe", k));
+    if (probe.kind != Probe::Kind::set || probe.field != "reaction" || set == whole.mesh.node_sets.end()) continue;
+    const auto node = std::ranges::find_if(set->second, [&](LocalIndex n) { return bodies.of(n) != BodyOfNode::none; });
+    if (node == set->second.end()) continue;
+    faults.push_back(
+        reported(input, fmt::format("probes.{}", k),
+                 "invalid field 'reaction': node {} of '{}' belongs to the rigid part '{}', whose supports "
+                 "act on the whole body; expected part: {}, or nodes of deformable parts only",
+                 whole.mesh.node_id[static_cast<std::size_t>(*node)], excerpt(probe.where),
+                 excerpt(bodies.part(bodies.of(*node))), excerpt(bodies.part(bodies.of(*node)))));
+  }
 }
 
 /// An entry of `initial` defines the motion of a body if it names the body or selects all of its nodes. Another part
@@ -115,7 +134,8 @@ void select_motions(const Input& input, const BodyOfNode& bodies, mesh::Canonica
         faults.push_back(reported(input, fmt::format("initial.{}", k),
                                   "invalid selection: '{}' has {} of the {} nodes of the rigid part '{}', which moves "
                                   "as a whole; expected all of these nodes, or none",
-                                  input.initial[k].where, counts[body], bodies.size(body), bodies.part(body)));
+                                  excerpt(input.initial[k].where), counts[body], bodies.size(body),
+                                  excerpt(bodies.part(body))));
     std::vector<LocalIndex> moved;
     if (names_rigid_part(input, input.initial[k].where))
       moved = bodies.nodes_of(bodies.find(input.initial[k].where));
@@ -217,12 +237,12 @@ void check_probes(const Input& input, std::vector<std::string>& faults) {
           reported(input, fmt::format("probes.{}.field", k),
                    "invalid field '{}': it exists for rigid parts only, and '{}' is deformable; expected displacement, "
                    "velocity, position, reaction, mass, center, momentum, angular_momentum or energy",
-                   probe.field, probe.where));
+                   probe.field, excerpt(probe.where)));
     for (const std::string& part : probe.parts)
       if (names_rigid_part(input, part))
         faults.push_back(reported(input, fmt::format("probes.{}.section", k),
                                   "invalid part '{}': a rigid part has no internal forces; expected a deformable part",
-                                  part));
+                                  excerpt(part)));
   }
 }
 
@@ -235,7 +255,7 @@ void refuse_two_supports(const Input& input, std::vector<std::string>& faults) {
       faults.push_back(reported(
           input, fmt::format("prescribed.{}", k),
           "invalid motion: {} of '{}' is also constrained by {}.{}; expected one entry for each degree of freedom",
-          dof_name(entry.dof), entry.where, list, other));
+          dof_name(entry.dof), excerpt(entry.where), list, other));
     };
     for (std::size_t other = 0; other < k; ++other)
       if (input.prescribed[other].where == entry.where && input.prescribed[other].dof == entry.dof)
@@ -274,7 +294,7 @@ std::vector<std::string> faults_of_rigid_parts(const Input& input) {
     if (part.rigid && !is_rigid(input, part))
       faults.push_back(reported(input, fmt::format("parts.{}.rigid", part.name),
                                 "invalid material '{}': it is not rigid; expected a material of model: rigid",
-                                part.material));
+                                excerpt(part.material)));
   const auto rotation_of_nodes = [&](const std::string& key) {
     faults.push_back(
         reported(input, key, "invalid rotation rx, ry or rz of nodes; expected part: a rigid part, or x, y, z"));
@@ -313,12 +333,13 @@ std::vector<std::string> select_bodies(const Input& input, std::span<const std::
     faults.push_back(reported(input, "parts." + bodies.part(shared->second),
                               "invalid mesh: node {} is shared with '{}', which is also rigid; expected rigid: "
                               "{{joins: {}}} for one body, or bodies without common nodes",
-                              whole.mesh.node_id[shared->node], bodies.part(shared->first),
-                              bodies.part(shared->first)));
+                              whole.mesh.node_id[shared->node], excerpt(bodies.part(shared->first)),
+                              excerpt(bodies.part(shared->first))));
   for (std::size_t b = 0; b < part_of_block.size(); ++b)
     if (bodies.size(b) > 0) whole.mesh.node_sets[body_set(b)] = bodies.nodes_of(b);
   whole.mesh.node_sets[forced_set] = forced_nodes(input, bodies, part_of_block, whole);
   refuse_node_supports(input, bodies, whole, faults);
+  refuse_node_reactions(input, bodies, whole, faults);
   select_motions(input, bodies, whole, faults);
   return faults;
 }

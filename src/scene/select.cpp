@@ -11,10 +11,12 @@
 #include <set>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "brunt/mesh/topology.hpp"
 #include "brunt/scene/nearest.hpp"
 #include "brunt/scene/rigid_parts.hpp"
 #include "named_nodes.hpp"
+#include "numbered_node.hpp"
 #include "select_removed.hpp"
 #include "select_watched.hpp"
 
@@ -54,7 +56,8 @@ class Selector {
     std::optional<Nodes> found = named_.of(where);
     if (!found) return unknown(where, key);
     if (found->empty())
-      report(key, "invalid selection: '{}' contains no node; expected a region with nodes, {}", where, extent());
+      report(key, "invalid selection: '{}' contains no node; expected a region with nodes, {}", excerpt(where),
+             extent());
     whole_.mesh.node_sets[reserved] = std::move(*found);
   }
 
@@ -68,10 +71,10 @@ class Selector {
       std::vector<std::string> known = names(whole_.mesh.side_sets);
       for (const SetEntry& set : input_.sets)
         if (set.side_set) known.push_back(set.name);
-      return report(key, "unknown side set '{}'{}", where, expected(where, known));
+      return report(key, "unknown side set '{}'{}", excerpt(where), expected(where, known));
     }
     if (found->second.empty())
-      report(key, "invalid side set '{}': it has no face; expected a side set with at least one face", where);
+      report(key, "invalid side set '{}': it has no face; expected a side set with at least one face", excerpt(where));
     whole_.mesh.side_sets[reserved] = found->second;
   }
 
@@ -91,7 +94,7 @@ class Selector {
     if (sides.empty())
       report(key,
              "invalid set '{}': it has no exterior face; expected a set with exterior faces, or force: for each node",
-             where);
+             excerpt(where));
   }
 
   void add_probe(const Probe& probe, std::size_t k) {
@@ -106,7 +109,8 @@ class Selector {
     if (make_section(probe, k, named_.part_of_block(), named_.on_plane(), whole_) > 0) return;
     if (named && whole_.mesh.node_sets.contains(reserved))
       report(key + ".section.set",
-             "invalid set '{}': it has no node of the parts; expected a set with nodes of these parts", probe.where);
+             "invalid set '{}': it has no node of the parts; expected a set with nodes of these parts",
+             excerpt(probe.where));
     if (!named)
       report(key + ".section",
              "invalid section: the plane intersects no element of the parts; expected a plane through nodes, {}",
@@ -179,22 +183,19 @@ class Selector {
           key,
           "invalid wall: a body of part '{}' lies behind it by up to {:g}, and an implicit step would move it through "
           "the wall; expected bodies in front of the wall, or rigid_walls[].parts, the parts that the wall acts on",
-          named_.part_of_block()[block_of.at(number)], -heights[0]);
+          excerpt(named_.part_of_block()[block_of.at(number)]), -heights[0]);
       return;
     }
   }
 
   void add_surface() { whole_.mesh.node_sets[surface_set] = named_.of_sides(mesh::exterior_sides(whole_.mesh)); }
 
-  void add_node(const std::string& reserved, const std::string& id_text, const std::string& key) {
-    for (std::size_t i = 0; i < whole_.mesh.node_id.size(); ++i)
-      if (std::to_string(whole_.mesh.node_id[i]) == id_text) {
-        whole_.mesh.node_sets[reserved] = {static_cast<LocalIndex>(i)};
-        return;
-      }
-    const auto [lowest, highest] = std::ranges::minmax(whole_.mesh.node_id);
-    report(key, "unknown node {}; expected the number of one of the {} nodes of the mesh, from {} to {}", id_text,
-           whole_.mesh.node_id.size(), lowest, highest);
+  void add_node(const std::string& reserved, const std::string& text, const std::string& key) {
+    const NumberedNode found = node_numbered(whole_.mesh, text);
+    if (found.fault.empty())
+      whole_.mesh.node_sets[reserved] = {found.node};
+    else
+      report(key, "{}", found.fault);
   }
 
  private:
@@ -238,14 +239,14 @@ class Selector {
   static std::string expected(const std::string& word, const std::vector<std::string>& known) {
     return known.empty()
                ? "; expected a set of this kind, and the mesh has none"
-               : fmt::format(" (did you mean '{}'?); expected one of {}", nearest(word, known), listed(known));
+               : fmt::format(" (did you mean '{}'?); expected one of {}", excerpt(nearest(word, known)), listed(known));
   }
 
   void undefined(const std::string& set, const std::string& key, const char* kind, const std::string& word,
                  const std::vector<std::string>& known, bool of_other_kind) {
     undefined_.insert(set);
     const std::string_view other = std::string_view(kind) == "side set" ? "node set" : "side set";
-    report(key, "unknown {} '{}' of the mesh{}{}", kind, word,
+    report(key, "unknown {} '{}' of the mesh{}{}", kind, excerpt(word),
            of_other_kind ? fmt::format(" (it has a {} of that name)", other) : "", expected(word, known));
   }
 
@@ -273,8 +274,8 @@ class Selector {
     const std::string lists =
         fmt::format("parts: {}; sets: {}; sets of the mesh: {}", none(known), none(own), none(of_mesh));
     for (const auto* list : {&own, &of_mesh}) known.insert(known.end(), list->begin(), list->end());
-    report(key, "unknown part or set '{}' (did you mean '{}'?); expected one of the {}", where, nearest(where, known),
-           lists);
+    report(key, "unknown part or set '{}' (did you mean '{}'?); expected one of the {}", excerpt(where),
+           excerpt(nearest(where, known)), lists);
   }
 
   const Input& input_;

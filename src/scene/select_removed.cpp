@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "brunt/core/excerpt.hpp"
 #include "brunt/mesh/topology.hpp"
 #include "brunt/scene/rigid_parts.hpp"
 #include "brunt/scene/select.hpp"
@@ -54,13 +55,13 @@ std::vector<std::string> select_removed(const Input& input, mesh::CanonicalMesh&
     const auto set = whole.mesh.node_sets.find(selection_name("remove", k));
     if (set == whole.mesh.node_sets.end() || set->second.empty()) continue;  // already reported
     if (names_rigid_part(input, where))
-      faults.push_back(
-          fmt::format("{}: invalid part '{}': a rigid part is not removed; expected deformable parts", key, where));
+      faults.push_back(fmt::format("{}: invalid part '{}': a rigid part is not removed; expected deformable parts", key,
+                                   excerpt(where)));
     else if (!holds_element(input, whole.mesh, part_of_block, where, set->second))
       faults.push_back(
           fmt::format("{}: invalid selection: '{}' contains no complete deformable element; expected a set with all "
                       "nodes of at least one element",
-                      key, where));
+                      key, excerpt(where)));
     for (const LocalIndex node : set->second) removed[static_cast<std::size_t>(node)] = 1;
   }
   whole.mesh.side_sets[mesh::inner_faces] = mesh::interior_sides(whole.mesh, removed);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "brunt/core/excerpt.hpp"
 #include "commas.hpp"
 #include "yaml_document.hpp"
 
@@ -31,7 +32,8 @@ std::optional<Entry> joined_entry(std::string_view text) {
 }
 
 std::string no_blank(const Entry& entry) {
-  return fmt::format("missing space after the colon of '{0}:{1}'; expected {0}: {1}", entry.first, entry.second);
+  return fmt::format("missing space after the colon of '{0}:{1}'; expected {0}: {1}", excerpt(entry.first),
+                     excerpt(entry.second));
 }
 
 /// Converts YAML nodes to Tree. Without line numbers (an override), every piece has the place `base`.

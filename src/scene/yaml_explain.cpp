@@ -7,6 +7,7 @@
 #include <regex>
 #include <vector>
 
+#include "brunt/core/excerpt.hpp"
 #include "yaml_brackets.hpp"
 
 namespace brunt::scene {
@@ -20,11 +21,6 @@ std::vector<std::string> lines_of(const std::string& text) {
     from = end + 1;
   }
   return lines;
-}
-
-std::string shortened(const std::string& text) {
-  constexpr std::size_t longest = 60;
-  return text.size() > longest ? text.substr(0, longest) + "..." : text;
 }
 
 std::size_t indentation(const std::string& line) {
@@ -42,7 +38,8 @@ std::optional<std::string> joined_value(const std::string& line) {
   if (line.size() > 1000) return {};  // an expression's recursion grows with the line
   std::smatch found;
   if (!std::regex_search(line, found, joined)) return {};
-  return fmt::format("missing space after the colon of '{0}:{1}'; expected {0}: {1}", found[1].str(), found[2].str());
+  return fmt::format("missing space after the colon of '{0}:{1}'; expected {0}: {1}", excerpt(found[1].str()),
+                     excerpt(found[2].str()));
 }
 
 /// "title: steel: a test": a value with a colon in it.
@@ -57,7 +54,7 @@ std::optional<std::string> colon_in_value(const std::string& line, int column) {
   value.erase(0, value.find_first_not_of(' '));
   value.erase(value.find_last_not_of(" \r") + 1);
   return fmt::format("invalid colon in the value of '{0}'; expected quotes around a text with a colon, {0}: \"{1}\"",
-                     key, shortened(value));
+                     excerpt(key), excerpt(value));
 }
 
 class Explainer {

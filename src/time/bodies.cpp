@@ -98,6 +98,18 @@ void widen(const Velocity& velocity, double* bounds) {
   }
 }
 
+/// Moves a body with held or driven rotations. The supports' moment is along axes that are not free; held ones do not
+/// turn, so only drives do work.
+void turn_supported(const RigidBody& body, double dt, rigid::BodyState& moving, BodyStep& now,
+                    model::BodyAccount& account) {
+  const rigid::Gyroscopic change = rigid::move_supported(body.body, body.support.free_turn, now.given_spin, dt, moving);
+  const Vec3 impulse = change.first_half + change.second_half;
+  now.late_turn = change.second_half;
+  now.late_work = now.given_spin.dot(impulse);
+  account.reaction_angular_impulse += impulse;
+  account.reaction_work += now.late_work;
+}
+
 /// impulse . (velocity before + velocity after)/2.
 double work_of(const BodyStep& now, const Vec3& impulse, const Vec3& angular_impulse) {
   return 0.5 * (impulse.dot(now.before.velocity + now.after.velocity) +
@@ -225,15 +237,15 @@ void book_bodies(const model::Model& model, model::State& state, const model::Sc
   }
 }
 
-void move_bodies(const model::Model& model, model::State& state, const model::Scratch& scratch, double dt) {
+void move_bodies(const model::Model& model, model::State& state, model::Scratch& scratch, double dt) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const RigidBody& body = model.bodies[b];
-    const BodyStep& now = scratch.bodies[b];
+    BodyStep& now = scratch.bodies[b];
     rigid::BodyState& moving = state.bodies[b];
     moving.velocity = now.after.velocity;
     moving.angular_momentum = now.after.angular_momentum;
     if (body.support.holds_turn)
-      rigid::move_supported(body.body, body.support.free_turn, now.given_spin, dt, moving);
+      turn_supported(body, dt, moving, now, state.body_accounts[b]);
     else
       rigid::move(body.body, dt, moving);
     const Mat3 turn = moving.orientation.toRotationMatrix() - Mat3::Identity();

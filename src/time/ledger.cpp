@@ -94,7 +94,7 @@ void add_body(const model::RigidBody& body, const model::BodyAccount& account, c
   sums[element_work].add(account.element_work - element_half);
   sums[load_work].add(account.load_work - load_half);
   sums[damping_work].add(account.damping_work + half(drag, drag_moment));
-  sums[reaction_work].add(account.reaction_work - half(now.reaction.force, now.reaction.moment));
+  sums[reaction_work].add(account.reaction_work - now.late_work - half(now.reaction.force, now.reaction.moment));
   sums[kinetic].add(half(mass * now.before.velocity, now.before.angular_momentum));
   const Vec3 given = account.load_impulse + account.reaction_impulse;
   for (std::size_t c = 0; c < 3; ++c) {

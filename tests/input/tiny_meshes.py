@@ -37,16 +37,19 @@ def _attributes(pairs):
     return struct.pack(">ii", 0x0C, len(pairs)) + b"".join(_attribute(n, v) for n, v in pairs)
 
 
-def exodus(nodes=CUBE, elements=(RIGHT,), block_id=1):
-    """Exodus II in classic netCDF (NetCDF classic format specification, CDF-1; SAND92-2137 for the names)."""
+def exodus(nodes=CUBE, elements=(RIGHT,), block_id=1, empty=0):
+    """Exodus II in classic netCDF (NetCDF classic format specification, CDF-1; SAND92-2137 for the names). empty: blocks without elements
+    before that of the elements; like the libraries it writes neither sizes nor connectivity for them."""
+    last = empty + 1
     dimensions = [("len_string", 33), ("len_line", 81), ("four", 4), ("time_step", 0), ("num_dim", 3),
-                  ("num_nodes", len(nodes)), ("num_elem", len(elements)), ("num_el_blk", 1),
-                  ("num_el_in_blk1", len(elements)), ("num_nod_per_el1", 8)]
+                  ("num_nodes", len(nodes)), ("num_elem", len(elements)), ("num_el_blk", last),
+                  (f"num_el_in_blk{last}", len(elements)), (f"num_nod_per_el{last}", 8)]
     number = {name: i for i, (name, _) in enumerate(dimensions)}
     flat = [i for element in elements for i in element]
-    variables = [("eb_status", ["num_el_blk"], [], "i", [1]), ("eb_prop1", ["num_el_blk"], [("name", "ID")], "i", [block_id])]
+    variables = [("eb_status", ["num_el_blk"], [], "i", [0] * empty + [1]),
+                 ("eb_prop1", ["num_el_blk"], [("name", "ID")], "i", [block_id + k for k in range(last)])]
     variables += [("coord" + axis, ["num_nodes"], [], "d", [p[k] for p in nodes]) for k, axis in enumerate("xyz")]
-    variables += [("connect1", ["num_el_in_blk1", "num_nod_per_el1"], [("elem_type", "HEX8")], "i", flat)]
+    variables += [(f"connect{last}", [f"num_el_in_blk{last}", f"num_nod_per_el{last}"], [("elem_type", "HEX8")], "i", flat)]
 
     head = b"CDF\x01" + struct.pack(">iii", 0, 0x0A, len(dimensions))
     head += b"".join(_name(name) + struct.pack(">i", size) for name, size in dimensions)

@@ -5,6 +5,7 @@ import os
 import subprocess
 import unittest
 
+import plain_files
 import scenes
 from run_test import PATIENCE, RUN, Program
 
@@ -81,6 +82,59 @@ class Folder(Program):
             self.assertEqual(len(lines), 1, lines)
             self.assertRegex(lines[0], r"checkpoint_000000004.h5: invalid for this scene: written by another one: materials.steel.density is \S+ in the earlier run and 7801 in this scene; "
                              r"run.cfl is 0.8 in the earlier run and 0.5 in this scene; expected")
+
+    def test_a_restart_with_another_mesh_is_refused(self):
+        """The scene's text is the same, but not the file that it names."""
+        nodes, cubes = plain_files.bar(4)
+        moved = [(x, y, 1.5 * z) for x, y, z in nodes]
+        turned = [cube[4:] + cube[:4] for cube in cubes]
+        text = plain_files.SCENE.replace("FILE", "bar.msh").replace("BLOCK", "1").replace("steps: 2", "steps: 4")
+        self.write("mesh.yaml", text + "initial: [{part: bar, velocity: [0, 0, 1e-3]}]\n")
+        original = plain_files.msh2(nodes, cubes).decode()
+        for name, other in (("moved", plain_files.msh2(moved, cubes)), ("more", plain_files.msh2(*plain_files.bar(5))),
+                            ("order", plain_files.msh2(nodes, cubes[::-1])), ("inverted", plain_files.msh2([(x, y, -z) for x, y, z in nodes], turned))):
+            self.write("bar.msh", original)
+            self.run_scene(1, "mesh.yaml", "--out", name)
+            hashed = self.summary(name)["state_hash"]
+            self.write("bar.msh", other.decode())
+            for ranks in (1, 2):
+                done = subprocess.run([RUN, "-np", str(ranks), "mesh.yaml", "--out", name, "--restart", name, "--set", "run.steps=8"],
+                                      cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE, check=False)
+                self.assertEqual(done.returncode, 2, name + done.stderr + done.stdout)
+                lines = done.stderr.splitlines()
+                self.assertEqual(len(lines), 1, lines)
+                self.assertRegex(lines[0], "checkpoint_000000004.h5: invalid for this mesh: .* expected unchanged mesh files, or a new run")
+            self.write("bar.msh", plain_files.msh4(nodes, cubes).decode())  # the same mesh in another format
+            self.run_scene(2, "mesh.yaml", "--out", name, "--restart", name, "--set", "run.steps=5")
+            self.assertNotEqual(self.summary(name)["state_hash"], hashed)
+
+    def test_a_request_to_stop_of_an_earlier_run_has_no_effect(self):
+        every = ("--set", "run.steps=40")
+        self.run_scene(1, "rod.yaml", "--out", "whole", *every)
+        self.run_scene(1, "rod.yaml", "--out", "out", "--set", "run.steps=20")
+        for more in (["--force"], ["--restart", "out"]):
+            self.write("out/stop", "")
+            self.run_scene(1, "rod.yaml", "--out", "out", *more, *(every if "--restart" in more else ("--set", "run.steps=20")))
+            self.assertFalse(os.path.exists(os.path.join(self.folder, "out", "stop")))
+            self.assertIn("removed out/stop, which is older than this run", self.text("out", "log.txt"))
+        self.assertEqual(self.summary("out")["state_hash"], self.summary("whole")["state_hash"])
+        self.assertEqual(self.summary("out")["stopped_by"], "steps")
+        os.mkdir(os.path.join(self.folder, "new"))
+        self.write("new/stop", "")
+        self.run_scene(2, "rod.yaml", "--out", "new", *every)
+        self.assertEqual(self.summary("new")["stopped_by"], "steps")
+
+    def test_a_request_to_stop_during_the_run_stops_it(self):
+        run = subprocess.Popen([RUN, "-np", "1", "rod.yaml", "--out", "out", "--quiet", "--set", "run.steps=100000000", "--set", "run.end=1e9"], cwd=self.folder)
+        try:
+            self.wait_for("out", "history.csv")
+            self.write("out/stop", "")
+            self.assertEqual(run.wait(timeout=PATIENCE), 5)
+        finally:
+            run.kill()
+            run.wait()
+        self.assertEqual(self.summary("out")["stopped_by"], "control")
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "out", "stop")))
 
     def test_the_wall_limit_counts_from_the_start_of_the_program(self):
         """A batch system counts reading and splitting of the mesh as well, which takes more than this; five steps are never looked at."""

@@ -273,6 +273,8 @@ class Rigid(Program):
         wrong("twice", ALONE + "fixed: [{part: tool, dofs: [rx]}]\nprescribed: [{part: tool, dof: rx, velocity: 1}]\n",
               "prescribed.0", "fixed.0")
         wrong("probe", JOINED.replace("part: bar, field: energy", "part: bar, field: rotation"), "probes.4.field", "rigid parts")
+        wrong("reaction of nodes", ALONE + "fixed: [{part: tool, dofs: [x]}]\nprobes: [{name: r, set: tool_zmin, field: reaction}]\n",
+              "probes.0", "'tool_zmin' belongs to the rigid part 'tool'", "expected part: tool")
         wrong("section", JOINED.replace("{name: bar, part: bar, field: energy}",
                                         "{name: cut, section: {part: head, point: [0.3, 0, 0], normal: [1, 0, 0]}}"),
               "probes.4.section", "rigid")

@@ -48,6 +48,7 @@ struct SurfaceFaults {
 
 /// A triangle has no area when its height is below this ratio of its longest side: about 1e4 roundings of a double.
 constexpr double least_height_ratio = 1e-12;
+[[nodiscard]] bool has_area(const TriangleSurface& surface, const std::array<LocalIndex, 3>& triangle);
 
 /// Checks a surface whose points are merged. Indices of triangles must be sound and coordinates finite.
 ///

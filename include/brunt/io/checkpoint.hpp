@@ -21,7 +21,7 @@ namespace brunt::io {
 struct CheckpointHeader {
   GlobalIndex step = 0;
   double time = 0;
-  /// Identifies program version and scene: a short text (< 60 kB), equal in all runs that may continue from this
+  /// Identifies scene and mesh: a short text (< 60 kB), equal in all runs that may continue from this
   /// checkpoint.
   std::string fingerprint;
   /// The data behind the fingerprint, so that a restart can report the differences; a text of 60 kB or more is omitted.

@@ -15,8 +15,13 @@ enum class ExistingResults {
 
 /// Creates the folder (and its parents) if necessary and checks that files can be written there. Collective; all ranks
 /// throw the same: InputError if results exist but must not, or nothing can be written there; MachineError if the disk
-/// is full or fails.
-void prepare_result_folder(const comm::Communicator& ranks, const std::string& folder, ExistingResults existing);
+/// is full or fails. A control file (`stop`) that is older than this run, which began `seconds` ago, is removed; true
+/// on the root if there was one.
+bool prepare_result_folder(const comm::Communicator& ranks, const std::string& folder, ExistingResults existing,
+                           double seconds = 0);
+
+/// The file by which a user stops a run, in its result folder.
+constexpr const char* stop_file = "stop";
 
 /// True for the files that a run writes: summary.json, history.csv, state.h5, state.xdmf, checkpoint_*.h5, log.txt,
 /// scene_as_run.yaml.

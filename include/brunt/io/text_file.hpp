@@ -13,6 +13,13 @@ void replace_text(const std::string& path, std::string_view text);
 /// Throws InputError if the file cannot be read.
 [[nodiscard]] std::string read_text(const std::string& path);
 
+/// The text in one form, whatever program wrote it: without a byte-order mark, each line ends with '\n' instead of CR
+/// LF or CR. Line numbers stay. Throws InputError for UTF-16; `name`: of the file.
+[[nodiscard]] std::string plain_text(std::string text, const std::string& name);
+
+/// Throws InputError if the text begins with the byte-order mark of UTF-16.
+void refuse_utf16(std::string_view text, const std::string& name);
+
 /// Ensures that a finished file is on disk under its final name (fsync, rename, fsync of the folder). Throws
 /// MachineError.
 void rename_durably(const std::string& from, const std::string& to);

@@ -23,6 +23,7 @@ void place(Mesh& mesh, double scale, const Vec3& axis, double degrees, const Vec
 /// preceded by `prefix`; with a prefix, an unnamed block is named prefix + id. Node and element ids follow the largest
 /// ones of `whole`, and are unchanged if `whole` is empty. A block id that is in use is replaced by the next free one.
 /// Throws InputError if a block name, the id of an unnamed block, or a set name is in use: a prefix distinguishes them.
-void append(Mesh& whole, Mesh&& piece, const std::string& prefix = "");
+/// file: the mesh file that is read; empty: a generated body.
+void append(Mesh& whole, Mesh&& piece, const std::string& prefix = "", const std::string& file = "");
 
 }  // namespace brunt::mesh

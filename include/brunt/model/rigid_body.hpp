@@ -50,7 +50,8 @@ struct RigidBody {
   bool is_forced = false;          ///< whether there are such nodes on any rank
 };
 
-/// Sums over the steps since t = 0; doubles only, since a checkpoint stores them.
+/// Sums over the steps since t = 0; doubles only, since a checkpoint stores them. Those of supports contain what the
+/// turning body takes up to t_{n+1}; rows of history.csv leave out BodyStep::late_turn and late_work.
 struct BodyAccount {
   double element_work = 0;  ///< of deformable elements that share nodes with the body [energy]
   double load_work = 0;     ///< of gravity, pressure, dead loads
@@ -84,7 +85,9 @@ struct BodyStep {
   BodyMomentum predicted;                                         ///< by forces and supports; the start of contact
   BodyMomentum after;                                             ///< of v_{n+1/2}
   Vec3 given_velocity = Vec3::Zero(), given_spin = Vec3::Zero();  ///< by drives
-  Wrench reaction;                                                ///< impulses of supports
+  Wrench reaction;                                                ///< impulses of supports at t_n
+  Vec3 late_turn = Vec3::Zero();  ///< angular impulse of supports on the turning body, from t_{n+1/2} to t_{n+1}
+  double late_work = 0;           ///< work of supports on the turning body, from t_n to t_{n+1} [energy]
 };
 
 }  // namespace brunt::model

@@ -36,8 +36,14 @@ struct Support {
 /// I_n in space.
 [[nodiscard]] Mat3 inertia_now(const Body& body, const BodyState& state);
 
+/// Changes of the angular momentum by the moment of supports during a step without forces: I turns with the body, so
+/// the supports supply the integral of omega x (I omega) along the axes that are not free [mass length^2/time].
+struct Gyroscopic {
+  Vec3 first_half = Vec3::Zero(), second_half = Vec3::Zero();  ///< up to the middle of the step, and from there
+};
+
 /// As rigid::move, with constrained or driven rotations. The angular momentum of the state corresponds to omega in the
 /// configuration at the end.
-void move_supported(const Body& body, const Mat3& free_turn, const Vec3& given, double dt, BodyState& state);
+Gyroscopic move_supported(const Body& body, const Mat3& free_turn, const Vec3& given, double dt, BodyState& state);
 
 }  // namespace brunt::rigid

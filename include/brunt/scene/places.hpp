@@ -10,6 +10,9 @@
 
 namespace brunt::scene {
 
+/// A path as messages quote it: each name in it is an excerpt.
+[[nodiscard]] std::string shown_path(std::string_view path);
+
 class Places {
  public:
   /// `path`: as in messages, "contact.0.between.1".

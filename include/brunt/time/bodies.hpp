@@ -50,7 +50,7 @@ void push_bodies(const model::Model& model, std::span<const contact::BodyAnswer>
 void book_bodies(const model::Model& model, model::State& state, const model::Scratch& scratch, const Interval& step);
 
 /// Advances the bodies and their nodes to t_{n+1}.
-void move_bodies(const model::Model& model, model::State& state, const model::Scratch& scratch, double dt);
+void move_bodies(const model::Model& model, model::State& state, model::Scratch& scratch, double dt);
 
 /// Calls visit(place in body.nodes, node).
 template <class Visit>

@@ -75,7 +75,7 @@ TEST_CASE("implicit rules: what becomes of an overlap of the start depends on th
 
 TEST_CASE("implicit rules: causes name the step of the solver") {
   for (const app::Fault fault : {app::Fault::balance, app::Fault::damping, app::Fault::contact, app::Fault::friction}) {
-    CHECK_THAT(app::likely_cause_in_implicit(fault), Contains("solver.step"));
-    CHECK_THAT(app::likely_cause_in_implicit(fault), !Contains("run.cfl"));
+    CHECK_THAT(app::likely_cause_in_implicit(fault, {}), Contains("solver.step"));
+    CHECK_THAT(app::likely_cause_in_implicit(fault, {}), !Contains("run.cfl"));
   }
 }

@@ -109,7 +109,17 @@ TEST_CASE("overlap report: what move and offset treat is not told; what they can
     REQUIRE(report.faults.size() == 2);
     CHECK_THAT(report.faults[0], Contains("1 of them are too deep"));
     CHECK_THAT(report.faults[1], Contains("expected parts farther apart") && !Contains("recovered slowly"));
+    CHECK_THAT(report.faults[1], !Contains(rule == OverlapRule::move ? "offset" : "move"));
   }
+}
+
+TEST_CASE("overlap report: without a rule of the scene no rule is named as used") {
+  InitialOverlap deep = in_anvil(9, 0.5, OverlapRule::error);
+  deep.too_deep = true;
+  const OverlapReport report = Parts().report({deep, in_anvil(8, 0.1, OverlapRule::error)});
+  REQUIRE(report.faults.size() == 2);
+  CHECK_THAT(report.faults[1], Contains("expected parts that do not overlap, or initial_overlap: place"));
+  CHECK_THAT(report.faults[1], !Contains("move") && !Contains("offset") && !Contains("invalid initial_overlap:"));
 }
 
 TEST_CASE("overlap report: a body in itself can be offset but not moved; piercings never are") {
@@ -118,7 +128,7 @@ TEST_CASE("overlap report: a body in itself can be offset but not moved; piercin
   const OverlapReport moved = Parts().report({fold});
   REQUIRE(moved.faults.size() == 2);
   CHECK_THAT(moved.faults[0], Contains("one body, which overlaps itself"));
-  CHECK_THAT(moved.faults[1], Contains("move and place do not separate a body from itself"));
+  CHECK_THAT(moved.faults[1], Contains("move does not separate a body from itself"));
   fold.rule = OverlapRule::offset;
   CHECK(Parts().report({fold}).faults.empty());
   const setup::Piercing piercing{.block = 1,

@@ -3,6 +3,7 @@
 #include "brunt/io/result_folder.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -33,6 +34,23 @@ TEST_CASE("result folder: made with those above it; results in it are kept, repl
   io::prepare_result_folder(self, folder, ExistingResults::replace);
   CHECK_FALSE(fs::exists(folder + "/summary.json"));
   CHECK(fs::exists(folder + "/notes.txt"));
+}
+
+TEST_CASE("result folder: a request to stop that is older than the run is removed, a newer one is kept") {
+  const auto self = comm::Communicator::self();
+  const test::ScratchFolder scratch(self);
+  const std::string folder = scratch / "out", request = folder + "/" + io::stop_file;
+  CHECK_FALSE(io::prepare_result_folder(self, folder, ExistingResults::refuse));
+  for (const auto existing : {ExistingResults::refuse, ExistingResults::replace, ExistingResults::keep}) {
+    io::replace_text(request, "");
+    CHECK(io::prepare_result_folder(self, folder, existing));
+    CHECK_FALSE(fs::exists(request));
+    io::replace_text(request, "");
+    CHECK_FALSE(io::prepare_result_folder(self, folder, existing, 3600));  // the run began an hour ago
+    CHECK(fs::exists(request));
+    fs::last_write_time(request, fs::last_write_time(request) - std::chrono::hours(2));
+    CHECK(io::prepare_result_folder(self, folder, existing, 3600));
+  }
 }
 
 TEST_CASE("result folder: a file in its place and a place where nothing can be made are the user's fault") {

@@ -93,8 +93,10 @@ TEST_CASE("a long list of faults is cut and counted", "[check]") {
 
 TEST_CASE("unused and coincident nodes are warnings", "[check]") {
   Mesh mesh = one_hex({0, 1, 2, 2, 4, 5, 6, 6});
+  mesh.node_sets["some"] = {0, 3, 7};
   CHECK(check(mesh).warnings ==
-        std::vector<std::string>{"2 nodes belong to no element and are excluded (the first is node 13)"});
+        std::vector<std::string>{"2 nodes belong to no element and are excluded (the first is node 13); node set "
+                                 "some loses 2 of its 3 nodes"});
   Mesh cracked = box("b", {2, 1, 1}, {2, 1, 1});
   cracked.coordinates.push_back(cracked.coordinates[1]);
   cracked.node_id.push_back(13);

@@ -59,6 +59,29 @@ TEST_CASE("a body on an axle turns by the same angle in all steps, and its energ
   CHECK(state.orientation.angularDistance(Eigen::Quaterniond(Eigen::AngleAxisd(15.0, axis))) < 1e-12);
 }
 
+TEST_CASE("the supports of a turning body supply the change of its angular momentum, at both halves of a step") {
+  const Body body = skew_body();
+  const Vec3 axis = Vec3(1, 2, 2) / 3;
+  const double dt = 0.05, rate = 1.5;
+  const auto momentum_at = [&](double angle) {
+    const Mat3 R = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    return Vec3(rate * (R * body.mass.inertia * R.transpose() * axis));
+  };
+  const Support support = holding({axis.unitOrthogonal(), axis.cross(axis.unitOrthogonal())});
+  for (const bool driven : {false, true}) {
+    BodyState state = spinning(body, rate * axis);
+    for (int n = 0; n < 100; ++n) {
+      const Gyroscopic change = driven ? move_supported(body, Mat3::Zero(), rate * axis, dt, state)
+                                       : move_supported(body, support.free_turn, Vec3::Zero(), dt, state);
+      const double angle = rate * dt * n;
+      CHECK((change.first_half - momentum_at(angle + 0.5 * rate * dt) + momentum_at(angle)).norm() < 1e-12);
+      CHECK((change.second_half - momentum_at(angle + rate * dt) + momentum_at(angle + 0.5 * rate * dt)).norm() <
+            1e-12);
+      CHECK(std::abs(axis.dot(change.first_half)) < 1e-13);
+    }
+  }
+}
+
 TEST_CASE("a driven turn is met to rounding, small and large") {
   const Body body = skew_body();
   for (const double angle : {1e-12, 1e-5, 0.1, 1.0}) {

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/geometry/flip_slivers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "brunt/geometry/closed_surface.hpp"
+
+namespace brunt::geometry {
+namespace {
+
+using IndexTriple = std::array<LocalIndex, 3>;
+
+class Flipper {
+ public:
+  explicit Flipper(TriangleSurface& surface) : surface_(surface) {
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) enter(t);
+  }
+
+  /// Each flip leaves fewer triangles without area, so the passes come to an end.
+  std::int64_t flip_all(std::vector<std::size_t> slivers) {
+    std::int64_t flips = 0;
+    for (std::int64_t before = -1; flips > before && !slivers.empty();) {
+      before = flips;
+      std::vector<std::size_t> left;
+      for (const std::size_t t : slivers) {
+        if (has_area(surface_, surface_.triangles[t])) continue;  // as the neighbour of another one
+        if (flip(t)) ++flips;
+        if (!has_area(surface_, surface_.triangles[t])) left.push_back(t);
+      }
+      slivers = std::move(left);
+    }
+    return flips;
+  }
+
+ private:
+  using Edge = std::pair<LocalIndex, LocalIndex>;
+
+  void enter(std::size_t t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      ++owners(t, k);
+      side_[edge(t, k)] = t;
+    }
+  }
+  void leave(std::size_t t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (--owners(t, k) > 0) continue;
+      count_.erase(edge(t, k));
+      side_.erase(edge(t, k));
+    }
+  }
+  [[nodiscard]] Edge edge(std::size_t t, std::size_t k) const {
+    const IndexTriple& triangle = surface_.triangles[t];
+    return {triangle[k], triangle[(k + 1) % 3]};
+  }
+  int& owners(std::size_t t, std::size_t k) { return count_[edge(t, k)]; }
+  [[nodiscard]] double length(const Edge& e) const {
+    return (surface_.points[static_cast<std::size_t>(e.second)] - surface_.points[static_cast<std::size_t>(e.first)])
+        .norm();
+  }
+
+  /// a, b, c with b in the side from c to a.
+  [[nodiscard]] IndexTriple from_longest(std::size_t t) const {
+    std::size_t longest = 0;
+    for (std::size_t k = 1; k < 3; ++k)
+      if (length(edge(t, k)) > length(edge(t, longest))) longest = k;
+    const IndexTriple& triangle = surface_.triangles[t];
+    return {triangle[(longest + 1) % 3], triangle[(longest + 2) % 3], triangle[longest]};
+  }
+
+  bool flip(std::size_t t) {
+    const IndexTriple from = from_longest(t);
+    const LocalIndex a = from[0], b = from[1], c = from[2];
+    const auto across = side_.find({a, c});
+    if (across == side_.end() || count_.at({a, c}) != 1 || count_.at({c, a}) != 1) return false;
+    const std::size_t other = across->second;
+    const IndexTriple old = surface_.triangles[t], neighbour = surface_.triangles[other];
+    const LocalIndex d = *std::ranges::find_if(neighbour, [&](LocalIndex p) { return p != a && p != c; });
+    if (d == b || count_.contains({b, d}) || count_.contains({d, b})) return false;
+    const IndexTriple one{a, b, d}, two{b, c, d};
+    const auto lacking = [&](const IndexTriple& triangle) { return has_area(surface_, triangle) ? 0 : 1; };
+    if (lacking(one) + lacking(two) >= lacking(old) + lacking(neighbour)) return false;
+    leave(t);
+    leave(other);
+    surface_.triangles[t] = one;
+    surface_.triangles[other] = two;
+    enter(t);
+    enter(other);
+    return true;
+  }
+
+  TriangleSurface& surface_;
+  std::map<Edge, std::size_t> side_;  // the triangle of a directed side
+  std::map<Edge, int> count_;         // of triangles that have it
+};
+
+}  // namespace
+
+std::int64_t flip_slivers(TriangleSurface& surface) {
+  std::vector<std::size_t> slivers;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    if (!has_area(surface, surface.triangles[t])) slivers.push_back(t);
+  return slivers.empty() ? 0 : Flipper(surface).flip_all(std::move(slivers));
+}
+
+}  // namespace brunt::geometry
