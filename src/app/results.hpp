@@ -60,6 +60,8 @@ class Results {
   void watch_folds();
   /// Warns of parts that supports move through each other, and records the depth. Collective.
   void watch_driven();
+  /// Throws GuardError if their depth is beyond what is admitted.
+  void stop_if_driven();
   /// Warns if hourglass control took up too much energy, or contact more than the loss of an impact.
   void report_at_end();
   std::string write_checkpoint();
