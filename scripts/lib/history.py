@@ -12,7 +12,7 @@ import numpy as np
 from arguments import Fault, shorter
 
 ENERGIES = ["kinetic", "internal", "hourglass", "bulk", "damping", "contact", "friction", "walls", "external",
-            "eroded", "total"]
+            "eroded", "driven", "total"]
 MOMENTA = ["momentum_x", "momentum_y", "momentum_z"]
 KNOWN = {"step", "time", "dt", "mass", *MOMENTA, "active_contacts", "max_penetration", *ENERGIES}
 # Okabe and Ito's colours, which the colour-blind tell apart; lines beyond them are dashed
@@ -159,6 +159,7 @@ def all_panels(history):
 
 ENERGY_STYLE = {name: {"color": colour} for name, colour in zip(ENERGIES, COLOURS)}
 ENERGY_STYLE.update(external={"color": "#0072b2", "linestyle": "--"}, eroded={"color": "#d55e00", "linestyle": "--"},
+                    driven={"color": "#cc79a7", "linestyle": "--"},
                     walls={"color": "#009e73", "linestyle": "--"}, total={"color": "black", "linewidth": 1.8})
 
 

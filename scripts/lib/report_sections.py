@@ -16,6 +16,7 @@ ENERGY_WORDS = {"kinetic": "of all nodes", "internal": "work of the stresses", "
                 "bulk": "taken by bulk viscosity", "damping": "taken by damping", "contact": "taken by contact along its normals",
                 "friction": "taken by friction, and by ties in shear", "walls": "taken by rigid walls",
                 "external": "given by gravity, loads and prescribed motion", "eroded": "of elements taken away",
+                "driven": "of drives on constraints that no motion satisfies",
                 "total": "sum of all but external, less external"}
 STRESSES = ("young", "yield", "hardening", "bulk", "shear")
 OF_THE_MODEL = ("title", "units", "mesh", "materials", "parts", "sets", "curves", "run", "output", "history", "checkpoint", "space")

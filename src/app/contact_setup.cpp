@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -65,7 +66,8 @@ void report_ties(Prepared& run) {
 /// Calls visit(accumulator) for each sum in a fixed order.
 template <class Visit>
 void for_each_sum(contact::ContactSums& sums, Visit&& visit) {
-  for (comm::ExactAccumulator* sum : {&sums.work.contact, &sums.work.friction, &sums.work.walls, &sums.work.ties})
+  for (comm::ExactAccumulator* sum :
+       {&sums.work.contact, &sums.work.friction, &sums.work.walls, &sums.work.ties, &sums.work.driven})
     visit(*sum);
   for (comm::ExactAccumulator& component : sums.spin) visit(component);
   visit(sums.push);
@@ -77,6 +79,34 @@ void for_each_sum(contact::ContactSums& sums, Visit&& visit) {
     visit(tracked.normal_size);
     visit(tracked.friction_size);
   }
+}
+
+/// Shortest side of the box that has the body's mass and inertia; infinite where its inertia is given [length].
+double thickness_of(const model::RigidBody& body) {
+  if (body.given.inertia) return std::numeric_limits<double>::infinity();
+  Eigen::SelfAdjointEigenSolver<Mat3> solver;
+  solver.computeDirect(body.own.inertia, Eigen::EigenvaluesOnly);
+  const Vec3 inertia = solver.eigenvalues();  // ascending; about its shortest side a box has the largest one
+  return std::sqrt(6 * std::max(0.0, inertia[0] + inertia[1] - inertia[2]) / body.own.mass);
+}
+
+/// Shortest side of each body at the start: of the box around it, or of the one above [length]. Collective.
+std::vector<double> extents_of_bodies(const comm::Communicator& ranks, const model::Model& model) {
+  std::vector<double> far(6 * model.bodies.size(), -std::numeric_limits<double>::infinity()), extents;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    for (const LocalIndex node : model.bodies[b].nodes)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double x = model.reference[static_cast<std::size_t>(node)][static_cast<int>(c)];
+        far[6 * b + c] = std::max(far[6 * b + c], x);
+        far[6 * b + 3 + c] = std::max(far[6 * b + 3 + c], -x);
+      }
+  ranks.max(far);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const double* const side = &far[6 * b];
+    extents.push_back(
+        std::min({side[0] + side[3], side[1] + side[4], side[2] + side[5], thickness_of(model.bodies[b])}));
+  }
+  return extents;
 }
 
 }  // namespace
@@ -98,6 +128,7 @@ contact::BlockProperties block_properties(const model::Model& model) {
 
 contact::RigidBodies rigid_bodies(const model::Model& model) {
   contact::RigidBodies bodies{.count = model.bodies.size()};
+  bodies.squeezed = !model.drives.empty() || std::ranges::any_of(model.walls, &model::RigidWall::moves);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     bodies.supported = bodies.supported || model.bodies[b].support.any();
     for (const LocalIndex node : model.bodies[b].nodes) bodies.nodes.push_back({node, static_cast<LocalIndex>(b)});
@@ -131,6 +162,7 @@ void make_contact(Prepared& run) {
 
   const std::vector<contact::Wall> walls = time::walls_at(model, run.state, 0.0);
   settings.rigid = rigid_bodies(model);
+  settings.rigid.extent = extents_of_bodies(run.links.ranks, model);
   settings.erodes = model.loses_elements();
   run.contact = std::make_unique<contact::Contact>(
       contact::make_contact(run.links.ranks, model.mesh, model.in_symmetry_plane, inverse_masses(run.state),

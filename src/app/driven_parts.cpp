@@ -28,7 +28,10 @@ enum Place : std::size_t {
   slave,
   corners,
   weights = 11,
-  width = 15
+  limit = 15,
+  is_rigid,
+  in_chain,
+  width
 };
 using Record = std::span<double>;
 
@@ -49,6 +52,9 @@ std::array<double, width> record_of(const contact::DrivenMeeting& meeting, doubl
     record[corners + i] = static_cast<double>(meeting.corners[i]);
     record[weights + i] = meeting.weights[i];
   }
+  record[limit] = meeting.limit;
+  record[is_rigid] = meeting.is_rigid ? 1 : 0;
+  record[in_chain] = meeting.in_chain ? 1 : 0;
   return record;
 }
 
@@ -84,18 +90,33 @@ void follow(const std::array<Vec3, 5>& positions, Record record) {
     record[depth] = std::max(record[depth], behind);
 }
 
-std::string warning_of(std::span<const double> record, const model::Model& model, const std::string& length_unit) {
+/// "part 'a' and rigid wall 'w'".
+std::string pair_of(std::span<const double> record, const model::Model& model) {
   const auto part = [&](double block) { return model.blocks[static_cast<std::size_t>(block)].part; };
-  const bool wall = record[master_block] < 0;
   const std::string other =
-      wall ? fmt::format("rigid wall '{}'", model.walls[static_cast<std::size_t>(-1 - record[master_block])].name)
-           : fmt::format("part '{}'", part(record[master_block]));
+      record[master_block] < 0
+          ? fmt::format("rigid wall '{}'", model.walls[static_cast<std::size_t>(-1 - record[master_block])].name)
+          : fmt::format("part '{}'", part(record[master_block]));
+  return fmt::format("part '{}' and {}", part(record[slave_block]), other);
+}
+
+std::string with_unit(double length, const std::string& length_unit) {
+  return fmt::format("{:.3g}{}{}", length, length_unit.empty() ? "" : " ", length_unit);
+}
+
+std::string warning_of(std::span<const double> record, const model::Model& model, const std::string& length_unit) {
+  const bool wall = record[master_block] < 0;
+  if (record[in_chain] != 0)
+    return fmt::format(
+        "supports or moving walls press {} into each other without a way out: since t = {:g} no motion satisfies all "
+        "contacts of the rigid bodies between them; the depth is now {} (reported once for each pair; "
+        "driven_penetration in summary.json is the largest depth)",
+        pair_of(record, model), record[since], with_unit(record[depth], length_unit));
   return fmt::format(
-      "supports move part '{}' and {} through each other: since t = {:g} nodes that are held along the normal lie "
-      "behind {} that cannot yield; the depth is now {:.3g}{}. Contact has no effect there (reported once for each "
-      "pair; driven_penetration in summary.json is the largest depth)",
-      part(record[slave_block]), other, record[since], wall ? "a wall" : "faces", record[depth],
-      length_unit.empty() ? "" : " " + length_unit);
+      "supports move {} through each other: since t = {:g} nodes that are held along the normal lie behind {} that "
+      "cannot yield; the depth is now {}. Contact has no effect there (reported once for each pair; "
+      "driven_penetration in summary.json is the largest depth)",
+      pair_of(record, model), record[since], wall ? "a wall" : "faces", with_unit(record[depth], length_unit));
 }
 
 }  // namespace
@@ -108,6 +129,25 @@ double DrivenParts::largest() const {
   double most = 0;
   for (std::size_t k = 0; k < saved_.size(); k += width) most = std::max(most, saved_[k + depth]);
   return most;
+}
+
+std::string DrivenParts::beyond_limit(const model::Model& model, double time, const std::string& length_unit,
+                                      bool certain) const {
+  std::span<const double> worst;
+  for (std::size_t k = 0; k < saved_.size(); k += width) {
+    const auto record = std::span(saved_).subspan(k, width);
+    if (record[in_use] == 0 || (!certain && record[is_rigid] != 0)) continue;  // contact watches these in every step
+    if (worst.empty() || record[depth] * worst[limit] > worst[depth] * record[limit]) worst = record;
+  }
+  if (worst.empty() || (!certain && worst[depth] <= worst[limit])) return {};
+  return fmt::format(
+      "supports or moving walls drive {} into each other: the driven penetration is {} at t = {:g}, and began at t = "
+      "{:g}; {} is admitted, {}. {}: give them a way out, drive them less far, or use forces in place of prescribed "
+      "motions",
+      pair_of(worst, model), with_unit(worst[depth], length_unit), time, worst[since],
+      with_unit(worst[limit], length_unit), worst[is_rigid] != 0 ? "a hundredth of the rigid body" : "an element",
+      worst[in_chain] != 0 ? "No motion satisfies all contacts of the rigid bodies between them"
+                           : "Neither of them can yield");
 }
 
 std::vector<std::string> DrivenParts::look(const comm::Communicator& ranks, const contact::Contact& contact,
@@ -145,7 +185,8 @@ std::vector<std::string> DrivenParts::look(const comm::Communicator& ranks, cons
   if (used > 0) ranks.max(deepest);
   for (std::size_t k = 0; k < used; ++k) {
     record(k)[depth] = std::max(record(k)[depth], deepest[k]);
-    if (record(k)[master_block] >= 0 && record(k)[left] == 0)
+    const bool behind_face = record(k)[corners] != static_cast<double>(no_index);
+    if (behind_face && record(k)[in_chain] == 0 && record(k)[left] == 0)
       follow(positions_of(ranks, model, state, record(k)), record(k));
   }
   std::vector<std::string> warnings;

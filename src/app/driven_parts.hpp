@@ -23,6 +23,10 @@ class DrivenParts {
   /// leaves the column behind that face. Returns a warning for each new pair. Collective.
   std::vector<std::string> look(const comm::Communicator& ranks, const contact::Contact& contact,
                                 const model::Model& model, const model::State& state, const std::string& length_unit);
+  /// Of the pair that is deepest beyond its limit, why the run stops; empty if none is. certain: contact has found that
+  /// one is.
+  [[nodiscard]] std::string beyond_limit(const model::Model& model, double time, const std::string& length_unit,
+                                         bool certain) const;
   [[nodiscard]] double largest() const;  ///< depth of all pairs [length]
   [[nodiscard]] std::vector<double>& saved() { return saved_; }
 

@@ -51,8 +51,8 @@ std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool
   // A moving wall supplies energy, and so does contact between initially overlapping bodies. At the first instant the
   // whole energy may be rounding of either sign.
   const double parted = recovered ? std::max(-ledger.contact, 0.0) : 0.0;
-  const double given =
-      std::max(seen.start_total, 0.0) + std::max(ledger.external, 0.0) + std::max(-ledger.walls, 0.0) + parted;
+  const double given = std::max(seen.start_total, 0.0) + std::max(ledger.external, 0.0) + std::max(-ledger.walls, 0.0) +
+                       std::max(-ledger.driven, 0.0) + parted;
   const double scale = std::max({seen.largest_energy, std::abs(ledger.internal), std::abs(seen.start_total)});
   if (std::isfinite(ledger.total()) && ledger.kinetic <= 1.5 * given + 1e-3 * scale + rounding) return {};
   return fmt::format(

@@ -135,6 +135,7 @@ void Prepared::after_restart() {
   if (implicit) implicit::after_restart(implicit_scene(*this), *implicit);
   follow_alive(*this);
   if (contact) driven.start_clock(state.time - contact->ledger.clock);
+  if (contact) contact->driven.clear();
   if (contact) restore_sums(links.ranks, contact_sums, *contact);
   if (contact && contact->derived.remembers) contact::restore_history(contact_history, *contact);
 }

@@ -39,6 +39,7 @@ std::vector<io::HistoryColumn> ledger_columns(const scene::UnitSystem& units) {
   for (const char* c : {"x", "y", "z"}) columns.push_back({fmt::format("momentum_{}", c), units.momentum});
   columns.push_back({"active_contacts", ""});
   columns.push_back({"max_penetration", units.length});
+  columns.push_back({"driven", units.energy});
   return columns;
 }
 
@@ -52,6 +53,13 @@ std::string controlling_element(const Prepared& run, const time::StepReport& ste
               .input[static_cast<std::size_t>(step.elements.element)];
   gid = run.links.ranks.max(gid);                     // where two have the same rate, one of them is named
   return gid < 0 ? "-" : fmt::format("{}", gid + 1);  // rigid bodies alone: run.step
+}
+
+nlohmann::ordered_json energy_summary(const time::Ledger& e, double error_ratio) {
+  return {{"kinetic", e.kinetic},      {"internal", e.internal}, {"hourglass", e.hourglass}, {"bulk", e.bulk},
+          {"damping", e.damping},      {"contact", e.contact},   {"friction", e.friction},   {"walls", e.walls},
+          {"external", e.external},    {"driven", e.driven},     {"eroded", e.eroded},       {"total", e.total()},
+          {"error_ratio", error_ratio}};
 }
 
 /// Half of the diagonal of the model at the start [length]. Collective.
@@ -139,7 +147,8 @@ void Results::write_history(const time::Ledger& ledger, const time::StepReport& 
                           ledger.momentum[1],
                           ledger.momentum[2],
                           static_cast<double>(ledger.contact_totals.active),
-                          ledger.contact_totals.penetration};
+                          ledger.contact_totals.penetration,
+                          ledger.driven};
   row.insert(row.end(), probes.begin(), probes.end());
   history_->write(at.step, row);
 }
@@ -154,6 +163,7 @@ std::string Results::save_last_good() {
   if (last_good_.empty()) return "";
   const double step_of_guard = run_.state.step;
   const Extremes seen = run_.extremes;  // the summary is about all that was seen
+  const std::vector<double> driven = run_.driven.saved();
   last_good_.give_back(run_.registry());
   run_.after_restart();
   // an implicit step that fails leaves the state of t_n, which was right
@@ -161,6 +171,7 @@ std::string Results::save_last_good() {
   const bool newer = run_.state.step > checkpoint_step_ && before;
   const std::string saved = newer ? write_checkpoint() : "";
   run_.extremes = seen;
+  std::ranges::copy(driven, run_.driven.saved().begin());
   return saved;
 }
 
@@ -235,10 +246,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   summary["removed_elements"] = removed;
   summary["relaxation"] = {{"steps", static_cast<GlobalIndex>(run_.state.relaxation.steps)},
                            {"residual", run_.model.relaxes ? run_.state.relaxation.residual : 0.0}};
-  summary["energy"] = {{"kinetic", e.kinetic},   {"internal", e.internal}, {"hourglass", e.hourglass},
-                       {"bulk", e.bulk},         {"damping", e.damping},   {"contact", e.contact},
-                       {"friction", e.friction}, {"walls", e.walls},       {"external", e.external},
-                       {"eroded", e.eroded},     {"total", e.total()},     {"error_ratio", error_ratio(run_.extremes)}};
+  summary["energy"] = energy_summary(e, error_ratio(run_.extremes));
   summary["momentum_error"] = run_.extremes.momentum_error;
   // of bodies at rest the momentum is nothing, while their impulses sum up with time, and with them what rounding
   // leaves

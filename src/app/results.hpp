@@ -63,6 +63,8 @@ class Results {
   void watch_driven();
   /// Warns of nodes and edges that lie in other bodies at x_n, and records the depth. Collective.
   void watch_depth();
+  /// Throws GuardError if their depth is beyond what is admitted.
+  void stop_if_driven();
   /// Warns if hourglass control took up too much energy, or contact more than the loss of an impact.
   void report_at_end();
   std::string write_checkpoint();

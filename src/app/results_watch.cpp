@@ -141,6 +141,15 @@ void Results::watch_depth() {
   for (const std::string& warning : depth_.look(run_)) log_.warning(warning);
 }
 
+void Results::stop_if_driven() {
+  if (!run_.contact || run_.implicit) return;
+  const bool certain = run_.contact->unmet.excess > 1;
+  if (certain) watch_driven();
+  const std::string text =
+      run_.driven.beyond_limit(run_.model, run_.state.time, scene::find_unit_system(run_.input.units)->length, certain);
+  if (!text.empty()) throw GuardError(text);
+}
+
 void Results::report_at_end() {
   report_hourglass();
   report_parted();

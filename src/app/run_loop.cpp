@@ -125,6 +125,7 @@ void Loop::pass(bool last) {
   if (fields) results_.read_fields();
   if (row) results_.read_probes();
   advance(step, sampled);
+  results_.stop_if_driven();
   if (!last) ++passes_;
   if (!last) watch_iterations();
   if (fields) results_.write_fields(&step);

@@ -119,6 +119,7 @@ void assign_slabs(const Contact& contact, std::span<Row> rows) {
 
 void assemble_rows(Contact& contact, const StepInput& input) {
   const DerivedSettings& derived = contact.derived;
+  if (derived.may_jam) hold_unmet_rows(contact, input);
   if (derived.two_passes) assign_passes(contact, input.dt, contact.step.rows);
   soften_rows_of_bodies(input, carriers_of(contact, input), contact.step.nodes,
                         where_remembered(derived.enforcement.softness_of_bodies, derived.enforcement),
@@ -131,7 +132,10 @@ void remember(Contact& contact, const StepInput& input) {
   const StepData& step = contact.step;
   StepScratch& scratch = contact.step.scratch;
   if (contact.derived.enforcement.warm_start || contact.derived.sheets) {
-    write_pairs(step.rows, step.impulses, input.dt, scratch.detection.sides, scratch.next_pairs);
+    const bool may_jam = contact.derived.may_jam;
+    if (may_jam) keep_met_impulses(contact);
+    write_pairs(step.rows, may_jam ? contact.unmet.start : step.impulses, input.dt, scratch.detection.sides,
+                scratch.next_pairs, contact.unmet.held);
     std::swap(contact.history.pairs, scratch.next_pairs);
   }
   if (!contact.derived.friction) return;

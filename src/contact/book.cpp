@@ -15,10 +15,10 @@ void add_vector(std::array<comm::ExactAccumulator, 3>& sum, const Vec3& value) {
 }
 
 /// Subtracts the work of impulses at these relative velocities from the sums: half of p . r along the normal, the
-/// remainder across it.
-void book_work(const Row& row, const Vec3& impulse, const Vec3& relative, WorkSums& sums) {
+/// remainder across it. unmet: the row cannot be satisfied.
+void book_work(const Row& row, bool unmet, const Vec3& impulse, const Vec3& relative, WorkSums& sums) {
   const double push = row.normal.dot(impulse);
-  (row.is_wall() ? sums.walls : sums.contact).add(-0.5 * push * row.normal.dot(relative));
+  (unmet ? sums.driven : row.is_wall() ? sums.walls : sums.contact).add(-0.5 * push * row.normal.dot(relative));
   if (row.friction > 0 || row.holds) sums.friction.add(-0.5 * (impulse - push * row.normal).dot(relative));
   if (row.holds) [[unlikely]]
     sums.ties.add(-0.5 * (impulse - push * row.normal).dot(relative));
@@ -74,7 +74,7 @@ void book_impulses(Contact& contact) {
     const Vec3& impulse = step.impulses[q];
     if (impulse.isZero(0)) continue;
     const Row& row = step.rows[q];
-    book_work(row, impulse, both_relative_velocities(step.nodes, row), sums.work);
+    book_work(row, contact.unmet.is(q), impulse, both_relative_velocities(step.nodes, row), sums.work);
     if (row.is_wall()) {
       add_vector(sums.wall_impulse[static_cast<std::size_t>(row.key.master)], impulse);
       continue;
@@ -89,7 +89,8 @@ void add_second_half(const Contact& contact, WorkSums& half) {
   const StepData& step = contact.step;
   for (std::size_t q = 0; q < step.rows.size(); ++q)
     if (!step.impulses[q].isZero(0))
-      book_work(step.rows[q], step.impulses[q], relative_velocity(step.rows[q], step.nodes.velocity), half);
+      book_work(step.rows[q], contact.unmet.is(q), step.impulses[q],
+                relative_velocity(step.rows[q], step.nodes.velocity), half);
 }
 
 void add_impulses(const Contact& contact, std::span<Vec3> impulse) {
@@ -121,7 +122,8 @@ RubbingRow most_given_by_friction(const Contact& contact) {
 ContactTotals collect(const Contact& contact) {
   const comm::Communicator& ranks = contact.ranks;
   const ContactSums& own = contact.ledger.sums;
-  std::vector<comm::ExactAccumulator> sums{own.work.contact, own.work.friction, own.work.walls, own.work.ties};
+  std::vector<comm::ExactAccumulator> sums{own.work.contact, own.work.friction, own.work.walls, own.work.ties,
+                                           own.work.driven};
   sums.insert(sums.end(), own.spin.begin(), own.spin.end());
   sums.push_back(own.push);
   sums.push_back(stored_in_soft_rows(contact));
@@ -135,10 +137,11 @@ ContactTotals collect(const Contact& contact) {
   result.friction_work = totals[1];
   result.wall_work = totals[2];
   result.tie_work = totals[3];
-  result.spin = Vec3(&totals[4]);
-  result.push = totals[7];
-  result.stored = totals[8];
-  std::size_t next = 9;
+  result.driven_work = totals[4];
+  result.spin = Vec3(&totals[5]);
+  result.push = totals[8];
+  result.stored = totals[9];
+  std::size_t next = 10;
   for (std::size_t w = 0; w < own.wall_impulse.size(); ++w, next += 3)
     result.wall_impulse.push_back(Vec3(&totals[next]));
   for (std::size_t t = 0; t < own.tracked.size(); ++t, next += tracked_width)

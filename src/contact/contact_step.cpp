@@ -12,6 +12,7 @@
 #include "brunt/contact/contact.hpp"
 #include "detect.hpp"
 #include "gather.hpp"
+#include "watch_driven.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -22,6 +23,8 @@ void begin_step(Contact& contact, double dt) {
   contact.ledger.statistics.last = {};
   contact.step.rows.clear();
   contact.step.impulses.clear();
+  contact.unmet.rows.clear();
+  contact.unmet.excess = 0;
 }
 
 /// Results of a step without candidates.
@@ -30,19 +33,36 @@ void stay_idle(Contact& contact) {
   contact.history.clear();
 }
 
+/// Rows that contradict each other keep long steps from converging, and what these leave is arbitrary. Sweeps alone
+/// never give energy, wherever they end.
+EnforcementResult solve_by_sweeps(Contact& contact, const System& system, const StepInput& input, int iterations) {
+  StepData& step = contact.step;
+  EnforcementSettings sweeps = contact.derived.enforcement;
+  sweeps.method = Method::row_sum;
+  step.impulses.assign(contact.unmet.start.begin(), contact.unmet.start.end());
+  EnforcementResult result = enforce(system, sweeps, input.dt, contact.lists.exchange, step.impulses,
+                                     step.nodes.velocity, step.scratch.enforcement);
+  result.iterations += iterations;
+  return result;
+}
+
 EnforcementResult solve(Contact& contact, const StepInput& input) {
   StepData& step = contact.step;
   const DerivedSettings& derived = contact.derived;
   step.impulses.assign(step.rows.size(), Vec3::Zero());
   if (derived.enforcement.warm_start)
     start_impulses(step.rows, contact.history.pairs, input.dt, step.impulses, *derived.detection.tolerances);
+  if (derived.may_jam) contact.unmet.start.assign(step.impulses.begin(), step.impulses.end());
   EnforcementScratch& scratch = step.scratch.enforcement;
   const Carriers carriers = carriers_of(contact, input);
   const RowMatrix& rows = compress(step.rows, scratch.matrix);
   lay_rows_on_bodies(carriers, step.nodes.motion, scratch.carried, scratch.matrix);
   const System system{rows, step.nodes.motion, step.nodes.mobility, derived.two_passes, input.mobility_scale, carriers};
-  return enforce(system, derived.enforcement, input.dt, contact.lists.exchange, step.impulses, step.nodes.velocity,
-                 scratch);
+  const EnforcementResult result = enforce(system, derived.enforcement, input.dt, contact.lists.exchange, step.impulses,
+                                           step.nodes.velocity, scratch);
+  if (!derived.may_jam || !ended_at_limit(result, derived.enforcement) || result.residual < unmet_numbers.astray)
+    return result;
+  return solve_by_sweeps(contact, system, input, result.iterations);
 }
 
 }  // namespace
@@ -54,6 +74,8 @@ void correct(Contact& contact, const StepInput& input) {
   detect_rows(contact, input);
   assemble_rows(contact, input);
   const EnforcementResult result = solve(contact, input);
+  if (contact.derived.may_jam) find_unmet_rows(contact, input, result);
+  if (contact.derived.may_be_driven) watch_driven(contact, input);
   remember(contact, input);
   book_iterations(result, contact.derived.enforcement, contact.ledger.statistics);
   if (!result.acted) return;  // v* is unchanged

@@ -8,7 +8,6 @@
 #include "brunt/contact/detection/separation.hpp"
 #include "memory.hpp"
 #include "tied_parts.hpp"
-#include "watch_driven.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -69,7 +68,6 @@ void find_rows(Contact& contact, const StepInput& input) {
 
 void detect_rows(Contact& contact, const StepInput& input) {
   find_rows(contact, input);
-  if (contact.derived.may_be_driven) watch_driven(contact, carriers_of(contact, input), input.dt);
   if (contact.list_state.are_new) contact.list_state.separation = measured_separation(contact, input);
 }
 

@@ -164,6 +164,7 @@ void rebuild(Contact& contact, const StepInput& input) {
   step.own_area.assign(surface.faces.size(), Vec3::Zero());
   step.facet_area.assign(static_cast<std::size_t>(lists.facet_count), Vec3::Zero());
   reserve_rows(derived, lists, contact.tied.ties.size(), contact.settings.rigid.count, step, contact.history);
+  if (derived.may_jam) contact.unmet.reserve(lists.most_rows + contact.tied.ties.size(), contact.settings.rigid.count);
   if (derived.friction || derived.may_be_driven || derived.tied) state.faces_by_key = order_by_key(lists.faces);
   if (derived.tied) demand_ties_hold(contact);
 }

@@ -5,7 +5,7 @@
 
 namespace brunt::contact {
 
-/// Examines the rows of the step.
-void watch_driven(Contact& contact, const Carriers& carriers, double dt);
+/// Examines the rows of the step, after `find_unmet_rows`. Collective where rigid bodies may be driven.
+void watch_driven(Contact& contact, const StepInput& input);
 
 }  // namespace brunt::contact

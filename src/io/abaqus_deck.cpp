@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <iterator>
 #include <limits>
-#include <utility>
 
 #include "abaqus_keywords.hpp"
 #include "brunt/core/error.hpp"

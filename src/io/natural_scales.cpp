@@ -15,8 +15,8 @@ namespace brunt::io {
 namespace {
 
 // Terms of the balance of energy; each is as accurate as the largest of them.
-constexpr std::array<std::string_view, 11> energies{"kinetic",  "internal", "hourglass", "bulk",   "damping", "contact",
-                                                    "friction", "walls",    "external",  "eroded", "total"};
+constexpr std::array<std::string_view, 12> energies{"kinetic",  "internal", "hourglass", "bulk",   "damping", "contact",
+                                                    "friction", "walls",    "external",  "driven", "eroded",  "total"};
 
 /// Largest finite magnitude of a column in either history; 0 where neither has it.
 double largest(const History& a, const History& b, std::string_view name) {

@@ -160,13 +160,15 @@ void add_contact(const Links& links, const contact::Contact& contact, Ledger& re
   const contact::ContactTotals& totals = result.contact_totals;
   contact::WorkSums late_half;
   contact::add_second_half(contact, late_half);
-  std::array<comm::ExactAccumulator, 4> sums{late_half.contact, late_half.friction, late_half.walls, late_half.ties};
-  std::array<double, 4> half{};
+  std::array<comm::ExactAccumulator, 5> sums{late_half.contact, late_half.friction, late_half.walls, late_half.ties,
+                                             late_half.driven};
+  std::array<double, 5> half{};
   comm::exact_sum(links.ranks, sums, half);
   result.contact = totals.contact_work - half[0];
   result.friction = totals.friction_work - half[1];
   result.walls = totals.wall_work - half[2];
   result.ties = totals.tie_work - half[3];
+  result.driven = totals.driven_work - half[4];
   for (const Vec3& impulse : totals.wall_impulse) result.impulse_given += impulse;
 }
 

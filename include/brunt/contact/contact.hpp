@@ -18,6 +18,7 @@
 #include "brunt/contact/surface/surface.hpp"
 #include "brunt/contact/surface_nodes.hpp"
 #include "brunt/contact/ties.hpp"
+#include "brunt/contact/unmet.hpp"
 #include "brunt/mesh/local_mesh.hpp"
 
 namespace brunt::contact {
@@ -36,6 +37,7 @@ struct Contact {
   History history{};  ///< of the last step, on this rank
   TiedParts tied{};
   std::vector<DrivenMeeting> driven{};  ///< found on this rank
+  Unmet unmet{};                        ///< rows of the last step that cannot be satisfied
   ContactLedger ledger{};
   bool elements_are_gone = false;  ///< on any rank: nodes may then lie behind faces from the start, see births.hpp
   bool births_due = false;         ///< the surface has changed since rows were last determined

@@ -15,6 +15,7 @@ struct WorkSums {
   comm::ExactAccumulator friction;  ///< across the normals, on walls too
   comm::ExactAccumulator walls;     ///< by walls, along their normals
   comm::ExactAccumulator ties;      ///< the part of `friction` due to ties, which may be returned
+  comm::ExactAccumulator driven;    ///< by rows that cannot be satisfied, along their normals
 };
 
 /// Sums of one tracked contact, acting on its block. For self-contact of a block the impulses on both sides cancel, and
@@ -47,6 +48,7 @@ struct TrackedTotals {
 /// The same after reduction over all ranks.
 struct ContactTotals {
   double contact_work = 0, friction_work = 0, wall_work = 0, tie_work = 0;  ///< that of ties is in friction_work too
+  double driven_work = 0;  ///< of rows that cannot be satisfied, along their normals; in no other sum
   std::vector<Vec3> wall_impulse;
   std::vector<TrackedTotals> tracked;
   Vec3 spin = Vec3::Zero();  ///< given by contact between bodies [angular momentum]

@@ -37,6 +37,8 @@ struct BodyNode {
 struct RigidBodies {
   std::size_t count = 0;          ///< on all ranks
   bool supported = false;         ///< supports hold or drive some of them
+  bool squeezed = false;          ///< something that cannot yield moves: drives of any nodes or bodies, moving walls
+  std::vector<double> extent{};   ///< shortest side of each at the start [length]
   std::vector<BodyNode> nodes{};  ///< of this rank
 };
 
@@ -61,7 +63,8 @@ struct DerivedSettings {
   bool friction = false;            ///< somewhere, on a wall too
   bool two_passes = false;          ///< of some pair
   bool sheets = false;              ///< two-sided faces exist
-  bool may_be_driven = false;       ///< supports hold some node of the surface
+  bool may_be_driven = false;       ///< supports hold some node of the surface, or may_jam
+  bool may_jam = false;             ///< rigid bodies may be driven where they have no way out
   bool remembers = false;           ///< a step depends on the previous one: there is a history to save
 };
 

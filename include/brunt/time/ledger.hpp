@@ -14,7 +14,8 @@ namespace brunt::time {
 struct Ledger {
   double kinetic = 0, internal = 0, hourglass = 0, bulk = 0, damping = 0, contact = 0, friction = 0, walls = 0,
          external = 0, eroded = 0;
-  double ties = 0;  ///< the part of `friction` due to the shear of ties, which may be returned
+  double driven = 0;  ///< taken by rows that cannot be satisfied (see contact/unmet.hpp)
+  double ties = 0;    ///< the part of `friction` due to the shear of ties, which may be returned
   double mass = 0;
   Vec3 momentum = Vec3::Zero();           ///< [mass length/time]
   Vec3 impulse_given = Vec3::Zero();      ///< of loads, reactions and walls since t = 0
@@ -23,7 +24,7 @@ struct Ledger {
 
   /// Constant in time for an exact scheme.
   [[nodiscard]] double total() const {
-    return kinetic + internal + hourglass + bulk + damping + contact + friction + walls + eroded - external;
+    return kinetic + internal + hourglass + bulk + damping + contact + friction + walls + driven + eroded - external;
   }
 };
 

@@ -76,27 +76,29 @@ void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> re
 }
 
 void write_pairs(std::span<const Row> rows, std::span<const Vec3> impulses, double dt,
-                 std::span<const HistoryRecord> sides, std::vector<HistoryRecord>& records) {
+                 std::span<const HistoryRecord> sides, std::vector<HistoryRecord>& records,
+                 std::span<const char> unmet) {
   records.clear();
   auto side = sides.begin();
   for (std::size_t q = 0; q < rows.size(); ++q) {
     const RowKey& key = rows[q].key;
     for (; side != sides.end() && side->key < key; ++side) records.push_back(*side);
     const bool two_sided = side != sides.end() && side->key == key;
-    if (impulses[q].isZero(0) && !two_sided) continue;
+    const bool is_unmet = !unmet.empty() && unmet[q] != 0;
+    if (impulses[q].isZero(0) && !two_sided && !is_unmet) continue;
     const Vec3 force = impulses[q] / dt;
-    records.push_back({key, {force[0], force[1], force[2]}, two_sided ? side->side : 0.0});
+    records.push_back({key, {force[0], force[1], force[2]}, two_sided ? side->side : 0.0, is_unmet ? 1.0 : 0.0});
     if (two_sided) ++side;
   }
   records.insert(records.end(), side, sides.end());
 }
 
 void to_tables(const History& history, HistoryTables& tables) {
-  tables[0] = {.name = "contact_pairs", .key_width = 4, .value_width = 4};
-  for (const auto& [key, force, side] : history.pairs) {
+  tables[0] = {.name = "contact_pairs", .key_width = 4, .value_width = 5};
+  for (const auto& [key, force, side, unmet] : history.pairs) {
     const SavedKey numbers = saved(key);
     tables[0].keys.insert(tables[0].keys.end(), numbers.begin(), numbers.end());
-    tables[0].values.insert(tables[0].values.end(), {force[0], force[1], force[2], side});
+    tables[0].values.insert(tables[0].values.end(), {force[0], force[1], force[2], side, unmet});
   }
   tables[1] = {.name = "contact_anchors", .key_width = 5, .value_width = 7};
   for (const AnchorRecord& anchor : history.anchors) {
@@ -124,14 +126,15 @@ void to_tables(const History& history, HistoryTables& tables) {
 History from_tables(const HistoryTables& tables) {
   History history;
   const auto& [pairs, anchors, limits, births] = tables;
-  demand(pairs.values.size() == 4 * static_cast<std::size_t>(pairs.rows()) &&
+  demand(pairs.values.size() == 5 * static_cast<std::size_t>(pairs.rows()) &&
              anchors.values.size() == 7 * static_cast<std::size_t>(anchors.rows()) &&
              limits.values.size() == static_cast<std::size_t>(limits.rows()) &&
              births.values.size() == 2 * static_cast<std::size_t>(births.rows()),
          "the tables of contact's history are complete");
   const double* value = pairs.values.data();
-  for (auto key = pairs.keys.begin(); key != pairs.keys.end(); key += 4, value += 4)
-    history.pairs.push_back({row_key_from({key[0], key[1], key[2], key[3]}), {value[0], value[1], value[2]}, value[3]});
+  for (auto key = pairs.keys.begin(); key != pairs.keys.end(); key += 4, value += 5)
+    history.pairs.push_back(
+        {row_key_from({key[0], key[1], key[2], key[3]}), {value[0], value[1], value[2]}, value[3], value[4]});
   value = anchors.values.data();
   for (auto key = anchors.keys.begin(); key != anchors.keys.end(); key += 5, value += 7) {
     AnchorRecord anchor{.key = anchor_key_from({key[0], key[1], key[2], key[3]})};

@@ -16,7 +16,8 @@ namespace brunt::contact {
 struct HistoryRecord {
   RowKey key{};
   std::array<double, 3> force{};  ///< on the slave: impulse of the row in the last step over its length [force]
-  double side = 0;  ///< +1, -1: the side of a two-sided face, along and against its normal; 0 of other rows
+  double side = 0;   ///< +1, -1: the side of a two-sided face, along and against its normal; 0 of other rows
+  double unmet = 0;  ///< 1: the row could not be satisfied, and has been closed since (see contact/unmet.hpp)
 };
 
 struct AnchorRecord {
@@ -91,9 +92,30 @@ void start_impulses(std::span<const Row> rows, std::span<const HistoryRecord> re
                     std::span<Vec3> impulses, const Tolerances& tolerances = standard_tolerances);
 
 /// The records of a step of length dt: rows that acted, and the sides found (in order of their keys). Does not allocate
-/// if `records` has room for all rows and sides.
+/// if `records` has room for all rows and sides. unmet: a flag a row, kept also where a row has no impulse; empty:
+/// none.
 void write_pairs(std::span<const Row> rows, std::span<const Vec3> impulses, double dt,
-                 std::span<const HistoryRecord> sides, std::vector<HistoryRecord>& records);
+                 std::span<const HistoryRecord> sides, std::vector<HistoryRecord>& records,
+                 std::span<const char> unmet = {});
+
+/// Calls visit(q) for each row whose slave has an unmet record: a node that slides on to the next face remains known.
+template <class Visit>
+void for_each_unmet(std::span<const Row> rows, std::span<const HistoryRecord> records, Visit&& visit) {
+  const auto slave = [](const RowKey& key) {
+    const SavedKey ordered = saved(key);
+    return std::array{ordered[0], ordered[1]};
+  };
+  auto record = records.begin();
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    const auto own = slave(rows[q].key);
+    while (record != records.end() && slave(record->key) < own) ++record;
+    for (auto other = record; other != records.end() && slave(other->key) == own; ++other)
+      if (other->unmet != 0) {
+        visit(q);
+        break;
+      }
+  }
+}
 
 /// Converts the history to tables for checkpoints and the state hash, and back.
 using HistoryTables = std::array<RecordTable, 4>;

@@ -105,7 +105,7 @@ TEST_CASE("tables carry a history to the bit, in whatever order the records come
   CHECK(tables[0].rows() == 2);
   CHECK(tables[1].values.size() == static_cast<std::size_t>(tables[1].rows() * tables[1].value_width));
   std::ranges::rotate(tables[0].keys, tables[0].keys.begin() + 4);
-  std::ranges::rotate(tables[0].values, tables[0].values.begin() + 4);
+  std::ranges::rotate(tables[0].values, tables[0].values.begin() + 5);
   std::ranges::rotate(tables[2].keys, tables[2].keys.begin() + 4);
   std::ranges::rotate(tables[2].values, tables[2].values.begin() + 1);
   const History back = contact::from_tables(tables);

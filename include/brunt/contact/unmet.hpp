@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows that no motion can satisfy: a rigid body between a fixed and a driven one, a driven one in front of a wall, a
+// chain of such bodies without a way out.
+//
+// G v >= required has no solution if and only if some impulses d >= 0 of its rows move nothing, W G^T d = 0, and do
+// work on the required rates, d . (required - G v*) > 0 (Farkas' lemma). The iteration finds them: with the memory of
+// impulses from step to step it is a proximal point iteration, and what its impulses grow by in a step converges to d
+// where there is no solution, and to zero where there is one (Banjac, Goulart, Stellato and Boyd, J. Optim. Theory
+// Appl. 183, 2019, use the same difference). A row is therefore unmet if
+// - its impulse has grown in the step and its rate is still below what it requires,
+// - the growth of all such rows moves no body of their island: its rigid bodies, joined by these rows.
+// Deformable bodies can yield, so rows on their free nodes belong to no island.
+//
+// Of unmet rows the impulses that are remembered stay as they were, otherwise they would grow with time and be released
+// as motion as soon as one of the rows opens. Their penetration is not recovered, and the work that they take is
+// booked by itself.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "brunt/contact/enforcement/enforce.hpp"
+#include "brunt/contact/node_views.hpp"
+
+namespace brunt::contact {
+
+struct Contact;
+
+/// Numbers that decide, dimensionless.
+struct UnmetNumbers {
+  /// Impulses move a body by nothing if what they add up to is less than this share of their sum, in the norm of the
+  /// body's mobility: softness leaves 0.05 / 2 of the velocity lost in a step.
+  double balanced = 0.02;
+  /// Multiples of the tolerance of the iteration: a rate that is missing beyond it is no remainder of the iteration.
+  double remainder = 10;
+  /// Residual of an iteration that ended at its limit from which on it is repeated by sweeps alone: half of the
+  /// violation is left, or more than there was.
+  double astray = 0.5;
+  /// Share of a rigid body that driven penetration may reach.
+  double share_of_body = 0.01;
+  /// Share of the depth in which contact sees a node behind a face: beyond it the body would be lost.
+  double share_of_sight = 0.5;
+};
+constexpr UnmetNumbers unmet_numbers;
+
+/// Of the last step; sized where lists are rebuilt.
+struct Unmet {
+  std::vector<Vec3> start;  ///< impulses that the iteration began with [momentum], a row each
+  std::vector<char> rows;   ///< a flag each: it is unmet; empty: no row of any rank is
+  std::vector<char> held;   ///< a flag each: it was unmet in an earlier step and has been closed since
+  double excess = 0;        ///< largest driven penetration of rigid bodies over what is admitted, of all ranks
+
+  std::vector<Vec3> growth;           ///< of impulses of rows that are not satisfied [momentum], zero of others
+  std::vector<std::int64_t> sums;     ///< of bodies
+  std::vector<double> island, other;  ///< of bodies: minus the lowest number of its island
+  std::vector<char> balanced;         ///< of islands, by that number
+
+  void reserve(std::size_t most_rows, std::size_t bodies);
+  [[nodiscard]] bool is(std::size_t row) const { return !rows.empty() && rows[row] != 0; }
+};
+
+/// Rows that were unmet and are closed require no recovery. Called before anything follows from the required rates.
+void hold_unmet_rows(Contact& contact, const StepInput& input);
+
+/// Finds the unmet rows after enforcement. Collective.
+void find_unmet_rows(Contact& contact, const StepInput& input, const EnforcementResult& result);
+
+/// The impulses to remember, in unmet.start; unmet.held then contains the rows to remember as unmet.
+void keep_met_impulses(Contact& contact);
+
+}  // namespace brunt::contact

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/unmet.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "brunt/contact/contact.hpp"
+#include "brunt/contact/data/tolerances.hpp"
+#include "brunt/core/fixed_sum.hpp"
+
+namespace brunt::contact {
+namespace {
+
+/// Of a body: the sum of impulses and of moments of the growth, and of its size in the norm of the body's mobility.
+constexpr std::size_t body_width = 7;
+
+struct Bounds {
+  double growth = 0, moment = 0, size = 0;  ///< of one row
+};
+
+/// Whether nothing but rigid bodies can yield along the normal.
+bool is_stiff(const RowMatrix& rows, std::size_t q, const ContactNodes& nodes) {
+  const RowLaw& law = rows.laws[q];
+  if (law.cone != Cone::compression || law.across == Across::holds) return false;
+  for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) {
+    const Mobility& node = nodes.mobility[rows.point(k)];
+    if (rows.weights[k] != 0 && node.inverse_mass > 0 && node.is_free_along(law.normal)) return false;
+  }
+  return true;
+}
+
+/// Growth of the row's impulse, if the rate that it requires is missing by more than `least` nevertheless. What a
+/// compliant row recovers of its own depth under load is not required.
+Vec3 growth_of(const Contact& contact, std::size_t q, double least) {
+  const EnforcementScratch& scratch = contact.step.scratch.enforcement;
+  const RowMatrix& rows = scratch.matrix;
+  const RowLaw& law = rows.laws[q];
+  const Vec3& start = contact.unmet.start[q];
+  const Vec3 growth = contact.step.impulses[q] - start;
+  if (!(law.normal.dot(growth) > 0)) return Vec3::Zero();
+  const double kept =
+      law.softness > 0 ? rows.figures[q].gap_share * scratch.compliance[q] * law.normal.dot(start) : 0.0;
+  const double rate = law.normal.dot(relative_velocity(rows, q, contact.step.nodes.velocity));
+  return law.required - kept - rate > least + law.noise ? growth : Vec3::Zero();
+}
+
+Bounds measure_growth(Contact& contact, double least) {
+  const RowMatrix& rows = contact.step.scratch.enforcement.matrix;
+  std::vector<Vec3>& growth = contact.unmet.growth;
+  growth.assign(rows.size(), Vec3::Zero());
+  Bounds bounds;
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    if (rows.bodies_of(q).empty() || !is_stiff(rows, q, contact.step.nodes)) continue;
+    growth[q] = growth_of(contact, q, least);
+    const double size = growth[q].norm();
+    bounds.growth = std::max(bounds.growth, rows.laws[q].share * size);
+    for (const BodyShare& share : rows.bodies_of(q)) bounds.size = std::max(bounds.size, share.along * size);
+  }
+  return bounds;
+}
+
+/// The unit of each of a body's sums.
+std::array<FixedUnit, body_width> units_of(const Bounds& bounds) {
+  const FixedUnit force(bounds.growth), moment(bounds.moment), size(bounds.size);
+  return {force, force, force, moment, moment, moment, size};
+}
+
+/// Sums over the growing rows on each body. Collective.
+void sum_on_bodies(Contact& contact, const Carriers& carriers, const Bounds& bounds) {
+  const EnforcementScratch& scratch = contact.step.scratch.enforcement;
+  const RowMatrix& rows = scratch.matrix;
+  Unmet& unmet = contact.unmet;
+  const std::array<FixedUnit, body_width> units = units_of(bounds);
+  unmet.sums.assign(body_width * carriers.bodies.size(), 0);
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    const Vec3& growth = unmet.growth[q];
+    if (growth.isZero(0)) continue;
+    for (const BodyShare& share : rows.bodies_of(q))
+      unmet.sums[body_width * static_cast<std::size_t>(share.body) + 6] += units[6].of(share.along * growth.norm());
+    for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) {
+      const LocalIndex place = scratch.carried.place[rows.point(k)];
+      if (place == no_index) continue;
+      const auto body = static_cast<std::size_t>(carriers.points[static_cast<std::size_t>(place)].body);
+      const Vec3 impulse = impulse_on_point(rows, q, k, growth);
+      const Vec3 arm = contact.step.nodes.motion[rows.point(k)].position - carriers.bodies[body].centre;
+      const Vec3 moment = arm.cross(impulse);
+      std::int64_t* sums = &unmet.sums[body_width * body];
+      for (std::size_t c = 0; c < 3; ++c) {
+        sums[c] += units[c].of(impulse[static_cast<int>(c)]);
+        sums[3 + c] += units[3 + c].of(moment[static_cast<int>(c)]);
+      }
+    }
+  }
+  contact.lists.exchange.sum(unmet.sums);
+}
+
+/// Joins bodies by rows that have a part in the growth on both of them. Collective.
+void join_islands(Contact& contact, const FixedUnit& size_unit) {
+  const RowMatrix& rows = contact.step.scratch.enforcement.matrix;
+  Unmet& unmet = contact.unmet;
+  const auto island_of = [&](const BodyShare& share) -> double& {
+    return unmet.island[static_cast<std::size_t>(share.body)];
+  };
+  const auto takes_part = [&](const BodyShare& share, double growth) {
+    const double all = size_unit.value(unmet.sums[body_width * static_cast<std::size_t>(share.body) + 6]);
+    return share.along > 0 && share.along * growth > unmet_numbers.balanced * all;
+  };
+  for (std::size_t b = 0; b < unmet.island.size(); ++b) unmet.island[b] = -static_cast<double>(b);
+  do {
+    unmet.other.assign(unmet.island.begin(), unmet.island.end());
+    for (bool joined = true; joined;) {
+      joined = false;
+      for (std::size_t q = 0; q < rows.size(); ++q) {
+        const std::span<const BodyShare> bodies = rows.bodies_of(q);
+        const double growth = unmet.growth[q].norm();
+        if (growth == 0 || bodies.size() < 2 || !takes_part(bodies[0], growth) || !takes_part(bodies[1], growth))
+          continue;
+        double &one = island_of(bodies[0]), &two = island_of(bodies[1]);
+        joined = joined || one != two;
+        one = two = std::max(one, two);
+      }
+    }
+    contact.lists.exchange.max(unmet.island);
+  } while (unmet.island != unmet.other);
+}
+
+/// Whether the growth moves no body of each island.
+void judge_islands(Unmet& unmet, const Carriers& carriers, const Bounds& bounds) {
+  const std::array<FixedUnit, body_width> units = units_of(bounds);
+  unmet.balanced.assign(carriers.bodies.size(), 1);
+  for (std::size_t b = 0; b < carriers.bodies.size(); ++b) {
+    Vec6 sum;
+    for (int c = 0; c < 6; ++c)
+      sum[c] = units[static_cast<std::size_t>(c)].value(unmet.sums[body_width * b + static_cast<std::size_t>(c)]);
+    const double moved = std::sqrt(std::max(0.0, sum.dot(carriers.bodies[b].mobility * sum)));
+    const double all = units[6].value(unmet.sums[body_width * b + 6]);
+    if (moved > unmet_numbers.balanced * all) unmet.balanced[static_cast<std::size_t>(-unmet.island[b])] = 0;
+  }
+}
+
+/// Rows between rigid bodies that are deeper than a ledge. A share of the depth in a step is a speed without a bound as
+/// steps become short, and where the row has a short lever about a pivot, its body turns many times faster still.
+bool is_too_deep_to_recover(const Contact& contact, const Row& row, const Carriers& carriers) {
+  const DetectionSettings& settings = contact.derived.detection;
+  if (settings.recovery_gives || -row.gap <= settings.tolerances->ledge * settings.wall_size) return false;
+  const auto count = static_cast<std::size_t>(row.node_count);
+  return std::all_of(row.nodes.begin(), row.nodes.begin() + count, [&](LocalIndex node) {
+    return carriers.of(node) != nullptr ||
+           contact.step.nodes.mobility[static_cast<std::size_t>(node)].inverse_mass == 0;
+  });
+}
+
+}  // namespace
+
+void Unmet::reserve(std::size_t most_rows, std::size_t bodies) {
+  start.reserve(most_rows);
+  growth.reserve(most_rows);
+  rows.reserve(most_rows);
+  held.reserve(most_rows);
+  sums.reserve(body_width * bodies);
+  island.resize(bodies);
+  other.reserve(bodies);
+  balanced.reserve(bodies);
+}
+
+void hold_unmet_rows(Contact& contact, const StepInput& input) {
+  std::vector<Row>& rows = contact.step.rows;
+  std::vector<char>& held = contact.unmet.held;
+  held.assign(rows.size(), 0);
+  for_each_unmet(rows, contact.history.pairs,
+                 [&](std::size_t q) { held[q] = rows[q].gap < 0 && rows[q].cone == Cone::compression; });
+  const Carriers carriers = carriers_of(contact, input);
+  for (std::size_t q = 0; q < rows.size(); ++q) {
+    Row& row = rows[q];
+    if (row.gap >= 0 || row.cone != Cone::compression) continue;
+    if (held[q] == 0 && !is_too_deep_to_recover(contact, row, carriers)) continue;
+    const double rate =
+        row.is_wall() ? row.normal.dot(input.walls[static_cast<std::size_t>(row.key.master)].velocity) : 0.0;
+    row.required = std::min(row.required, rate);
+  }
+}
+
+void find_unmet_rows(Contact& contact, const StepInput& input, const EnforcementResult& result) {
+  Unmet& unmet = contact.unmet;
+  unmet.rows.clear();
+  if (!result.acted) return;
+  const Carriers carriers = carriers_of(contact, input);
+  const EnforcementScratch& scratch = contact.step.scratch.enforcement;
+  Bounds bounds =
+      measure_growth(contact, unmet_numbers.remainder * contact.derived.enforcement.tolerance * result.violation);
+  std::array<double, 2> largest{bounds.growth, bounds.size};
+  contact.lists.exchange.max(largest);
+  if (!(largest[1] > 0)) return;
+  bounds = {largest[0], largest[0] * scratch.carried.longest_arm, largest[1]};
+  sum_on_bodies(contact, carriers, bounds);
+  join_islands(contact, FixedUnit(bounds.size));
+  judge_islands(unmet, carriers, bounds);
+  unmet.rows.assign(contact.step.rows.size(), 0);
+  for (std::size_t q = 0; q < unmet.rows.size(); ++q) {
+    if (unmet.growth[q].isZero(0)) continue;
+    unmet.rows[q] = std::ranges::all_of(scratch.matrix.bodies_of(q), [&](const BodyShare& share) {
+      const auto island = static_cast<std::size_t>(-unmet.island[static_cast<std::size_t>(share.body)]);
+      return share.along == 0 || unmet.balanced[island] != 0;
+    });
+  }
+}
+
+void keep_met_impulses(Contact& contact) {
+  Unmet& unmet = contact.unmet;
+  const std::vector<Vec3>& impulses = contact.step.impulses;
+  for (std::size_t q = 0; q < impulses.size(); ++q)
+    if (unmet.is(q))
+      unmet.held[q] = 1;
+    else
+      unmet.start[q] = impulses[q];
+}
+
+}  // namespace brunt::contact
