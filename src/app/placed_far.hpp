@@ -11,7 +11,7 @@
 namespace brunt::app {
 
 /// Default of `limit`: a part moves at most this multiple of the overlap, relative to the part that it overlaps.
-/// Measured: pins that stay in their bores move by up to 1.2 overlaps, parts of cases/placed_assembly that turn by up
+/// Measured: pins that stay in their bores move by up to 1.3 overlaps, parts of cases/placed_assembly that turn by up
 /// to 3; pins that leave their bores by 12 and more (tests/run/place_fits_test.py -v).
 constexpr double most_overlaps = 5;
 
