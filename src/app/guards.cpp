@@ -47,7 +47,14 @@ double settling_energy(double mass, double gravity, double dt, double tolerance,
   return mass * gravity * gravity * dt * dt * tolerance / recovery;
 }
 
-std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding) {
+/// Nothing else can supply energy where nothing deforms.
+constexpr const char* cause_among_rigid_bodies =
+    "contact that was not satisfied (iterations that ended at enforcement.max_iterations), bodies inside each other, "
+    "or "
+    "supports that drive bodies into obstacles";
+
+std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding,
+                          bool all_rigid) {
   // A moving wall supplies energy, and so does contact between initially overlapping bodies. At the first instant the
   // whole energy may be rounding of either sign.
   const double parted = recovered ? std::max(-ledger.contact, 0.0) : 0.0;
@@ -56,9 +63,8 @@ std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool
   const double scale = std::max({seen.largest_energy, std::abs(ledger.internal), std::abs(seen.start_total)});
   if (std::isfinite(ledger.total()) && ledger.kinetic <= 1.5 * given + 1e-3 * scale + rounding) return {};
   return fmt::format(
-      "kinetic energy {:g}, supplied energy {:g}; the step may be too large for the materials, or elements too "
-      "distorted",
-      ledger.kinetic, given);
+      "kinetic energy {:g}, supplied energy {:g}; {}", ledger.kinetic, given,
+      all_rigid ? cause_among_rigid_bodies : "the step may be too large for the materials, or elements too distorted");
 }
 
 std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding, bool recovered) {
@@ -92,7 +98,8 @@ std::string text_of(const Finding& finding, double time) {
                      names[static_cast<std::size_t>(finding.fault)], finding.energy, time, 100 * finding.share);
 }
 
-std::string likely_cause(Fault fault) {
+std::string likely_cause(Fault fault, bool all_rigid) {
+  if (all_rigid) return std::string("likely cause: ") + cause_among_rigid_bodies;
   switch (fault) {
     case Fault::balance:
       return "likely cause: very large velocities or stresses of a few nodes or elements; the step may be too large "

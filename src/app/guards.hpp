@@ -45,8 +45,10 @@ double rounding_energy(double mass, double extent, double edge, double dt);
 double settling_energy(double mass, double gravity, double dt, double tolerance, double recovery);
 
 /// Kinetic energy without a source, which a closed ledger does not show. recovered: contact may supply energy, since
-/// the scene lets it separate initially overlapping bodies. Empty, or the message.
-std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding);
+/// the scene lets it separate initially overlapping bodies. Empty, or the message; all_rigid: the scene has no
+/// deformable elements, so the message does not speak of them, nor of a stable step.
+std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding,
+                          bool all_rigid = false);
 
 /// Further errors that a ledger may show.
 enum class Fault {
@@ -77,8 +79,9 @@ std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, dou
 
 /// The sentence for it, without the place: what is wrong, and the likely cause.
 std::string text_of(const Finding& finding, double time);
-/// What to do about it, or where it comes from. Empty for `internal`, see cause_of_given_work.
-std::string likely_cause(Fault fault);
+/// What to do about it, or where it comes from. Empty for `internal`, see cause_of_given_work. all_rigid: see
+/// energy_growth.
+std::string likely_cause(Fault fault, bool all_rigid = false);
 
 /// Share of the largest energy of the bodies that contact has taken, if bodies have touched and none touches another
 /// one any more; otherwise 0. For two elastic bodies it should be zero.

@@ -264,7 +264,9 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
                         {"iterations_max", contact_.most_iterations},
                         {"residual_max", contact_.largest_residual},
                         {"steps", run_.implicit ? run_.implicit->work.contact_steps : contact_.solved_steps},
-                        {"steps_at_limit", contact_.steps_at_limit}};
+                        {"steps_at_limit", contact_.steps_at_limit},
+                        {"steps_scaled", contact_.scaled_steps},
+                        {"least_share", contact_.least_share}};
   if (run_.implicit) summary["implicit"] = implicit_summary(run_);
   summary["state_hash"] = model::hash_digits(hash_);
   summary["stopped_by"] = stopped_by;

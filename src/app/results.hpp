@@ -89,6 +89,7 @@ class Results {
   [[nodiscard]] std::string where(Fault fault) const;
   void report_hourglass();
   void report_parted();
+  void report_scaled();
   Prepared& run_;
   std::string folder_;
   Log& log_;

@@ -21,6 +21,11 @@
 namespace brunt::app {
 namespace {
 
+bool all_rigid(const model::Model& model) {
+  return std::ranges::all_of(model.blocks,
+                             [](const model::ElementBlock& block) { return material::is_rigid(block.law); });
+}
+
 /// The row by which friction gave most in the last step. Collective.
 std::string where_friction_gives(const Prepared& run) {
   if (!run.contact) return "";
@@ -78,7 +83,8 @@ void Results::watch(const time::Ledger& ledger, double time) {
   // Once exact multipliers alternate from step to step they supply energy in every step, so an energy above the warning
   // continues to grow.
   const bool trapezoidal = run_.input.implicit && run_.input.implicit->scheme == model::Scheme::newmark;
-  const std::string growth = energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding);
+  const std::string growth =
+      energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding, all_rigid(run_.model));
   for (const Finding& finding : judge(ledger, run_.extremes, rounding, run_.overlaps.recovered)) {
     bool& reported = reported_[static_cast<std::size_t>(finding.fault)];
     const bool makes_energy = trapezoidal && finding.fault == Fault::contact;
@@ -89,10 +95,10 @@ void Results::watch(const time::Ledger& ledger, double time) {
         "{}{}; {}", text_of(finding, time), where(finding.fault),
         makes_energy    ? "the trapezoidal rule with exact multipliers generates energy: use scheme: contact_implicit"
         : run_.implicit ? likely_cause_in_implicit(finding.fault, run_.model)
-        : finding.fault == Fault::internal
+        : finding.fault == Fault::internal && !all_rigid(run_.model)
             ? cause_of_given_work(run_.model,
                                   run_.links.ranks.sum(force::folded_elements(run_.model, run_.state).count))
-            : likely_cause(finding.fault));
+            : likely_cause(finding.fault, all_rigid(run_.model)));
     if (stop) throw GuardError(text);
     log_.warning(text + " (reported once)");
   }
@@ -153,14 +159,23 @@ void Results::stop_if_driven() {
 void Results::report_at_end() {
   report_hourglass();
   report_parted();
+  report_scaled();
+}
+
+void Results::report_scaled() {
+  if (contact_.scaled_steps == 0) return;
+  log_.warning(fmt::format(
+      "contact would have generated energy in {} of {} steps whose iteration ended early: the impulses of the bodies "
+      "concerned were reduced, to {:.2g} of their value at least, and bodies may have penetrated further; increase "
+      "enforcement.max_iterations",
+      contact_.scaled_steps, contact_.steps_at_limit, contact_.least_share));
 }
 
 void Results::report_parted() {
   // For two equal bodies, one of them initially at rest: a restitution of 0.97, since the loss is (1 - e^2)/2.
   constexpr double tolerated = 0.03;
   const double share = taken_by_parted(last_ledger_, run_.extremes);
-  const auto rigid = [](const model::ElementBlock& block) { return material::is_rigid(block.law); };
-  if (!(share > tolerated) || std::ranges::all_of(run_.model.blocks, rigid)) return;
+  if (!(share > tolerated) || all_rigid(run_.model)) return;
   log_.warning(fmt::format(
       "contact dissipated {:.2g} % of the largest energy of the bodies, which have separated again, although an "
       "elastic impact is lossless. Contact removes the momentum difference of the first layer of elements, so bodies "

@@ -45,10 +45,9 @@ double where_remembered(double softness, const EnforcementSettings& settings) {
   return remembers_impulses ? softness : 0.0;
 }
 
-/// rate: of the master itself, along the normal [velocity].
-void make_soft(Row& row, double softness, double rate, double dt) {
+void make_soft(Row& row, double softness, double dt) {
   row.softness = softness;
-  if (row.gap < 0) row.gap_share = (row.required - rate) * dt / -row.gap;
+  if (row.gap < 0) row.gap_share = (row.required - row.wall_rate) * dt / -row.gap;
 }
 
 /// The row of a node with a coincident node holds in both passes, since that node has none in the second (see
@@ -63,7 +62,7 @@ void assign_passes(const Contact& contact, double dt, std::span<Row> rows) {
     if (row.pass == Pass::first && row.slave_body != row.master_body &&
         has_coincident_node(row, contact.step.nodes.motion, derived.detection))
       row.pass = Pass::both;
-    if (row.pass != Pass::both && softness > 0) make_soft(row, softness, 0, dt);
+    if (row.pass != Pass::both && softness > 0) make_soft(row, softness, dt);
   }
 }
 
@@ -81,8 +80,7 @@ void soften_rows_of_bodies(const StepInput& input, const Carriers& carriers, con
     };
     const auto is_carried = [&](LocalIndex point) { return carriers.of(point) != nullptr; };
     if (std::ranges::any_of(points, moves) || !std::ranges::any_of(points, is_carried)) continue;
-    const Vec3 wall = row.is_wall() ? input.walls[static_cast<std::size_t>(row.key.master)].velocity : Vec3::Zero();
-    make_soft(row, softness, row.normal.dot(wall), input.dt);
+    make_soft(row, softness, input.dt);
   }
 }
 

@@ -65,6 +65,8 @@ void book_iterations(const EnforcementResult& result, const EnforcementSettings&
   statistics.most_iterations = std::max(statistics.most_iterations, result.iterations);
   statistics.largest_residual = std::max(statistics.largest_residual, result.residual);
   if (ended_at_limit(result, settings)) ++statistics.steps_at_limit;
+  if (result.scaled_islands > 0) ++statistics.scaled_steps;
+  statistics.least_share = std::min(statistics.least_share, result.least_share);
 }
 
 void book_impulses(Contact& contact) {

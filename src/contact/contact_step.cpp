@@ -57,7 +57,8 @@ EnforcementResult solve(Contact& contact, const StepInput& input) {
   const Carriers carriers = carriers_of(contact, input);
   const RowMatrix& rows = compress(step.rows, scratch.matrix);
   lay_rows_on_bodies(carriers, step.nodes.motion, scratch.carried, scratch.matrix);
-  const System system{rows, step.nodes.motion, step.nodes.mobility, derived.two_passes, input.mobility_scale, carriers};
+  const System system{rows,     step.nodes.motion,      step.nodes.mobility, derived.two_passes, input.mobility_scale,
+                      carriers, contact.lists.nodes.gid};
   const EnforcementResult result = enforce(system, derived.enforcement, input.dt, contact.lists.exchange, step.impulses,
                                            step.nodes.velocity, scratch);
   if (!derived.may_jam || !ended_at_limit(result, derived.enforcement) || result.residual < unmet_numbers.astray)

@@ -3,6 +3,7 @@
 #include "brunt/contact/halo_exchange.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace brunt::contact {
 
@@ -90,6 +91,37 @@ void HaloExchange::reduce(std::span<double> largest, std::span<std::int64_t> sum
 
 void HaloExchange::sum(std::span<std::int64_t> values) {
   if (!ranks_.empty()) ranks_.front().sum(values);
+}
+
+void HaloExchange::max_to_owner(std::span<double> values, int width) {
+  if (!linked_) return;
+  const std::span<double> received = room_for(links_.copied.size(), width);
+  to_owners_.forward(values, received, width);
+  const auto w = static_cast<std::size_t>(width);
+  for (std::size_t i = 0; i < links_.copied.size(); ++i)
+    for (std::size_t c = 0; c < w; ++c) {
+      double& own = values[static_cast<std::size_t>(links_.copied[i]) * w + c];
+      own = std::max(own, received[i * w + c]);
+    }
+}
+
+void HaloExchange::unite(std::vector<double>& values) {
+  keep_distinct(values);
+  if (ranks_.empty() || ranks_.front().size() == 1) return;
+  const comm::Communicator& ranks = ranks_.front();
+  std::vector<std::byte> bytes;
+  const std::vector<std::vector<std::byte>> gathered = ranks.gather(std::as_bytes(std::span(values)));
+  if (ranks.is_root()) {
+    for (const std::vector<std::byte>& part : gathered) bytes.insert(bytes.end(), part.begin(), part.end());
+    values.resize(bytes.size() / sizeof(double));
+    if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
+    keep_distinct(values);
+    const std::span<const std::byte> distinct = std::as_bytes(std::span(values));
+    bytes.assign(distinct.begin(), distinct.end());
+  }
+  ranks.broadcast(bytes);
+  values.resize(bytes.size() / sizeof(double));
+  if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
 }
 
 }  // namespace brunt::contact

@@ -78,7 +78,9 @@ class Flipper {
     if (across == side_.end() || count_.at({a, c}) != 1 || count_.at({c, a}) != 1) return false;
     const std::size_t other = across->second;
     const IndexTriple old = surface_.triangles[t], neighbour = surface_.triangles[other];
-    const LocalIndex d = *std::ranges::find_if(neighbour, [&](LocalIndex p) { return p != a && p != c; });
+    LocalIndex d = neighbour[0];
+    for (const LocalIndex p : neighbour)
+      if (p != a && p != c) d = p;
     if (d == b || count_.contains({b, d}) || count_.contains({d, b})) return false;
     const IndexTriple one{a, b, d}, two{b, c, d};
     const auto lacking = [&](const IndexTriple& triangle) { return has_area(surface_, triangle) ? 0 : 1; };

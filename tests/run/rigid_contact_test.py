@@ -63,6 +63,24 @@ run: {end: 0.4, step: 1.0e-4}
 """
 
 
+# A heavy box falls on a lighter one that stands on a fixed plate.
+RAM = """\
+units: SI
+mesh:
+  - {box: {part: anvil, size: [2, 2, 1], elements: [2, 2, 1], at: [-1, -1, -1]}}
+  - {box: {part: pin, size: [0.4, 0.4, 0.4], elements: [1, 1, 1], at: [-0.2, -0.2, 0]}}
+  - {box: {part: ram, size: [1, 1, 1], elements: [1, 1, 1], at: [-0.5, -0.5, 0.45]}}
+materials: {light: {model: rigid, density: 15625}, heavy: {model: rigid, density: 1000}}
+parts: {anvil: {material: heavy}, pin: {material: light}, ram: {material: heavy}}
+fixed: [{part: anvil, dofs: [x, y, z, rx, ry, rz]}]
+initial: [{part: ram, velocity: [0, 0, -10]}]
+contact: [{between: all}]
+probes: [{name: ram, part: ram, field: velocity}, {name: pin, part: pin, field: displacement}]
+run: {end: 0.05, step: 0.001}
+history: {every: 0.001}
+"""
+
+
 class RigidContact(Program):
     def setUp(self):
         super().setUp()
@@ -135,6 +153,31 @@ class RigidContact(Program):
                        "contact: [{between: [a, b]}]\n")
         self.assertGreater(self.summary("block")["energy"]["contact"], 0.1)
         self.assertEqual(self.summary("block")["warnings"], 0)
+
+    def test_a_light_body_between_heavy_ones_is_no_spring(self):
+        self.write("ram.yaml", RAM)
+        for ratio in (1, 10, 100, 1000):
+            with self.subTest(ratio=ratio):
+                self.run_scene(1, "ram.yaml", "--out", "ram", "--force", "--set", f"materials.light.density={15625 / ratio}")
+                rows, summary = self.rows("ram"), self.summary("ram")
+                self.assertLess(max(row["ram.z"] for row in rows), 0.04 * 10)  # of the speed of the impact
+                self.assertGreater(min(row["pin.z"] for row in rows), -0.02 * 0.4)
+                self.assertLess(summary["max_penetration"], 0.02 * 0.4)
+                self.assertEqual(summary["contact"]["steps_scaled"], 0)
+
+    def test_a_step_that_ends_early_gives_no_energy(self):
+        self.write("ram.yaml", RAM.replace("at: [-0.5, -0.5, 0.45]", "at: [-0.5, -0.5, 0.4]"))
+        for iterations in (1, 3, 10, 50, 200):
+            for ranks in (1, 3):
+                with self.subTest(iterations=iterations, ranks=ranks):
+                    self.run_scene(ranks, "ram.yaml", "--out", f"cut{ranks}", "--force", "--set", "contact.0.softness=0", "--set",
+                                   f"contact.0.max_iterations={iterations}")
+                    kinetic = [row["kinetic"] for row in self.rows(f"cut{ranks}")]
+                    self.assertLessEqual(max(kinetic), 0.5 * 1000 * 10**2 * (1 + 1e-9))
+                    contact, log = self.summary(f"cut{ranks}")["contact"], self.text(f"cut{ranks}", "log.txt")
+                    self.assertEqual(contact["steps_scaled"] > 0, "would have generated energy" in log)
+                    self.assertLessEqual(contact["steps_scaled"], contact["steps_at_limit"])
+            self.assertEqual(self.summary("cut3")["state_hash"], self.summary("cut1")["state_hash"])
 
     def test_a_body_slides_on_a_wall_with_coulombs_acceleration(self):
         rows = self.run_block("initial: [{part: a, velocity: [0.5, 0, 0]}]\ngravity: {vector: [0, 0, -10]}\n"

@@ -65,6 +65,8 @@ struct ContactStatistics {  ///< the same on every rank
   int most_iterations = 0;
   double largest_residual = 0;
   GlobalIndex steps_at_limit = 0;  ///< that ended at max_iterations, with a residual above the tolerance
+  GlobalIndex scaled_steps = 0;    ///< of these, steps that would have gained energy: see enforcement/energy_guard.hpp
+  double least_share = 1;          ///< of the impulses that an island kept in them
   EnforcementResult last;
 };
 

@@ -37,6 +37,8 @@ class HaloExchange final : public Exchange {
   void max(std::span<double> values) override;
   void reduce(std::span<double> largest, std::span<std::int64_t> sums) override;
   void sum(std::span<std::int64_t> values) override;
+  void max_to_owner(std::span<double> values, int width) override;
+  void unite(std::vector<double>& values) override;
 
  private:
   [[nodiscard]] std::span<double> room_for(std::size_t nodes, int width, std::size_t before = 0);

@@ -73,6 +73,7 @@ const RowMatrix& compress(std::span<const Row> rows, RowMatrix& matrix) {
     matrix.close_row(law_of(row), {.gap = row.gap,
                                    .gap_share = row.gap_share,
                                    .drift_share = row.drift_share,
+                                   .wall_rate = row.wall_rate,
                                    .slab = row.slab,
                                    .pass = row.pass});
   }

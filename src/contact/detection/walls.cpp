@@ -30,6 +30,7 @@ void detect_walls(std::span<const WallCandidate> candidates, std::span<const Wal
     row.slave_body = candidate.body;
     row.normal = wall.normal;
     row.gap = gap;
+    row.wall_rate = wall_rate;
     row.required = wall_rate + (closed ? recovery / recovery_time(row, settings.wall_size, dt, settings) : -gap / dt);
     row.cone = held ? Cone::free : Cone::compression;
     rows.push_back(row);

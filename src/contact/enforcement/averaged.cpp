@@ -45,7 +45,8 @@ EnforcementResult solve_pass(std::size_t k, const System& system, const Enforcem
     scratch.pass_rows.laws.back().required = scratch.asked[q];
     scratch.pass_impulses.push_back(scratch.start[k][q]);
   }
-  const System rows{scratch.pass_rows, system.motion, system.mobility, false, system.mobility_scale, system.carriers};
+  const System rows{scratch.pass_rows,     system.motion,   system.mobility, false,
+                    system.mobility_scale, system.carriers, system.gid};
   const EnforcementResult result = enforce(rows, settings, dt, exchange, scratch.pass_impulses, velocity, scratch);
   std::size_t next = 0;
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
@@ -69,6 +70,8 @@ void solve_both(const System& system, const EnforcementSettings& settings, doubl
     result.residual = std::max(result.residual, one.residual);
     iterations = std::max(iterations, one.iterations);
     result.acted = result.acted || one.acted;
+    result.scaled_islands += one.scaled_islands;
+    result.least_share = std::min(result.least_share, one.least_share);
   }
   result.iterations += iterations;
   if (!result.acted) return;
@@ -117,8 +120,9 @@ EnforcementResult enforce_averaged(const System& system, const EnforcementSettin
                                    Exchange& exchange, std::span<Vec3> impulses, std::span<Vec3> velocity,
                                    EnforcementScratch& scratch) {
   if (!passes_differ(system, exchange))
-    return enforce({system.rows, system.motion, system.mobility, false, system.mobility_scale, system.carriers},
-                   settings, dt, exchange, impulses, velocity, scratch);
+    return enforce(
+        {system.rows, system.motion, system.mobility, false, system.mobility_scale, system.carriers, system.gid},
+        settings, dt, exchange, impulses, velocity, scratch);
   start_passes(system, impulses, scratch);
   EnforcementResult result;
   solve_both(system, settings, dt, exchange, impulses, velocity, scratch, result);

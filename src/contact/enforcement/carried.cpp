@@ -133,10 +133,10 @@ double divide_among_groups(const BinGrid& grid, const std::int64_t* sums, std::s
 }  // namespace
 
 void CarriedScratch::reserve(std::size_t rows, std::size_t nodes, std::size_t bodies) {
-  constexpr std::size_t bounds = 2;
+  constexpr std::size_t bounds = 4;
   place.reserve(nodes);
   blocks.reserve(most_bodies_of_a_row);
-  largest.reserve(bodies + bounds);
+  largest.reserve(2 * bodies + bounds);
   active.reserve(bodies);
   slot.reserve(bodies);
   parts.reserve(bodies);
@@ -144,6 +144,7 @@ void CarriedScratch::reserve(std::size_t rows, std::size_t nodes, std::size_t bo
   share.reserve(most_bodies_of_a_row * rows);
   row_sum.reserve(body_groups * bodies);
   answer.reserve(bodies);
+  chains.reserve(rows, bodies);
 }
 
 void lay_rows_on_bodies(const Carriers& carriers, std::span<const NodeMotion> motion, CarriedScratch& scratch,
@@ -168,20 +169,28 @@ void lay_rows_on_bodies(const Carriers& carriers, std::span<const NodeMotion> mo
 void start_bodies(const Carriers& carriers, std::span<const NodeMotion> motion, const RowMatrix& rows,
                   Exchange& exchange, CarriedScratch& scratch) {
   const std::size_t bodies = carriers.bodies.size();
-  scratch.largest.assign(bodies + 2, 0.0);
+  ChainScratch& chains = scratch.chains;
+  scratch.largest.assign(2 * bodies + 4, 0.0);  // does a row act on the body, its answer, bounds
+  const std::span<double> answers = std::span(scratch.largest).subspan(bodies, bodies),
+                          bounds = std::span(scratch.largest).last(4);
   for (const BodyShare& share : rows.on_bodies.values) {
     scratch.largest[static_cast<std::size_t>(share.body)] = 1;
-    keep_max(scratch.largest[bodies], share.weight);
+    keep_max(bounds[0], share.weight);
   }
   // of points that rows act on: which others the lists hold is a matter of when they were made
   if (bodies > 0)
     for (const LocalIndex point : rows.points)
       if (const LocalIndex place = scratch.place[static_cast<std::size_t>(point)]; place != no_index)
-        keep_max(scratch.largest[bodies + 1],
-                 arm_of(carriers.points[static_cast<std::size_t>(place)], carriers, motion).norm());
+        keep_max(bounds[1], arm_of(carriers.points[static_cast<std::size_t>(place)], carriers, motion).norm());
+  std::ranges::copy(chains.answer, answers.begin());
+  bounds[2] = chains.own_pairs.empty() ? 0 : 1;
+  bounds[3] = chains.renewed ? 1 : 0;
   exchange.max(scratch.largest);
-  scratch.largest_weight = scratch.largest[bodies];
-  scratch.longest_arm = scratch.largest[bodies + 1];
+  scratch.largest_weight = bounds[0];
+  scratch.longest_arm = bounds[1];
+  std::ranges::copy(answers.first(chains.answer.size()), chains.answer.begin());
+  scratch.any_soft = bounds[2] > 0;
+  chains.renewed = bounds[3] > 0;
   scratch.active.clear();
   scratch.slot.assign(bodies, 0);
   for (std::size_t b = 0; b < bodies; ++b) {

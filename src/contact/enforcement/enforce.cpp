@@ -9,13 +9,16 @@
 #include "brunt/contact/enforcement/printed.hpp"
 #include "brunt/contact/enforcement/rate_constraint.hpp"
 #include "brunt/contact/enforcement/reference.hpp"
+#include "chains.hpp"
 
 namespace brunt::contact {
 
 EnforcementResult enforce(const System& system, const EnforcementSettings& settings, double dt, Exchange& exchange,
                           std::span<Vec3> impulses, std::span<Vec3> velocity, EnforcementScratch& scratch) {
-  if (!system.carriers.bodies.empty())
+  if (!system.carriers.bodies.empty()) {
+    note_pairs(system, scratch.carried.chains);
     start_bodies(system.carriers, system.motion, system.rows, exchange, scratch.carried);
+  }
   if (system.two_passes && (settings.averaged || !holds_rates(settings.method)))
     return enforce_averaged(system, settings, dt, exchange, impulses, velocity, scratch);
   switch (settings.method) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "brunt/contact/enforcement/conjugate.hpp"
+#include "brunt/contact/enforcement/energy_guard.hpp"
 #include "brunt/contact/enforcement/softness.hpp"
 #include "brunt/core/fixed_sum.hpp"
 
@@ -41,6 +42,8 @@ class Iteration {
   Judgement judge(double term_size);
   /// p and v of the next iterate.
   void advance(const Judgement& now, double length);
+  /// Begins again from nothing.
+  void reset();
 
  private:
   const System& system_;
@@ -91,6 +94,12 @@ void Iteration::advance(const Judgement& now, double length) {
         h > 0 ? admitted(system_.rows.laws[q], impulses_[q] + length / h * scratch_.missing[q]) : Vec3::Zero();
   }
   apply_impulses(system_, impulses_, now.impulse + length * now.rise, exchange_, velocity_, scratch_);
+}
+
+void Iteration::reset() {
+  std::ranges::fill(impulses_, Vec3::Zero());
+  std::ranges::fill(scratch_.previous, Vec3::Zero());
+  take_prediction(system_, velocity_);
 }
 
 /// At least 1, since H bounds G W G^T. The choice between the two quotients has no period (steps of the golden section
@@ -176,6 +185,7 @@ EnforcementResult iterate(const System& system, const EnforcementSettings& setti
   double enough = settings.tolerance;
   double taken = 1, terms = 0;
   int sweeps = 0;  // that come next
+  bool sweeps_only = false;
   while (true) {
     const Judgement now = iteration.judge(terms);
     result.residual = now.residual / violation;
@@ -191,8 +201,15 @@ EnforcementResult iterate(const System& system, const EnforcementSettings& setti
       result.acted = now.impulse > 0 || sweep;
       return result;
     }
-    if (const int due = stall.sweeps_due(result.iterations, result.residual); due > 0)
-      sweeps = result.iterations < long_steps_share * settings.max_iterations ? due : settings.max_iterations;
+    if (const int due = stall.sweeps_due(result.iterations, result.residual); due > 0 && !sweeps_only) {
+      sweeps_only = result.iterations >= long_steps_share * settings.max_iterations;
+      sweeps = sweeps_only ? settings.max_iterations : due;
+      if (sweeps_only && !(result.residual < 1)) {  // farther off than no impulse at all
+        iteration.reset();
+        terms = 0;
+        continue;
+      }
+    }
     taken = quotients && result.iterations > 0 && sweeps == 0 ? quotient(now, result.iterations) : 1.0;
     sweeps = std::max(sweeps - 1, 0);
     iteration.advance(now, taken);
@@ -210,10 +227,13 @@ EnforcementResult enforce_rate_constraint(const System& system, const Enforcemen
   const bool coupled = setting.impulse > 0
                            ? start_from_impulses(system, impulses, setting.impulse, exchange, velocity, scratch)
                            : form_row_sums(system, exchange, scratch);
-  soften(system, impulses, scratch);
-  if (length == StepLength::longer && (!setting.rubs || !system.carriers.bodies.empty()))
-    return conjugate_or_quotients(system, settings, setting, coupled, exchange, impulses, velocity, scratch);
-  return iterate(system, settings, length, coupled, setting.violation, exchange, impulses, velocity, scratch);
+  soften(system, impulses, velocity, exchange, scratch);
+  const bool conjugate = length == StepLength::longer && (!setting.rubs || !system.carriers.bodies.empty());
+  EnforcementResult result =
+      conjugate ? conjugate_or_quotients(system, settings, setting, coupled, exchange, impulses, velocity, scratch)
+                : iterate(system, settings, length, coupled, setting.violation, exchange, impulses, velocity, scratch);
+  if (ended_at_limit(result, settings)) guard_energy(system, exchange, impulses, velocity, scratch, result);
+  return result;
 }
 
 }  // namespace brunt::contact

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "brunt/contact/halo_exchange.hpp"
-#include "unit/contact/enforcement/boxes.hpp"
+#include "unit/contact/enforcement/random_rows.hpp"
 
 using namespace brunt;
 using namespace brunt::contact;
@@ -47,13 +47,23 @@ NodeLinks links_of_all(const comm::Communicator& ranks, LocalIndex nodes) {
   return links;
 }
 
-/// The rows of this rank, in pieces that leave one of four ranks without any.
-void keep_own_rows(const comm::Communicator& ranks, BoxProblem& p) {
+/// Of the rows of all ranks those of this one, in pieces that leave one of four ranks without any.
+template <class Of>
+std::vector<Of> own_of(const comm::Communicator& ranks, const std::vector<Of>& of_rows) {
   const Rank working = ranks.size() == 4 ? 3 : ranks.size();
-  std::vector<Row> own;
-  for (std::size_t q = 0; q < p.rows.size(); ++q)
-    if (static_cast<Rank>(q / 7) % working == ranks.rank()) own.push_back(p.rows[q]);
-  p.rows = own;
+  std::vector<Of> own;
+  for (std::size_t q = 0; q < of_rows.size(); ++q)
+    if (static_cast<Rank>(q / 7) % working == ranks.rank()) own.push_back(of_rows[q]);
+  return own;
+}
+
+/// The impulses that random rows start from.
+std::vector<Vec3> alone_start(unsigned seed, int clusters = 3) {
+  return RandomRows(seed, clusters).impulses;
+}
+
+void keep_own_rows(const comm::Communicator& ranks, BoxProblem& p) {
+  p.rows = own_of(ranks, p.rows);
   for (CarriedPoint& point : p.points) point.owned = point.point % ranks.size() == ranks.rank();
 }
 
@@ -80,4 +90,43 @@ TEST_CASE("bodies over all ranks: iterations, velocities and answers have the bi
     CHECK(shared.answer(body).change == alone.answer(body).change);
   }
   CHECK(alone.answer(2).impulse.isZero(0));
+}
+
+TEST_CASE("the guard of a cut iteration: islands, shares and velocities have the bits of one rank") {
+  const auto seed = GENERATE(range(1u, 11u));
+  const int iterations = GENERATE(1, 5);
+  const EnforcementSettings settings{.tolerance = 1e-12, .max_iterations = iterations};
+  RandomRows alone(seed, 3), shared = alone;
+  const EnforcementResult one = alone.solve_boxes(settings);
+
+  const comm::Communicator ranks = comm::Communicator::world();
+  const auto nodes = static_cast<LocalIndex>(shared.motion.size());
+  HaloExchange exchange(ranks, nodes, links_of_all(ranks, nodes), impulse_width + row_sum_width);
+  keep_own_rows(ranks, shared);
+  shared.impulses = own_of(ranks, alone_start(seed));
+  const EnforcementResult all = shared.solve_boxes(settings, exchange);
+  CAPTURE(seed, iterations, one.scaled_islands);
+  CHECK(all.scaled_islands == one.scaled_islands);
+  CHECK(all.least_share == one.least_share);
+  CHECK(shared.velocity == alone.velocity);
+  CHECK(shared.impulses == own_of(ranks, alone.impulses));
+}
+
+TEST_CASE("chains of bodies over all ranks: compliances have the bits of one rank") {
+  const auto seed = GENERATE(range(1u, 6u));
+  RandomRows alone(seed, 2), shared = alone;
+  for (RandomRows* rows : {&alone, &shared})
+    for (Row& row : rows->rows)
+      if (row.cone == Cone::compression) row.softness = 0.05;
+  const EnforcementSettings settings{.max_iterations = 30};
+  alone.solve_boxes(settings);
+
+  const comm::Communicator ranks = comm::Communicator::world();
+  const auto nodes = static_cast<LocalIndex>(shared.motion.size());
+  HaloExchange exchange(ranks, nodes, links_of_all(ranks, nodes), impulse_width + row_sum_width);
+  keep_own_rows(ranks, shared);
+  shared.impulses = own_of(ranks, alone_start(seed, 2));
+  shared.solve_boxes(settings, exchange);
+  CHECK(shared.scratch.compliance == own_of(ranks, alone.scratch.compliance));
+  CHECK(shared.velocity == alone.velocity);
 }

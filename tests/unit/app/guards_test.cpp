@@ -201,3 +201,18 @@ TEST_CASE("guards: rounding of the first steps of a run from rest is judged by t
   observe(ledger, seen);
   CHECK(error_ratio(seen) == Approx(0.01));
 }
+
+TEST_CASE("guards: messages of a scene without deformable elements do not speak of elements or steps") {
+  Impact impact;
+  impact.ledger.kinetic = 1e6;
+  const std::string growth = energy_growth(impact.ledger, impact.seen, false, 0, true);
+  REQUIRE_FALSE(growth.empty());
+  std::vector<std::string> texts{growth};
+  for (const Fault fault : {Fault::balance, Fault::damping, Fault::friction, Fault::contact})
+    texts.push_back(likely_cause(fault, true));
+  for (const std::string& text : texts)
+    for (const char* word : {"element", "step", "cfl", "stress"}) {
+      CAPTURE(text, word);
+      CHECK(text.find(word) == std::string::npos);
+    }
+}

@@ -90,6 +90,7 @@ struct Row {
   double softness = 0;           ///< s of enforcement/softness.hpp; 0: rigid
   double gap_share = 0;          ///< share of the penetration that `required` recovers
   double drift_share = 0;        ///< share of the slip that `drift` recovers
+  double wall_rate = 0;          ///< of a moving wall itself, along the normal [velocity]; part of `required`
   double slab = 0;               ///< Z1 Z2 / (Z1 + Z2) A of eq. (29) in Heinstein et al. 2000 [mass/time]; 0: not known
   double friction = 0;           ///< Coulomb coefficient for this step; 0: none
   bool holds = false;            ///< it constrains the tangential directions without a limit: a tie

@@ -2,8 +2,10 @@
 // Exchange between ranks as seen by enforcement, which does not know about ranks. Arrays have `width` doubles for each
 // contact node of this rank; a node has one owner and any number of copies.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace brunt::contact {
 
@@ -36,6 +38,17 @@ class Exchange {
   virtual void reduce(std::span<double> largest, std::span<std::int64_t> sums) = 0;
   /// Sums over all ranks, element by element, in place: any number of them in one message.
   virtual void sum(std::span<std::int64_t> values) = 0;
+  /// The owner's value becomes the maximum over all copies; copies are unchanged. Of one rank: nothing to do.
+  virtual void max_to_owner(std::span<double> /*values*/, int /*width*/) {}
+  /// The distinct values of all ranks, ascending, in place of this rank's. It allocates memory: not for ordinary steps.
+  virtual void unite(std::vector<double>& values) { keep_distinct(values); }
+
+ protected:
+  static void keep_distinct(std::vector<double>& values) {
+    std::ranges::sort(values);
+    const auto repeated = std::ranges::unique(values);
+    values.erase(repeated.begin(), repeated.end());
+  }
 };
 
 /// One rank with all nodes: nothing to exchange.

@@ -45,6 +45,7 @@ struct RowFigures {
   double gap = 0;          ///< at x_n [length]
   double gap_share = 0;    ///< share of the penetration that `required` recovers
   double drift_share = 0;  ///< share of the slip that `drift` recovers
+  double wall_rate = 0;    ///< of a moving wall itself, along the normal [velocity]; part of `required`
   double slab = 0;         ///< eq. (29) of Heinstein et al. 2000 [mass/time]; 0: not known
   Pass pass = Pass::both;
 };

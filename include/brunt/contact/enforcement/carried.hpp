@@ -56,6 +56,25 @@ struct RowBlock {
   Mat3 translation = Mat3::Zero(), rotation = Mat3::Zero();
 };
 
+/// Chains: bodies connected by soft rows between bodies (softness.hpp). A pair of bodies is one number, lower * bodies
+/// + higher; a body with what is immovable: with itself.
+struct ChainScratch {
+  std::vector<double> own_pairs;       ///< of this rank's rows, ascending
+  std::vector<double> last_own_pairs;  ///< of the step before
+  std::vector<double> pairs;           ///< of all ranks, ascending
+  std::vector<double> answer;          ///< largest n . g W g^T n of each body's soft rows, of all ranks [1/mass]
+  std::vector<double> factor;          ///< of the compliance of a pair's rows
+  std::vector<LocalIndex> chain;       ///< of each body
+  std::vector<double> kept;            ///< share of the last impulses that a chain's rows keep
+  std::vector<double> bounds;          ///< of the terms of a chain's sums
+  std::vector<std::int64_t> sums;      ///< two a chain
+  std::vector<LocalIndex> graph;       ///< scratch of the traversal of the pairs
+  std::vector<double> along;           ///< likewise
+  bool renewed = false;                ///< the pairs of this rank are not those of the step before
+
+  void reserve(std::size_t rows, std::size_t bodies);
+};
+
 /// Arrays of what is carried, sized where lists are rebuilt.
 struct CarriedScratch {
   std::vector<LocalIndex> place;   ///< of each contact node in Carriers::points; no_index: it is not carried
@@ -68,9 +87,11 @@ struct CarriedScratch {
   std::vector<double> share;       ///< w where the row acts, for each of RowMatrix::on_bodies
   std::vector<double> row_sum;     ///< S / theta, body_groups a body
   std::vector<BodyAnswer> answer;  ///< a body each, by the last impulses
-  double spread = 1;               ///< most times that all rows' weights have a group's S / theta
-  double longest_arm = 0;          ///< |r| of all ranks [length]
-  double largest_weight = 0;       ///< w of all ranks
+  ChainScratch chains;
+  bool any_soft = false;      ///< some rank has soft rows between bodies
+  double spread = 1;          ///< most times that all rows' weights have a group's S / theta
+  double longest_arm = 0;     ///< |r| of all ranks [length]
+  double largest_weight = 0;  ///< w of all ranks
 
   void reserve(std::size_t rows, std::size_t nodes, std::size_t bodies);
 };

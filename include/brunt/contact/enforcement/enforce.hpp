@@ -13,7 +13,9 @@ struct EnforcementResult {
   double residual = 0;   ///< natural residual max_q H_q |p_q - admitted(p_q + missing_q / H_q)| relative to violation,
                          ///< of the last iterate that was judged
   int iterations = 0;
-  bool acted = false;  ///< impulses changed v*; otherwise the velocity is unchanged
+  bool acted = false;              ///< impulses changed v*; otherwise the velocity is unchanged
+  GlobalIndex scaled_islands = 0;  ///< of a step that ended early: islands whose impulses were scaled, energy_guard.hpp
+  double least_share = 1;          ///< of their impulses that one of them kept
 };
 
 /// Whether the iteration ended at max_iterations without reaching its tolerance. Always false for methods without

@@ -80,7 +80,9 @@ TEST_CASE("soft rows: rigid ones beside them, and those of nodes that nothing mo
   p.impulses.assign(4, Vec3::UnitZ());
   EnforcementScratch scratch;
   scratch.diagonal.assign(4, 2.0);
-  soften(p.system(), p.impulses, scratch);
+  OneRankExchange exchange;
+  p.velocity.resize(p.motion.size(), Vec3::Zero());
+  soften(p.system(), p.impulses, p.velocity, exchange, scratch);
   CHECK(scratch.compliance == std::vector<double>{0.05, 0, 0, 0.05 / 1.5});
   CHECK(scratch.diagonal == std::vector<double>{2.05, 2, 2, 2 + 0.05 / 1.5});
   CHECK(scratch.borne[1].isZero(0));
