@@ -95,6 +95,18 @@ std::vector<BodyFigures> with_blocks(std::vector<BodyFigures> bodies, std::span<
   return bodies;
 }
 
+/// The nodes of a rigid master do not enter the slave between its nodes: they have no motion of their own, and a slave
+/// that rests on a flat face with its nodes lies on it. One pass suffices however fine they are. Collective.
+void spare_rigid_masters(const comm::Communicator& ranks, std::span<const double> carrier, Surface& surface) {
+  std::vector<double> deforms(surface.bodies.size(), 0.0);
+  for (std::size_t i = 0; i < surface.gid.size(); ++i)
+    if (surface.body[i] != no_index && !(i < carrier.size() && carrier[i] > 0))
+      deforms[static_cast<std::size_t>(surface.body[i])] = 1;
+  ranks.max(deforms);
+  for (std::size_t body = 0; body < deforms.size(); ++body)
+    if (deforms[body] == 0) surface.bodies[body].shortest_edge = std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 Contact make_contact(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, std::span<const char> excluded,
@@ -103,6 +115,7 @@ Contact make_contact(const comm::Communicator& ranks, const mesh::LocalMesh& mes
   Surface surface = join_surface(ranks, mesh, excluded, inverse_mass, *settings.specification.tolerances);
   SurfaceNodes nodes = surface_nodes(ranks, surface, mesh, inverse_mass, constrained, walls, settings.rigid.nodes,
                                      !settings.detection.accepted.empty(), *settings.specification.tolerances);
+  if (settings.rigid.count > 0) spare_rigid_masters(ranks, nodes.carrier, surface);
   std::vector<BodyFigures> bodies = surface.bodies;
   DerivedSettings derived = derive(settings, surface, nodes.mobility, walls, ranks);
   Contact contact{.ranks = ranks,
