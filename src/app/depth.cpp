@@ -161,6 +161,7 @@ int depth_command(const comm::Communicator& ranks, const DepthOptions& options) 
         continue;
       }
       folder->add(row);
+      fmt::print(stderr, "{}", warning_of(row));
       if (!options.json && count <= 10) fmt::print("{}", described(row));
       json.push_back(as_json(row));
       all.push_back(std::move(row));

@@ -84,6 +84,7 @@ void visit_row(Row& row, Visit&& visit) {
   visit(answer.depth);
   visit(answer.bound);
   visit(answer.distance);
+  visit(answer.overlaps);
   visit(answer.placement);
   visit(answer.motion.shift);
   visit(answer.walks);

@@ -36,6 +36,7 @@ nlohmann::ordered_json json_of(const DepthRow& row, const PlacedScrew& screw, st
   json["depth"] = answer.depth;
   json["bound"] = answer.bound;
   json["distance"] = answer.distance;
+  json["overlaps"] = answer.overlaps;
   json["found"] = answer.found;
   if (answer.overlap && answer.found) {
     json["screw"] = {
@@ -78,6 +79,15 @@ std::string described(const DepthRow& row) {
   if (answer.contacts.size() > most_listed) text += "    ...\n";
   return text + fmt::format("  {} descents, {} steps, {} collision queries, {:.3g} ms\n", answer.walks, answer.steps,
                             answer.queries, 1e3 * row.seconds);
+}
+
+std::string warning_of(const DepthRow& row) {
+  const depth::Answer& answer = row.answer;
+  if (!far_above_overlaps(answer)) return {};
+  return fmt::format(
+      "warning: pose {}, {} in {}, {}: depth {:.6g} is more than the overlaps together, {:.6g}: a shorter motion may "
+      "have been missed (--careful searches longer, --certify proves)\n",
+      row.pose, row.a, row.b, name_of(row.metric), answer.depth, answer.overlaps);
 }
 
 nlohmann::ordered_json as_json(const DepthRow& row) {

@@ -12,6 +12,9 @@ namespace brunt::app {
 /// Some lines, for a terminal.
 [[nodiscard]] std::string described(const DepthRow& row);
 
+/// One line, empty where the overlaps explain the depth.
+[[nodiscard]] std::string warning_of(const DepthRow& row);
+
 [[nodiscard]] nlohmann::ordered_json as_json(const DepthRow& row);
 
 /// Of a row that was read from depth.csv: as for the answer itself, but without the contacts, of which the table holds

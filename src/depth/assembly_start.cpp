@@ -49,6 +49,7 @@ std::optional<Vec3> separating(const Standing& standing, const Pose& pose, const
   Query query;
   query.a_in_b = here.start;
   query.metric = Metric::translation;
+  query.touching = true;
   if (!(basis.colwise().norm().array() > 0).all())
     for (int c = 0; c < 3; ++c)
       if (!basis.col(c).isZero(0)) query.along.emplace_back(to_common.transpose() * basis.col(c));
@@ -96,6 +97,7 @@ bool part_pair(const Standing& standing, const MemberPair& pair, double push, do
   Query query;
   query.a_in_b = here.start;
   query.metric = Metric::object_norm;
+  query.touching = true;
   const Answer answer = penetration_depth(here.a, here.b, query);
   if (!answer.overlap) return true;
   if (!answer.found) return false;

@@ -2,19 +2,22 @@
 #include "brunt/depth/penetration_depth.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "brunt/depth/lower_bound.hpp"
-#include "search.hpp"
+#include "joint_search.hpp"
 
 namespace brunt::depth {
 namespace {
 
-constexpr double contact_band = 1e-4;   // of A's radius: gaps of contact points
-constexpr double clear_gap = 1e-9;      // of A's radius: the nearest points of larger gaps give a direction to 7 digits
-constexpr double careful_march = 0.08;  // step of marches: with the standard .1 narrow free regions may be missed
-constexpr double trusted = 1.3;         // of the lower bound: a longer answer of a warm start is searched again
-constexpr double independent = 1e-6;    // sine: directions nearer to the span of the others are dependent
+constexpr double contact_band = 1e-4;  // of A's radius: gaps of contact points
+constexpr double clear_gap = 1e-9;     // of A's radius: the nearest points of larger gaps give a direction to 7 digits
+constexpr double trusted = 1.3;        // of the lower bound: a longer answer of a warm start is searched again
+constexpr double touch = 1e-12;        // of A's radius: smaller overlaps of surfaces are rounding
+constexpr double two_sides = 2;        // of the bound: the most that overlaps add up to, one on each side
+constexpr double explained = 1.01;     // of the overlaps
+constexpr double independent = 1e-6;   // sine: directions nearer to the span of the others are dependent
 
 /// Orthonormal columns that span the directions, in A's axes at q_0.
 Mat3 admitted(const Query& query, const Mat3& into) {
@@ -67,35 +70,54 @@ void certify(const Encounter& encounter, const Query& query, Search& search, Ans
   answer.boxes = result.boxes;
 }
 
+/// Of PDt, DISP and rms.
+std::array<double, 3> bounds_of(const Encounter& encounter, const Query& query) {
+  const BoundEffort& effort = query.careful ? thorough_bound : quick_bound;
+  std::array<double, 3> bounds{};
+  bounds[0] = bounds[1] = lower_bound(encounter, Metric::displacement, effort).value;
+  if (query.careful || query.metric == Metric::object_norm)
+    bounds[2] = lower_bound(encounter, Metric::object_norm, effort).value;
+  return bounds;
+}
+
 /// Starts, walks, certificate.
-void search_all(Encounter& encounter, const Query& query, const Mat3& basis, Search& search, Answer& answer) {
-  for (const Placement& placement : query.tries)
-    search.walk_from_placement(motion_between(encounter.start, placement, encounter.a.shape.centroid));
-  search.forget_work();
-  if (!query.warm || search.best().length > trusted * answer.bound) {
-    StartOptions options;
-    options.metric = query.metric;
-    options.grid = effort_of(query.metric, query.careful, query.clearance, basis).grid;
-    options.careful = query.careful;
-    if (query.careful) options.march = careful_march;
-    options.basis = basis;
-    options.nothing_below = answer.bound;
-    const std::vector<Start> starts = find_starts(encounter, options);
-    search.walk_from_all(starts);
-    if (query.careful && !search.done()) search.help_by_other_metrics(starts);
+void search_all(Encounter& encounter, const Query& query, const Mat3& basis, Answer& answer) {
+  const std::array<double, 3> bounds = bounds_of(encounter, query);
+  answer.bound = bounds[static_cast<std::size_t>(query.metric)];
+  JointSearch joint(encounter, query, basis, bounds);
+  const double sum = joint.small_motions().sum_of_overlaps(), deepest = bounds[0] - encounter.apart;
+  if (!query.touching && std::max(sum, deepest) <= touch * encounter.a.shape.radius) {
+    answer = Answer{};
+    answer.placement = encounter.start;
+    return;
   }
+  answer.overlaps = encounter.apart + (deepest > 0 ? std::clamp(sum, deepest, two_sides * deepest) : sum);
+  joint.try_placements();
+  const bool trust = query.warm && joint.asked().best().length <= trusted * answer.bound;
+  if (trust)
+    joint.asked().finish(query.careful);
+  else
+    joint.run();
+  Search& search = joint.asked();
   answer.found = search.found();
-  if (!answer.found) return;
-  search.finish(query.careful);
-  if (query.boxes > 0 && query.along.empty()) certify(encounter, query, search, answer);
-  answer.motion = search.best().motion;
-  answer.depth = search.best().length;
-  answer.placement = encounter.placement(answer.motion);
-  answer.bound = std::min(answer.bound, answer.depth);
-  list_contacts(encounter, answer);
+  if (answer.found) {
+    if (query.boxes > 0 && query.along.empty()) certify(encounter, query, search, answer);
+    answer.motion = search.best().motion;
+    answer.depth = search.best().length;
+    answer.placement = encounter.placement(answer.motion);
+    answer.bound = std::min(answer.bound, answer.depth);
+    list_contacts(encounter, answer);
+  }
+  answer.walks = joint.walks();
+  answer.steps = joint.steps();
+  answer.pairs = joint.pairs();
 }
 
 }  // namespace
+
+bool far_above_overlaps(const Answer& answer) {
+  return answer.overlap && answer.found && answer.depth > explained * answer.overlaps;
+}
 
 Answer penetration_depth(const Body& a, const Body& b, const Query& query) {
   Answer answer;
@@ -105,12 +127,7 @@ Answer penetration_depth(const Body& a, const Body& b, const Query& query) {
   if (answer.overlap) {
     encounter.apart = query.apart;
     const Mat3 basis = admitted(query, encounter.start.rotation.transpose());
-    answer.bound = lower_bound(encounter, query.metric, query.careful ? thorough_bound : quick_bound).value;
-    Search search(encounter, effort_of(query.metric, query.careful, query.clearance, basis), answer.bound);
-    search_all(encounter, query, basis, search, answer);
-    answer.walks = search.walks();
-    answer.steps = search.steps();
-    answer.pairs = search.pairs();
+    search_all(encounter, query, basis, answer);
   } else {
     answer.distance = geometry::surface_distance(a.tree, b.tree, encounter.start);
   }

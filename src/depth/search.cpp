@@ -11,7 +11,6 @@ using Rounds = std::array<Round, 3>;
 
 constexpr Rounds fast_rounds{{{32, 4, 3, 4500}, {10, 2, 6, 7500}, {3, 1, 40, 10000}}};
 constexpr Rounds careful_rounds{{{100, 40, 5, 80000}, {30, 12, 10, 150000}, {12, 4, 100, 250000}}};
-constexpr Rounds helping_rounds{{{30, 10, 5, 15000}, {10, 3, 10, 25000}, {4, 2, 60, 35000}}};
 constexpr std::size_t helpful_ends = 4;      // of a metric, as starts of the others
 constexpr std::int64_t step_work = 40;       // of a step without pairs, in units of near pairs
 constexpr double close_to_bound = 1 + 1e-7;  // an answer this near to the bound needs no further walks
@@ -21,9 +20,6 @@ RigidMotion difference(const RigidMotion& one, const RigidMotion& other) {
   return {(other.turn * one.turn.conjugate()).normalized(), other.shift - one.shift};
 }
 
-bool shorter(const Start& x, const Start& y) {
-  return x.length < y.length;
-}
 bool shorter_walk(const Walk& x, const Walk& y) {
   return x.length < y.length;
 }
@@ -45,7 +41,7 @@ std::int64_t Search::work() const {
 }
 
 bool Search::done() const {
-  return best_.length <= close_to_bound * bound_;
+  return best_.length <= close_to_bound * bound_ + effort_.walk.clearance * encounter_.a.shape.radius;
 }
 
 void Search::walk_from_all(const std::vector<Start>& starts) {
@@ -87,32 +83,10 @@ void Search::walk_from_placement(const RigidMotion& motion) {
   if (start.length > 0) walk_from(start.motion);
 }
 
-void Search::help_by_other_metrics(const std::vector<Start>& starts) {
-  for (const Metric other : {Metric::translation, Metric::displacement, Metric::object_norm}) {
-    if (other == effort_.walk.metric) continue;
-    Effort helping = effort_;
-    helping.rounds = helping_rounds;
-    helping.walk.metric = other;
-    Search helper(encounter_, helping, 0);
-    std::vector<Start> begin;
-    for (const RigidMotion& motion : ends_) {
-      const Start start = helper.admitted_start(motion);
-      if (start.length > 0) begin.push_back(start);
-    }
-    for (const Start& start : starts)
-      if (other != Metric::translation || start.motion.turn.vec().norm() == 0)
-        begin.push_back({start.motion, length_of(encounter_.a.shape, other, start.motion)});
-    std::sort(begin.begin(), begin.end(), shorter);
-    helper.walk_from_all(begin);
-    std::vector<Start> gained;
-    for (const RigidMotion& motion : helper.ends_) {
-      const Start start = admitted_start(motion);
-      if (start.length > 0) gained.push_back(start);
-    }
-    walk_from_all(gained);
-    walks_ += helper.walks_;
-    pairs_ += helper.pairs();
-  }
+void Search::offer(const RigidMotion& motion) {
+  if (effort_.walk.metric == Metric::translation && motion.turn.vec().squaredNorm() > 0) return;
+  const double length = length_of(encounter_.a.shape, effort_.walk.metric, motion);
+  if (length < best_.length) best_ = {motion, length};
 }
 
 void Search::finish(bool careful) {

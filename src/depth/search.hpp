@@ -38,8 +38,10 @@ class Search {
   void walk_from_all(const std::vector<Start>& starts);
   /// From the given motion, made free and admissible (a translation has no rotation and only admitted directions).
   void walk_from_placement(const RigidMotion& motion);
-  /// Walks in the other metrics, and walks from their ends in its own one.
-  void help_by_other_metrics(const std::vector<Start>& starts);
+  /// A free motion that touches, from another metric: the answer if it is shorter than all others.
+  void offer(const RigidMotion& motion);
+  /// The motion, made free and admissible; length < 0 if it could not be.
+  [[nodiscard]] Start admitted_start(const RigidMotion& motion);
   /// Excludes the work so far from the limits of the following rounds, so that preliminary trials do not reduce their
   /// walks.
   void forget_work() { work_before_ = work(); }
@@ -49,22 +51,23 @@ class Search {
   [[nodiscard]] bool done() const;  ///< as short as the bound
   [[nodiscard]] const Start& best() const { return best_; }
   [[nodiscard]] bool found() const { return best_.length < std::numeric_limits<double>::infinity(); }
+  /// Ends of the best walks of the last call, the shortest first.
+  [[nodiscard]] const std::vector<RigidMotion>& ends() const { return ends_; }
   [[nodiscard]] int walks() const { return walks_; }
   [[nodiscard]] int steps() const { return steps_; }
-  [[nodiscard]] std::int64_t pairs() const { return pairs_ + walker_.pairs(); }
+  [[nodiscard]] std::int64_t pairs() const { return walker_.pairs(); }
 
  private:
   [[nodiscard]] std::int64_t work() const;  ///< near pairs, and `step_work` a step
-  [[nodiscard]] Start admitted_start(const RigidMotion& motion);
 
   Encounter& encounter_;
   Effort effort_;
   double bound_;
   Walker walker_;
-  std::vector<RigidMotion> ends_;  // ends of the best walks of the last call, the shortest first
+  std::vector<RigidMotion> ends_;
   Start best_{{}, std::numeric_limits<double>::infinity()};
   int walks_ = 0, steps_ = 0;
-  std::int64_t pairs_ = 0, work_before_ = 0;
+  std::int64_t work_before_ = 0;
 };
 
 }  // namespace brunt::depth

@@ -13,6 +13,8 @@ namespace {
 constexpr double equal_moments = 1e-3;  // relative: axes with such moments are not unique
 constexpr double parallel = 0.05;       // sine: a vector nearer to an axis does not complete it
 constexpr int bisections = 3;
+constexpr std::size_t fast_turned = 1, norm_turned = 3, careful_turned = 6;  // translations marched again, A turned by
+constexpr std::array<double, 4> turned_angles{-.5 * std::numbers::pi, -.5, .5, .5 * std::numbers::pi};  // [rad]
 constexpr int short_march = 32;  // steps; longer ones query the depth of A, which costs as much as a step
 
 /// Unit vectors through the grid points of the surface of the cube [-grid, grid]^3.
@@ -25,20 +27,21 @@ std::vector<Vec3> cube_directions(int grid) {
   return directions;
 }
 
-/// One family of motions that grow with a parameter: t u, or the rotation by t about u.
+/// One family of motions that grow with a parameter: t u after the turn `first`, or the rotation by t about u.
 struct Ray {
   Vec3 u = Vec3::Zero();
   bool turns = false;
+  Turn first = Turn::Identity();
   [[nodiscard]] RigidMotion at(double t) const {
     if (turns) return {rotation_of(t * u), Vec3::Zero()};
-    return {Eigen::Quaterniond::Identity(), t * u};
+    return {first, t * u};
   }
 };
 
 struct Marcher {
   Encounter& encounter;
   const StartOptions& options;
-  double shortest = std::numeric_limits<double>::infinity();
+  double shortest;
   std::vector<Start> found;
 
   [[nodiscard]] double length(const RigidMotion& motion) const {
@@ -56,7 +59,7 @@ struct Marcher {
   /// Up to the first exit, if it is within reach.
   void march(const Ray& ray, double step, double end) {
     double t = step;
-    if (options.nothing_below > 0) {
+    if (options.nothing_below > 0 && length(ray.at(0)) == 0) {
       const double slope = length(ray.at(1e-3)) / 1e-3;  // upper bound of the growth of lengths
       t = step * std::max(1.0, std::floor(options.nothing_below / (slope * step)));  // the same positions for any bound
     }
@@ -78,6 +81,10 @@ struct Marcher {
     }
   }
 };
+
+bool shorter(const Start& x, const Start& y) {
+  return x.length < y.length;
+}
 
 }  // namespace
 
@@ -101,6 +108,25 @@ Mat3 unique_axes(const Body& body, const Mat3& into, std::span<const Vec3> other
   return result;
 }
 
+namespace {
+
+/// The shortest translations again, of A turned: where A or B is symmetric, no walk would begin to turn it.
+void march_turned(Marcher& marcher, const Mat3& axes, double step, double end) {
+  const StartOptions& options = marcher.options;
+  std::vector<Start> straight = marcher.found;
+  std::erase_if(straight, [](const Start& start) { return start.motion.turn.vec().squaredNorm() > 0; });
+  std::stable_sort(straight.begin(), straight.end(), shorter);
+  const std::size_t most =
+      options.careful ? careful_turned : (options.metric == Metric::object_norm ? norm_turned : fast_turned);
+  straight.resize(std::min(straight.size(), most));
+  for (const Start& start : straight)
+    for (int c = 0; c < 3; ++c)
+      for (const double angle : turned_angles)
+        marcher.march({start.motion.shift.normalized(), false, rotation_of(angle * axes.col(c))}, step, end);
+}
+
+}  // namespace
+
 std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options) {
   const Body &a = encounter.a, &b = encounter.b;
   const Mat3 into = encounter.start.rotation.transpose();  // from B's axes to A's at q_0
@@ -115,7 +141,7 @@ std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options
   const std::array<Vec3, 3> for_a{link, axis_a.cross(axis_b), axis_b}, for_b{link, axis_a.cross(axis_b), axis_a};
   const Mat3 axes_a = unique_axes(a, Mat3::Identity(), for_a), axes_b = unique_axes(b, into, for_b);
   const bool shifts = options.metric == Metric::translation;  // then the bodies may change places
-  Marcher marcher{encounter, options, std::numeric_limits<double>::infinity(), {}};
+  Marcher marcher{encounter, options, options.known, {}};
   const double step = options.march * (shifts ? std::min(a.shape.radius, b.shape.radius) : a.shape.radius);
   const double end = between.norm() + a.shape.radius + b.shape.radius;
   const auto translate = [&](const Vec3& direction) {
@@ -133,11 +159,11 @@ std::vector<Start> find_starts(Encounter& encounter, const StartOptions& options
         rotate(axes_a * direction);
     for (int i = 0; options.careful && i < 3; ++i)
       for (const double sign : {1.0, -1.0}) rotate(sign * axes_b.col(i));
+    march_turned(marcher, axes_a, step, end);
   }
   // the set does not depend on the order of the marches
   std::erase_if(marcher.found, [&](const Start& start) { return start.length > options.reach * marcher.shortest; });
-  std::sort(marcher.found.begin(), marcher.found.end(),
-            [](const Start& x, const Start& y) { return x.length < y.length; });
+  std::stable_sort(marcher.found.begin(), marcher.found.end(), shorter);
   return marcher.found;
 }
 

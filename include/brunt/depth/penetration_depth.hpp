@@ -23,6 +23,7 @@ struct Query {
   std::vector<Vec3> along;       ///< admissible directions of translation, axes of B; none: all. For `translation` only
   std::vector<Placement> tries;  ///< further starting placements: those of the other metrics, the last result
   bool warm = false;             ///< start from `tries` only if that leads to 1.3 times the bound: coherent motion
+  bool touching = false;         ///< surfaces that only touch are parted as well, by the accuracy of the mode
   std::int64_t boxes =
       0;              ///< certificate: increase the bound by covering with at most this number of boxes (cover.hpp)
   double gap = 0.02;  ///< relative difference of depth and bound at which it ends
@@ -41,6 +42,7 @@ struct Answer {
   bool found = true;    ///< false: no free placement (`along` may not admit one)
   double depth = 0;     ///< [length]; 0 without overlap
   double bound = 0;     ///< no shorter motion is free: proven, up to rounding [length]
+  double overlaps = 0;  ///< at the given placement: the sum of the greatest overlaps of separate regions [length]
   double distance = 0;  ///< of the surfaces if they do not overlap [length]
   Placement placement;  ///< of A after the motion, in the coordinates of B
   RigidMotion motion;   ///< in the axes of A at the given placement
@@ -51,6 +53,9 @@ struct Answer {
   std::int64_t queries = 0;  ///< collision queries
   std::int64_t pairs = 0;    ///< near pairs of triangles found by walks
 };
+
+/// Whether the depth is more than the overlaps together: a shorter motion may have been missed.
+[[nodiscard]] bool far_above_overlaps(const Answer& answer);
 
 [[nodiscard]] Answer penetration_depth(const Body& a, const Body& b, const Query& query);
 

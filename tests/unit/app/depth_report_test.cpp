@@ -64,3 +64,14 @@ TEST_CASE("depth_report: text names what was found, and what was not") {
   row.answer.distance = .25;
   CHECK(app::described(row) == "bar, 5\" long.stl and plate.obj do not overlap: distance 0.25\n");
 }
+
+TEST_CASE("depth_report: a depth above the overlaps together is warned of") {
+  app::DepthRow row = support::depth_row();
+  row.answer.overlaps = row.answer.depth;
+  CHECK(app::warning_of(row).empty());
+  row.answer.overlaps = .5 * row.answer.depth;
+  CHECK_THAT(app::warning_of(row),
+             Contains("warning: pose ") && Contains("is more than the overlaps together, 0.0714"));
+  row.answer.overlap = false;
+  CHECK(app::warning_of(row).empty());
+}

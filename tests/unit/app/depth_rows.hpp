@@ -20,6 +20,7 @@ inline app::DepthRow depth_row() {
   answer.overlap = true;
   answer.depth = 1. / 7;
   answer.bound = .1;
+  answer.overlaps = .13;
   answer.motion = {depth::Turn(depth::rotation_of(Vec3(.05, .02, -.01))), Vec3(.1, 0, -.05)};
   answer.placement = depth::moved(row.start, answer.motion, row.centroid);
   answer.contacts = {{Vec3(1, 2, 3), Vec3::UnitX(), 1e-7}, {Vec3(3, 2, 1), -Vec3::UnitZ(), 0}};
