@@ -41,7 +41,7 @@ std::int64_t Search::work() const {
 }
 
 bool Search::done() const {
-  return best_.length <= close_to_bound * bound_ + effort_.walk.clearance * encounter_.a.shape.radius;
+  return best_.length <= close_to_bound * bound_;
 }
 
 void Search::walk_from_all(const std::vector<Start>& starts) {

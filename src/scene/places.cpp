@@ -13,7 +13,8 @@ std::string shown_path(std::string_view path) {
   std::string shown;
   for (std::size_t from = 0; from <= path.size();) {
     const std::size_t dot = std::min(path.find('.', from), path.size());
-    shown += (from == 0 ? "" : ".") + excerpt(path.substr(from, dot - from));
+    if (from > 0) shown += '.';
+    shown += excerpt(path.substr(from, dot - from));
     from = dot + 1;
   }
   return shown;
