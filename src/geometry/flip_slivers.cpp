@@ -20,7 +20,7 @@ class Flipper {
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) enter(t);
   }
 
-  /// Each flip leaves fewer triangles without area, so the passes come to an end.
+  /// Each flip leaves fewer triangles without area, or as many with shorter sides, so the passes come to an end.
   std::int64_t flip_all(std::vector<std::size_t> slivers) {
     std::int64_t flips = 0;
     for (std::int64_t before = -1; flips > before && !slivers.empty();) {
@@ -71,6 +71,19 @@ class Flipper {
     return {triangle[(longest + 1) % 3], triangle[(longest + 2) % 3], triangle[longest]};
   }
 
+  /// Triangles without area of two, and the sum of their longest sides: two that lie on each other along a side have
+  /// shorter ones after a flip, which then reach neighbours with area.
+  [[nodiscard]] std::pair<int, double> lack_of(const IndexTriple& one, const IndexTriple& two) const {
+    std::pair<int, double> lack{0, 0.0};
+    for (const IndexTriple& triangle : {one, two}) {
+      if (has_area(surface_, triangle)) continue;
+      ++lack.first;
+      lack.second += std::max(
+          {length({triangle[0], triangle[1]}), length({triangle[1], triangle[2]}), length({triangle[2], triangle[0]})});
+    }
+    return lack;
+  }
+
   bool flip(std::size_t t) {
     const IndexTriple from = from_longest(t);
     const LocalIndex a = from[0], b = from[1], c = from[2];
@@ -83,8 +96,7 @@ class Flipper {
       if (p != a && p != c) d = p;
     if (d == b || count_.contains({b, d}) || count_.contains({d, b})) return false;
     const IndexTriple one{a, b, d}, two{b, c, d};
-    const auto lacking = [&](const IndexTriple& triangle) { return has_area(surface_, triangle) ? 0 : 1; };
-    if (lacking(one) + lacking(two) >= lacking(old) + lacking(neighbour)) return false;
+    if (!(lack_of(one, two) < lack_of(old, neighbour))) return false;
     leave(t);
     leave(other);
     surface_.triangles[t] = one;

@@ -62,12 +62,14 @@ std::string ambiguous(const mesh::Mesh& mesh, const std::vector<std::size_t>& bl
 std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& mesh) {
   std::vector<std::string> faults;
   std::vector<std::size_t> part_of(mesh.blocks.size(), none);
+  std::vector<char> doubtful(mesh.blocks.size(), 0);  // perhaps meant by a number: no fault of its own
   for (std::size_t p = 0; p < input.parts.size(); ++p) {
     const Part& part = input.parts[p];
     const std::string key = "parts." + part.name;
     const std::vector<std::size_t> found = blocks_called(mesh, part.block);
     if (found.size() > 1) {
       faults.push_back(input.at(key + ".block") + ": " + ambiguous(mesh, found, part.block));
+      for (const std::size_t b : found) doubtful[b] = 1;
       continue;
     }
     if (found.empty()) {
@@ -92,7 +94,7 @@ std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& m
                                    fitting_elements(mesh.blocks[b].shape)));
   }
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
-    if (part_of[b] == none)
+    if (part_of[b] == none && doubtful[b] == 0)
       faults.push_back(
           fmt::format("{}: missing part for block {} of the mesh; expected NAME: {{block: {}, material: ...}} in "
                       "parts, or ignore: [{}] in the entry of the mesh file",

@@ -10,7 +10,7 @@ import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "input"))
 import tiny_meshes
-from plain_files import BLANKS, FORMS, SCENE, bar, binary_ply, msh2, msh4, obj, ply, stl
+from plain_files import BLANKS, FORMS, POINTS, SCENE, bar, binary_ply, msh2, msh4, obj, ply, stl
 from run_test import Program
 
 
@@ -94,6 +94,7 @@ class Forms(Files):
 
     def test_utf16_is_refused_with_its_cure(self):
         scene = SCENE.replace("FILE", "bar.msh").replace("BLOCK", "bar")
+        self.put("b.obj", obj())
         for order, mark in (("utf-16-le", b"\xff\xfe"), ("utf-16-be", b"\xfe\xff")):
             self.put("bar.msh", mark + msh2(*bar()).decode().encode(order))
             self.assert_one_line(self.check(scene), "bar.msh:1", "UTF-16", "expected", "UTF-8")
@@ -102,7 +103,7 @@ class Forms(Files):
             self.assert_one_line(self.brunt("check", "scene.yaml"), "scene.yaml:1", "UTF-16", "UTF-8")
             for format, content in (("stl", stl()), ("obj", obj()), ("ply", ply())):
                 self.put(f"a.{format}", mark + content.decode().encode(order))
-                self.assert_one_line(self.brunt("depth", f"a.{format}", f"a.{format}"), f"a.{format}:1", "UTF-16", "UTF-8")
+                self.assert_one_line(self.brunt("depth", f"a.{format}", "b.obj"), f"a.{format}:1", "UTF-16", "UTF-8")
 
     def test_parametric_nodes_and_binary_files_of_gmsh(self):
         scene = SCENE.replace("FILE", "bar.msh").replace("BLOCK", "bar")

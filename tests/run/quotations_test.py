@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """What messages quote of a scene, a command line or a file: at most 60 characters, on one line. Needs BRUNT and BRUNT_RUN (scripts/run) in
-the environment."""
+the environment; the first argument `--all` tries every key and value instead of each twelfth."""
 import copy
 import json
 import re
+import sys
 import unittest
 
 from run_test import Program
@@ -44,6 +45,7 @@ SCENE = {
     "output": {"every": 0.1, "fields": ["displacement", "stress"]},
     "scaling": {"weak": [{"counts": ["mesh.0.box.elements.0"], "lengths": ["mesh.0.box.size.0"]}]},
 }
+ALL = "--all" in sys.argv
 
 
 def places(tree, path=()):
@@ -85,15 +87,17 @@ class Quotations(Program):
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_every_key_and_value_of_a_scene(self):
-        refused = 0
-        for k, (kind, path) in enumerate(places(SCENE)):
+        refused = tried = 0
+        every = 1 if ALL else 12  # each place is a run of the program
+        for k, (kind, path) in list(enumerate(places(SCENE)))[::every]:
             for text in (LONG, TWO_LINES) if k % 4 == 0 else (LONG,):
                 self.write("scene.yaml", changed(kind, path, text))
                 done = self.brunt("check", "scene.yaml")
                 self.assertIn(done.returncode, (0, 2), f"{path}: {done.stderr}")
                 refused += done.returncode == 2
+                tried += 1
                 self.assert_short(done, f"{kind} {path}", "scene.yaml:")
-        self.assertGreater(refused, 250)
+        self.assertGreater(refused, 0.7 * tried)
 
     def test_a_scene_that_is_no_map(self):
         deck = "".join(f"*KEYWORD {k}\n$ xxxxx\n {k}, 1.0, 2.0, 3.0\n" for k in range(500))
@@ -105,7 +109,8 @@ class Quotations(Program):
             done = self.brunt("check", name)
             self.assertEqual(done.returncode, 2, name)
             self.assert_short(done, name, name)
-            self.assertEqual(len(done.stderr.splitlines()), 1, name + done.stderr[:2000])
+            if name != "tag.yaml":  # a map, in which other keys are missing
+                self.assertEqual(len(done.stderr.splitlines()), 1, name + done.stderr[:2000])
 
     def test_options(self):
         self.write("scene.yaml", json.dumps(SCENE))
@@ -154,4 +159,4 @@ class Quotations(Program):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=[word for word in sys.argv if word != "--all"])

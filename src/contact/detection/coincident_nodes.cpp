@@ -35,8 +35,20 @@ double facing(const NodeOnSurface& node, LocalIndex facet, const Vec3& normal) {
 /// Faces around a node [unit normals, length].
 struct Around {
   Vec3 normals = Vec3::Zero(), corners = Vec3::Zero();  ///< sums: of normals, of corners from the node
+  Vec3 first = Vec3::Zero(), rim = Vec3::Zero();        ///< a normal; the direction of a rim, once another one differs
   int count = 0;
-  [[nodiscard]] bool are_sharp_corner(const Tolerances& tolerances) const {
+  bool end_a_rim = false;  ///< a third one is not in the plane across it: a corner, not a place on a rim
+
+  void add(const Vec3& normal, const Tolerances& tolerances) {
+    normals += normal;
+    if (++count == 1) first = normal;
+    const double across = std::sqrt(1 - tolerances.aligned * tolerances.aligned);  // sine of the same angle
+    if (!rim.isZero(0))
+      end_a_rim = end_a_rim || std::abs(rim.dot(normal)) > across;
+    else if (first.dot(normal) < tolerances.aligned)
+      rim = first.cross(normal).normalized();
+  }
+  [[nodiscard]] bool are_sharp(const Tolerances& tolerances) const {
     return normals.norm() < tolerances.aligned * count && corners.dot(normals) < 0;
   }
 };
@@ -80,8 +92,7 @@ bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, st
     const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
     if (!has_corner(face, other)) continue;
     const Vec3 normal = area_of(scene, face).normalized();
-    around.normals += normal;
-    ++around.count;
+    around.add(normal, tolerances);
     for (const LocalIndex corner : corners_of(face))
       around.corners += scene.motion[static_cast<std::size_t>(corner)].position - node.motion.position;
     double face_lies = 0;
@@ -94,9 +105,9 @@ bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, st
   }
   fit = fit && std::none_of(facet_lies.begin(), facet_lies.end(),
                             [&](double cosine) { return cosine > tolerances.facing && cosine < tolerances.aligned; });
-  // A sharp corner on a flat surface is held as the slave of that surface. Where both are sharp and do not fit, the row
-  // of either alone lets the other slide off its ridge.
-  return fit || (around.are_sharp_corner(tolerances) && !is_sharp(node, tolerances));
+  // A sharp corner on a flat surface is held as the slave of that surface, and one row holds two corners. Where a sharp
+  // node stands on a rim, the row of either alone lets the other slide off its ridge.
+  return fit || (around.are_sharp(tolerances) && (around.end_a_rim || !is_sharp(node, tolerances)));
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST_CASE("folded elements: corners of a wedge that lie on each other are flat, 
   CHECK(folded_where(scene, turned).count == 0);
 }
 
-TEST_CASE("folded elements: those with more points hold their corners themselves") {
+TEST_CASE("folded elements: those with more points are counted too, since contact loses nodes behind their faces") {
   support::PreparedScene scene(row_of_cubes("hex8_full"));
-  CHECK(folded_where(scene, pulled_back(1.2)).count == 0);
+  CHECK(folded_where(scene, pulled_back(1.2)).count == 1);
 }

@@ -119,7 +119,8 @@ TEST_CASE("overlap report: without a rule of the scene no rule is named as used"
   const OverlapReport report = Parts().report({deep, in_anvil(8, 0.1, OverlapRule::error)});
   REQUIRE(report.faults.size() == 2);
   CHECK_THAT(report.faults[1], Contains("expected parts that do not overlap, or initial_overlap: place"));
-  CHECK_THAT(report.faults[1], !Contains("move") && !Contains("offset") && !Contains("invalid initial_overlap:"));
+  CHECK_THAT(report.faults[1],
+             !Contains("initial_overlap: move") && !Contains("offset") && !Contains("invalid initial_overlap:"));
 }
 
 TEST_CASE("overlap report: a body in itself can be offset but not moved; piercings never are") {
