@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """A square peg stands tilted in a square hole: turning frees it, moving it hardly can. Closed forms: see the README."""
+import csv
 import math
 import os
 import sys
@@ -13,7 +14,6 @@ HALF, LENGTH, HOLE, DEPTH = 0.2, 1.0, 0.25, 0.3  # of the peg: half-width, half-
 TILTS = (12.0, 15.0, 20.0, 30.0)  # degrees
 CERTIFIED = {(20.0, "translation"): 1.00678}  # by a covering of all motions, within 2 %
 METRICS = ("translation", "displacement", "object_norm")
-COLUMNS_OF_BITS = slice(0, -1)  # all but the time
 
 
 def free_tilt():
@@ -33,8 +33,9 @@ def references(tilt):
 
 
 def lines_of(path):
-    with open(path, encoding="utf-8") as stream:
-        return [line.split(",")[COLUMNS_OF_BITS] for line in stream]
+    """The rows without their time."""
+    with open(path, encoding="utf-8", newline="") as stream:
+        return [{key: value for key, value in row.items() if key != "time_ms"} for row in csv.DictReader(stream)]
 
 
 def main():
