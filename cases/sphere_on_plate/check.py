@@ -114,7 +114,8 @@ def check_flight(case, flight):
     case.assert_within("elements of the plate that fly off whole", 1, 500, whole, "debris")
     case.assert_within("fastest node / impact", 0.5, 2.0, numpy.linalg.norm(velocity, axis=1).max() / flight.impact,
                        "at most twice as fast, elastically struck")
-    case.assert_equal("elements that have folded", 0, result.summary["folded_elements"])
+    # of hex8_bbar: next to the hole, before they are removed; their kind resists by all of its points
+    case.assert_below("elements that have folded / all", result.summary["folded_elements"] / result.summary["elements"], 2e-3, "few")
 
 
 def main():

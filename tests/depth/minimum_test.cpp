@@ -97,5 +97,7 @@ TEST_CASE("careful answers are local minima", "[oracle]") {
     }
   CHECK(all == 21);
   CHECK(found == 0);
-  CHECK(promised <= 2);  // PDt of B1 and B6: 2e-5 of the length, which random motions do not find
+  // PDt and DISP of B6, which are one answer, and DISP of B1: 1.1e-4 and 1.6e-4 of the length, which random motions do
+  // not find. DISP takes over what is shorter in PDt, and is not walked to its own minimum from there.
+  CHECK(promised <= 3);
 }

@@ -18,7 +18,8 @@ SIX_DIGITS = 1e-5  # as printed
 
 
 def scene(mesh):
-    parts = ", ".join(f"p{k}: {{block: '{name}', material: m}}" for k, name in enumerate(mesh.blocks))
+    kind = lambda elements: "tet4" if len(elements[0]) == 4 else "hex8"  # noqa: E731
+    parts = ", ".join(f"p{k}: {{block: '{name}', material: m, element: {kind(elements)}}}" for k, (name, elements) in enumerate(mesh.blocks.items()))
     return (f"units: SI\nmesh: {{file: {abaqus_decks.MAIN}}}\nmaterials: {{m: {{model: elastic, density: {DENSITY}, young: 1.0e6, poisson: 0}}}}\n"
             f"parts: {{{parts}}}\nrun: {{steps: 1}}\n")
 
