@@ -68,7 +68,8 @@ mesh::Mesh assemble(const scene::Input& input, std::vector<std::string>& warning
       const mesh::CheckReport report = mesh::check(piece, file ? mesh::MeshSource::file : mesh::MeshSource::generated);
       for (const std::string& fault : report.faults) faults.push_back(where + ": " + fault);
       for (const std::string& warning : report.warnings) warnings.push_back(where + ": " + warning);
-      for (std::string& note : piece.notes) note = (file ? file->file : entry.key) + ": " + note;
+      for (std::string& note : piece.notes)
+        if (!file || !note.starts_with(file->file)) note.insert(0, (file ? file->file : entry.key) + ": ");
       if (!report.faults.empty()) continue;
       if (const std::string fault = place(piece, entry.placement); !fault.empty())
         faults.push_back(where + ": " + fault);
