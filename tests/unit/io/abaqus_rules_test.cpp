@@ -1,41 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // A bar of three cubes written in the ways that the Abaqus manuals allow: what each gives by hand, and what is refused.
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/mesh_file.hpp"
+#include "abaqus_text.hpp"
 #include "brunt/mesh/topology.hpp"
 
 using namespace brunt;
+using test::fault_of;
+using test::read;
 
 namespace {
-
-struct TemporaryFile {
-  std::string path = (std::filesystem::temp_directory_path() / fmt::format("brunt_rules_{}.inp", getpid())).string();
-  ~TemporaryFile() { std::filesystem::remove(path); }
-};
-
-mesh::Mesh read(const std::string& text) {
-  const TemporaryFile file;
-  std::ofstream(file.path, std::ios::binary) << text;
-  return io::read_mesh(file.path);
-}
-
-std::string fault_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    return what.substr(what.find(".inp") + 4);
-  }
-  return "none";
-}
 
 /// Nodes 101, 111, ... at (x, y, z) with x slowest, for 3 x 1 x 1 cubes of edge 1.
 std::string nodes(const std::string& keyword = "*NODE") {

@@ -3,43 +3,19 @@
 #include "brunt/io/abaqus.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <filesystem>
-#include <fstream>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/mesh_file.hpp"
+#include "abaqus_text.hpp"
 #include "brunt/mesh/topology.hpp"
 
 using namespace brunt;
+using test::fault_of;
+using test::read;
 
 namespace {
-
-struct TemporaryFile {
-  std::string path = (std::filesystem::temp_directory_path() / fmt::format("brunt_abaqus_{}.inp", getpid())).string();
-  ~TemporaryFile() { std::filesystem::remove(path); }
-  void put(const std::string& text) const { std::ofstream(path) << text; }
-};
-
-mesh::Mesh read(const std::string& text) {
-  const TemporaryFile file;
-  file.put(text);
-  return io::read_mesh(file.path);
-}
-
-std::string fault_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    return what.substr(what.find(".inp") + 4);
-  }
-  return "none";
-}
 
 /// A cube, a wedge beside it, a pyramid on top of the cube and a tetrahedron apart, with every face as a surface.
 const std::string pieces = R"(*HEADING
