@@ -80,15 +80,33 @@ class Neighbourhood {
     });
   }
 
+  /// Is there a near face beyond each side that starts at the feature? What is missing may have the node in front.
+  [[nodiscard]] bool is_seen_all_around(const Encounter& e) const {
+    const std::array<LocalIndex, 2> feature = nodes_of_feature(face_of(e), e.region);
+    const auto is_joined = [&](const Encounter& one, LocalIndex end) {
+      return std::ranges::any_of(encounters_, [&](const Encounter& other) {
+        return &other != &one && is_near(other) && has_node(face_of(other), feature[0]) &&
+               has_node(face_of(other), end);
+      });
+    };
+    if (feature[0] != feature[1]) return is_joined(e, feature[1]);
+    return std::ranges::all_of(encounters_, [&](const Encounter& one) {
+      const MasterFace& face = face_of(one);
+      if (!has_node(face, feature[0]) || !is_near(one)) return true;
+      const auto count = static_cast<std::size_t>(face.corner_count);
+      const auto corner = static_cast<std::size_t>(std::ranges::find(face.nodes, feature[0]) - face.nodes.begin());
+      return is_joined(one, face.nodes[(corner + 1) % count]) &&
+             is_joined(one, face.nodes[(corner + count - 1) % count]);
+    });
+  }
+
   /// A concave edge or vertex: the node is behind all faces around it, and over them or nearest to them there.
   [[nodiscard]] bool lies_in_a_pit(const Encounter& e) const {
-    bool any = false;
-    const bool behind_all = all_around(e, [&](const Encounter& other) {
-      any = true;
+    const auto is_behind = [&](const Encounter& other) {
       const auto in_one_place = [&] { return (other.point - e.point).norm() <= tolerances_.touching * e.size; };
       return other.height <= 0 && (other.region == Region::face || in_one_place());
-    });
-    return any && behind_all;
+    };
+    return all_around(e, is_behind) && is_seen_all_around(e);
   }
 
   /// Beside e, but on a face that goes on from it smoothly? Then the foot there tells the gap, not the plane of e.

@@ -16,12 +16,12 @@ namespace brunt::contact {
 /// touches it by a hit.
 ///
 /// Behind a face, a node is inside if its projection lies on the face, or beside it by at most `rim`, or if it is
-/// nearest to a concave edge or vertex. The penetration is false, however, if a feature nearer to the node has it
-/// outside, or inside by less: the node entered there. The sign of the distance to that feature is that of its
-/// angle-weighted normal (Baerentzen and Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005) 243). Features that the
-/// slave's own cone does not admit count only for penetrations deeper than `rim` with the node clearly in front of
-/// them: sides of flush bodies slide and bulge, and rounding would decide on which side a node is. A face around a
-/// smooth edge remains `above`, since it contributes to the normal of the row (see select_rows).
+/// nearest to a concave edge or vertex around which all faces are within reach. The penetration is false, however, if a
+/// feature nearer to the node has it outside, or inside by less: the node entered there. The sign of the distance to
+/// that feature is that of its angle-weighted normal (Baerentzen and Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005)
+/// 243). Features that the slave's own cone does not admit count only for penetrations deeper than `rim` with the node
+/// clearly in front of them: sides of flush bodies slide and bulge, and rounding would decide on which side a node is.
+/// A face around a smooth edge remains `above`, since it contributes to the normal of the row (see select_rows).
 /// encounters: of one slave with the faces of one body, with their opposition. criterion: penetrations through nearer
 /// features compete unless it is `automatic`.
 void resolve_features(const FacesInMotion& scene, const Tolerances& tolerances, Criterion criterion,

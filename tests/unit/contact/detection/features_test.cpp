@@ -104,3 +104,17 @@ TEST_CASE("at a corner the angles of its faces decide whether a node is outside"
   REQUIRE(inside.size() == 1);
   CHECK(inside[0].gap == Approx(-0.001));
 }
+
+TEST_CASE("a node beyond a rim is not in a pit at a corner in the middle of it, whichever faces are within reach") {
+  // two elements side by side, twice as high as wide: the faces below reach less far than those at the side y = 1
+  FewFaces scene = bar();
+  for (NodeMotion& node : scene.motion) node.position.z() *= 2;
+  for (const auto& facets : {std::vector{Vec3(0, -0.7, 0.7)}, std::vector{Vec3(0.1, -0.9, 0.3), Vec3(-0.1, -0.3, 0.9)}})
+    for (const double below : {0.03, 0.1, 0.2, 0.26, 0.3, 0.4})
+      for (const double depth : {0.01, 0.1, 0.2, 0.3})
+        for (const double x : {1 - 1e-3, 1 - 1e-9, 1.0, 1 + 1e-9, 1 + 1e-3}) {
+          scene.facets = facets;
+          CAPTURE(below, depth, x);
+          for (const Row& row : scene.rows(Vec3(x, 1 - depth, -below))) CHECK(row.gap > 0);
+        }
+}
