@@ -27,7 +27,7 @@ class Neighbourhood {
 
   [[nodiscard]] Meeting meeting(const Encounter& e) const {
     if (e.meeting != Meeting::inside && e.meeting != Meeting::above) return e.meeting;
-    const bool at_rim = e.beside <= tolerances_.rim * e.size;
+    const bool at_rim = e.beside <= rim_of(e);
     if (e.height > 0)
       return e.region == Region::face || (at_rim && !has_neighbour_in_front(e)) ? Meeting::above : Meeting::none;
     if (e.region == Region::face) return meeting_behind(e);
@@ -44,6 +44,10 @@ class Neighbourhood {
 
   [[nodiscard]] const MasterFace& face_of(const Encounter& e) const {
     return scene_.faces[static_cast<std::size_t>(e.face)];
+  }
+  /// How far beside a face or behind it a place is as good as exact [length]: on a thin body its thickness decides.
+  [[nodiscard]] double rim_of(const Encounter& e) const {
+    return tolerances_.rim * std::min(e.size, face_of(e).element_depth);
   }
   /// The boxes that list faces reach farther along some directions of space than along others: what is beyond the reach
   /// has no say. Nor has a face without area.
@@ -159,7 +163,7 @@ class Neighbourhood {
   }
 
   [[nodiscard]] Meeting meeting_behind(const Encounter& e) const {
-    const double rim = tolerances_.rim * e.size;
+    const double rim = rim_of(e);
     const bool deep = -e.height > rim;
     if (!deep && std::ranges::none_of(encounters_, [](const Encounter& other) { return other.height > 0; }))
       return Meeting::inside;  // nearly always
