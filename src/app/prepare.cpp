@@ -36,13 +36,14 @@ namespace brunt::app {
 namespace {
 
 /// What the root has found goes to all ranks.
-void share_accepted(const comm::Communicator& ranks, std::vector<contact::AcceptedOverlap>& accepted) {
-  static_assert(std::is_trivially_copyable_v<contact::AcceptedOverlap>);
-  const auto raw = std::as_bytes(std::span(accepted));
+template <class T>
+void share(const comm::Communicator& ranks, std::vector<T>& values) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  const auto raw = std::as_bytes(std::span(values));
   std::vector<std::byte> bytes(raw.begin(), raw.end());
   ranks.broadcast(bytes);
-  accepted.resize(bytes.size() / sizeof(contact::AcceptedOverlap));
-  if (!bytes.empty()) std::memcpy(accepted.data(), bytes.data(), bytes.size());
+  values.resize(bytes.size() / sizeof(T));
+  if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
 }
 
 /// The parts of the elements as a file gives them. Root only; throws InputError.
@@ -164,6 +165,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
       read_input(ranks, scene_file, overrides, &prepared->fingerprint, &prepared->scene_values, &prepared->scene_yaml);
   mesh::CanonicalMesh whole;
   std::vector<Rank> part;
+  std::vector<std::size_t> part_of_block;
   on_root(ranks, [&] {
     prepared->warnings = prepared->input.warnings;
     whole = whole_mesh(prepared->input, prepared->warnings, &prepared->start_up);
@@ -174,6 +176,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
       prepared->overlaps.report.notes.push_back(std::move(line));
     for (std::string& line : warn_of_coarse_slaves(prepared->input, whole))
       prepared->warnings.push_back(std::move(line));
+    part_of_block = scene::parts_of_blocks(prepared->input, whole.mesh);
     prepared->start_up.end(StartStage::checking);
     part = partition.empty()
                ? partition::split(partition::dual_graph(whole.mesh), weigh(prepared->input, whole), ranks.size())
@@ -181,7 +184,8 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   });
   ranks.broadcast(prepared->fingerprint);
   prepared->start_up.end(StartStage::partitioning);
-  share_accepted(ranks, prepared->overlaps.accepted);
+  share(ranks, prepared->overlaps.accepted);
+  share(ranks, part_of_block);
   prepared->overlaps.recovered = ranks.any(prepared->overlaps.recovered);
   mesh::LocalMesh local = partition::distribute(ranks, whole, part);
   whole = {};
@@ -190,7 +194,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
 
   std::vector<std::string> faults;
   try {
-    prepared->model = scene::build_model(prepared->input, std::move(local));
+    prepared->model = scene::build_model(prepared->input, part_of_block, std::move(local));
   } catch (const InputError& error) {
     faults = error.faults();
   }

@@ -19,9 +19,10 @@ using mesh::Side;
 
 constexpr const char* by_ignore = "the key ignore of the mesh excludes it";
 
+/// A word is the name of blocks; if none has it, a number.
 template <class AnyBlock>
-bool is_called(const AnyBlock& block, const std::string& word) {
-  return block.name == word || (block.id > 0 && std::to_string(block.id) == word);
+bool is_called(const AnyBlock& block, const std::string& word, bool is_name) {
+  return is_name ? block.name == word : block.id > 0 && std::to_string(block.id) == word;
 }
 
 std::string shown(const std::string& name, GlobalIndex id) {
@@ -58,12 +59,15 @@ class Leaver {
 
  private:
   bool mark(const std::string& word) {
+    const auto has_name = [&](const auto& block) { return block.name == word; };
+    const bool is_name =
+        std::ranges::any_of(content_.mesh.blocks, has_name) || std::ranges::any_of(content_.foreign, has_name);
     bool found = false;
     for (std::size_t b = 0; b < drop_block_.size(); ++b)
-      if (is_called(content_.mesh.blocks[b], word)) found = drop_block_[b] = true;
+      if (is_called(content_.mesh.blocks[b], word, is_name)) found = drop_block_[b] = true;
     for (int dimension = 3; dimension >= 0; --dimension) {
       for (std::size_t f = 0; f < drop_foreign_.size(); ++f)
-        if (content_.foreign[f].dimension == dimension && is_called(content_.foreign[f], word))
+        if (content_.foreign[f].dimension == dimension && is_called(content_.foreign[f], word, is_name))
           found = drop_foreign_[f] = true;
       if (found) return true;
     }

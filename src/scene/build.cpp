@@ -22,12 +22,6 @@ model::Curve curve_of(const Input& input, const std::string& name) {
   return name.empty() ? model::Curve{} : input.curves.at(name);
 }
 
-const Part& part_of_block(const Input& input, const mesh::LocalMesh& mesh, std::size_t b) {
-  return *std::ranges::find_if(input.parts, [&](const Part& part) {
-    return part.block == mesh.block_name[b] || part.block == std::to_string(mesh.block_id[b]);
-  });
-}
-
 /// Connectivity in batches, one element for each lane: [batch][corner][lane]. The last batch is filled up with copies
 /// of its last element.
 AlignedVector<LocalIndex> batched(const std::vector<LocalIndex>& nodes, int corners, LocalIndex count) {
@@ -98,12 +92,10 @@ void watch_nodes(const Input& input, model::Model& model) {
 }
 
 /// The blocks of these parts, ascending.
-std::vector<std::int32_t> blocks_of_parts(const Input& input, const mesh::LocalMesh& mesh,
-                                          const std::vector<std::string>& parts) {
+std::vector<std::int32_t> blocks_of_parts(const model::Model& model, const std::vector<std::string>& parts) {
   std::vector<std::int32_t> blocks;
-  for (std::size_t b = 0; b < mesh.block_name.size(); ++b)
-    if (std::ranges::find(parts, part_of_block(input, mesh, b).name) != parts.end())
-      blocks.push_back(static_cast<std::int32_t>(b));
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    if (std::ranges::find(parts, model.blocks[b].part) != parts.end()) blocks.push_back(static_cast<std::int32_t>(b));
   return blocks;
 }
 
@@ -125,7 +117,7 @@ void build_loads(const Input& input, model::Model& model) {
   for (const RigidWall& wall : input.rigid_walls)
     model.walls.push_back({wall.name, wall.point - model.mesh.origin, wall.normal.normalized(), wall.bilateral,
                            curve_of(input, wall.motion), !wall.motion.empty(), wall.friction,
-                           blocks_of_parts(input, model.mesh, wall.parts)});
+                           blocks_of_parts(model, wall.parts)});
 }
 
 /// Nodes that contact, walls or constraints may still change after the prediction. Those of rigid bodies follow.
@@ -175,11 +167,11 @@ void build_mortar(const Input& input, model::Model& model) {
 
 }  // namespace
 
-model::Model build_model(const Input& input, mesh::LocalMesh&& mesh) {
+model::Model build_model(const Input& input, std::span<const std::size_t> part_of, mesh::LocalMesh&& mesh) {
   model::Model model;
   model.mesh = std::move(mesh);
   for (std::size_t b = 0; b < model.mesh.blocks.size(); ++b)
-    model.blocks.push_back(build_block(part_of_block(input, model.mesh, b), input, model.mesh.blocks[b]));
+    model.blocks.push_back(build_block(input.parts[part_of[b]], input, model.mesh.blocks[b]));
   for (const Vec3& X : model.mesh.coordinates) model.reference.push_back(Quad{X[0], X[1], X[2]});
   build_loads(input, model);
   build_constraints(input, model);

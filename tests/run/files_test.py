@@ -188,6 +188,19 @@ class SeveralFiles(Files):
         self.assert_one_line(self.check(text), "parts.a.block", "several blocks", "bar", "rod", "name")
         self.assertEqual(self.check(self.scene(28).replace("block: rod", "block: 2")).returncode, 0)  # its number in the whole mesh
 
+    def test_a_name_that_is_the_number_of_another_block(self):
+        """Parts in any order whose names are numbers of other blocks, as decks number their parts."""
+        for order in ((1, 2), (2, 1), (1, 3, 2), (3, 1, 2), (2, 3, 1)):
+            boxes = "".join(f"  - {{box: {{part: '{name}', size: [1, 1, 1], elements: [1, 1, 1], at: [{3 * k}, 0, 0]}}}}\n" for k, name in enumerate(order))
+            scene = ("units: SI\nmesh:\n" + boxes + "materials: {" +
+                     ", ".join(f"m{name}: {{model: elastic, density: {1000 * name}, young: 1.0e6, poisson: 0}}" for name in order) + "}\nparts: {" +
+                     ", ".join(f"'{name}': {{material: m{name}}}" for name in order) + "}\nrun: {steps: 2}\n")
+            done = self.check(scene)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            masses = {int(name): float(mass) for name, mass in re.findall(r"^(\d) +hex8 +\S+ +1 +(\S+)$", done.stdout, re.M)}
+            self.assertEqual(masses, {name: 1000.0 * name for name in order})
+            self.assertEqual(self.brunt("run", "scene.yaml", "--out", "out", "--force").returncode, 0)
+
     def test_sets_of_two_files_have_two_names(self):
         for name, n in (("one.msh", 2), ("two.msh", 3)):
             with open(os.path.join(self.folder, name), "rb") as stream:

@@ -49,7 +49,8 @@ Simulation::Simulation(mesh::Mesh mesh, const std::string& scene)
   scene::select(input, whole);
   std::size_t elements = 0;
   for (const mesh::Block& block : whole.mesh.blocks) elements += static_cast<std::size_t>(block.count());
-  model = scene::build_model(input, partition::distribute(links.ranks, whole, std::vector<Rank>(elements, 0)));
+  const std::vector<std::size_t> part_of = scene::parts_of_blocks(input, whole.mesh);
+  model = scene::build_model(input, part_of, partition::distribute(links.ranks, whole, std::vector<Rank>(elements, 0)));
   model.contact.tolerances = &tolerances();
   links = time::link_ranks(links.ranks, model);
   time::initialise(model, state, scratch, links, scene::initial_velocities(input, model));

@@ -13,9 +13,9 @@
 
 namespace brunt::scene {
 
-/// The mesh must have passed scene::select before it was distributed. Throws InputError for a node with two
-/// incompatible constraints (the message names both).
-model::Model build_model(const Input& input, mesh::LocalMesh&& mesh);
+/// The mesh must have passed scene::select before it was distributed. part_of: of each block, from parts_of_blocks.
+/// Throws InputError for a node with two incompatible constraints (the message names both).
+model::Model build_model(const Input& input, std::span<const std::size_t> part_of, mesh::LocalMesh&& mesh);
 
 /// A flag for each face: true if all its nodes lie in a plane of symmetry. Such a face is inside the complete body, so
 /// nothing can touch it.
