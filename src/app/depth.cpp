@@ -124,6 +124,9 @@ int depth_command(const comm::Communicator& ranks, const DepthOptions& options) 
   on_root(ranks, [&] {
     for (const NamedSurface& named : work.surfaces)
       for (const std::string& note : named.notes) fmt::print(stderr, "{}\n", note);
+    if (std::ssize(work.samples) < options.samples)
+      fmt::print(stderr, "warning: --samples {}: only {} placements in contact found\n", options.samples,
+                 work.samples.size());
     folder = std::make_unique<DepthFolder>(options, fingerprint_of(options, work));
   });
   const auto count = static_cast<GlobalIndex>(work.poses.size());

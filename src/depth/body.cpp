@@ -114,6 +114,22 @@ geometry::Box box_along(const MetricShape& shape, const Mat3& axes) {
   return box;
 }
 
+bool precedes(const Vec3& x, const Vec3& y) {
+  return std::lexicographical_compare(x.data(), x.data() + 3, y.data(), y.data() + 3);
+}
+
+/// The same surface with its triangles sorted by the positions of their corners, each from its least corner on: walks
+/// take pairs of triangles in this order, and rounding would lead another order elsewhere.
+TriangleSurface in_order_of_positions(TriangleSurface surface) {
+  const auto at = [&](LocalIndex i) -> const Vec3& { return surface.points[static_cast<std::size_t>(i)]; };
+  const auto by_position = [&](LocalIndex i, LocalIndex j) { return precedes(at(i), at(j)); };
+  for (auto& t : surface.triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end(), by_position), t.end());
+  std::stable_sort(surface.triangles.begin(), surface.triangles.end(), [&](const auto& s, const auto& t) {
+    return std::lexicographical_compare(s.begin(), s.end(), t.begin(), t.end(), by_position);
+  });
+  return surface;
+}
+
 }  // namespace
 
 std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricShape& shape, const Mat3& axes,
@@ -186,8 +202,9 @@ InnerCells inner_cells(const geometry::SlabTree& tree, const MetricShape& shape,
   return cells;
 }
 
-Body make_body(const TriangleSurface& surface, const BodyOptions& options) {
-  if (surface.triangles.empty()) throw std::invalid_argument("the surface has no triangles");
+Body make_body(const TriangleSurface& given, const BodyOptions& options) {
+  if (given.triangles.empty()) throw std::invalid_argument("the surface has no triangles");
+  const TriangleSurface surface = in_order_of_positions(given);
   Body body;
   body.tree = geometry::build_slab_tree(surface);
   body.mass = rigid::surface_properties(surface, 1);
@@ -204,9 +221,7 @@ Body make_body(const TriangleSurface& surface, const BodyOptions& options) {
       seen = 1;
     }
   // by position: the result does not depend on the order of points and triangles
-  std::sort(used.begin(), used.end(), [](const Vec3& x, const Vec3& y) {
-    return std::lexicographical_compare(x.data(), x.data() + 3, y.data(), y.data() + 3);
-  });
+  std::sort(used.begin(), used.end(), precedes);
   body.shape = metric_shape(used, body.mass);
   body.outposts = spread_points(used, body.mass.centre, most_outposts);
   body.components = component_points(surface);

@@ -9,6 +9,8 @@ namespace {
 constexpr std::array<Metric, 3> metrics{Metric::translation, Metric::displacement, Metric::object_norm};
 constexpr double careful_march = 0.08;  // step of marches: with the standard .1 narrow free regions may be missed
 constexpr double small_share = 0.2;     // of A's radius: where the bound is above it, no small motion is tried
+constexpr double far_above = 3;         // of the bound: regions add up to twice the bound at most
+constexpr double askew_share = 2;       // of the overlap: A is turned and shifted by this to begin small motions
 constexpr double margin_share = 2;      // of the clearance: small motions leave this
 
 }  // namespace
@@ -27,15 +29,24 @@ void JointSearch::prepare(bool careful) {
   walks_ = walks();
   steps_ = steps();
   pairs_ = pairs();
-  metrics_ = query_.along.empty() ? (careful ? metrics.size() : index_of(query_.metric) + 1) : 1;
-  for (std::size_t m = 0; m < metrics_; ++m)
-    searches_[m].emplace(encounter_, effort_of(metrics[m], careful, query_.clearance, basis_), bounds_[m]);
+  metrics_ = 0;
+  add_metrics(query_.along.empty() ? index_of(query_.metric) + 1 : 1, careful);
+}
+
+void JointSearch::add_metrics(std::size_t count, bool careful) {
+  for (; metrics_ < count; ++metrics_)
+    searches_[metrics_].emplace(encounter_, effort_of(metrics[metrics_], careful, query_.clearance, basis_),
+                                bounds_[metrics_]);
 }
 
 void JointSearch::try_placements() {
   for (const Placement& placement : query_.tries)
     asked().walk_from_placement(motion_between(encounter_.start, placement, encounter_.a.shape.centroid));
   asked().forget_work();
+}
+
+bool JointSearch::is_shallow() const {
+  return bounds_[0] <= small_share * encounter_.a.shape.radius;
 }
 
 void JointSearch::find_small_motion(const RigidMotion& from, Freedom freedom) {
@@ -46,7 +57,7 @@ void JointSearch::find_small_motion(const RigidMotion& from, Freedom freedom) {
 
 /// For the metric m: translations first, turns for the others.
 void JointSearch::find_small_motions(std::size_t m) {
-  if (bounds_[0] > small_share * encounter_.a.shape.radius) return;
+  if (!is_shallow()) return;
   if (m == 0) {
     if (tried_ > 0) return;
     find_small_motion({}, Freedom::shift);
@@ -61,8 +72,31 @@ void JointSearch::find_small_motions(std::size_t m) {
   tried_ = std::max(tried_, m == 0 ? 1 : 2);
 }
 
-void JointSearch::search_all(bool careful) {
-  for (std::size_t m = 0; m < metrics_; ++m) {
+/// Where the best motion is far longer than the bound: small motions from A turned and shifted a little. Threads and
+/// tilted parts come free from one side, where from q_0 the planes of both sides contradict each other.
+void JointSearch::start_askew(std::size_t m) {
+  Search& search = *searches_[m];
+  const auto far = [&] { return search.best().length > far_above * bounds_[m]; };
+  if (m == 0 || askew_ || !is_shallow() || !far()) return;
+  askew_ = true;
+  const double size = askew_share * ways_.overlap();
+  for (int c = 0; c < 3; ++c)
+    for (const double sign : {1.0, -1.0}) {
+      const Vec3 way = sign * size * encounter_.a.axes.col(c);
+      for (const RigidMotion& from : {RigidMotion{rotation_of(way / encounter_.a.shape.radius), Vec3::Zero()},
+                                      RigidMotion{Turn::Identity(), way}}) {
+        const std::size_t before = small_.size();
+        find_small_motion(from, Freedom::both);
+        if (small_.size() == before) continue;
+        search.forget_work();
+        search.walk_from(small_.back());
+        if (!far()) return;
+      }
+    }
+}
+
+void JointSearch::search_all(bool careful, std::size_t first) {
+  for (std::size_t m = first; m < metrics_; ++m) {
     Search& search = *searches_[m];
     for (const RigidMotion& motion : finished_) search.offer(motion);
     if (search.done()) continue;
@@ -86,6 +120,7 @@ void JointSearch::search_all(bool careful) {
     for (const Start& start : find_starts(encounter_, options)) starts.push_back(start);
     std::stable_sort(starts.begin(), starts.end(), [](const Start& x, const Start& y) { return x.length < y.length; });
     search.walk_from_all(starts);
+    start_askew(m);
     if (search.found()) finished_.push_back(search.best().motion);
   }
 }
@@ -119,11 +154,16 @@ void JointSearch::finish(bool careful) {
 void JointSearch::run() {
   if (asked().found()) finished_.push_back(asked().best().motion);
   prepare(false);
-  search_all(false);
+  search_all(false, 0);
   finish(false);
   if (!query_.careful) return;
   prepare(true);
-  search_all(true);
+  search_all(true, 0);
+  if (query_.along.empty() && !asked().done()) {
+    const std::size_t first = metrics_;
+    add_metrics(metrics.size(), true);
+    search_all(true, first);
+  }
   exchange_ends();
   finish(true);
 }

@@ -14,7 +14,8 @@ namespace brunt::depth {
 
 class JointSearch {
  public:
-  /// bounds: of PDt, DISP, rms [length]. The fast search takes the metrics up to the asked one, the careful one all.
+  /// bounds: of PDt, DISP, rms [length]. Metrics up to the asked one are searched; the careful mode
+  /// takes the others as well where the answer is longer than its bound.
   JointSearch(Encounter& encounter, const Query& query, const Mat3& basis, const std::array<double, 3>& bounds);
 
   /// From the placements of the query alone.
@@ -33,7 +34,11 @@ class JointSearch {
   void prepare(bool careful);
   void find_small_motion(const RigidMotion& from, Freedom freedom);
   void find_small_motions(std::size_t m);
-  void search_all(bool careful);
+  void start_askew(std::size_t m);
+  /// Small motions are tried.
+  [[nodiscard]] bool is_shallow() const;
+  void add_metrics(std::size_t count, bool careful);  ///< up to so many
+  void search_all(bool careful, std::size_t first);
   void exchange_ends();
   void finish(bool careful);
 
@@ -47,6 +52,7 @@ class JointSearch {
   std::vector<RigidMotion> small_, finished_;  // free
   RigidMotion last_;                           // end of the last small motion
   int tried_ = 0;                              // small motions: 1 straight, 2 all
+  bool askew_ = false;                         // tried
   int walks_ = 0, steps_ = 0;                  // of earlier searches
   std::int64_t pairs_ = 0;
 };

@@ -15,6 +15,8 @@ using geometry::Triangle;
 
 constexpr double facing = 0.25;     // cosine: a normal may lean this much to the wrong side
 constexpr double passed = 1e-3;     // cosine: the same of pairs that do not cross
+constexpr double flat = 1e-3;       // sine: half the turn of the normal at an edge that belongs to a plane
+constexpr double beside = 1e-2;     // cosine: a normal may lie this much beside those of an edge
 constexpr double parallel = 1e-7;   // sine: the product of parallel edges is undefined
 constexpr double same_row = 1e-9;   // of A's radius, and of normals: equal conditions
 constexpr double rounding = 1e-12;  // of A's radius: a vertex nearer to the surface has no direction to it
@@ -31,12 +33,23 @@ double most_along(const Triangle& t, const Vec3& n) {
   return std::max({n.dot(t[0]), n.dot(t[1]), n.dot(t[2])});
 }
 
+/// The corners of what lies of a triangle over or under another one, along that one's normal: at most six.
+struct Cut {
+  std::array<Vec3, 6> corners;
+  std::size_t count = 0;
+  Cut() { corners.fill(Vec3::Zero()); }
+  void add(const Vec3& x) {
+    if (count < corners.size()) corners[count++] = x;
+  }
+};
+
 /// A plane that parts two triangles, and their overlap along its normal.
 struct Parting {
   enum class Of { none, face_b, face_a, edges } of = Of::none;
   Vec3 normal = Vec3::Zero();  ///< from b to a
   Vec3 at = Vec3::Zero();      ///< edges: point of a's edge nearest to b's
   double gap = -std::numeric_limits<double>::infinity();
+  Cut cut;  ///< faces: what lies of the other triangle over this one
 };
 
 /// The point of the line through p along u nearest to the line through q along v, within the segment.
@@ -47,22 +60,86 @@ Vec3 nearest_on_edge(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3& v)
   return p + std::clamp(s, 0.0, 1.0) * u;
 }
 
-Parting parting_of(const Triangle& a, const Triangle& b) {
+/// A triangle with the normals of its features, in the axes of B.
+struct Facet {
+  Triangle corners;
+  geometry::TriangleNormals normals;
+};
+
+Facet facet_of(const geometry::SlabTree& tree, LocalIndex t) {
+  const auto i = static_cast<std::size_t>(t);
+  return {tree.triangles[i], tree.normals[i]};
+}
+
+/// The corner that lies farthest along n.
+std::size_t farthest(const Triangle& t, const Vec3& n) {
+  const std::size_t k = n.dot(t[1]) > n.dot(t[0]) ? 1 : 0;
+  return n.dot(t[2]) > n.dot(t[k]) ? 2 : k;
+}
+
+/// Whether the surface about the corner that is farthest along n faces along n.
+bool reaches(const Facet& facet, const Vec3& n) {
+  if (n.dot(facet.normals[0]) >= -facing) return true;
+  return n.dot(facet.normals[4 + farthest(facet.corners, n)]) >= -facing;
+}
+
+/// Whether n is among the normals of edge i: between those of the two faces that meet there in a convex edge.
+bool among(const Facet& facet, std::size_t i, const Vec3& n) {
+  const Vec3 &face = facet.normals[0], &edge = facet.normals[1 + i];
+  const Vec3 along = facet.corners[(i + 1) % 3] - facet.corners[i];
+  return along.cross(face).dot(edge) > flat * along.norm() && n.dot(edge) >= face.dot(edge) - beside;
+}
+
+Cut cut_over(const Triangle& t, const Triangle& base, const Vec3& normal) {
+  Cut cut;
+  for (const Vec3& x : t) cut.add(x);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 side = (base[(i + 1) % 3] - base[i]).cross(normal);  // outward
+    const Cut whole = cut;
+    cut.count = 0;
+    for (std::size_t k = 0; k < whole.count; ++k) {
+      const Vec3 &x = whole.corners[k], &next = whole.corners[(k + 1) % whole.count];
+      const double here = side.dot(x - base[i]), there = side.dot(next - base[i]);
+      if (here <= 0) cut.add(x);
+      if ((here < 0 && there > 0) || (here > 0 && there < 0)) cut.add(x + here / (here - there) * (next - x));
+    }
+  }
+  return cut;
+}
+
+double least_height(const Cut& cut, const Vec3& from, const Vec3& n) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < cut.count; ++k) least = std::min(least, n.dot(cut.corners[k] - from));
+  return least;
+}
+
+Parting parting_of(const Facet& fa, const Facet& fb) {
+  const Triangle &a = fa.corners, &b = fb.corners;
   const Vec3 na = normal_of(a), nb = normal_of(b);
   Parting best;
-  const auto offer = [&](Parting::Of of, const Vec3& n, const Vec3& at) {
-    if (n.dot(na) > facing || n.dot(nb) < -facing) return;
-    const double gap = least_along(a, n) - most_along(b, n);
-    if (gap > best.gap) best = {of, n, at, gap};
+  const auto offer = [&](Parting::Of of, const Vec3& n, double gap) {
+    if (gap > best.gap) best = {of, n, Vec3::Zero(), gap, {}};
   };
-  offer(Parting::Of::face_b, nb, Vec3::Zero());
-  offer(Parting::Of::face_a, -na, Vec3::Zero());
+  if (reaches(fa, -nb)) {
+    const Cut cut = cut_over(a, b, nb);
+    offer(Parting::Of::face_b, nb, least_height(cut, b[0], nb));
+    if (best.of == Parting::Of::face_b) best.cut = cut;
+  }
+  if (reaches(fb, -na)) {
+    const Cut cut = cut_over(b, a, na);
+    offer(Parting::Of::face_a, -na, least_height(cut, a[0], na));
+    if (best.of == Parting::Of::face_a) best.cut = cut;
+  }
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       const Vec3 u = a[(i + 1) % 3] - a[i], v = b[(j + 1) % 3] - b[j], product = u.cross(v);
       if (!(product.norm() > parallel * u.norm() * v.norm())) continue;
-      const Vec3 at = nearest_on_edge(a[i], u, b[j], v);
-      for (const double sign : {1.0, -1.0}) offer(Parting::Of::edges, sign * product.normalized(), at);
+      for (const double sign : {1.0, -1.0}) {
+        const Vec3 n = sign * product.normalized();
+        if (!among(fa, i, -n) || !among(fb, j, n)) continue;
+        offer(Parting::Of::edges, n, least_along(a, n) - most_along(b, n));
+        if (best.of == Parting::Of::edges && best.normal == n) best.at = nearest_on_edge(a[i], u, b[j], v);
+      }
     }
   return best;
 }
@@ -112,7 +189,10 @@ void OverlapRows::part(const Place& place, const geometry::NearPair& pair) {
   }
   crossing_a_.push_back(pair.a);
   crossing_b_.push_back(pair.b);
-  const Parting plane = parting_of(a, b);
+  Facet facet = facet_of(place.encounter.a.tree, pair.a);
+  facet.corners = a;
+  for (Vec3& normal : facet.normals) normal = place.now.rotation * normal;
+  const Parting plane = parting_of(facet, facet_of(place.encounter.b.tree, pair.b));
   const bool skipped = plane.of == Parting::Of::none || -plane.gap > place.most;
   overlaps_.push_back(skipped ? 0 : std::max(0.0, -plane.gap));
   if (skipped) return;
@@ -120,10 +200,12 @@ void OverlapRows::part(const Place& place, const geometry::NearPair& pair) {
     case Parting::Of::none:
       break;
     case Parting::Of::face_b:
-      for (const Vec3& x : a) add(place, plane.normal, x, plane.normal.dot(x - b[0]));
+      for (std::size_t k = 0; k < plane.cut.count; ++k)
+        add(place, plane.normal, plane.cut.corners[k], plane.normal.dot(plane.cut.corners[k] - b[0]));
       break;
     case Parting::Of::face_a:
-      for (const Vec3& x : b) add(place, plane.normal, x, plane.normal.dot(a[0] - x));
+      for (std::size_t k = 0; k < plane.cut.count; ++k)
+        add(place, plane.normal, plane.cut.corners[k], plane.normal.dot(a[0] - plane.cut.corners[k]));
       break;
     case Parting::Of::edges:
       add(place, plane.normal, plane.at, plane.gap);

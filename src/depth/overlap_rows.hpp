@@ -2,9 +2,9 @@
 // Linear conditions on a small motion of A at a placement where the bodies overlap: after it they would not.
 //
 // A pair of triangles that cross is parted by a plane: that of one of them, or one along an edge of each, of those
-// which the outward normals of both surfaces allow (A leaves B on B's outer side and on its own). The plane with the
-// smallest overlap g is taken. With its normal n from B to A, every corner of the other triangle that is deeper than n
-// . x = h gives
+// that both surfaces have as a tangent plane there (A leaves B on B's outer side and on its own). The plane with the
+// smallest overlap g is taken. With its normal n from B to A, n . x = h, every corner of what lies of the other
+// triangle over the face gives
 //   n . (tau + omega x (x - c)) >= g(x) + margin,
 // also for a plane that moves with A (the terms of its rotation are the same in first order). A vertex of one body
 // inside the other gives the same with its nearest point of the surface. Pairs that do not cross give the conditions of

@@ -84,7 +84,7 @@ Start SmallMotions::attempt(const RigidMotion& from, Freedom freedom, Metric met
     least = std::min(least, rows_.deepest);
     motion = step(motion, freedom, trust);
   }
-  return {motion, encounter_.collides(motion) ? -1 : length_of(encounter_.a.shape, metric, motion)};
+  return freed(encounter_, metric, motion);
 }
 
 Start SmallMotions::find(const RigidMotion& from, Freedom freedom, Metric metric) {

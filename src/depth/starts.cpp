@@ -15,7 +15,8 @@ constexpr double parallel = 0.05;       // sine: a vector nearer to an axis does
 constexpr int bisections = 3;
 constexpr std::size_t fast_turned = 1, norm_turned = 3, careful_turned = 6;  // translations marched again, A turned by
 constexpr std::array<double, 4> turned_angles{-.5 * std::numbers::pi, -.5, .5, .5 * std::numbers::pi};  // [rad]
-constexpr int short_march = 32;  // steps; longer ones query the depth of A, which costs as much as a step
+constexpr double same_direction = 0.9;  // cosine: of directions nearer to each other one is marched turned
+constexpr int short_march = 32;         // steps; longer ones query the depth of A, which costs as much as a step
 
 /// Unit vectors through the grid points of the surface of the cube [-grid, grid]^3.
 std::vector<Vec3> cube_directions(int grid) {
@@ -118,11 +119,16 @@ void march_turned(Marcher& marcher, const Mat3& axes, double step, double end) {
   std::stable_sort(straight.begin(), straight.end(), shorter);
   const std::size_t most =
       options.careful ? careful_turned : (options.metric == Metric::object_norm ? norm_turned : fast_turned);
-  straight.resize(std::min(straight.size(), most));
-  for (const Start& start : straight)
+  std::vector<Vec3> directions;
+  for (const Start& start : straight) {
+    const Vec3 u = start.motion.shift.normalized();
+    if (directions.size() == most) break;
+    if (std::none_of(directions.begin(), directions.end(), [&](const Vec3& v) { return u.dot(v) > same_direction; }))
+      directions.push_back(u);
+  }
+  for (const Vec3& u : directions)
     for (int c = 0; c < 3; ++c)
-      for (const double angle : turned_angles)
-        marcher.march({start.motion.shift.normalized(), false, rotation_of(angle * axes.col(c))}, step, end);
+      for (const double angle : turned_angles) marcher.march({u, false, rotation_of(angle * axes.col(c))}, step, end);
 }
 
 }  // namespace

@@ -102,8 +102,8 @@ TEST_CASE("close fits: no answer is longer than the motion back, overlaps, or br
   for (int kind = 0; kind < test::fit_kinds; ++kind)
     for (std::uint64_t seed = 100; seed < 104; ++seed) ask(test::close_fit(kind, seed % 2 == 0, seed), false, counts);
   CHECK(counts.all == 60);
-  CHECK(counts.long_ones <= 1);  // missed: rms of a key, .308 for .231
-  CHECK(counts.silent <= 1);     // the same: its overlap is .308
+  CHECK(counts.long_ones == 0);
+  CHECK(counts.silent == 0);
   CHECK(counts.overlapping == 0);
   CHECK(counts.disorder == 0);
 }
@@ -120,7 +120,7 @@ TEST_CASE("three hundred close fits: nine of ten answers are no longer than the 
   CHECK(counts.disorder == 0);
 }
 
-TEST_CASE("a plate that stands in a block at a quarter turn comes out flat in the object norm", "[.][missed]") {
+TEST_CASE("a plate that stands in a block at a quarter turn comes out flat in the object norm", "[oracle]") {
   const depth::Body thin = depth::make_body(test::box({-.5, -.5, -.01}, {.5, .5, .01})),
                     block = depth::make_body(test::box({-2, -2, -2}, {2, 2, 2}));
   Placement pose;
@@ -132,7 +132,7 @@ TEST_CASE("a plate that stands in a block at a quarter turn comes out flat in th
   CHECK(careful <= fast);
 }
 
-TEST_CASE("a peg askew in its hole turns back instead of leaving", "[.][missed]") {
+TEST_CASE("a peg askew in its hole turns back instead of leaving", "[oracle]") {
   std::vector<std::array<double, 2>> circle;
   for (int i = 0; i < 48; ++i) circle.push_back({.45 * std::cos(i * test::pi / 24), .45 * std::sin(i * test::pi / 24)});
   const depth::Body peg = depth::make_body(test::prism(circle, -1.5, 1.5)),

@@ -97,7 +97,7 @@ TEST_CASE("careful answers are local minima", "[oracle]") {
     }
   CHECK(all == 21);
   CHECK(found == 0);
-  // PDt and DISP of B6, which are one answer, and DISP of B1: 1.1e-4 and 1.6e-4 of the length, which random motions do
-  // not find. DISP takes over what is shorter in PDt, and is not walked to its own minimum from there.
-  CHECK(promised <= 3);
+  // PDt and DISP of B6, which are one answer: 1.1e-4 of the length, the whole trust region, which random motions do
+  // not find; the cause is open
+  CHECK(promised <= 2);
 }
