@@ -116,8 +116,8 @@ TEST_CASE("of a corner, a rim and a flat place the row of the sharper one holds 
       {{0, -1, 0}, {0, 1, 0}, {1, -1, -1}, {1, 1, -1}, {-1, -1, -1}, {-1, 1, -1}, {0, 0, 0}, {1, 0, -1}, {-1, 0, -1}},
       {{0, 2, 7, 6}, {6, 7, 3, 1}, {0, 6, 8, 4}, {6, 1, 5, 8}});
   const std::vector<Vec3> face{Vec3(0, 0, -1), Vec3(0, 0, -1)};
-  const std::vector<Vec3> along{Vec3(s, 0, -s), Vec3(-s, 0, -s)}, across{Vec3(0, s, -s), Vec3(0, -s, -s)};
-  const std::vector<Vec3> end{Vec3(0, s, -s), Vec3(0, -s, -s), Vec3(1, 0, 0)};
+  const std::vector<Vec3> across{Vec3(0, 0.6, -0.8), Vec3(0, -0.6, -0.8)};
+  const std::vector<Vec3> end{Vec3(0, 0.6, -0.8), Vec3(0, -0.6, -0.8), Vec3(1, 0, 0)};
   const std::vector<Vec3> tip = standing_corner(0.3);
   const Vec3 place(0, 0, 1e-6);
   for (const auto& sharp : {across, end, tip}) {
@@ -125,7 +125,7 @@ TEST_CASE("of a corner, a rim and a flat place the row of the sharper one holds 
     CHECK((!spare.first && !spare.second));
   }
   CHECK(is_spared(ridge, place, face));
-  for (const auto& sharp : {along, across, end, tip}) {
+  for (const auto& sharp : {across, end, tip}) {
     const RowsToSpare spare = to_spare(ridge, place, sharp);
     CHECK((!spare.first && !spare.second));
   }
