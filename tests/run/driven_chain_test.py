@@ -182,22 +182,24 @@ class Named(Driven):
         self.assertGreater(records[-1][1][:, 2].min(), -0.1 - 0.061)
 
     def test_a_bar_that_is_pushed_at_its_dead_point(self):
-        self.stops("gear", GEAR)
         # the corner comes at 7.1 mm/ms, .29 mm beside the line to the pivot: 24 rad/ms, and more while the lever is shorter within a step
-        for row in self.history("gear"):
-            self.assertLess(abs(row["b.z"]), 2 * 24.5)
-            self.assertLess(row["kinetic"], 0.5 * 0.357 * (2 * 24.5)**2)
+        for step in (2.0e-3, 1.0e-3, 4.0e-4):
+            with self.subTest(step=step):
+                self.stops(f"gear{step}", GEAR.replace("step: 2.0e-3", f"step: {step}"))
+                for row in self.history(f"gear{step}"):
+                    self.assertLess(abs(row["b.z"]), 2 * 24.5)
+                    self.assertLess(row["kinetic"], 0.5 * 0.357 * (2 * 24.5)**2)
 
     def test_same_bits_on_any_number_of_ranks_and_after_a_restart(self):
-        hashes = []
+        hashes, text = [], SQUEEZED.replace("output: {every: 1.0e-3}", "output: {every: 0.1}")
         for ranks in (1, 2, 3, 4):
-            self.stops(f"r{ranks}", SQUEEZED, ranks=ranks)
+            self.stops(f"r{ranks}", text, ranks=ranks)
             hashes.append((self.summary(f"r{ranks}")["steps"], self.summary(f"r{ranks}")["state_hash"]))
         self.assertEqual(len(set(hashes)), 1, hashes)
-        self.write("part.yaml", SQUEEZED)
+        self.write("part.yaml", text)
         self.run_scene(2, "part.yaml", "--out", "part", "--set", "run.steps=45")  # in contact on both sides, and not yet too deep
         self.assertGreater(self.summary("part")["driven_penetration"], 0)
-        self.stops("part", SQUEEZED, "--restart", "part", ranks=3)
+        self.stops("part", text, "--restart", "part", ranks=3)
         self.assertEqual((self.summary("part")["steps"], self.summary("part")["state_hash"]), hashes[0])
 
 
@@ -223,7 +225,7 @@ class Varied(Driven):
         scene, rnd = driven_scenes.scene_of(seed), random.Random(f"ranks {seed}")
         name = f"s{seed}"
         self.run_to_its_end(scene, name, rnd.choice((1, 1, 2, 3)))
-        if seed % 3 == 0:
+        if seed % 4 == 3:
             self.check_restart(scene, name, rnd)
         summary, rows = self.summary(name), self.history(name)
         reference, parts, records = self.motion(name)
