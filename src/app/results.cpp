@@ -184,6 +184,7 @@ std::string Results::write_checkpoint() {
                               run_.scene_values};
   // after a guard the file has rows of later steps
   const bool rows_known = history_ && static_cast<double>(history_->last_step()) < run_.state.step;
+  header.program = version();
   header.history_rows = run_.links.ranks.max(rows_known ? history_->rows() : GlobalIndex{-1});
   if (run_.work.steps == 0) return io::write_checkpoint(run_.links.ranks, folder_, header, run_.registry());
   const io::RankWork work{run_.work.of_elements() / run_.work.steps, run_.work.of_contact() / run_.work.steps,

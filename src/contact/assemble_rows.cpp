@@ -50,8 +50,7 @@ void make_soft(Row& row, double softness, double dt) {
   if (row.gap < 0) row.gap_share = (row.required - row.wall_rate) * dt / -row.gap;
 }
 
-/// The row of a node with a coincident node holds in both passes, since that node has none in the second (see
-/// detect_faces).
+/// The row of a node with a coincident node holds in both passes, since that node may have none (see detect_faces).
 void assign_passes(const Contact& contact, double dt, std::span<Row> rows) {
   const DerivedSettings& derived = contact.derived;
   const double softness = where_remembered(derived.enforcement.softness, derived.enforcement);
@@ -59,8 +58,7 @@ void assign_passes(const Contact& contact, double dt, std::span<Row> rows) {
     if (row.is_wall() || row.is_edge() || row.cone != Cone::compression) continue;  // ties hold in both
     row.pass = pass_of(row, contact.surface.node(surface_slave(contact, row)), lowest_gid_of_master(contact, row),
                        contact.settings.specification, contact.surface.bodies);
-    if (row.pass == Pass::first && row.slave_body != row.master_body &&
-        has_coincident_node(row, contact.step.nodes.motion, derived.detection))
+    if (row.slave_body != row.master_body && has_coincident_node(row, contact.step.nodes.motion, derived.detection))
       row.pass = Pass::both;
     if (row.pass != Pass::both && softness > 0) make_soft(row, softness, dt);
   }

@@ -56,7 +56,7 @@ comm::ExactAccumulator stored_in_soft_rows(const Contact& contact) {
 
 }  // namespace
 
-void book_iterations(const EnforcementResult& result, const EnforcementSettings& settings,
+void book_iterations(const EnforcementResult& result, const EnforcementSettings& settings, bool can_be_met,
                      ContactStatistics& statistics) {
   statistics.last = result;
   if (!result.acted) return;
@@ -64,7 +64,7 @@ void book_iterations(const EnforcementResult& result, const EnforcementSettings&
   statistics.iterations += result.iterations;
   statistics.most_iterations = std::max(statistics.most_iterations, result.iterations);
   statistics.largest_residual = std::max(statistics.largest_residual, result.residual);
-  if (ended_at_limit(result, settings)) ++statistics.steps_at_limit;
+  if (can_be_met && ended_at_limit(result, settings)) ++statistics.steps_at_limit;
   if (result.scaled_islands > 0) ++statistics.scaled_steps;
   statistics.least_share = std::min(statistics.least_share, result.least_share);
 }

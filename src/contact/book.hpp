@@ -5,8 +5,8 @@
 
 namespace brunt::contact {
 
-/// Statistics of the solver.
-void book_iterations(const EnforcementResult& result, const EnforcementSettings& settings,
+/// Statistics of the solver. can_be_met: all rows have a solution; otherwise no number of iterations would suffice.
+void book_iterations(const EnforcementResult& result, const EnforcementSettings& settings, bool can_be_met,
                      ContactStatistics& statistics);
 
 /// Work and impulses, added to the sums over the run.

@@ -12,6 +12,7 @@
 #include "brunt/contact/contact.hpp"
 #include "detect.hpp"
 #include "gather.hpp"
+#include "jams.hpp"
 #include "watch_driven.hpp"
 
 namespace brunt::contact {
@@ -24,6 +25,8 @@ void begin_step(Contact& contact, double dt) {
   contact.step.rows.clear();
   contact.step.impulses.clear();
   contact.unmet.rows.clear();
+  contact.unmet.jammed.clear();
+  contact.unmet.any = false;
   contact.unmet.excess = 0;
 }
 
@@ -46,6 +49,14 @@ EnforcementResult solve_by_sweeps(Contact& contact, const System& system, const 
   return result;
 }
 
+/// Of the compressed rows.
+System system_of(const Contact& contact, const StepInput& input) {
+  const StepData& step = contact.step;
+  return {step.scratch.enforcement.matrix, step.nodes.motion,    step.nodes.mobility,
+          contact.derived.two_passes,      input.mobility_scale, carriers_of(contact, input),
+          contact.lists.nodes.gid};
+}
+
 EnforcementResult solve(Contact& contact, const StepInput& input) {
   StepData& step = contact.step;
   const DerivedSettings& derived = contact.derived;
@@ -54,16 +65,31 @@ EnforcementResult solve(Contact& contact, const StepInput& input) {
     start_impulses(step.rows, contact.history.pairs, input.dt, step.impulses, *derived.detection.tolerances);
   if (derived.may_jam) contact.unmet.start.assign(step.impulses.begin(), step.impulses.end());
   EnforcementScratch& scratch = step.scratch.enforcement;
-  const Carriers carriers = carriers_of(contact, input);
-  const RowMatrix& rows = compress(step.rows, scratch.matrix);
-  lay_rows_on_bodies(carriers, step.nodes.motion, scratch.carried, scratch.matrix);
-  const System system{rows,     step.nodes.motion,      step.nodes.mobility, derived.two_passes, input.mobility_scale,
-                      carriers, contact.lists.nodes.gid};
+  compress(step.rows, scratch.matrix);
+  lay_rows_on_bodies(carriers_of(contact, input), step.nodes.motion, scratch.carried, scratch.matrix);
+  const System system = system_of(contact, input);
   const EnforcementResult result = enforce(system, derived.enforcement, input.dt, contact.lists.exchange, step.impulses,
                                            step.nodes.velocity, scratch);
   if (!derived.may_jam || !ended_at_limit(result, derived.enforcement) || result.residual < unmet_numbers.astray)
     return result;
   return solve_by_sweeps(contact, system, input, result.iterations);
+}
+
+/// Without the rows that no turn of their bodies satisfies.
+EnforcementResult solve_what_can_be_met(Contact& contact, const StepInput& input) {
+  EnforcementResult result = solve(contact, input);
+  if (!contact.derived.may_jam) return result;
+  while (drop_jammed_rows(contact, input, result)) {
+    const int iterations = result.iterations;
+    result = solve(contact, input);
+    result.iterations += iterations;
+  }
+  if (!result.acted) return result;
+  const EnforcementScratch& scratch = contact.step.scratch.enforcement;
+  find_unmet_rows({system_of(contact, input), scratch, contact.step.impulses, contact.step.nodes.velocity},
+                  unmet_numbers.remainder * contact.derived.enforcement.tolerance * result.violation,
+                  contact.lists.exchange, contact.unmet);
+  return result;
 }
 
 }  // namespace
@@ -74,11 +100,10 @@ void correct(Contact& contact, const StepInput& input) {
   gather(input, contact.list_state.gather, contact.lists, contact.step);
   detect_rows(contact, input);
   assemble_rows(contact, input);
-  const EnforcementResult result = solve(contact, input);
-  if (contact.derived.may_jam) find_unmet_rows(contact, input, result);
+  const EnforcementResult result = solve_what_can_be_met(contact, input);
   if (contact.derived.may_be_driven) watch_driven(contact, input);
   remember(contact, input);
-  book_iterations(result, contact.derived.enforcement, contact.ledger.statistics);
+  book_iterations(result, contact.derived.enforcement, !contact.unmet.any, contact.ledger.statistics);
   if (!result.acted) return;  // v* is unchanged
   scatter(contact, input.velocity);
   book_impulses(contact);

@@ -152,16 +152,19 @@ void fill_faces(const ListBuild& build, const FacePairs& found, ContactLists& li
   });
 }
 
-/// Which pairs are of the second pass between two bodies; within one that is not known before they meet.
-void fill_second(const ListBuild& build, const FacePairs& found, Candidates& candidates) {
+/// Passes of pairs of two bodies; within one that is not known before they meet. Where only the nodes on the master's
+/// rims have rows besides those of the slave, the slave keeps all of its own.
+void fill_passes(const ListBuild& build, const FacePairs& found, Candidates& candidates) {
   if (!build.settings.two_passes) return;
+  const std::vector<BodyFigures>& bodies = build.surface.bodies;
   for (const CandidatePair& pair : found.pairs) {
-    const SurfaceNode node = build.surface.node(pair.slave);
+    SurfaceNode node = build.surface.node(pair.slave);
     const GhostFace& face = found.masters[static_cast<std::size_t>(pair.master)];
-    const bool second = node.body != face.body &&
-                        !is_primary_slave(build.specification, build.surface.bodies, node, face.block, face.body) &&
-                        meet_in_two_passes(build.specification, build.surface.bodies, node, face.block, face.body);
-    candidates.second.push_back(second ? 1 : 0);
+    const bool primary = is_primary_slave(build.specification, bodies, node, face.block, face.body);
+    if (primary) node.on_rim = false;
+    const bool two =
+        node.body != face.body && meet_in_two_passes(build.specification, bodies, node, face.block, face.body);
+    candidates.pass.push_back(!two ? PairPass::only : primary ? PairPass::first : PairPass::second);
   }
 }
 
@@ -318,7 +321,7 @@ ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface
     candidate.node = table_index(lists.nodes, surface.gid[static_cast<std::size_t>(candidate.node)]);
   std::vector<Place> edge_facets;
   fill_faces(build, faces, lists);
-  fill_second(build, faces, lists.candidates);
+  fill_passes(build, faces, lists.candidates);
   fill_thickness(build, faces, lists.candidates);
   fill_seams(build, faces, lists.candidates);
   fill_edges(build, edges, lists, edge_facets);

@@ -20,11 +20,12 @@ struct Bounds {
 };
 
 /// Whether nothing but rigid bodies can yield along the normal.
-bool is_stiff(const RowMatrix& rows, std::size_t q, const ContactNodes& nodes) {
+bool is_stiff(const System& system, std::size_t q) {
+  const RowMatrix& rows = system.rows;
   const RowLaw& law = rows.laws[q];
   if (law.cone != Cone::compression || law.across == Across::holds) return false;
   for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) {
-    const Mobility& node = nodes.mobility[rows.point(k)];
+    const Mobility& node = system.mobility[rows.point(k)];
     if (rows.weights[k] != 0 && node.inverse_mass > 0 && node.is_free_along(law.normal)) return false;
   }
   return true;
@@ -32,28 +33,25 @@ bool is_stiff(const RowMatrix& rows, std::size_t q, const ContactNodes& nodes) {
 
 /// Growth of the row's impulse, if the rate that it requires is missing by more than `least` nevertheless. What a
 /// compliant row recovers of its own depth under load is not required.
-Vec3 growth_of(const Contact& contact, std::size_t q, double least) {
-  const EnforcementScratch& scratch = contact.step.scratch.enforcement;
-  const RowMatrix& rows = scratch.matrix;
+Vec3 growth_of(const Solved& solved, std::size_t q, const Vec3& start, double least) {
+  const RowMatrix& rows = solved.system.rows;
   const RowLaw& law = rows.laws[q];
-  const Vec3& start = contact.unmet.start[q];
-  const Vec3 growth = contact.step.impulses[q] - start;
+  const Vec3 growth = solved.impulses[q] - start;
   if (!(law.normal.dot(growth) > 0)) return Vec3::Zero();
   const double kept =
-      law.softness > 0 ? rows.figures[q].gap_share * scratch.compliance[q] * law.normal.dot(start) : 0.0;
-  const double rate = law.normal.dot(relative_velocity(rows, q, contact.step.nodes.velocity));
+      law.softness > 0 ? rows.figures[q].gap_share * solved.scratch.compliance[q] * law.normal.dot(start) : 0.0;
+  const double rate = law.normal.dot(relative_velocity(rows, q, solved.velocity));
   return law.required - kept - rate > least + law.noise ? growth : Vec3::Zero();
 }
 
-Bounds measure_growth(Contact& contact, double least) {
-  const RowMatrix& rows = contact.step.scratch.enforcement.matrix;
-  std::vector<Vec3>& growth = contact.unmet.growth;
-  growth.assign(rows.size(), Vec3::Zero());
+Bounds measure_growth(const Solved& solved, double least, Unmet& unmet) {
+  const RowMatrix& rows = solved.system.rows;
+  unmet.growth.assign(rows.size(), Vec3::Zero());
   Bounds bounds;
   for (std::size_t q = 0; q < rows.size(); ++q) {
-    if (rows.bodies_of(q).empty() || !is_stiff(rows, q, contact.step.nodes)) continue;
-    growth[q] = growth_of(contact, q, least);
-    const double size = growth[q].norm();
+    if (rows.bodies_of(q).empty() || !is_stiff(solved.system, q)) continue;
+    unmet.growth[q] = growth_of(solved, q, unmet.start[q], least);
+    const double size = unmet.growth[q].norm();
     bounds.growth = std::max(bounds.growth, rows.laws[q].share * size);
     for (const BodyShare& share : rows.bodies_of(q)) bounds.size = std::max(bounds.size, share.along * size);
   }
@@ -67,10 +65,9 @@ std::array<FixedUnit, body_width> units_of(const Bounds& bounds) {
 }
 
 /// Sums over the growing rows on each body. Collective.
-void sum_on_bodies(Contact& contact, const Carriers& carriers, const Bounds& bounds) {
-  const EnforcementScratch& scratch = contact.step.scratch.enforcement;
-  const RowMatrix& rows = scratch.matrix;
-  Unmet& unmet = contact.unmet;
+void sum_on_bodies(const Solved& solved, const Bounds& bounds, Exchange& exchange, Unmet& unmet) {
+  const RowMatrix& rows = solved.system.rows;
+  const Carriers& carriers = solved.system.carriers;
   const std::array<FixedUnit, body_width> units = units_of(bounds);
   unmet.sums.assign(body_width * carriers.bodies.size(), 0);
   for (std::size_t q = 0; q < rows.size(); ++q) {
@@ -79,11 +76,11 @@ void sum_on_bodies(Contact& contact, const Carriers& carriers, const Bounds& bou
     for (const BodyShare& share : rows.bodies_of(q))
       unmet.sums[body_width * static_cast<std::size_t>(share.body) + 6] += units[6].of(share.along * growth.norm());
     for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) {
-      const LocalIndex place = scratch.carried.place[rows.point(k)];
+      const LocalIndex place = solved.scratch.carried.place[rows.point(k)];
       if (place == no_index) continue;
       const auto body = static_cast<std::size_t>(carriers.points[static_cast<std::size_t>(place)].body);
       const Vec3 impulse = impulse_on_point(rows, q, k, growth);
-      const Vec3 arm = contact.step.nodes.motion[rows.point(k)].position - carriers.bodies[body].centre;
+      const Vec3 arm = solved.system.motion[rows.point(k)].position - carriers.bodies[body].centre;
       const Vec3 moment = arm.cross(impulse);
       std::int64_t* sums = &unmet.sums[body_width * body];
       for (std::size_t c = 0; c < 3; ++c) {
@@ -92,13 +89,11 @@ void sum_on_bodies(Contact& contact, const Carriers& carriers, const Bounds& bou
       }
     }
   }
-  contact.lists.exchange.sum(unmet.sums);
+  exchange.sum(unmet.sums);
 }
 
 /// Joins bodies by rows that have a part in the growth on both of them. Collective.
-void join_islands(Contact& contact, const FixedUnit& size_unit) {
-  const RowMatrix& rows = contact.step.scratch.enforcement.matrix;
-  Unmet& unmet = contact.unmet;
+void join_islands(const RowMatrix& rows, const FixedUnit& size_unit, Exchange& exchange, Unmet& unmet) {
   const auto island_of = [&](const BodyShare& share) -> double& {
     return unmet.island[static_cast<std::size_t>(share.body)];
   };
@@ -121,13 +116,14 @@ void join_islands(Contact& contact, const FixedUnit& size_unit) {
         one = two = std::max(one, two);
       }
     }
-    contact.lists.exchange.max(unmet.island);
+    exchange.max(unmet.island);
   } while (unmet.island != unmet.other);
 }
 
 /// Whether the growth moves no body of each island.
 void judge_islands(Unmet& unmet, const Carriers& carriers, const Bounds& bounds) {
   const std::array<FixedUnit, body_width> units = units_of(bounds);
+  const auto island_of = [&](std::size_t b) { return static_cast<std::size_t>(-unmet.island[b]); };
   unmet.balanced.assign(carriers.bodies.size(), 1);
   for (std::size_t b = 0; b < carriers.bodies.size(); ++b) {
     Vec6 sum;
@@ -135,8 +131,10 @@ void judge_islands(Unmet& unmet, const Carriers& carriers, const Bounds& bounds)
       sum[c] = units[static_cast<std::size_t>(c)].value(unmet.sums[body_width * b + static_cast<std::size_t>(c)]);
     const double moved = std::sqrt(std::max(0.0, sum.dot(carriers.bodies[b].mobility * sum)));
     const double all = units[6].value(unmet.sums[body_width * b + 6]);
-    if (moved > unmet_numbers.balanced * all) unmet.balanced[static_cast<std::size_t>(-unmet.island[b])] = 0;
+    if (moved > unmet_numbers.balanced * all) unmet.balanced[island_of(b)] = 0;
   }
+  for (std::size_t b = 0; b < carriers.bodies.size(); ++b)
+    unmet.any = unmet.any || (unmet.sums[body_width * b + 6] > 0 && unmet.balanced[island_of(b)] != 0);
 }
 
 /// Rows between rigid bodies that are deeper than a ledge. A share of the depth in a step is a speed without a bound as
@@ -158,6 +156,7 @@ void Unmet::reserve(std::size_t most_rows, std::size_t bodies) {
   growth.reserve(most_rows);
   rows.reserve(most_rows);
   held.reserve(most_rows);
+  jammed.reserve(most_rows);
   sums.reserve(body_width * bodies);
   island.resize(bodies);
   other.reserve(bodies);
@@ -181,25 +180,23 @@ void hold_unmet_rows(Contact& contact, const StepInput& input) {
   }
 }
 
-void find_unmet_rows(Contact& contact, const StepInput& input, const EnforcementResult& result) {
-  Unmet& unmet = contact.unmet;
+void find_unmet_rows(const Solved& solved, double least, Exchange& exchange, Unmet& unmet) {
+  const Carriers& carriers = solved.system.carriers;
+  const RowMatrix& rows = solved.system.rows;
   unmet.rows.clear();
-  if (!result.acted) return;
-  const Carriers carriers = carriers_of(contact, input);
-  const EnforcementScratch& scratch = contact.step.scratch.enforcement;
-  Bounds bounds =
-      measure_growth(contact, unmet_numbers.remainder * contact.derived.enforcement.tolerance * result.violation);
+  unmet.any = false;
+  Bounds bounds = measure_growth(solved, least, unmet);
   std::array<double, 2> largest{bounds.growth, bounds.size};
-  contact.lists.exchange.max(largest);
+  exchange.max(largest);
   if (!(largest[1] > 0)) return;
-  bounds = {largest[0], largest[0] * scratch.carried.longest_arm, largest[1]};
-  sum_on_bodies(contact, carriers, bounds);
-  join_islands(contact, FixedUnit(bounds.size));
+  bounds = {largest[0], largest[0] * solved.scratch.carried.longest_arm, largest[1]};
+  sum_on_bodies(solved, bounds, exchange, unmet);
+  join_islands(rows, FixedUnit(bounds.size), exchange, unmet);
   judge_islands(unmet, carriers, bounds);
-  unmet.rows.assign(contact.step.rows.size(), 0);
-  for (std::size_t q = 0; q < unmet.rows.size(); ++q) {
+  unmet.rows.assign(rows.size(), 0);
+  for (std::size_t q = 0; q < rows.size(); ++q) {
     if (unmet.growth[q].isZero(0)) continue;
-    unmet.rows[q] = std::ranges::all_of(scratch.matrix.bodies_of(q), [&](const BodyShare& share) {
+    unmet.rows[q] = std::ranges::all_of(rows.bodies_of(q), [&](const BodyShare& share) {
       const auto island = static_cast<std::size_t>(-unmet.island[static_cast<std::size_t>(share.body)]);
       return share.along == 0 || unmet.balanced[island] != 0;
     });

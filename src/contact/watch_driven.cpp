@@ -123,6 +123,8 @@ void watch_driven(Contact& contact, const StepInput& input) {
     if (!in_chain && (row.is_edge() || !is_driven(row, contact.step.nodes, carriers))) continue;
     excess = std::max(excess, watch_row(contact, row, in_chain, input));
   }
+  for (const Row& row : contact.unmet.jammed)
+    if (row.gap < 0) excess = std::max(excess, watch_row(contact, row, true, input));
   if (!contact.derived.may_jam) return;
   contact.lists.exchange.max({&excess, 1});
   contact.unmet.excess = excess;

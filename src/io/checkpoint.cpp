@@ -23,8 +23,9 @@ namespace brunt::io {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr GlobalIndex format_version = 4, oldest_readable = 3;  // 4: /measured
-constexpr std::size_t longest_attribute = 60000;                // HDF5 takes 64 kB
+// 4: /measured; 5: /program, and contact remembers constraints that no motion satisfies
+constexpr GlobalIndex format_version = 5, oldest_readable = 3;
+constexpr std::size_t longest_attribute = 60000;  // HDF5 takes 64 kB
 
 GlobalIndex header_hash(const CheckpointHeader& header, GlobalIndex nodes, GlobalIndex format = format_version) {
   const auto time = std::bit_cast<std::uint64_t>(header.time);
@@ -48,6 +49,7 @@ void write_tables(Hdf5File& file, const CheckpointHeader& header, const model::R
   file.set_attribute("/", "nodes", registry.global_nodes);
   if (!header.scene.empty() && header.scene.size() < longest_attribute) file.set_attribute("/", "scene", header.scene);
   if (header.history_rows >= 0) file.set_attribute("/", "history_rows", header.history_rows);
+  if (!header.program.empty()) file.set_attribute("/", "program", header.program);
   file.set_attribute("/", "hash", header_hash(header, registry.global_nodes));
   const TableLayout layout(file.ranks(), registry, TableLayout::Nodes::owned);
   for (const SavedTable& table : saved_tables(registry)) {
@@ -113,8 +115,18 @@ CheckpointHeader sound_header(const Hdf5File& file) {
         file.path() +
         ": invalid header of the checkpoint: its hash differs from the stored one; expected an undamaged file");
   if (file.has_attribute("/", "scene")) header.scene = file.text_attribute("/", "scene");
+  if (file.has_attribute("/", "program")) header.program = file.text_attribute("/", "program");
   if (file.has_attribute("/", "history_rows")) header.history_rows = file.integer_attribute("/", "history_rows");
   return header;
+}
+
+/// Of a file in an older format, who has written it; otherwise empty.
+std::string writer_of(const Hdf5File& file) {
+  const GlobalIndex version = file.integer_attribute("/", "format");
+  if (version == format_version) return {};
+  const std::string program =
+      file.has_attribute("/", "program") ? file.text_attribute("/", "program") : "an earlier version of brunt";
+  return fmt::format("{} in checkpoint format {}; this version writes format {}", program, version, format_version);
 }
 
 std::vector<std::string> without(const std::vector<std::string>& names, const std::vector<std::string>& others) {
@@ -157,7 +169,7 @@ void check_same_tables(const Hdf5File& file, const std::vector<SavedTable>& tabl
                                    table.path.substr(1), found.rows, found.width, table.rows, table.array->components));
   }
   for (const RecordTable* table : records)
-    for (std::string& fault : record_faults(file, *table)) faults.push_back(std::move(fault));
+    for (std::string& fault : record_faults(file, *table, writer_of(file))) faults.push_back(std::move(fault));
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 

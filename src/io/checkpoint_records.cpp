@@ -39,11 +39,17 @@ void write_records(Hdf5File& file, const RecordTable& table) {
   file.set_attribute(values_path(table), "hash", hash_of_all(file.ranks(), table));
 }
 
-std::vector<std::string> record_faults(const Hdf5File& file, const RecordTable& table) {
+std::vector<std::string> record_faults(const Hdf5File& file, const RecordTable& table, const std::string& writer) {
   const Hdf5File::Extent keys = file.extent(keys_path(table)), values = file.extent(values_path(table));
   if (keys == Hdf5File::Extent{values.rows, table.key_width, Hdf5File::Type::integers} &&
       values == Hdf5File::Extent{keys.rows, table.value_width, Hdf5File::Type::doubles})
     return {};
+  if (!writer.empty())
+    return {
+        fmt::format("{}: invalid for this version: written by {}, with other columns of records/{} ({} and {}); "
+                    "expected {} and {}: "
+                    "continue with the version that wrote it, or begin again",
+                    file.path(), writer, table.name, keys.width, values.width, table.key_width, table.value_width)};
   return {fmt::format(
       "{}: invalid for this model: records/{} has keys {} x {} and values {} x {}; expected {} and {} columns",
       file.path(), table.name, keys.rows, keys.width, values.rows, values.width, table.key_width, table.value_width)};

@@ -20,7 +20,8 @@ GlobalIndex record_bytes(const comm::Communicator& ranks, const RecordTable& tab
 void write_records(Hdf5File& file, const RecordTable& table);
 
 /// Differences between the file's tables and `table`; both exist.
-std::vector<std::string> record_faults(const Hdf5File& file, const RecordTable& table);
+/// writer: of a file in an older format; empty: it is in the present one.
+std::vector<std::string> record_faults(const Hdf5File& file, const RecordTable& table, const std::string& writer);
 
 /// A share of the file's records. Throws InputError if they are damaged. Collective.
 RecordTable read_records(const Hdf5File& file, const RecordTable& table);

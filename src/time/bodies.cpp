@@ -183,6 +183,7 @@ void carriers_of_bodies(const model::Model& model, const model::Scratch& scratch
     const BodyStep& now = scratch.bodies[b];
     const double share = 1 / (1 + drag);
     carriers[b].centre = now.centre;
+    carriers[b].spin = now.predicted.spin;
     carriers[b].mobility.setZero();
     carriers[b].mobility.topLeftCorner<3, 3>() = share / body.body.mass.mass * body.support.free_shift;
     carriers[b].mobility.bottomRightCorner<3, 3>() =

@@ -21,8 +21,8 @@ def turned(axis, degrees, v):
     return [c * v[i] + s * cross[i] + (1 - c) * dot * axis[i] for i in range(3)]
 
 
-def scene(seed, end=0.25):
-    """A function of the seed alone."""
+def scene(seed, end=0.25, records=20):
+    """The bodies are a function of the seed alone."""
     draw = random.Random(f"falling boxes {seed}")
     count = draw.randint(3, 5)
     # rubber meets slow bodies: all speeds of a scene have one scale
@@ -56,7 +56,7 @@ def scene(seed, end=0.25):
     return ("units: mm-ms-kg\nmesh:\n" + "\n".join(mesh) + "\n" + MATERIALS + f"parts: {{{', '.join(parts)}}}\n"
             f"initial: [{', '.join(initial)}]\ncontact: [{{between: all, friction: {friction}}}]\n"
             "rigid_walls: [{name: w, point: [0, 0, 0], normal: [0, 0, 1], friction: 0.2}]\n"
-            f"run: {{end: {time:.6g}}}\noutput: {{every: {time / 20:.6g}, fields: [displacement]}}\n")
+            f"run: {{end: {time:.6g}}}\noutput: {{every: {time / records:.6g}, fields: [displacement]}}\n")
 
 
 def rounded(values):

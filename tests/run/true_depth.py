@@ -28,9 +28,11 @@ def is_folded(corners):
 
 
 def inside(corners, points):
-    """corners (n, 8, 3), points (n, 3): of each pair, whether the element has the point."""
+    """corners (n, 8, 3), points (n, 3): of each pair, whether the element has the point. Newton's iteration may end
+    nowhere, within the cube, for points outside of warped elements: what counts is where it has come to."""
     xi = numpy.zeros_like(points)
     alive = numpy.ones(len(points), bool)
+    size = numpy.ptp(corners, axis=1).max(axis=1)
     with numpy.errstate(all="ignore"):
         for _ in range(25):
             factors = 1 + SIGNS * xi[:, None, :]
@@ -45,7 +47,8 @@ def inside(corners, points):
             slope[~alive] = numpy.eye(3)
             residual[~alive] = 0
             xi = xi - numpy.linalg.solve(slope, residual[:, :, None])[:, :, 0]
-    return alive & (numpy.abs(xi).max(axis=1) <= 1 + 1e-9)
+    left = numpy.linalg.norm((trilinear(xi)[:, :, None] * corners).sum(axis=1) - points, axis=1)
+    return alive & (numpy.abs(xi).max(axis=1) <= 1 + 1e-9) & (left <= 1e-9 * size)
 
 
 def distance_to_triangles(point, a, b, c):

@@ -46,7 +46,9 @@ constexpr UnmetNumbers unmet_numbers;
 struct Unmet {
   std::vector<Vec3> start;  ///< impulses that the iteration began with [momentum], a row each
   std::vector<char> rows;   ///< a flag each: it is unmet; empty: no row of any rank is
+  bool any = false;         ///< some row of some rank is
   std::vector<char> held;   ///< a flag each: it was unmet in an earlier step and has been closed since
+  std::vector<Row> jammed;  ///< taken out of the step: turning cannot satisfy them, see jams.hpp
   double excess = 0;        ///< largest driven penetration of rigid bodies over what is admitted, of all ranks
 
   std::vector<Vec3> growth;           ///< of impulses of rows that are not satisfied [momentum], zero of others
@@ -61,8 +63,17 @@ struct Unmet {
 /// Rows that were unmet and are closed require no recovery. Called before anything follows from the required rates.
 void hold_unmet_rows(Contact& contact, const StepInput& input);
 
-/// Finds the unmet rows after enforcement. Collective.
-void find_unmet_rows(Contact& contact, const StepInput& input, const EnforcementResult& result);
+/// A system of a step, and what enforcement has made of it.
+struct Solved {
+  const System& system;
+  const EnforcementScratch& scratch;
+  std::span<const Vec3> impulses;  ///< of rows [momentum]
+  std::span<const Vec3> velocity;  ///< of contact nodes
+};
+
+/// Finds the unmet rows after enforcement that began with unmet.start. least: a rate that is missing by less is met
+/// [velocity]. Collective.
+void find_unmet_rows(const Solved& solved, double least, Exchange& exchange, Unmet& unmet);
 
 /// The impulses to remember, in unmet.start; unmet.held then contains the rows to remember as unmet.
 void keep_met_impulses(Contact& contact);

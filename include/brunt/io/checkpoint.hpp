@@ -27,6 +27,7 @@ struct CheckpointHeader {
   /// The data behind the fingerprint, so that a restart can report the differences; a text of 60 kB or more is omitted.
   std::string scene{};
   GlobalIndex history_rows = -1;  ///< of history.csv up to this step; negative: unknown
+  std::string program{};          ///< that wrote it, with its version; empty: unknown, as before format 5
 };
 
 /// Writes folder/checkpoint_<step, 9 digits>.h5 and returns its path; all older ones except the previous one are

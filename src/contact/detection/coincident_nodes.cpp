@@ -32,32 +32,45 @@ double facing(const NodeOnSurface& node, LocalIndex facet, const Vec3& normal) {
   return node.two_sided ? std::abs(cosine) : cosine;
 }
 
-/// Faces around a node [unit normals, length].
-struct Around {
-  Vec3 normals = Vec3::Zero(), corners = Vec3::Zero();  ///< sums: of normals, of corners from the node
-  Vec3 first = Vec3::Zero(), rim = Vec3::Zero();        ///< a normal; the direction of a rim, once another one differs
-  int count = 0;
-  bool end_a_rim = false;  ///< a third one is not in the plane across it: a corner, not a place on a rim
+constexpr std::size_t most = 32;  // faces around a node; of more the rest is not asked
 
-  void add(const Vec3& normal, const Tolerances& tolerances) {
-    normals += normal;
-    if (++count == 1) first = normal;
-    const double across = std::sqrt(1 - tolerances.aligned * tolerances.aligned);  // sine of the same angle
-    if (!rim.isZero(0))
-      end_a_rim = end_a_rim || std::abs(rim.dot(normal)) > across;
-    else if (first.dot(normal) < tolerances.aligned)
-      rim = first.cross(normal).normalized();
+enum class Shape : char { flat, rim, corner };
+
+/// Faces around a node [unit normals].
+struct Around {
+  std::array<Vec3, most> normals;
+  std::size_t count = 0;
+
+  void add(const Vec3& normal) {
+    if (count < most) normals[count++] = normal;
   }
   [[nodiscard]] bool are_sharp(const Tolerances& tolerances) const {
-    return normals.norm() < tolerances.aligned * count && corners.dot(normals) < 0;
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < count; ++i) sum += normals[i];
+    return sum.norm() < tolerances.aligned * static_cast<double>(count);
+  }
+  /// Is a third normal out of the plane of two different ones?
+  [[nodiscard]] bool span_a_corner(const Tolerances& tolerances) const {
+    const double across = std::sqrt(1 - tolerances.aligned * tolerances.aligned);  // sine of the same angle
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        if (normals[i].dot(normals[k]) >= tolerances.aligned) continue;
+        const Vec3 rim = normals[i].cross(normals[k]);
+        for (std::size_t l = 0; l < count; ++l)
+          if (std::abs(rim.dot(normals[l])) > across * rim.norm()) return true;
+      }
+    return false;
+  }
+  [[nodiscard]] Shape shape(const Tolerances& tolerances) const {
+    if (!are_sharp(tolerances)) return Shape::flat;
+    return span_a_corner(tolerances) ? Shape::corner : Shape::rim;
   }
 };
 
-/// Is the node itself on a rim or corner? The faces around it then look in different directions.
-bool is_sharp(const NodeOnSurface& node, const Tolerances& tolerances) {
-  Vec3 normals = Vec3::Zero();
-  for (const LocalIndex facet : node.facets) normals += node.facet_normal[static_cast<std::size_t>(facet)];
-  return normals.norm() < tolerances.aligned * static_cast<double>(node.facets.size());
+Shape shape_of(const NodeOnSurface& node, const Tolerances& tolerances) {
+  Around around;
+  for (const LocalIndex facet : node.facets) around.add(node.facet_normal[static_cast<std::size_t>(facet)]);
+  return around.shape(tolerances);
 }
 
 /// Are both surfaces flat there and on each other, as around nearly all coincident nodes? What is said to be so here
@@ -80,21 +93,21 @@ bool surfaces_coincide(const FacesInMotion& scene, const NodeOnSurface& node, st
   return !node.facets.empty();
 }
 
-/// Does one row hold the node and `other`, a corner of some of the faces?
-bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-                       LocalIndex other, const Tolerances& tolerances) {
-  constexpr std::size_t most = 32;  // facets of a node; of more the rest is not asked
+/// The same where the surfaces do not lie on each other all around.
+RowsToSpare rows_to_spare_at(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
+                             LocalIndex other, const Tolerances& tolerances) {
   std::array<double, most> facet_lies{};
   const std::size_t facets = std::min(most, node.facets.size());
   Around around;
+  Vec3 corners = Vec3::Zero();  // sum of those of the faces, from the node
   bool fit = true;
   for (const LocalIndex f : near) {
     const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
     if (!has_corner(face, other)) continue;
     const Vec3 normal = area_of(scene, face).normalized();
-    around.add(normal, tolerances);
+    around.add(normal);
     for (const LocalIndex corner : corners_of(face))
-      around.corners += scene.motion[static_cast<std::size_t>(corner)].position - node.motion.position;
+      corners += scene.motion[static_cast<std::size_t>(corner)].position - node.motion.position;
     double face_lies = 0;
     for (std::size_t i = 0; i < facets; ++i) {
       const double cosine = facing(node, node.facets[i], normal);
@@ -105,43 +118,47 @@ bool are_held_together(const FacesInMotion& scene, const NodeOnSurface& node, st
   }
   fit = fit && std::none_of(facet_lies.begin(), facet_lies.end(),
                             [&](double cosine) { return cosine > tolerances.facing && cosine < tolerances.aligned; });
-  // A sharp corner on a flat surface is held as the slave of that surface, and one row holds two corners. Where a sharp
-  // node stands on a rim, the row of either alone lets the other slide off its ridge.
-  return fit || (around.are_sharp(tolerances) && (around.end_a_rim || !is_sharp(node, tolerances)));
+  if (fit) return {.second = true};
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < around.count; ++i) sum += around.normals[i];
+  if (corners.dot(sum) >= 0) return {};  // a pit
+  const Shape there = around.shape(tolerances), here = shape_of(node, tolerances);
+  if (there > here) return {.first = true, .second = true};
+  return {.second = there == Shape::corner};
 }
 
 }  // namespace
 
-bool is_held_by_coincident_node(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-                                std::span<const CoincidentCandidate> possible, double distance,
-                                const Tolerances& tolerances) {
-  if (node.facets.empty()) return false;  // a mass point: the other node has no face of it to meet
+RowsToSpare rows_to_spare(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
+                          std::span<const CoincidentCandidate> possible, double distance,
+                          const Tolerances& tolerances) {
+  if (node.facets.empty()) return {};  // a mass point: the other node has no face of it to meet
   const std::int32_t body = scene.faces[static_cast<std::size_t>(near.front())].body;
   for (const CoincidentCandidate& other : possible) {
     const Vec3& there = scene.motion[static_cast<std::size_t>(other.node)].position;
-    if (other.body == body && (there - node.motion.position).squaredNorm() < distance * distance)
-      return surfaces_coincide(scene, node, near, other.node, tolerances) ||
-             are_held_together(scene, node, near, other.node, tolerances);
+    if (other.body != body || (there - node.motion.position).squaredNorm() >= distance * distance) continue;
+    if (surfaces_coincide(scene, node, near, other.node, tolerances)) return {.second = true};
+    return rows_to_spare_at(scene, node, near, other.node, tolerances);
   }
-  return false;
+  return {};
 }
 
 void list_coincident_nodes(std::span<const MasterFace> faces, std::span<const Vec3> positions, double motion,
                            const DetectionSettings& settings, Candidates& candidates) {
   candidates.coincident.clear();
-  if (candidates.second.empty()) return;
+  if (candidates.pass.empty()) return;
   const double within = (settings.coincidence_distance + 2 * motion) *
                         (1 + settings.tolerances->rounding);  // what is later measured is rounded otherwise
   const auto place = [&](LocalIndex node) -> const Vec3& { return positions[static_cast<std::size_t>(node)]; };
   for (LocalIndex s = 0; s < candidates.faces.rows(); ++s) {
     const std::span<const LocalIndex> near = std::as_const(candidates.faces).row(s);
-    const char* second = candidates.second.data() + (near.data() - candidates.faces.values.data());
+    const PairPass* pass = candidates.pass.data() + (near.data() - candidates.faces.values.data());
     const auto known = [&, first = candidates.coincident.values.size()](LocalIndex node) {
       return std::ranges::any_of(std::span(candidates.coincident.values).subspan(first),
                                  [&](const CoincidentCandidate& other) { return other.node == node; });
     };
     for (std::size_t i = 0; i < near.size(); ++i) {
-      if (second[i] == 0) continue;
+      if (pass[i] == PairPass::only) continue;
       const MasterFace& face = faces[static_cast<std::size_t>(near[i])];
       for (std::size_t c = 0; c < static_cast<std::size_t>(face.corner_count); ++c) {
         const LocalIndex node = face.nodes[c];

@@ -85,7 +85,7 @@ void measure_reach(std::span<const MasterFace> faces, std::span<const NodeMotion
 struct Slave {
   const NodeMotion& motion;
   std::span<const LocalIndex> near, facets;
-  std::span<const char> second;  ///< of near; empty: none
+  std::span<const PairPass> pass;  ///< of near; empty: none
   std::span<const CoincidentCandidate> coincident;
   double half_thickness;  ///< > 0 on a sheet, whose facets look to both sides
   std::span<const HistoryRecord> remembered;
@@ -119,18 +119,19 @@ void fill_row(const Encounter& e, const MasterFace& face, LocalIndex slave, Row&
   row.gap = e.gap;
 }
 
-/// The faces of one body near a slave, as encounters of which face and approach are set. second: a flag each, or none.
+/// The faces of one body near a slave, as encounters of which face and approach are set. pass: of each, or none.
 void list_faces_of_body(const FacesInMotion& scene, const DetectionSettings& settings, const Slave& slave,
-                        const Sweep& sweep, std::span<const LocalIndex> near, std::span<const char> second,
+                        const Sweep& sweep, std::span<const LocalIndex> near, std::span<const PairPass> pass,
                         std::span<const Vec3> facet_normal, std::vector<Encounter>& encounters) {
-  const bool held =
-      !slave.coincident.empty() &&
-      is_held_by_coincident_node(scene, {slave.motion, slave.facets, facet_normal, slave.half_thickness > 0}, near,
-                                 slave.coincident, settings.coincidence_distance, *settings.tolerances);
+  RowsToSpare spare;
+  if (!slave.coincident.empty())
+    spare = rows_to_spare(scene, {slave.motion, slave.facets, facet_normal, slave.half_thickness > 0}, near,
+                          slave.coincident, settings.coincidence_distance, *settings.tolerances);
   const std::size_t first = encounters.size();
   bool two_sided = false;
   for (std::size_t i = 0; i < near.size(); ++i) {
-    if (held && second[i] != 0) continue;
+    if (spare.first && pass[i] == PairPass::first) continue;
+    if (spare.second && pass[i] == PairPass::second) continue;
     if (!overlaps(scene.reach[static_cast<std::size_t>(near[i])].box, sweep)) continue;
     const MasterFace& face = scene.faces[static_cast<std::size_t>(near[i])];
     Encounter& e = encounters.emplace_back();
@@ -149,8 +150,8 @@ void list_faces(const FacesInMotion& scene, const DetectionSettings& settings, c
   const auto body_at = [&](std::size_t i) { return scene.faces[static_cast<std::size_t>(slave.near[i])].body; };
   for (std::size_t first = 0, end = 0; first < slave.near.size(); first = end) {
     while (end < slave.near.size() && body_at(end) == body_at(first)) ++end;
-    const auto second = slave.second.empty() ? slave.second : slave.second.subspan(first, end - first);
-    list_faces_of_body(scene, settings, slave, sweep, slave.near.subspan(first, end - first), second,
+    const auto pass = slave.pass.empty() ? slave.pass : slave.pass.subspan(first, end - first);
+    list_faces_of_body(scene, settings, slave, sweep, slave.near.subspan(first, end - first), pass,
                        scratch.facet_normal, scratch.encounters);
   }
   scratch.slave_of.resize(scratch.encounters.size(), &slave.motion);
@@ -266,7 +267,7 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
   const FacesInMotion scene{faces, scratch.reach, motion, dt};
   const bool sheets = !candidates.half_thickness.empty();
   std::size_t record = 0;
-  const std::span<const char> second = candidates.second;
+  const std::span<const PairPass> pass = candidates.pass;
   const auto seam_sag = [&](std::size_t s) -> std::span<const double> {
     if (candidates.seam_sag.empty()) return {};
     const auto facets = candidates.slave_facets.row(static_cast<LocalIndex>(s));
@@ -278,9 +279,9 @@ void detect_faces(const Candidates& candidates, std::span<const MasterFace> face
     return Slave{.motion = motion[static_cast<std::size_t>(candidates.slave[s])],
                  .near = near,
                  .facets = candidates.slave_facets.row(static_cast<LocalIndex>(s)),
-                 .second = second.empty() ? second : second.subspan(place, near.size()),
-                 .coincident = second.empty() ? std::span<const CoincidentCandidate>{}
-                                              : candidates.coincident.row(static_cast<LocalIndex>(s)),
+                 .pass = pass.empty() ? pass : pass.subspan(place, near.size()),
+                 .coincident = pass.empty() ? std::span<const CoincidentCandidate>{}
+                                            : candidates.coincident.row(static_cast<LocalIndex>(s)),
                  .half_thickness = sheets ? candidates.half_thickness[s] : 0.0,
                  .remembered = {},
                  .body = candidates.body[s],

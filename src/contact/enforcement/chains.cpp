@@ -223,7 +223,9 @@ void find_chains(std::size_t bodies, Exchange& exchange, ChainScratch& chains) {
 
 void ChainScratch::reserve(std::size_t rows, std::size_t bodies) {
   for (std::vector<double>* of_pairs : {&own_pairs, &last_own_pairs, &pairs, &factor}) of_pairs->reserve(rows);
-  for (std::vector<double>* of_bodies : {&answer, &kept, &bounds}) of_bodies->reserve(bodies);
+  answer.reserve(bodies);
+  kept.reserve(2 * bodies);
+  bounds.reserve(3 * bodies);
   chain.reserve(bodies);
   sums.reserve(2 * bodies);
   graph.reserve(10 * bodies + 2 + 4 * rows);

@@ -35,11 +35,30 @@ double compliance_of_slave(const System& system, std::size_t q, const CarriedScr
   return system.rows.laws[q].softness * (is_carried ? answer_of(system.rows, q) : system.mobility[leader].inverse_mass);
 }
 
+/// What a chain's impulses are to change by in this step, as a share of themselves: kept has it behind theta.
+double change_in(const ChainScratch& chains, LocalIndex chain) {
+  return chains.kept[chains.kept.size() / 2 + static_cast<std::size_t>(chain)];
+}
+
+/// Rows yield by C times the change of their impulse: a chain that goes on from its last impulses, as at rest, yields
+/// no more with the whole compliance than one that begins from nothing with the bounded one.
 double compliance_between_bodies(const System& system, std::size_t q, const ChainScratch& chains) {
   const double pair = pair_of(system, q);
   if (pair < 0) return 0;
   const auto place = std::ranges::lower_bound(chains.pairs, pair) - chains.pairs.begin();
-  return system.rows.laws[q].softness * answer_of(system.rows, q) * chains.factor[static_cast<std::size_t>(place)];
+  const double bounded = chains.factor[static_cast<std::size_t>(place)],
+               change = change_in(chains, chain_of(system, q, chains));
+  return system.rows.laws[q].softness * answer_of(system.rows, q) * (change > bounded ? bounded / change : 1.0);
+}
+
+/// Rate of a row that is missing by v*, and with the last impulses [velocity].
+std::pair<double, double> missing_of(const System& system, std::size_t q, std::span<const Vec3> velocity) {
+  const RowLaw& law = system.rows.laws[q];
+  const auto missing = [&](const Vec3& rate) { return std::max(0.0, law.required - law.normal.dot(rate)); };
+  return {missing(relative_velocity(
+              system.rows, q,
+              [&](LocalIndex node) -> const Vec3& { return system.motion[static_cast<std::size_t>(node)].predicted; })),
+          missing(relative_velocity(system.rows, q, velocity))};
 }
 
 /// What the last impulses of a row would do along them: asked for, and done.
@@ -67,11 +86,26 @@ void for_each_last(const System& system, std::span<const Vec3> before, std::span
   }
 }
 
-/// theta of each chain.
+/// Largest missing rates of each chain, behind the bounds of its sums.
+void bound_missing(const System& system, std::span<const Vec3> velocity, ChainScratch& chains) {
+  const std::size_t bodies = system.carriers.bodies.size();
+  for (std::size_t q = 0; q < system.rows.size(); ++q) {
+    if (!is_between_bodies(system, q)) continue;
+    const LocalIndex chain = chain_of(system, q, chains);
+    if (chain == no_index) continue;
+    const auto [at_first, left] = missing_of(system, q, velocity);
+    const std::size_t place = bodies + 2 * static_cast<std::size_t>(chain);
+    keep_max(chains.bounds[place], at_first);
+    keep_max(chains.bounds[place + 1], left);
+  }
+}
+
+/// theta and the change of each chain.
 void keep_of_last(const System& system, std::span<const Vec3> before, std::span<const Vec3> velocity,
                   Exchange& exchange, ChainScratch& chains) {
   const std::size_t bodies = system.carriers.bodies.size();
-  chains.bounds.assign(bodies, 0.0);
+  chains.bounds.assign(3 * bodies, 0.0);
+  bound_missing(system, velocity, chains);
   for_each_last(system, before, velocity, chains, [&](std::size_t chain, double asked, double done) {
     keep_max(chains.bounds[chain], std::abs(asked));
     keep_max(chains.bounds[chain], std::abs(done));
@@ -84,8 +118,10 @@ void keep_of_last(const System& system, std::span<const Vec3> before, std::span<
     chains.sums[2 * chain + 1] += unit.of(done);
   });
   exchange.sum(chains.sums);
-  chains.kept.assign(bodies, 1.0);
+  chains.kept.assign(2 * bodies, 1.0);
   for (std::size_t chain = 0; chain < bodies; ++chain) {
+    const double at_first = chains.bounds[bodies + 2 * chain], left = chains.bounds[bodies + 2 * chain + 1];
+    if (left < at_first) chains.kept[bodies + chain] = left / at_first;
     const FixedUnit unit(chains.bounds[chain], digits);
     const double asked = unit.value(chains.sums[2 * chain]), done = unit.value(chains.sums[2 * chain + 1]);
     if (asked < done - rounding * chains.bounds[chain])

@@ -170,7 +170,7 @@ TEST_CASE_METHOD(Fixture, "checkpoint: format 3, which had no measured times, is
   CHECK((header.step == 7 && header.time == 0.5));
   CHECK(target.wrong_values() == 0);
   make(2);
-  CHECK_THAT(fault_of(old, target.registry), Catch::Contains("unknown checkpoint format 2; expected 3 to 4"));
+  CHECK_THAT(fault_of(old, target.registry), Catch::Contains("unknown checkpoint format 2; expected 3 to 5"));
 }
 
 TEST_CASE_METHOD(Fixture, "checkpoint: what it may lack stays as it is, and is read where it is there") {

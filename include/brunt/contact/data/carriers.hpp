@@ -18,7 +18,8 @@ using Mat6 = Eigen::Matrix<double, 6, 6>;
 struct Carrier {
   Vec3 centre = Vec3::Zero();  ///< at t_n, measured as positions of contact nodes are
   Mat6 mobility =
-      Mat6::Zero();  ///< W: (dV, domega) = W (impulse, moment); symmetric, zero along constrained directions
+      Mat6::Zero();          ///< W: (dV, domega) = W (impulse, moment); symmetric, zero along constrained directions
+  Vec3 spin = Vec3::Zero();  ///< angular velocity predicted without contact [rad/time]
 };
 
 /// A contact node of a body: its own inverse mass is zero, and its predicted velocity is that of the body.

@@ -21,14 +21,18 @@ struct CoincidentCandidate {
   std::int32_t body = 0;
 };
 
-/// Whether a corner of the faces `near` (of one body) is closer to the node than `distance` [length], so that one row,
-/// that of the corner's node on the node's own faces, constrains both. This holds where the surfaces coincide (every
-/// facet that faces the other side within 60 degrees has an opposed face there within 20 degrees), and where two sharp
-/// corners meet. A sharp corner that stands on a face, or has deformed it, does not coincide with the node below it:
-/// that node touches one side of the corner, and its row would let the corner penetrate along that side. possible: all
-/// nodes that may be this near.
-bool is_held_by_coincident_node(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-                                std::span<const CoincidentCandidate> possible, double distance,
-                                const Tolerances& tolerances);
+/// Whose row is not needed since the row of a coincident node constrains both.
+struct RowsToSpare {
+  bool first = false, second = false;  ///< in the first and in the second of two passes
+};
+
+/// Rows of the node on the faces `near` (of one body) that need not be, if a corner of them is closer to the node than
+/// `distance` [length]. Where the surfaces coincide (every facet that faces the other side within 60 degrees has an
+/// opposed face there within 20 degrees), and where two corners meet, the row of the first pass constrains both.
+/// Elsewhere the row of the sharper node does (a corner on a rim, either on a flat place): the other one would be held
+/// against the ridge or tip, off which it slides to any side. Two rims that cross keep both rows. possible: all nodes
+/// that may be this near.
+RowsToSpare rows_to_spare(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
+                          std::span<const CoincidentCandidate> possible, double distance, const Tolerances& tolerances);
 
 }  // namespace brunt::contact

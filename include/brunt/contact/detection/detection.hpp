@@ -18,6 +18,9 @@
 
 namespace brunt::contact {
 
+/// Of a slave node and a face: whether the face's nodes have rows on the slave's faces as well, and who comes first.
+enum class PairPass : char { only, first, second };
+
 /// Candidate pairs, slave by slave in ascending gid.
 struct Candidates {
   std::vector<LocalIndex> slave;    ///< contact node
@@ -26,11 +29,9 @@ struct Candidates {
   Ragged<LocalIndex> slave_facets;  ///< faces of the slave's own surface around it: rows of the facet area vectors
   std::vector<double> seam_sag{};   ///< of each of slave_facets.values, see Surface; empty: there is no seam
   std::vector<double>
-      half_thickness{};        ///< of a slave on a two-sided sheet, else 0 [length]; empty: there is no such sheet
-  std::vector<char> second{};  ///< a flag for each of faces.values: the pair belongs to the second of two passes, in
-                               ///< which coincident nodes are skipped; empty: there is none
-  Ragged<CoincidentCandidate>
-      coincident{};  ///< of each slave, in the bodies that it meets in the second pass; likewise
+      half_thickness{};          ///< of a slave on a two-sided sheet, else 0 [length]; empty: there is no such sheet
+  std::vector<PairPass> pass{};  ///< of each of faces.values; empty: no bodies meet in two passes
+  Ragged<CoincidentCandidate> coincident{};  ///< of each slave, in the bodies that it meets in two passes; likewise
 };
 
 /// A rigid plane at t_n; bodies are on the side that the normal points to.
@@ -126,7 +127,7 @@ inline bool are_coincident(const NodeMotion& one, const NodeMotion& other, const
   return (one.position - other.position).squaredNorm() < settings.coincidence_distance * settings.coincidence_distance;
 }
 
-/// Fills candidates.coincident, if there are second passes. positions: of the contact nodes when lists are created,
+/// Fills candidates.coincident, if there are two passes. positions: of the contact nodes when lists are created,
 /// from which each may move by `motion` [length].
 void list_coincident_nodes(std::span<const MasterFace> faces, std::span<const Vec3> positions, double motion,
                            const DetectionSettings& settings, Candidates& candidates);
@@ -134,8 +135,7 @@ void list_coincident_nodes(std::span<const MasterFace> faces, std::span<const Ve
 /// Appends the rows of slave nodes with faces, at most most_rows_of_a_node each: see `encounter` and `select_rows`.
 /// facet_area: along the area vectors of the slaves' own faces (their unit normals are returned in the scratch).
 /// remembered: the history. It provides the sides of two-sided faces, and the scratch returns them for all pairs except
-/// Meeting::none. A node with a coincident one in the other body has no row there in the second of two passes: the row
-/// of the coincident node constrains both.
+/// Meeting::none. Of coincident nodes of two bodies one row may constrain both (rows_to_spare).
 void detect_faces(const Candidates& candidates, std::span<const MasterFace> faces, std::span<const GlobalIndex> gid,
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_area, double dt,
                   const DetectionSettings& settings, std::span<const HistoryRecord> remembered,

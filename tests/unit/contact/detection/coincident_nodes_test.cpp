@@ -24,7 +24,7 @@ FewFaces around_a_node(double lift) {
   return {points, {{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}, {4, 5, 8, 7}}};
 }
 
-bool coincides(FewFaces& scene, const Vec3& position, const std::vector<Vec3>& facet_normal) {
+RowsToSpare to_spare(FewFaces& scene, const Vec3& position, const std::vector<Vec3>& facet_normal) {
   const NodeMotion node{.position = position};
   std::vector<LocalIndex> near, facets;
   for (std::size_t f = 0; f < scene.faces.size(); ++f) near.push_back(static_cast<LocalIndex>(f));
@@ -32,8 +32,20 @@ bool coincides(FewFaces& scene, const Vec3& position, const std::vector<Vec3>& f
   const std::vector<FaceReach> reach(scene.faces.size());
   std::vector<CoincidentCandidate> corners;
   for (std::size_t i = 0; i + 1 < scene.motion.size(); ++i) corners.push_back({static_cast<LocalIndex>(i), 0});
-  return is_held_by_coincident_node({scene.faces, reach, scene.motion, scene.dt}, {node, facets, facet_normal}, near,
-                                    corners, distance, standard_tolerances);
+  return rows_to_spare({scene.faces, reach, scene.motion, scene.dt}, {node, facets, facet_normal}, near, corners,
+                       distance, standard_tolerances);
+}
+
+/// Does one row hold both, that of the first pass?
+bool coincides(FewFaces& scene, const Vec3& position, const std::vector<Vec3>& facet_normal) {
+  const RowsToSpare spare = to_spare(scene, position, facet_normal);
+  return spare.second && !spare.first;
+}
+
+/// Does the row of the other node hold both, in whichever pass it is?
+bool is_spared(FewFaces& scene, const Vec3& position, const std::vector<Vec3>& facet_normal) {
+  const RowsToSpare spare = to_spare(scene, position, facet_normal);
+  return spare.second && spare.first;
 }
 
 /// Normals of the three faces of a cube's lowest corner, which stands upright on it.
@@ -94,4 +106,31 @@ TEST_CASE(
 TEST_CASE("a mass point on a node of a face is held by its own row: the node of the face has no face of it to meet") {
   FewFaces flat = around_a_node(0);
   CHECK_FALSE(coincides(flat, Vec3(0, 0, 1e-6), {}));
+}
+
+TEST_CASE("of a corner, a rim and a flat place the row of the sharper one holds both nodes, two rims keep both rows") {
+  FewFaces flat = around_a_node(0), corner = support::cube();
+  const double s = std::sqrt(0.5);
+  // two squares over each other at right angles, their common edge along y through the origin: a ridge
+  FewFaces ridge(
+      {{0, -1, 0}, {0, 1, 0}, {1, -1, -1}, {1, 1, -1}, {-1, -1, -1}, {-1, 1, -1}, {0, 0, 0}, {1, 0, -1}, {-1, 0, -1}},
+      {{0, 2, 7, 6}, {6, 7, 3, 1}, {0, 6, 8, 4}, {6, 1, 5, 8}});
+  const std::vector<Vec3> face{Vec3(0, 0, -1), Vec3(0, 0, -1)};
+  const std::vector<Vec3> across{Vec3(0, 0.6, -0.8), Vec3(0, -0.6, -0.8)};
+  const std::vector<Vec3> end{Vec3(0, 0.6, -0.8), Vec3(0, -0.6, -0.8), Vec3(1, 0, 0)};
+  const std::vector<Vec3> tip = standing_corner(0.3);
+  const Vec3 place(0, 0, 1e-6);
+  for (const auto& sharp : {across, end, tip}) {
+    const RowsToSpare spare = to_spare(flat, place, sharp);
+    CHECK((!spare.first && !spare.second));
+  }
+  CHECK(is_spared(ridge, place, face));
+  for (const auto& sharp : {across, end, tip}) {
+    const RowsToSpare spare = to_spare(ridge, place, sharp);
+    CHECK((!spare.first && !spare.second));
+  }
+  const Vec3 top(1, 1, 1 + 1e-6);
+  CHECK(is_spared(corner, top, {Vec3(-s, 0, -s), Vec3(-s, 0, -s)}));
+  CHECK(is_spared(corner, top, {Vec3(0, -s, -s), Vec3(s, 0, -s)}));
+  CHECK(coincides(corner, top, tip));
 }
