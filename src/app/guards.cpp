@@ -10,6 +10,15 @@
 
 namespace brunt::app {
 
+namespace {
+
+/// In whole steps, and without what compliant rows store at the moment and return.
+double dissipated_by_contact(const time::Ledger& ledger) {
+  return ledger.contact_totals.contact_work - ledger.contact_totals.stored;
+}
+
+}  // namespace
+
 void observe(const time::Ledger& ledger, Extremes& seen) {
   const Vec3 own_momentum = ledger.momentum - ledger.impulse_given;
   if (seen.begun == 0) {
@@ -24,7 +33,7 @@ void observe(const time::Ledger& ledger, Extremes& seen) {
   const double bodies = ledger.kinetic + ledger.internal;
   seen.largest_bodies = std::max(seen.largest_bodies, bodies);
   seen.largest_energy = std::max({seen.largest_energy, bodies, std::abs(ledger.external)});
-  seen.largest_contact = std::max(seen.largest_contact, ledger.contact);
+  seen.largest_contact = std::max(seen.largest_contact, dissipated_by_contact(ledger));
   seen.largest_internal = std::max(seen.largest_internal, ledger.internal);
   seen.momentum_scale = std::max(seen.momentum_scale, ledger.momentum_scale);
   seen.largest_error = std::max(seen.largest_error, std::abs(ledger.total() - seen.start_total));
@@ -78,7 +87,7 @@ std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, dou
       std::min(ledger.friction - ledger.ties, 0.0),
       std::min(ledger.internal, 0.0),
       gives == Gives::parting ? 0.0 : std::min(ledger.contact, 0.0),
-      gives == Gives::nothing ? std::max(ledger.contact, 0.0) - seen.largest_contact : 0.0};
+      gives == Gives::nothing ? std::max(dissipated_by_contact(ledger), 0.0) - seen.largest_contact : 0.0};
   std::vector<Finding> findings;
   for (std::size_t k = 0; k < energy.size(); ++k)
     if (const double share = scale > 0 ? std::abs(energy[k]) / scale : 0.0; share > warned_share)
@@ -137,6 +146,13 @@ double taken_by_parted(const time::Ledger& ledger, const Extremes& seen) {
   const contact::ContactTotals& contact = ledger.contact_totals;
   const bool parted = contact.push > 0 && contact.touching == 0;
   return parted && seen.largest_bodies > 0 ? ledger.contact / seen.largest_bodies : 0.0;
+}
+
+double angular_error(const time::Ledger& ledger, const Extremes& seen, double extent) {
+  // of bodies at rest the momentum is nothing, while their impulses sum up with time, and with them what rounding
+  // leaves
+  const double turned = std::max(seen.momentum_scale, ledger.contact_totals.push) * extent;
+  return turned > 0 ? ledger.contact_totals.spin.norm() / turned : 0.0;
 }
 
 }  // namespace brunt::app

@@ -18,8 +18,8 @@ struct Extremes {
   double largest_energy = 0;    ///< largest of start_total, kinetic + internal, |external|: the scale of errors
   double largest_bodies = 0;    ///< largest of start_total, kinetic + internal
   double largest_internal = 0;  ///< [energy]
-  double largest_contact = 0;   ///< largest energy that contact has dissipated, 0 at least
-  double largest_error = 0;     ///< largest |total - start_total| [energy]
+  double largest_contact = 0;   ///< largest energy dissipated by contact in whole steps; 0 at least
+  double largest_error = 0;              ///< largest |total - start_total| [energy]
   double start_momentum[3] = {0, 0, 0};  ///< less what was given [momentum]
   double momentum_error = 0;             ///< largest |p - p0 - impulses given| over the largest sum of m |v|
   double momentum_scale = 0;             ///< largest sum of m |v|, and |p0| [momentum]
@@ -93,5 +93,13 @@ std::string likely_cause(Fault fault, bool all_rigid = false);
 /// Share of the largest energy of the bodies that contact has taken, if bodies have touched and none touches another
 /// one any more; otherwise 0. For two elastic bodies it should be zero.
 double taken_by_parted(const time::Ledger& ledger, const Extremes& seen);
+
+/// Angular momentum that contact between bodies has supplied, over `extent` (half the diagonal of the model [length])
+/// and the larger one of the largest momentum and of the sum of all impulses of contact: the mean offset between the
+/// two points of an impulse in units of the extent.
+double angular_error(const time::Ledger& ledger, const Extremes& seen, double extent);
+
+/// Nodes that are held beyond a rim leave up to 4e-4 (src/io/README.md); more is worth a warning.
+constexpr double warned_angular_error = 1e-3;
 
 }  // namespace brunt::app

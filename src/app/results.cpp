@@ -249,10 +249,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
                            {"residual", run_.model.relaxes ? run_.state.relaxation.residual : 0.0}};
   summary["energy"] = energy_summary(e, error_ratio(run_.extremes));
   summary["momentum_error"] = run_.extremes.momentum_error;
-  // of bodies at rest the momentum is nothing, while their impulses sum up with time, and with them what rounding
-  // leaves
-  const double turned = std::max(run_.extremes.momentum_scale, e.contact_totals.push) * extent_;
-  summary["angular_momentum_error"] = turned > 0 ? e.contact_totals.spin.norm() / turned : 0.0;
+  summary["angular_momentum_error"] = angular_error(e, run_.extremes, extent_);
   summary["max_penetration"] = e.contact_totals.penetration;
   const contact::DeepNode& deepest = depth_.deepest();
   summary["deepest_penetration"] = {{"depth", deepest.depth}, {"elements", deepest.share}};

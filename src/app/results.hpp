@@ -91,6 +91,7 @@ class Results {
   void report_hourglass();
   void report_parted();
   void report_scaled();
+  void report_turned();
   Prepared& run_;
   std::string folder_;
   Log& log_;

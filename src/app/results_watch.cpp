@@ -170,6 +170,17 @@ void Results::report_at_end() {
   report_hourglass();
   report_parted();
   report_scaled();
+  report_turned();
+}
+
+void Results::report_turned() {
+  const double error = angular_error(last_ledger_, run_.extremes, extent_);
+  if (!(error > warned_angular_error)) return;
+  log_.warning(fmt::format(
+      "contact between bodies has supplied angular momentum: angular_momentum_error is {:.2g}, {:g} at most is usual. "
+      "Nodes beyond a rim are supported at the rim, and deep ones far from where they touch: use smaller elements "
+      "there, or passes: two",
+      error, warned_angular_error));
 }
 
 void Results::report_scaled() {

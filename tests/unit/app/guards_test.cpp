@@ -74,12 +74,12 @@ TEST_CASE("guards: contact may give where it parts bodies that began inside each
 TEST_CASE("guards: contact gives nothing back of what it has taken, but springs do") {
   Impact impact;
   impact.ledger.kinetic = 60;
-  impact.ledger.contact = 40;
+  impact.ledger.contact = impact.ledger.contact_totals.contact_work = 40;
   CHECK(impact.now().empty());
   for (const double back : {0.5, 5.0, 20.0, 40.0, 60.0}) {  // the last: more than it took
     CAPTURE(back);
     impact.ledger.kinetic = 60 + back;
-    impact.ledger.contact = 40 - back;
+    impact.ledger.contact = impact.ledger.contact_totals.contact_work = 40 - back;
     const std::vector<Finding> found = impact.now();
     const double scale = std::max(100.0, 60 + back);
     const double returned = std::min(back, 40.0) / scale;
@@ -239,4 +239,15 @@ TEST_CASE("guards: messages of a scene without deformable elements do not speak 
       CAPTURE(text, word);
       CHECK(text.find(word) == std::string::npos);
     }
+}
+
+TEST_CASE("guards: angular momentum from contact is compared with momenta and impulses, whichever are larger") {
+  Impact impact;
+  impact.ledger.momentum_scale = 4;
+  impact.ledger.contact_totals.spin = Vec3(0, 3, 4) * 1e-2;
+  observe(impact.ledger, impact.seen);
+  CHECK(angular_error(impact.ledger, impact.seen, 2) == Approx(5e-2 / 8));
+  impact.ledger.contact_totals.push = 10;  // bodies at rest on each other for long
+  CHECK(angular_error(impact.ledger, impact.seen, 2) == Approx(5e-2 / 20));
+  CHECK(angular_error(time::Ledger{}, Extremes{}, 2) == 0);
 }
