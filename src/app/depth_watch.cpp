@@ -94,8 +94,13 @@ std::string text_of(const Prepared& run, const contact::DeepNode& deep) {
 
 }  // namespace
 
+bool DepthWatch::is_due(const Prepared& run) const {
+  return run.contact && !run.implicit && run.contact->ledger.statistics.searches >= lists_seen_ + lists_between_looks;
+}
+
 std::vector<std::string> DepthWatch::look(const Prepared& run) {
   if (!run.contact || !run.contact->derived.bodies || run.implicit) return {};
+  lists_seen_ = run.contact->ledger.statistics.searches;
   const contact::VectorView position{run.state.nodes.empty() ? nullptr : run.state.nodes.front().x,
                                      sizeof(model::NodeLine) / sizeof(double)};
   const contact::DeepNodes found =
@@ -104,14 +109,16 @@ std::vector<std::string> DepthWatch::look(const Prepared& run) {
   if (worst.share > deepest_.share) deepest_ = worst;
   if (!(worst.share > warned_depth)) return {};
   const bool begins_inside = run.overlaps.recovered || !run.contact->derived.detection.accepted.empty();
-  const bool lost = !worst.on_edge && worst.share >= lost_depth && !begins_inside && !run.contact->settings.erodes;
+  const bool lost = worst.share >= lost_depth && !begins_inside && !run.contact->settings.erodes;
   const std::pair pair(worst.node_block, worst.block);
   const bool known = std::ranges::find(reported_, pair) != reported_.end();
   if (known && !lost) return {};
   const std::string text = text_of(run, worst);
   if (lost)
-    throw GuardError("contact has lost nodes: " + text +
-                     "; use smaller elements there, element: hex8_full, or passes: two");
+    throw GuardError(fmt::format(
+        "contact has lost {}: {}; use smaller elements there, a smaller step, element: hex8_full, or passes: "
+        "two",
+        worst.on_edge ? "edges" : "nodes", text));
   reported_.push_back(pair);
   return {fmt::format(
       "contact leaves penetration: {}{}; contact does not hold edges between nodes, nor nodes that "

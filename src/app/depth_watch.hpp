@@ -11,20 +11,29 @@
 namespace brunt::app {
 
 /// Shares of an element. Where contact holds all nodes it leaves less than a hundredth of an element, and at edges
-/// between nodes up to a tenth in hard impacts (src/contact/surface/README.md): more is worth a warning. A node deeper
-/// than an element has been lost: contact reaches half of one, and the result is wrong there.
-constexpr double warned_depth = 0.1, lost_depth = 1;
+/// between nodes up to a tenth in hard impacts (src/contact/surface/README.md): more is worth a warning. What is deeper
+/// than an element has been lost: contact reaches half of one, and the result is wrong there. An edge that passes
+/// squarely through a plate of one element is so deep but for rounding.
+constexpr double warned_depth = 0.1, lost_depth = 1 - 1e-9;
+
+/// A look costs about as much as new candidate lists, which are made when nodes have moved by
+/// ContactSettings::motion_share = 0.3 of the mean element depth: with one look in three, nothing moves by more than an
+/// element between two looks.
+constexpr GlobalIndex lists_between_looks = 3;
 
 class DepthWatch {
  public:
-  /// Looks at x_n. Returns warnings, of each pair of parts one. Throws GuardError where a node is lost, unless the
-  /// scene lets bodies begin inside each other or removes elements. Collective.
+  /// Looks at x_n. Returns warnings, of each pair of parts one. Throws GuardError where a node or an edge is lost,
+  /// unless the scene lets bodies begin inside each other or removes elements. Collective.
   std::vector<std::string> look(const Prepared& run);
+  /// Have bodies moved far enough since the last look?
+  [[nodiscard]] bool is_due(const Prepared& run) const;
   /// The deepest so far.
   [[nodiscard]] const contact::DeepNode& deepest() const { return deepest_; }
 
  private:
   contact::DeepNode deepest_{};
+  GlobalIndex lists_seen_ = 0;
   std::vector<std::pair<std::int32_t, std::int32_t>> reported_;
 };
 

@@ -24,6 +24,7 @@ void observe(const time::Ledger& ledger, Extremes& seen) {
   const double bodies = ledger.kinetic + ledger.internal;
   seen.largest_bodies = std::max(seen.largest_bodies, bodies);
   seen.largest_energy = std::max({seen.largest_energy, bodies, std::abs(ledger.external)});
+  seen.largest_contact = std::max(seen.largest_contact, ledger.contact);
   seen.largest_internal = std::max(seen.largest_internal, ledger.internal);
   seen.momentum_scale = std::max(seen.momentum_scale, ledger.momentum_scale);
   seen.largest_error = std::max(seen.largest_error, std::abs(ledger.total() - seen.start_total));
@@ -67,15 +68,17 @@ std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool
       all_rigid ? cause_among_rigid_bodies : "the step may be too large for the materials, or elements too distorted");
 }
 
-std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding, bool recovered) {
+std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding, Gives gives) {
   const double scale = std::max(seen.largest_energy, 10 * rounding);
-  const std::array<double, guarded_columns> energy{ledger.total() - seen.start_total,
-                                                   std::min(ledger.hourglass, 0.0),
-                                                   std::min(ledger.bulk, 0.0),
-                                                   std::min(ledger.damping, 0.0),
-                                                   std::min(ledger.friction - ledger.ties, 0.0),
-                                                   std::min(ledger.internal, 0.0),
-                                                   recovered ? 0.0 : std::min(ledger.contact, 0.0)};
+  const std::array<double, guarded_columns> energy{
+      ledger.total() - seen.start_total,
+      std::min(ledger.hourglass, 0.0),
+      std::min(ledger.bulk, 0.0),
+      std::min(ledger.damping, 0.0),
+      std::min(ledger.friction - ledger.ties, 0.0),
+      std::min(ledger.internal, 0.0),
+      gives == Gives::parting ? 0.0 : std::min(ledger.contact, 0.0),
+      gives == Gives::nothing ? std::max(ledger.contact, 0.0) - seen.largest_contact : 0.0};
   std::vector<Finding> findings;
   for (std::size_t k = 0; k < energy.size(); ++k)
     if (const double share = scale > 0 ? std::abs(energy[k]) / scale : 0.0; share > warned_share)
@@ -87,6 +90,11 @@ std::string text_of(const Finding& finding, double time) {
   if (finding.fault == Fault::balance)
     return fmt::format("the error of the energy balance is {:.3g} at t = {:g}, {:.2g} % of the largest energy so far",
                        finding.energy, time, 100 * finding.share);
+  if (finding.fault == Fault::returned)
+    return fmt::format(
+        "contact has given back {:.3g} of the energy that it had dissipated, by t = {:g}, {:.2g} % of the "
+        "largest energy so far, but must only take energy",
+        -finding.energy, time, 100 * finding.share);
   constexpr std::array names{"",
                              "hourglass energy",
                              "energy of bulk viscosity",
@@ -117,6 +125,7 @@ std::string likely_cause(Fault fault, bool all_rigid) {
     case Fault::internal:
       break;  // depends on the laws: cause_of_given_work
     case Fault::contact:
+    case Fault::returned:
       return "likely cause: nodes are pushed out of faces that they never crossed, for example in bodies that are "
              "compressed to a small part of their thickness and touch themselves (use self: false in contact), or in "
              "folded elements";

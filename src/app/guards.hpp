@@ -18,6 +18,7 @@ struct Extremes {
   double largest_energy = 0;    ///< largest of start_total, kinetic + internal, |external|: the scale of errors
   double largest_bodies = 0;    ///< largest of start_total, kinetic + internal
   double largest_internal = 0;  ///< [energy]
+  double largest_contact = 0;   ///< largest energy that contact has dissipated, 0 at least
   double largest_error = 0;     ///< largest |total - start_total| [energy]
   double start_momentum[3] = {0, 0, 0};  ///< less what was given [momentum]
   double momentum_error = 0;             ///< largest |p - p0 - impulses given| over the largest sum of m |v|
@@ -58,9 +59,14 @@ enum class Fault {
   damping,
   friction,  ///< without the shear of ties, which friction holds too
   internal,  ///< of stresses: bodies cannot give more than they took
-  contact    ///< unless the scene lets it part bodies that began inside each other
+  contact,   ///< unless the scene lets it part bodies that began inside each other
+  returned   ///< contact has given back energy that it had dissipated; see Gives
 };
-constexpr int guarded_columns = 7;
+constexpr int guarded_columns = 8;
+
+/// What contact may give without an error: nothing, what its springs have stored, or the work that parts bodies which
+/// began inside each other.
+enum class Gives { nothing, stored, parting };
 
 struct Finding {
   Fault fault = Fault::balance;
@@ -74,8 +80,9 @@ struct Finding {
 constexpr double warned_share = 0.01, stopped_share = 0.1;
 
 /// Findings above warned_share, in the order of Fault. rounding: see rounding_energy; shares refer to at least ten
-/// times this value, so that rounding stays below the warning. recovered: see energy_growth.
-std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding, bool recovered = false);
+/// times this value, so that rounding stays below the warning.
+std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding,
+                           Gives gives = Gives::nothing);
 
 /// The sentence for it, without the place: what is wrong, and the likely cause.
 std::string text_of(const Finding& finding, double time);

@@ -121,6 +121,7 @@ std::string likely_cause_in_implicit(Fault fault, const model::Model& model) {
       return "likely cause: sticking nodes release stored energy while their facets rotate; use a smaller solver.step, "
              "or smaller elements";
     case Fault::contact:
+    case Fault::returned:
       return "likely cause: bodies that penetrate by more than the size of a facet in one step, or (except with "
              "contact_implicit) slide over coarse facets; use a smaller solver.step, or smaller elements";
     default:

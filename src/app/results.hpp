@@ -61,8 +61,9 @@ class Results {
   void watch_folds();
   /// Warns of parts that supports move through each other, and records the depth. Collective.
   void watch_driven();
-  /// Warns of nodes and edges that lie in other bodies at x_n, and records the depth. Collective.
-  void watch_depth();
+  /// Warns of nodes and edges that lie in other bodies at x_n, and records the depth: always, or if bodies have moved
+  /// far enough since the last look. Collective.
+  void watch_depth(bool always);
   /// Throws GuardError if their depth is beyond what is admitted.
   void stop_if_driven();
   /// Warns if hourglass control took up too much energy, or contact more than the loss of an impact.

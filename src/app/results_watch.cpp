@@ -26,6 +26,15 @@ bool all_rigid(const model::Model& model) {
                              [](const model::ElementBlock& block) { return material::is_rigid(block.law); });
 }
 
+/// What contact of this run may give. Mortar contact of the implicit schemes gives within a step what it took in
+/// another.
+Gives gives(const Prepared& run) {
+  if (run.overlaps.recovered) return Gives::parting;
+  const contact::Method method = run.model.contact.enforcement.method;
+  const bool springs = method == contact::Method::gap_penalty || method == contact::Method::penalty;
+  return run.implicit || springs ? Gives::stored : Gives::nothing;
+}
+
 /// The row by which friction gave most in the last step. Collective.
 std::string where_friction_gives(const Prepared& run) {
   if (!run.contact) return "";
@@ -85,7 +94,7 @@ void Results::watch(const time::Ledger& ledger, double time) {
   const bool trapezoidal = run_.input.implicit && run_.input.implicit->scheme == model::Scheme::newmark;
   const std::string growth =
       energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding, all_rigid(run_.model));
-  for (const Finding& finding : judge(ledger, run_.extremes, rounding, run_.overlaps.recovered)) {
+  for (const Finding& finding : judge(ledger, run_.extremes, rounding, gives(run_))) {
     bool& reported = reported_[static_cast<std::size_t>(finding.fault)];
     const bool makes_energy = trapezoidal && finding.fault == Fault::contact;
     const bool stop = (finding.stop || makes_energy) && growth.empty();
@@ -142,7 +151,8 @@ void Results::watch_driven() {
     log_.warning(warning);
 }
 
-void Results::watch_depth() {
+void Results::watch_depth(bool always) {
+  if (!always && !depth_.is_due(run_)) return;
   const Recording recording = record();
   for (const std::string& warning : depth_.look(run_)) log_.warning(warning);
 }

@@ -115,8 +115,8 @@ void Loop::pass(bool last) {
   if (fields || watch) {
     results_.watch_folds();
     results_.watch_driven();
-    results_.watch_depth();
   }
+  results_.watch_depth(fields || watch);
   const bool sampled = static_cast<GlobalIndex>(state.step) % steps_between_samples == 0;
   const time::StepReport step = evaluate(control, sampled);
   if (step.stop) stop_for_element(step);

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "brunt/contact/data/tolerances.hpp"
+#include "brunt/contact/detection/cones.hpp"
+#include "brunt/contact/search/box_overlaps.hpp"
 #include "brunt/contact/search/search.hpp"
 #include "brunt/core/cells.hpp"
 #include "brunt/geometry/closest_point.hpp"
@@ -17,41 +19,79 @@ namespace {
 
 using geometry::Box;
 
-/// What may lie in an element: a node, or a point of an edge.
+/// What may lie in an element: a node, as a segment without length, or an edge.
 struct Probe {
-  Vec3 x = Vec3::Zero();
-  GlobalIndex node = 0;
-  std::int32_t body = 0;
+  Vec3 start = Vec3::Zero(), end = Vec3::Zero();
+  std::array<GlobalIndex, 2> ends{};  ///< gids, a node's twice
   std::span<const std::int32_t> blocks{};
   std::span<const GlobalIndex> around{};  ///< nodes of its elements
   bool on_edge = false;
+
+  [[nodiscard]] Vec3 at(double place) const { return (1 - place) * start + place * end; }
+  [[nodiscard]] Box box() const { return geometry::bounding_box(std::array{start, end}); }
 };
 
 struct GhostSide {
   GlobalIndex key = 0;
   std::array<std::array<double, 3>, 4> corner{};
+  std::array<GlobalIndex, 4> gid{};
   std::array<GlobalIndex, 8> element{};
-  std::int32_t corner_count = 4, body = 0;
+  std::int32_t corner_count = 4;
   double element_depth = 0;
   PlainBox capture{};
 
+  [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(corner_count); }
+  [[nodiscard]] std::array<Vec3, 4> corners() const {
+    std::array<Vec3, 4> at;
+    for (std::size_t i = 0; i < count(); ++i) at[i] = Vec3(corner[i].data());
+    return at;
+  }
+  /// Unit, outward; of a warped face the mean.
+  [[nodiscard]] Vec3 normal() const {
+    const std::array<Vec3, 4> at = corners();
+    return geometry::area_vector({at.data(), count()}).normalized();
+  }
   friend bool operator<(const GhostSide& a, const GhostSide& b) { return a.key < b.key; }
 };
 
-bool in_tetrahedron(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const auto volume = [](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
-    return (q - p).cross(r - p).dot(s - p);
-  };
-  return volume(a, b, c, d) > 0 && volume(x, b, c, d) >= 0 && volume(a, x, c, d) >= 0 && volume(a, b, x, d) >= 0 &&
-         volume(a, b, c, x) >= 0;
+using Interval = std::array<double, 2>;  ///< of places in [0, 1] along a segment; empty if the first is the larger
+
+double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return (b - a).cross(c - a).dot(d - a);
 }
 
-bool contains(const GhostElement& element, const Vec3& x) {
-  const auto corner = [&](int c) { return Vec3(element.corner[static_cast<std::size_t>(c)].data()); };
-  if (element.corner_count == 4) return in_tetrahedron(x, corner(0), corner(1), corner(2), corner(3));
-  return std::ranges::any_of(cells::hex_tetrahedra, [&](const std::array<int, 4>& tet) {
-    return in_tetrahedron(x, corner(tet[0]), corner(tet[1]), corner(tet[2]), corner(tet[3]));
-  });
+/// The part of a segment in a tetrahedron. Volumes with its four faces are linear along the segment.
+Interval part_inside(const std::array<Vec3, 4>& tet, const Vec3& start, const Vec3& end) {
+  Interval part{0, 1};
+  if (!(volume(tet[0], tet[1], tet[2], tet[3]) > 0)) return {1, 0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto opposite = [&](const Vec3& x) {
+      std::array<Vec3, 4> corners = tet;
+      corners[i] = x;
+      return volume(corners[0], corners[1], corners[2], corners[3]);
+    };
+    const double first = opposite(start), last = opposite(end);
+    if (first < 0 && last < 0) return {1, 0};
+    if (first < 0) part[0] = std::max(part[0], first / (first - last));
+    if (last < 0) part[1] = std::min(part[1], first / (first - last));
+  }
+  return part;
+}
+
+/// The same of an element: from where the segment enters it to where it leaves it.
+Interval part_inside(const GhostElement& element, const Vec3& start, const Vec3& end) {
+  Interval part{1, 0};
+  const auto add = [&](const std::array<int, 4>& tet) {
+    std::array<Vec3, 4> corners;
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = Vec3(element.corner[static_cast<std::size_t>(tet[i])].data());
+    const Interval one = part_inside(corners, start, end);
+    if (one[0] <= one[1]) part = {std::min(part[0], one[0]), std::max(part[1], one[1])};
+  };
+  if (element.corner_count == 4)
+    add({0, 1, 2, 3});
+  else
+    std::ranges::for_each(cells::hex_tetrahedra, add);
+  return part;
 }
 
 /// Do the elements around the probe touch this one?
@@ -65,19 +105,27 @@ class Look {
  public:
   Look(const Contact& contact, const VectorView& position) : contact_(contact), position_(position) { list_probes(); }
 
-  /// Fills, for each probe, whether an element contains it and of which block.
+  /// Finds what of each probe is in elements.
   void find_inside(std::vector<GhostElement> elements);
-  /// Of the probes inside: distance to the nearest exterior face.
+  /// The depth of what is inside.
   void measure();
   [[nodiscard]] DeepNodes result(double above) const;
 
  private:
+  /// A node in an element, or what of an edge is in it.
   struct Inside {
     std::size_t probe = 0;
+    GlobalIndex element = 0;
     std::int32_t block = 0;
+    Interval part{};
+    double chord = 0;  ///< what of the edge is in this block [length]
     double depth = std::numeric_limits<double>::infinity(), share = 0;
   };
   void list_probes();
+  [[nodiscard]] const Probe& probe_of(const Inside& inside) const { return probes_[inside.probe]; }
+  [[nodiscard]] Vec3 middle_of(const Inside& inside) const {
+    return probe_of(inside).at(0.5 * (inside.part[0] + inside.part[1]));
+  }
   [[nodiscard]] Vec3 at(LocalIndex surface_node) const {
     return position_[contact_.surface.model_node[static_cast<std::size_t>(surface_node)]];
   }
@@ -88,12 +136,15 @@ class Look {
       return pair.rule != PairRule::apart && pair.tied == Tied::no;
     });
   }
+  void keep_lowest_of_nodes();
+  void sum_chords();
   [[nodiscard]] std::vector<GhostSide> own_sides() const;
+  void measure(Inside& inside, const std::vector<GhostSide>& sides, std::span<const LocalIndex> near) const;
 
   const Contact& contact_;
   const VectorView& position_;
   std::vector<Probe> probes_;
-  std::vector<Inside> inside_;
+  std::vector<Inside> inside_;  ///< by probe and element
 };
 
 void Look::list_probes() {
@@ -101,46 +152,62 @@ void Look::list_probes() {
   for (LocalIndex node = 0; node < static_cast<LocalIndex>(surface.gid.size()); ++node) {
     const auto i = static_cast<std::size_t>(node);
     if (!surface.owns(node, contact_.ranks.rank()) || surface.blocks.row(node).empty()) continue;
-    probes_.push_back(
-        {at(node), surface.gid[i], surface.body[i], surface.blocks.row(node), surface.neighbours.row(node), false});
+    probes_.push_back({.start = at(node),
+                       .end = at(node),
+                       .ends = {surface.gid[i], surface.gid[i]},
+                       .blocks = surface.blocks.row(node),
+                       .around = surface.neighbours.row(node)});
   }
-  constexpr std::array places{0.25, 0.5, 0.75};
   for (const SurfaceEdge& edge : surface.edges) {
     if (edge.kind != EdgeKind::sharp) continue;
-    const Vec3 start = at(edge.nodes[0]), end = at(edge.nodes[1]);
-    for (const double place : places)
-      probes_.push_back({(1 - place) * start + place * end, surface.gid[static_cast<std::size_t>(edge.nodes[0])],
-                         edge.body, std::span(&edge.block, 1), edge.elements, true});
+    probes_.push_back({.start = at(edge.nodes[0]),
+                       .end = at(edge.nodes[1]),
+                       .ends = {surface.gid[static_cast<std::size_t>(edge.nodes[0])],
+                                surface.gid[static_cast<std::size_t>(edge.nodes[1])]},
+                       .blocks = std::span(&edge.block, 1),
+                       .around = edge.elements,
+                       .on_edge = true});
   }
 }
 
 void Look::find_inside(std::vector<GhostElement> elements) {
-  std::vector<Vec3> points;
-  std::vector<Box> wanted;
-  for (const Probe& probe : probes_) {
-    points.push_back(probe.x);
-    wanted.push_back({probe.x, probe.x});
-  }
+  std::vector<Box> wanted, boxes;
+  for (const Probe& probe : probes_) wanted.push_back(probe.box());
   const double finest = 2 * contact_.surface.mean_edge;
   const std::vector<GhostElement> ghosts =
       ghost(contact_.ranks, std::span<const GhostElement>(elements), wanted, finest);
   elements.insert(elements.end(), ghosts.begin(), ghosts.end());
-  std::vector<Box> boxes;
-  boxes.reserve(elements.size());
   for (const GhostElement& element : elements) boxes.push_back(element.capture.box());
-  SearchScratch scratch;
-  Ragged<LocalIndex> pairs;
-  find_pairs(boxes, points, scratch, pairs);
-  for (std::size_t p = 0; p < probes_.size(); ++p) {
-    const GhostElement* found = nullptr;  // the lowest, whatever their order here
-    for (const LocalIndex e : std::as_const(pairs).row(static_cast<LocalIndex>(p))) {
-      const GhostElement& element = elements[static_cast<std::size_t>(e)];
-      if (found != nullptr && found->gid < element.gid) continue;
-      if (!may_meet(probes_[p], element.block) || touches(probes_[p], element.nodes)) continue;
-      if (contains(element, probes_[p].x)) found = &element;
-    }
-    if (found == nullptr) continue;
-    inside_.push_back({.probe = p, .block = found->block});
+  OverlapScratch scratch;
+  for_each_overlap(wanted, boxes, scratch, [&](LocalIndex p, LocalIndex e) {
+    const Probe& probe = probes_[static_cast<std::size_t>(p)];
+    const GhostElement& element = elements[static_cast<std::size_t>(e)];
+    if (!may_meet(probe, element.block) || touches(probe, element.nodes)) return;
+    const Interval part = part_inside(element, probe.start, probe.end);
+    if (!(probe.on_edge ? part[0] < part[1] : part[0] <= part[1])) return;
+    inside_.push_back(
+        {.probe = static_cast<std::size_t>(p), .element = element.gid, .block = element.block, .part = part});
+  });
+  std::ranges::sort(inside_, {}, [](const Inside& inside) { return std::pair(inside.probe, inside.element); });
+  keep_lowest_of_nodes();
+  sum_chords();
+}
+
+/// A node on the face between two elements is in both.
+void Look::keep_lowest_of_nodes() {
+  const auto of_same_node = [&](const Inside& a, const Inside& b) {
+    return a.probe == b.probe && !probe_of(a).on_edge;
+  };
+  inside_.erase(std::unique(inside_.begin(), inside_.end(), of_same_node), inside_.end());
+}
+
+void Look::sum_chords() {
+  for (Inside& inside : inside_) {
+    const Probe& probe = probe_of(inside);
+    const double length = (probe.end - probe.start).norm();
+    const auto last = std::ranges::upper_bound(inside_, inside.probe, {}, &Inside::probe);
+    for (auto other = std::ranges::lower_bound(inside_, inside.probe, {}, &Inside::probe); other != last; ++other)
+      if (other->block == inside.block) inside.chord += (other->part[1] - other->part[0]) * length;
   }
 }
 
@@ -150,12 +217,14 @@ std::vector<GhostSide> Look::own_sides() const {
     if (contact_.settings.blocks.thickness.size() > static_cast<std::size_t>(face.block) &&
         contact_.settings.blocks.thickness[static_cast<std::size_t>(face.block)] > 0)
       continue;
-    GhostSide side{.key = face.key, .element = face.element, .corner_count = face.corner_count, .body = face.body};
+    GhostSide side{.key = face.key, .element = face.element, .corner_count = face.corner_count};
     side.element_depth = face.element_depth;
+    side.gid.fill(no_index);
     Box box;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i) {
+    for (std::size_t i = 0; i < side.count(); ++i) {
       const Vec3 x = at(face.nodes[i]);
       side.corner[i] = {x[0], x[1], x[2]};
+      side.gid[i] = contact_.surface.gid[static_cast<std::size_t>(face.nodes[i])];
       geometry::extend(box, x);
     }
     side.capture = PlainBox(geometry::grown(box, 2 * face.element_depth));
@@ -167,65 +236,86 @@ std::vector<GhostSide> Look::own_sides() const {
 void Look::measure() {
   if (!contact_.ranks.any(!inside_.empty())) return;
   std::vector<Vec3> points;
-  std::vector<Box> wanted;
+  std::vector<Box> wanted, boxes;
   for (const Inside& inside : inside_) {
-    points.push_back(probes_[inside.probe].x);
+    points.push_back(middle_of(inside));
     wanted.push_back({points.back(), points.back()});
   }
   std::vector<GhostSide> sides = own_sides();
   const std::vector<GhostSide> ghosts =
       ghost(contact_.ranks, std::span<const GhostSide>(sides), wanted, 2 * contact_.surface.mean_edge);
   sides.insert(sides.end(), ghosts.begin(), ghosts.end());
-  std::vector<Box> boxes;
+  std::ranges::sort(sides, {}, &GhostSide::key);
   for (const GhostSide& side : sides) boxes.push_back(side.capture.box());
   SearchScratch scratch;
   Ragged<LocalIndex> pairs;
   find_pairs(boxes, points, scratch, pairs);
-  for (std::size_t k = 0; k < inside_.size(); ++k) {
-    Inside& inside = inside_[k];
-    const Probe& probe = probes_[inside.probe];
-    inside.share = 2;  // no face within two elements
-    inside.depth = 2 * contact_.surface.mean_element_depth;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const LocalIndex s : std::as_const(pairs).row(static_cast<LocalIndex>(k))) {
+  for (std::size_t k = 0; k < inside_.size(); ++k)
+    measure(inside_[k], sides, std::as_const(pairs).row(static_cast<LocalIndex>(k)));
+}
+
+/// The distance to the nearest face. An edge that passes through a plate is never far from one: there it is the shorter
+/// one of what is inside, and of the distance to the nearest face that the edge can lie on.
+void Look::measure(Inside& inside, const std::vector<GhostSide>& sides, std::span<const LocalIndex> near) const {
+  const Probe& probe = probe_of(inside);
+  const Vec3 x = middle_of(inside);
+  std::vector<Vec3> own;  // normals of the faces that meet in the edge
+  std::vector<LocalIndex> of_own;
+  if (probe.on_edge)
+    for (const LocalIndex s : near) {
       const GhostSide& side = sides[static_cast<std::size_t>(s)];
-      if (touches(probe, side.element)) continue;
-      std::array<Vec3, 4> corners;
-      const auto count = static_cast<std::size_t>(side.corner_count);
-      for (std::size_t i = 0; i < count; ++i) corners[i] = Vec3(side.corner[i].data());
-      const auto closest = geometry::closest_point(probe.x, {corners.data(), count});
-      if (!closest) continue;
-      const double distance = (probe.x - closest->point).norm();
-      if (!(distance < nearest)) continue;
-      nearest = distance;
-      inside.depth = distance;
-      inside.share = distance / side.element_depth;
+      const auto has = [&](GlobalIndex gid) { return std::ranges::find(side.gid, gid) != side.gid.end(); };
+      if (!std::ranges::all_of(probe.ends, has)) continue;
+      of_own.push_back(static_cast<LocalIndex>(own.size()));
+      own.push_back(side.normal());
     }
+  double nearest = std::numeric_limits<double>::infinity(), opposed = nearest;
+  double element_depth = contact_.surface.mean_element_depth;
+  for (const LocalIndex s : near) {
+    const GhostSide& side = sides[static_cast<std::size_t>(s)];
+    if (touches(probe, side.element)) continue;
+    const std::array<Vec3, 4> corners = side.corners();
+    const auto closest = geometry::closest_point(x, {corners.data(), side.count()});
+    if (!closest) continue;
+    const double distance = (x - closest->point).norm();
+    if (distance < nearest) {
+      nearest = distance;
+      element_depth = side.element_depth;
+    }
+    if (probe.on_edge && distance < opposed &&
+        admission({of_own, own}, side.normal(), false) >= contact_.derived.detection.tolerances->slight)
+      opposed = distance;
   }
+  if (!(nearest < 2 * element_depth)) nearest = 2 * element_depth;  // faces farther away were not offered
+  inside.depth = probe.on_edge ? std::max(nearest, std::min(opposed, inside.chord)) : nearest;
+  inside.share = inside.depth / element_depth;
 }
 
 DeepNodes Look::result(double above) const {
   const comm::Communicator& ranks = contact_.ranks;
   DeepNodes all;
   const Inside* worst = nullptr;
-  GlobalIndex last_edge = no_index;
+  std::size_t last = probes_.size();
   for (const Inside& inside : inside_) {
-    const Probe& probe = probes_[inside.probe];
-    if (inside.share > above && !(probe.on_edge && probe.node == last_edge)) ++all.count;
-    if (inside.share > above && probe.on_edge) last_edge = probe.node;
-    if (worst == nullptr || inside.share > worst->share) worst = &inside;
+    if (inside.share > above && inside.probe != last) {
+      ++all.count;
+      last = inside.probe;
+    }
+    const bool is_equal = worst != nullptr && inside.share == worst->share;  // then the lowest node
+    if (worst == nullptr || inside.share > worst->share || (is_equal && probe_of(inside).ends < probe_of(*worst).ends))
+      worst = &inside;
   }
   all.count = ranks.sum(all.count);
   const double most = ranks.max(worst != nullptr ? worst->share : 0.0);
   if (!(most > 0)) return all;
   const bool may_be_mine = worst != nullptr && worst->share == most;
   const double infinity = std::numeric_limits<double>::infinity();
-  const double node = ranks.min(may_be_mine ? static_cast<double>(probes_[worst->probe].node) : infinity);
-  std::array<double, 5> words;
+  const double node = ranks.min(may_be_mine ? static_cast<double>(probe_of(*worst).ends[0]) : infinity);
+  std::array<double, 4> words;
   words.fill(-infinity);
-  if (may_be_mine && static_cast<double>(probes_[worst->probe].node) == node)
-    words = {static_cast<double>(probes_[worst->probe].blocks.front()), static_cast<double>(worst->block), worst->depth,
-             probes_[worst->probe].on_edge ? 1.0 : 0.0, 0};
+  if (may_be_mine && static_cast<double>(probe_of(*worst).ends[0]) == node)
+    words = {static_cast<double>(probe_of(*worst).blocks.front()), static_cast<double>(worst->block), worst->depth,
+             probe_of(*worst).on_edge ? 1.0 : 0.0};
   ranks.max(words);
   all.worst = {.node = static_cast<GlobalIndex>(node),
                .node_block = static_cast<std::int32_t>(words[0]),

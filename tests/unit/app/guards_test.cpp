@@ -68,7 +68,31 @@ TEST_CASE("guards: contact may give where it parts bodies that began inside each
   impact.ledger.kinetic += 50;
   observe(impact.ledger, impact.seen);
   CHECK(judge(impact.ledger, impact.seen, 0).size() == 1);
-  CHECK(judge(impact.ledger, impact.seen, 0, true).empty());
+  CHECK(judge(impact.ledger, impact.seen, 0, Gives::parting).empty());
+}
+
+TEST_CASE("guards: contact gives nothing back of what it has taken, but springs do") {
+  Impact impact;
+  impact.ledger.kinetic = 60;
+  impact.ledger.contact = 40;
+  CHECK(impact.now().empty());
+  for (const double back : {0.5, 5.0, 20.0, 40.0, 60.0}) {  // the last: more than it took
+    CAPTURE(back);
+    impact.ledger.kinetic = 60 + back;
+    impact.ledger.contact = 40 - back;
+    const std::vector<Finding> found = impact.now();
+    const double scale = std::max(100.0, 60 + back);
+    const double returned = std::min(back, 40.0) / scale;
+    const auto fault = std::ranges::find(found, Fault::returned, &Finding::fault);
+    CHECK((fault != found.end()) == (returned > warned_share));
+    if (fault != found.end()) {
+      CHECK(fault->share == Approx(returned));
+      CHECK(fault->stop == (returned > stopped_share));
+      CHECK(text_of(*fault, 3).find("given back") != std::string::npos);
+    }
+    CHECK(judge(impact.ledger, impact.seen, 0, Gives::stored).size() == (back > 40 ? 1 : 0));
+    CHECK(judge(impact.ledger, impact.seen, 0, Gives::parting).empty());
+  }
 }
 
 TEST_CASE("guards: friction is judged without the shear of ties, which give back what they took") {
