@@ -100,14 +100,14 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   if (was_asked_to_stop) log.line(fmt::format("removed {}/{}, which is older than this run", folder, io::stop_file));
   if (restart) log.line(fmt::format("restart from {} at step {}", checkpoint, restart->step));
   const bool over = restart && at_end(prepared->state, prepared->input.run);
-  if (over)
-    log.warning(
-        fmt::format("nothing to run: the checkpoint is at t = {:g}, step {}, the end of this run; a later run.end (or "
-                    "more run.steps) continues from there",
-                    prepared->state.time, restart->step));
-
+  if (over) {
+    const std::optional<GlobalIndex>& steps = prepared->input.run.steps;
+    log.warning(fmt::format(
+        "nothing to run: the checkpoint is at t = {:g}, step {}, the end of this run; a {} continues from there",
+        prepared->state.time, restart->step, steps && restart->step >= *steps ? "larger run.steps" : "later run.end"));
+  }
   if (over && existing == io::ExistingResults::keep && is_reported(ranks, folder, restart->step)) {
-    log.line("; the results in " + folder + " remain unchanged");
+    log.line("the results in " + folder + " remain unchanged");
     return static_cast<int>(ExitCode::done);
   }
   on_root(ranks, [&] { record_scene(*prepared, options, folder); });
