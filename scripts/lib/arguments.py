@@ -15,6 +15,12 @@ def shorter(name, most):
     return name if len(name) <= most else f"{name[:head]}\u2026{name[head + 1 - most:]}"
 
 
+def excerpt(text):
+    """What a message quotes: one line of at most 60 characters, as of the program."""
+    shown = "".join(c if c.isprintable() else " " if c.isspace() else "?" for c in str(text))
+    return shown if len(shown) <= 60 else shown[:60] + "..."
+
+
 class Fault(Exception):
     """Wrong input: one line with what is wrong and what is expected."""
 
@@ -33,10 +39,13 @@ class Parser(argparse.ArgumentParser):
         for word in sys.argv[1:] if args is None else args:
             name = word.split("=")[0]
             if name.startswith("--") and not any(option.startswith(name) for option in known):
-                self.error(f"unknown option '{name}'; expected one of {', '.join(known)}")
+                self.error(f"unknown option '{excerpt(name)}'; expected one of {', '.join(known)}")
         return super().parse_args(args, namespace)
 
     def error(self, message):
+        for word in sorted(sys.argv[1:], key=len, reverse=True):  # which argparse quotes as they are, or what is behind their =
+            for quoted in (word, word.partition("=")[2]):
+                message = message.replace(repr(quoted), repr(excerpt(quoted))).replace(quoted, excerpt(quoted)) if excerpt(quoted) != quoted else message
         print(f"{self.prog}: {message}; see scripts/{self.prog} --help", file=sys.stderr)
         sys.exit(WRONG_INPUT)
 
@@ -45,7 +54,7 @@ def counted(noun):
     """A type of argument: how many of them, one at least."""
     def count(text):
         if not (text.isascii() and text.isdigit()) or int(text) < 1:
-            raise argparse.ArgumentTypeError(f"invalid number of {noun} '{text}'; expected an integer >= 1")
+            raise argparse.ArgumentTypeError(f"invalid number of {noun} '{excerpt(text)}'; expected an integer >= 1")
         return int(text)
     return count
 
@@ -60,7 +69,7 @@ def finite_number(text):
     except ValueError:
         number = math.nan
     if not math.isfinite(number):
-        raise argparse.ArgumentTypeError(f"invalid number '{text}'; expected a finite number, such as 0.5 or 1.0e-3")
+        raise argparse.ArgumentTypeError(f"invalid number '{excerpt(text)}'; expected a finite number, such as 0.5 or 1.0e-3")
     return number
 
 
@@ -68,7 +77,7 @@ def names(text):
     """A list of names separated by commas."""
     found = [name.strip() for name in text.split(",")]
     if not all(found):
-        raise argparse.ArgumentTypeError(f"invalid list '{text}': an empty name; expected names separated by commas, such as bar,plate")
+        raise argparse.ArgumentTypeError(f"invalid list '{excerpt(text)}': an empty name; expected names separated by commas, such as bar,plate")
     return found
 
 

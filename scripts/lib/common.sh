@@ -13,6 +13,12 @@ fail() {
   exit "$code"
 }
 
+# excerpt TEXT: what a message quotes of it: one line of at most 60 characters, as of the program.
+excerpt() {
+  local text=${1//[[:space:]]/ }
+  [ "${#text}" -le 60 ] && printf '%s' "$text" || printf '%s...' "${text:0:60}"
+}
+
 # comment_block FILE: the comment at the top of a script is its help.
 comment_block() {
   awk 'NR > 2 { if (!/^#/) exit; sub(/^# ?/, ""); print }' "$1"

@@ -107,6 +107,12 @@ def page(folder, look):
     return figure
 
 
+def drawn_points(folder):
+    """Corners of all surfaces of each answer."""
+    for row in rows_of(folder)[:MOST_ROWS]:
+        yield np.concatenate([read_ply(f"{stem(folder, row)}_{name}.ply").reshape(-1, 3) for name in ("before", "after", "other")])
+
+
 def words_of(row):
     turn = float(row["degrees"])
     text = f"after: {row['metric'].replace('_', ' ')} {float(row['depth']):.4g} (no less than {float(row['bound']):.4g})"

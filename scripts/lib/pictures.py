@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib import patheffects
 
-from arguments import Fault, shorter
+from arguments import Fault, excerpt, shorter
 from raster import VIEWS, bounds, draw, view_axes
 from state import field_values
 from surface import surface
@@ -48,6 +48,7 @@ class Shot:
     title: str
     time: str
     step: int
+    heights: list = dataclasses.field(default_factory=list)  # (lowest, highest) over each plane, before it cuts
 
 
 def parts_shown(state, look):
@@ -55,7 +56,7 @@ def parts_shown(state, look):
     parts = state.parts()
     for name in look.hide + look.only:
         if name not in parts:
-            raise Fault(f"unknown part {name}; expected one of {', '.join(sorted(set(parts)))}")
+            raise Fault(f"unknown part {excerpt(name)}; expected one of {', '.join(sorted(set(parts)))}")
     shown = [(not look.only or part in look.only) and part not in look.hide for part in parts]
     if not any(shown):
         raise Fault("invalid selection: all parts are hidden; expected at least one visible part")
@@ -81,8 +82,25 @@ def take(state, record, look):
     else:
         values, nodal, title = field_values(record, look.field)
     triangles = surface(points, blocks, shown, values, nodal, look.planes)
+    drawn = np.unique(np.concatenate([c[shown[first:first + len(c)]].ravel() for _, first, c in blocks])) if look.planes else []
     time = f"{record.attrs['time']:.6g} {state.unit_of('time')}".rstrip()
-    return Shot(triangles, title, time, int(record.attrs["step"]))
+    return Shot(triangles, title, time, int(record.attrs["step"]), heights_over(look.planes, points[drawn]))
+
+
+def heights_over(planes, points):
+    """(lowest, highest) of the points over each plane; no point: (inf, -inf)."""
+    over = [(points - point) @ normal for point, normal in planes]
+    return [(h.min(initial=np.inf), h.max(initial=-np.inf)) for h in over]
+
+
+def idle_planes(planes, heights):
+    """A sentence for each plane that removes nothing, or all that is drawn. planes: as they were written; heights: those of each picture."""
+    for k, plane in enumerate(planes):
+        low, high = min(over[k][0] for over in heights), max(over[k][1] for over in heights)
+        if high <= 0 or low > high:
+            yield f"--clip {excerpt(plane)} removes nothing: all that is drawn lies on one side of the plane"
+        elif low >= 0:
+            yield f"--clip {excerpt(plane)} removes all that is drawn"
 
 
 def limits_of(shots, look):
@@ -213,9 +231,8 @@ def image_of(figure):
     return Image.open(buffer).convert("RGB")
 
 
-def frames(state, records, look):
-    """A picture of each record; views and colours stay the same."""
-    shots = [take(state, record, look) for record in records]
+def frames(state, shots, look):
+    """A picture of each shot; views and colours stay the same."""
     limits, (boxes, _) = limits_of(shots, look), boxes_of(shots, look)
     for shot, box in zip(shots, boxes):
         yield image_of(page(state, shot, look, limits, box))

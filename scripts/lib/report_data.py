@@ -28,6 +28,8 @@ class Result:
         self.scene_text, self.scene = self.read_scene()
         self.history = self.read_history()
         self.state = self.read_state()
+        if not (self.summary or self.history or self.state):
+            raise Fault(f"{folder}: missing results: no file of them can be read ({' '.join(self.missing)}); expected a result folder of brunt run")
 
     def path(self, name):
         return os.path.join(self.folder, name)

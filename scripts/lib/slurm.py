@@ -5,6 +5,8 @@ import shlex
 import shutil
 import subprocess
 
+from arguments import excerpt
+
 WRONG_INPUT, MACHINE = 2, 4
 LONGEST_LEAD = 120  # [s] before the time limit that the signal is sent: what the templates say
 TIMES = "expected minutes, hours:minutes:seconds, days-hours:minutes, or such as 45m, 4h, 3h55m, 2d; Slurm counts whole minutes"
@@ -36,9 +38,9 @@ def seconds_of(text):
         units = (3600, 60, 1) if dash or len(parts) == 3 else (60, 1)  # days-hours[:minutes[:seconds]], or minutes[:seconds]
         seconds = int(days or 0) * 86400 + sum(int(part) * unit for part, unit in zip(parts, units))
     else:
-        raise Refused(f"invalid --time '{text}'; {TIMES}")
+        raise Refused(f"invalid --time '{excerpt(text)}'; {TIMES}")
     if seconds < 60:
-        raise Refused(f"out of range: --time '{text}'; {TIMES}, at least one minute")
+        raise Refused(f"out of range: --time '{excerpt(text)}'; {TIMES}, at least one minute")
     return seconds
 
 
@@ -79,7 +81,7 @@ def demand_partition(name, seconds):
     """The partition (without a name Slurm's default) must be there and admit jobs of this length: Slurm would let them wait forever."""
     lines = [line.split("|") for line in ask("sinfo", "--noheader", "--format=%R|%P|%l").split()]
     if name is not None and name not in (line[0] for line in lines):
-        raise Refused(f"unknown --partition '{name}'; expected one of {', '.join(sorted({line[0] for line in lines}))}")
+        raise Refused(f"unknown --partition '{excerpt(name)}'; expected one of {', '.join(sorted({line[0] for line in lines}))}")
     for found, marked, limit in lines:
         is_meant = found == name if name is not None else marked.endswith("*")
         if is_meant and limit[0].isdigit() and seconds > seconds_of(limit):

@@ -5,7 +5,7 @@ import os
 import h5py
 import numpy as np
 
-from arguments import Fault
+from arguments import Fault, excerpt
 
 COMPONENTS = {3: ["x", "y", "z"], 6: ["xx", "yy", "zz", "xy", "yz", "zx"]}
 QUANTITIES = {"displacement": "length", "gap": "length", "velocity": "velocity", "stress": "stress",
@@ -101,7 +101,7 @@ def field_values(record, name):
             continue
         values = record[place][base][...]
         if values.ndim == 1 and component:
-            raise Fault(f"unknown component {component} of the scalar field {base}; expected {base}")
+            raise Fault(f"unknown component {excerpt(component)} of the scalar field {base}; expected {base}")
         if values.ndim == 1:
             return values, place == "node", base
         names = COMPONENTS.get(values.shape[1], [str(c) for c in range(values.shape[1])])
@@ -111,9 +111,9 @@ def field_values(record, name):
             return von_mises(values), place == "node", f"{base} (von Mises)"
         if component in ("", "magnitude"):
             return np.linalg.norm(values, axis=1), place == "node", f"{base} (magnitude)"
-        raise Fault(f"unknown component {component} of {base}; expected one of {', '.join(names)}, magnitude")
+        raise Fault(f"unknown component {excerpt(component)} of {base}; expected one of {', '.join(names)}, magnitude")
     known = sorted(f"{n}" for place in ("node", "element") if place in record for n in record[place])
-    raise Fault(f"unknown field {base}; expected one of {', '.join(known)}, part (output.fields of the scene lists the fields that are written)")
+    raise Fault(f"unknown field {excerpt(base)}; expected one of {', '.join(known)}, part (output.fields of the scene lists the fields that are written)")
 
 
 def von_mises(s):

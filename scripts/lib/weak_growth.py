@@ -3,7 +3,7 @@
 import yaml
 
 import bounded_yaml
-from arguments import Fault
+from arguments import Fault, excerpt
 
 
 def prime_factors(number):
@@ -93,14 +93,14 @@ class Growth:
     def multiply(self, grown, key, path, kind, factor):
         values = values_at(self.tree, path)
         if kind is int and "elements" not in path.split("."):
-            self.fault(key, f"invalid path '{path}': not a number of elements", "paths such as mesh.0.box.elements.0")
+            self.fault(key, f"invalid path '{excerpt(path)}': not a number of elements", "paths such as mesh.0.box.elements.0")
         if not values:
-            self.fault(key, f"unknown path '{path}' in this scene", "a key path, as for --set")
+            self.fault(key, f"unknown path '{excerpt(path)}' in this scene", "a key path, as for --set")
         for place, value in values:
             try:
                 number = kind(value) if not isinstance(value, (bool, list, dict)) else None
             except (TypeError, ValueError):
                 number = None
             if number is None or (kind is int and (number < 1 or str(value).strip() != str(number))):
-                self.fault(key, f"invalid path '{path}': it leads to {value!r}", "integers >= 1" if kind is int else "numbers")
+                self.fault(key, f"invalid path '{excerpt(path)}': it leads to {value!r}", "integers >= 1" if kind is int else "numbers")
             grown[place] = number * factor

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "brunt/io/mesh_file.hpp"
 #include "brunt/mesh/assemble.hpp"
 #include "brunt/mesh/check.hpp"
@@ -92,8 +93,8 @@ std::vector<std::string> left_out_lines(const mesh::Mesh& mesh) {
   std::vector<std::string> lines;
   for (const mesh::LeftOut& block : mesh.left_out)
     lines.push_back(fmt::format("excluded: block {}, {} element{} of type {}",
-                                block.name.empty() ? std::to_string(block.id) : block.name, block.count,
-                                block.count == 1 ? "" : "s", block.type));
+                                block.name.empty() ? std::to_string(block.id) : excerpt(block.name), block.count,
+                                block.count == 1 ? "" : "s", excerpt(block.type)));
   lines.insert(lines.end(), mesh.notes.begin(), mesh.notes.end());
   return lines;
 }

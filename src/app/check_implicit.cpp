@@ -7,9 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "brunt/core/error.hpp"
-#include "brunt/implicit/balance.hpp"
 #include "brunt/implicit/solver.hpp"
+#include "brunt/implicit/step.hpp"
 #include "implicit_loop.hpp"
 
 namespace brunt::app {
@@ -33,18 +32,21 @@ double steps_until_end(const Prepared& run, double step) {
   return steps;
 }
 
-/// The cost of the steps, from one iteration after the first step; or the reason why there is no such step.
+/// The cost of the steps, from the first iteration, which is not solved; or why there is no such iteration.
 std::string cost_line(Prepared& run, double steps) {
   constexpr double iterations = 4;  // iterations of a step with contact, mean over the cases
   using Clock = std::chrono::steady_clock;
-  try {
-    implicit_step(run);
-  } catch (const GuardError& error) {
-    return fmt::format("{:<16} not found: {}", "first step", error.what());
-  }
   const Clock::time_point start = Clock::now();
-  (void)implicit::factorise_tangent(implicit_scene(run), *run.implicit);
+  const comm::Factorised factors = implicit::factorise_first(implicit_scene(run), *run.implicit);
   const double seconds = run.links.ranks.max(std::chrono::duration<double>(Clock::now() - start).count());
+  if (factors.status == comm::FactorStatus::singular)
+    return fmt::format(
+        "{:<16} none: the stiffness matrix is singular ({} motion{} without resistance); a static state "
+        "needs supports, symmetry or ties against each rigid-body motion",
+        "first step", factors.null_pivots, factors.null_pivots == 1 ? "" : "s");
+  if (!factors.ok())
+    return fmt::format("{:<16} none: the stiffness matrix cannot be factorised{}{}", "first step",
+                       factors.message.empty() ? "" : ": ", factors.message);
   const int ranks = run.links.ranks.size();
   return fmt::format("{:<16} {} on {} rank{} without output ({:g} iterations a step, {:.2g} s each, measured in one)",
                      "estimated cost", duration_text(steps * iterations * seconds), ranks, ranks == 1 ? "" : "s",

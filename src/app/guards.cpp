@@ -57,14 +57,8 @@ double settling_energy(double mass, double gravity, double dt, double tolerance,
   return mass * gravity * gravity * dt * dt * tolerance / recovery;
 }
 
-/// Nothing else can supply energy where nothing deforms.
-constexpr const char* cause_among_rigid_bodies =
-    "contact that was not satisfied (iterations that ended at enforcement.max_iterations), bodies inside each other, "
-    "or "
-    "supports that drive bodies into obstacles";
-
 std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding,
-                          bool all_rigid) {
+                          const std::string& among_rigid) {
   // A moving wall supplies energy, and so does contact between initially overlapping bodies. At the first instant the
   // whole energy may be rounding of either sign.
   const double parted = recovered ? std::max(-ledger.contact, 0.0) : 0.0;
@@ -74,7 +68,7 @@ std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool
   if (std::isfinite(ledger.total()) && ledger.kinetic <= 1.5 * given + 1e-3 * scale + rounding) return {};
   return fmt::format(
       "kinetic energy {:g}, supplied energy {:g}; {}", ledger.kinetic, given,
-      all_rigid ? cause_among_rigid_bodies : "the step may be too large for the materials, or elements too distorted");
+      among_rigid.empty() ? "the step may be too large for the materials, or elements too distorted" : among_rigid);
 }
 
 std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding, Gives gives) {
@@ -115,8 +109,8 @@ std::string text_of(const Finding& finding, double time) {
                      names[static_cast<std::size_t>(finding.fault)], finding.energy, time, 100 * finding.share);
 }
 
-std::string likely_cause(Fault fault, bool all_rigid) {
-  if (all_rigid) return std::string("likely cause: ") + cause_among_rigid_bodies;
+std::string likely_cause(Fault fault, const std::string& among_rigid) {
+  if (!among_rigid.empty()) return "likely cause: " + among_rigid;
   switch (fault) {
     case Fault::balance:
       return "likely cause: very large velocities or stresses of a few nodes or elements; the step may be too large "

@@ -46,10 +46,11 @@ double rounding_energy(double mass, double extent, double edge, double dt);
 double settling_energy(double mass, double gravity, double dt, double tolerance, double recovery);
 
 /// Kinetic energy without a source, which a closed ledger does not show. recovered: contact may supply energy, since
-/// the scene lets it separate initially overlapping bodies. Empty, or the message; all_rigid: the scene has no
-/// deformable elements, so the message does not speak of them, nor of a stable step.
+/// the scene lets it separate initially overlapping bodies. Empty, or the message; among_rigid: where the
+/// energy may come from in a scene without deformable elements (cause_among_rigid_bodies), instead of these and of a
+/// stable step.
 std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding,
-                          bool all_rigid = false);
+                          const std::string& among_rigid = {});
 
 /// Further errors that a ledger may show.
 enum class Fault {
@@ -86,9 +87,9 @@ std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, dou
 
 /// The sentence for it, without the place: what is wrong, and the likely cause.
 std::string text_of(const Finding& finding, double time);
-/// What to do about it, or where it comes from. Empty for `internal`, see cause_of_given_work. all_rigid: see
+/// What to do about it, or where it comes from. Empty for `internal`, see cause_of_given_work. among_rigid: see
 /// energy_growth.
-std::string likely_cause(Fault fault, bool all_rigid = false);
+std::string likely_cause(Fault fault, const std::string& among_rigid = {});
 
 /// Share of the largest energy of the bodies that contact has taken, if bodies have touched and none touches another
 /// one any more; otherwise 0. For two elastic bodies it should be zero.

@@ -210,16 +210,27 @@ bool names_unknown_command(const CLI::App& program, int argc, char** argv) {
   return std::ranges::none_of(commands, [&](const CLI::App* command) { return command->get_name() == argv[1]; });
 }
 
+/// CLI11 quotes arguments, or what follows their equals sign, without a bound.
+std::string with_excerpts(std::string text, int argc, char** argv) {
+  for (int k = 1; k < argc; ++k) {
+    const std::string word = argv[k];
+    for (const std::string& quoted : {word, word.substr(word.find('=') + 1)})
+      if (const std::string brief = excerpt(quoted); brief != quoted)
+        for (auto at = text.find(quoted); at != std::string::npos; at = text.find(quoted, at + brief.size()))
+          text.replace(at, quoted.size(), brief);
+  }
+  return text;
+}
+
 /// CLI11 prints on every rank; the output of one is sufficient.
-int parse_failure(const CLI::App& program, const CLI::ParseError& error, bool root) {
+int parse_failure(const CLI::App& program, const CLI::ParseError& error, bool root, int argc, char** argv) {
   if (!root) return error.get_exit_code() == 0 ? 0 : 2;
   if (error.get_exit_code() == 0) return program.exit(error);
+  const std::string what = with_excerpts(error.what(), argc, argv);
   if (dynamic_cast<const CLI::RequiredError*>(&error))
-    fmt::print(stderr, "brunt: missing argument: {}; expected all required arguments, see brunt --help\n",
-               error.what());
+    fmt::print(stderr, "brunt: missing argument: {}; expected all required arguments, see brunt --help\n", what);
   else
-    fmt::print(stderr, "brunt: invalid arguments: {}; expected known arguments and values, see brunt --help\n",
-               error.what());
+    fmt::print(stderr, "brunt: invalid arguments: {}; expected known arguments and values, see brunt --help\n", what);
   return 2;
 }
 
@@ -250,7 +261,7 @@ int run_command(const comm::Communicator& ranks, int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return parse_failure(program, error, ranks.is_root());
+    return parse_failure(program, error, ranks.is_root(), argc, argv);
   }
   return chosen(ranks);
 }

@@ -20,9 +20,11 @@ void refuse_past_end(const Prepared& run, const std::string& checkpoint) {
     throw InputError(fmt::format("{}: out of range: {:g} has passed: {} is at t = {:g}; expected a later time",
                                  run.input.at("run.end"), *limits.end, checkpoint, state.time));
   if (limits.steps && state.step > static_cast<double>(*limits.steps))
-    throw InputError(fmt::format("{}: out of range: {} steps are done: {} is at step {}; expected more steps",
-                                 run.input.at("run.steps"), *limits.steps, checkpoint,
-                                 static_cast<GlobalIndex>(state.step)));
+    throw InputError(
+        fmt::format("{}: out of range: {}: {} is at step {}; expected more than {}, since the steps before "
+                    "the restart count",
+                    run.input.at("run.steps"), *limits.steps, checkpoint, static_cast<GlobalIndex>(state.step),
+                    static_cast<GlobalIndex>(state.step)));
 }
 
 /// The last one before a checkpoint that can be read and is of this scene; empty where there is none. Collective.

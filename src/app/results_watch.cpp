@@ -26,6 +26,16 @@ bool all_rigid(const model::Model& model) {
                              [](const model::ElementBlock& block) { return material::is_rigid(block.law); });
 }
 
+/// Empty where something deforms.
+std::string cause_if_rigid(const Prepared& run) {
+  if (!all_rigid(run.model)) return {};
+  return cause_among_rigid_bodies({.contact = !run.input.contact.empty(),
+                                   .walls = !run.model.walls.empty(),
+                                   .drives = !run.input.prescribed.empty(),
+                                   .moving_walls = std::ranges::any_of(run.model.walls, &model::RigidWall::moves),
+                                   .at_limit = run.contact && run.contact->ledger.statistics.steps_at_limit > 0});
+}
+
 /// What contact of this run may give. Mortar contact of the implicit schemes gives within a step what it took in
 /// another.
 Gives gives(const Prepared& run) {
@@ -93,7 +103,7 @@ void Results::watch(const time::Ledger& ledger, double time) {
   // continues to grow.
   const bool trapezoidal = run_.input.implicit && run_.input.implicit->scheme == model::Scheme::newmark;
   const std::string growth =
-      energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding, all_rigid(run_.model));
+      energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding, cause_if_rigid(run_));
   for (const Finding& finding : judge(ledger, run_.extremes, rounding, gives(run_))) {
     bool& reported = reported_[static_cast<std::size_t>(finding.fault)];
     const bool makes_energy = trapezoidal && finding.fault == Fault::contact;
@@ -107,7 +117,7 @@ void Results::watch(const time::Ledger& ledger, double time) {
         : finding.fault == Fault::internal && !all_rigid(run_.model)
             ? cause_of_given_work(run_.model,
                                   run_.links.ranks.sum(force::folded_elements(run_.model, run_.state).count))
-            : likely_cause(finding.fault, all_rigid(run_.model)));
+            : likely_cause(finding.fault, cause_if_rigid(run_)));
     if (stop) throw GuardError(text);
     log_.warning(text + " (reported once)");
   }

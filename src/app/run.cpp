@@ -79,18 +79,19 @@ void report_iterations(const Prepared& run, Log& log) {
 
 int run(const comm::Communicator& ranks, const RunOptions& options) {
   const Clock::time_point start = Clock::now();
+  const std::string folder =
+      options.out.empty() ? std::filesystem::path(options.scene).replace_extension(".out").string() : options.out;
+  const io::StopRequest earlier = ranks.is_root() ? io::stop_request(folder) : io::StopRequest{};
   Log log(ranks.is_root(), options.quiet);
   const std::unique_ptr<Prepared> prepared = prepare(ranks, options.scene, options.overrides, options.partition);
   refuse_overlaps(*prepared);
   demand_first_step(*prepared);
   const std::string checkpoint = options.restart.empty() ? "" : checkpoint_of(ranks, options.restart);
-  const std::string folder =
-      options.out.empty() ? std::filesystem::path(options.scene).replace_extension(".out").string() : options.out;
 
   std::optional<io::CheckpointHeader> restart;
   if (!checkpoint.empty()) restart = restart_from(*prepared, checkpoint);
   const io::ExistingResults existing = existing_results(options, checkpoint, folder);
-  const bool was_asked_to_stop = io::prepare_result_folder(ranks, folder, existing, seconds_since(start));
+  const bool was_asked_to_stop = io::prepare_result_folder(ranks, folder, existing, earlier);
   on_root(ranks, [&] { log.open(folder, restart.has_value()); });
   announce(*prepared, log);
   for (const std::string& line : prepared->left_out) log.line(line);
@@ -99,14 +100,14 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   if (was_asked_to_stop) log.line(fmt::format("removed {}/{}, which is older than this run", folder, io::stop_file));
   if (restart) log.line(fmt::format("restart from {} at step {}", checkpoint, restart->step));
   const bool over = restart && at_end(prepared->state, prepared->input.run);
-  if (over)
-    log.warning(
-        fmt::format("nothing to run: the checkpoint is at t = {:g}, step {}, the end of this run; a later run.end (or "
-                    "more run.steps) continues from there",
-                    prepared->state.time, restart->step));
-
+  if (over) {
+    const std::optional<GlobalIndex>& steps = prepared->input.run.steps;
+    log.warning(fmt::format(
+        "nothing to run: the checkpoint is at t = {:g}, step {}, the end of this run; a {} continues from there",
+        prepared->state.time, restart->step, steps && restart->step >= *steps ? "larger run.steps" : "later run.end"));
+  }
   if (over && existing == io::ExistingResults::keep && is_reported(ranks, folder, restart->step)) {
-    log.line("; the results in " + folder + " remain unchanged");
+    log.line("the results in " + folder + " remain unchanged");
     return static_cast<int>(ExitCode::done);
   }
   on_root(ranks, [&] { record_scene(*prepared, options, folder); });

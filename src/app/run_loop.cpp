@@ -234,7 +234,7 @@ void Loop::watch_iterations() {
       "tolerance of {:g}: the remainder may disturb the motion; increase enforcement.max_iterations{} (reported once)",
       static_cast<GlobalIndex>(run_.state.step) - 1, run_.state.time_before, settings.max_iterations,
       reported_from(run_.contact->ledger.statistics.last.residual, settings.tolerance), settings.tolerance,
-      run_.contact->settings.rigid.supported
+      run_.contact->settings.rigid.supported && !run_.input.prescribed.empty()
           ? "; no number suffices where supports move a rigid part into an obstacle that cannot yield while the part "
             "may rotate or slide: constrain these motions too, or do not move it there"
           : ""));

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <variant>
 #include <vector>
 
+#include "brunt/core/excerpt.hpp"
 #include "brunt/mesh/primitives.hpp"
 #include "brunt/scene/select.hpp"
 #include "brunt/scene/units.hpp"
@@ -103,6 +105,15 @@ class Listing {
     return counted(run_.links.ranks.sum(count), "face");
   }
 
+  /// A side set of the same name as a node set is another one if it has other nodes.
+  [[nodiscard]] static bool reaches_beyond(const std::vector<mesh::ExteriorFace>& sides,
+                                           const std::vector<LocalIndex>& nodes) {
+    const std::set<LocalIndex> known(nodes.begin(), nodes.end());
+    return std::ranges::any_of(sides, [&](const mesh::ExteriorFace& side) {
+      return std::ranges::any_of(side.nodes, [&](LocalIndex n) { return n != no_index && !known.contains(n); });
+    });
+  }
+
   void add_sets() {
     const mesh::LocalMesh& mesh = run_.model.mesh;
     for (std::size_t k = 0; k < run_.input.sets.size(); ++k) {
@@ -113,12 +124,18 @@ class Listing {
     }
     for (const auto& [name, nodes] : mesh.node_sets) {
       if (name.front() == '@') continue;
-      add("set of the mesh",
-          fmt::format("{}: {}{}", name, nodes_of(name), mesh.side_sets.contains(name) ? ", " + faces_of(name) : ""));
+      const auto sides = mesh.side_sets.find(name);
+      if (sides != mesh.side_sets.end() && run_.links.ranks.any(reaches_beyond(sides->second, nodes))) {
+        add("set of the mesh", fmt::format("node set {}: {}", excerpt(name), nodes_of(name)));
+        add("set of the mesh", fmt::format("side set {}: {}", excerpt(name), faces_of(name)));
+        continue;
+      }
+      add("set of the mesh", fmt::format("{}: {}{}", excerpt(name), nodes_of(name),
+                                         sides == mesh.side_sets.end() ? "" : ", " + faces_of(name)));
     }
     for (const auto& [name, sides] : mesh.side_sets)
       if (name.front() != '@' && !mesh.node_sets.contains(name))
-        add("set of the mesh", fmt::format("{}: {}", name, faces_of(name)));
+        add("set of the mesh", fmt::format("{}: {}", excerpt(name), faces_of(name)));
   }
 
   void add_motion(const scene::InitialMotion& motion, std::size_t k) {

@@ -55,6 +55,17 @@ std::string cause_of_given_work(const model::Model& model, GlobalIndex folded) {
   return fmt::format("likely cause: {}", fmt::join(causes, "; or "));
 }
 
+std::string cause_among_rigid_bodies(const RigidSources& sources) {
+  std::vector<std::string> causes;
+  if (sources.contact || sources.walls)
+    causes.push_back(fmt::format("contact{} that was not satisfied{}", sources.contact ? "" : " with rigid walls",
+                                 sources.at_limit ? " (iterations ended at enforcement.max_iterations)" : ""));
+  if (sources.contact) causes.emplace_back("bodies inside each other");
+  if (sources.drives) causes.emplace_back("prescribed motions that drive bodies into obstacles");
+  if (sources.moving_walls) causes.emplace_back("moving walls that drive bodies into obstacles");
+  return causes.empty() ? "unknown, since nothing acts on the bodies" : fmt::format("{}", fmt::join(causes, ", or "));
+}
+
 std::string not_at_rest(const model::Relaxation& phase, const scene::Relaxation& asked) {
   return fmt::format(
       "relaxation: not at rest after {} steps (max_steps): {:.0f} % of the loads, unbalanced forces {:.2g} of them, "

@@ -178,6 +178,20 @@ bool gives_too_much(const Solver& solver) {
 
 }  // namespace
 
+comm::Factorised factorise_first(const Scene& scene, Solver& solver) {
+  begin_step(scene, solver, step_of(solver.settings, solver.memory.length),
+             next_time(solver.settings, solver.memory.length));
+  comm::Factorised factors;
+  factors.status = comm::FactorStatus::not_finite;
+  std::vector<double> residual(solver.u.size());
+  if (find_forces(scene, solver, solver.u)) {
+    balance(scene, solver, residual);
+    factors = factorise_tangent(scene, solver);
+  }
+  give_back(scene, solver);
+  return factors;
+}
+
 void advance(const Scene& scene, Solver& solver, const std::function<std::string(GlobalIndex gid)>& place) {
   StepLength& length = solver.memory.length;
   bool recovers = true;

@@ -14,6 +14,7 @@
 #include "abaqus_numbers.hpp"
 #include "abaqus_parts.hpp"
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "brunt/mesh/topology.hpp"
 #include "left_out.hpp"
 #include "sound_mesh.hpp"
@@ -101,8 +102,8 @@ class MeshMaker {
     for (const auto& [key, line] : part.sections) {
       const auto found = part.element_sets.find(key);
       if (found == part.element_sets.end())
-        deck_.fail(
-            line, fmt::format("unknown element set '{}' of *SOLID SECTION; expected an element set of this part", key));
+        deck_.fail(line, fmt::format("unknown element set '{}' of *SOLID SECTION; expected an element set of this part",
+                                     excerpt(key)));
       for_elements(found->second, placed.named(found->second.name), &placed, [&](Placed*, std::int64_t number, int) {
         const auto solid = part.element_at.find(number);
         if (solid == part.element_at.end()) return;
@@ -228,19 +229,20 @@ class MeshMaker {
                   if (placed == nullptr || solid == placed->part->element_at.end())
                     deck_.fail(line, fmt::format("invalid member of '{}': element {} is not a solid element of first "
                                                  "order, so its nodes are not read; expected solid elements",
-                                                 name, number));
+                                                 excerpt(name), number));
                   const AbaqusElement& element = placed->part->elements[static_cast<std::size_t>(solid->second)];
                   for (int k = 0; k < element.corners; ++k)
                     nodes.insert(placed->first_node + element.nodes[static_cast<std::size_t>(k)]);
                 });
-    if (points > 0) notes_.insert(fmt::format("node set {}: {} points of the assembly are not read", name, points));
+    if (points > 0)
+      notes_.insert(fmt::format("node set {}: {} points of the assembly are not read", excerpt(name), points));
   }
 
   template <class Kept, class Found>
   void keep(std::map<std::string, Kept>& sets, const std::string& name, const Found& found, int line) {
     if (!sets.try_emplace(name, found.begin(), found.end()).second)
-      deck_.fail(line,
-                 fmt::format("invalid name '{}': two sets or surfaces have it; expected names that differ", name));
+      deck_.fail(line, fmt::format("invalid name '{}': two sets or surfaces have it; expected names that differ",
+                                   excerpt(name)));
   }
 
   void add_scope(const AbaqusScope& scope, Placed* own) {
@@ -280,7 +282,8 @@ class MeshMaker {
     if (!sides.empty() || foreign_sides_.contains(name)) keep(mesh_.side_sets, name, sides, surface.line);
     if (nodes.empty()) return;
     if (!surface.of_nodes && mesh_.node_sets.contains(name))
-      notes_.insert(fmt::format("surface {}: it gives a side set only, since a node set has the same name", name));
+      notes_.insert(
+          fmt::format("surface {}: it gives a side set only, since a node set has the same name", excerpt(name)));
     else
       keep(mesh_.node_sets, name, nodes, surface.line);
   }

@@ -103,7 +103,7 @@ void AbaqusDeck::read_file(const std::string& path, int depth) {
   open_.push_back(std::filesystem::weakly_canonical(path).string());
   runs_.push_back({path, count_ + 1, 1});
   bool goes_on = false;  // a keyword line that ends in a comma
-  int line_of_file = 0;
+  int line_of_file = 0, last_line = 0;
   for (std::size_t from = 0; from < text.size();) {
     const std::size_t begin = from, end = std::min(text.find('\n', from), text.size());
     from = end + 1;
@@ -114,6 +114,7 @@ void AbaqusDeck::read_file(const std::string& path, int depth) {
     ++count_;
     if (end == text.size()) unended_.insert(count_);
     if (line.empty() || line.starts_with("**")) continue;
+    last_line = count_;
     const bool is_keyword = line.front() == '*' || goes_on;
     goes_on = read_line(line, goes_on);
     if (!is_keyword || goes_on) continue;
@@ -124,7 +125,8 @@ void AbaqusDeck::read_file(const std::string& path, int depth) {
   if (goes_on)
     fail(count_, fmt::format("missing continuation of *{}: its line ends in a comma, and the file ends here; expected "
                              "the rest of its parameters",
-                             cards_.back().keyword));
+                             excerpt(cards_.back().keyword)));
+  if (last_line > 0 && !cards_.empty()) ends_.push_back({last_line, cards_.size() - 1});
   open_.pop_back();
 }
 
@@ -152,7 +154,7 @@ void AbaqusDeck::take_inclusion(const std::string& path, int depth) {
   if (whole) is_read(*this, card, notes);
   const std::string name = card.value("INPUT");
   const int line = card.line;
-  if (name.empty()) fail(line, fmt::format("missing file of *{}; expected INPUT=FILE", card.keyword));
+  if (name.empty()) fail(line, fmt::format("missing file of *{}; expected INPUT=FILE", excerpt(card.keyword)));
   if (whole) cards_.pop_back();  // what the file holds may go on the card before
   include(path, name, line, depth);
 }
@@ -163,7 +165,8 @@ void AbaqusDeck::include(const std::string& from, const std::string& name, int l
   constexpr int most_files = 10'000;  // read one after the other, such as a file for each part of a large assembly
   const std::string path = (fs::path(from).parent_path() / name).lexically_normal().string();
   std::error_code unreadable;
-  const std::string named = path == name ? fmt::format("'{}'", name) : fmt::format("'{}' ({})", name, path);
+  const std::string named =
+      path == name || excerpt(name) != name ? fmt::format("'{}'", excerpt(name)) : fmt::format("'{}' ({})", name, path);
   if (!fs::exists(path, unreadable))
     fail(line, fmt::format("cannot read the included file {}: it does not exist; expected an existing file", named));
   if (!fs::is_regular_file(path, unreadable))
@@ -207,7 +210,7 @@ std::int64_t AbaqusDeck::integer(const DeckLine& line, std::string_view field, s
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{} || end != digits.data() + digits.size() ||
       (digits.size() < field.size() && digits[0] == '-'))
-    fail(line.number, fmt::format("invalid value '{}'; expected {}", field.substr(0, 40), what));
+    fail(line.number, fmt::format("invalid value '{}'; expected {}", excerpt(field), what));
   return value;
 }
 
@@ -221,7 +224,7 @@ double AbaqusDeck::real(const DeckLine& line, std::string_view field, std::strin
   const auto [end, error] = std::from_chars(written.data(), written.data() + written.size(), value);
   if (error != std::errc{} || end != written.data() + written.size() || !std::isfinite(value) ||
       (plus && written.starts_with('-')))
-    fail(line.number, fmt::format("invalid value '{}'; expected {}", field.substr(0, 40), what));
+    fail(line.number, fmt::format("invalid value '{}'; expected {}", excerpt(field), what));
   return value;
 }
 

@@ -37,6 +37,12 @@ struct DeckCard {
   [[nodiscard]] DeckLabel label(const std::string& name) const;
 };
 
+/// Where a file ends: its last line that is no comment, and the card that this line belongs to.
+struct DeckEnd {
+  int line = 0;
+  std::size_t card = 0;
+};
+
 class AbaqusDeck {
  public:
   /// Reads the file and the files that it includes (*INCLUDE, and INPUT= of *NODE, *ELEMENT, *NSET, *ELSET), relative
@@ -50,6 +56,8 @@ class AbaqusDeck {
   [[nodiscard]] double real(const DeckLine& line, std::string_view field, std::string_view what) const;
   /// The last line of a file, if it has no line end.
   [[nodiscard]] bool is_unended(const DeckLine& line) const { return unended_.contains(line.number); }
+  /// Of the files that have cards or data, in the order in which their reading ended: the main one is the last.
+  [[nodiscard]] const std::vector<DeckEnd>& ends() const { return ends_; }
   /// "FILE:LINE".
   [[nodiscard]] std::string place(int line) const;
   [[noreturn]] void fail(int line, const std::string& what) const;
@@ -71,6 +79,7 @@ class AbaqusDeck {
   std::vector<std::unique_ptr<const std::string>> texts_;  // the cards' lines point into them
   std::vector<Run> runs_;                                  ///< ascending in first_number
   std::set<int> unended_;
+  std::vector<DeckEnd> ends_;
   std::vector<std::string> open_;  ///< files that are being read, the outermost first
   int count_ = 0;                  ///< lines so far
   int included_ = 0;               ///< files so far

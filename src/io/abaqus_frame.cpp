@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "brunt/core/excerpt.hpp"
+
 namespace brunt::io {
 namespace {
 
@@ -69,7 +71,7 @@ NodeSystem node_system_of(const AbaqusDeck& deck, const DeckCard& card) {
   if (system == "R") return NodeSystem::cartesian;
   if (system == "C") return NodeSystem::cylindrical;
   if (system == "S") return NodeSystem::spherical;
-  deck.fail(card.line, fmt::format("invalid SYSTEM={} of *NODE; expected R, C or S", card.value("SYSTEM")));
+  deck.fail(card.line, fmt::format("invalid SYSTEM={} of *NODE; expected R, C or S", excerpt(card.value("SYSTEM"))));
 }
 
 Vec3 cartesian(NodeSystem system, const Vec3& given) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "brunt/core/excerpt.hpp"
+
 namespace brunt::io {
 
 const std::vector<std::int64_t>& AbaqusNumbers::all(Kind kind) {
@@ -33,14 +35,15 @@ std::vector<std::int64_t> existing(const AbaqusDeck& deck, const AbaqusMembers& 
   if (!members.generated) {
     if (!std::ranges::binary_search(all, members.first))
       deck.fail(members.line, fmt::format("unknown {0} {1} of '{2}'; expected the number of a {0} of the file", what,
-                                          members.first, name));
+                                          members.first, excerpt(name)));
     return {members.first};
   }
   std::vector<std::int64_t> found;
   for (auto at = std::ranges::lower_bound(all, members.first); at != all.end() && *at <= members.last; ++at)
     if ((*at - members.first) % members.step == 0) found.push_back(*at);
   const std::int64_t named = (members.last - members.first) / members.step + 1;
-  const std::string range = fmt::format("GENERATE {}, {}, {} of '{}'", members.first, members.last, members.step, name);
+  const std::string range =
+      fmt::format("GENERATE {}, {}, {} of '{}'", members.first, members.last, members.step, excerpt(name));
   if (found.empty())
     deck.fail(members.line, fmt::format("invalid {0}: no {1} has one of these numbers; expected a range with existing "
                                         "{1}s",

@@ -32,7 +32,7 @@ class ModelReader {
     if (step_at_ > 0) deck_.fail(step_at_, "missing end of this step: the file is truncated; expected *END STEP");
     const AbaqusPart& whole = model_.parts[0];
     if (!whole.elements.empty() || !whole.others.empty()) model_.instances.emplace_back();
-    note_open_end();
+    note_open_ends();
     note_unused_parts();
     return std::move(model_);
   }
@@ -99,7 +99,7 @@ class ModelReader {
     if (part_has_mesh_)
       deck_.fail(card.line, fmt::format("invalid *{} in instance '{}': its part has a mesh; expected the mesh in the "
                                         "part or in the instance",
-                                        card.keyword, instance.name.shown));
+                                        card.keyword, excerpt(instance.name.shown)));
     return home(card);
   }
 
@@ -142,7 +142,8 @@ class ModelReader {
   void add_part(const DeckCard& card) {
     const DeckLabel name = needed_label(deck_, card, "NAME");
     if (std::ranges::any_of(model_.parts, [&](const AbaqusPart& one) { return one.name.key == name.key; }))
-      deck_.fail(card.line, fmt::format("invalid part '{}': defined twice; expected each part once", name.shown));
+      deck_.fail(card.line,
+                 fmt::format("invalid part '{}': defined twice; expected each part once", excerpt(name.shown)));
     part_ = model_.parts.size();
     model_.parts.emplace_back().name = name;
   }
@@ -153,13 +154,13 @@ class ModelReader {
     for (const AbaqusInstance& one : model_.instances)
       if (one.name.key == instance.name.key || one.name.shown == instance.name.shown)
         deck_.fail(card.line, fmt::format("invalid instance '{}': defined twice; expected each instance once",
-                                          instance.name.shown));
+                                          excerpt(instance.name.shown)));
     const DeckLabel wanted = needed_label(deck_, card, "PART");
     const auto found = std::ranges::find_if(
         model_.parts, [&](const AbaqusPart& p) { return !p.name.key.empty() && p.name.key == wanted.key; });
     if (found == model_.parts.end())
       deck_.fail(card.line, fmt::format("invalid instance '{}': unknown part '{}'; expected a part defined above",
-                                        instance.name.shown, wanted.shown));
+                                        excerpt(instance.name.shown), excerpt(wanted.shown)));
     instance.part = static_cast<std::size_t>(found - model_.parts.begin());
     found->is_used = true;
     part_has_mesh_ = !found->coordinates.empty();
@@ -250,25 +251,30 @@ class ModelReader {
       if (set != nullptr) set->members.push_back({.first = number, .last = number, .line = line});
     }
     model_.notes.push_back(
-        fmt::format("{}: elements {} of the assembly are not read", deck_.place(card.line), type.name));
+        fmt::format("{}: elements {} of the assembly are not read", deck_.place(card.line), excerpt(type.name)));
   }
 
-  /// Other files end with *SOLID SECTION, a material, a step or the assembly: a part of a set cannot be missing there.
-  void note_open_end() {
-    if (assembly_ || deck_.cards().empty()) return;
-    const DeckCard& last = deck_.cards().back();
-    const std::string word = compact(last.keyword);
-    const bool of_mesh = word == "NODE" || word == "ELEMENT" || word == "NSET" || word == "ELSET" || word == "SURFACE";
-    if (of_mesh)
-      model_.notes.push_back(fmt::format("{}: the file ends with *{}: whether it is truncated cannot be checked",
-                                         deck_.place(last.line), excerpt(last.keyword)));
+  /// Data of a mesh may go on behind the end of a file, included or not. Other files end with *SOLID SECTION, a
+  /// material, a step or the end of the assembly: a part of a set cannot be missing there.
+  void note_open_ends() {
+    std::vector<const DeckEnd*> open;
+    for (const DeckEnd& end : deck_.ends()) {
+      const std::string word = compact(deck_.cards()[end.card].keyword);
+      if (word == "NODE" || word == "ELEMENT" || word == "NSET" || word == "ELSET" || word == "SURFACE")
+        open.push_back(&end);
+    }
+    if (open.empty()) return;
+    const DeckEnd& first = *open.front();
+    const std::string more = open.size() == 1 ? "" : fmt::format(", nor that of {} more", open.size() - 1);
+    model_.notes.push_back(fmt::format("{}: the file ends with *{}: whether it is truncated cannot be checked{}",
+                                       deck_.place(first.line), excerpt(deck_.cards()[first.card].keyword), more));
   }
 
   void note_unused_parts() {
     for (const AbaqusPart& one : model_.parts)
       if (!one.name.key.empty() && !one.is_used && !one.elements.empty())
-        model_.notes.push_back(
-            fmt::format("part {} has no instance: its {} elements are not read", one.name.shown, one.elements.size()));
+        model_.notes.push_back(fmt::format("part {} has no instance: its {} elements are not read",
+                                           excerpt(one.name.shown), one.elements.size()));
   }
 
   const AbaqusDeck& deck_;

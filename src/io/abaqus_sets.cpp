@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 
 #include "brunt/core/excerpt.hpp"
 #include "brunt/io/csv.hpp"
@@ -21,7 +23,32 @@ std::size_t point_in(std::string_view field) {
   return std::string_view::npos;
 }
 
+bool is_number(std::string_view field) {
+  return field.find_first_not_of("+0123456789") == std::string_view::npos;
+}
+
+/// Keeps the first of equal members, in their order.
+void keep_once(std::vector<AbaqusMembers>& members) {
+  const auto key = [&](std::size_t k) {
+    const AbaqusMembers& one = members[k];
+    return std::tuple(one.instance, one.generated, one.first, one.last, one.step);
+  };
+  std::vector<std::size_t> order(members.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, key);
+  std::vector<bool> again(members.size(), false);
+  for (std::size_t k = 1; k < order.size(); ++k) again[order[k]] = key(order[k]) == key(order[k - 1]);
+  std::size_t at = 0;
+  std::erase_if(members, [&](const AbaqusMembers&) { return again[at++]; });
+}
+
+/// Sets of sets may name the same members any number of times: the members are made unique before the memory grows, so
+/// that it is at most twice that of different members.
 void append(std::vector<AbaqusMembers>& to, const std::vector<AbaqusMembers>& more) {
+  if (to.size() + more.size() > to.capacity()) {
+    keep_once(to);
+    to.reserve(2 * (to.size() + more.size()));
+  }
   to.insert(to.end(), more.begin(), more.end());
 }
 
@@ -36,7 +63,7 @@ AbaqusSet& AbaqusSetReader::named(const DeckCard& card, AbaqusSets& sets, const 
         deck_.fail(card.line,
                    fmt::format("invalid name '{}': another set has the same name with other quotation marks, which "
                                "decide on capitals; expected names that differ",
-                               name.shown));
+                               excerpt(name.shown)));
     AbaqusSet& set = sets[name.key];
     set.name = name.shown;
     return set;
@@ -44,8 +71,12 @@ AbaqusSet& AbaqusSetReader::named(const DeckCard& card, AbaqusSets& sets, const 
   if (found->second.taken_at > 0)
     deck_.fail(card.line, fmt::format("invalid addition to set '{}': another set or surface took its members in {}; "
                                       "expected all of its members before",
-                                      found->second.name, deck_.place(found->second.taken_at)));
+                                      excerpt(found->second.name), deck_.place(found->second.taken_at)));
   return found->second;
+}
+
+bool AbaqusSetReader::has_instance(const DeckLabel& name) const {
+  return std::ranges::any_of(model_.instances, [&](const auto& one) { return one.name.key == name.key; });
 }
 
 int AbaqusSetReader::instance_called(const DeckLabel& name, int line) const {
@@ -79,12 +110,14 @@ void AbaqusSetReader::add_data(const DeckCard& card, AbaqusScope& scope, AbaqusS
     deck_.fail(card.line,
                fmt::format("missing data of *{}; expected numbers or names of sets in the next line", card.keyword));
   const int instance = instance_of(card);
+  std::set<std::string_view> sets_taken;  // a set named again has no further member
   for (const DeckLine& line : card.data) {
     if (card.has("GENERATE")) {
       set.members.push_back(generated(line, instance));
       continue;
     }
     for (const std::string_view field : deck_.fields(line)) {
+      if (!is_number(field) && !sets_taken.insert(field).second) continue;
       const AbaqusChoice choice = choice_of(line, field, instance, scope, kind);
       append(set.members, choice.members);
       append(set.of_elements, choice.of_elements);
@@ -115,7 +148,7 @@ AbaqusChoice AbaqusSetReader::choice_of(const DeckLine& line, std::string_view f
                                         Kind kind) const {
   if (field.empty())
     deck_.fail(line.number, "missing entry: a field is empty; expected a number or the name of a set between commas");
-  if (field.find_first_not_of("+0123456789") == std::string_view::npos) {
+  if (is_number(field)) {
     const std::int64_t number = number_in(deck_, line, field, "a number");
     return {.members = {{.first = number, .last = number, .instance = instance, .line = line.number}},
             .of_elements = {}};
@@ -131,6 +164,10 @@ AbaqusChoice AbaqusSetReader::choice_of_set(const DeckLine& line, std::string_vi
   const std::size_t point = point_in(field);
   AbaqusSets& known = instance < 0 ? sets_of(scope) : sets_of(model_.parts[model_.instances[instance].part]);
   if (const auto found = known.find(label_of(field).key); found != known.end()) {
+    if (found->second.taken_at == 0) {  // no member comes to it from now on
+      keep_once(found->second.members);
+      keep_once(found->second.of_elements);
+    }
     found->second.taken_at = line.number;
     AbaqusChoice choice = found->second;
     for (auto* members : {&choice.members, &choice.of_elements})
@@ -139,6 +176,10 @@ AbaqusChoice AbaqusSetReader::choice_of_set(const DeckLine& line, std::string_vi
     return choice;
   }
   if (instance < 0 && point != std::string_view::npos) {
+    const bool digits = is_number(field.substr(0, point)) && is_number(field.substr(point + 1));
+    if (digits && !has_instance(label_of(trimmed(field.substr(0, point)))))
+      deck_.fail(line.number,
+                 fmt::format("invalid value '{}'; expected an integer, or the name of a set", excerpt(field)));
     const int behind = instance_called(label_of(trimmed(field.substr(0, point))), line.number);
     return choice_of(line, trimmed(field.substr(point + 1)), behind, scope, kind);
   }
@@ -160,17 +201,21 @@ void AbaqusSetReader::add_surface(const DeckCard& card, AbaqusScope& scope) cons
   const std::string type = compact(card.value("TYPE"));
   const DeckLabel name = needed_label(deck_, card, "NAME");
   if (not_read.contains(type)) {
-    model_.notes.push_back(
-        fmt::format("{}: surface {} of type {} is not read", deck_.place(card.line), name.shown, card.value("TYPE")));
+    model_.notes.push_back(fmt::format("{}: surface {} of type {} is not read", deck_.place(card.line),
+                                       excerpt(name.shown), excerpt(card.value("TYPE"))));
     return;
   }
   if (card.has("TYPE") && type != "ELEMENT" && type != "NODE")
-    deck_.fail(card.line, fmt::format("invalid TYPE={} of *SURFACE; expected ELEMENT or NODE", card.value("TYPE")));
+    deck_.fail(card.line,
+               fmt::format("invalid TYPE={} of *SURFACE; expected ELEMENT or NODE", excerpt(card.value("TYPE"))));
   if (std::ranges::any_of(scope.surfaces,
                           [&](const auto& one) { return one.name.key == name.key || one.name.shown == name.shown; }))
-    deck_.fail(card.line, fmt::format("invalid surface '{}': defined twice; expected each surface once", name.shown));
+    deck_.fail(card.line,
+               fmt::format("invalid surface '{}': defined twice; expected each surface once", excerpt(name.shown)));
   AbaqusSurface surface{.name = name, .of_nodes = type == "NODE", .line = card.line, .pieces = {}};
+  std::set<std::string_view> lines_taken;
   for (const DeckLine& line : card.data) {
+    if (!lines_taken.insert(line.text).second) continue;  // the same faces or nodes again
     const auto fields = deck_.fields(line);
     if (fields.size() > 2)
       deck_.fail(line.number, fmt::format("invalid line of {} entries in *SURFACE; expected a set or number, and a "

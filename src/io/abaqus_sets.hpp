@@ -19,6 +19,7 @@ class AbaqusSetReader {
   enum class Kind { nodes, elements };
 
   [[nodiscard]] int instance_of(const DeckCard& card) const;
+  [[nodiscard]] bool has_instance(const DeckLabel& name) const;
   [[nodiscard]] int instance_called(const DeckLabel& name, int line) const;
   void add_data(const DeckCard& card, AbaqusScope& scope, AbaqusSet& set, Kind kind) const;
   [[nodiscard]] AbaqusMembers generated(const DeckLine& line, int instance) const;

@@ -15,6 +15,7 @@
 #include "brunt/core/excerpt.hpp"
 #include "left_out.hpp"
 #include "netcdf_layout.hpp"
+#include "set_words.hpp"
 #include "sound_mesh.hpp"
 
 namespace brunt::io {
@@ -192,11 +193,11 @@ std::vector<FileBlock> read_blocks(const ExodusFile& file, const ex_init_params&
   return blocks;
 }
 
-/// The set's own name, or its number where it has none or the name is taken.
-template <class Sets>
-std::string free_name(const ExodusFile& file, ex_entity_type type, std::int64_t id, const Sets& sets) {
-  const std::string name = file.name(type, id);
-  return name.empty() || sets.count(name) ? std::to_string(id) : name;
+std::vector<std::string> words_of(const ExodusFile& file, ex_entity_type type, const Integers& ids,
+                                  std::string_view kind, std::vector<std::string>& notes) {
+  std::vector<FileSet> sets;
+  for (const std::int64_t id : ids) sets.push_back({id, file.name(type, id)});
+  return set_words(kind, sets, notes);
 }
 
 std::size_t set_size(const ExodusFile& file, ex_entity_type type, std::int64_t id, const std::string& what) {
@@ -206,11 +207,14 @@ std::size_t set_size(const ExodusFile& file, ex_entity_type type, std::int64_t i
 }
 
 void read_node_sets(const ExodusFile& file, const ex_init_params& sizes, Mesh& mesh) {
-  for (const std::int64_t id : file.ids(EX_NODE_SET, sizes.num_node_sets, "node sets")) {
+  const Integers ids = file.ids(EX_NODE_SET, sizes.num_node_sets, "node sets");
+  const std::vector<std::string> words = words_of(file, EX_NODE_SET, ids, "node set", mesh.notes);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const std::int64_t id = ids[k];
     const std::string what = fmt::format("node set {}", id);
     Integers nodes(set_size(file, EX_NODE_SET, id, what));
     if (!nodes.empty()) file.succeed(ex_get_set(file.id(), EX_NODE_SET, id, nodes.data(), nullptr), what);
-    auto& set = mesh.node_sets[free_name(file, EX_NODE_SET, id, mesh.node_sets)];
+    auto& set = mesh.node_sets[words[k]];
     for (const std::int64_t n : nodes) set.push_back(zero_based(n));
   }
 }
@@ -226,11 +230,14 @@ void read_side_sets(const ExodusFile& file, const ex_init_params& sizes, const s
                     FileContent& content) {
   Integers first{0};  // element position where each block of the file starts
   for (const FileBlock& block : blocks) first.push_back(first.back() + block.count);
-  for (const std::int64_t id : file.ids(EX_SIDE_SET, sizes.num_side_sets, "side sets")) {
+  const Integers ids = file.ids(EX_SIDE_SET, sizes.num_side_sets, "side sets");
+  const std::vector<std::string> words = words_of(file, EX_SIDE_SET, ids, "side set", content.mesh.notes);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const std::int64_t id = ids[k];
     const std::string what = fmt::format("side set {}", id);
     Integers elements(set_size(file, EX_SIDE_SET, id, what)), sides(elements.size());
     if (!elements.empty()) file.succeed(ex_get_set(file.id(), EX_SIDE_SET, id, elements.data(), sides.data()), what);
-    const std::string name = free_name(file, EX_SIDE_SET, id, content.mesh.side_sets);
+    const std::string& name = words[k];
     auto& set = content.mesh.side_sets[name];
     for (std::size_t i = 0; i < elements.size(); ++i) {
       const std::int64_t element = elements[i] - 1;

@@ -13,6 +13,7 @@
 #include "brunt/mesh/topology.hpp"
 #include "gmsh_sections.hpp"
 #include "left_out.hpp"
+#include "set_words.hpp"
 #include "sound_mesh.hpp"
 
 namespace brunt::io {
@@ -135,7 +136,8 @@ std::string type_name(const GmshElement& element) {
 /// Blocks that are no blocks of the mesh, gathered element by element.
 class ForeignBlocks {
  public:
-  ForeignBlocks(const LineReader& in, const GmshFile& file) : in_(in), file_(file) {}
+  ForeignBlocks(const LineReader& in, const GmshFile& file, const std::map<std::int64_t, std::string>& set_word)
+      : in_(in), file_(file), set_word_(set_word) {}
 
   /// `fault`: why the element cannot be read; empty where it can.
   void add(const GmshElement& element, const std::string& fault) {
@@ -149,7 +151,7 @@ class ForeignBlocks {
       block.id = grouped ? number : 0;
       block.type = type_name(element);
       block.dimension = element.dimension;
-      if (element.dimension == 2) block.own_sets = name_or_number(block.name, block.id);
+      if (element.dimension == 2) block.own_sets = set_word_.at(number);
     }
     ForeignBlock& block = blocks_[found->second];
     ++block.count;
@@ -166,13 +168,27 @@ class ForeignBlocks {
  private:
   const LineReader& in_;
   const GmshFile& file_;
+  const std::map<std::int64_t, std::string>& set_word_;
   std::vector<ForeignBlock> blocks_;
   std::map<std::tuple<int, bool, std::int64_t, std::string>, std::size_t> at_;
 };
 
+/// Words of the physical surfaces that have elements, by their numbers.
+std::map<std::int64_t, std::string> surface_words(const GmshFile& file, std::vector<std::string>& notes) {
+  std::map<std::int64_t, std::string> word;
+  for (const GmshElement& element : file.elements)
+    if (element.dimension == 2 && element.physical != 0) word[element.physical] = {};
+  std::vector<FileSet> sets;
+  for (const auto& [number, unused] : word) sets.push_back({number, group_name(file, 2, number)});
+  const std::vector<std::string> words = set_words("physical surface", sets, notes);
+  for (std::size_t k = 0; k < sets.size(); ++k) word[sets[k].number] = words[k];
+  return word;
+}
+
 void add_sets(const LineReader& in, const GmshFile& file, FileContent& content) {
   const SideFinder finder(file, content.mesh);
-  ForeignBlocks foreign(in, file);
+  const std::map<std::int64_t, std::string> set_word = surface_words(file, content.mesh.notes);
+  ForeignBlocks foreign(in, file, set_word);
   const std::string of_order = fmt::format(" (of second order, or not supported); expected {}", gmsh_element_types);
   std::map<std::string, std::set<LocalIndex>> nodes;
   for (const GmshElement& element : file.elements) {
@@ -189,7 +205,7 @@ void add_sets(const LineReader& in, const GmshFile& file, FileContent& content) 
       continue;
     }
     foreign.add(element, "");
-    const std::string name = name_or_number(group_name(file, 2, element.physical), element.physical);
+    const std::string& name = set_word.at(element.physical);
     content.mesh.side_sets[name].push_back(side);
     nodes[name].insert(element.nodes.begin(), element.nodes.begin() + element.corners);
   }

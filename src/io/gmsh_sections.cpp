@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <numeric>
 #include <unordered_map>
 
 #include "brunt/core/excerpt.hpp"
@@ -35,6 +36,7 @@ class Sections {
       in_.fail("missing section $Nodes: the file is truncated or contains no mesh; expected $Nodes and $Elements");
     if (!elements_seen_)
       in_.fail("missing section $Elements: the file is truncated or contains no mesh; expected $Nodes and $Elements");
+    refuse_repeated_numbers();
     return std::move(file_);
   }
 
@@ -66,6 +68,22 @@ class Sections {
     }
     in_.need_line(shown_end);
     if (in_.rest() != end) in_.fail(fmt::format("invalid text '{}'; expected {}", excerpt(in_.rest()), shown_end));
+  }
+  /// Each element has a number of its own (Gmsh reference manual, MSH file formats). A surface element is listed once
+  /// for each of its physical groups.
+  void refuse_repeated_numbers() const {
+    std::vector<std::size_t> order(file_.elements.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto number = [&](std::size_t k) { return file_.elements[k].number; };
+    if (!std::ranges::is_sorted(order, {}, number)) std::ranges::stable_sort(order, {}, number);
+    for (std::size_t k = 1; k < order.size(); ++k) {
+      const GmshElement &one = file_.elements[order[k - 1]], &other = file_.elements[order[k]];
+      const bool in_two_groups = one.dimension == 2 && one.type == other.type && one.nodes == other.nodes;
+      if (one.number == other.number && !in_two_groups)
+        in_.fail_at(other.line, fmt::format("invalid element {}: another element has this number (line {}); expected a "
+                                            "number of its own for each element",
+                                            other.number, one.line));
+    }
   }
   void once(bool& seen, const std::string& section) {
     if (seen) in_.fail(fmt::format("invalid second section {}; expected one of each", excerpt(section)));

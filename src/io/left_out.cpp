@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "brunt/core/error.hpp"
 #include "brunt/core/excerpt.hpp"
@@ -19,15 +20,27 @@ using mesh::Side;
 
 constexpr const char* by_ignore = "the key ignore of the mesh excludes it";
 
-/// A word is the name of blocks; if none has it, a number.
+constexpr std::string_view by_number = "number_";
+
+/// A word is the name of blocks; if none has it, a number. number_7 is number 7 also where another block has the
+/// name 7.
 template <class AnyBlock>
 bool is_called(const AnyBlock& block, const std::string& word, bool is_name) {
-  return is_name ? block.name == word : block.id > 0 && std::to_string(block.id) == word;
+  const std::string_view number = std::string_view(word).substr(word.starts_with(by_number) ? by_number.size() : 0);
+  return is_name ? block.name == word : block.id > 0 && std::to_string(block.id) == number;
 }
 
 std::string shown(const std::string& name, GlobalIndex id) {
   if (name.empty()) return std::to_string(id);
   return id > 0 ? fmt::format("{} ({})", id, excerpt(name)) : excerpt(name);
+}
+
+/// Loads act once on a side that a file lists twice.
+void keep_sides_once(Mesh& mesh) {
+  for (auto& [name, sides] : mesh.side_sets) {
+    std::set<Side> seen;
+    std::erase_if(sides, [&](const Side& side) { return !seen.insert(side).second; });
+  }
 }
 
 class Leaver {
@@ -43,9 +56,10 @@ class Leaver {
       if (!mark(word)) unknown(word);
     for (std::size_t f = 0; f < content_.foreign.size(); ++f)
       if (const ForeignBlock& block = content_.foreign[f]; !drop_foreign_[f] && !block.fault.empty())
-        faults_.push_back(fmt::format("{}, or ignore: [{}] beside file to exclude the block", block.fault,
-                                      excerpt(name_or_number(block.name, block.id))));
+        faults_.push_back(
+            fmt::format("{}, or ignore: [{}] beside file to exclude the block", block.fault, excerpt(word_of(block))));
     if (!faults_.empty()) throw InputError(faults_);
+    keep_sides_once(content_.mesh);
     drop_foreign_sets();
     drop_blocks();
     if (content_.mesh.blocks.empty() && !content_.mesh.left_out.empty())
@@ -58,16 +72,25 @@ class Leaver {
   }
 
  private:
-  bool mark(const std::string& word) {
+  [[nodiscard]] bool is_name(const std::string& word) const {
     const auto has_name = [&](const auto& block) { return block.name == word; };
-    const bool is_name =
-        std::ranges::any_of(content_.mesh.blocks, has_name) || std::ranges::any_of(content_.foreign, has_name);
+    return std::ranges::any_of(content_.mesh.blocks, has_name) || std::ranges::any_of(content_.foreign, has_name);
+  }
+
+  /// What excludes the block.
+  [[nodiscard]] std::string word_of(const ForeignBlock& block) const {
+    const std::string word = name_or_number(block.name, block.id);
+    return block.name.empty() && is_name(word) ? std::string(by_number) + word : word;
+  }
+
+  bool mark(const std::string& word) {
+    const bool named = is_name(word);
     bool found = false;
     for (std::size_t b = 0; b < drop_block_.size(); ++b)
-      if (is_called(content_.mesh.blocks[b], word, is_name)) found = drop_block_[b] = true;
+      if (is_called(content_.mesh.blocks[b], word, named)) found = drop_block_[b] = true;
     for (int dimension = 3; dimension >= 0; --dimension) {
       for (std::size_t f = 0; f < drop_foreign_.size(); ++f)
-        if (content_.foreign[f].dimension == dimension && is_called(content_.foreign[f], word, is_name))
+        if (content_.foreign[f].dimension == dimension && is_called(content_.foreign[f], word, named))
           found = drop_foreign_[f] = true;
       if (found) return true;
     }

@@ -4,12 +4,12 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <filesystem>
 #include <system_error>
 #include <vector>
@@ -38,23 +38,18 @@ std::vector<fs::path> result_files(const fs::path& folder) {
                    "); expected a writable folder, see --out");
 }
 
-/// The time of a new file, by the clock of the file system.
-fs::file_time_type check_writable(const fs::path& folder) {
+void check_writable(const fs::path& folder) {
   const std::string probe = (folder / "write_probe").string();
   const int file = ::open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
   if (file < 0) refuse_place(folder, std::error_code(errno, std::generic_category()));
   ::close(file);
-  const fs::file_time_type now = fs::last_write_time(probe);
   fs::remove(probe);
-  return now;
 }
 
-/// A request to an earlier run, which has ended; one that came since `start` is kept.
-bool remove_old_request(const fs::path& folder, fs::file_time_type start) {
-  std::error_code none;
-  const fs::path request = folder / stop_file;
-  const fs::file_time_type made = fs::last_write_time(request, none);
-  return !none && made <= start && fs::remove(request);
+/// A request to an earlier run, which has ended; one that came or changed since the start is kept.
+bool remove_old_request(const std::string& folder, const StopRequest& at_start) {
+  const StopRequest now = stop_request(folder);
+  return now != StopRequest{} && now == at_start && fs::remove(fs::path(folder) / stop_file);
 }
 
 /// A run keeps a lock on its log.txt during its lifetime.
@@ -68,7 +63,7 @@ void refuse_run_in_progress(const fs::path& folder) {
                      ": invalid result folder: another run writes into it; expected another folder, see --out");
 }
 
-bool prepare_on_root(const fs::path& folder, ExistingResults existing, double seconds) {
+bool prepare_on_root(const fs::path& folder, ExistingResults existing, const StopRequest& at_start) {
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw InputError(folder.string() +
                      ": invalid result folder: a file has this name; expected another name, see --out");
@@ -80,12 +75,11 @@ bool prepare_on_root(const fs::path& folder, ExistingResults existing, double se
     throw InputError(folder.string() + ": invalid result folder: it contains results (" +
                      found.front().filename().string() +
                      "); expected another folder (--out), --force to replace the results, or --restart to continue");
-  const fs::file_time_type now = check_writable(folder);
+  check_writable(folder);
   refuse_run_in_progress(folder);
   if (existing == ExistingResults::replace)
     for (const fs::path& file : found) fs::remove(file);
-  const std::chrono::duration<double> running(seconds);
-  return remove_old_request(folder, now - std::chrono::duration_cast<fs::file_time_type::duration>(running));
+  return remove_old_request(folder.string(), at_start);
 }
 
 }  // namespace
@@ -97,10 +91,17 @@ bool is_result_file(const std::string& name) {
   return checkpoint || std::find(fixed.begin(), fixed.end(), name) != fixed.end();
 }
 
+StopRequest stop_request(const std::string& folder) {
+  struct stat of {};
+  if (::stat((fs::path(folder) / stop_file).c_str(), &of) != 0) return {};
+  return {{static_cast<std::int64_t>(of.st_dev), static_cast<std::int64_t>(of.st_ino), of.st_mtim.tv_sec,
+           of.st_mtim.tv_nsec, of.st_ctim.tv_sec, of.st_ctim.tv_nsec}};
+}
+
 bool prepare_result_folder(const comm::Communicator& ranks, const std::string& folder, ExistingResults existing,
-                           double seconds) {
+                           const StopRequest& at_start) {
   bool removed = false;
-  on_root(ranks, [&] { removed = prepare_on_root(folder, existing, seconds); });
+  on_root(ranks, [&] { removed = prepare_on_root(folder, existing, at_start); });
   return removed;
 }
 

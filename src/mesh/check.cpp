@@ -77,7 +77,7 @@ void check_indices(const Mesh& mesh, std::vector<std::string>& faults) {
   for (const auto& [name, set] : mesh.node_sets)
     for (const LocalIndex n : set)
       if (outside(n))
-        lines.add(fmt::format("invalid node set {}: it refers to node position {}; expected 1 to {}", name,
+        lines.add(fmt::format("invalid node set {}: it refers to node position {}; expected 1 to {}", excerpt(name),
                               std::int64_t{n} + 1, nodes));
   for (const auto& [name, sides] : mesh.side_sets)
     for (const Side& s : sides) {
@@ -86,8 +86,8 @@ void check_indices(const Mesh& mesh, std::vector<std::string>& faults) {
       if (!block || s.element < 0 || s.element >= block->count() || s.face < 0 ||
           s.face >= faces_per_element(block->shape))
         lines.add(fmt::format(
-            "invalid side set {}: unknown side {} of element position {}; expected sides of existing elements", name,
-            std::int64_t{s.face} + 1, std::int64_t{s.element} + 1));
+            "invalid side set {}: unknown side {} of element position {}; expected sides of existing elements",
+            excerpt(name), std::int64_t{s.face} + 1, std::int64_t{s.element} + 1));
     }
 }
 

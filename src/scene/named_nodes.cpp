@@ -56,6 +56,17 @@ std::optional<NamedNodes::Nodes> NamedNodes::of(const std::string& where) const 
   return of_mesh_set(where);
 }
 
+bool NamedNodes::is_two_sets(const std::string& where) const {
+  const bool other = std::ranges::find(part_of_block_, where) != part_of_block_.end() ||
+                     std::ranges::find(input_.sets, where, &SetEntry::name) != input_.sets.end();
+  const auto set = whole_.mesh.node_sets.find(where);
+  const auto sides = whole_.mesh.side_sets.find(where);
+  if (other || set == whole_.mesh.node_sets.end() || sides == whole_.mesh.side_sets.end()) return false;
+  Nodes nodes = set->second;
+  sort_unique(nodes);
+  return nodes != of_sides(sides->second);
+}
+
 std::optional<NamedNodes::Nodes> NamedNodes::of_mesh_set(const std::string& where) const {
   Nodes nodes;
   if (const auto set = whole_.mesh.node_sets.find(where); set != whole_.mesh.node_sets.end()) {

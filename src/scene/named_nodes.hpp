@@ -20,6 +20,8 @@ class NamedNodes {
   /// Precedence: parts, sets of the scene, sets of the mesh; empty if the name is unknown.
   [[nodiscard]] std::optional<Nodes> of(const std::string& where) const;
   [[nodiscard]] std::optional<Nodes> of_entry(const SetEntry& set) const;
+  /// A node set and a side set of the mesh have this name, and their nodes differ.
+  [[nodiscard]] bool is_two_sets(const std::string& where) const;
   [[nodiscard]] Nodes of_sides(const std::vector<mesh::Side>& sides) const;
 
   [[nodiscard]] const std::vector<std::string>& part_of_block() const { return part_of_block_; }

@@ -19,17 +19,6 @@ const char* fitting_elements(mesh::Shape shape) {
   return shape == mesh::Shape::hex8 ? "hex8, hex8_full or hex8_bbar" : "tet4";
 }
 
-/// "7" or "7 (bar)": a scene may use either.
-std::string shown(const mesh::Block& block) {
-  return fmt::format("{}{}", block.id, block.name.empty() ? "" : " (" + excerpt(block.name) + ")");
-}
-
-std::string shown_blocks(const mesh::Mesh& mesh) {
-  std::vector<std::string> known;
-  for (const mesh::Block& block : mesh.blocks) known.push_back(shown(block));
-  return known.empty() ? "(the mesh has no block)" : listed(known);
-}
-
 /// Why a mesh file's block of this name or number is excluded; empty if there is none.
 std::string why_left_out(const mesh::Mesh& mesh, const std::string& word) {
   const auto found = std::ranges::find_if(mesh.left_out, [&](const mesh::LeftOut& block) {
@@ -38,23 +27,54 @@ std::string why_left_out(const mesh::Mesh& mesh, const std::string& word) {
   return found == mesh.left_out.end() ? "" : found->why;
 }
 
-/// The blocks of this name; if there is none, those of this number in the whole mesh or in their file.
-std::vector<std::size_t> blocks_called(const mesh::Mesh& mesh, const std::string& word) {
-  std::vector<std::size_t> named, numbered;
+constexpr std::string_view by_number = "number_";
+
+std::vector<std::size_t> blocks_numbered(const mesh::Mesh& mesh, std::string_view number) {
+  std::vector<std::size_t> found;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     const mesh::Block& block = mesh.blocks[b];
-    if (block.name == word) named.push_back(b);
-    if (std::to_string(block.id) == word || (block.file_id > 0 && std::to_string(block.file_id) == word))
-      numbered.push_back(b);
+    if (std::to_string(block.id) == number || (block.file_id > 0 && std::to_string(block.file_id) == number))
+      found.push_back(b);
   }
-  return named.empty() ? numbered : named;
+  return found;
+}
+
+/// The blocks of this name; if there is none, those of this number in the whole mesh or in their file. number_7 is
+/// number 7 also where another block has the name 7.
+std::vector<std::size_t> blocks_called(const mesh::Mesh& mesh, std::string_view word) {
+  std::vector<std::size_t> named;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+    if (mesh.blocks[b].name == word) named.push_back(b);
+  if (!named.empty()) return named;
+  return blocks_numbered(mesh, word.starts_with(by_number) ? word.substr(by_number.size()) : word);
+}
+
+/// The block's number, or number_7 where another block has the name 7.
+std::string number_word(const mesh::Mesh& mesh, std::size_t b) {
+  const std::string number = std::to_string(mesh.blocks[b].id);
+  const bool is_other_name = std::ranges::any_of(
+      mesh.blocks, [&](const mesh::Block& other) { return &other != &mesh.blocks[b] && other.name == number; });
+  return is_other_name ? std::string(by_number) + number : number;
+}
+
+/// "7" or "7 (bar)": a scene may use either.
+std::string shown(const mesh::Mesh& mesh, std::size_t b) {
+  const std::string& name = mesh.blocks[b].name;
+  return number_word(mesh, b) + (name.empty() ? "" : " (" + excerpt(name) + ")");
+}
+
+std::string shown_blocks(const mesh::Mesh& mesh) {
+  std::vector<std::string> known;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) known.push_back(shown(mesh, b));
+  return known.empty() ? "(the mesh has no block)" : listed(known);
 }
 
 std::string ambiguous(const mesh::Mesh& mesh, const std::vector<std::size_t>& blocks, const std::string& word) {
   std::vector<std::string> known;
-  for (const std::size_t b : blocks) known.push_back(shown(mesh.blocks[b]));
-  return fmt::format("invalid block '{}': several blocks of the mesh have this number: {}; expected the name of one",
-                     excerpt(word), listed(known));
+  for (const std::size_t b : blocks) known.push_back(shown(mesh, b));
+  const bool by_name = mesh.blocks[blocks.front()].name == word;
+  return fmt::format("invalid block '{}': several blocks of the mesh have this {}: {}; expected the {} of one",
+                     excerpt(word), by_name ? "name" : "number", listed(known), by_name ? "number" : "name");
 }
 
 }  // namespace
@@ -98,8 +118,8 @@ std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& m
       faults.push_back(
           fmt::format("{}: missing part for block {} of the mesh; expected NAME: {{block: {}, material: ...}} in "
                       "parts, or ignore: [{}] in the entry of the mesh file",
-                      input.at("parts"), shown(mesh.blocks[b]), mesh.blocks[b].id,
-                      mesh.blocks[b].name.empty() ? std::to_string(mesh.blocks[b].id) : excerpt(mesh.blocks[b].name)));
+                      input.at("parts"), shown(mesh, b), number_word(mesh, b),
+                      mesh.blocks[b].name.empty() ? number_word(mesh, b) : excerpt(mesh.blocks[b].name)));
   if (!faults.empty()) throw InputError(std::move(faults));
   return part_of;
 }

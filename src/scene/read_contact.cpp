@@ -53,7 +53,8 @@ void read_slave(const Key& key, ContactEntry& contact) {
                  fmt::format("invalid slave '{}' for between: all; expected auto, or an entry with between: [a, b]",
                              excerpt(key.tree->text)));
   std::vector<std::string> words{"auto", "first", "second"};
-  words.insert(words.end(), parts.begin(), parts.end());
+  for (const std::string& part : parts)
+    if (words.size() == 3 || part != words.back()) words.push_back(part);
   const std::size_t chosen = read_choice(key, words, {});
   if (chosen == words.size() || chosen == 0) return;
   contact.slave = chosen % 2 == 1 ? Slave::first : Slave::second;

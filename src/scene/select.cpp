@@ -53,6 +53,7 @@ class Selector {
   }
 
   void add_nodes(const std::string& reserved, const std::string& where, const std::string& key) {
+    if (named_.is_two_sets(where)) return two_sets(where, key);
     std::optional<Nodes> found = named_.of(where);
     if (!found) return unknown(where, key);
     if (found->empty())
@@ -83,6 +84,7 @@ class Selector {
   void add_faces(const std::string& reserved, const std::string& where, const std::string& key) {
     for (const SetEntry& set : input_.sets)
       if (set.name == where && set.side_set) return add_sides(reserved, where, key);
+    if (named_.is_two_sets(where)) return two_sets(where, key);
     if (whole_.mesh.side_sets.contains(where)) return add_sides(reserved, where, key);
     const std::optional<Nodes> found = named_.of(where);
     if (!found) return unknown(where, key);
@@ -248,6 +250,13 @@ class Selector {
     const std::string_view other = std::string_view(kind) == "side set" ? "node set" : "side set";
     report(key, "unknown {} '{}' of the mesh{}{}", kind, excerpt(word),
            of_other_kind ? fmt::format(" (it has a {} of that name)", other) : "", expected(word, known));
+  }
+
+  void two_sets(const std::string& where, const std::string& key) {
+    report(key,
+           "invalid set '{0}': the mesh has a node set and a side set of this name, with different nodes; expected an "
+           "entry of sets that selects one of them, NAME: {{node_set: '{0}'}} or NAME: {{side_set: '{0}'}}",
+           excerpt(where));
   }
 
   /// The region of the mesh, for messages.

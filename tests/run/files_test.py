@@ -214,6 +214,56 @@ class SeveralFiles(Files):
         done = self.check(self.scene(28, ", prefix: a_", ", prefix: b_") + "pressure: [{set: b_9, value: 1}]\n")
         self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_a_node_set_and_a_side_set_of_one_name(self):
+        """As Exodus numbers them, and as Abaqus files name sets and surfaces: a set that is used is one of the two."""
+        nodes, cubes = bar(2)
+        deck = ["*NODE", *(f"{k}, {x}, {y}, {z}" for k, (x, y, z) in enumerate(nodes, 1)), "*ELEMENT, TYPE=C3D8R, ELSET=bar",
+                *(f"{k}, " + ", ".join(map(str, c)) for k, c in enumerate(cubes, 1)), "*NSET, NSET=END", "1, 4, 7, 10",
+                "*SURFACE, NAME=END", "2, S4", "*SOLID SECTION, ELSET=bar, MATERIAL=m", ""]
+        self.put("bar.inp", "\n".join(deck).encode())
+        scene = SCENE.replace("FILE", "bar.inp").replace("BLOCK", "bar")
+        listing = self.check(scene).stdout
+        self.assertRegex(listing, "(?m)^set of the mesh +node set END: 4 nodes$")
+        self.assertRegex(listing, "(?m)^set of the mesh +side set END: 1 face$")
+        for key, use in (("fixed.0.set", "fixed: [{set: END, dofs: [x, y, z]}]\n"), ("initial.0.set", "initial: [{set: END, velocity: [1, 0, 0]}]\n"),
+                         ("forces.0.set", "forces: [{set: END, total: [1, 0, 0]}]\n"), ("probes.0.set", "probes: [{name: p, set: END, field: position}]\n")):
+            self.assert_one_line(self.check(scene + use), key, "invalid set 'END'", "node set and a side set", "{node_set: 'END'}", "{side_set: 'END'}")
+        sets = "sets: {left: {node_set: END}, right: {side_set: END}}\n"
+        for which, low, high in (("left", 0, 0), ("right", 2, 2)):
+            done = self.check(scene + sets + f"fixed: [{{set: {which}, dofs: [x]}}]\nforces: [{{set: {which}, total: [1, 0, 0]}}]\n")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.write("scene.yaml", scene + sets + f"probes: [{{name: p, set: {which}, field: position}}]\n")
+            self.run_scene(1, "scene.yaml", "--out", "out", "--force")
+            header, row = self.text("out", "history.csv").splitlines()[:2]
+            x = float(row.split(",")[[name.split("[")[0].strip() for name in header.split(",")].index("p.x")])
+            self.assertTrue(low <= x <= high, x)
+        self.assertEqual(self.check(scene + "pressure: [{set: END, value: 1}]\n").returncode, 0)  # of sides, which the side set has
+
+    def test_a_block_whose_number_is_the_name_of_another_one(self):
+        def named(*names):
+            nodes, cubes = bar(2)
+            text = msh2(nodes, cubes).decode().replace('1\n3 1 "bar"', f"{len(names)}\n" + "\n".join(f'3 {k} "{name}"' for k, name in names))
+            self.put("bar.msh", text.replace("2 5 2 1 1 ", "2 5 2 2 2 ").encode())
+
+        def parts(first, second, ignore=""):
+            materials = ", ".join(f"m{k}: {{model: elastic, density: {k}, young: 1, poisson: 0}}" for k in (1, 2))
+            of = ", ".join(f"p{k}: {{block: {block}, material: m{k}}}" for k, block in ((1, first), (2, second)) if block)
+            return self.check(f"units: none\nmesh: {{file: bar.msh{ignore}}}\nmaterials: {{{materials}}}\nparts: {{{of}}}\nrun: {{steps: 2}}\n")
+        named((1, "2"))  # and block 2 has no name
+        done = parts("1", None)
+        self.assert_one_line(done, "missing part for block number_2", "block: number_2", "ignore: [number_2]")
+        done = parts("2", "number_2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(re.findall(r"(?m)^p\d +hex8 +m(\d) +1 +(\S+)$", done.stdout), [("1", "1"), ("2", "2")])
+        done = parts("2", None, ", ignore: [number_2]")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("excluded: block 2, 1 element", done.stdout)
+        done = parts("2", None, ", ignore: [number_1]")
+        self.assertIn("excluded: block 2, 1 element", done.stdout, done.stderr)  # the name of number 1
+        named((1, "bar"), (2, "bar"))
+        self.assertEqual(parts("1", "2").returncode, 0)
+        self.assertIn("several blocks of the mesh have this name: 1 (bar), 2 (bar); expected the number of one", parts("bar", "2").stderr)
+
     def test_an_empty_block_of_exodus(self):
         text = SCENE.replace("FILE", "three.e").replace("BLOCK", "8")
         done = self.check(text)

@@ -3,6 +3,7 @@
 """What a result folder goes through: restarts, limits, files that do not fit. Needs BRUNT and BRUNT_RUN (scripts/run)."""
 import os
 import subprocess
+import time
 import unittest
 
 import plain_files
@@ -112,8 +113,10 @@ class Folder(Program):
         every = ("--set", "run.steps=40")
         self.run_scene(1, "rod.yaml", "--out", "whole", *every)
         self.run_scene(1, "rod.yaml", "--out", "out", "--set", "run.steps=20")
+        ahead = time.time() + 86400  # of another machine, whose clock is ahead
         for more in (["--force"], ["--restart", "out"]):
             self.write("out/stop", "")
+            os.utime(os.path.join(self.folder, "out", "stop"), (ahead, ahead))
             self.run_scene(1, "rod.yaml", "--out", "out", *more, *(every if "--restart" in more else ("--set", "run.steps=20")))
             self.assertFalse(os.path.exists(os.path.join(self.folder, "out", "stop")))
             self.assertIn("removed out/stop, which is older than this run", self.text("out", "log.txt"))

@@ -169,6 +169,21 @@ class Guards(unittest.TestCase):
                     self.assertEqual("no volume left" in self.log(out), stops)
                     self.assertEqual("use element: hex8_full, or hex8 with hourglass: {kind: elastic}" in self.log(out), stops)
 
+    def test_causes_among_rigid_bodies_are_of_the_scene(self):
+        """A heavy block squeezes a light one on a fixed anvil: nothing there moves a support."""
+        boxes = (("anvil", 2, 1, "[-1, -1, -1]"), ("pin", 0.4, 0.4, "[-0.2, -0.2, 0]"), ("ram", 1, 1, "[-0.5, -0.5, 0.4]"))
+        text = ("units: SI\nmesh: [" + ", ".join(f"{{box: {{part: {name}, size: [{side}, {side}, {high}], elements: [1, 1, 1], at: {at}}}}}"
+                                                                for name, side, high, at in boxes) + "]\n"
+                   "materials: {light: {model: rigid, density: 15.625}, heavy: {model: rigid, density: 1000}}\n"
+                   "parts: {anvil: {material: heavy}, pin: {material: light}, ram: {material: heavy}}\n"
+                   "fixed: [{part: anvil, dofs: [x, y, z, rx, ry, rz]}]\ninitial: [{part: ram, velocity: [0, 0, -10]}]\n"
+                   "contact: [{between: all, softness: 0}]\nenforcement: {max_iterations: 2}\nrun: {end: 0.01, step: 0.001}\n")
+        self.run_scene(1, text, "ram")
+        told = self.log("ram")
+        self.assertIn("ended at max_iterations", told)
+        for word in ("supports", "prescribed", "moving walls"):
+            self.assertNotIn(word, told)
+
     def test_contact_that_gives_energy_stops_the_run(self):
         """Of the element pressed flat, whose two sides meet; contact without self-contact gives nothing."""
         self.run_scene(1, FLATTENED, "true", code=3)

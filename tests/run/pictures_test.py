@@ -86,6 +86,17 @@ class Pictures(Program):
         self.assertEqual(self.colours("--clip", "0,0,0.25/0,0,-1")[1], 0)   # the rod alone
         self.assertGreater(min(self.colours("--clip", "y=0", "--clip", "x=0")), 500)
 
+    def test_a_plane_beside_the_bodies_is_told(self):
+        for told, *options in (("", "--clip", "z=0.25"), ("removes nothing", "--clip", "z=25"), ("removes all that is drawn", "--clip", "0,0,-25/0,0,1"),
+                               ("--clip 9,0,0/1,0,0 removes nothing", "--clip", "z=0.25", "--clip", "9,0,0/1,0,0"),
+                               ("removes nothing", "--hide", "rod", "--clip", "0,0,0.6/0,0,1"),
+                               ("removes", "--film", "--clip", "x=-3")):
+            done = self.script("render", "out", "-o", "x.gif" if "--film" in options else "x.png", "--size", "60", "50", *options)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(len(done.stderr.splitlines()), 1 if told else 0, done.stderr)
+            if told:
+                self.assertRegex(done.stderr, f"^render: warning: .*{told}")
+
     def test_several_views_and_films(self):
         self.assertEqual(self.picture("--size", "200", "160").size, (350, 200))
         self.assertEqual(self.picture("--view", "iso,front,top", "--size", "200", "160").size, (550, 360))

@@ -4,11 +4,13 @@
 the environment; the first argument `--all` tries every key and value instead of each 24th."""
 import copy
 import json
+import os
 import re
+import subprocess
 import sys
 import unittest
 
-from run_test import Program
+from run_test import PATIENCE, RUN, Program
 
 LONG = "x" * 5000
 TWO_LINES = "xy\n" + "x" * 70 + "\nz"
@@ -119,10 +121,32 @@ class Quotations(Program):
             self.assertEqual(done.returncode, 2)
             self.assert_short(done, str(more)[:60])
         for command in ([LONG], ["partition", "scene.yaml", "-n", LONG], ["compare", "a", "b", "--tol", LONG],
-                        ["depth", "a.stl", "b.stl", "--at", LONG], ["depth", "a.stl", "b.stl", "--clearance", LONG]):
+                        ["depth", "a.stl", "b.stl", "--at", LONG], ["depth", "a.stl", "b.stl", "--clearance", LONG],
+                        ["check", "scene.yaml", LONG], ["check", "scene.yaml", "--" + LONG], ["run", "scene.yaml", "-" + LONG, "y" * 90],
+                        *(["depth", "a.stl", "b.stl", *word] for name in ("--metric", "--boxes", "--samples", "--limit", "--merge", "--certify")
+                          for word in ([name, LONG], [f"{name}={LONG}"])),
+                        ["search", "a", "--method", LONG], ["search", "a", "--repeat", TWO_LINES]):
             done = self.brunt(*command)
             self.assertEqual(done.returncode, 2, done.stderr[:500])
             self.assert_short(done, str(command)[:60])
+            self.assertNotIn("y" * 61, done.stderr)
+
+    def test_options_of_scripts(self):
+        self.write("scene.yaml", json.dumps(SCENE))
+        number = "9" * 5000
+        cases = (("run", "-np", LONG), ("run", "-np", number), ("run", "-np", "9999999999999999999", "scene.yaml"), ("run", "--" + LONG, "scene.yaml"),
+                             ("render", "out", "--view", LONG), ("render", "out", "--clip", LONG), ("render", "out", "--zoom", LONG), ("render", "out", "--size", LONG, "3"),
+                             ("render", "out", "--" + LONG), ("render", "out", LONG), ("render", "out", f"--fps={LONG}"), ("render", "out", "--colours", LONG),
+                             ("report", "out", "--states", LONG), ("report", "out", "--view", LONG),
+                             ("plot", "out", "--panels", LONG), ("plot", "out", "--columns", LONG), ("study", "-np", LONG, "x.yaml"),
+                             ("scaling", "scene.yaml", "--ranks", LONG), ("pareto", "-np", LONG, "x.yaml"), ("tables", LONG))
+        for name, *words in cases if ALL else (*cases[:4], cases[5], cases[-7]):  # most take a second to start
+            done = subprocess.run([os.path.join(os.path.dirname(RUN), name), *words], cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE, check=False)
+            what = f"{name} {words[0]} {words[-1][:20]}"
+            self.assertEqual(done.returncode, 2, what + done.stderr[:500])
+            self.assert_short(done, what)
+            self.assertNotIn("9" * 61, done.stderr, what)
+            self.assertEqual(len(done.stderr.splitlines()), 1, what + done.stderr[:500])
 
     def test_files(self):
         msh = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n1\n1 15 2 0 1 1\n$EndElements\n"

@@ -100,9 +100,14 @@ class Report(Program):
 
     def page(self, *arguments):
         done = self.report("out", "-o", "page.html", *arguments)
-        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "page.html\n", ""))
+        self.assertEqual((done.returncode, done.stdout), (0, "page.html\n"), done.stderr)
         text = self.text("page.html")
         page = Page(text)
+        told = [line.removeprefix("report: warning: ") for line in done.stderr.splitlines()]
+        missing = [h for h in page.all("h3") if h[2] == "Not in this report"]
+        self.assertEqual(len(told) > 0, len(missing) > 0, done.stderr)
+        for line in told:
+            self.assertIn(" ".join(line.split()), page.text())
         self.assertEqual(page.faults, [])
         for word in ("nan", "inf", "None", "NaN"):
             self.assertFalse(f">{word}" in text, word)
@@ -186,6 +191,24 @@ class Report(Program):
                     continue
                 with open(path, "wb") as stream:
                     stream.write(kept[name])
+
+    def test_results_of_which_nothing_can_be_read(self):
+        self.run_rod()
+        out = os.path.join(self.folder, "out")
+        sizes = {name: os.path.getsize(os.path.join(out, name)) for name in ("summary.json", "history.csv", "state.h5")}
+        for share in (0, 0.3):
+            for name, size in sizes.items():
+                with open(os.path.join(out, name), "r+b") as stream:
+                    stream.truncate(min(int(share * size), 40))
+            done = self.report("out")
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            for word in ("report: out: missing results", "summary.json", "history", "state", "expected"):
+                self.assertIn(word, done.stderr)
+            self.assertNotIn("report.html", os.listdir(out))
+            for name in sizes:
+                os.remove(os.path.join(out, name))
+            self.run_rod("--force")
 
     def test_one_state_and_no_displacement(self):
         self.run_rod("--set", "output=null", "--set", "run.steps=1", "--force", "--set", "output.fields=[velocity]")

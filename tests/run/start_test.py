@@ -249,7 +249,7 @@ run: {end: 1.0e-5}
         self.write("rod.yaml", scenes.ROD)
         self.run_scene(2, "rod.yaml", "--out", "out")
         left = self.summary("out")
-        for option, value, phrases in (("run.steps", "9", ["9 steps are done", "at step 10"]),
+        for option, value, phrases in (("run.steps", "9", ["out of range: 9: ", "at step 10", "more than 10", "count"]),
                                        ("run", "{end: 1.0e-5}", ["1e-05 has passed", "is at t = "])):
             done = subprocess.run([RUN, "-np", "2", "rod.yaml", "--out", "out", "--restart", "out", "--set", f"{option}={value}"],
                                   cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE, check=False)

@@ -22,4 +22,8 @@ constexpr int most_iterations = 20;  ///< three times those of a difficult step 
 /// motion: the state is then that of t_n. `place` describes the location of a node in a message. Collective.
 void advance(const Scene& scene, Solver& solver, const std::function<std::string(GlobalIndex gid)>& place);
 
+/// Assembles and factorises the first iteration of the next step, as `advance` would, and returns to t_n without a
+/// solution: what an iteration costs. Collective.
+[[nodiscard]] comm::Factorised factorise_first(const Scene& scene, Solver& solver);
+
 }  // namespace brunt::implicit

@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // The folder that holds the results of a run.
 #pragma once
+#include <array>
+#include <cstdint>
 #include <string>
 
 #include "brunt/comm/communicator.hpp"
 
 namespace brunt::io {
+
+/// Which control file a result folder has, whatever its clock says. All zero: none.
+struct StopRequest {
+  std::array<std::int64_t, 6> identity{};  ///< device, inode, and seconds and nanoseconds of its two changes
+  friend bool operator==(const StopRequest&, const StopRequest&) = default;
+};
+[[nodiscard]] StopRequest stop_request(const std::string& folder);
 
 enum class ExistingResults {
   refuse,   ///< an InputError
@@ -15,10 +24,10 @@ enum class ExistingResults {
 
 /// Creates the folder (and its parents) if necessary and checks that files can be written there. Collective; all ranks
 /// throw the same: InputError if results exist but must not, or nothing can be written there; MachineError if the disk
-/// is full or fails. A control file (`stop`) that is older than this run, which began `seconds` ago, is removed; true
-/// on the root if there was one.
+/// is full or fails. A control file (`stop`) that has not changed since `at_start` is removed; true on the root if
+/// there was one.
 bool prepare_result_folder(const comm::Communicator& ranks, const std::string& folder, ExistingResults existing,
-                           double seconds = 0);
+                           const StopRequest& at_start);
 
 /// The file by which a user stops a run, in its result folder.
 constexpr const char* stop_file = "stop";

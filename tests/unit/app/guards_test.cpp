@@ -229,11 +229,11 @@ TEST_CASE("guards: rounding of the first steps of a run from rest is judged by t
 TEST_CASE("guards: messages of a scene without deformable elements do not speak of elements or steps") {
   Impact impact;
   impact.ledger.kinetic = 1e6;
-  const std::string growth = energy_growth(impact.ledger, impact.seen, false, 0, true);
+  const std::string growth = energy_growth(impact.ledger, impact.seen, false, 0, "contact");
   REQUIRE_FALSE(growth.empty());
   std::vector<std::string> texts{growth};
   for (const Fault fault : {Fault::balance, Fault::damping, Fault::friction, Fault::contact})
-    texts.push_back(likely_cause(fault, true));
+    texts.push_back(likely_cause(fault, "contact"));
   for (const std::string& text : texts)
     for (const char* word : {"element", "step", "cfl", "stress"}) {
       CAPTURE(text, word);

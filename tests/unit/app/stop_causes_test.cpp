@@ -30,3 +30,14 @@ TEST_CASE("cause of a negative internal energy: folds, rates and equations of st
   CHECK_THAT(cause({material::NeoHookean{}, material::Rigid{}}),
              Contains("step that is too long") && !Contains("rate form"));
 }
+
+TEST_CASE("cause among rigid bodies: contact, supports and walls only where they are") {
+  using app::cause_among_rigid_bodies;
+  CHECK(cause_among_rigid_bodies({.contact = true}) == "contact that was not satisfied, or bodies inside each other");
+  CHECK_THAT(cause_among_rigid_bodies({.contact = true, .at_limit = true}), Contains("max_iterations"));
+  CHECK(cause_among_rigid_bodies({.walls = true}) == "contact with rigid walls that was not satisfied");
+  CHECK_THAT(cause_among_rigid_bodies({.contact = true, .drives = true}),
+             Contains("prescribed motions that drive") && !Contains("walls"));
+  CHECK_THAT(cause_among_rigid_bodies({.walls = true, .moving_walls = true}),
+             Contains("moving walls that drive") && !Contains("prescribed") && !Contains("inside each other"));
+}

@@ -67,6 +67,34 @@ TEST_CASE("abaqus rules: sets by range, by elements, by name and before their no
   CHECK(pushed.node_sets.at("PUSH") == std::vector<LocalIndex>{12, 13, 14, 15});
 }
 
+TEST_CASE("abaqus rules: a number with a point is no member of a set") {
+  const std::string set = bar + "*NSET, NSET=FOOT\n";
+  CHECK(fault_of(set + "101.0\n") == ":26: invalid value '101.0'; expected an integer, or the name of a set");
+  CHECK(fault_of(set + "101.\n") == ":26: invalid value '101.'; expected an integer, or the name of a set");
+  CHECK(fault_of(set + "I.101\n") == ":26: unknown instance 'I'; expected an instance defined above");
+}
+
+TEST_CASE("abaqus rules: sets of sets hold each member once") {
+  const auto nested = [](int levels, const std::string& data) {
+    std::string text = bar + "*NSET, NSET=S0\n101, 111, 121, 131, 101\n*ELSET, ELSET=E0\n1000, 1000\n";
+    for (int k = 1; k <= levels; ++k)
+      for (const std::string kind : {"NSET", "ELSET"}) {
+        text += fmt::format("*{0}, {0}={1}{2}\n", kind, kind == "NSET" ? "S" : "E", k);
+        text += replaced(replaced(data, "SET", kind == "NSET" ? "S" : "E"), "#", std::to_string(k - 1));
+      }
+    return text;
+  };
+  // with repeats, the last ones would have 8^30 and 4^30 members
+  for (const std::string data :
+       {"SET#, SET#, SET#, SET#, SET#, SET#, SET#, SET#\n", "SET#, SET#\nSET#\nSET#, SET0\n"}) {
+    const std::string text = nested(30, data);
+    CHECK(foot_of(text + "*NSET, NSET=FOOT\nS30, S29, S30\n") == foot);
+    CHECK(foot_of(text + "*NSET, NSET=FOOT, ELSET=E30\n").size() == 8);
+    const mesh::Mesh surfaces = read(text + "*SURFACE, NAME=ONE\nE30, S1\nE30, S1\nE30, S2\nE29, S1\n");
+    CHECK(surfaces.side_sets.at("ONE").size() == 2);
+  }
+}
+
 TEST_CASE("abaqus rules: an independent instance has its own mesh") {
   const std::string mesh = nodes() + elements + "*NSET, NSET=root, GENERATE\n101, 131, 10\n" + section;
   const auto assembly = [&](const std::string& place) {

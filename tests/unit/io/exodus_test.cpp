@@ -29,8 +29,9 @@ struct TemporaryFile {
 struct Options {
   std::string first_type = "HEX8";
   int dimensions = 3;
-  int bad_corner = 0;  ///< if not 0: the last node of the tetrahedron
-  int bad_side = 0;    ///< if not 0: the wedge's side
+  int bad_corner = 0;                                 ///< if not 0: the last node of the tetrahedron
+  int bad_side = 0;                                   ///< if not 0: the wedge's side
+  std::string foot = "foot", tip{}, wedge = "wedge";  ///< names of node sets 1 and 2, and of side set 8
 };
 
 /// A unit cube, on it (z > 1) a wedge, beside the wedge's slope nothing, and a tetrahedron apart.
@@ -61,14 +62,15 @@ void write(const std::string& path, const Options& options = {}) {
   ex_put_set(id, EX_NODE_SET, 1, foot.data(), nullptr);
   ex_put_set_param(id, EX_NODE_SET, 2, 1, 0);
   ex_put_set(id, EX_NODE_SET, 2, one.data(), nullptr);
-  ex_put_name(id, EX_NODE_SET, 1, "foot");
+  ex_put_name(id, EX_NODE_SET, 1, options.foot.c_str());
+  ex_put_name(id, EX_NODE_SET, 2, options.tip.c_str());
   const std::vector<int> hex_and_tet{1, 3}, their_sides{5, 4};
   ex_put_set_param(id, EX_SIDE_SET, 7, 2, 0);
   ex_put_set(id, EX_SIDE_SET, 7, hex_and_tet.data(), their_sides.data());
   const std::vector<int> wedges(5, 2), all_sides{1, 2, 3, 4, options.bad_side == 0 ? 5 : options.bad_side};
   ex_put_set_param(id, EX_SIDE_SET, 8, 5, 0);
   ex_put_set(id, EX_SIDE_SET, 8, wedges.data(), all_sides.data());
-  ex_put_name(id, EX_SIDE_SET, 8, "wedge");
+  ex_put_name(id, EX_SIDE_SET, 8, options.wedge.c_str());
   REQUIRE(ex_close(id) >= 0);
 }
 
@@ -109,6 +111,25 @@ TEST_CASE("blocks, names, numbers and sets are read", "[exodus]") {
   CHECK(mesh.node_sets.at("foot") == std::vector<LocalIndex>{0, 1, 2, 3});
   CHECK(mesh.node_sets.at("2") == std::vector<LocalIndex>{14});
   CHECK(mesh.side_sets.at("7") == std::vector<Side>{{0, 0, 4}, {2, 0, 3}});
+}
+
+TEST_CASE("a set whose name is the number of another one stays apart", "[exodus]") {
+  const TemporaryFile file;
+  const std::vector<LocalIndex> foot{0, 1, 2, 3}, tip{14};
+  write(file.path, {.foot = "2", .wedge = "7"});  // node set 2 and side set 7 have no names
+  const mesh::Mesh mesh = io::read_mesh(file.path);
+  CHECK(mesh.node_sets.at("2") == foot);
+  CHECK(mesh.node_sets.at("number_2") == tip);
+  CHECK(mesh.side_sets.at("7").size() == 5);
+  CHECK(mesh.side_sets.at("number_7").size() == 2);
+  REQUIRE(mesh.notes.size() == 2);
+  CHECK(mesh.notes[0] == "node set 2: another node set has the name '2': this one is called 'number_2' here");
+  write(file.path, {.tip = "foot"});
+  const mesh::Mesh twice = io::read_mesh(file.path);
+  CHECK(twice.node_sets.at("foot") == foot);
+  CHECK(twice.node_sets.at("2") == tip);
+  REQUIRE(twice.notes.size() == 1);
+  CHECK(twice.notes[0] == "node set 2: another node set has the name 'foot': this one is called '2' here");
 }
 
 TEST_CASE("a wedge's sides have the nodes that the format's manual gives them", "[exodus]") {

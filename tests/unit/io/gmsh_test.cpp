@@ -210,6 +210,45 @@ TEST_CASE("what cannot be used is refused with its line", "[gmsh]") {
   CHECK(fault_of(replaced(version_2, "24 5 0 1", "24 5 0 nan")).find(" invalid node 24: coordinates") == 0);
 }
 
+TEST_CASE("a group whose name is the number of another one stays apart", "[gmsh]") {
+  const TemporaryFile file;
+  file.put(replaced(version_2, "\"foot\"", "\"6\""));  // group 6 has no name
+  const mesh::Mesh mesh = io::read_mesh(file.path);
+  CHECK(mesh.side_sets.at("6") == std::vector<Side>{{0, 0, 4}});
+  CHECK(mesh.node_sets.at("6") == std::vector<LocalIndex>{0, 1, 2, 3});
+  CHECK(mesh.side_sets.at("number_6") == std::vector<Side>{{0, 1, 4}});
+  CHECK(mesh.node_sets.at("number_6") == std::vector<LocalIndex>{1, 2, 8});
+  REQUIRE(mesh.notes.size() == 1);
+  CHECK(mesh.notes[0] ==
+        "physical surface 6: another physical surface has the name '6': this one is called 'number_6' here");
+  const std::string twice =
+      replaced(replaced(version_2, "Names\n2\n", "Names\n3\n"), "3 1 \"body", "2 6 \"foot\"\n3 1 \"body");
+  file.put(twice);
+  const mesh::Mesh two = io::read_mesh(file.path);
+  CHECK(two.side_sets.at("foot") == std::vector<Side>{{0, 0, 4}});
+  CHECK(two.side_sets.at("6") == std::vector<Side>{{0, 1, 4}});
+  REQUIRE(two.notes.size() == 1);
+  CHECK_THAT(two.notes[0], Catch::StartsWith("physical surface 6: another physical surface has the name 'foot'"));
+}
+
+TEST_CASE("two elements of one number are refused, one surface element in two groups is not", "[gmsh]") {
+  CHECK(fault_of(replaced(version_2, "6 6 2 1 1", "5 6 2 1 1")) ==
+        "33: invalid element 5: another element has this number (line 32); expected a number of its own for each "
+        "element");
+  CHECK_THAT(fault_of(replaced(version_2, "7 4 2 1 1", "5 4 2 1 1")),
+             Catch::StartsWith("34: invalid element 5: another"));
+  CHECK_THAT(fault_of(replaced(version_4, "3 5 6 7 8 9", "2 5 6 7 8 9")),
+             Catch::StartsWith("51: invalid element 2: another"));
+  const TemporaryFile file;
+  file.put(
+      replaced(replaced(version_2, "Elements\n7\n", "Elements\n8\n"), "4 2 2 6 2", "3 3 2 9 1 1 4 3 2\n4 2 2 6 2"));
+  const mesh::Mesh mesh = io::read_mesh(file.path);
+  CHECK(mesh.side_sets.at("9") == mesh.side_sets.at("foot"));
+  file.put(
+      replaced(replaced(version_2, "Elements\n7\n", "Elements\n8\n"), "4 2 2 6 2", "9 3 2 5 1 1 4 3 2\n4 2 2 6 2"));
+  CHECK(io::read_mesh(file.path).side_sets.at("foot").size() == 1);  // a face that is listed twice is one face
+}
+
 TEST_CASE("a Gmsh file cut off anywhere is refused", "[gmsh]") {
   for (const std::string& text : {version_2, version_4})
     for (std::size_t length = 15; length < text.size() - 1; ++length) {

@@ -96,6 +96,38 @@ TEST_CASE("what is wrong with an inclusion is one fault at its line", "[include]
              Catch::StartsWith("a.inp:4: invalid value 'q'"));
 }
 
+TEST_CASE("a note says that the end of each included file cannot be checked", "[include]") {
+  const std::string main = "*Node, input=n.txt\n*Element, type=C3D8, elset=all, input=e.txt\n";
+  const std::string foot = "*Nset, nset=foot\n1, 2,\n", section = "*Solid Section, elset=all\n";
+  const auto notes = [](const std::string& text, const std::string& sets) {
+    Files files;
+    files.put("main.inp", text);
+    files.put("n.txt", nodes);
+    files.put("e.txt", cube);
+    files.put("s.txt", sets);
+    std::string all;
+    for (const std::string& note : io::read_mesh(files.folder.path + "/main.inp").notes) all += note + '\n';
+    return all;
+  };
+  const auto says = [](const std::string& place, const std::string& card, const std::string& more = "") {
+    return Catch::Contains(place + ": the file ends with *" + card + ": whether it is truncated cannot be checked" +
+                           more + "\n");
+  };
+  const std::string whole = "*Node\n" + nodes + "*Element, type=C3D8, elset=all\n" + cube;
+  CHECK_THAT(notes(whole + "*Nset, nset=foot, input=s.txt\n" + section, "1, 2,\n"), says("s.txt:1", "NSET"));
+  CHECK_THAT(notes(whole + "*Include, input=s.txt\n" + section, "** sets\n" + foot + "\n** end\n"),
+             says("s.txt:3", "NSET"));
+  CHECK_THAT(notes(whole + foot + "*Include, input=s.txt\n" + section, "3, 4\n"), says("s.txt:1", "NSET"));
+  CHECK_THAT(notes(main + section, ""), says("n.txt:8", "NODE", ", nor that of 1 more"));
+  CHECK_THAT(notes(main + foot, ""), says("n.txt:8", "NODE", ", nor that of 2 more"));
+  CHECK_THAT(notes(whole + "*Include, input=s.txt\n", foot + section), !Catch::Contains("truncated"));
+  CHECK_THAT(notes("*Part, name=P\n" + whole +
+                       "*End Part\n*Assembly, name=A\n*Instance, name=I, part=P\n*End Instance\n"
+                       "*End Assembly\n*Nset, nset=foot, instance=I\n1, 2,\n",
+                   ""),
+             says("main.inp:19", "NSET"));
+}
+
 TEST_CASE("files that include each other without end are bounded", "[include]") {
   Files files;
   files.put("main.inp", "*Include, input=f0.inp\n*Include, input=f0.inp\n");
