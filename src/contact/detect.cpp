@@ -14,14 +14,14 @@ namespace {
 
 /// The ends of a slave edge may have their rows on other ranks.
 void detect_crossing_edges(const DetectionSettings& settings, double dt, ContactLists& lists, StepData& step) {
-  std::vector<Vec3>& node_normal = step.scratch.node_normal;
-  node_normal.assign(lists.nodes.gid.size(), Vec3::Zero());
+  std::vector<NodeHold>& holds = step.scratch.holds;
+  holds.assign(lists.nodes.gid.size(), {});
   for (const Row& row : step.rows) {
-    Vec3& normal = node_normal[static_cast<std::size_t>(row.nodes[0])];
-    if (normal.isZero(0)) normal = row.normal;
+    NodeHold& hold = holds[static_cast<std::size_t>(row.nodes[0])];
+    if (hold.normal.isZero(0)) hold = {row.normal, static_cast<double>(row.master_body)};
   }
-  lists.exchange.share(as_doubles(node_normal), 3);
-  detect_edges(lists.edges, lists.nodes.gid, step.nodes.motion, step.scratch.detection.facet_normal, node_normal,
+  lists.exchange.share(as_doubles(holds), hold_width);
+  detect_edges(lists.edges, lists.nodes.gid, step.nodes.motion, step.scratch.detection.facet_normal, holds,
                step.nodes.reference, dt, settings, step.rows);
 }
 

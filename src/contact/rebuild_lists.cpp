@@ -121,7 +121,7 @@ void reserve_rows(const DerivedSettings& derived, const ContactLists& lists, std
                   StepData& step, History& history) {
   StepScratch& scratch = step.scratch;
   scratch.detection.reserve(lists.faces.size(), step.facet_area.size(), lists.most_faces_of_a_slave);
-  scratch.node_normal.reserve(lists.nodes.gid.size());
+  scratch.holds.reserve(lists.nodes.gid.size());
   const std::size_t most_rows = lists.most_rows + ties;
   step.rows.reserve(most_rows);
   scratch.row_sort.reserve(most_rows);

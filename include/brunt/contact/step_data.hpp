@@ -50,7 +50,7 @@ struct ContactNodes {
 
 struct StepScratch {
   DetectionScratch detection;
-  std::vector<Vec3> node_normal;  ///< of each contact node's first row with a face
+  std::vector<NodeHold> holds;  ///< of each contact node
   RowSortScratch row_sort;
   std::vector<BirthRecord> births;
   EnforcementScratch enforcement;

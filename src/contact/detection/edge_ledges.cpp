@@ -23,14 +23,15 @@ Vec3 last_displacement(const EdgeScene& scene, const ContactEdge& slave, const C
 /// from its plane than a ledge. If the edges cross, one must lie on a face of the other with both ends constrained by
 /// it. Otherwise they constrain each other, however small their angle, since contact would supply energy without these
 /// rows.
-bool slide_along_ledge(const EdgeScene& scene, std::span<const Vec3> node_normal, const ContactEdge& slave,
+bool slide_along_ledge(const EdgeScene& scene, std::span<const NodeHold> holds, const ContactEdge& slave,
                        const ContactEdge& master, double size, const EdgeMeeting& met, const Vec3& motion) {
   const geometry::Segment own = scene.start(slave), other = scene.start(master);
   const double sine = own.along().cross(other.along()).norm();
   if (sine >= scene.full) return false;
-  const auto lies_along = [&](const ContactEdge& edge, const Vec3& out) {
+  const auto lies_along = [&](const ContactEdge& edge, const ContactEdge& other_edge, const Vec3& out) {
     return std::ranges::all_of(edge.nodes, [&](LocalIndex node) {
-      return node_normal[static_cast<std::size_t>(node)].dot(out) > scene.tolerances().aligned;
+      const NodeHold& hold = holds[static_cast<std::size_t>(node)];
+      return hold.is_on(other_edge.body) && hold.normal.dot(out) > scene.tolerances().aligned;
     });
   };
   const Vec3 apart = (1 - met.s) * own.start + met.s * own.end - (1 - met.t) * other.start - met.t * other.end;
@@ -41,7 +42,8 @@ bool slide_along_ledge(const EdgeScene& scene, std::span<const Vec3> node_normal
   const auto lies_on = [&](std::size_t i, std::size_t k) {
     const Vec3 top = scene.normal(master, k), side = scene.normal(master, 1 - k);
     const double height = apart.dot(top);
-    if (sine > scene.tolerances().parallel && !lies_along(slave, top) && !lies_along(master, -top)) return false;
+    if (sine > scene.tolerances().parallel && !lies_along(slave, master, top) && !lies_along(master, slave, -top))
+      return false;
     return faces(slave, i, top) && faces(slave, 1 - i, side) && std::abs(height) <= scene.tolerances().ledge * size &&
            slides_into(motion, side, top, size, scene.tolerances()) &&
            std::abs(motion.dot(top)) < scene.tolerances().slight * std::abs(motion.dot(side));
@@ -57,10 +59,10 @@ bool any_end_at_ledge(const EdgeScene& scene, const ContactEdge& edge, double at
 }
 
 /// Does the slave edge stand on one of its ends, and come with it to a ledge?
-bool stands_at_ledge(const EdgeScene& scene, std::span<const Vec3> node_normal, const ContactEdge& slave, double size,
+bool stands_at_ledge(const EdgeScene& scene, std::span<const NodeHold> holds, const ContactEdge& slave, double size,
                      const EdgeMeeting& met, const Vec3& motion) {
   return any_end_at_ledge(scene, slave, met.s, size, [&](std::size_t end) {
-    const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];
+    const Vec3& normal = holds[static_cast<std::size_t>(slave.nodes[end])].normal;
     return std::abs(normal.dot(scene.start(slave).along())) > scene.tolerances().aligned &&
            slides_into(motion, met.normal, normal, size, scene.tolerances());
   });
@@ -93,12 +95,12 @@ bool meets_ledge_below(const EdgeScene& scene, const EdgeCandidates& candidates,
 }  // namespace
 
 bool meet_on_ledge(const EdgeScene& scene, const EdgeCandidates& candidates, std::span<const LocalIndex> near,
-                   std::span<const Vec3> node_normal, const ContactEdge& slave, const ContactEdge& master,
+                   std::span<const NodeHold> holds, const ContactEdge& slave, const ContactEdge& master,
                    const EdgeMeeting& met) {
   const double size = std::min(scene.length(slave), scene.length(master));
   const Vec3 slid = last_displacement(scene, slave, master, met);
-  return slide_along_ledge(scene, node_normal, slave, master, size, met, slid) ||
-         stands_at_ledge(scene, node_normal, slave, size, met, slid) ||
+  return slide_along_ledge(scene, holds, slave, master, size, met, slid) ||
+         stands_at_ledge(scene, holds, slave, size, met, slid) ||
          meets_ledge_below(scene, candidates, near, slave, master, size, met, slid);
 }
 

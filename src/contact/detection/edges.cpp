@@ -94,17 +94,22 @@ bool meet_in_step(const EdgeScene& scene, const ContactEdge& slave, const Contac
 /// Whether the ends of the slave edge have rows of their own that constrain it. Along nearly the same normal the edge
 /// lies in a face. An end beyond the master's rim has none, and the row of an end whose face is inclined is less deep
 /// than the edge at the rim. If an end lies deep, its own row gives the penetration. A deep edge with both ends
-/// constrained in a perpendicular direction has entered from that side, over the end of the master's edge.
-bool held_at_ends(const Tolerances& tolerances, std::span<const Vec3> node_normal, const ContactEdge& slave,
-                  double size, const EdgeMeeting& met) {
+/// constrained in a perpendicular direction has entered from that side, over the end of the master's edge. Rows with
+/// other bodies hold nothing off this one: plates that lie across several others meet each of them.
+bool held_at_ends(const Tolerances& tolerances, std::span<const NodeHold> holds, const ContactEdge& slave,
+                  const ContactEdge& master, double size, const EdgeMeeting& met) {
   const bool deep = -met.gap > tolerances.rim * size;
+  const auto normal_of = [&](std::size_t end) -> Vec3 {
+    const NodeHold& hold = holds[static_cast<std::size_t>(slave.nodes[end])];
+    return hold.is_on(master.body) ? hold.normal : Vec3::Zero();
+  };
   const auto held = [&](std::size_t end, double weight) {
-    const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];
+    const Vec3 normal = normal_of(end);
     if (deep && weight >= 1 - tolerances.rim) return !normal.isZero(0);
     return weight <= tolerances.rim || same_direction(normal, met.normal, tolerances.blunt_angle);
   };
   const auto held_across = [&](std::size_t end) {
-    const Vec3& normal = node_normal[static_cast<std::size_t>(slave.nodes[end])];
+    const Vec3 normal = normal_of(end);
     return !normal.isZero(0) && std::abs(normal.dot(met.normal)) < tolerances.facing;
   };
   return (held(0, 1 - met.s) && held(1, met.s)) || (deep && held_across(0) && held_across(1));
@@ -152,7 +157,7 @@ Row row_of(const ContactEdge& slave, const ContactEdge& master, const EdgeMeetin
 
 void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex> gid,
                   std::span<const NodeMotion> motion, std::span<const Vec3> facet_normal,
-                  std::span<const Vec3> node_normal, std::span<const Vec3> reference, double dt,
+                  std::span<const NodeHold> holds, std::span<const Vec3> reference, double dt,
                   const DetectionSettings& settings, std::vector<Row>& rows) {
   const double full = std::sin(settings.tolerances->same_direction * std::numbers::pi / 180);
   const EdgeScene scene{gid, motion, facet_normal, reference, dt, settings, full};
@@ -167,13 +172,13 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
       EdgeMeeting met;
       if (slave.flat || master.flat) {
         if (!rim_crosses_flat(scene, slave, master, size, met)) continue;
-        if (meet_on_ledge(scene, candidates, near, node_normal, slave, master, met)) continue;
+        if (meet_on_ledge(scene, candidates, near, holds, slave, master, met)) continue;
       } else {
         if (!meet_now(scene, slave, master, size, met) &&
             (is_slow(scene, slave, master, size) || !meet_in_step(scene, slave, master, met)))
           continue;
-        if (meet_on_ledge(scene, candidates, near, node_normal, slave, master, met)) continue;
-        if (held_at_ends(*settings.tolerances, node_normal, slave, size, met)) continue;
+        if (meet_on_ledge(scene, candidates, near, holds, slave, master, met)) continue;
+        if (held_at_ends(*settings.tolerances, holds, slave, master, size, met)) continue;
       }
       if (meet_at_side_of_seam(scene, slave, master, met)) continue;
       met.gap += accepted_overlap(scene, slave, master, met);

@@ -18,7 +18,8 @@ namespace {
 struct TwoEdges {
   std::vector<GlobalIndex> gid{0, 1, 2, 3};
   std::vector<NodeMotion> motion{4};
-  std::vector<Vec3> facets, node_normal{4, Vec3::Zero()};
+  std::vector<Vec3> facets;
+  std::vector<NodeHold> holds{4};
   std::vector<Vec3> reference;
   EdgeCandidates candidates;
   DetectionSettings settings{.tolerances = &brunt::test::tolerances()};
@@ -41,7 +42,7 @@ struct TwoEdges {
   }
   std::vector<Row> rows() {
     std::vector<Row> found;
-    detect_edges(candidates, gid, motion, facets, node_normal, reference, dt, settings, found);
+    detect_edges(candidates, gid, motion, facets, holds, reference, dt, settings, found);
     return found;
   }
 };
@@ -96,7 +97,7 @@ TEST_CASE("an edge nearly along a chain that is dented at the crossing is not lo
   TwoEdges edges(1, -1e-3);
   edges.motion.push_back({.position = Vec3(0, 0, 0)});  // the master's edge in two halves that rise to both ends
   edges.gid.push_back(4);
-  edges.node_normal.emplace_back(0, 0, 0);
+  edges.holds.emplace_back();
   edges.motion[0].position.z() = edges.motion[1].position.z() = 5e-3;
   for (const double x : {-1.0, 1.0})  // faces tilt with their edges
     for (const double y : {1.0, -1.0}) edges.facets.push_back(Vec3(-x * 0.01, y, 1).normalized());
@@ -166,13 +167,19 @@ TEST_CASE("parallel flush edges give no row: their faces and nodes do the work")
 TEST_CASE("an edge that lies on a table has no row at the table's rim, one that hangs over it or slants does") {
   TwoEdges edges(90, 0);
   edges.facets = {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(0, 0, -1), Vec3(1, 0, 0)};
-  edges.node_normal[2] = edges.node_normal[3] = Vec3::UnitZ();
+  const NodeHold on_top{Vec3::UnitZ(), 0};
+  edges.holds[2] = edges.holds[3] = on_top;
   CHECK(edges.rows().empty());  // both ends have rows on the table
-  edges.node_normal[3] = Vec3(0, -1, 0);
+  edges.holds[3].body = 5;
+  CHECK(edges.rows().size() == 1);  // one end lies on another table, which may be lower
+  edges.holds[2].body = 5;
+  CHECK(edges.rows().size() == 1);
+  edges.holds[2] = on_top;
+  edges.holds[3] = {Vec3(0, -1, 0), 0};
   CHECK(edges.rows().size() == 1);  // one end is off the table and may sink: the rim holds the edge between them
-  edges.node_normal[3] = Vec3(0, std::sin(0.2), std::cos(0.2));
+  edges.holds[3].normal = Vec3(0, std::sin(0.2), std::cos(0.2));
   CHECK(edges.rows().size() == 1);  // 11 degrees: the edge is deeper at the rim than at its end
-  edges.node_normal[3] = Vec3::Zero();
+  edges.holds[3] = {};
   edges.motion[2].position = Vec3(0, -0.005, 0);
   CHECK(edges.rows().empty());  // the end that lies on the table lies at its rim and holds the edge there
 }
@@ -216,7 +223,8 @@ namespace {
 struct UprightAtLedge {
   std::vector<GlobalIndex> gid{0, 1, 2, 3, 4};
   std::vector<NodeMotion> motion{5};
-  std::vector<Vec3> facets{Vec3(0, 0, 1), Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, node_normal{5, Vec3::Zero()};
+  std::vector<Vec3> facets{Vec3(0, 0, 1), Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+  std::vector<NodeHold> holds{5};
   EdgeCandidates candidates;
   DetectionSettings settings{.tolerances = &brunt::test::tolerances()};
 
@@ -239,7 +247,7 @@ struct UprightAtLedge {
   std::vector<Row> rows() {
     candidates.near.close_row();
     std::vector<Row> found;
-    detect_edges(candidates, gid, motion, facets, node_normal, {}, 1e-3, settings, found);
+    detect_edges(candidates, gid, motion, facets, holds, {}, 1e-3, settings, found);
     return found;
   }
 };

@@ -16,7 +16,8 @@ namespace {
 struct RimOnPlate {
   std::vector<GlobalIndex> gid{0, 1, 2, 3};
   std::vector<NodeMotion> motion{4};
-  std::vector<Vec3> facets, node_normal{4, Vec3::Zero()};
+  std::vector<Vec3> facets;
+  std::vector<NodeHold> holds{4};
   EdgeCandidates candidates;
   DetectionSettings settings{.tolerances = &brunt::test::tolerances()};
   double dt = 1e-3;
@@ -38,7 +39,7 @@ struct RimOnPlate {
   }
   std::vector<Row> rows() {
     std::vector<Row> found;
-    detect_edges(candidates, gid, motion, facets, node_normal, {}, dt, settings, found);
+    detect_edges(candidates, gid, motion, facets, holds, {}, dt, settings, found);
     return found;
   }
 };
