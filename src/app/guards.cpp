@@ -10,15 +10,6 @@
 
 namespace brunt::app {
 
-namespace {
-
-/// In whole steps, and without what compliant rows store at the moment and return.
-double dissipated_by_contact(const time::Ledger& ledger) {
-  return ledger.contact_totals.contact_work - ledger.contact_totals.stored;
-}
-
-}  // namespace
-
 void observe(const time::Ledger& ledger, Extremes& seen) {
   const Vec3 own_momentum = ledger.momentum - ledger.impulse_given;
   if (seen.begun == 0) {
@@ -33,7 +24,8 @@ void observe(const time::Ledger& ledger, Extremes& seen) {
   const double bodies = ledger.kinetic + ledger.internal;
   seen.largest_bodies = std::max(seen.largest_bodies, bodies);
   seen.largest_energy = std::max({seen.largest_energy, bodies, std::abs(ledger.external)});
-  seen.largest_contact = std::max(seen.largest_contact, dissipated_by_contact(ledger));
+  seen.largest_contact = std::max(seen.largest_contact, ledger.contact_totals.contact_work);
+  seen.largest_stored = std::max(seen.largest_stored, ledger.contact_totals.stored);
   seen.largest_internal = std::max(seen.largest_internal, ledger.internal);
   seen.momentum_scale = std::max(seen.momentum_scale, ledger.momentum_scale);
   seen.largest_error = std::max(seen.largest_error, std::abs(ledger.total() - seen.start_total));
@@ -73,6 +65,7 @@ std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool
 
 std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding, Gives gives) {
   const double scale = std::max(seen.largest_energy, 10 * rounding);
+  const double returned = seen.largest_contact - std::max(ledger.contact_totals.contact_work, 0.0);
   const std::array<double, guarded_columns> energy{
       ledger.total() - seen.start_total,
       std::min(ledger.hourglass, 0.0),
@@ -81,7 +74,7 @@ std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, dou
       std::min(ledger.friction - ledger.ties, 0.0),
       std::min(ledger.internal, 0.0),
       gives == Gives::parting ? 0.0 : std::min(ledger.contact, 0.0),
-      gives == Gives::nothing ? std::max(dissipated_by_contact(ledger), 0.0) - seen.largest_contact : 0.0};
+      gives == Gives::nothing ? std::min(seen.largest_stored - returned, 0.0) : 0.0};
   std::vector<Finding> findings;
   for (std::size_t k = 0; k < energy.size(); ++k)
     if (const double share = scale > 0 ? std::abs(energy[k]) / scale : 0.0; share > warned_share)

@@ -19,6 +19,7 @@ struct Extremes {
   double largest_bodies = 0;    ///< largest of start_total, kinetic + internal
   double largest_internal = 0;  ///< [energy]
   double largest_contact = 0;   ///< largest energy dissipated by contact in whole steps; 0 at least
+  double largest_stored = 0;    ///< largest part of it that compliant rows stored, and may return [energy]
   double largest_error = 0;     ///< largest |total - start_total| [energy]
   double start_momentum[3] = {0, 0, 0};  ///< less what was given [momentum]
   double momentum_error = 0;             ///< largest |p - p0 - impulses given| over the largest sum of m |v|

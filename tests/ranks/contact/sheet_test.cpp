@@ -55,7 +55,8 @@ void press(MassPoints& points, contact::Contact& contact, int steps) {
   }
 }
 
-/// Impulses of the last step on the slaves of each box [momentum], and how many they are.
+/// Impulses of the last step on the slaves of each box [momentum], and how many rows act: edges of the boxes that lie
+/// over each other with the sheet between them have open rows.
 struct Pinch {
   double above = 0, below = 0;
   GlobalIndex rows = 0;
@@ -67,7 +68,7 @@ Pinch pinch_of(const MassPoints& points, const contact::Contact& contact) {
     const contact::Row& row = contact.step.rows[q];
     const double impulse = contact.step.impulses[q].z();
     (row.key.slave < 58 ? above : below).push_back(impulse);
-    ++rows;
+    rows += impulse != 0 ? 1 : 0;
   }
   return {comm::exact_sum(points.ranks, above), comm::exact_sum(points.ranks, below), points.ranks.sum(rows)};
 }
