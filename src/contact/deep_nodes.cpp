@@ -11,24 +11,25 @@
 #include "brunt/contact/detection/cones.hpp"
 #include "brunt/contact/search/box_overlaps.hpp"
 #include "brunt/contact/search/search.hpp"
-#include "brunt/core/cells.hpp"
 #include "brunt/geometry/closest_point.hpp"
+#include "brunt/geometry/segment_in_cell.hpp"
 
 namespace brunt::contact {
 namespace {
 
 using geometry::Box;
+using geometry::Segment;
+using geometry::Stretch;
 
 /// What may lie in an element: a node, as a segment without length, or an edge.
 struct Probe {
-  Vec3 start = Vec3::Zero(), end = Vec3::Zero();
+  Segment at{};
   std::array<GlobalIndex, 2> ends{};  ///< gids, a node's twice
   std::span<const std::int32_t> blocks{};
   std::span<const GlobalIndex> around{};  ///< nodes of its elements
   bool on_edge = false;
 
-  [[nodiscard]] Vec3 at(double place) const { return (1 - place) * start + place * end; }
-  [[nodiscard]] Box box() const { return geometry::bounding_box(std::array{start, end}); }
+  [[nodiscard]] Box box() const { return geometry::bounding_box(std::array{at.start, at.end}); }
 };
 
 struct GhostSide {
@@ -54,44 +55,12 @@ struct GhostSide {
   friend bool operator<(const GhostSide& a, const GhostSide& b) { return a.key < b.key; }
 };
 
-using Interval = std::array<double, 2>;  ///< of places in [0, 1] along a segment; empty if the first is the larger
-
-double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  return (b - a).cross(c - a).dot(d - a);
-}
-
-/// The part of a segment in a tetrahedron. Volumes with its four faces are linear along the segment.
-Interval part_inside(const std::array<Vec3, 4>& tet, const Vec3& start, const Vec3& end) {
-  Interval part{0, 1};
-  if (!(volume(tet[0], tet[1], tet[2], tet[3]) > 0)) return {1, 0};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto opposite = [&](const Vec3& x) {
-      std::array<Vec3, 4> corners = tet;
-      corners[i] = x;
-      return volume(corners[0], corners[1], corners[2], corners[3]);
-    };
-    const double first = opposite(start), last = opposite(end);
-    if (first < 0 && last < 0) return {1, 0};
-    if (first < 0) part[0] = std::max(part[0], first / (first - last));
-    if (last < 0) part[1] = std::min(part[1], first / (first - last));
-  }
-  return part;
-}
-
-/// The same of an element: from where the segment enters it to where it leaves it.
-Interval part_inside(const GhostElement& element, const Vec3& start, const Vec3& end) {
-  Interval part{1, 0};
-  const auto add = [&](const std::array<int, 4>& tet) {
-    std::array<Vec3, 4> corners;
-    for (std::size_t i = 0; i < 4; ++i) corners[i] = Vec3(element.corner[static_cast<std::size_t>(tet[i])].data());
-    const Interval one = part_inside(corners, start, end);
-    if (one[0] <= one[1]) part = {std::min(part[0], one[0]), std::max(part[1], one[1])};
-  };
-  if (element.corner_count == 4)
-    add({0, 1, 2, 3});
-  else
-    std::ranges::for_each(cells::hex_tetrahedra, add);
-  return part;
+/// What of the probe is in the element.
+Stretch part_in(const GhostElement& element, const Segment& probe) {
+  std::array<Vec3, 8> corners;
+  const auto count = static_cast<std::size_t>(element.corner_count);
+  for (std::size_t i = 0; i < count; ++i) corners[i] = Vec3(element.corner[i].data());
+  return geometry::part_in_cell(probe, {corners.data(), count});
 }
 
 /// Do the elements around the probe touch this one?
@@ -117,14 +86,16 @@ class Look {
     std::size_t probe = 0;
     GlobalIndex element = 0;
     std::int32_t block = 0;
-    Interval part{};
+    Stretch part{};
     double chord = 0;  ///< what of the edge is in this block [length]
     double depth = std::numeric_limits<double>::infinity(), share = 0;
   };
   void list_probes();
   [[nodiscard]] const Probe& probe_of(const Inside& inside) const { return probes_[inside.probe]; }
   [[nodiscard]] Vec3 middle_of(const Inside& inside) const {
-    return probe_of(inside).at(0.5 * (inside.part[0] + inside.part[1]));
+    const Segment& all = probe_of(inside).at;
+    const double middle = 0.5 * (inside.part.first + inside.part.last);
+    return (1 - middle) * all.start + middle * all.end;
   }
   [[nodiscard]] Vec3 at(LocalIndex surface_node) const {
     return position_[contact_.surface.model_node[static_cast<std::size_t>(surface_node)]];
@@ -152,16 +123,14 @@ void Look::list_probes() {
   for (LocalIndex node = 0; node < static_cast<LocalIndex>(surface.gid.size()); ++node) {
     const auto i = static_cast<std::size_t>(node);
     if (!surface.owns(node, contact_.ranks.rank()) || surface.blocks.row(node).empty()) continue;
-    probes_.push_back({.start = at(node),
-                       .end = at(node),
+    probes_.push_back({.at = {at(node), at(node)},
                        .ends = {surface.gid[i], surface.gid[i]},
                        .blocks = surface.blocks.row(node),
                        .around = surface.neighbours.row(node)});
   }
   for (const SurfaceEdge& edge : surface.edges) {
     if (edge.kind != EdgeKind::sharp) continue;
-    probes_.push_back({.start = at(edge.nodes[0]),
-                       .end = at(edge.nodes[1]),
+    probes_.push_back({.at = {at(edge.nodes[0]), at(edge.nodes[1])},
                        .ends = {surface.gid[static_cast<std::size_t>(edge.nodes[0])],
                                 surface.gid[static_cast<std::size_t>(edge.nodes[1])]},
                        .blocks = std::span(&edge.block, 1),
@@ -183,8 +152,8 @@ void Look::find_inside(std::vector<GhostElement> elements) {
     const Probe& probe = probes_[static_cast<std::size_t>(p)];
     const GhostElement& element = elements[static_cast<std::size_t>(e)];
     if (!may_meet(probe, element.block) || touches(probe, element.nodes)) return;
-    const Interval part = part_inside(element, probe.start, probe.end);
-    if (!(probe.on_edge ? part[0] < part[1] : part[0] <= part[1])) return;
+    const Stretch part = part_in(element, probe.at);
+    if (part.is_empty() || (probe.on_edge && part.length() == 0)) return;
     inside_.push_back(
         {.probe = static_cast<std::size_t>(p), .element = element.gid, .block = element.block, .part = part});
   });
@@ -204,10 +173,10 @@ void Look::keep_lowest_of_nodes() {
 void Look::sum_chords() {
   for (Inside& inside : inside_) {
     const Probe& probe = probe_of(inside);
-    const double length = (probe.end - probe.start).norm();
+    const double length = (probe.at.end - probe.at.start).norm();
     const auto last = std::ranges::upper_bound(inside_, inside.probe, {}, &Inside::probe);
     for (auto other = std::ranges::lower_bound(inside_, inside.probe, {}, &Inside::probe); other != last; ++other)
-      if (other->block == inside.block) inside.chord += (other->part[1] - other->part[0]) * length;
+      if (other->block == inside.block) inside.chord += other->part.length() * length;
   }
 }
 

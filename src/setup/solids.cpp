@@ -8,7 +8,7 @@
 
 #include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/search/search.hpp"
-#include "brunt/core/cells.hpp"
+#include "brunt/geometry/segment_in_cell.hpp"
 #include "brunt/mesh/topology.hpp"
 
 namespace brunt::setup {
@@ -62,18 +62,6 @@ void collect_nodes(Solid& solid) {
   solid.edges.erase(std::unique(solid.edges.begin(), solid.edges.end()), solid.edges.end());
 }
 
-/// Whether x is in the closed tetrahedron.
-bool in_tetrahedron(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double rounding) {
-  const auto volume = [](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
-    return (q - p).cross(r - p).dot(s - p);
-  };
-  const double whole = volume(a, b, c, d);
-  if (!(whole > 0)) return false;  // flat: contains no point
-  const double slack = -rounding * whole;
-  return volume(x, b, c, d) >= slack && volume(a, x, c, d) >= slack && volume(a, b, x, d) >= slack &&
-         volume(a, b, c, x) >= slack;
-}
-
 /// Cosine between the face's normal and the reversed normal of the most nearly opposite face of its own body.
 double opposition(std::span<const Vec3> outwards, const Vec3& normal) {
   double least = 1;
@@ -92,13 +80,10 @@ geometry::Box box_of_element(const mesh::Mesh& mesh, const mesh::Block& block, L
 
 bool in_element(const Vec3& x, const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex e,
                 const contact::Tolerances& tolerances) {
-  const double rounding = tolerances.fine_rounding;
-  const LocalIndex* nodes = block.element(e);
-  const auto corner = [&](int c) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(nodes[c])]; };
-  if (block.shape == mesh::Shape::tet4) return in_tetrahedron(x, corner(0), corner(1), corner(2), corner(3), rounding);
-  return std::ranges::any_of(cells::hex_tetrahedra, [&](const std::array<int, 4>& tet) {
-    return in_tetrahedron(x, corner(tet[0]), corner(tet[1]), corner(tet[2]), corner(tet[3]), rounding);
-  });
+  std::array<Vec3, 8> corners;
+  const auto count = static_cast<std::size_t>(block.shape == mesh::Shape::tet4 ? 4 : 8);
+  for (std::size_t c = 0; c < count; ++c) corners[c] = mesh.coordinates[static_cast<std::size_t>(block.element(e)[c])];
+  return !geometry::part_in_cell({x, x}, {corners.data(), count}, tolerances.fine_rounding).is_empty();
 }
 
 std::vector<Solid> solids_of(const mesh::Mesh& mesh) {
