@@ -16,9 +16,8 @@ namespace brunt::app {
 /// squarely through a plate of one element is so deep but for rounding.
 constexpr double warned_depth = 0.1, lost_depth = 1 - 1e-9;
 
-/// A look costs about as much as new candidate lists, which are made when nodes have moved by
-/// ContactSettings::motion_share = 0.3 of the mean element depth: with one look in three, nothing moves by more than an
-/// element between two looks.
+/// Candidate lists are made when nodes have moved by ContactSettings::motion_share = 0.3 of the mean element depth:
+/// with one look in three, nothing moves by more than an element between two looks.
 constexpr GlobalIndex lists_between_looks = 3;
 
 class DepthWatch {

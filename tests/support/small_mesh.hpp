@@ -78,6 +78,19 @@ inline mesh::LocalMesh deal_out(const mesh::Mesh& mesh, Rank rank, const std::fu
       if (node != no_index) node = here[static_cast<std::size_t>(node)];
     local.faces.push_back(face);
   }
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const mesh::Block& block = mesh.blocks[b];
+    mesh::LocalBlock& mine =
+        local.blocks.emplace_back(mesh::LocalBlock{.shape = block.shape, .gid = {}, .input = {}, .nodes = {}});
+    for (LocalIndex e = 0; e < block.count(); ++e) {
+      const GlobalIndex gid = first_gid[b] + e;
+      if (rank_of(gid) != rank) continue;
+      mine.gid.push_back(gid);
+      mine.input.push_back(gid);
+      for (int i = 0; i < mesh::nodes_per_element(block.shape); ++i)
+        mine.nodes.push_back(here[static_cast<std::size_t>(block.element(e)[i])]);
+    }
+  }
   return local;
 }
 
