@@ -24,15 +24,6 @@ struct Boxes {
     support::append_box(whole, {0, 0, 0}, {3, 3, 3}, {3, 3, 3});
     support::append_box(whole, {0, 0, 5}, {2, 1, 1}, {2, 1, 1});
     mesh = support::deal_out(whole, ranks.rank(), [this](GlobalIndex gid) { return rank_of(gid); });
-    GlobalIndex gid = 0;
-    for (const mesh::Block& block : whole.blocks) {
-      mesh::LocalBlock& local = mesh.blocks.emplace_back();
-      for (LocalIndex e = 0; e < block.count(); ++e, ++gid) {
-        if (rank_of(gid) != ranks.rank()) continue;
-        local.gid.push_back(gid);
-        for (int c = 0; c < 8; ++c) local.nodes.push_back(local_node(block.element(e)[c]));
-      }
-    }
   }
   [[nodiscard]] Rank rank_of(GlobalIndex gid) const { return static_cast<Rank>(gid * 7 % 5 % ranks.size()); }
   [[nodiscard]] LocalIndex local_node(GlobalIndex gid) const {

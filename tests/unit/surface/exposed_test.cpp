@@ -26,7 +26,6 @@ struct Row {
     mesh::Mesh whole;
     support::append_box(whole, {0, 0, 0}, {3, 1, 1}, {3, 1, 1});
     mesh = support::deal_out(whole, 0, [](GlobalIndex) { return 0; });
-    mesh.blocks.push_back({.gid = {0, 1, 2}, .input = {0, 1, 2}, .nodes = whole.blocks[0].nodes});
     std::vector<mesh::ExteriorFace> faces;
     const std::vector<char> all(whole.coordinates.size(), 1);
     for (const mesh::Side& side : mesh::interior_sides(whole, all))
