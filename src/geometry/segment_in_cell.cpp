@@ -14,10 +14,18 @@ double volume(const std::array<Vec3, 4>& tet) {
   return (tet[1] - tet[0]).cross(tet[2] - tet[0]).dot(tet[3] - tet[0]);
 }
 
+double longest_edge(const std::array<Vec3, 4>& tet) {
+  double longest = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < i; ++k) longest = std::max(longest, (tet[i] - tet[k]).norm());
+  return longest;
+}
+
 /// The volumes that a point makes with the four faces are linear along the segment.
 Stretch part_in_tetrahedron(const Segment& segment, const std::array<Vec3, 4>& tet, double slack) {
-  const double whole = volume(tet);
-  if (!(whole > 0)) return {};
+  constexpr double flat = 1e-12;  // a tetrahedron of repeated corners, of a wedge or pyramid, has rounding for a volume
+  const double whole = volume(tet), longest = longest_edge(tet);
+  if (!(whole > flat * longest * longest * longest)) return {};
   Stretch part{0, 1};
   for (std::size_t i = 0; i < 4; ++i) {
     const auto above_face = [&](const Vec3& x) {

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""A plate lies on two strips, and a third one lifts it at its middle: the ends of the plate's edges lie on two bodies, and
-the edges cross the rims of another one, where no node is near. The plate rises with that strip. Needs BRUNT and BRUNT_RUN
-(scripts/run) in the environment. --all: three hundred scenes."""
+"""Edges whose two ends lie on two bodies and cross the rims of others, where no node is near. A plate lies on two strips, and
+a third one lifts it at its middle: it rises with that strip. A block slides without friction over the seams of plates that
+are flush: it keeps its speed. Needs BRUNT and BRUNT_RUN (scripts/run) in the environment. --all: three hundred scenes."""
 import math
 import random
 import sys
@@ -72,7 +72,47 @@ class Strips(Program):
         self.assertEqual(len(found), 1)
 
 
+def floor(seed):
+    """A block on a floor of tiles, some of them free to be pushed away were there no friction to the ground."""
+    rng = random.Random(seed)
+    size, yaw, gravity = rng.uniform(0.25, 1.2), rng.uniform(-45, 45), 10 ** rng.uniform(0, 2)
+    tiles = [(i, j) for i in range(math.ceil(2.4 / size)) for j in range(math.ceil(2 / size))]
+    boxes = [box(f"t{i}_{j}", (size, size, 0.3), (size * (i + 0.5) - 0.6, size * (j + 0.5) - 1, -0.15), [1, 1, 1])
+             for i, j in tiles]
+    boxes.append(box("block", (0.4, rng.uniform(0.3, 0.6), 0.12), (0, 0, 0.06), [rng.randint(1, 3), 1, 1], yaw))
+    rng.shuffle(boxes)
+    parts = [f"t{i}_{j}" for i, j in tiles]
+    return f"""units: none
+mesh:
+{chr(10).join(boxes)}
+materials: {{r: {{model: rigid, density: 1}}}}
+parts: {{{", ".join(f"{part}: {{material: r}}" for part in [*parts, "block"])}}}
+fixed: [{", ".join(f"{{part: {part}, dofs: [x, y, z, rx, ry, rz]}}" for part in parts)}]
+initial: [{{part: block, velocity: [1, 0, 0]}}]
+gravity: {{vector: [0, 0, -{gravity:.6g}]}}
+contact: [{{between: all}}]
+probes: [{{name: block, part: block, field: velocity}}]
+run: {{end: 0.9, step: 1.0e-3}}
+"""
+
+
+class Floors(Program):
+    seeds = range(1, 11)
+
+    def test_the_block_keeps_its_speed(self):
+        for seed in self.seeds:
+            with self.subTest(seed=seed):
+                self.write("scene.yaml", floor(seed))
+                self.run_scene(1, "scene.yaml", "--out", "out", "--force")
+                last = self.history("out")[-1]
+                self.assertLess(abs(last["block.x"] - 1) + abs(last["block.y"]) + abs(last["block.z"]), 1e-3)
+
+
 class AllStrips(Strips):
+    seeds = range(1, 301)
+
+
+class AllFloors(Floors):
     seeds = range(1, 301)
 
 
@@ -80,5 +120,5 @@ if __name__ == "__main__":
     if "--all" in sys.argv:
         sys.argv.remove("--all")
     else:
-        del AllStrips
+        del AllStrips, AllFloors
     unittest.main()

@@ -19,6 +19,15 @@ Vec3 last_displacement(const EdgeScene& scene, const ContactEdge& slave, const C
                      met.t * last(master, 1));
 }
 
+/// Whether both ends of an edge are held along `out`: by `body`, or by any body if it is no_index.
+bool lies_along(const EdgeScene& scene, std::span<const NodeHold> holds, const ContactEdge& edge, const Vec3& out,
+                std::int32_t body) {
+  return std::ranges::all_of(edge.nodes, [&](LocalIndex node) {
+    const NodeHold& hold = holds[static_cast<std::size_t>(node)];
+    return (body == no_index || hold.is_on(body)) && hold.normal.dot(out) > scene.tolerances().aligned;
+  });
+}
+
 /// Nearly parallel edges that slide past each other on a ledge (see ledges.hpp): along a face of the master, no farther
 /// from its plane than a ledge. If the edges cross, one must lie on a face of the other with both ends constrained by
 /// it. Otherwise they constrain each other, however small their angle, since contact would supply energy without these
@@ -28,12 +37,6 @@ bool slide_along_ledge(const EdgeScene& scene, std::span<const NodeHold> holds, 
   const geometry::Segment own = scene.start(slave), other = scene.start(master);
   const double sine = own.along().cross(other.along()).norm();
   if (sine >= scene.full) return false;
-  const auto lies_along = [&](const ContactEdge& edge, const ContactEdge& other_edge, const Vec3& out) {
-    return std::ranges::all_of(edge.nodes, [&](LocalIndex node) {
-      const NodeHold& hold = holds[static_cast<std::size_t>(node)];
-      return hold.is_on(other_edge.body) && hold.normal.dot(out) > scene.tolerances().aligned;
-    });
-  };
   const Vec3 apart = (1 - met.s) * own.start + met.s * own.end - (1 - met.t) * other.start - met.t * other.end;
   const auto faces = [&](const ContactEdge& edge, std::size_t i, const Vec3& normal) {
     return scene.normal(edge, i).dot(normal) < -scene.tolerances().facing;
@@ -42,7 +45,8 @@ bool slide_along_ledge(const EdgeScene& scene, std::span<const NodeHold> holds, 
   const auto lies_on = [&](std::size_t i, std::size_t k) {
     const Vec3 top = scene.normal(master, k), side = scene.normal(master, 1 - k);
     const double height = apart.dot(top);
-    if (sine > scene.tolerances().parallel && !lies_along(slave, master, top) && !lies_along(master, slave, -top))
+    if (sine > scene.tolerances().parallel && !lies_along(scene, holds, slave, top, master.body) &&
+        !lies_along(scene, holds, master, -top, slave.body))
       return false;
     return faces(slave, i, top) && faces(slave, 1 - i, side) && std::abs(height) <= scene.tolerances().ledge * size &&
            slides_into(motion, side, top, size, scene.tolerances()) &&
@@ -102,6 +106,16 @@ bool meet_on_ledge(const EdgeScene& scene, const EdgeCandidates& candidates, std
   return slide_along_ledge(scene, holds, slave, master, size, met, slid) ||
          stands_at_ledge(scene, holds, slave, size, met, slid) ||
          meets_ledge_below(scene, candidates, near, slave, master, size, met, slid);
+}
+
+std::optional<Vec3> face_below(const EdgeScene& scene, std::span<const NodeHold> holds, const ContactEdge& slave,
+                               const ContactEdge& master) {
+  if (scene.start(slave).along().cross(scene.start(master).along()).norm() >= scene.full) return std::nullopt;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (const Vec3 top = scene.normal(master, k); lies_along(scene, holds, slave, top, no_index)) return top;
+    if (const Vec3 top = -scene.normal(slave, k); lies_along(scene, holds, master, top, no_index)) return top;
+  }
+  return std::nullopt;
 }
 
 }  // namespace brunt::contact

@@ -99,3 +99,26 @@ TEST_CASE("segments in cells: flat and inverted cells, and what is no number, co
   tet[0] = tet[1];
   CHECK(part_in_cell(inside, tet).is_empty());
 }
+
+TEST_CASE("segments in cells: outside a wedge of repeated corners, on the planes of its flat tetrahedra") {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> part(-1, 1);
+  for (int k = 0; k < 500; ++k) {
+    Mat3 turn;
+    for (int i = 0; i < 9; ++i) turn.data()[i] = part(random);
+    if (std::abs(turn.determinant()) < 0.1) continue;
+    if (turn.determinant() < 0) turn.col(0) *= -1;
+    const std::array<Vec3, 6> six{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(0, 1, 1)};
+    std::vector<Vec3> wedge;
+    for (const std::size_t corner : {0, 1, 2, 2, 3, 4, 5, 5}) wedge.push_back(turn * six[corner]);
+    const Vec3 from(2 * part(random), 2 * part(random), 2 * part(random)), to(part(random), part(random), part(random));
+    const Stretch found = part_in_cell({turn * from, turn * to}, wedge);
+    for (int i = 0; i <= 40; ++i) {
+      const double at = i / 40.0;
+      const Vec3 x = (1 - at) * from + at * to;
+      const bool inside = std::min({x[0], x[1], 1 - x[0] - x[1], x[2], 1 - x[2]}) > 0;
+      if (std::abs(at - found.first) < 1e-9 || std::abs(at - found.last) < 1e-9) continue;
+      CHECK(inside == (found.first < at && at < found.last));
+    }
+  }
+}
