@@ -105,6 +105,14 @@ class Ties(SceneProgram):
             self.run_scene(3, "scene.yaml", "--out", "part", "--restart", "part")
             self.assertEqual(self.summary("part")["state_hash"], whole)
 
+    def test_velocities_that_a_tie_cannot_keep_are_told(self):
+        scene = "units: SI\n" + boxes(numpy.random.default_rng(7), 0.1) + LAWS + SOFT + tie() + solver(0.005, 0.01)
+        for initial, differs in ((spin([1, 2, 3], 6, (1, 2, 3)), ""), (spin([1, 2, 3], 6).replace("rate: 6", "rate: 5", 1), "differ by "),
+                                 ("initial: [{part: b, velocity: [0, 0, 2]}]\n", "differ by 2 m/s at their seam")):
+            told = self.go(scene + initial) and self.text("out", "log.txt")
+            self.assertIn(differs, told)
+            self.assertEqual("the initial velocities of the tied parts" in told, bool(differs))
+
     def test_a_bar_over_a_gap_is_a_bar(self):
         # uniaxial stress in both halves, of meshes that do not match; the gap carries it as if it were filled
         halves = ("units: none\nmesh:\n  - {box: {part: a, size: [1, 1, 0.5], elements: [3, 3, 2]}}\n"

@@ -98,8 +98,8 @@ class StaticStates(SceneProgram):
         for k in range(VARIANTS):
             name = list(FACTORS)[k % 3]
             load, weight = random.uniform(-3, 3, 3), random.uniform(-2, 2, 3)
-            how = ("tied: true", "friction: 0.3")[k % 2]
-            scene = ("units: none\nmesh:\n" + block(random, "a") + block(random, "b", (0.1, -0.05, 0.5)) + LAWS +
+            how = ("tied: true", "friction: 0")[k % 2]
+            scene = ("units: none\nmesh:\n" + block(random, "a") + block(random, "b", (0, 0, 0.5)) + LAWS +
                      "parts: {a: {material: m, element: hex8_full}, b: {material: hard}}\n" + curve(name) +
                      "fixed: [{set: a_zmin, dofs: [x, y, z]}, {part: b, dofs: [x, y, rx, ry, rz]}]\n"
                      "prescribed: [{part: b, dof: z, displacement: down}]\n" + f"contact: [{{between: [a, b], method: mortar, {how}}}]\n"
