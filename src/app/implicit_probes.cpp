@@ -3,10 +3,15 @@
 
 #include "brunt/implicit/interface_forces.hpp"
 #include "brunt/implicit/solver.hpp"
+#include "brunt/implicit/static_forces.hpp"
+#include "implicit_loop.hpp"
 
 namespace brunt::app {
+namespace {
 
-contact::TrackedTotals watched_contact(const Prepared& run, const std::string& part, const std::string& other) {
+/// values: an InterfaceForce for each interface.
+contact::TrackedTotals watched(const Prepared& run, const std::vector<double>& values, const std::string& part,
+                               const std::string& other) {
   const implicit::MortarContact& contact = run.implicit->contact;
   constexpr auto width = static_cast<std::size_t>(implicit::interface_force_width);
   contact::TrackedTotals totals;
@@ -17,7 +22,7 @@ contact::TrackedTotals watched_contact(const Prepared& run, const std::string& p
     const bool as_slave = slave == part && (other.empty() || master == other);
     const bool as_master = master == part && (other.empty() || slave == other);
     if (!as_slave && !as_master) continue;
-    const double* impulse = &contact.impulses[width * k];
+    const double* impulse = &values[width * k];
     const double sign = as_slave ? 1 : -1;
     totals.impulse += sign * Vec3(impulse);
     totals.friction += sign * Vec3(impulse + 3);
@@ -25,6 +30,28 @@ contact::TrackedTotals watched_contact(const Prepared& run, const std::string& p
     totals.friction_size += impulse[7];
   }
   return totals;
+}
+
+}  // namespace
+
+contact::TrackedTotals watched_contact(const Prepared& run, const std::string& part, const std::string& other) {
+  return watched(run, run.implicit->contact.impulses, part, other);
+}
+
+contact::TrackedTotals watched_contact_now(const Prepared& run, const std::string& part, const std::string& other) {
+  return watched(run, run.implicit->contact.forces_before, part, other);
+}
+
+bool shows_static_states(const Prepared& run) {
+  return run.implicit && implicit::is_static(*run.implicit);
+}
+
+Vec3 static_body_force(Prepared& run, std::size_t body, std::string_view field) {
+  const model::Wrench acting = implicit::force_on_body(implicit_scene(run), *run.implicit, body);
+  const model::Wrench support = implicit::support_of_body(run.model.bodies[body], acting);
+  if (field == "force") return acting.force;
+  if (field == "moment") return acting.moment;
+  return field == "reaction" ? support.force : support.moment;
 }
 
 }  // namespace brunt::app

@@ -10,12 +10,14 @@
 #include <type_traits>
 
 #include "bodies.hpp"
+#include "brunt/implicit/tied_velocities.hpp"
 #include "brunt/io/partition_file.hpp"
 #include "brunt/io/text_file.hpp"
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/fingerprint.hpp"
 #include "brunt/scene/read.hpp"
 #include "brunt/scene/select.hpp"
+#include "brunt/scene/units.hpp"
 #include "brunt/scene/write.hpp"
 #include "brunt/time/initialise.hpp"
 #include "brunt/time/relaxation.hpp"
@@ -70,6 +72,9 @@ void make_implicit(Prepared& run) {
     for (std::string& line : warnings_of_implicit(run.input, run.model)) run.warnings.push_back(std::move(line));
   run.implicit =
       implicit::SolverOwner(new implicit::Solver(implicit::make_solver(implicit_scene(run), *run.input.implicit)));
+  for (std::string& line : implicit::warnings_of_tied_velocities(implicit_scene(run), *run.implicit,
+                                                                 scene::find_unit_system(run.input.units)->velocity))
+    if (run.links.ranks.is_root()) run.warnings.push_back(std::move(line));
   if (run.links.ranks.is_root())
     for (const std::string& note : run.implicit->contact.notes) run.overlaps.report.notes.push_back(note);
   if (run.links.ranks.is_root() && run.overlaps.recovered)

@@ -5,6 +5,7 @@
 
 #include "body_probes.hpp"
 #include "brunt/comm/exact_sum.hpp"
+#include "brunt/implicit/static_forces.hpp"
 #include "brunt/scene/select.hpp"
 #include "implicit_probes.hpp"
 
@@ -61,20 +62,36 @@ Vec3 mean_motion(const Prepared& run, std::size_t index) {
   return Vec3(value[0], value[1], value[2]) / value[3];
 }
 
-Vec3 reaction_impulse(const Prepared& run, std::size_t index) {
+/// Exact sum of of_node(node) over the nodes of the probe.
+template <class OfNode>
+Vec3 sum_over_nodes(const Prepared& run, std::size_t index, const OfNode& of_node) {
   std::array<comm::ExactAccumulator, 3> sums;
   if (run.model.any_constrained)
     for_owned(run, index, [&](std::size_t i) {
-      for (std::size_t c = 0; c < 3; ++c) sums[c].add(run.state.reaction_impulse[3 * i + c]);
+      const Vec3 value = of_node(i);
+      for (std::size_t c = 0; c < 3; ++c) sums[c].add(value[static_cast<int>(c)]);
     });
   std::array<double, 3> value{};
   comm::exact_sum(run.links.ranks, sums, value);
   return {value[0], value[1], value[2]};
 }
 
-Vec3 wall_impulse(const Prepared& run, const contact::ContactTotals& totals, const std::string& name) {
-  const auto wall = std::ranges::find(run.model.walls, name, &model::RigidWall::name);
-  return totals.wall_impulse[static_cast<std::size_t>(wall - run.model.walls.begin())];
+Vec3 reaction_impulse(const Prepared& run, std::size_t index) {
+  return sum_over_nodes(run, index, [&](std::size_t i) { return Vec3(&run.state.reaction_impulse[3 * i]); });
+}
+
+std::size_t wall_of(const Prepared& run, const std::string& name) {
+  return static_cast<std::size_t>(std::ranges::find(run.model.walls, name, &model::RigidWall::name) -
+                                  run.model.walls.begin());
+}
+
+/// Of any probe of a force except contact, at t_n.
+Vec3 static_force(Prepared& run, std::size_t index, const std::optional<std::size_t>& body) {
+  const Probe& probe = run.input.probes[index];
+  if (probe.kind == Probe::Kind::wall) return Vec3(&run.implicit->walls.force[3 * wall_of(run, probe.where)]);
+  if (body) return static_body_force(run, *body, probe.field);
+  return sum_over_nodes(run, index,
+                        [&](std::size_t i) { return implicit::support_force(run.model, *run.implicit, i); });
 }
 
 /// Nothing where no two bodies of the scene may touch.
@@ -175,9 +192,11 @@ std::vector<double> Probes::values(Prepared& run, const contact::ContactTotals& 
     } else if (probe.field == "mass") {
       row.push_back(body_[k] ? run.model.bodies[*body_[k]].own.mass : part_mass(run, part_[k]));
     } else if (probe.field == "energy") {
-      const PartEnergy energy =
-          body_[k] ? body_part_energy(run, *body_[k]) : part_energy(run, part_[k], before_, dt_mean);
+      PartEnergy energy = body_[k] ? body_part_energy(run, *body_[k]) : part_energy(run, part_[k], before_, dt_mean);
+      if (shows_static_states(run)) energy.kinetic = 0;
       row.insert(row.end(), {energy.kinetic, energy.internal, energy.hourglass, energy.bulk});
+    } else if (shows_static_states(run) && (probe.field == "momentum" || probe.field == "angular_momentum")) {
+      add(Vec3::Zero());
     } else if (probe.field == "momentum") {
       add(body_[k] ? body_part_momentum(run, *body_[k]) : part_momentum(run, part_[k]));
     } else if (probe.field == "angular_momentum") {
@@ -197,31 +216,34 @@ void Probes::add_force(Prepared& run, const contact::ContactTotals& totals, std:
   double* memory = &run.force_memory[4 * probe];
   const double passed = run.state.time - memory[3];
   memory[3] = run.state.time;
-  const auto add = [&](double total, double last) {
-    row.insert(row.end(), {passed > 0 ? (total - last) / passed : 0.0, total});
+  const bool at_time = shows_static_states(run);
+  const auto add = [&](double total, double last, double now) {
+    row.insert(row.end(), {at_time ? now : passed > 0 ? (total - last) / passed : 0.0, total});
   };
-  const auto add_vector = [&](const Vec3& total, const Vec3& last) {
-    for (int c = 0; c < 3; ++c) add(total[c], last[c]);
+  const auto add_vector = [&](const Vec3& total, const Vec3& last, const Vec3& now) {
+    for (int c = 0; c < 3; ++c) add(total[c], last[c], now[c]);
   };
   Eigen::Map<Vec3> last(memory);
   if (watched.kind != Probe::Kind::contact) {
-    const Vec3 total = watched.kind == Probe::Kind::wall ? wall_impulse(run, totals, watched.where)
+    const Vec3 total = watched.kind == Probe::Kind::wall ? totals.wall_impulse[wall_of(run, watched.where)]
                        : body_[probe]                    ? body_impulse(run, *body_[probe], watched.field)
                                                          : reaction_impulse(run, probe);
-    add_vector(total, last);
+    add_vector(total, last, at_time ? static_force(run, probe, body_[probe]) : Vec3(Vec3::Zero()));
     last = total;
     return;
   }
   const contact::TrackedTotals total = tracked_totals(run, totals, watched);
   double* parts = &run.contact_memory[contact_memory_width * probe];
   Eigen::Map<Vec3> last_friction(parts);
+  const contact::TrackedTotals now =
+      at_time ? watched_contact_now(run, watched.where, watched.other) : contact::TrackedTotals();
   if (!is_with_itself(watched)) {
-    add_vector(total.impulse, last);
-    add_vector(total.impulse - total.friction, last - last_friction);
-    add_vector(total.friction, last_friction);
+    add_vector(total.impulse, last, now.impulse);
+    add_vector(total.impulse - total.friction, last - last_friction, now.impulse - now.friction);
+    add_vector(total.friction, last_friction, now.friction);
   }
-  add(total.normal_size, parts[3]);
-  add(total.friction_size, parts[4]);
+  add(total.normal_size, parts[3], now.normal_size);
+  add(total.friction_size, parts[4], now.friction_size);
   last = total.impulse;
   last_friction = total.friction;
   parts[3] = total.normal_size;

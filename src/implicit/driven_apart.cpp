@@ -112,7 +112,7 @@ void look_at_implied(const MortarContact& contact, Widest& widest) {
     const Interface& face = contact.interfaces[k];
     if (!face.pair.tied) continue;
     std::vector<Vec3> left;
-    contact::tie_residuals(face.tie, contact.nodes.x, face.rows.normals, left);
+    contact::tie_residuals(face.tie, face.surfaces, face.topology, contact.nodes.x, left);
     for (std::size_t row = 0; row < face.count(); ++row) {
       if (face.tie.covered[row] == 0) continue;
       const Mat3 implied = Mat3::Identity() - face.given_apart[row] - face.tied[row];

@@ -77,9 +77,11 @@ void find_tractions(const ContactNodes& nodes, Interface& face) {
     contact::normal_tractions(face.rows, face.z, face.tractions);
 }
 
-/// Rows of a tie have the initial weights; their normals rotate.
-void find_tie(const ContactNodes& nodes, Interface& face) {
-  contact::nodal_normals(face.surfaces, face.topology, nodes.x, face.rows.normals);
+/// Rows of a tie have the initial weights; their normals, for reports, and the levers of a gap rotate.
+void find_tie(const MortarContact& contact, Interface& face) {
+  const std::span<const Vec3> x = contact.nodes.x;
+  contact::nodal_normals(face.surfaces, face.topology, x, face.rows.normals);
+  contact::tie_levers(face.tie, face.surfaces, face.topology, contact.levers_from(), x, face.levers);
   for (std::size_t row = 0; row < face.count(); ++row) face.tractions[row] = Vec3(&face.z[3 * row]);
 }
 
@@ -118,10 +120,9 @@ void gather_contact(const comm::Communicator& ranks, const model::State& state, 
 }
 
 void find_contact(const comm::Communicator& ranks, MortarContact& contact, Iterate iterate) {
-  ContactNodes& nodes = contact.nodes;
   for (Interface& face : contact.interfaces)
     if (face.pair.tied)
-      find_tie(nodes, face);
+      find_tie(contact, face);
     else
       find_rows(contact, iterate, face);
   if (iterate != Iterate::later) contact.recovery = affordable(contact);
@@ -129,7 +130,7 @@ void find_contact(const comm::Communicator& ranks, MortarContact& contact, Itera
     if (face.pair.tied) continue;
     if (face.keeps(contact)) find_least_gaps(face, contact.recovery);
     find_pressures(face, iterate == Iterate::first_of_run);
-    find_tractions(nodes, face);
+    find_tractions(contact.nodes, face);
   }
   sum_forces(ranks, contact);
 }
@@ -138,7 +139,7 @@ void multiplier_residuals(const MortarContact& contact, std::span<double> residu
   std::size_t next = 0;
   std::vector<Vec3> ties;
   for (const Interface& face : contact.interfaces) {
-    if (face.pair.tied) contact::tie_residuals(face.tie, contact.nodes.x, face.rows.normals, ties);
+    if (face.pair.tied) contact::tie_residuals(face.tie, face.surfaces, face.topology, contact.nodes.x, ties);
     for (std::size_t row = 0; row < face.count(); ++row) {
       const double area = 1 / face.topology.kappa[row];
       if (face.pair.tied) {

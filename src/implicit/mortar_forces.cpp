@@ -28,6 +28,20 @@ void add(const Share& share, ContactNodes& nodes) {
   nodes.friction_force[place] += Eigen::Map<const Vec3>(share.friction.data());
 }
 
+/// The moment of a tied row's gap, as forces on the corners of the slave facets.
+template <class Take>
+void lever_shares_of(const ContactNodes& nodes, const Interface& face, std::size_t row, std::int64_t turn,
+                     const Take& take) {
+  const auto index = static_cast<LocalIndex>(row);
+  const std::span<const LocalIndex> of_row = face.levers.nodes.row(index);
+  for (std::size_t k = 0; k < of_row.size(); ++k) {
+    const auto node = static_cast<std::size_t>(of_row[k]);
+    Share share{turn, nodes.gid[static_cast<std::size_t>(face.surfaces.rows[row])], nodes.gid[node]};
+    Eigen::Map<Vec3>(share.force.data()) = face.levers.row(index)[k].transpose() * face.tractions[row];
+    take(nodes.source[node].rank, share);
+  }
+}
+
 /// Calls take(owner, share) for each node of each row that has a traction, in the order of the rows.
 template <class Take>
 void shares_of(const ContactNodes& nodes, const Interface& face, std::int64_t turn, const Take& take) {
@@ -49,6 +63,7 @@ void shares_of(const ContactNodes& nodes, const Interface& face, std::int64_t tu
       Eigen::Map<Vec3>(share.friction.data()) = weight * tangential;
       take(nodes.source[node].rank, share);
     }
+    if (face.pair.tied) lever_shares_of(nodes, face, row, turn, take);
   }
 }
 

@@ -40,7 +40,6 @@ void for_each_piece(const MortarContact& contact, const std::vector<contact::Tra
                     const Visit& visit) {
   for (std::size_t k = 0; k < contact.interfaces.size(); ++k) {
     const Interface& face = contact.interfaces[k];
-    if (face.pair.tied) continue;
     const auto interface = static_cast<GlobalIndex>(k);
     for (std::size_t p = 0; p < face.slopes.weights.count; ++p) {
       const contact::Patch& patch = face.slopes.weights.patch[p];

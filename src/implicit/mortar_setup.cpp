@@ -125,7 +125,7 @@ void lay_tie(const WholeSurfaces& whole, Interface& face) {
   search(face, whole.reference);
   contact::mortar_rows(face.surfaces, face.topology, face.search.candidates, whole.reference,
                        *contact::make_mortar_scratch(), face.rows);
-  face.tie = contact::tie(face.rows);
+  face.tie = contact::tie_start(face.surfaces, face.search.candidates, whole.reference, face.rows);
   contact::find_places_below(face.surfaces, face.topology, face.search.candidates, whole.reference, face.tie);
 }
 

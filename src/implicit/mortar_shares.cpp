@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "brunt/contact/mortar/normals.hpp"
-
 namespace brunt::implicit {
 namespace {
 
@@ -148,10 +146,11 @@ void lay_tie(const Interface& all, const Part& part, const Kept& kept, Interface
     face.tie.weights.nodes.close_row();
     const std::span<const double> weights = all.tie.weights.row(index);
     face.tie.weights.blocks.insert(face.tie.weights.blocks.end(), weights.begin(), weights.end());
-    face.tie.gap_vectors.push_back(all.tie.gap_vectors[row]);
     face.tie.covered.push_back(all.tie.covered[row]);
     face.tie.below.push_back({kept.place(all.tie.below[row].nodes), all.tie.below[row].weights});
   }
+  for (const std::size_t facet : part.facets) face.tie.heights.push_back(all.tie.heights[facet]);
+  face.tie.apart = all.tie.apart;
 }
 
 void lay_nodes(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns,
@@ -252,8 +251,6 @@ void share_out(const comm::Communicator& ranks, const model::Model& model, const
                       });
   for (std::size_t k = 0; k < interfaces.size(); ++k)
     contact.interfaces.push_back(interface_of(ranks, whole, interfaces[k], parts[k], kept, contact.nodes.x));
-  for (Interface& face : contact.interfaces)
-    if (face.pair.tied) contact::nodal_normals(face.surfaces, face.topology, contact.nodes.x, face.tie.normals);
   tell_masters(ranks, contact);
 }
 

@@ -5,7 +5,6 @@
 
 #include "brunt/comm/rendezvous.hpp"
 #include "brunt/contact/mortar/forces.hpp"
-#include "brunt/contact/mortar/normals.hpp"
 #include "brunt/contact/mortar/tractions.hpp"
 #include "brunt/implicit/mortar.hpp"
 #include "mortar_pieces.hpp"
@@ -140,29 +139,50 @@ void find_slopes(MortarContact& contact, Interface& face, contact::TractionSlope
     add_multipliers(contact, face, gradient, tractions, terms);
 }
 
-void add_tie(MortarContact& contact, Interface& face, Terms& terms) {
-  std::vector<Vec3> normals;
-  contact::NodeBlocks<Mat3> normal_slopes, gradient;
-  contact::nodal_normals(face.surfaces, face.topology, contact.nodes.x, normals, &normal_slopes);
-  contact::tie_gradient(face.tie, normals, normal_slopes, gradient);
-  for (std::size_t row = 0; row < face.count(); ++row) {
-    const auto index = static_cast<LocalIndex>(row);
-    const GlobalIndex first = face.multiplier(row);
-    const double area = 1 / face.topology.kappa[row];
-    const bool covered = face.tie.covered[row] > 0;
-    const Mat3& tied = face.tied[row];
-    const std::span<const LocalIndex> nodes = face.tie.weights.nodes.row(index);
-    for (int c = 0; c < 3; ++c) {
-      for (std::size_t k = 0; k < nodes.size() && covered; ++k)
-        terms.node_multiplier(nodes[k], first + c, face.tie.weights.row(index)[k] * Vec3::Unit(c));
-      for (int j = 0; j < 3; ++j)
-        if (const double redundant = area * ((c == j ? 1 : 0) - tied(c, j)); redundant != 0)
-          terms.multiplier_multiplier(first + c, first + j, redundant);
-      for (std::size_t k = 0; k < gradient.nodes.row(index).size(); ++k)
-        terms.multiplier_node(first + c, gradient.nodes.row(index)[k],
-                              face.stiffness * area * (tied * gradient.row(index)[k]).row(c).transpose());
-    }
+/// Columns of a tie's multipliers: - the derivatives of its forces.
+void add_tie_columns(const Interface& face, std::size_t row, Terms& terms) {
+  const auto index = static_cast<LocalIndex>(row);
+  const std::span<const LocalIndex> nodes = face.tie.weights.nodes.row(index), turned = face.levers.nodes.row(index);
+  for (int c = 0; c < 3; ++c) {
+    const GlobalIndex multiplier = face.multiplier(row, c);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      terms.node_multiplier(nodes[k], multiplier, face.tie.weights.row(index)[k] * Vec3::Unit(c));
+    for (std::size_t k = 0; k < turned.size(); ++k)
+      terms.node_multiplier(turned[k], multiplier, face.levers.row(index)[k].row(c).transpose());
   }
+}
+
+/// The equations of a tied row, whose levers at the iterate are `gradient`.
+void add_tie_rows(const Interface& face, std::size_t row, const contact::NodeBlocks<Mat3>& gradient, Terms& terms) {
+  const auto index = static_cast<LocalIndex>(row);
+  const Mat3& tied = face.tied[row];
+  const double area = 1 / face.topology.kappa[row];
+  for (int c = 0; c < 3; ++c)
+    for (int j = 0; j < 3; ++j)
+      if (const double redundant = area * ((c == j ? 1 : 0) - tied(c, j)); redundant != 0)
+        terms.multiplier_multiplier(face.multiplier(row, c), face.multiplier(row, j), redundant);
+  if (face.tie.covered[row] == 0) return;
+  const Mat3 rate = face.stiffness * area / face.tie.covered[row] * tied;
+  const auto add = [&](LocalIndex node, const Mat3& slope) {
+    for (int c = 0; c < 3; ++c) terms.multiplier_node(face.multiplier(row, c), node, slope.row(c).transpose());
+  };
+  const std::span<const LocalIndex> nodes = face.tie.weights.nodes.row(index), turned = gradient.nodes.row(index);
+  for (std::size_t k = 0; k < nodes.size(); ++k) add(nodes[k], face.tie.weights.row(index)[k] * rate);
+  for (std::size_t k = 0; k < turned.size(); ++k) add(turned[k], rate * gradient.row(index)[k]);
+}
+
+/// Collective if there is a gap.
+void add_tie(const MortarContact& contact, Interface& face, Terms& terms) {
+  const std::span<const Vec3> x = contact.nodes.x;
+  contact::NodeBlocks<Mat3> gradient;
+  contact::tie_levers(face.tie, face.surfaces, face.topology, {}, x, gradient);
+  for (std::size_t row = 0; row < face.count(); ++row) {
+    add_tie_columns(face, row, terms);
+    add_tie_rows(face, row, gradient, terms);
+  }
+  if (face.tie.apart)
+    contact::tie_patches(face.tie, face.surfaces, face.topology, contact.levers_from(), x, tractions_around(face),
+                         face.slopes.weights);
 }
 
 }  // namespace

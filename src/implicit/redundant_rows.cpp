@@ -20,6 +20,7 @@ contact::Equations equations_of(const Interface& face) {
   equations.slaves = face.surfaces.rows;
   if (face.pair.tied) {
     equations.held = face.tied;
+    if (face.tie.apart) equations.levers = &face.levers;
     return equations;
   }
   // of redundant rows those with previous pressure remain active: otherwise they would alternate

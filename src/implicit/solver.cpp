@@ -122,7 +122,7 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
                 {},
                 std::move(bodies)};
   solver.u.resize(rows.size());
-  solver.contact.keeps_gaps = settings.scheme == model::Scheme::contact_implicit;
+  solver.contact.keeps_gaps = solver.contact.mean_levers = settings.scheme == model::Scheme::contact_implicit;
   if (solver.contact.any()) {
     solver.trial.contact_force.assign(3 * scene.state.nodes.size(), 0.0);
     solver.trial.friction_force = solver.trial.contact_force;

@@ -208,7 +208,7 @@ class Mortar(Program):
     def test_sliding_over_a_rim(self):
         # M3: three of the upper block's four facets in a row leave the lower block one after the other
         rows = self.slid(0.6, 0.02)
-        force = [-float(row["hold.z [1]"]) for row in rows[7:]]  # pressed since t = .1; reactions are means of a step
+        force = [-float(row["hold.z [1]"]) for row in rows[7:]]  # pressed since t = .1
         steps = self.summary("slide")["implicit"]["newton"]["steps"]
         self.assertEqual(self.summary("slide")["implicit"]["halved"], 0)
         self.assertLessEqual(max(len(step["residuals"]) - 1 for step in steps), 8)

@@ -88,6 +88,7 @@ struct Interface {
   std::vector<std::uint8_t> pressed_before;              ///< at t_n
   std::vector<Vec3> tractions;
   std::vector<contact::FrictionState> states;
+  contact::NodeBlocks<Mat3> levers;  ///< of ties with a gap, for their forces [length^2]
   // of t_n and of the initial configuration
   contact::FrictionHistory history;
   contact::TieStart tie;
@@ -128,6 +129,7 @@ struct MortarContact {
   ContactNodes nodes;
   std::vector<Interface> interfaces;
   bool keeps_gaps = false;           ///< rows with a negative gap at t_n keep it, apart from the recovered part
+  bool mean_levers = false;          ///< ties over a gap act through the mean positions of the step
   double budget = 0;                 ///< largest energy supplied by recovery in this step, by its estimate [energy]
   double recovery = 0;               ///< share of `recovered` in this step, 0 to 1
   double travel = 0;                 ///< largest displacement of nodes until the next exchange of masters [length]
@@ -143,6 +145,10 @@ struct MortarContact {
   ContactCounts counts{};             ///< at the last call of `tally`
   BlockSums sums{};                   ///< for each of `nodes`: contributions of contact to its rows of the matrix
   [[nodiscard]] bool any() const { return !interfaces.empty(); }
+  /// Positions from which the levers of ties turn in the step; none: those of the iterate alone.
+  [[nodiscard]] std::span<const Vec3> levers_from() const {
+    return mean_levers ? std::span<const Vec3>(nodes.x_before) : std::span<const Vec3>();
+  }
 };
 
 inline bool Interface::keeps(const MortarContact& contact) const {

@@ -18,13 +18,18 @@ Line line_of(const Equations& equations, std::size_t row, const Vec3& direction,
   constexpr double none = 1e-12;  // share of the covered area
   Line line;
   const auto index = static_cast<LocalIndex>(row);
-  const std::span<const LocalIndex> nodes = equations.weights->nodes.row(index);
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    const auto node = static_cast<std::size_t>(nodes[k]);
-    const Vec3 part = equations.weights->row(index)[k] * (of.free[node] * direction);
+  const auto add = [&](LocalIndex place, const Vec3& slope) {
+    const auto node = static_cast<std::size_t>(place);
+    const Vec3 part = of.free[node] * slope;
     for (int axis = 0; axis < 3; ++axis)
-      if (std::abs(part[axis]) > none * equations.covered[row]) line[3 * of.number[node] + axis] = part[axis];
-  }
+      if (std::abs(part[axis]) > none * equations.covered[row]) line[3 * of.number[node] + axis] += part[axis];
+  };
+  const std::span<const LocalIndex> nodes = equations.weights->nodes.row(index);
+  for (std::size_t k = 0; k < nodes.size(); ++k) add(nodes[k], equations.weights->row(index)[k] * direction);
+  if (equations.levers == nullptr) return line;
+  const std::span<const LocalIndex> turned = equations.levers->nodes.row(index);
+  for (std::size_t k = 0; k < turned.size(); ++k)
+    add(turned[k], equations.levers->row(index)[k].transpose() * direction);
   return line;
 }
 

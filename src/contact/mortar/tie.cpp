@@ -2,13 +2,16 @@
 #include "brunt/contact/mortar/tie.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
 #include "add_block.hpp"
 #include "brunt/contact/mortar/corners.hpp"
 #include "brunt/geometry/closest_point.hpp"
-#include "turn.hpp"
+#include "facet_rows.hpp"
+#include "normal_change.hpp"
 
 namespace brunt::contact {
 
@@ -79,42 +82,116 @@ Vec3 offset_from_below(const MasterPlace& place, const Vec3& of_slave, std::span
   return offset;
 }
 
-TieStart tie(const MortarRows& rows) {
-  return {rows.weights, rows.normals, rows.gap_vectors, rows.covered, {}};
+namespace {
+
+/// Height of a position that is the rounding of its coordinates: two roundings of each and of six partial sums.
+double rounding_of_positions(std::span<const Vec3> x) {
+  constexpr double roundings = 8;
+  double largest = 0;
+  for (const Vec3& place : x) largest = std::max(largest, place.cwiseAbs().maxCoeff());
+  return roundings * std::numeric_limits<double>::epsilon() * largest;
 }
 
-void tie_residuals(const TieStart& start, std::span<const Vec3> x, std::span<const Vec3> normals,
-                   std::vector<Vec3>& residuals) {
-  residuals.assign(normals.size(), Vec3::Zero());
-  for (std::size_t row = 0; row < normals.size(); ++row) {
-    if (start.covered[row] == 0) continue;
-    const Vec3 gap = weighted_sum(start.weights, static_cast<LocalIndex>(row), x);
-    residuals[row] = (gap - turned(start.gap_vectors[row], start.normals[row], normals[row])) / start.covered[row];
+NormalChange change_of(const FacetNodes& facet, std::span<const Vec3> x_before, std::span<const Vec3> x) {
+  const CornersOf now(facet, x);
+  if (x_before.empty()) return NormalChange(now.span());
+  return {CornersOf(facet, x_before).span(), now.span()};
+}
+
+/// Calls visit(facet, height) for the slave facets around a row whose height differs from zero.
+template <class Visit>
+void for_heights(const TieStart& start, const MortarSurfaces& surfaces, const MortarTopology& topology, std::size_t row,
+                 const Visit& visit) {
+  if (!start.apart || start.covered[row] == 0) return;
+  for (const LocalIndex index : topology.facets_around.row(static_cast<LocalIndex>(row))) {
+    const auto facet = static_cast<std::size_t>(index);
+    const FacetNodes& nodes = surfaces.slave[facet];
+    const auto corner = static_cast<std::size_t>(std::ranges::find(nodes, surfaces.rows[row]) - nodes.begin());
+    if (const double height = start.heights[facet][corner]; height != 0) visit(nodes, height);
   }
 }
 
-void tie_gradient(const TieStart& start, std::span<const Vec3> normals, const NodeBlocks<Mat3>& normal_slopes,
-                  NodeBlocks<Mat3>& gradient) {
-  gradient.clear();
-  for (std::size_t row = 0; row < normals.size(); ++row) {
-    const auto index = static_cast<LocalIndex>(row);
-    const std::span<const LocalIndex> nodes = start.weights.nodes.row(index);
-    if (start.covered[row] > 0) {
-      const double over = 1 / start.covered[row];
-      for (std::size_t k = 0; k < nodes.size(); ++k)
-        add_block(gradient, nodes[k], Mat3(over * start.weights.row(index)[k] * Mat3::Identity()));
-      add_row(gradient, -over * turned_slope(start.gap_vectors[row], start.normals[row], normals[row]), normal_slopes,
-              index);
+}  // namespace
+
+TieStart tie_start(const MortarSurfaces& surfaces, const Ragged<LocalIndex>& candidates, std::span<const Vec3> x,
+                   const MortarRows& rows) {
+  TieStart start{rows.weights, rows.covered, {}, false, {}};
+  start.heights.resize(surfaces.slave.size());
+  const double rounding = rounding_of_positions(x);
+  FacetRows of_facet;
+  for (std::size_t facet = 0; facet < surfaces.slave.size(); ++facet) {
+    if (!of_facet.evaluate(surfaces, facet, candidates.row(static_cast<LocalIndex>(facet)), x, false)) continue;
+    const NormalChange change(CornersOf(surfaces.slave[facet], x).span());
+    for (std::size_t j = 0; j < of_facet.corners(); ++j) {
+      const double height = change.normal().dot(of_facet.gap_vector(j));
+      if (!(std::abs(height) > rounding * of_facet.share(j))) continue;
+      start.heights[facet][j] = height;
+      start.apart = true;
     }
-    gradient.nodes.close_row();
+  }
+  return start;
+}
+
+void tie_residuals(const TieStart& start, const MortarSurfaces& surfaces, const MortarTopology& topology,
+                   std::span<const Vec3> x, std::vector<Vec3>& residuals) {
+  residuals.assign(surfaces.rows.size(), Vec3::Zero());
+  for (std::size_t row = 0; row < residuals.size(); ++row) {
+    if (start.covered[row] == 0) continue;
+    Vec3 left = weighted_sum(start.weights, static_cast<LocalIndex>(row), x);
+    for_heights(start, surfaces, topology, row,
+                [&](const FacetNodes& facet, double height) { left -= height * change_of(facet, {}, x).normal(); });
+    residuals[row] = left / start.covered[row];
   }
 }
 
-void add_tie_forces(const TieStart& start, std::span<const Vec3> tractions, std::span<Vec3> forces) {
+void tie_levers(const TieStart& start, const MortarSurfaces& surfaces, const MortarTopology& topology,
+                std::span<const Vec3> x_before, std::span<const Vec3> x, NodeBlocks<Mat3>& levers) {
+  levers.clear();
+  for (std::size_t row = 0; row < surfaces.rows.size(); ++row) {
+    for_heights(start, surfaces, topology, row, [&](const FacetNodes& facet, double height) {
+      const NormalChange change = change_of(facet, x_before, x);
+      for (std::size_t k = 0; k < facet.size() && facet[k] != no_index; ++k)
+        add_block(levers, facet[k], Mat3(-height * change.by_corner(k)));
+    });
+    levers.nodes.close_row();
+  }
+}
+
+void add_tie_forces(const TieStart& start, const NodeBlocks<Mat3>& levers, std::span<const Vec3> tractions,
+                    std::span<Vec3> forces) {
   for (std::size_t row = 0; row < tractions.size(); ++row) {
-    const std::span<const LocalIndex> nodes = start.weights.nodes.row(static_cast<LocalIndex>(row));
+    const auto index = static_cast<LocalIndex>(row);
+    const std::span<const LocalIndex> nodes = start.weights.nodes.row(index), turned = levers.nodes.row(index);
     for (std::size_t k = 0; k < nodes.size(); ++k)
-      forces[static_cast<std::size_t>(nodes[k])] += start.weights.row(static_cast<LocalIndex>(row))[k] * tractions[row];
+      forces[static_cast<std::size_t>(nodes[k])] += start.weights.row(index)[k] * tractions[row];
+    for (std::size_t k = 0; k < turned.size(); ++k)
+      forces[static_cast<std::size_t>(turned[k])] += levers.row(index)[k].transpose() * tractions[row];
+  }
+}
+
+void tie_patches(const TieStart& start, const MortarSurfaces& surfaces, const MortarTopology& topology,
+                 std::span<const Vec3> x_before, std::span<const Vec3> x, std::span<const Vec3> tractions,
+                 Patches& patches) {
+  patches.clear();
+  for (std::size_t facet = 0; facet < surfaces.slave.size() && start.apart; ++facet) {
+    if (!surfaces.is_ours(facet)) continue;
+    const FacetNodes& nodes = surfaces.slave[facet];
+    const std::size_t corners = nodes[3] == no_index ? 3 : 4;
+    Vec3 q = Vec3::Zero();
+    for (std::size_t k = 0; k < corners; ++k)
+      if (const LocalIndex row = topology.row_of_node[static_cast<std::size_t>(nodes[k])]; row != no_index)
+        q += start.heights[facet][k] * tractions[static_cast<std::size_t>(row)];
+    if (q.isZero(0)) continue;
+    const NormalChange change = change_of(nodes, x_before, x);
+    Patch& patch = patches.next(static_cast<LocalIndex>(facet));
+    patch.rows.assign(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(corners));
+    patch.columns = patch.rows;
+    patch.values.assign(9 * corners * corners, 0.0);
+    for (std::size_t a = 0; a < corners; ++a)
+      for (std::size_t b = 0; b < corners; ++b)
+        Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>, 0, Eigen::OuterStride<>>(
+            patch.values.data() + 9 * corners * a + 3 * b,
+            Eigen::OuterStride<>(static_cast<Eigen::Index>(3 * corners))) = -change.slope(q, a, b);
   }
 }
 

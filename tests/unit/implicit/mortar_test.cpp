@@ -20,10 +20,10 @@ using test::Simulation;
 
 namespace {
 
-/// Two blocks that touch, of meshes that do not match.
-Simulation pressed(const std::string& contact) {
+/// Two blocks of meshes that do not match, which touch or have a gap.
+Simulation pressed(const std::string& contact, double gap = 0) {
   mesh::Mesh mesh = mesh::box("low", {1, 1, 0.5}, {2, 2, 1}), above = mesh::box("top", {0.9, 1.1, 0.5}, {3, 3, 1});
-  for (Vec3& x : above.coordinates) x += Vec3(0.02, -0.03, 0.5);
+  for (Vec3& x : above.coordinates) x += Vec3(0.02, -0.03, 0.5 + gap);
   mesh::append(mesh, std::move(above));
   return {std::move(mesh),
           "materials: {m: {model: neo_hookean, density: 2, young: 100, poisson: 0.3}}\n"
@@ -44,14 +44,15 @@ model::ImplicitSolver settings_of(model::Scheme scheme) {
 }  // namespace
 
 TEST_CASE("the matrix with contact is the derivative of the residual: multipliers, penalty, friction, ties") {
+  const model::Scheme scheme = GENERATE(model::Scheme::contact_implicit, model::Scheme::statics);
   const std::string contact =
       GENERATE(std::string("friction: 0"), std::string("multiplier: standard"), std::string("enforce: penalty"),
                std::string("friction: 0.05"), std::string("friction: 5"),
-               std::string("enforce: penalty, friction: 0.3"), std::string("tied: true"));
-  CAPTURE(contact);
-  Simulation body = pressed(contact);
+               std::string("enforce: penalty, friction: 0.3"), std::string("tied: true"), std::string("tied: true "));
+  CAPTURE(contact, scheme);
+  Simulation body = pressed(contact, contact.ends_with(' ') ? 0.06 : 0);
   const Scene scene{body.model, body.state, body.scratch, body.links};
-  Solver solver = make_solver(scene, settings_of(model::Scheme::contact_implicit));
+  Solver solver = make_solver(scene, settings_of(scheme));
   REQUIRE(solver.contact.any());
   begin_step(scene, solver, 0.01, 0.01);
   std::mt19937 engine(7);

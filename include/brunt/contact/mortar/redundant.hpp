@@ -11,9 +11,11 @@
 
 namespace brunt::contact {
 
-/// The rows of one interface as equations sum_K w_AK d . x_K = given, with d in the constrained directions of a row.
+/// The rows of one interface as equations sum_K d . (w_AK 1 + lever_AK) dx_K = given, with d in the constrained
+/// directions of a row.
 struct Equations {
   const NodeBlocks<double>* weights = nullptr;  ///< [length^2]
+  const NodeBlocks<Mat3>* levers = nullptr;     ///< of ties over a gap; or none [length^2]
   std::span<const double> covered;              ///< one entry for each row [length^2]
   std::span<const LocalIndex> slaves;           ///< the slave node of each row
   std::vector<Mat3> held;               ///< for each row: projector onto its constrained directions; zero: no equation

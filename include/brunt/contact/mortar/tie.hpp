@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tied surfaces: the vector gap of each row, with the weights of the initial configuration, keeps its initial value.
-// That value rotates with the slave's nodal normal, so that an initial gap between the surfaces does not resist a
-// rotation.
+// Tied surfaces: the vector gap of each row, with the weights of the initial configuration, keeps its initial
+// components along the unit normals n_f of the slave facets f around its node:
+//   c_A = sum_K w_AK x_K - sum_f h_Af n_f(x) = 0.
+// Segments are projected along the normals of slave facets, so these components are the whole initial gap. It follows
+// every rotation, also about the normal, without a frame of its own. Forces are the transposed derivative of c_A: the
+// weights, and the levers of h_Af on the corners of the slave facets.
 #pragma once
 #include <array>
 #include <span>
@@ -18,14 +21,16 @@ struct MasterPlace {
 };
 
 struct TieStart {
-  NodeBlocks<double> weights;      ///< w_AK in the tied state [length^2]
-  std::vector<Vec3> normals;       ///< unit
-  std::vector<Vec3> gap_vectors;   ///< G_A [length^3]
-  std::vector<double> covered;     ///< 0: the row is not tied [length^2]
-  std::vector<MasterPlace> below;  ///< of each row's node; empty until find_places_below
+  NodeBlocks<double> weights;                  ///< w_AK in the tied state [length^2]
+  std::vector<double> covered;                 ///< 0: the row is not tied [length^2]
+  std::vector<std::array<double, 4>> heights;  ///< h_Af of each slave facet, by corner [length^3]
+  bool apart = false;                          ///< whether any height of the whole interface differs from zero
+  std::vector<MasterPlace> below;              ///< of each row's node; empty until find_places_below
 };
 
-TieStart tie(const MortarRows& rows);
+/// rows: of mortar_rows at x. Heights below the rounding of positions are zero.
+TieStart tie_start(const MortarSurfaces& surfaces, const Ragged<LocalIndex>& candidates, std::span<const Vec3> x,
+                   const MortarRows& rows);
 
 /// Fills TieStart::below. candidates, x: in the initial configuration.
 void find_places_below(const MortarSurfaces& surfaces, const MortarTopology& topology,
@@ -53,17 +58,25 @@ constexpr bool has_share(double weight) {
 /// A vector of the slave node minus that of its projection.
 Vec3 offset_from_below(const MasterPlace& place, const Vec3& of_slave, std::span<const Vec3> of_nodes);
 
-/// Residuals r_A = sum_K w_AK x_K / covered_A - (initial gap, rotated from the initial normal to the current one)
-/// [length]. normals: of nodal_normals at x.
-void tie_residuals(const TieStart& start, std::span<const Vec3> x, std::span<const Vec3> normals,
-                   std::vector<Vec3>& residuals);
+/// Residuals r_A = c_A / covered_A [length].
+void tie_residuals(const TieStart& start, const MortarSurfaces& surfaces, const MortarTopology& topology,
+                   std::span<const Vec3> x, std::vector<Vec3>& residuals);
 
-/// dr_A/dx_K. normal_slopes: of nodal_normals at x.
-void tie_gradient(const TieStart& start, std::span<const Vec3> normals, const NodeBlocks<Mat3>& normal_slopes,
-                  NodeBlocks<Mat3>& gradient);
+/// The levers - sum_f h_Af D_fK of each row, with the change D of the normal (normal_change.hpp) from x_before to x, or
+/// its derivative at x without x_before [length^2]. So dc_A/dx_K is w_AK 1 plus the lever at x. Rows are empty without
+/// a gap.
+void tie_levers(const TieStart& start, const MortarSurfaces& surfaces, const MortarTopology& topology,
+                std::span<const Vec3> x_before, std::span<const Vec3> x, NodeBlocks<Mat3>& levers);
 
-/// forces[K] += w_AK T_A; T: multipliers of the three residuals, the traction on the slave [force/length^2]. Linear in
-/// T, and independent of x.
-void add_tie_forces(const TieStart& start, std::span<const Vec3> tractions, std::span<Vec3> forces);
+/// forces[K] += (w_AK 1 + lever_AK)^T T_A; T: multipliers of the three residuals, the traction on the slave
+/// [force/length^2].
+void add_tie_forces(const TieStart& start, const NodeBlocks<Mat3>& levers, std::span<const Vec3> tractions,
+                    std::span<Vec3> forces);
+
+/// Derivatives of these forces by x at fixed T: one patch for each slave facet (`ours`) with a gap. x_before: as of the
+/// levers. tractions: of the rows, followed by those of MortarSurfaces::rows_elsewhere.
+void tie_patches(const TieStart& start, const MortarSurfaces& surfaces, const MortarTopology& topology,
+                 std::span<const Vec3> x_before, std::span<const Vec3> x, std::span<const Vec3> tractions,
+                 Patches& patches);
 
 }  // namespace brunt::contact

@@ -72,7 +72,7 @@ double kept_along_z(const Equations& equations) {
 TEST_CASE("a driven slave keeps as many equations as the master can follow") {
   const TwoSurfaces two = sheets(5, 2);
   const Evaluation evaluation(two);
-  const TieStart start = tie(evaluation.rows);
+  const TieStart start = tie_start(two.surfaces, two.candidates, two.x, evaluation.rows);
   std::vector<Mat3> free(two.x.size(), Mat3::Identity());
   for (std::size_t node = 0; node < 36; ++node) free[node].setZero();
   const Mat3 along_z = Vec3(0, 0, 1).asDiagonal();
@@ -87,7 +87,7 @@ TEST_CASE("a driven slave keeps as many equations as the master can follow") {
 TEST_CASE("nothing is left out where the slave is free") {
   const TwoSurfaces two = sheets(5, 2);
   const Evaluation evaluation(two);
-  const TieStart start = tie(evaluation.rows);
+  const TieStart start = tie_start(two.surfaces, two.candidates, two.x, evaluation.rows);
   const std::vector<Mat3> free(two.x.size(), Mat3::Identity());
   std::vector<Equations> all{equations_of(start, two.surfaces.rows, Mat3::Identity())};
   leave_out_implied(all, free);
@@ -97,7 +97,7 @@ TEST_CASE("nothing is left out where the slave is free") {
 TEST_CASE("the same equations twice over shared nodes are kept once, preferred ones first") {
   const TwoSurfaces two = sheets(3, 2);
   const Evaluation evaluation(two);
-  const TieStart start = tie(evaluation.rows);
+  const TieStart start = tie_start(two.surfaces, two.candidates, two.x, evaluation.rows);
   const std::vector<Mat3> free(two.x.size(), Mat3::Identity());
   const Mat3 along_z = Vec3(0, 0, 1).asDiagonal();
   std::vector<Equations> all(2, equations_of(start, two.surfaces.rows, along_z));
@@ -115,7 +115,7 @@ TEST_CASE("the same equations twice over shared nodes are kept once, preferred o
 TEST_CASE("an equation of which no node can move is left out, an oblique one of a node that slides is kept") {
   const TwoSurfaces two = sheets(2, 2);
   const Evaluation evaluation(two);
-  const TieStart start = tie(evaluation.rows);
+  const TieStart start = tie_start(two.surfaces, two.candidates, two.x, evaluation.rows);
   std::vector<Mat3> free(two.x.size(), Vec3(1, 1, 0).asDiagonal());  // all stand on a floor
   const Vec3 oblique = Vec3(1, 0, 1).normalized();
   std::vector<Equations> all{equations_of(start, two.surfaces.rows, oblique * oblique.transpose())};
