@@ -187,7 +187,8 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
           continue;
         if (meet_on_ledge(scene, candidates, near, holds, slave, master, met)) continue;
         if (held_at_ends(*settings.tolerances, holds, slave, master, size, met)) continue;
-        if (const auto normal = face_below(scene, holds, slave, master); normal && !turn_to(*normal, scene, slave, master, met))
+        if (const auto normal = face_below(scene, holds, slave, master);
+            normal && !turn_to(*normal, scene, slave, master, met))
           continue;
       }
       if (meet_at_side_of_seam(scene, slave, master, met)) continue;

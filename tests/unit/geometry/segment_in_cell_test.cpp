@@ -108,7 +108,8 @@ TEST_CASE("segments in cells: outside a wedge of repeated corners, on the planes
     for (int i = 0; i < 9; ++i) turn.data()[i] = part(random);
     if (std::abs(turn.determinant()) < 0.1) continue;
     if (turn.determinant() < 0) turn.col(0) *= -1;
-    const std::array<Vec3, 6> six{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(0, 1, 1)};
+    const std::array<Vec3, 6> six{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0),
+                                  Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(0, 1, 1)};
     std::vector<Vec3> wedge;
     for (const std::size_t corner : {0, 1, 2, 2, 3, 4, 5, 5}) wedge.push_back(turn * six[corner]);
     const Vec3 from(2 * part(random), 2 * part(random), 2 * part(random)), to(part(random), part(random), part(random));
