@@ -65,9 +65,10 @@ NamedSurface closed_surface_of(const std::string& path, double merge) {
                                       merged.dropped_triangles > 0
                                           ? fmt::format("; {} triangles without area removed", merged.dropped_triangles)
                                           : ""));
-  if (const std::int64_t flips = geometry::flip_slivers(merged.surface); flips > 0)
-    named.notes.push_back(fmt::format("{}: {} triangle{} without area joined with neighbours; the volume is the same",
-                                      path, flips, flips == 1 ? "" : "s"));
+  if (const std::int64_t flips = geometry::flip_slivers(merged.surface, tolerance); flips > 0)
+    named.notes.push_back(
+        fmt::format("{}: {} triangle{} without area, or no higher than {:.3g}, joined with neighbours", path, flips,
+                    flips == 1 ? "" : "s", tolerance));
   const geometry::SurfaceFaults faults = geometry::check_closed(merged.surface);
   if (!faults.sound()) throw InputError(geometry::describe(faults, merged.surface, path));
   named.surface = std::move(merged.surface);

@@ -83,6 +83,7 @@ void visit_row(Row& row, Visit&& visit) {
   visit(answer.found);
   visit(answer.depth);
   visit(answer.bound);
+  visit(answer.proven);
   visit(answer.distance);
   visit(answer.overlaps);
   visit(answer.placement);

@@ -8,6 +8,8 @@
 namespace brunt::app {
 namespace {
 
+constexpr const char* unproven = "not proven: a surface crosses itself";
+
 std::string text_of(const Vec3& x) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", x[0], x[1], x[2]);
 }
@@ -35,6 +37,7 @@ nlohmann::ordered_json json_of(const DepthRow& row, const PlacedScrew& screw, st
   json["overlap"] = answer.overlap;
   json["depth"] = answer.depth;
   json["bound"] = answer.bound;
+  json["proven"] = answer.proven;
   json["distance"] = answer.distance;
   json["overlaps"] = answer.overlaps;
   json["found"] = answer.found;
@@ -58,9 +61,13 @@ std::string described(const DepthRow& row) {
   if (!answer.overlap) return fmt::format("{} and {} do not overlap: distance {:.6g}\n", row.a, row.b, answer.distance);
   std::string text = fmt::format("{} in {}, {}: ", row.a, row.b, name_of(row.metric));
   if (!answer.found)
-    return text + fmt::format("no admissible motion separates them; none shorter than {:.6g} exists\n", answer.bound);
-  text += fmt::format("depth {:.9g}, bound {:.6g} (no motion shorter than it separates them)\n", answer.depth,
-                      answer.bound);
+    return text +
+           (answer.proven
+                ? fmt::format("no admissible motion separates them; none shorter than {:.6g} exists\n", answer.bound)
+                : fmt::format("no admissible motion was found that separates them; bound {:.6g} ({})\n", answer.bound,
+                              unproven));
+  text += fmt::format("depth {:.9g}, bound {:.6g} ({})\n", answer.depth, answer.bound,
+                      answer.proven ? "no motion shorter than it separates them" : unproven);
   const PlacedScrew screw = placed_screw(row);
   if (screw.degrees > 0)
     text += fmt::format("  turn {:.6g} degrees about the axis {} through {}, slide {:.6g} along it\n", screw.degrees,
@@ -86,8 +93,9 @@ std::string warning_of(const DepthRow& row) {
   if (!far_above_overlaps(answer)) return {};
   return fmt::format(
       "warning: pose {}, {} in {}, {}: depth {:.6g} is more than the overlaps together, {:.6g}: a shorter motion may "
-      "have been missed (--careful searches longer, --certify proves)\n",
-      row.pose, row.a, row.b, name_of(row.metric), answer.depth, answer.overlaps);
+      "have been missed (--careful searches longer{})\n",
+      row.pose, row.a, row.b, name_of(row.metric), answer.depth, answer.overlaps,
+      answer.proven ? ", --certify proves" : "");
 }
 
 nlohmann::ordered_json as_json(const DepthRow& row) {

@@ -38,6 +38,7 @@ enum : std::size_t {
   queries,
   time_ms,
   overlaps,
+  proven,
   count
 };
 }  // namespace column
@@ -80,7 +81,7 @@ class Record {
 std::string csv_header() {
   return "pose,a,b,metric,overlap,found,depth,bound,distance,axis_x,axis_y,axis_z,point_x,point_y,point_z,degrees,"
          "slide,"
-         "x,y,z,qw,qx,qy,qz,contacts,walks,steps,queries,time_ms,overlaps\n";
+         "x,y,z,qw,qx,qy,qz,contacts,walks,steps,queries,time_ms,overlaps,proven\n";
 }
 
 std::string csv_row(const DepthRow& row) {
@@ -88,12 +89,13 @@ std::string csv_row(const DepthRow& row) {
   const PlacedScrew screw = placed_screw(row);
   const Eigen::Quaterniond turn(answer.placement.rotation);
   const Vec3& x = answer.placement.translation;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.3f},{}\n",
-                     row.pose, io::csv_field(row.a), io::csv_field(row.b), name_of(row.metric), answer.overlap ? 1 : 0,
-                     answer.found ? 1 : 0, answer.depth, answer.bound, answer.distance, screw.axis[0], screw.axis[1],
-                     screw.axis[2], screw.point[0], screw.point[1], screw.point[2], screw.degrees, screw.slide, x[0],
-                     x[1], x[2], turn.w(), turn.x(), turn.y(), turn.z(), answer.contacts.size(), answer.walks,
-                     answer.steps, answer.queries, 1e3 * row.seconds, answer.overlaps);
+  return fmt::format(
+      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.3f},{},{}\n", row.pose,
+      io::csv_field(row.a), io::csv_field(row.b), name_of(row.metric), answer.overlap ? 1 : 0, answer.found ? 1 : 0,
+      answer.depth, answer.bound, answer.distance, screw.axis[0], screw.axis[1], screw.axis[2], screw.point[0],
+      screw.point[1], screw.point[2], screw.degrees, screw.slide, x[0], x[1], x[2], turn.w(), turn.x(), turn.y(),
+      turn.z(), answer.contacts.size(), answer.walks, answer.steps, answer.queries, 1e3 * row.seconds, answer.overlaps,
+      answer.proven ? 1 : 0);
 }
 
 EarlierRow row_of_record(std::span<const std::string> fields, const std::string& place) {
@@ -113,6 +115,7 @@ EarlierRow row_of_record(std::span<const std::string> fields, const std::string&
   answer.distance = record.number<double>(column::distance);
   answer.placement = record.placement();
   answer.overlaps = record.number<double>(column::overlaps);
+  answer.proven = record.flag(column::proven);
   answer.walks = record.number<int>(column::walks);
   answer.steps = record.number<int>(column::steps);
   answer.queries = record.number<std::int64_t>(column::queries);

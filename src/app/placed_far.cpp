@@ -52,6 +52,14 @@ double relative_motion(const depth::Assembly& assembly, const depth::AssemblyAns
                   farthest_point(assembly.members[other], back(here, there)));
 }
 
+/// How far apart member k's own motion alone would bring the two: what a pair needs is divided between its members in
+/// the inverse ratio of their masses, and all of it falls to one if the other one does not move.
+double implied_motion(const depth::Assembly& assembly, const depth::AssemblyAnswer& answer, std::size_t k,
+                      std::size_t other) {
+  const depth::Member &one = assembly.members[k], &two = assembly.members[other];
+  return answer.farthest[k] * (two.moves() ? 1 + one.mass / two.mass : 1);
+}
+
 }  // namespace
 
 std::optional<FarMotion> placed_far(const SceneAssembly& scene, const setup::InitialGaps& gaps,
@@ -70,10 +78,11 @@ std::optional<FarMotion> placed_far(const SceneAssembly& scene, const setup::Ini
   std::map<std::size_t, FarMotion> least;  // of each member, in units of the overlap
   for (auto& [members, pair] : pairs) {
     if (!(pair.overlap > 0)) continue;
-    pair.motion = relative_motion(scene.assembly, answer, pair.member, pair.other);
+    const double relative = relative_motion(scene.assembly, answer, pair.member, pair.other);
     for (const bool swapped : {false, true}) {
       FarMotion one = pair;
       if (swapped) std::swap(one.member, one.other), std::swap(one.block, one.other_block);
+      one.motion = std::min(relative, implied_motion(scene.assembly, answer, one.member, one.other));
       const auto [known, added] = least.try_emplace(one.member, one);
       if (!added && one.motion * known->second.overlap < known->second.motion * one.overlap) known->second = one;
     }

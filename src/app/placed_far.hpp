@@ -20,12 +20,15 @@ struct FarMotion {
   std::size_t member = 0, other = 0;
   std::size_t block = 0, other_block = 0;  ///< the two that overlap deepest
   double overlap = 0;                      ///< [length]
-  double motion = 0;                       ///< largest displacement of a point relative to the other one [length]
+  double motion =
+      0;  ///< of the member relative to the other one, as far as its own displacement accounts for it [length]
 };
 
 /// The member that the motions carry farthest, in units of the overlap, out of all members that it overlaps; none
 /// beyond `most_overlaps`. A member is judged by the neighbour beside which it moves least: a row of parts that are
-/// pushed apart one after the other moves far as a whole, and each part little beside the next.
+/// pushed apart one after the other moves far as a whole, and each part little beside the next. Of two members the
+/// smaller counts of the relative displacement and of that which the member's own one implies: a neighbour that other
+/// overlaps push aside slides along a member, far but not out of it.
 ///
 /// The overlap of two surfaces is the larger of two measures, both of the surfaces as they are given: the depth below
 /// which no motion separates them (depth/lower_bound.hpp), and the penetration of the deepest node of either inside the

@@ -24,6 +24,7 @@
 #include "coarse_slave_warnings.hpp"
 #include "contact_setup.hpp"
 #include "driven_apart.hpp"
+#include "driven_starts.hpp"
 #include "failure.hpp"
 #include "implicit_loop.hpp"
 #include "implicit_rules.hpp"
@@ -206,8 +207,9 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   // a fault may show on one rank only: the first rank that has one speaks for all
   for (Rank r = 0; r < ranks.size(); ++r) share_faults(ranks, faults, r);
   prepared->links = time::link_ranks(ranks, prepared->model);
-  time::initialise(prepared->model, prepared->state, prepared->scratch, prepared->links,
-                   scene::initial_velocities(prepared->input, prepared->model));
+  const std::vector<Vec3> velocities = scene::initial_velocities(prepared->input, prepared->model);
+  time::initialise(prepared->model, prepared->state, prepared->scratch, prepared->links, velocities);
+  for (std::string& line : driven_starts(*prepared, velocities)) prepared->warnings.push_back(std::move(line));
   if (bounded_by_mesh(prepared->input)) prepared->assembled.baseline = force::sized_baseline(prepared->model);
   make_implicit(*prepared);
   prepared->erosion = {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -159,8 +160,18 @@ void Results::remember_good() {
   last_good_.take(run_.registry());
 }
 
+void Results::accept(double step) {
+  if (checkpoint_step_ < 0 || checkpoint_step_ > step || accepted_step_ == checkpoint_step_) return;
+  accepted_step_ = checkpoint_step_;
+  accepted_ = checkpoint_;
+}
+
 std::string Results::save_last_good() {
-  if (last_good_.empty()) return "";
+  if (checkpoint_step_ > accepted_step_) {
+    on_root(run_.links.ranks, [&] { std::filesystem::remove(checkpoint_); });
+    checkpoint_step_ = accepted_step_;
+  }
+  if (last_good_.empty()) return accepted_;
   const double step_of_guard = run_.state.step;
   const Extremes seen = run_.extremes;  // the summary is about all that was seen
   const std::vector<double> driven = run_.driven.saved();
@@ -169,7 +180,7 @@ std::string Results::save_last_good() {
   // an implicit step that fails leaves the state of t_n, which was right
   const bool before = run_.implicit ? run_.state.step <= step_of_guard : run_.state.step < step_of_guard;
   const bool newer = run_.state.step > checkpoint_step_ && before;
-  const std::string saved = newer ? write_checkpoint() : "";
+  const std::string saved = newer ? write_checkpoint() : accepted_;
   run_.extremes = seen;
   std::ranges::copy(driven, run_.driven.saved().begin());
   return saved;
@@ -178,7 +189,6 @@ std::string Results::save_last_good() {
 std::string Results::write_checkpoint() {
   watch_driven();
   const Recording recording = record();
-  last_good_.release();  // the checkpoint is as good, and there is room for what is written
   checkpoint_step_ = run_.state.step;
   io::CheckpointHeader header{static_cast<GlobalIndex>(run_.state.step), run_.state.time, run_.fingerprint,
                               run_.scene_values};
@@ -186,10 +196,16 @@ std::string Results::write_checkpoint() {
   const bool rows_known = history_ && static_cast<double>(history_->last_step()) < run_.state.step;
   header.program = version();
   header.history_rows = run_.links.ranks.max(rows_known ? history_->rows() : GlobalIndex{-1});
-  if (run_.work.steps == 0) return io::write_checkpoint(run_.links.ranks, folder_, header, run_.registry());
+  const auto settle = [&](std::string path) {
+    checkpoint_ = std::move(path);
+    // the state of an implicit step was judged in that step, and one before t = 0 has no guards
+    if (run_.implicit || run_.state.relaxation.under_way != 0) accept(checkpoint_step_);
+    return checkpoint_;
+  };
+  if (run_.work.steps == 0) return settle(io::write_checkpoint(run_.links.ranks, folder_, header, run_.registry()));
   const io::RankWork work{run_.work.of_elements() / run_.work.steps, run_.work.of_contact() / run_.work.steps,
                           pairs_of_elements(run_.model, run_.contact.get())};
-  return io::write_checkpoint(run_.links.ranks, folder_, header, run_.registry(), &work);
+  return settle(io::write_checkpoint(run_.links.ranks, folder_, header, run_.registry(), &work));
 }
 
 void Results::seal() {

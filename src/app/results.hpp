@@ -69,10 +69,13 @@ class Results {
   /// Warns if hourglass control took up too much energy, or contact more than the loss of an impact.
   void report_at_end();
   std::string write_checkpoint();
+  /// A pass through the loop has evaluated the state of this step, and no guard has stopped there: a checkpoint of it
+  /// is good.
+  void accept(double step);
   /// Stores the state of t_n, which all guards have accepted. Collective.
   void remember_good();
-  /// After a guard: writes a checkpoint of the stored state, which becomes the state of the run; does nothing and
-  /// returns an empty path if a newer checkpoint exists. Collective.
+  /// After a guard: removes a checkpoint whose state no pass has accepted, and writes one of the stored state, which
+  /// becomes the state of the run. Returns the newest good checkpoint, or an empty path. Collective.
   std::string save_last_good();
   /// Stores the state of the run for the summary, even if one more record is written. Collective.
   void seal();
@@ -108,6 +111,9 @@ class Results {
   comm::Traffic sent_;
   Snapshot last_good_;
   double checkpoint_step_ = -1;  // of the last checkpoint written in this run
+  std::string checkpoint_;       // its path
+  double accepted_step_ = -1;    // of the last accepted checkpoint of this run
+  std::string accepted_;         // its path
   std::uint64_t hash_ = 0;
   double steps_ = 0, end_time_ = 0;
   contact::ContactStatistics contact_;

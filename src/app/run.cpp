@@ -129,11 +129,12 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   if (outcome.code == ExitCode::guard) {
     results.read_fields();  // the motion at the last step that was right
     results.write_fields(nullptr);
-    if (const std::string saved = results.save_last_good(); !saved.empty()) log.line("last good state: " + saved);
   } else {
     loop.last_record(outcome);
-    if (outcome.code == ExitCode::guard) log.line("stopped: " + outcome.message);
+    if (outcome.code == ExitCode::guard) log.fault("stopped: " + outcome.message);
   }
+  if (outcome.code == ExitCode::guard)
+    if (const std::string saved = results.save_last_good(); !saved.empty()) log.line("last good state: " + saved);
   results.report_at_end();
   const int code = static_cast<int>(outcome.code);
   results.write_summary(outcome.stopped_by, code, seconds_since(start), loop.cost());

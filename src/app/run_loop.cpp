@@ -106,6 +106,7 @@ double Loop::time_left() const {
 void Loop::pass(bool last) {
   const scene::Input& input = run_.input;
   const model::State& state = run_.state;
+  const double step_here = state.step;
   const time::StepControl control = step_control(run_);
   const bool fields = last || state.step == 0 || due(state, input.output.every);
   const bool row = last || state.step == 0 || history_due(state, input);
@@ -140,6 +141,7 @@ void Loop::pass(bool last) {
       lines_ = static_cast<int>(progress(state, input.run) * table_lines) + 1;
     }
   }
+  results_.accept(step_here);
   if (static_cast<GlobalIndex>(state.step) % 20 == 0) log_.progress(progress(state, input.run), time_left());
 }
 

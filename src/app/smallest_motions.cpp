@@ -52,6 +52,11 @@ struct MotionOut {
   std::string line;
 };
 
+std::string bound_line(const depth::Answer& answer, const std::string& units) {
+  if (!answer.proven) return "; no lower bound is proven, since the surface of a part crosses itself";
+  return fmt::format("; no motion below {} separates them", scene::with_length(answer.bound, units));
+}
+
 /// What is reported of moving a out of b as far as the scene lets a move; none where no such motion was found.
 std::optional<MotionOut> motion_out(const Overlapping& a, const Overlapping& b, const std::string& units) {
   const auto length = [&](double x) { return scene::with_length(x, units); };
@@ -69,8 +74,7 @@ std::optional<MotionOut> motion_out(const Overlapping& a, const Overlapping& b, 
   if (!straight.found) return std::nullopt;
   std::string line = fmt::format("moving '{}' by {} along {} separates them (translation)", a.name,
                                  length(straight.depth), vector(straight.motion.shift.normalized()));
-  if (!anywhere || !a.freedom.turns)
-    return MotionOut{straight.depth, line + fmt::format("; no motion below {} separates them", length(straight.bound))};
+  if (!anywhere || !a.freedom.turns) return MotionOut{straight.depth, line + bound_line(straight, units)};
   query.metric = depth::Metric::displacement;
   query.tries.push_back(straight.placement);
   query.careful = true;
@@ -81,7 +85,7 @@ std::optional<MotionOut> motion_out(const Overlapping& a, const Overlapping& b, 
                         turn.norm() * 180 / std::numbers::pi, vector(turn.normalized()));
   }
   return MotionOut{turned.found ? std::min(straight.depth, turned.depth) : straight.depth,
-                   line + fmt::format("; no motion below {} separates them", length(turned.bound))};
+                   line + bound_line(turned, units)};
 }
 
 /// The lighter one moves, or the one that needs less where the scene holds the lighter one in some way.

@@ -207,6 +207,7 @@ Body make_body(const TriangleSurface& given, const BodyOptions& options) {
   const TriangleSurface surface = in_order_of_positions(given);
   Body body;
   body.tree = geometry::build_slab_tree(surface);
+  body.crosses_itself = geometry::distrust_crossings(body.tree).count > 0;
   body.mass = rigid::surface_properties(surface, 1);
   const double diagonal = (body.tree.box.high - body.tree.box.low).norm();
   if (!(body.mass.mass > least_volume * diagonal * diagonal * diagonal))

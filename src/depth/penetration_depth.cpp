@@ -131,6 +131,7 @@ Answer penetration_depth(const Body& a, const Body& b, const Query& query) {
   } else {
     answer.distance = geometry::surface_distance(a.tree, b.tree, encounter.start);
   }
+  answer.proven = !a.crosses_itself && !b.crosses_itself;
   answer.queries = encounter.queries;
   return answer;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/geometry/flip_slivers.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <map>
@@ -16,20 +17,23 @@ using IndexTriple = std::array<LocalIndex, 3>;
 
 class Flipper {
  public:
-  explicit Flipper(TriangleSurface& surface) : surface_(surface) {
+  Flipper(TriangleSurface& surface, double tolerance) : surface_(surface), tolerance_(tolerance) {
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) enter(t);
   }
 
-  /// Each flip leaves fewer triangles without area, or as many with shorter sides, so the passes come to an end.
-  std::int64_t flip_all(std::vector<std::size_t> slivers) {
+  /// Each flip leaves fewer slivers, or as many with shorter sides, so the passes come to an end.
+  std::int64_t flip_all() {
+    std::vector<std::size_t> slivers;
+    for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
+      if (is_sliver(surface_.triangles[t])) slivers.push_back(t);
     std::int64_t flips = 0;
     for (std::int64_t before = -1; flips > before && !slivers.empty();) {
       before = flips;
       std::vector<std::size_t> left;
       for (const std::size_t t : slivers) {
-        if (has_area(surface_, surface_.triangles[t])) continue;  // as the neighbour of another one
+        if (!is_sliver(surface_.triangles[t])) continue;  // as the neighbour of another one
         if (flip(t)) ++flips;
-        if (!has_area(surface_, surface_.triangles[t])) left.push_back(t);
+        if (is_sliver(surface_.triangles[t])) left.push_back(t);
       }
       slivers = std::move(left);
     }
@@ -38,6 +42,15 @@ class Flipper {
 
  private:
   using Edge = std::pair<LocalIndex, LocalIndex>;
+
+  /// No area, or a corner within the tolerance of the longest side.
+  [[nodiscard]] bool is_sliver(const IndexTriple& triangle) const {
+    if (!has_area(surface_, triangle)) return true;
+    const auto at = [&](std::size_t k) { return surface_.points[static_cast<std::size_t>(triangle[k])]; };
+    const double longest = std::max(
+        {length({triangle[0], triangle[1]}), length({triangle[1], triangle[2]}), length({triangle[2], triangle[0]})});
+    return (at(1) - at(0)).cross(at(2) - at(0)).norm() <= tolerance_ * longest;
+  }
 
   void enter(std::size_t t) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -71,12 +84,12 @@ class Flipper {
     return {triangle[(longest + 1) % 3], triangle[(longest + 2) % 3], triangle[longest]};
   }
 
-  /// Triangles without area of two, and the sum of their longest sides: two that lie on each other along a side have
+  /// Slivers of two, and the sum of their longest sides: two that lie on each other along a side have
   /// shorter ones after a flip, which then reach neighbours with area.
   [[nodiscard]] std::pair<int, double> lack_of(const IndexTriple& one, const IndexTriple& two) const {
     std::pair<int, double> lack{0, 0.0};
     for (const IndexTriple& triangle : {one, two}) {
-      if (has_area(surface_, triangle)) continue;
+      if (!is_sliver(triangle)) continue;
       ++lack.first;
       lack.second += std::max(
           {length({triangle[0], triangle[1]}), length({triangle[1], triangle[2]}), length({triangle[2], triangle[0]})});
@@ -107,17 +120,15 @@ class Flipper {
   }
 
   TriangleSurface& surface_;
+  double tolerance_;                  // [length]
   std::map<Edge, std::size_t> side_;  // the triangle of a directed side
   std::map<Edge, int> count_;         // of triangles that have it
 };
 
 }  // namespace
 
-std::int64_t flip_slivers(TriangleSurface& surface) {
-  std::vector<std::size_t> slivers;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    if (!has_area(surface, surface.triangles[t])) slivers.push_back(t);
-  return slivers.empty() ? 0 : Flipper(surface).flip_all(std::move(slivers));
+std::int64_t flip_slivers(TriangleSurface& surface, double tolerance) {
+  return Flipper(surface, tolerance).flip_all();
 }
 
 }  // namespace brunt::geometry

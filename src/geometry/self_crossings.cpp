@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles of one surface that intersect outside their shared corners and edges.
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "exact_sign.hpp"
 #include "slab_walk.hpp"
@@ -42,13 +44,14 @@ bool cross_beyond_shared(const Triangle& a, const Triangle& b) {
   return folded(a[i], a[shared.of_a[1]], a[3 - i - shared.of_a[1]], b[3 - j - shared.of_b[1]]);
 }
 
-}  // namespace
-
-SelfCrossings self_crossings(const SlabTree& tree) {
+/// visit_pair(i, j) for each pair, i < j.
+template <class VisitPair>
+SelfCrossings find_crossings(const SlabTree& tree, const VisitPair& visit_pair) {
   SelfCrossings found;
   auto visit = [&](LocalIndex i, const Triangle& a, LocalIndex j) {
     const Triangle& b = tree.triangles[static_cast<std::size_t>(j)];
     if (i >= j || without_area(a) || without_area(b) || !cross_beyond_shared(a, b)) return false;
+    visit_pair(i, j);
     if (found.count++ == 0 || std::pair(i, j) < std::pair(found.first_a, found.first_b)) {
       found.first_a = i;
       found.first_b = j;
@@ -56,6 +59,34 @@ SelfCrossings self_crossings(const SlabTree& tree) {
     return false;
   };
   SlabWalk(tree, tree, Placement(), 0, visit).run();
+  return found;
+}
+
+struct EarlierPosition {
+  bool operator()(const Vec3& a, const Vec3& b) const {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  }
+};
+
+}  // namespace
+
+SelfCrossings self_crossings(const SlabTree& tree) {
+  return find_crossings(tree, [](LocalIndex, LocalIndex) {});
+}
+
+SelfCrossings distrust_crossings(SlabTree& tree) {
+  std::vector<Vec3> corners;  // of triangles that cross
+  const SelfCrossings found = find_crossings(tree, [&](LocalIndex i, LocalIndex j) {
+    for (const LocalIndex t : {i, j})
+      for (const Vec3& x : tree.triangles[static_cast<std::size_t>(t)]) corners.push_back(x);
+  });
+  if (corners.empty()) return found;
+  std::sort(corners.begin(), corners.end(), EarlierPosition());
+  const auto crosses_at = [&](const Vec3& x) {
+    return std::binary_search(corners.begin(), corners.end(), x, EarlierPosition());
+  };
+  for (std::size_t t = 0; t < tree.triangles.size(); ++t)
+    if (std::any_of(tree.triangles[t].begin(), tree.triangles[t].end(), crosses_at)) tree.normals[t].fill(Vec3::Zero());
   return found;
 }
 

@@ -9,6 +9,7 @@
 
 #include "brunt/core/excerpt.hpp"
 #include "commas.hpp"
+#include "other_file.hpp"
 #include "yaml_document.hpp"
 
 namespace brunt::scene {
@@ -130,6 +131,10 @@ Tree* Tree::find(std::string_view key) {
 
 Tree parse_yaml(const std::string& text, const std::string& file, Faults& faults) {
   const Place start{file, 1};
+  if (const std::string other = fault_of_other_file(text, file); !other.empty()) {
+    faults.add(start, "", other);
+    return {};
+  }
   if (text.find('\0') != std::string::npos) {
     faults.add(start, "", "cannot read the scene: the file contains zero bytes; expected text in YAML");
     return {};

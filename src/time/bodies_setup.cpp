@@ -7,6 +7,7 @@
 
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/time/bodies.hpp"
+#include "brunt/time/driven_start.hpp"
 
 namespace brunt::time {
 namespace {
@@ -149,16 +150,14 @@ void start_bodies(const model::Model& model, model::State& state) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const model::RigidBody& body = model.bodies[b];
     rigid::BodyState& now = state.bodies[b];
-    const auto driven = [&](std::size_t dof) {
-      return body.drive[dof] &&
-             model.drives[static_cast<std::size_t>(*body.drive[dof])].gives == model::Drive::Gives::acceleration;
-    };
     const Vec3 velocity = body.start.velocity + body.start.spin.cross(body.body.mass.centre);
-    now.velocity = body.support.free_shift * velocity;  // a constrained direction is at rest initially
+    now.velocity = body.support.free_shift * velocity;  // a held direction is at rest
     Vec3 spin = body.support.free_turn * body.start.spin;
-    for (int c = 0; c < 3; ++c) {  // an acceleration changes the existing velocity
-      if (driven(static_cast<std::size_t>(c))) now.velocity[c] = velocity[c];
-      if (driven(static_cast<std::size_t>(c) + 3)) spin[c] = body.start.spin[c];
+    for (std::size_t dof = 0; dof < body.drive.size(); ++dof) {
+      if (!body.drive[dof]) continue;
+      const auto c = static_cast<int>(dof % 3);
+      const model::Drive& drive = model.drives[static_cast<std::size_t>(*body.drive[dof])];
+      (dof < 3 ? now.velocity : spin)[c] = driven_start(drive, (dof < 3 ? velocity : body.start.spin)[c]);
     }
     now.angular_momentum = rigid::angular_momentum_of(body.body, now, spin);
     for_nodes(body, [&](std::size_t k, std::size_t i) {

@@ -6,6 +6,7 @@
 #include "brunt/force/internal.hpp"
 #include "brunt/force/mass.hpp"
 #include "brunt/time/bodies.hpp"
+#include "brunt/time/driven_start.hpp"
 
 namespace brunt::time {
 namespace {
@@ -163,11 +164,10 @@ void start_velocities(const model::Model& model, model::State& state, std::span<
   for (const model::ConstrainedNode& constrained : model.constrained) {
     Eigen::Map<Vec3> v(state.nodes[static_cast<std::size_t>(constrained.node)].v);
     const Vec3 given = v;
-    v = constrained.free * v;  // a constrained direction is at rest initially; driven ones follow in the first step
+    v = constrained.free * v;
     for (int c = 0; c < 3; ++c) {
       const std::int32_t drive = constrained.drive[static_cast<std::size_t>(c)];
-      if (drive >= 0 && model.drives[static_cast<std::size_t>(drive)].gives == model::Drive::Gives::acceleration)
-        v[c] = given[c];  // changed by an acceleration
+      if (drive >= 0) v[c] = driven_start(model.drives[static_cast<std::size_t>(drive)], given[c]);
     }
   }
   start_bodies(model, state);

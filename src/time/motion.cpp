@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/time/motion.hpp"
 
+#include <cmath>
 #include <limits>
 #include <type_traits>
 
 #include "brunt/model/curve.hpp"
+#include "brunt/time/driven_start.hpp"
 
 namespace brunt::time {
 namespace {
@@ -127,6 +129,14 @@ double driven_component(const model::Drive& given, double before, double time, d
       break;
   }
   return given.scale * model::value_at(given.curve, time + 0.5 * dt);
+}
+
+double driven_start(const model::Drive& drive, double initial) {
+  using Gives = model::Drive::Gives;
+  if (drive.gives == Gives::acceleration) return initial;
+  const double begins = drive.scale * (drive.gives == Gives::displacement ? model::slope_after(drive.curve, 0)
+                                                                          : model::value_at(drive.curve, 0));
+  return std::abs(initial) > same_speed * std::abs(begins) ? begins : 0;
 }
 
 contact::VelocitySpan predict(const model::Model& model, model::State& state, model::Scratch& scratch,

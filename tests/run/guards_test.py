@@ -6,6 +6,7 @@ Needs BRUNT (the program) and BRUNT_RUN (scripts/run) in the environment."""
 import csv
 import json
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -66,6 +67,17 @@ parts: {b: {material: s, ELEMENT}}
 initial: [{part: b, velocity: [0, 0, -SPEED]}]
 rigid_walls: [{point: [0, 0, 0], normal: [0, 0, 1]}]
 run: {end: 4.0e-4}
+"""
+
+# the top of an elastic block is driven through its foot
+TURNED_OVER = """\
+units: SI
+mesh: {box: {part: b, size: [1, 1, 1], elements: [2, 2, 2]}}
+materials: {e: {model: elastic, density: 1000, young: 1.0e7, poisson: 0.3}}
+parts: {b: {material: e}}
+fixed: [{set: b_zmin, dofs: [x, y, z]}]
+prescribed: [{set: b_zmax, dof: z, velocity: -2}]
+run: {end: 1, min_step_ratio: 0.2}
 """
 
 # a small sphere pressed flat between two bodies meets itself through its own thickness
@@ -150,6 +162,24 @@ class Guards(unittest.TestCase):
         first = said[0].split("of the first, ")[1].split(":")[0]
         again = [line for line in self.log("fell2").splitlines() if line.startswith("stopped:")][-1]
         self.assertIn(f"run.min_step_ratio 0.002 of the first, {first}", again)
+
+    def test_a_guard_in_the_very_last_step_leaves_no_checkpoint_of_the_broken_state(self):
+        text = TURNED_OVER
+        self.run_scene(1, text, "whole", code=3)
+        said = next(line for line in self.log("whole").splitlines() if line.startswith("stopped:"))
+        steps = int(re.search(r", step (\d+)\b", said).group(1))
+        for ranks, more in ((1, ()), (2, ("--set", "checkpoint={every: 0.1}"))):
+            out = f"last{ranks}"
+            summary = self.run_scene(ranks, text, out, "--set", f"run.steps={steps}", *more, code=3)
+            self.assertEqual(summary["stopped_by"], "guard")
+            self.assertIn(said, self.log(out))
+            kept = sorted(name for name in os.listdir(self.path(out)) if name.startswith("checkpoint_"))
+            self.assertNotIn(f"checkpoint_{steps:09d}.h5", kept)
+            self.assertTrue(kept)
+            self.assertIn(f"last good state: {out}/{kept[-1]}", self.log(out))
+            # the run goes on from there and stops in the same step
+            self.run_scene(ranks, text, out, "--restart", out, code=3)
+            self.assertEqual([line for line in self.log(out).splitlines() if line.startswith("stopped:")][-1], said)
 
     def test_contact_that_took_much_of_bodies_that_parted_is_told(self):
         for elements, end, told in ((1, 3.0e-5, True), (4, 3.0e-5, True), (16, 1.5e-5, False), (2, 2.0e-6, False)):

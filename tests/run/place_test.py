@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """initial_overlap: place - whole parts move apart before the run; and the smallest motions that brunt check names."""
+import random
 import re
 import subprocess
 import unittest
@@ -40,6 +41,13 @@ fixed: [{part: floor, dofs: [x, y, z]}]
 contact: [{between: all, initial_overlap: place}]
 run: {steps: 60}
 """
+
+
+def turned(point, axis, degrees):
+    """About an axis through the origin (Rodrigues)."""
+    unit, angle = axis / numpy.linalg.norm(axis), numpy.radians(degrees)
+    x = numpy.array(point, float)
+    return (numpy.cos(angle) * x + numpy.sin(angle) * numpy.cross(unit, x) + (1 - numpy.cos(angle)) * (unit @ x) * unit).tolist()
 
 
 class Place(Program):
@@ -128,6 +136,27 @@ mesh:
         self.assertGreater(float(told.group(1)), 20)  # half of the hub's length and more
         self.assertAlmostEqual(float(told.group(2)), 0.3, delta=0.1)  # facets
         self.assertEqual(len(self.placed(press.replace("place}", "place, limit: 100}"))[0]), 2)
+
+    def test_a_neighbour_pushed_aside_by_another_part_slides(self):
+        """A block stands in a fixed wall, and a lid overlaps the block a little, across that direction: nothing is pulled out."""
+        for variant in range(10):
+            dice = random.Random(f"lid {variant}")
+            wide, high, thick = dice.uniform(8, 30), dice.uniform(8, 30), dice.uniform(2, 8)
+            deep = dice.uniform(0.5, 2)
+            little = deep / dice.uniform(6, 40)
+            axis, degrees = numpy.array([dice.gauss(0, 1) for _ in range(3)]), dice.uniform(0, 180)
+            bodies = [("wall", (10, 2 * wide, 2 * high), (-10, -wide, -high)), ("block", (wide, wide, high), (-deep, -wide / 2, -high / 2)),
+                      ("lid", (0.7 * wide, 0.8 * wide, thick), (0.2 * wide, -0.4 * wide, high / 2 - little))]
+            dice.shuffle(bodies)
+            mesh = "".join(f"  - {{box: {{part: {name}, size: {list(size)}, elements: [3, 3, 2], rotate: {{axis: {axis.tolist()}, degrees: {degrees}}}, "
+                           f"at: {turned(at, axis, degrees)}}}}}\n" for name, size, at in bodies)
+            scene = (CUBES[:CUBES.index("mesh:")] + "mesh:\n" + mesh + CUBES[CUBES.index("materials:"):CUBES.index("parts:")]
+                     + "parts: {wall: {material: light}, block: {material: light}, lid: {material: light}}\nfixed: [{part: wall, dofs: [x, y, z]}]\n"
+                     + CUBES[CUBES.index("contact:"):])
+            with self.subTest(variant=variant):
+                moved, _ = self.placed(scene)
+                self.assertAlmostEqual(numpy.linalg.norm(moved["block"]), deep, delta=0.02 * deep)
+                self.assertLess(numpy.linalg.norm(moved["lid"]), 1.01 * little)
 
     def test_a_row_of_parts_moves_far_as_a_whole(self):
         """Each cube overlaps the next by 0.1, and the first is held: the last moves by seven overlaps, by one beside its neighbour."""

@@ -27,6 +27,7 @@ struct InnerCells {
 
 struct Body {
   geometry::SlabTree tree;
+  bool crosses_itself = false;   ///< then its depths, and bounds that rest on them, are not proven
   rigid::MassProperties mass;    ///< at density 1
   MetricShape shape;             ///< as the body that moves
   std::vector<Vec3> components;  ///< a point of each connected part of the surface
@@ -46,7 +47,7 @@ struct BodyOptions {
   int cells = 1000;                       ///< see inner_cells
 };
 
-/// The surface must be closed, oriented outward, and without self-intersections; the caller checks this. Throws
+/// The surface must be closed and oriented outward; the caller checks this. Throws
 /// std::invalid_argument for a surface without triangles or without a positive volume.
 [[nodiscard]] Body make_body(const TriangleSurface& surface, const BodyOptions& options = {});
 

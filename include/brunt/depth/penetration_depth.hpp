@@ -41,7 +41,8 @@ struct Answer {
   bool overlap = false;
   bool found = true;    ///< false: no free placement (`along` may not admit one)
   double depth = 0;     ///< [length]; 0 without overlap
-  double bound = 0;     ///< no shorter motion is free: proven, up to rounding [length]
+  double bound = 0;     ///< no shorter motion is free [length]
+  bool proven = true;   ///< the bound is, up to rounding; false where a surface crosses itself
   double overlaps = 0;  ///< at the given placement: the sum of the greatest overlaps of separate regions [length]
   double distance = 0;  ///< of the surfaces if they do not overlap [length]
   Placement placement;  ///< of A after the motion, in the coordinates of B

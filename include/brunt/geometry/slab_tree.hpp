@@ -117,4 +117,9 @@ struct SelfCrossings {
 /// whatever their numbers. Triangles without area are ignored.
 SelfCrossings self_crossings(const SlabTree& tree);
 
+/// The same, and the pseudo-normals of the triangles that cross, and of those with a corner in common with them, are
+/// made zero: beside a crossing the nearest feature does not tell the side, so depths take their sign from solid
+/// angles there. A sliver folded by rounding would make points far outside count as inside.
+SelfCrossings distrust_crossings(SlabTree& tree);
+
 }  // namespace brunt::geometry

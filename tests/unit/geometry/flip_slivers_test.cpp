@@ -7,6 +7,7 @@
 #include <random>
 
 #include "brunt/geometry/closed_surface.hpp"
+#include "brunt/geometry/slab_tree.hpp"
 #include "support/surface_samples.hpp"
 
 using namespace brunt;
@@ -62,6 +63,33 @@ TEST_CASE("slivers of random boxes are replaced, and the volume stays") {
       CHECK(faults.no_area.count == 0);
       CHECK(faults.volume == Approx(6).epsilon(1e-12));
     }
+}
+
+TEST_CASE("slivers of rounded points are replaced within the tolerance, and points beside them keep their side") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0.1, 0.9), error(-1e-6, 1e-6), place(-1.5, 4.5);
+  const Vec3 high(1, 2, 3);
+  for (int trial = 0; trial < 20; ++trial) {
+    TriangleSurface surface = test::fans_of(test::box_surface({0, 0, 0}, high));
+    for (int k = 0; k < 3; ++k)
+      add_sliver(surface, static_cast<std::size_t>(4 * k) + random() % 4, random() % 3, share(random));
+    for (std::size_t i = surface.points.size() - 3; i < surface.points.size(); ++i)
+      surface.points[i] += Vec3(error(random), error(random), error(random));
+    TriangleSurface healed = surface;
+    CHECK(flip_slivers(healed, 2e-6) >= 3);
+    const geometry::SurfaceFaults faults = check_closed(healed);
+    CHECK(faults.sound());
+    CHECK(faults.volume == Approx(6).epsilon(1e-5));
+    CHECK(geometry::self_crossings(geometry::build_slab_tree(healed)).count == 0);
+    geometry::SlabTree as_given = geometry::build_slab_tree(surface);
+    geometry::distrust_crossings(as_given);
+    for (int k = 0; k < 300; ++k) {
+      const Vec3 x(place(random), place(random), place(random));
+      const bool inside = (x.array() > 0).all() && (x.array() < high.array()).all();
+      if ((geometry::point_depth(as_given, x).depth > 0) != inside)
+        FAIL("x = " << x.transpose() << ", trial " << trial);
+    }
+  }
 }
 
 TEST_CASE("triangles without area that no flip can replace stay") {

@@ -322,6 +322,33 @@ TEST_CASE("broken YAML", "[scene]") {
   check_message(faults_of(std::string("a: 1\0b: 2", 9)), "bar.yaml:1", {"zero bytes"});
 }
 
+TEST_CASE("meshes, decks and surfaces are no scenes", "[scene]") {
+  const auto told = [](const std::string& text, const std::string& file) {
+    try {
+      (void)read_scene(text, file);
+    } catch (const InputError& error) {
+      REQUIRE(error.faults().size() == 1);
+      return error.faults().front();
+    }
+    return std::string("no fault");
+  };
+  using Catch::Contains;
+  for (const char* deck : {"*HEADING\n a bar\n*NODE\n", "** made by a generator\n*Node\n1, 0, 0, 0\n"})
+    CHECK_THAT(told(deck, "deck.inp"),
+               Contains("deck.inp:1: invalid scene") && Contains("Abaqus") && Contains("mesh: {file: deck.inp}"));
+  for (const char* file : {"d.k", "d.key", "d.txt"})
+    CHECK_THAT(told("$# a comment\n*KEYWORD\n*NODE\n", file), Contains("LS-DYNA deck, which is not read"));
+  CHECK_THAT(told("*NODE\n", "d.k"), Contains("LS-DYNA deck"));
+  CHECK_THAT(told("$MeshFormat\n4.1 0 8\n", "meshes/a.msh"), Contains("Gmsh") && Contains("mesh: {file: a.msh}"));
+  CHECK_THAT(told(std::string("CDF\x02\0\0", 6), "a.exo"), Contains("Exodus") && Contains("mesh: {file: a.exo}"));
+  CHECK_THAT(told(std::string("\x89HDF\r\n\0", 7), "a.e"), Contains("Exodus"));
+  CHECK_THAT(told("solid a\nfacet normal 0 0 0\n", "a.stl"), Contains("surface") && Contains("brunt depth"));
+  CHECK_THAT(told(std::string(84, '\0'), "a.STL"), Contains("surface"));
+  CHECK_THAT(told("# made by a tool\nv 0 0 0\n", "a.obj"), Contains("surface"));
+  CHECK_THAT(told("ply\nformat ascii 1.0\n", "a.ply"), Contains("surface"));
+  CHECK_THAT(told("title: *anchor\n", "a.yaml"), Contains("unknown anchor"));
+}
+
 TEST_CASE("wrong overrides are named as such", "[scene]") {
   const std::string good(small_scene);
   check_message(faults_of(good, {"run.ned=1"}), "--set run.ned=1: run.ned", {"unknown key", "did you mean 'end'?"});
