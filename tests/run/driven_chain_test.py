@@ -15,6 +15,7 @@ import driven_scenes
 from run_test import Program
 
 SEEDS = range(len(driven_scenes.KINDS))
+MASSES = range(10)
 
 SQUEEZED = """\
 units: mm-ms-kg
@@ -221,9 +222,9 @@ class Varied(Driven):
         for key in ("steps", "state_hash"):
             self.assertEqual(self.summary(name + "_part")[key], self.summary(name)[key], key)
 
-    def check(self, seed):
-        scene, rnd = driven_scenes.scene_of(seed), random.Random(f"ranks {seed}")
-        name = f"s{seed}"
+    def check(self, seed, kind=None):
+        scene, rnd = driven_scenes.scene_of(seed, kind), random.Random(f"ranks {seed}")
+        name = f"{kind or 's'}{seed}"
         self.run_to_its_end(scene, name, rnd.choice((1, 1, 2, 3)))
         if seed % 4 == 3:
             self.check_restart(scene, name, rnd)
@@ -235,12 +236,12 @@ class Varied(Driven):
         for time, x, v in records:
             self.assertLess(self.deepest(reference, parts, x, scene.sizes), bound, f"t = {time}")
             for part in scene.free:  # a body between inclined sides slides out the faster the less they are inclined
-                if part in scene.sizes and scene.kind in ("chain", "walls", "way_out"):
+                if part in scene.sizes and scene.kind in ("chain", driven_scenes.MASSES, "walls", "way_out"):
                     self.assertLess(numpy.linalg.norm(v[parts[part]], axis=1).max(), 6 * scene.speed, f"{part} at t = {time}")
         for row in rows:
             drive = row["external"] - min(row["walls"], 0.0) + rows[0]["kinetic"]
             self.assertLessEqual(row["kinetic"], 1.001 * drive + 1e-9 * scene.speed**2)
-        if scene.stuck and scene.kind in ("chain", "walls", "into_wall"):  # others may first turn and slide
+        if scene.stuck and scene.kind in ("chain", driven_scenes.MASSES, "walls", "into_wall"):  # others may first turn and slide
             self.assertLess(scene.speed * summary["end_time"], scene.slack + 1.5 * scene.rows * scene.limit + 20 * travel)
         elif not scene.stuck:
             self.assertEqual(summary["driven_penetration"], 0)
@@ -250,9 +251,14 @@ class Varied(Driven):
             with self.subTest(seed=seed, kind=driven_scenes.KINDS[seed % len(driven_scenes.KINDS)]):
                 self.check(seed)
 
+    def test_masses(self):
+        for seed in MASSES:
+            with self.subTest(seed=seed):
+                self.check(seed, driven_scenes.MASSES)
+
 
 if __name__ == "__main__":
     if "--all" in sys.argv:
         sys.argv.remove("--all")
-        SEEDS = range(300)
+        SEEDS = MASSES = range(300)
     unittest.main()
