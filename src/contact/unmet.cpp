@@ -18,7 +18,8 @@ constexpr std::size_t moment_sum = 3;   ///< likewise
 constexpr std::size_t size_sum = 6;     ///< of the growth in the norm of the body's mobility
 constexpr std::size_t push_sum = 7;     ///< growth along the normals
 constexpr std::size_t gain_sum = 8;     ///< this times the missing rates
-constexpr std::size_t body_width = 9;
+constexpr std::size_t group_sum = 9;    ///< `size_sum` of each group of the body's rows (enforcement/carried.hpp)
+constexpr std::size_t body_width = group_sum + body_groups;
 
 struct Bounds {
   double growth = 0, moment = 0, size = 0, push = 0, gain = 0;  ///< of one row
@@ -71,16 +72,18 @@ Bounds measure_growth(const Solved& solved, Unmet& unmet) {
 
 /// The unit of each of a body's sums.
 std::array<FixedUnit, body_width> units_of(const Bounds& bounds) {
-  const FixedUnit force(bounds.growth), moment(bounds.moment);
-  return {force,
-          force,
-          force,
-          moment,
-          moment,
-          moment,
-          FixedUnit(bounds.size),
-          FixedUnit(bounds.push),
-          FixedUnit(bounds.gain)};
+  static_assert(body_groups == 8, "a unit for each group");
+  const FixedUnit force(bounds.growth), moment(bounds.moment), size(bounds.size), push(bounds.push), gain(bounds.gain);
+  return {force, force, force, moment, moment, moment, size, push, gain,
+          size,  size,  size,  size,   size,   size,   size, size};
+}
+
+/// Whether a body's rows with the same partner as this one have a part in its growth. A single row has little of it
+/// where many nodes meet.
+bool takes_part(const Unmet& unmet, const BodyShare& share) {
+  const std::int64_t* sums = &unmet.sums[body_width * static_cast<std::size_t>(share.body)];
+  return share.along > 0 && static_cast<double>(sums[group_sum + static_cast<std::size_t>(share.group)]) >
+                                unmet_numbers.balanced * static_cast<double>(sums[size_sum]);
 }
 
 /// Sums over the growing rows on each body. Collective.
@@ -95,7 +98,9 @@ void sum_on_bodies(const Solved& solved, const Bounds& bounds, Exchange& exchang
     for (const BodyShare& share : rows.bodies_of(q)) {
       if (share.along == 0) continue;
       std::int64_t* sums = &unmet.sums[body_width * static_cast<std::size_t>(share.body)];
-      sums[size_sum] += units[size_sum].of(share.along * growth.norm());
+      const std::int64_t own = units[size_sum].of(share.along * growth.norm());
+      sums[size_sum] += own;
+      sums[group_sum + static_cast<std::size_t>(share.group)] += own;
       sums[push_sum] += units[push_sum].of(rows.laws[q].normal.dot(growth));
       sums[gain_sum] += units[gain_sum].of(unmet.gain[q]);
     }
@@ -116,14 +121,10 @@ void sum_on_bodies(const Solved& solved, const Bounds& bounds, Exchange& exchang
   exchange.sum(unmet.sums);
 }
 
-/// Joins bodies by rows that have a part in the growth on both of them. Collective.
-void join_islands(const RowMatrix& rows, const FixedUnit& size_unit, Exchange& exchange, Unmet& unmet) {
+/// Joins bodies whose rows with each other have a part in the growth on both of them. Collective.
+void join_islands(const RowMatrix& rows, Exchange& exchange, Unmet& unmet) {
   const auto island_of = [&](const BodyShare& share) -> double& {
     return unmet.island[static_cast<std::size_t>(share.body)];
-  };
-  const auto takes_part = [&](const BodyShare& share, double growth) {
-    const double all = size_unit.value(unmet.sums[body_width * static_cast<std::size_t>(share.body) + size_sum]);
-    return share.along > 0 && share.along * growth > unmet_numbers.balanced * all;
   };
   for (std::size_t b = 0; b < unmet.island.size(); ++b) unmet.island[b] = -static_cast<double>(b);
   do {
@@ -132,9 +133,8 @@ void join_islands(const RowMatrix& rows, const FixedUnit& size_unit, Exchange& e
       joined = false;
       for (std::size_t q = 0; q < rows.size(); ++q) {
         const std::span<const BodyShare> bodies = rows.bodies_of(q);
-        const double growth = unmet.growth[q].norm();
-        if (growth == 0 || bodies.size() < 2 || !takes_part(bodies[0], growth) || !takes_part(bodies[1], growth))
-          continue;
+        if (unmet.growth[q].isZero(0) || bodies.size() < 2) continue;
+        if (!takes_part(unmet, bodies[0]) || !takes_part(unmet, bodies[1])) continue;
         double &one = island_of(bodies[0]), &two = island_of(bodies[1]);
         joined = joined || one != two;
         one = two = std::max(one, two);
@@ -225,14 +225,14 @@ void find_unmet_rows(const Solved& solved, double least, Exchange& exchange, Unm
   if (!(largest[1] > 0)) return;
   bounds = {largest[0], largest[0] * solved.scratch.carried.longest_arm, largest[1], largest[2], largest[3]};
   sum_on_bodies(solved, bounds, exchange, unmet);
-  join_islands(rows, FixedUnit(bounds.size), exchange, unmet);
+  join_islands(rows, exchange, unmet);
   judge_islands(unmet, carriers, bounds, least);
   unmet.rows.assign(rows.size(), 0);
   for (std::size_t q = 0; q < rows.size(); ++q) {
     if (unmet.growth[q].isZero(0)) continue;
     unmet.rows[q] = std::ranges::all_of(rows.bodies_of(q), [&](const BodyShare& share) {
       const auto island = static_cast<std::size_t>(-unmet.island[static_cast<std::size_t>(share.body)]);
-      return share.along == 0 || unmet.balanced[island] != 0;
+      return share.along == 0 || (unmet.balanced[island] != 0 && takes_part(unmet, share));
     });
   }
 }

@@ -81,6 +81,24 @@ def place_of(reference, now):
     return turn, b - turn @ a
 
 
+# a hammer falls on a pin, and something else is driven elsewhere
+HAMMER = """\
+units: SI
+mesh:
+  - {box: {part: base, size: [2, 2, 0.5], elements: [3, 3, 1], at: [-1, -1, -0.5]}}
+  - {box: {part: pin, size: [0.4, 0.4, 0.4], elements: [N, N, 2], at: [-0.2, -0.2, 0]}}
+  - {box: {part: hammer, size: [1, 1, 1], elements: [2, 2, 2], at: [-0.5, -0.5, 0.42]}}
+  - {box: {part: far, size: [1, 1, 1], elements: [1, 1, 1], at: [10, 0, 0]}}
+materials: {h: {model: rigid, density: 7800}, l: {model: rigid, density: 50}}
+parts: {base: {material: l}, pin: {material: l}, hammer: {material: h}, far: {material: l}}
+fixed: [{part: base, dofs: [x, y, z, rx, ry, rz]}]
+prescribed: [{part: far, dof: x, velocity: 0.1}]
+initial: [{part: hammer, velocity: [0, 0, -10]}]
+contact: [{between: all, friction: 0.3}]
+run: {end: 0.004, step: 1.0e-5}
+"""
+
+
 class Driven(Program):
     def stops(self, name, text, *more, ranks=1):
         """The line that the run ends with."""
@@ -191,6 +209,14 @@ class Named(Driven):
                     self.assertLess(abs(row["b.z"]), 2 * 24.5)
                     self.assertLess(row["kinetic"], 0.5 * 0.357 * (2 * 24.5)**2)
 
+    def test_a_free_hammer_on_a_pin_has_a_way_out(self):
+        for count in (3, 12):
+            with self.subTest(count=count):
+                self.write(f"pin{count}.yaml", HAMMER.replace("N, N", f"{count}, {count}"))
+                self.run_scene(1, f"pin{count}.yaml", "--out", f"pin{count}")
+                self.assertEqual(self.summary(f"pin{count}")["driven_penetration"], 0)
+                self.assertEqual(self.summary(f"pin{count}")["energy"]["driven"], 0)
+
     def test_same_bits_on_any_number_of_ranks_and_after_a_restart(self):
         hashes, text = [], SQUEEZED.replace("output: {every: 1.0e-3}", "output: {every: 0.1}")
         for ranks in (1, 2, 3, 4):
@@ -217,7 +243,9 @@ class Varied(Driven):
     def check_restart(self, scene, name, rnd):
         """On any number of ranks up to a random step and from there on it ends with the same bits."""
         steps = rnd.randint(1, self.summary(name)["steps"] - 1)
-        self.run_scene(rnd.choice((1, 2, 3)), name + ".yaml", "--out", name + "_part", "--set", f"run.steps={steps}")
+        self.run_scene(rnd.choice((1, 2, 3)), name + ".yaml", "--out", name + "_part", "--set", f"run.steps={steps}", code=(0, 3))
+        if self.summary(name + "_part")["stopped_by"] == "guard":  # at its end a run examines rows that are not missed at present, too
+            return
         self.run_to_its_end(scene, name + "_part", rnd.choice((1, 2, 4)), "--restart", name + "_part")
         for key in ("steps", "state_hash"):
             self.assertEqual(self.summary(name + "_part")[key], self.summary(name)[key], key)

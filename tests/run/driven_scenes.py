@@ -71,7 +71,7 @@ class Maker:
     def masses(self, count):
         """Materials of so many bodies."""
         for k in range(count):
-            self.densities[f"hard{k}"] = 10**self.random.uniform(-2, 2)
+            self.densities[f"hard{k}"] = 10**self.random.uniform(-1.5, 1.5)
         return {k: f"hard{k}" for k in range(count)}
 
     def gap(self, size):
@@ -137,7 +137,7 @@ def scene_of(seed, kind=None):
     travel = rnd.uniform(1e-3, 8e-3)  # of the drive in a step, over the size 1 of the smallest bodies: a tenth to 8 tenths of the limit
     scene.step = travel / scene.speed
     if kind == MASSES:
-        friction, count = rnd.choice((0, 0.05, 0.3, 0.3)), rnd.choice((2, 3, 3, 4, 5))
+        friction, count = rnd.choice((0, 0.05, 0.3, 0.3)), rnd.choice((2, 3, 3, 4))
         make.flush = rnd.random() < 0.5
     if kind in ("chain", MASSES, "soft", "way_out", "tilted"):
         if kind != MASSES or rnd.random() < 0.5:

@@ -156,8 +156,7 @@ TEST_CASE("of chains of any masses between two sides that close all rows are unm
   }
 }
 
-// Rows that are wrong press an island that has no solution, as a whole, against something else, with less than 2 % of
-// its growth. Seen: none missed and 8 wrong.
+// The row that is wrong presses an island that has no solution, as a whole, against something else.
 TEST_CASE("random rows: unmet ones are found where there is no solution, and each is on a cycle that has none") {
   unsigned with = 0, without = 0, false_alarms = 0, missed = 0, wrong = 0;
   for (unsigned seed = 1; seed <= 300; ++seed) {
@@ -177,7 +176,7 @@ TEST_CASE("random rows: unmet ones are found where there is no solution, and eac
   }
   CHECK(false_alarms == 0);
   CHECK(missed == 0);
-  CHECK(wrong <= 8);
+  CHECK(wrong <= 1);
   CHECK(with > 50);
   CHECK(without > 50);
 }
