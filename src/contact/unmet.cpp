@@ -12,11 +12,17 @@
 namespace brunt::contact {
 namespace {
 
-/// Of a body: the sum of impulses and of moments of the growth, and of its size in the norm of the body's mobility.
-constexpr std::size_t body_width = 7;
+/// Sums over the growing rows on a body, by their places.
+constexpr std::size_t impulse_sum = 0;  ///< three components
+constexpr std::size_t moment_sum = 3;   ///< likewise
+constexpr std::size_t size_sum = 6;     ///< of the growth in the norm of the body's mobility
+constexpr std::size_t push_sum = 7;     ///< growth along the normals
+constexpr std::size_t gain_sum = 8;     ///< this times the missing rates
+constexpr std::size_t group_sum = 9;    ///< `size_sum` of each group of the body's rows (enforcement/carried.hpp)
+constexpr std::size_t body_width = group_sum + body_groups;
 
 struct Bounds {
-  double growth = 0, moment = 0, size = 0;  ///< of one row
+  double growth = 0, moment = 0, size = 0, push = 0, gain = 0;  ///< of one row
 };
 
 /// Whether nothing but rigid bodies can yield along the normal.
@@ -31,28 +37,34 @@ bool is_stiff(const System& system, std::size_t q) {
   return true;
 }
 
-/// Growth of the row's impulse, if the rate that it requires is missing by more than `least` nevertheless. What a
-/// compliant row recovers of its own depth under load is not required.
-Vec3 growth_of(const Solved& solved, std::size_t q, const Vec3& start, double least) {
+/// Rate that the row still misses, beyond rounding. What a compliant row recovers of its own depth under load is not
+/// required.
+double missing_of(const Solved& solved, std::size_t q, const Vec3& start) {
   const RowMatrix& rows = solved.system.rows;
   const RowLaw& law = rows.laws[q];
-  const Vec3 growth = solved.impulses[q] - start;
-  if (!(law.normal.dot(growth) > 0)) return Vec3::Zero();
   const double kept =
       law.softness > 0 ? rows.figures[q].gap_share * solved.scratch.compliance[q] * law.normal.dot(start) : 0.0;
-  const double rate = law.normal.dot(relative_velocity(rows, q, solved.velocity));
-  return law.required - kept - rate > least + law.noise ? growth : Vec3::Zero();
+  return law.required - kept - law.noise - law.normal.dot(relative_velocity(rows, q, solved.velocity));
 }
 
-Bounds measure_growth(const Solved& solved, double least, Unmet& unmet) {
+/// Of an island the missing rates count as a whole: the compliance of a chain's rows differs, and where it is small
+/// little is missing, but the growth is the same.
+Bounds measure_growth(const Solved& solved, Unmet& unmet) {
   const RowMatrix& rows = solved.system.rows;
   unmet.growth.assign(rows.size(), Vec3::Zero());
+  unmet.gain.assign(rows.size(), 0);
   Bounds bounds;
   for (std::size_t q = 0; q < rows.size(); ++q) {
     if (rows.bodies_of(q).empty() || !is_stiff(solved.system, q)) continue;
-    unmet.growth[q] = growth_of(solved, q, unmet.start[q], least);
-    const double size = unmet.growth[q].norm();
+    const Vec3 growth = solved.impulses[q] - unmet.start[q];
+    const double push = rows.laws[q].normal.dot(growth);
+    if (!(push > 0)) continue;
+    unmet.growth[q] = growth;
+    unmet.gain[q] = push * missing_of(solved, q, unmet.start[q]);
+    const double size = growth.norm();
     bounds.growth = std::max(bounds.growth, rows.laws[q].share * size);
+    bounds.push = std::max(bounds.push, push);
+    bounds.gain = std::max(bounds.gain, std::abs(unmet.gain[q]));
     for (const BodyShare& share : rows.bodies_of(q)) bounds.size = std::max(bounds.size, share.along * size);
   }
   return bounds;
@@ -60,8 +72,18 @@ Bounds measure_growth(const Solved& solved, double least, Unmet& unmet) {
 
 /// The unit of each of a body's sums.
 std::array<FixedUnit, body_width> units_of(const Bounds& bounds) {
-  const FixedUnit force(bounds.growth), moment(bounds.moment), size(bounds.size);
-  return {force, force, force, moment, moment, moment, size};
+  static_assert(body_groups == 8, "a unit for each group");
+  const FixedUnit force(bounds.growth), moment(bounds.moment), size(bounds.size), push(bounds.push), gain(bounds.gain);
+  return {force, force, force, moment, moment, moment, size, push, gain,
+          size,  size,  size,  size,   size,   size,   size, size};
+}
+
+/// Whether a body's rows with the same partner as this one have a part in its growth. A single row has little of it
+/// where many nodes meet.
+bool takes_part(const Unmet& unmet, const BodyShare& share) {
+  const std::int64_t* sums = &unmet.sums[body_width * static_cast<std::size_t>(share.body)];
+  return share.along > 0 && static_cast<double>(sums[group_sum + static_cast<std::size_t>(share.group)]) >
+                                unmet_numbers.balanced * static_cast<double>(sums[size_sum]);
 }
 
 /// Sums over the growing rows on each body. Collective.
@@ -73,8 +95,15 @@ void sum_on_bodies(const Solved& solved, const Bounds& bounds, Exchange& exchang
   for (std::size_t q = 0; q < rows.size(); ++q) {
     const Vec3& growth = unmet.growth[q];
     if (growth.isZero(0)) continue;
-    for (const BodyShare& share : rows.bodies_of(q))
-      unmet.sums[body_width * static_cast<std::size_t>(share.body) + 6] += units[6].of(share.along * growth.norm());
+    for (const BodyShare& share : rows.bodies_of(q)) {
+      if (share.along == 0) continue;
+      std::int64_t* sums = &unmet.sums[body_width * static_cast<std::size_t>(share.body)];
+      const std::int64_t own = units[size_sum].of(share.along * growth.norm());
+      sums[size_sum] += own;
+      sums[group_sum + static_cast<std::size_t>(share.group)] += own;
+      sums[push_sum] += units[push_sum].of(rows.laws[q].normal.dot(growth));
+      sums[gain_sum] += units[gain_sum].of(unmet.gain[q]);
+    }
     for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) {
       const LocalIndex place = solved.scratch.carried.place[rows.point(k)];
       if (place == no_index) continue;
@@ -84,22 +113,18 @@ void sum_on_bodies(const Solved& solved, const Bounds& bounds, Exchange& exchang
       const Vec3 moment = arm.cross(impulse);
       std::int64_t* sums = &unmet.sums[body_width * body];
       for (std::size_t c = 0; c < 3; ++c) {
-        sums[c] += units[c].of(impulse[static_cast<int>(c)]);
-        sums[3 + c] += units[3 + c].of(moment[static_cast<int>(c)]);
+        sums[impulse_sum + c] += units[impulse_sum + c].of(impulse[static_cast<int>(c)]);
+        sums[moment_sum + c] += units[moment_sum + c].of(moment[static_cast<int>(c)]);
       }
     }
   }
   exchange.sum(unmet.sums);
 }
 
-/// Joins bodies by rows that have a part in the growth on both of them. Collective.
-void join_islands(const RowMatrix& rows, const FixedUnit& size_unit, Exchange& exchange, Unmet& unmet) {
+/// Joins bodies whose rows with each other have a part in the growth on both of them. Collective.
+void join_islands(const RowMatrix& rows, Exchange& exchange, Unmet& unmet) {
   const auto island_of = [&](const BodyShare& share) -> double& {
     return unmet.island[static_cast<std::size_t>(share.body)];
-  };
-  const auto takes_part = [&](const BodyShare& share, double growth) {
-    const double all = size_unit.value(unmet.sums[body_width * static_cast<std::size_t>(share.body) + 6]);
-    return share.along > 0 && share.along * growth > unmet_numbers.balanced * all;
   };
   for (std::size_t b = 0; b < unmet.island.size(); ++b) unmet.island[b] = -static_cast<double>(b);
   do {
@@ -108,9 +133,8 @@ void join_islands(const RowMatrix& rows, const FixedUnit& size_unit, Exchange& e
       joined = false;
       for (std::size_t q = 0; q < rows.size(); ++q) {
         const std::span<const BodyShare> bodies = rows.bodies_of(q);
-        const double growth = unmet.growth[q].norm();
-        if (growth == 0 || bodies.size() < 2 || !takes_part(bodies[0], growth) || !takes_part(bodies[1], growth))
-          continue;
+        if (unmet.growth[q].isZero(0) || bodies.size() < 2) continue;
+        if (!takes_part(unmet, bodies[0]) || !takes_part(unmet, bodies[1])) continue;
         double &one = island_of(bodies[0]), &two = island_of(bodies[1]);
         joined = joined || one != two;
         one = two = std::max(one, two);
@@ -120,21 +144,30 @@ void join_islands(const RowMatrix& rows, const FixedUnit& size_unit, Exchange& e
   } while (unmet.island != unmet.other);
 }
 
-/// Whether the growth moves no body of each island.
-void judge_islands(Unmet& unmet, const Carriers& carriers, const Bounds& bounds) {
+/// Whether the growth moves a body.
+bool moves(const Carrier& body, const std::int64_t* sums, const std::array<FixedUnit, body_width>& units) {
+  Vec6 sum;
+  for (std::size_t c = 0; c < 6; ++c) sum[static_cast<int>(c)] = units[c].value(sums[c]);
+  const double moved = std::sqrt(std::max(0.0, sum.dot(body.mobility * sum)));
+  return moved > unmet_numbers.balanced * units[size_sum].value(sums[size_sum]);
+}
+
+/// Whether the growth moves no body of each island, and the mean of the missing rates, weighted by it, exceeds `least`.
+void judge_islands(Unmet& unmet, const Carriers& carriers, const Bounds& bounds, double least) {
   const std::array<FixedUnit, body_width> units = units_of(bounds);
+  const std::size_t bodies = carriers.bodies.size();
   const auto island_of = [&](std::size_t b) { return static_cast<std::size_t>(-unmet.island[b]); };
-  unmet.balanced.assign(carriers.bodies.size(), 1);
-  for (std::size_t b = 0; b < carriers.bodies.size(); ++b) {
-    Vec6 sum;
-    for (int c = 0; c < 6; ++c)
-      sum[c] = units[static_cast<std::size_t>(c)].value(unmet.sums[body_width * b + static_cast<std::size_t>(c)]);
-    const double moved = std::sqrt(std::max(0.0, sum.dot(carriers.bodies[b].mobility * sum)));
-    const double all = units[6].value(unmet.sums[body_width * b + 6]);
-    if (moved > unmet_numbers.balanced * all) unmet.balanced[island_of(b)] = 0;
+  unmet.balanced.assign(bodies, 1);
+  unmet.other.assign(bodies, 0.0);  // what an island's gain exceeds the least one by
+  for (std::size_t b = 0; b < bodies; ++b) {
+    const std::int64_t* sums = &unmet.sums[body_width * b];
+    if (moves(carriers.bodies[b], sums, units)) unmet.balanced[island_of(b)] = 0;
+    unmet.other[island_of(b)] += units[gain_sum].value(sums[gain_sum]) - least * units[push_sum].value(sums[push_sum]);
   }
-  for (std::size_t b = 0; b < carriers.bodies.size(); ++b)
-    unmet.any = unmet.any || (unmet.sums[body_width * b + 6] > 0 && unmet.balanced[island_of(b)] != 0);
+  for (std::size_t i = 0; i < bodies; ++i)
+    if (!(unmet.other[i] > 0)) unmet.balanced[i] = 0;
+  for (std::size_t b = 0; b < bodies; ++b)
+    unmet.any = unmet.any || (unmet.sums[body_width * b + size_sum] > 0 && unmet.balanced[island_of(b)] != 0);
 }
 
 /// Rows between rigid bodies that are deeper than a ledge. A share of the depth in a step is a speed without a bound as
@@ -154,6 +187,7 @@ bool is_too_deep_to_recover(const Contact& contact, const Row& row, const Carrie
 void Unmet::reserve(std::size_t most_rows, std::size_t bodies) {
   start.reserve(most_rows);
   growth.reserve(most_rows);
+  gain.reserve(most_rows);
   rows.reserve(most_rows);
   held.reserve(most_rows);
   jammed.reserve(most_rows);
@@ -185,20 +219,20 @@ void find_unmet_rows(const Solved& solved, double least, Exchange& exchange, Unm
   const RowMatrix& rows = solved.system.rows;
   unmet.rows.clear();
   unmet.any = false;
-  Bounds bounds = measure_growth(solved, least, unmet);
-  std::array<double, 2> largest{bounds.growth, bounds.size};
+  Bounds bounds = measure_growth(solved, unmet);
+  std::array<double, 4> largest{bounds.growth, bounds.size, bounds.push, bounds.gain};
   exchange.max(largest);
   if (!(largest[1] > 0)) return;
-  bounds = {largest[0], largest[0] * solved.scratch.carried.longest_arm, largest[1]};
+  bounds = {largest[0], largest[0] * solved.scratch.carried.longest_arm, largest[1], largest[2], largest[3]};
   sum_on_bodies(solved, bounds, exchange, unmet);
-  join_islands(rows, FixedUnit(bounds.size), exchange, unmet);
-  judge_islands(unmet, carriers, bounds);
+  join_islands(rows, exchange, unmet);
+  judge_islands(unmet, carriers, bounds, least);
   unmet.rows.assign(rows.size(), 0);
   for (std::size_t q = 0; q < rows.size(); ++q) {
     if (unmet.growth[q].isZero(0)) continue;
     unmet.rows[q] = std::ranges::all_of(rows.bodies_of(q), [&](const BodyShare& share) {
       const auto island = static_cast<std::size_t>(-unmet.island[static_cast<std::size_t>(share.body)]);
-      return share.along == 0 || unmet.balanced[island] != 0;
+      return share.along == 0 || (unmet.balanced[island] != 0 && takes_part(unmet, share));
     });
   }
 }

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 SHARE = 0.01  # of a body's shortest side: the driven penetration at which a run stops
 
+MASSES = "masses"  # chains of bodies of very different densities, some exactly aligned and without gaps
 KINDS = ("chain", "walls", "into_wall", "turned", "tilted", "soft", "way_out")
 
 
@@ -43,8 +44,9 @@ class Maker:
     def __init__(self, seed, kind):
         self.random = random.Random(f"{kind} {seed}")
         self.scene = Scene(kind)
-        self.boxes, self.parts, self.more = [], [], []
+        self.boxes, self.parts, self.more, self.densities = [], [], [], {"hard": 1.0}
         self.axis, self.degrees = [0, 0, 1], 0.0
+        self.flush = False
 
     def turn_frame(self):
         self.axis = [self.random.uniform(-1, 1) for _ in range(3)]
@@ -63,10 +65,18 @@ class Maker:
         rotate = f", rotate: [{', '.join(turns)}]" if turns else ""
         self.boxes.append(f"  - {{box: {{part: {part}, size: {numbers(size)}, elements: {counts}{rotate}, at: {numbers(self.along(at))}}}}}\n")
         self.parts.append(f"{part}: {{material: {material}}}")
-        if material == "hard":
+        if material != "soft":
             self.scene.sizes[part] = size
 
+    def masses(self, count):
+        """Materials of so many bodies."""
+        for k in range(count):
+            self.densities[f"hard{k}"] = 10**self.random.uniform(-1.5, 1.5)
+        return {k: f"hard{k}" for k in range(count)}
+
     def gap(self, size):
+        if self.flush:
+            return 0.0
         gap = self.random.uniform(0.005, 0.05) * size
         self.scene.slack += gap
         return gap
@@ -109,15 +119,16 @@ class Maker:
             keys.setdefault(key, []).append(entry)
         lists = "".join(f"{key}: [{', '.join(entries)}]\n" for key, entries in keys.items())
         scene.text = ("units: none\nmesh:\n" + "".join(self.boxes) +
-                      "materials: {hard: {model: rigid, density: 1.0}, soft: {model: neo_hookean, density: 1.0, young: 1.0e4, poisson: 0.3}}\n"
+                      "materials: {" + "".join(f"{name}: {{model: rigid, density: {value:.6g}}}, " for name, value in self.densities.items()) +
+                      "soft: {model: neo_hookean, density: 1.0, young: 1.0e4, poisson: 0.3}}\n"
                       f"parts: {{{', '.join(self.parts)}}}\n" + lists +
                       (f"contact: [{{between: all, friction: {friction}}}]\n" if contact else "") +
                       f"run: {run}\nhistory: {{every: {2 * scene.step:.6g}}}\noutput: {{every: {records * scene.step:.6g}}}\n")
         return scene
 
 
-def scene_of(seed):
-    kind = KINDS[seed % len(KINDS)]
+def scene_of(seed, kind=None):
+    kind = kind or KINDS[seed % len(KINDS)]
     make = Maker(seed, kind)
     rnd, scene = make.random, make.scene
     scene.speed = rnd.choice((0.1, 1.0, 10.0))
@@ -125,8 +136,12 @@ def scene_of(seed):
     count = rnd.choice((1, 1, 2, 3))
     travel = rnd.uniform(1e-3, 8e-3)  # of the drive in a step, over the size 1 of the smallest bodies: a tenth to 8 tenths of the limit
     scene.step = travel / scene.speed
-    if kind in ("chain", "soft", "way_out", "tilted"):
-        make.turn_frame()
+    if kind == MASSES:
+        friction, count = rnd.choice((0, 0.05, 0.3, 0.3)), rnd.choice((2, 3, 3, 4))
+        make.flush = rnd.random() < 0.5
+    if kind in ("chain", MASSES, "soft", "way_out", "tilted"):
+        if kind != MASSES or rnd.random() < 0.5:
+            make.turn_frame()
         z, below = 0.0, rnd.choice(("plate", "wall"))
         if kind != "way_out":
             if below == "plate":
@@ -143,7 +158,8 @@ def scene_of(seed):
             z += 2 * far
             scene.slack += 2 * far
         else:
-            z = make.stack(count, z, {rnd.randrange(count): "soft"} if kind == "soft" else None)
+            materials = {rnd.randrange(count): "soft"} if kind == "soft" else make.masses(count) if kind == MASSES else None
+            z = make.stack(count, z, materials)
         make.plate("ram", z)
         make.drive("ram", [0, 0, -scene.speed], kind != "tilted" and rnd.random() < 0.3)
     elif kind == "walls":

@@ -6,9 +6,9 @@
 // work on the required rates, d . (required - G v*) > 0 (Farkas' lemma). The iteration finds them: with the memory of
 // impulses from step to step it is a proximal point iteration, and what its impulses grow by in a step converges to d
 // where there is no solution, and to zero where there is one (Banjac, Goulart, Stellato and Boyd, J. Optim. Theory
-// Appl. 183, 2019, use the same difference). A row is therefore unmet if
-// - its impulse has grown in the step and its rate is still below what it requires,
-// - the growth of all such rows moves no body of their island: its rigid bodies, joined by these rows.
+// Appl. 183, 2019, use the same difference). A row is therefore unmet if its impulse has grown in the step, and if in
+// its island, the rigid bodies joined by such rows, this growth moves no body, and the mean of the rates that are still
+// missing, weighted by it, is no remainder. A single row of a chain may miss little: its compliance times its growth.
 // Deformable bodies can yield, so rows on their free nodes belong to no island.
 //
 // Of unmet rows the impulses that are remembered stay as they were, otherwise they would grow with time and be released
@@ -30,7 +30,7 @@ struct UnmetNumbers {
   /// Impulses move a body by nothing if what they add up to is less than this share of their sum, in the norm of the
   /// body's mobility: softness leaves 0.05 / 2 of the velocity lost in a step.
   double balanced = 0.02;
-  /// Multiples of the tolerance of the iteration: a rate that is missing beyond it is no remainder of the iteration.
+  /// Multiples of the tolerance of the iteration: a mean of missing rates beyond it is no remainder of the iteration.
   double remainder = 10;
   /// Residual of an iteration that ended at its limit from which on it is repeated by sweeps alone: half of the
   /// violation is left, or more than there was.
@@ -51,7 +51,8 @@ struct Unmet {
   std::vector<Row> jammed;  ///< taken out of the step: turning cannot satisfy them, see jams.hpp
   double excess = 0;        ///< largest driven penetration of rigid bodies over what is admitted, of all ranks
 
-  std::vector<Vec3> growth;           ///< of impulses of rows that are not satisfied [momentum], zero of others
+  std::vector<Vec3> growth;           ///< of impulses of rows [momentum], zero of those that do not grow
+  std::vector<double> gain;           ///< growth along the normal times the missing rate [energy], a row each
   std::vector<std::int64_t> sums;     ///< of bodies
   std::vector<double> island, other;  ///< of bodies: minus the lowest number of its island
   std::vector<char> balanced;         ///< of islands, by that number
@@ -71,8 +72,8 @@ struct Solved {
   std::span<const Vec3> velocity;  ///< of contact nodes
 };
 
-/// Finds the unmet rows after enforcement that began with unmet.start. least: a rate that is missing by less is met
-/// [velocity]. Collective.
+/// Finds the unmet rows after enforcement that began with unmet.start. least: islands whose rows miss less in the mean
+/// are met [velocity]. Collective.
 void find_unmet_rows(const Solved& solved, double least, Exchange& exchange, Unmet& unmet);
 
 /// The impulses to remember, in unmet.start; unmet.held then contains the rows to remember as unmet.
