@@ -107,4 +107,14 @@ bool meet_on_ledge(const EdgeScene& scene, const EdgeCandidates& candidates, std
          meets_ledge_below(scene, candidates, near, slave, master, size, met, slid);
 }
 
+std::optional<Vec3> face_below(const EdgeScene& scene, std::span<const NodeHold> holds, const ContactEdge& slave,
+                               const ContactEdge& master) {
+  if (scene.start(slave).along().cross(scene.start(master).along()).norm() >= scene.full) return std::nullopt;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (const Vec3 top = scene.normal(master, k); lies_along(scene, holds, slave, top)) return top;
+    if (const Vec3 top = -scene.normal(slave, k); lies_along(scene, holds, master, -top)) return top;
+  }
+  return std::nullopt;
+}
+
 }  // namespace brunt::contact

@@ -115,6 +115,14 @@ bool held_at_ends(const Tolerances& tolerances, std::span<const NodeHold> holds,
   return (held(0, 1 - met.s) && held(1, met.s)) || (deep && held_across(0) && held_across(1));
 }
 
+/// The meeting along another normal; false if they do not meet along it.
+bool turn_to(const Vec3& normal, const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master,
+             EdgeMeeting& met) {
+  const auto along = geometry::crossing_along(scene.start(slave), scene.start(master), normal);
+  if (along) met = {along->s, along->t, along->gap, along->normal};
+  return along.has_value();
+}
+
 bool has_accepted_end(const EdgeScene& scene, const ContactEdge& edge, std::int32_t body) {
   return std::ranges::any_of(edge.nodes, [&](LocalIndex node) {
     return accepted_penetration(scene.settings.accepted, scene.gid[static_cast<std::size_t>(node)], body) > 0;
@@ -179,6 +187,9 @@ void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex>
           continue;
         if (meet_on_ledge(scene, candidates, near, holds, slave, master, met)) continue;
         if (held_at_ends(*settings.tolerances, holds, slave, master, size, met)) continue;
+        if (const auto normal = face_below(scene, holds, slave, master);
+            normal && !turn_to(*normal, scene, slave, master, met))
+          continue;
       }
       if (meet_at_side_of_seam(scene, slave, master, met)) continue;
       met.gap += accepted_overlap(scene, slave, master, met);
