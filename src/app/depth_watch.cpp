@@ -40,7 +40,7 @@ std::vector<Box> boxes_of_parts(const Prepared& run, const contact::Surface& sur
 }  // namespace
 
 contact::WatchedSurface watched_surface(const Prepared& run) {
-  if (run.contact) return contact::watched_surface(*run.contact);
+  if (!run.watched) return contact::watched_surface(*run.contact);  // that of an implicit scene has walls alone
   return {run.links.ranks, run.watched->surface, run.watched->pairs, {}, contact::standard_tolerances};
 }
 

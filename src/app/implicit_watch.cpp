@@ -153,7 +153,8 @@ std::string objection_to_step(Prepared& run) {
     now = look_at(run, way.at(look / looks.count));
     watched.time = -1;
     if (most_deeper_of(run, watched.shares, now.shares) > most_deeper)
-      return "contact has missed it: " + text_of(run, now.worst);
+      return fmt::format("something comes deeper by more than {:g} of an element; the deepest of all: {}", most_deeper,
+                         text_of(run, now.worst));
   }
   watched.shares = std::move(now.shares);
   watched.time = run.implicit->trial.time;

@@ -81,6 +81,13 @@ class ImplicitPasses(SceneProgram):
         stopped = self.stays_or_stops("contact_implicit")
         self.assertLessEqual(stopped, 0.2 * VARIANTS)
 
+    def test_a_wall_does_not_blind_the_watch(self):
+        text, axis = thrown(13, "contact_implicit")  # flew through without the watch
+        self.write("scene.yaml", text + "rigid_walls: [{name: far, point: [0, 0, -50], normal: [0, 0, 1]}]\n")
+        self.run_scene(1, "scene.yaml", "--out", "out", "--force", code=(0, 3))
+        for row in self.rows("out"):
+            self.assertGreater(row[f"b.{'xyz'[axis]}"] - row[f"a.{'xyz'[axis]}"], 0, row["time"])
+
     def test_pushed_bodies_do_not_pass(self):
         self.stays_or_stops("static")
 
