@@ -217,7 +217,7 @@ void advance(const Scene& scene, Solver& solver, const std::function<std::string
         continue;
       }
     }
-    const std::string objected = converged ? objection() : std::string();
+    const std::string objected = converged && objection ? objection() : std::string();
     if (converged && objected.empty()) {
       commit_step(scene, solver);
       count_step(solver.settings, attempt.newton.iterations, length);

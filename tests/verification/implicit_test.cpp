@@ -27,8 +27,7 @@ struct ImplicitBody {
   implicit::Scene scene() { return {body.model, body.state, body.scratch, body.links}; }
   void steps(int count) {
     const auto place = [](GlobalIndex) { return std::string("node"); };
-    const auto objection = [] { return std::string(); };
-    for (int n = 0; n < count; ++n) implicit::advance(scene(), solver, place, objection);
+    for (int n = 0; n < count; ++n) implicit::advance(scene(), solver, place);
   }
   time::Ledger ledger() { return implicit::ledger(scene(), solver); }
 };

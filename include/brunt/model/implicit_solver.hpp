@@ -26,5 +26,6 @@ struct ImplicitSolver {
   LinearSolver linear = LinearSolver::direct;
   double alpha = 0.05;  ///< of hht, 0 (trapezoidal rule) to 1/3 (most damping)
 };
+constexpr int step_bounds = 3;  ///< step, min_step, max_step: saved with the state
 
 }  // namespace brunt::model
