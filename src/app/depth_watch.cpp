@@ -122,17 +122,20 @@ std::vector<std::string> DepthWatch::look(const Prepared& run) {
   if (known && !lost) return {};
   const std::string text = text_of(run, worst);
   if (lost)
-    throw GuardError(fmt::format(
-        "contact has lost {}: {}; use smaller elements there, a smaller step, element: hex8_full, or passes: "
-        "two",
-        worst.on_edge ? "edges" : "nodes", text));
+    throw GuardError(fmt::format("contact has lost {}: {}; use {}", worst.on_edge ? "edges" : "nodes", text,
+                                 run.implicit ? "smaller elements there, the finer side as slave, or a smaller "
+                                                "solver.step"
+                                              : "smaller elements there, a smaller step, element: hex8_full, or "
+                                                "passes: two"));
   reported_.push_back(pair);
   return {fmt::format(
-      "contact leaves penetration: {}{}; contact does not hold edges between nodes, nor nodes that "
-      "passed a folded or a very coarse element: use smaller elements there (reported once for each pair "
-      "of parts; deepest_penetration in summary.json is the largest)",
-      text,
-      found.count > 1 ? fmt::format(" ({} nodes and edges are deeper than {:g})", found.count, warned_depth) : "")};
+      "contact leaves penetration: {}{}; {}: use smaller elements there (reported once for each pair of parts; "
+      "deepest_penetration in summary.json is the largest)",
+      text, found.count > 1 ? fmt::format(" ({} nodes and edges are deeper than {:g})", found.count, warned_depth) : "",
+      run.implicit ? "mortar contact holds mean gaps over facets of the slave, not nodes, so a coarse slave lets the "
+                     "other side in"
+                   : "contact does not hold edges between nodes, nor nodes that passed a folded or a very coarse "
+                     "element")};
 }
 
 }  // namespace brunt::app
