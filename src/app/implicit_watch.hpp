@@ -2,8 +2,8 @@
 // Implicit steps through which nothing passes. Mortar contact sees facets that are near at the iterates of a step. What
 // a step moves from one side of a body to the other, or deep into it, it has not seen. Each step is therefore judged by
 // positions: on the straight way from x_n to x_{n+1}, in parts no longer than half of the thinnest element, no node and
-// no sharp edge may come deeper into another body by more than a fifth of an element, and no rigid body, which walls hold
-// by springs, into a rigid wall. Sliding is no crossing: a chord of a convex surface is shallow.
+// no sharp edge may come deeper into another body by more than a fifth of an element, and no rigid body, which walls
+// hold by springs, into a rigid wall. Sliding is no crossing: a chord of a convex surface is shallow.
 #pragma once
 #include <string>
 

@@ -267,7 +267,7 @@ int run_command(const comm::Communicator& ranks, int argc, char** argv) {
   const int code = chosen(ranks);
   const bool shows_results = !program.got_subcommand("run");  // a run has them in its folder, this text in log.txt too
   if (shows_results && ranks.is_root() && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0))
-    throw MachineError("standard output: cannot be written; expected a device with space left");
+    throw MachineError("standard output: cannot write the results");
   return code;
 }
 

@@ -47,7 +47,7 @@ class Output(Files):
             with open("/dev/full", "wb") as full:
                 done = subprocess.run([BRUNT, *arguments], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, text=True, timeout=PATIENCE)
             self.assertEqual(done.returncode, 4, done.stderr)
-            self.assertIn("standard output: cannot be written", done.stderr)
+            self.assertIn("standard output: cannot write the results", done.stderr)
 
 
 class Forms(Files):

@@ -21,7 +21,7 @@ struct WallNode {
   std::int32_t looked_at = 0;
   bool springs = false;      ///< of a rigid body: walls act on it by springs (wall_spring.hpp)
   Mat3 tied = Mat3::Zero();  ///< projector onto directions along which a tie constrains it to its walls, at the iterate
-  double behind = 0;         ///< depth behind a wall at the iterate, 0 in front of all; bilateral ones excepted [length]
+  double behind = 0;  ///< depth behind a wall at the iterate, 0 in front of all; bilateral ones excepted [length]
   double behind_before = 0;  ///< likewise at t_n
   WallChoice solved;         ///< the active walls assumed in the last linear solve
   WallAction action;         ///< at the iterate
