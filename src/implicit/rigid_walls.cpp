@@ -34,7 +34,8 @@ double place_of(const model::RigidWall& wall, double position) {
 void look_at_nearest(const model::Model& model, const WallContact& walls, const Vec3& x, WallNode& node) {
   std::vector<std::pair<double, std::int32_t>> by_gap;
   for (std::int32_t k = 0; k < node.count; ++k) {
-    const auto w = static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(node.first + k)]);
+    const std::int32_t entry = node.first + k;
+    const auto w = static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(entry)]);
     by_gap.emplace_back(model.walls[w].normal.dot(x) - walls.place[w], k);
   }
   std::ranges::sort(by_gap);
