@@ -104,7 +104,8 @@ bool DepthWatch::is_due(const Prepared& run) const {
 }
 
 std::vector<std::string> DepthWatch::look(const Prepared& run) {
-  if (run.implicit ? run.watched == nullptr : !run.contact || !run.contact->derived.bodies) return {};
+  if (run.implicit ? run.watched == nullptr || run.model.mortar.empty() : !run.contact || !run.contact->derived.bodies)
+    return {};
   if (run.contact) lists_seen_ = run.contact->ledger.statistics.searches;
   const contact::VectorView position{run.state.nodes.empty() ? nullptr : run.state.nodes.front().x,
                                      sizeof(model::NodeLine) / sizeof(double)};

@@ -158,6 +158,7 @@ std::string objection_to_step(Prepared& run) {
   if (!run.watched) return {};
   WatchedBodies& watched = *run.watched;
   if (std::string sinks = body_that_sinks(run); !sinks.empty()) return sinks;
+  if (run.model.mortar.empty()) return {};  // walls alone
   const Way way = way_of(run);
   const Looks looks = looks_on(run, way);
   if (looks.count == 0) {
