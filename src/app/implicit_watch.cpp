@@ -107,21 +107,11 @@ contact::DeepNodes look_at(const Prepared& run, const std::vector<Vec3>& places)
 
 /// The rigid body that comes deeper into a wall by too much; empty if there is none. Collective.
 std::string body_that_sinks(const Prepared& run) {
-  const implicit::Solver& solver = *run.implicit;
-  std::vector<double> deeper(run.model.bodies.size(), 0.0);
-  for (const implicit::WallNode& node : solver.walls.nodes) {
-    if (!node.springs) continue;
-    double& most = deeper[static_cast<std::size_t>(solver.bodies.place[node.own].body)];
-    most = std::max(most, node.behind - node.behind_before);
-  }
-  run.links.ranks.max(deeper);
-  for (std::size_t b = 0; b < deeper.size(); ++b) {
-    const model::RigidBody& body = run.model.bodies[b];
-    if (deeper[b] > most_deeper * run.watched->thinnest[static_cast<std::size_t>(body.blocks.front())])
-      return fmt::format("rigid part '{}' comes deeper into a rigid wall by more than {:g} of an element", body.part,
-                         most_deeper);
-  }
-  return {};
+  const std::vector<double> deeper = shares_behind_walls(run, true);
+  const auto sinks = std::ranges::find_if(deeper, [](double share) { return share > most_deeper; });
+  if (sinks == deeper.end()) return {};
+  return fmt::format("rigid part '{}' comes deeper into a rigid wall by more than {:g} of an element",
+                     run.model.bodies[static_cast<std::size_t>(sinks - deeper.begin())].part, most_deeper);
 }
 
 /// Collective.
@@ -132,6 +122,20 @@ double most_deeper_of(const Prepared& run, const std::vector<double>& before, co
 }
 
 }  // namespace
+
+std::vector<double> shares_behind_walls(const Prepared& run, bool since_last) {
+  const implicit::Solver& solver = *run.implicit;
+  std::vector<double> shares(run.model.bodies.size(), 0.0);
+  for (const implicit::WallNode& node : solver.walls.nodes) {
+    if (!node.springs) continue;
+    double& most = shares[static_cast<std::size_t>(solver.bodies.place[node.own].body)];
+    most = std::max(most, node.behind - (since_last ? node.behind_before : 0));
+  }
+  run.links.ranks.max(shares);
+  for (std::size_t b = 0; b < shares.size(); ++b)
+    shares[b] /= run.watched->thinnest[static_cast<std::size_t>(run.model.bodies[b].blocks.front())];
+  return shares;
+}
 
 void watch_implicit(Prepared& run) {
   const auto meets = [](const contact::MortarPair& pair) { return !pair.tied; };

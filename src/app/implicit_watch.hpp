@@ -6,6 +6,7 @@
 // hold by springs, into a rigid wall. Sliding is no crossing: a chord of a convex surface is shallow.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "prepare.hpp"
 
@@ -13,6 +14,10 @@ namespace brunt::app {
 
 /// Surfaces and pairs, if the scene has mortar contact that is no tie, or rigid bodies at rigid walls. Collective.
 void watch_implicit(Prepared& run);
+
+/// Of each rigid body: how deep it lies behind rigid walls, or how much deeper than at t_n, over the depth of its
+/// thinnest element. Of a watched run. Collective.
+[[nodiscard]] std::vector<double> shares_behind_walls(const Prepared& run, bool since_last);
 
 /// Why the step from x_n (reference + displacement of the state) to the present positions is inadmissible; empty if it
 /// is not. The same on all ranks. Collective.

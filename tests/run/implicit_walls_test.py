@@ -109,6 +109,7 @@ class Walls(SceneProgram):
                 depth = max(-row["foot.z"] for row in rows)
                 self.assertLess(depth, 0.03)
                 self.assertAlmostEqual(self.summary("out")["max_penetration"], depth, delta=1e-12)
+                self.assertEqual("behind a rigid wall" in self.text("out", "log.txt"), depth > 0.1 * 0.1)
 
     def test_friction_of_driven_nodes_and_of_bilateral_walls(self):
         block = BLOCK.replace("[1, 1, 2]", "[1, 1, 1]").replace("[2, 2, 4]", "[1, 1, 1]") + "probes: [{name: w, wall: w}, {name: r, set: a_zmin, field: reaction}]\n"
