@@ -10,6 +10,7 @@
 #include "brunt/comm/deal_out.hpp"
 #include "brunt/comm/rendezvous.hpp"
 #include "brunt/depth/samples.hpp"
+#include "brunt/io/json_text.hpp"
 #include "commands.hpp"
 #include "depth_folder.hpp"
 #include "depth_message.hpp"
@@ -164,14 +165,14 @@ int depth_command(const comm::Communicator& ranks, const DepthOptions& options) 
         continue;
       }
       folder->add(row);
-      fmt::print(stderr, "{}", warning_of(row));
+      fmt::print(stderr, "{}", warning_of(row, options.careful));
       if (!options.json && count <= 10) fmt::print("{}", described(row));
       json.push_back(as_json(row));
       all.push_back(std::move(row));
     }
   });
   if (!ranks.is_root()) return 0;
-  if (options.json) fmt::print("{}\n", json.dump(1));
+  if (options.json) fmt::print("{}\n", io::json_text(json, 1));
   if (!options.json && count == 0) fmt::print("{}: no two parts overlap\n", options.a);
   if (!options.json && count > 10) print_summary(all, work.poses.size());
   if (count <= 10) folder->write_surfaces(work, all);

@@ -11,6 +11,7 @@
 
 #include "brunt/core/error.hpp"
 #include "brunt/core/excerpt.hpp"
+#include "brunt/core/utf8.hpp"
 #include "brunt/geometry/closed_surface.hpp"
 #include "brunt/geometry/flip_slivers.hpp"
 #include "brunt/geometry/merge_points.hpp"
@@ -55,7 +56,7 @@ void note_crossings(NamedSurface& named) {
 }
 
 NamedSurface closed_surface_of(const std::string& path, double merge) {
-  NamedSurface named{.name = path, .surface = {}, .notes = {}};
+  NamedSurface named{.name = as_utf8(path), .surface = {}, .notes = {}};
   const io::SurfaceFile file = io::read_surface(path);
   const double tolerance = merge >= 0 ? merge : geometry::default_tolerance(file.surface, file.single_precision);
   geometry::MergedSurface merged = geometry::merge_points(file.surface, tolerance);
@@ -113,7 +114,7 @@ const char* name_of(depth::Metric metric) {
 }
 
 NamedSurface read_closed_surface(const comm::Communicator& ranks, const std::string& path, double merge) {
-  NamedSurface named{.name = path, .surface = {}, .notes = {}};
+  NamedSurface named{.name = as_utf8(path), .surface = {}, .notes = {}};
   on_root(ranks, [&] { named = closed_surface_of(path, merge); });
   share(ranks, named.surface);
   return named;

@@ -7,6 +7,7 @@
 
 #include "brunt/core/error.hpp"
 #include "brunt/io/csv.hpp"
+#include "brunt/io/json_text.hpp"
 #include "brunt/io/surface_file.hpp"
 #include "brunt/io/text_file.hpp"
 
@@ -72,7 +73,7 @@ void DepthFolder::write_surfaces(const DepthWork& work, const std::vector<DepthR
 
 void DepthFolder::finish(const nlohmann::ordered_json& all) const {
   if (folder_.empty()) return;
-  io::replace_text(folder_ + "/depth.json", all.dump(1) + "\n");
+  io::replace_text(folder_ + "/depth.json", io::json_text(all, 1) + "\n");
 }
 
 /// Removes an incomplete last row of a killed run.

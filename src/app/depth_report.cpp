@@ -88,13 +88,14 @@ std::string described(const DepthRow& row) {
                             answer.queries, 1e3 * row.seconds);
 }
 
-std::string warning_of(const DepthRow& row) {
+std::string warning_of(const DepthRow& row, bool careful) {
   const depth::Answer& answer = row.answer;
   if (!far_above_overlaps(answer)) return {};
   return fmt::format(
       "warning: pose {}, {} in {}, {}: depth {:.6g} is more than the overlaps together, {:.6g}: a shorter motion may "
-      "have been missed (--careful searches longer{})\n",
+      "have been missed ({}{})\n",
       row.pose, row.a, row.b, name_of(row.metric), answer.depth, answer.overlaps,
+      careful ? "the search with B moving may find it" : "--careful searches longer",
       answer.proven ? ", --certify proves" : "");
 }
 

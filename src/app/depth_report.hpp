@@ -12,8 +12,8 @@ namespace brunt::app {
 /// Some lines, for a terminal.
 [[nodiscard]] std::string described(const DepthRow& row);
 
-/// One line, empty where the overlaps explain the depth.
-[[nodiscard]] std::string warning_of(const DepthRow& row);
+/// One line, empty where the overlaps explain the depth. careful: the search was; the advice is another then.
+[[nodiscard]] std::string warning_of(const DepthRow& row, bool careful);
 
 [[nodiscard]] nlohmann::ordered_json as_json(const DepthRow& row);
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/excerpt.hpp"
 #include "brunt/depth/encounter.hpp"
 #include "brunt/depth/samples.hpp"
 #include "depth_poses.hpp"
@@ -58,6 +59,9 @@ depth::Body body_with(const NamedSurface& named, const std::vector<std::vector<V
 }
 
 DepthWork work_of_files(const comm::Communicator& ranks, const DepthOptions& options) {
+  if (!options.overrides.empty())
+    throw InputError(fmt::format("invalid --set '{}': surfaces have no values; expected a scene (.yaml)",
+                                 excerpt(options.overrides.front())));
   DepthWork work;
   std::vector<std::string> faults;
   for (const std::string& path : {options.a, options.b}) {
@@ -102,9 +106,11 @@ bool share_points(const TriangleSurface& a, const TriangleSurface& b) {
 }
 
 DepthWork work_of_scene(const comm::Communicator& ranks, const DepthOptions& options) {
-  if (!options.at.empty() || !options.turn.empty() || !options.poses.empty() || !options.pieces.empty())
+  if (!options.at.empty() || !options.turn.empty() || !options.poses.empty() || !options.pieces.empty() ||
+      options.merge >= 0)
     throw InputError(options.a +
-                     ": invalid options: a scene places its own parts; expected no --at, --turn, --poses or --pieces");
+                     ": invalid options: a scene places its own parts; expected no --at, --turn, --poses, "
+                     "--pieces or --merge");
   DepthWork work;
   work.surfaces = surfaces_of_scene(ranks, read_input(ranks, options.a, options.overrides));
   for (const NamedSurface& named : work.surfaces) work.bodies.push_back(body_of(named));

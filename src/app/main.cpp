@@ -136,6 +136,12 @@ std::string no_number(const std::string& text) {
   return fmt::format("invalid number '{}'; expected a finite number >= 0", excerpt(text));
 }
 
+/// (depth - bound) / depth.
+std::string no_gap(const std::string& text) {
+  if (no_number(text).empty() && std::stod(text) > 0 && std::stod(text) < 1) return {};
+  return fmt::format("invalid gap '{}'; expected a number between 0 and 1, as in --certify 0.05", excerpt(text));
+}
+
 /// "10s": seconds, with or without the unit.
 std::string no_time(std::string& text) {
   if (text.ends_with('s')) text.pop_back();
@@ -173,7 +179,7 @@ void add_depth(CLI::App& program, app::DepthOptions& options, Command& chosen) {
   depth
       ->add_option("--certify", options.certify, "Search all motions until (depth - bound) / depth is at most this gap")
       ->type_name("GAP")
-      ->check(no_number);
+      ->check(no_gap);
   depth->add_option("--boxes", options.boxes, "End the certified search after this number of boxes (reproducible)")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
   depth->add_option("--limit", options.limit, "End the certified search after this time in seconds (not reproducible)")

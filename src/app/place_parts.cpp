@@ -79,20 +79,28 @@ struct Placer {
     return fault;
   }
 
-  /// The part that leaves what it overlaps, where the scene gives no limit.
-  [[nodiscard]] std::optional<std::string> beyond_overlap(const setup::InitialGaps& gaps,
-                                                          const depth::AssemblyAnswer& answer) const {
+  /// The part that moves farthest beyond its overlaps, of those with a limit or of those without.
+  [[nodiscard]] std::optional<FarMotion> beyond_overlap(const setup::InitialGaps& gaps,
+                                                        const depth::AssemblyAnswer& answer, bool limited) const {
     std::vector<char> judged(scene.blocks.size());
-    for (std::size_t k = 0; k < judged.size(); ++k) judged[k] = answer.farthest[k] > 0 && !limit_of(k);
-    const std::optional<FarMotion> far = placed_far(scene, gaps, answer, judged);
-    if (!far) return std::nullopt;
-    const std::string &one = part(far->block), &other = part(far->other_block);
+    for (std::size_t k = 0; k < judged.size(); ++k)
+      judged[k] = answer.farthest[k] > 0 && limit_of(k).has_value() == limited;
+    return placed_far(scene, gaps, answer, judged);
+  }
+  [[nodiscard]] std::string refused(const FarMotion& far) const {
+    const std::string &one = part(far.block), &other = part(far.other_block);
     return fmt::format(
-        "{}: out of range: initial_overlap: place would move part '{}' by {} out of part '{}', which it overlaps by "
-        "{}; expected at most {:g} times the overlap: correct the positions or sizes of the parts, or set limit to the "
-        "largest displacement that is intended",
-        input.at(scene::contact_key(input, one, other)), one, length(far->motion), other, length(far->overlap),
+        "{}: out of range: initial_overlap: place would move part '{}' by {} relative to part '{}', which it overlaps "
+        "by {}; expected at most {:g} times the overlap: correct the positions or sizes of the parts, or set limit to "
+        "the largest displacement that is intended",
+        input.at(scene::contact_key(input, one, other)), one, length(far.motion), other, length(far.overlap),
         most_overlaps);
+  }
+  [[nodiscard]] std::string admitted(const FarMotion& far) const {
+    return fmt::format(
+        "initial_overlap: place moves part '{}' by {} relative to part '{}', which it overlaps by {}: a shorter motion "
+        "may have been missed",
+        part(far.block), length(far.motion), part(far.other_block), length(far.overlap));
   }
 
   [[nodiscard]] std::string moved_line(std::size_t k, const depth::AssemblyAnswer& answer) const {
@@ -125,8 +133,11 @@ PlacedParts place_parts(const scene::Input& input, mesh::Mesh& mesh, const setup
   if (!answer.found) return placed;
   if (const std::optional<std::string> fault = placer.beyond_limit(answer)) placed.faults.push_back(*fault);
   if (placed.faults.empty())
-    if (const std::optional<std::string> fault = placer.beyond_overlap(gaps, answer)) placed.faults.push_back(*fault);
+    if (const std::optional<FarMotion> far = placer.beyond_overlap(gaps, answer, false))
+      placed.faults.push_back(placer.refused(*far));
   if (!placed.faults.empty()) return placed;
+  if (const std::optional<FarMotion> far = placer.beyond_overlap(gaps, answer, true))
+    placed.warnings.push_back(placer.admitted(*far));
 
   const double largest = std::ranges::max(answer.farthest);
   std::size_t count = 0;

@@ -12,8 +12,9 @@
 namespace brunt::app {
 
 struct PlacedParts {
-  std::vector<std::string> notes;   ///< a line for all, then one for each part that moved
-  std::vector<std::string> faults;  ///< why it failed; the mesh is then unchanged
+  std::vector<std::string> notes;     ///< a line for all, then one for each part that moved
+  std::vector<std::string> warnings;  ///< of a part that a limit lets move far beyond its overlaps, see placed_far.hpp
+  std::vector<std::string> faults;    ///< why it failed; the mesh is then unchanged
 };
 
 /// Moves the coordinates of parts by the smallest sum of mass times object norm squared (depth/assembly.hpp) for which

@@ -33,7 +33,7 @@ struct FarMotion {
 /// The overlap of two surfaces is the larger of two measures, both of the surfaces as they are given: the depth below
 /// which no motion separates them (depth/lower_bound.hpp), and the penetration of the deepest node of either inside the
 /// other (setup/initial_gaps.hpp). The first also sees edges without nodes inside, the second overlaps far from all
-/// balls. judged: of each member, whether this default holds.
+/// balls. judged: of each member, whether it counts.
 [[nodiscard]] std::optional<FarMotion> placed_far(const SceneAssembly& scene, const setup::InitialGaps& gaps,
                                                   const depth::AssemblyAnswer& answer, std::span<const char> judged);
 

@@ -9,6 +9,8 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "brunt/io/json_text.hpp"
+
 namespace brunt::app {
 namespace {
 
@@ -54,7 +56,7 @@ void print_result(const comm::Communicator& ranks, const SearchOptions& options,
                                 {"most_messages", result.traffic.messages},
                                 {"most_bytes_sent", result.traffic.bytes}};
   if (options.method == "kdop") object["tests"] = sums[3];
-  fmt::print("{}\n", object.dump());
+  fmt::print("{}\n", io::json_text(object));
 }
 
 }  // namespace brunt::app

@@ -24,7 +24,7 @@ bool any_to_place(const setup::InitialGaps& gaps) {
 }
 
 /// Places parts, and judges anew where they stand then; the list stays that of the mesh as it was. Returns warnings of
-/// parts that were moved through what the placement does not see.
+/// parts that were moved through what the placement does not see, or far beyond their overlaps.
 std::vector<std::string> place(const scene::Input& input, mesh::Mesh& mesh, const setup::StartRules& rules,
                                TreatedOverlaps& treated) {
   const std::vector<Vec3> before = mesh.coordinates;
@@ -41,9 +41,13 @@ std::vector<std::string> place(const scene::Input& input, mesh::Mesh& mesh, cons
     report.faults.push_back(input.at("contact") + ": invalid initial_overlap: place leaves an overlap: " +
                             (after.list.empty() ? "of parts that move as one body" : after.list.front()) +
                             "; expected parts whose surfaces do not intersect themselves");
-  if (report.faults.empty()) return placed_beyond(input, mesh, before);
-  mesh.coordinates = before;
-  return {};
+  if (!report.faults.empty()) {
+    mesh.coordinates = before;
+    return {};
+  }
+  std::vector<std::string> warnings = placed_beyond(input, mesh, before);
+  warnings.insert(warnings.end(), placed.warnings.begin(), placed.warnings.end());
+  return warnings;
 }
 
 }  // namespace

@@ -16,21 +16,13 @@ using geometry::Triangle;
 constexpr double facing = 0.25;     // cosine: a normal may lean this much to the wrong side
 constexpr double passed = 1e-3;     // cosine: the same of pairs that do not cross
 constexpr double flat = 1e-3;       // sine: half the turn of the normal at an edge that belongs to a plane
-constexpr double beside = 1e-2;     // cosine: a normal may lie this much beside those of an edge
+constexpr double beside = 1e-3;     // sine: a normal may lie this much beside those of an edge
 constexpr double parallel = 1e-7;   // sine: the product of parallel edges is undefined
 constexpr double same_row = 1e-9;   // of A's radius, and of normals: equal conditions
 constexpr double rounding = 1e-12;  // of A's radius: a vertex nearer to the surface has no direction to it
 
 Vec3 normal_of(const Triangle& t) {
   return (t[1] - t[0]).cross(t[2] - t[0]).normalized();
-}
-
-double least_along(const Triangle& t, const Vec3& n) {
-  return std::min({n.dot(t[0]), n.dot(t[1]), n.dot(t[2])});
-}
-
-double most_along(const Triangle& t, const Vec3& n) {
-  return std::max({n.dot(t[0]), n.dot(t[1]), n.dot(t[2])});
 }
 
 /// The corners of what lies of a triangle over or under another one, along that one's normal: at most six.
@@ -87,7 +79,9 @@ bool reaches(const Facet& facet, const Vec3& n) {
 bool among(const Facet& facet, std::size_t i, const Vec3& n) {
   const Vec3 &face = facet.normals[0], &edge = facet.normals[1 + i];
   const Vec3 along = facet.corners[(i + 1) % 3] - facet.corners[i];
-  return along.cross(face).dot(edge) > flat * along.norm() && n.dot(edge) >= face.dot(edge) - beside;
+  if (!(along.cross(face).dot(edge) > flat * along.norm()) || !(n.dot(edge) > 0)) return false;
+  // the sine of the angle by which n is farther from the middle of the edge's normals than the face's
+  return n.cross(edge).norm() * face.dot(edge) - n.dot(edge) * face.cross(edge).norm() <= beside;
 }
 
 Cut cut_over(const Triangle& t, const Triangle& base, const Vec3& normal) {
@@ -137,8 +131,8 @@ Parting parting_of(const Facet& fa, const Facet& fb) {
       for (const double sign : {1.0, -1.0}) {
         const Vec3 n = sign * product.normalized();
         if (!among(fa, i, -n) || !among(fb, j, n)) continue;
-        offer(Parting::Of::edges, n, least_along(a, n) - most_along(b, n));
-        if (best.of == Parting::Of::edges && best.normal == n) best.at = nearest_on_edge(a[i], u, b[j], v);
+        const double gap = n.dot(a[i] - b[j]);
+        if (gap > best.gap) best = {Parting::Of::edges, n, nearest_on_edge(a[i], u, b[j], v), gap, {}};
       }
     }
   return best;

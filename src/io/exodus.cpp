@@ -4,6 +4,7 @@
 
 #include <exodusII.h>
 #include <fmt/core.h>
+#include <netcdf.h>
 
 #include <algorithm>
 #include <cctype>
@@ -13,6 +14,7 @@
 
 #include "brunt/core/error.hpp"
 #include "brunt/core/excerpt.hpp"
+#include "brunt/core/utf8.hpp"
 #include "left_out.hpp"
 #include "netcdf_layout.hpp"
 #include "set_words.hpp"
@@ -68,7 +70,7 @@ class ExodusFile {
   std::string name(ex_entity_type type, std::int64_t id) const {
     std::vector<char> text(name_length + 2, '\0');
     if (ex_get_name(id_, type, id, text.data()) < 0) return {};
-    return std::string(text.data());
+    return as_utf8(std::string(text.data()));
   }
 
  private:
@@ -155,10 +157,23 @@ BlockRead read_block(const ExodusFile& file, std::int64_t id) {
   return read;
 }
 
+/// ex_get_coord of the library's 6.02 takes the number 0 of a variable for none, and leaves that coordinate unread.
+void read_first_variable(const ExodusFile& file, const char* name, std::vector<double>& values) {
+  int variable = -1, dimensions = 0;
+  if (nc_inq_varid(file.id(), name, &variable) != NC_NOERR || variable != 0) return;
+  const std::size_t begin = 0, count = values.size();
+  const bool read = nc_inq_varndims(file.id(), variable, &dimensions) == NC_NOERR && dimensions == 1 &&
+                    nc_get_vara_double(file.id(), variable, &begin, &count, values.data()) == NC_NOERR;
+  file.succeed(read ? 0 : -1, "coordinates");
+}
+
 void read_nodes(const ExodusFile& file, const ex_init_params& sizes, Mesh& mesh) {
   const std::size_t count = file.plausible(sizes.num_nodes, "nodes");
   std::vector<double> x(count), y(count), z(count);
   file.succeed(ex_get_coord(file.id(), x.data(), y.data(), z.data()), "coordinates");
+  read_first_variable(file, "coordx", x);
+  read_first_variable(file, "coordy", y);
+  read_first_variable(file, "coordz", z);
   mesh.coordinates.reserve(count);
   for (std::size_t n = 0; n < count; ++n) mesh.coordinates.emplace_back(x[n], y[n], z[n]);
   mesh.node_id.resize(count);

@@ -5,14 +5,13 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "brunt/io/json_text.hpp"
 #include "brunt/io/text_file.hpp"
 
 namespace brunt::io {
 
 void write_summary(const std::string& folder, const nlohmann::ordered_json& summary) {
-  // A path in a warning may hold bytes that are no UTF-8: shown as the replacement character, never a lost summary.
-  const auto handler = nlohmann::ordered_json::error_handler_t::replace;
-  replace_text(folder + "/summary.json", summary.dump(2, ' ', false, handler) + "\n");
+  replace_text(folder + "/summary.json", json_text(summary, 2) + "\n");
 }
 
 std::optional<GlobalIndex> summarised_steps(const std::string& folder) {

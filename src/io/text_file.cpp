@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/utf8.hpp"
 
 namespace brunt::io {
 namespace {
@@ -70,6 +71,7 @@ void refuse_utf16(std::string_view text, const std::string& name) {
 std::string plain_text(std::string text, const std::string& name) {
   refuse_utf16(text, name);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  text = as_utf8(std::move(text));
   std::size_t to = text.find('\r');
   if (to == std::string::npos) return text;
   for (std::size_t from = to; from < text.size(); ++from) {

@@ -116,6 +116,25 @@ class Forms(Files):
                 self.put(f"a.{format}", mark + content.decode().encode(order))
                 self.assert_one_line(self.brunt("depth", f"a.{format}", "b.obj"), f"a.{format}:1", "UTF-16", "UTF-8")
 
+    def test_text_that_is_no_utf8_is_latin1(self):
+        """Of old programs; the scene finds the names in its own UTF-8."""
+        scene = SCENE.replace("FILE", "bar.msh").replace("BLOCK", "gr\u00fcn")
+        self.put("bar.msh", msh2(*bar()).replace(b'"bar"', '"gr\u00fcn"'.encode("latin-1")))
+        for encoding in ("utf-8", "latin-1"):
+            self.put("scene.yaml", scene.encode(encoding))
+            with self.subTest(scene=encoding):
+                self.assertEqual(self.found(self.brunt("check", "scene.yaml")), (3, 16, 24.0))
+
+    def test_a_file_may_have_any_name(self):
+        name = b"gr\xfcn.obj"
+        for path in (name, b"b.obj"):
+            with open(os.path.join(os.fsencode(self.folder), path), "wb") as stream:
+                stream.write(obj())
+        for words in ((), ("--json",), ("--out", "result")):
+            done = self.brunt("depth", os.fsdecode(name), "b.obj", *words)
+            with self.subTest(words=words):
+                self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_parametric_nodes_and_binary_files_of_gmsh(self):
         scene = SCENE.replace("FILE", "bar.msh").replace("BLOCK", "bar")
         nodes, cubes = bar()

@@ -23,7 +23,7 @@ TOUCHING = 1e-6  # of the bore: the gap that is left, and rounding
 PATIENCE = 120  # [s] of one run
 
 REFUSAL = re.compile(r"^brunt: scene\.yaml:\d+: contact\.0\S*: out of range: initial_overlap: place would move part '(pin|hub)' by (\S+) mm "
-                     r"out of part '(pin|hub)', which it overlaps by (\S+) mm; expected at most 5 times the overlap: \S.*$")
+                     r"relative to part '(pin|hub)', which it overlaps by (\S+) mm; expected at most 5 times the overlap: \S.*$")
 
 
 class Fit:

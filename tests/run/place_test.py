@@ -152,12 +152,14 @@ mesh:
         code, _, errors = self.check(press)
         self.assertEqual(code, 2)
         self.assertEqual(len(errors.splitlines()), 1, errors)
-        told = re.match(r"brunt: scene\.yaml:\d+: contact\.0: out of range: initial_overlap: place would move part '(?:left|right)' by (\S+) mm out of part "
+        told = re.match(r"brunt: scene\.yaml:\d+: contact\.0: out of range: initial_overlap: place would move part '(?:left|right)' by (\S+) mm relative to part "
                         r"'(?:left|right)', which it overlaps by (\S+) mm; expected at most 5 times the overlap: .*set limit", errors)
         self.assertIsNotNone(told, errors)
         self.assertGreater(float(told.group(1)), 20)  # half of the hub's length and more
         self.assertAlmostEqual(float(told.group(2)), 0.3, delta=0.1)  # facets
-        self.assertEqual(len(self.placed(press.replace("place}", "place, limit: 100}"))[0]), 2)
+        limited = press.replace("place}", "place, limit: 100}")
+        self.assertEqual(len(self.placed(limited)[0]), 2)
+        self.assertRegex(self.check(limited)[1], r"place moves part '(?:left|right)' by \S+ mm relative to part '(?:left|right)', which it overlaps by \S+ mm")
 
     def test_a_neighbour_pushed_aside_by_another_part_slides(self):
         """A block stands in a fixed wall, and a lid overlaps the block a little, across that direction: nothing is pulled out."""

@@ -14,7 +14,8 @@ void replace_text(const std::string& path, std::string_view text);
 [[nodiscard]] std::string read_text(const std::string& path);
 
 /// The text in one form, whatever program wrote it: without a byte-order mark, each line ends with '\n' instead of CR
-/// LF or CR. Line numbers stay. Throws InputError for UTF-16; `name`: of the file.
+/// LF or CR, and UTF-8: other text is taken as Latin-1. Line numbers stay. Throws InputError for UTF-16; `name`: of the
+/// file.
 [[nodiscard]] std::string plain_text(std::string text, const std::string& name);
 
 /// Throws InputError if the text begins with the byte-order mark of UTF-16.

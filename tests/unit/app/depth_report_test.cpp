@@ -68,10 +68,12 @@ TEST_CASE("depth_report: text names what was found, and what was not") {
 TEST_CASE("depth_report: a depth above the overlaps together is warned of") {
   app::DepthRow row = support::depth_row();
   row.answer.overlaps = row.answer.depth;
-  CHECK(app::warning_of(row).empty());
+  CHECK(app::warning_of(row, false).empty());
   row.answer.overlaps = .5 * row.answer.depth;
-  CHECK_THAT(app::warning_of(row),
-             Contains("warning: pose ") && Contains("is more than the overlaps together, 0.0714"));
+  CHECK_THAT(app::warning_of(row, false), Contains("warning: pose ") &&
+                                              Contains("is more than the overlaps together, 0.0714") &&
+                                              Contains("--careful"));
+  CHECK_THAT(app::warning_of(row, true), !Contains("--careful") && Contains("with B moving"));
   row.answer.overlap = false;
-  CHECK(app::warning_of(row).empty());
+  CHECK(app::warning_of(row, false).empty());
 }

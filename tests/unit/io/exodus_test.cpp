@@ -3,8 +3,10 @@
 #include "brunt/io/exodus.hpp"
 
 #include <exodusII.h>
+#include <netcdf.h>
 #include <unistd.h>
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -143,6 +145,54 @@ TEST_CASE("a wedge's sides have the nodes that the format's manual gives them", 
   REQUIRE(sides.size() == 5);
   for (std::size_t i = 0; i < 5; ++i)
     CHECK(mesh::face_nodes(mesh::Shape::hex8, mesh.blocks[1].element(sides[i].element), sides[i].face) == expected[i]);
+}
+
+TEST_CASE("coordinates are read wherever they stand in the file", "[exodus]") {
+  const TemporaryFile file;
+  for (std::size_t first = 0; first < 3; ++first) {
+    int id = 0, nodes = 0, elements = 0, blocks = 0, corner = 0, other = 0, connect = 0, number = 0;
+    REQUIRE(nc_create(file.path.c_str(), NC_CLOBBER, &id) == NC_NOERR);
+    const float version = 5.1F;
+    const int word = 8, one = 1;
+    nc_put_att_float(id, NC_GLOBAL, "api_version", NC_FLOAT, 1, &version);
+    nc_put_att_float(id, NC_GLOBAL, "version", NC_FLOAT, 1, &version);
+    nc_put_att_int(id, NC_GLOBAL, "floating_point_word_size", NC_INT, 1, &word);
+    nc_put_att_text(id, NC_GLOBAL, "title", 4, "cube");
+    nc_put_att_int(id, NC_GLOBAL, "file_size", NC_INT, 1, &one);  // an array for each axis
+    nc_def_dim(id, "num_dim", 3, &other);
+    nc_def_dim(id, "num_nodes", 8, &nodes);
+    nc_def_dim(id, "num_elem", 1, &elements);
+    nc_def_dim(id, "num_el_blk", 1, &blocks);
+    nc_def_dim(id, "num_el_in_blk1", 1, &elements);
+    nc_def_dim(id, "num_nod_per_el1", 8, &corner);
+    std::array<int, 3> axes{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t axis = (first + k) % 3;
+      nc_def_var(id, (std::string("coord") + "xyz"[axis]).c_str(), NC_DOUBLE, 1, &nodes, &axes[axis]);
+    }
+    const std::array<int, 2> table{elements, corner};
+    nc_def_var(id, "eb_prop1", NC_INT, 1, &blocks, &number);
+    nc_put_att_text(id, number, "name", 2, "ID");
+    nc_def_var(id, "connect1", NC_INT, 2, table.data(), &connect);
+    nc_put_att_text(id, connect, "elem_type", 4, "HEX8");
+    nc_enddef(id);
+    const std::array<int, 8> cube{1, 2, 3, 4, 5, 6, 7, 8};
+    nc_put_var_int(id, number, &one);
+    nc_put_var_int(id, connect, cube.data());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::array<double, 8> values{};
+      for (std::size_t n = 0; n < 8; ++n) {
+        const std::array<bool, 3> at_one{n % 4 == 1 || n % 4 == 2, n % 4 > 1, n > 3};
+        values[n] = at_one[axis] ? 1 : 0;
+      }
+      nc_put_var_double(id, axes[axis], values.data());
+    }
+    REQUIRE(nc_close(id) == NC_NOERR);
+    const mesh::Mesh mesh = io::read_mesh(file.path);
+    CHECK(mesh.coordinates[6] == Vec3(1, 1, 1));
+    CHECK(mesh.coordinates[1] == Vec3(1, 0, 0));
+    CHECK(mesh.coordinates[4] == Vec3(0, 0, 1));
+  }
 }
 
 TEST_CASE("an Exodus mesh that cannot be used is refused by name", "[exodus]") {
