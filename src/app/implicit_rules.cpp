@@ -97,6 +97,10 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
           fmt::format("{}: invalid initial_overlap: offset in an implicit scene; expected error, warn, move or place",
                       input.at(fmt::format("contact.{}.initial_overlap", k))));
   for (std::size_t k = 0; k < input.contact.size(); ++k)
+    if (input.contact[k].consistent && input.implicit->scheme != model::Scheme::statics)
+      faults.push_back(fmt::format("{}: invalid without scheme: static; expected consistent: false",
+                                   input.at(fmt::format("contact.{}.consistent", k))));
+  for (std::size_t k = 0; k < input.contact.size(); ++k)
     if (!input.contact[k].mortar)
       faults.push_back(
           fmt::format("{}: invalid contact in an implicit scene; expected {{between: [a, b], method: mortar}}",

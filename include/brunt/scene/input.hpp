@@ -187,6 +187,7 @@ struct ContactEntry {
   bool tied = false;
   bool mortar = false;  ///< of implicit scenes: segment to segment
   contact::Multiplier multiplier = contact::Multiplier::dual;
+  bool consistent = false;  ///< of mortar: forces are the gradient of the weighted gaps
   contact::MortarPair::Enforce enforce = contact::MortarPair::Enforce::lagrange;
   contact::OverlapRule initial_overlap = contact::OverlapRule::error;
   std::optional<double> limit;  ///< of `place`: largest displacement of a point of a part [length]
