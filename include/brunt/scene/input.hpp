@@ -18,6 +18,7 @@
 #include "brunt/mesh/round_form.hpp"
 #include "brunt/model/erosion.hpp"
 #include "brunt/model/implicit_solver.hpp"
+#include "brunt/scene/guards.hpp"
 #include "brunt/scene/places.hpp"
 
 namespace brunt::scene {
@@ -247,6 +248,7 @@ struct Input {
   std::vector<ContactEntry> contact;
   std::vector<Probe> probes;
   Run run;
+  Guards guards;
   std::optional<model::ImplicitSolver> implicit;  ///< absent: explicit
   Output output;
   std::optional<double> history_every;
