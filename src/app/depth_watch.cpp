@@ -47,7 +47,7 @@ std::vector<std::string> warnings_of_walls(const Prepared& run,
   for (std::size_t b = 0; b < shares.size(); ++b) {
     const model::RigidBody& body = run.model.bodies[b];
     const std::pair pair(body.blocks.front(), std::int32_t{no_index});
-    if (!(shares[b] > warned_depth) || std::ranges::find(known, pair) != known.end()) continue;
+    if (!(shares[b] > run.input.guards.depth_warning) || std::ranges::find(known, pair) != known.end()) continue;
     known.push_back(pair);
     warnings.push_back(
         fmt::format("rigid part '{}' lies {:.2g} of an element behind a rigid wall at t = {:g}, step {}: walls hold "
@@ -132,14 +132,16 @@ std::vector<std::string> DepthWatch::look(const Prepared& run) {
   const contact::VectorView position{run.state.nodes.empty() ? nullptr : run.state.nodes.front().x,
                                      sizeof(model::NodeLine) / sizeof(double)};
   const contact::WatchedSurface watched = watched_surface(run);
-  const contact::DeepNodes found =
-      contact::find_deep_nodes(watched, position, elements_within_reach(run, watched, position), warned_depth);
+  const contact::DeepNodes found = contact::find_deep_nodes(
+      watched, position, elements_within_reach(run, watched, position), least_depth(run.input.guards));
   const contact::DeepNode& worst = found.worst;
   if (worst.share > deepest_.share) deepest_ = worst;
-  if (!(worst.share > warned_depth)) return warnings;
+  const scene::Guards& limits = run.input.guards;
+  if (!(worst.share > limits.depth_warning)) return warnings;
   const bool begins_inside =
       run.overlaps.recovered || (run.contact && !run.contact->derived.detection.accepted.empty());
-  const bool lost = worst.share >= lost_depth && !begins_inside && !(run.contact && run.contact->settings.erodes);
+  const bool lost = worst.share >= but_for_rounding * limits.depth_stop && !begins_inside &&
+                    !(run.contact && run.contact->settings.erodes);
   const std::pair pair(worst.node_block, worst.block);
   const bool known = std::ranges::find(reported_, pair) != reported_.end();
   if (known && !lost) return warnings;
@@ -154,7 +156,9 @@ std::vector<std::string> DepthWatch::look(const Prepared& run) {
   warnings.push_back(fmt::format(
       "contact leaves penetration: {}{}; {}: use smaller elements there (reported once for each pair of parts; "
       "deepest_penetration in summary.json is the largest)",
-      text, found.count > 1 ? fmt::format(" ({} nodes and edges are deeper than {:g})", found.count, warned_depth) : "",
+      text,
+      found.count > 1 ? fmt::format(" ({} nodes and edges are deeper than {:g})", found.count, least_depth(limits))
+                      : "",
       run.implicit ? "mortar contact holds mean gaps over facets of the slave, not nodes, so a coarse slave lets the "
                      "other side in"
                    : "contact does not hold edges between nodes, nor nodes that passed a folded or a very coarse "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Penetration by positions: nodes and sharp edges inside elements of other bodies, whatever contact knows of them.
 #pragma once
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,11 +11,16 @@
 
 namespace brunt::app {
 
-/// Shares of an element. Where contact holds all nodes it leaves less than a hundredth of an element, and at edges
-/// between nodes up to a tenth in hard impacts (src/contact/surface/README.md): more is worth a warning. What is deeper
-/// than an element has been lost: contact reaches half of one, and the result is wrong there. An edge that passes
-/// squarely through a plate of one element is so deep but for rounding.
-constexpr double warned_depth = 0.1, lost_depth = 1 - 1e-9;
+/// Shares of an element, by the scene's guards. Where contact holds all nodes it leaves less than a hundredth of an
+/// element, and at edges between nodes up to a tenth in hard impacts (src/contact/surface/README.md): more is worth a
+/// warning. What is deeper than an element has been lost: contact reaches half of one, and the result is wrong there.
+/// An edge that passes squarely through a plate of one element is so deep but for rounding.
+constexpr double but_for_rounding = 1 - 1e-9;
+
+/// From this depth on nodes and edges are looked for, in shares of an element.
+inline double least_depth(const scene::Guards& guards) {
+  return std::min({scene::Guards{}.depth_warning, guards.depth_warning, guards.depth_step});
+}
 
 /// Candidate lists are made when nodes have moved by ContactSettings::motion_share = 0.3 of the mean element depth:
 /// with one look in three, nothing moves by more than an element between two looks.

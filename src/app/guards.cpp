@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace brunt::app {
 
@@ -50,47 +51,75 @@ double settling_energy(double mass, double gravity, double dt, double tolerance,
 }
 
 std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding,
-                          const std::string& among_rigid) {
+                          const std::string& among_rigid, const scene::Guards& limits) {
   // A moving wall supplies energy, and so does contact between initially overlapping bodies. At the first instant the
   // whole energy may be rounding of either sign.
   const double parted = recovered ? std::max(-ledger.contact, 0.0) : 0.0;
   const double given = std::max(seen.start_total, 0.0) + std::max(ledger.external, 0.0) + std::max(-ledger.walls, 0.0) +
                        std::max(-ledger.driven, 0.0) + parted;
   const double scale = std::max({seen.largest_energy, std::abs(ledger.internal), std::abs(seen.start_total)});
-  if (std::isfinite(ledger.total()) && ledger.kinetic <= 1.5 * given + 1e-3 * scale + rounding) return {};
+  if (std::isfinite(ledger.total()) && ledger.kinetic <= limits.kinetic * given + 1e-3 * scale + rounding) return {};
   return fmt::format(
       "kinetic energy {:g}, supplied energy {:g}; {}", ledger.kinetic, given,
       among_rigid.empty() ? "the step may be too large for the materials, or elements too distorted" : among_rigid);
 }
 
-std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding, Gives gives) {
-  const double scale = std::max(seen.largest_energy, 10 * rounding);
+namespace {
+
+using Energies = std::array<double, guarded_columns>;
+
+/// In the order of Fault: what is wrong, of either sign.
+Energies faults_of(const time::Ledger& ledger, const Extremes& seen, Gives gives) {
   const double returned = seen.largest_contact - std::max(ledger.contact_totals.contact_work, 0.0);
-  const std::array<double, guarded_columns> energy{
-      ledger.total() - seen.start_total,
-      std::min(ledger.hourglass, 0.0),
-      std::min(ledger.bulk, 0.0),
-      std::min(ledger.damping, 0.0),
-      std::min(ledger.friction - ledger.ties, 0.0),
-      std::min(ledger.internal, 0.0),
-      gives == Gives::parting ? 0.0 : std::min(ledger.contact, 0.0),
-      gives == Gives::nothing ? std::min(seen.largest_stored - returned, 0.0) : 0.0};
+  return {ledger.total() - seen.start_total,
+          std::min(ledger.hourglass, 0.0),
+          std::min(ledger.bulk, 0.0),
+          std::min(ledger.damping, 0.0),
+          std::min(ledger.friction - ledger.ties, 0.0),
+          std::min(ledger.internal, 0.0),
+          gives == Gives::parting ? 0.0 : std::min(ledger.contact, 0.0),
+          gives == Gives::nothing ? std::min(seen.largest_stored - returned, 0.0) : 0.0};
+}
+
+std::vector<Finding> findings_of(std::span<const double, guarded_columns> energy, double scale,
+                                 const scene::Guards& limits) {
   std::vector<Finding> findings;
   for (std::size_t k = 0; k < energy.size(); ++k)
-    if (const double share = scale > 0 ? std::abs(energy[k]) / scale : 0.0; share > warned_share)
-      findings.push_back({static_cast<Fault>(k), energy[k], share, share > stopped_share});
+    if (const double share = scale > 0 ? std::abs(energy[k]) / scale : 0.0; share > limits.energy_warning)
+      findings.push_back({static_cast<Fault>(k), energy[k], share, share > limits.energy_stop});
   return findings;
 }
 
-std::string text_of(const Finding& finding, double time) {
+}  // namespace
+
+std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding, Gives gives,
+                           const scene::Guards& limits) {
+  return findings_of(faults_of(ledger, seen, gives), std::max(seen.largest_energy, 10 * rounding), limits);
+}
+
+void note_worst(const time::Ledger& ledger, Gives gives, double time, Extremes& seen) {
+  const Energies energy = faults_of(ledger, seen, gives);
+  for (std::size_t k = 1; k < energy.size(); ++k) {
+    if (!(energy[k] < seen.worst[k])) continue;
+    seen.worst[k] = energy[k];
+    seen.worst_time[k] = time;
+  }
+}
+
+std::vector<Finding> judge_whole(const Extremes& seen, double rounding, const scene::Guards& limits) {
+  return findings_of(seen.worst, std::max(seen.largest_energy, 10 * rounding), limits);
+}
+
+std::string text_of(const Finding& finding, double time, const char* of) {
   if (finding.fault == Fault::balance)
-    return fmt::format("the error of the energy balance is {:.3g} at t = {:g}, {:.2g} % of the largest energy so far",
-                       finding.energy, time, 100 * finding.share);
+    return fmt::format("the error of the energy balance is {:.3g} at t = {:g}, {:.2g} % of {}", finding.energy, time,
+                       100 * finding.share, of);
   if (finding.fault == Fault::returned)
     return fmt::format(
-        "contact has given back {:.3g} of the energy that it had dissipated, by t = {:g}, {:.2g} % of the "
-        "largest energy so far, but must only take energy",
-        -finding.energy, time, 100 * finding.share);
+        "contact has given back {:.3g} of the energy that it had dissipated, by t = {:g}, {:.2g} % of {}, but must "
+        "only "
+        "take energy",
+        -finding.energy, time, 100 * finding.share, of);
   constexpr std::array names{"",
                              "hourglass energy",
                              "energy of bulk viscosity",
@@ -98,8 +127,8 @@ std::string text_of(const Finding& finding, double time) {
                              "energy of sliding friction",
                              "internal energy",
                              "energy dissipated by contact"};
-  return fmt::format("{} is {:.3g} at t = {:g}, {:.2g} % of the largest energy so far, but must not be negative",
-                     names[static_cast<std::size_t>(finding.fault)], finding.energy, time, 100 * finding.share);
+  return fmt::format("{} is {:.3g} at t = {:g}, {:.2g} % of {}, but must not be negative",
+                     names[static_cast<std::size_t>(finding.fault)], finding.energy, time, 100 * finding.share, of);
 }
 
 std::string likely_cause(Fault fault, const std::string& among_rigid) {

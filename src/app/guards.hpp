@@ -5,9 +5,23 @@
 #include <string>
 #include <vector>
 
+#include "brunt/scene/guards.hpp"
 #include "brunt/time/ledger.hpp"
 
 namespace brunt::app {
+
+/// Errors that a ledger may show.
+enum class Fault {
+  balance,    ///< the total has changed
+  hourglass,  ///< a column that cannot be negative is so
+  bulk,
+  damping,
+  friction,  ///< without the shear of ties, which friction holds too
+  internal,  ///< of stresses: bodies cannot give more than they took
+  contact,   ///< unless the scene lets it part bodies that began inside each other
+  returned   ///< contact has given back energy that it had dissipated; see Gives
+};
+constexpr int guarded_columns = 8;
 
 /// Extremes of the whole run since t = 0, the same on every rank. Doubles only: a checkpoint stores them with the
 /// state.
@@ -21,9 +35,11 @@ struct Extremes {
   double largest_contact = 0;   ///< largest energy dissipated by contact in whole steps; 0 at least
   double largest_stored = 0;    ///< largest part of it that compliant rows stored, and may return [energy]
   double largest_error = 0;     ///< largest |total - start_total| [energy]
-  double start_momentum[3] = {0, 0, 0};  ///< less what was given [momentum]
-  double momentum_error = 0;             ///< largest |p - p0 - impulses given| over the largest sum of m |v|
-  double momentum_scale = 0;             ///< largest sum of m |v|, and |p0| [momentum]
+  double start_momentum[3] = {0, 0, 0};     ///< less what was given [momentum]
+  double momentum_error = 0;                ///< largest |p - p0 - impulses given| over the largest sum of m |v|
+  double momentum_scale = 0;                ///< largest sum of m |v|, and |p0| [momentum]
+  double worst[guarded_columns] = {};       ///< of runs that are judged at their end: largest of each fault [energy]
+  double worst_time[guarded_columns] = {};  ///< when it was
 };
 constexpr int extremes_width = sizeof(Extremes) / sizeof(double);
 
@@ -51,20 +67,7 @@ double settling_energy(double mass, double gravity, double dt, double tolerance,
 /// energy may come from in a scene without deformable elements (cause_among_rigid_bodies), instead of these and of a
 /// stable step.
 std::string energy_growth(const time::Ledger& ledger, const Extremes& seen, bool recovered, double rounding,
-                          const std::string& among_rigid = {});
-
-/// Further errors that a ledger may show.
-enum class Fault {
-  balance,    ///< the total has changed
-  hourglass,  ///< a column that cannot be negative is so
-  bulk,
-  damping,
-  friction,  ///< without the shear of ties, which friction holds too
-  internal,  ///< of stresses: bodies cannot give more than they took
-  contact,   ///< unless the scene lets it part bodies that began inside each other
-  returned   ///< contact has given back energy that it had dissipated; see Gives
-};
-constexpr int guarded_columns = 8;
+                          const std::string& among_rigid = {}, const scene::Guards& limits = {});
 
 /// What contact may give without an error: nothing, what its springs have stored, or the work that parts bodies which
 /// began inside each other.
@@ -73,21 +76,25 @@ enum class Gives { nothing, stored, parting };
 struct Finding {
   Fault fault = Fault::balance;
   double energy = 0;  ///< the change of the total; else the column [energy]
-  double share = 0;   ///< |energy| over the largest energy so far
+  double share = 0;   ///< |energy| over the largest energy, so far or of the run
   bool stop = false;
 };
 
-/// Shares of the largest energy so far: 1 % is the usual bound of the error of an energy balance; at ten times this the
-/// velocities are wrong by a third (energy is proportional to the square).
-constexpr double warned_share = 0.01, stopped_share = 0.1;
-
-/// Findings above warned_share, in the order of Fault. rounding: see rounding_energy; shares refer to at least ten
-/// times this value, so that rounding stays below the warning.
+/// Findings above limits.energy_warning, in the order of Fault. rounding: see rounding_energy; shares refer to at least
+/// ten times this value, so that rounding stays below the warning.
 std::vector<Finding> judge(const time::Ledger& ledger, const Extremes& seen, double rounding,
-                           Gives gives = Gives::nothing);
+                           Gives gives = Gives::nothing, const scene::Guards& limits = {});
 
-/// The sentence for it, without the place: what is wrong, and the likely cause.
-std::string text_of(const Finding& finding, double time);
+/// Takes the faults of a ledger into account that are judged at the end of the run: Extremes::worst. A static run from
+/// rest has next to no energy when bodies first touch, so an error that is nothing at the end is a large share there;
+/// and an error does not grow by itself, since each state is one of equilibrium. The balance is judged at once.
+void note_worst(const time::Ledger& ledger, Gives gives, double time, Extremes& seen);
+
+/// Findings among these at the end, as shares of the largest energy of the whole run.
+std::vector<Finding> judge_whole(const Extremes& seen, double rounding, const scene::Guards& limits = {});
+
+/// The sentence for it, without the place: what is wrong. of: what the share is of.
+std::string text_of(const Finding& finding, double time, const char* of = "the largest energy so far");
 /// What to do about it, or where it comes from. Empty for `internal`, see cause_of_given_work. among_rigid: see
 /// energy_growth.
 std::string likely_cause(Fault fault, const std::string& among_rigid = {});
@@ -100,8 +107,5 @@ double taken_by_parted(const time::Ledger& ledger, const Extremes& seen);
 /// and the larger one of the largest momentum and of the sum of all impulses of contact: the mean offset between the
 /// two points of an impulse in units of the extent.
 double angular_error(const time::Ledger& ledger, const Extremes& seen, double extent);
-
-/// Nodes that are held beyond a rim leave up to 4e-4 (src/io/README.md); more is worth a warning.
-constexpr double warned_angular_error = 1e-3;
 
 }  // namespace brunt::app

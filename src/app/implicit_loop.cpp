@@ -94,9 +94,9 @@ double implicit_rounding(const Prepared& run, double extent) {
 }
 
 bool walls_make_energy(const Prepared& run, const time::Ledger& ledger, double largest_energy) {
-  constexpr double too_much = 0.01;  // as of contact between bodies
   return run.implicit && run.implicit->settings.scheme != model::Scheme::statics &&
-         std::ranges::none_of(run.model.walls, &model::RigidWall::moves) && -ledger.walls > too_much * largest_energy;
+         std::ranges::none_of(run.model.walls, &model::RigidWall::moves) &&
+         -ledger.walls > run.input.guards.energy_warning * largest_energy;
 }
 
 nlohmann::ordered_json implicit_summary(const Prepared& run) {

@@ -67,6 +67,15 @@ void check_bodies(const scene::Input& input, const model::Model& model, std::vec
                                    part(pair.slave), part(pair.master)));
 }
 
+/// What contact of a static run gives comes from the form of its forces, not from the step.
+std::string cause_of_given_in_statics(const model::Model& model) {
+  if (std::ranges::any_of(model.mortar, [](const contact::MortarPair& pair) { return !pair.tied && !pair.consistent; }))
+    return "likely cause: facets that slide over curved surfaces, where the forces of mortar contact are not the "
+           "gradient of its gaps; shorter steps do not help: use consistent: true in contact, or smaller elements";
+  return "likely cause: facets that come into contact, or leave it, at a gap that is not zero; use a smaller "
+         "solver.step, or smaller elements";
+}
+
 }  // namespace
 
 std::vector<std::string> faults_of_implicit(const scene::Input& input, const model::Model& model) {
@@ -97,6 +106,10 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
           fmt::format("{}: invalid initial_overlap: offset in an implicit scene; expected error, warn, move or place",
                       input.at(fmt::format("contact.{}.initial_overlap", k))));
   for (std::size_t k = 0; k < input.contact.size(); ++k)
+    if (input.contact[k].consistent && input.implicit->scheme != model::Scheme::statics)
+      faults.push_back(fmt::format("{}: invalid without scheme: static; expected consistent: false",
+                                   input.at(fmt::format("contact.{}.consistent", k))));
+  for (std::size_t k = 0; k < input.contact.size(); ++k)
     if (!input.contact[k].mortar)
       faults.push_back(
           fmt::format("{}: invalid contact in an implicit scene; expected {{between: [a, b], method: mortar}}",
@@ -108,7 +121,7 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
   return faults;
 }
 
-std::string likely_cause_in_implicit(Fault fault, const model::Model& model) {
+std::string likely_cause_in_implicit(Fault fault, const model::Model& model, model::Scheme scheme) {
   switch (fault) {
     case Fault::internal:
       if (std::ranges::all_of(model.blocks, [](const model::ElementBlock& block) {
@@ -122,6 +135,7 @@ std::string likely_cause_in_implicit(Fault fault, const model::Model& model) {
              "or smaller elements";
     case Fault::contact:
     case Fault::returned:
+      if (scheme == model::Scheme::statics) return cause_of_given_in_statics(model);
       return "likely cause: bodies that penetrate by more than the size of a facet in one step, or (except with "
              "contact_implicit) slide over coarse facets; use a smaller solver.step, or smaller elements";
     default:

@@ -17,7 +17,8 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
 std::vector<std::string> notes_of_overlaps(const scene::Input& input);
 
 /// Likely cause of an error of the energies in an implicit run.
-std::string likely_cause_in_implicit(Fault fault, const model::Model& model);
+std::string likely_cause_in_implicit(Fault fault, const model::Model& model,
+                                     model::Scheme scheme = model::Scheme::contact_implicit);
 
 /// Valid settings that perform poorly.
 std::vector<std::string> warnings_of_implicit(const scene::Input& input, const model::Model& model);

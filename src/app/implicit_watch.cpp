@@ -18,8 +18,8 @@ namespace {
 using geometry::Box;
 
 /// A look every half of the thinnest element finds what passes an element at a quarter of its depth at least. What
-/// comes deeper by a fifth within a step was not held.
-constexpr double between_looks = 0.5, most_deeper = 0.2;
+/// comes deeper by more than the scene's guard admits within a step was not held.
+constexpr double between_looks = 0.5;
 /// Steps that move bodies past each other by more than 32 elements are halved without a look.
 constexpr double most_looks = 64;
 
@@ -102,16 +102,18 @@ Looks looks_on(const Prepared& run, const Way& way) {
 contact::DeepNodes look_at(const Prepared& run, const std::vector<Vec3>& places) {
   const contact::WatchedSurface watched = watched_surface(run);
   const contact::VectorView position{places.empty() ? nullptr : places.front().data(), 3};
-  return contact::find_deep_nodes(watched, position, elements_within_reach(run, watched, position), warned_depth);
+  return contact::find_deep_nodes(watched, position, elements_within_reach(run, watched, position),
+                                  least_depth(run.input.guards));
 }
 
 /// The rigid body that comes deeper into a wall by too much; empty if there is none. Collective.
 std::string body_that_sinks(const Prepared& run) {
   const std::vector<double> deeper = shares_behind_walls(run, true);
-  const auto sinks = std::ranges::find_if(deeper, [](double share) { return share > most_deeper; });
+  const auto sinks = std::ranges::find_if(deeper, [&](double share) { return share > run.input.guards.depth_step; });
   if (sinks == deeper.end()) return {};
   return fmt::format("rigid part '{}' comes deeper into a rigid wall by more than {:g} of an element",
-                     run.model.bodies[static_cast<std::size_t>(sinks - deeper.begin())].part, most_deeper);
+                     run.model.bodies[static_cast<std::size_t>(sinks - deeper.begin())].part,
+                     run.input.guards.depth_step);
 }
 
 /// Collective.
@@ -178,9 +180,9 @@ std::string objection_to_step(Prepared& run) {
   for (double look = 1; look <= looks.count; ++look) {
     now = look_at(run, way.at(look / looks.count));
     watched.time = -1;
-    if (most_deeper_of(run, watched.shares, now.shares) > most_deeper)
-      return fmt::format("something comes deeper by more than {:g} of an element; the deepest of all: {}", most_deeper,
-                         text_of(run, now.worst));
+    if (most_deeper_of(run, watched.shares, now.shares) > run.input.guards.depth_step)
+      return fmt::format("something comes deeper by more than {:g} of an element; the deepest of all: {}",
+                         run.input.guards.depth_step, text_of(run, now.worst));
   }
   watched.shares = std::move(now.shares);
   watched.time = run.implicit->trial.time;

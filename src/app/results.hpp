@@ -57,6 +57,9 @@ class Results {
   void write_history(const time::Ledger& ledger, const time::StepReport& step, const RecordTime& at);
   /// Evaluates a ledger; warns if the energy may be wrong, throws GuardError if it is. Collective.
   void watch(const time::Ledger& ledger, double time);
+  /// At the end of a run whose energies are judged as shares of the whole (note_worst): warns, and throws GuardError if
+  /// the run is complete. Collective.
+  void judge_whole_run(bool complete);
   /// Counts the elements folded at x_n, and warns of the first ones. Collective.
   void watch_folds();
   /// Warns of parts that supports move through each other, and records the depth. Collective.
@@ -91,6 +94,8 @@ class Results {
 
  private:
   [[nodiscard]] std::string where(Fault fault) const;
+  [[nodiscard]] std::string cause_of(Fault fault) const;
+  [[nodiscard]] double rounding(const time::Ledger& ledger) const;
   void report_hourglass();
   void report_parted();
   void report_scaled();
@@ -107,6 +112,7 @@ class Results {
   GlobalIndex folded_ = 0;  ///< largest number of folded elements seen at one look
   DepthWatch depth_;
   std::array<bool, guarded_columns> reported_{};  ///< of which a warning has been given
+  bool judged_ = false;                           ///< as a whole run
   double extent_ = 0;                             ///< half of the diagonal of the model at the start [length]
   comm::Traffic sent_;
   Snapshot last_good_;

@@ -10,6 +10,7 @@
 #include "brunt/contact/data/tolerances.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/force/folded.hpp"
+#include "brunt/implicit/solver.hpp"
 #include "brunt/scene/units.hpp"
 #include "driven_apart.hpp"
 #include "element_place.hpp"
@@ -43,6 +44,11 @@ Gives gives(const Prepared& run) {
   const contact::Method method = run.model.contact.enforcement.method;
   const bool springs = method == contact::Method::gap_penalty || method == contact::Method::penalty;
   return run.implicit || springs ? Gives::stored : Gives::nothing;
+}
+
+/// Whether faults of energies are judged at the end, as shares of the energy of the whole run: see note_worst.
+bool judged_at_end(const Prepared& run) {
+  return run.implicit && run.implicit->settings.scheme == model::Scheme::statics;
 }
 
 /// The row by which friction gave most in the last step. Collective.
@@ -89,9 +95,13 @@ std::string Results::where(Fault fault) const {
   return fault == Fault::friction ? where_friction_gives(run_) : "";
 }
 
-void Results::watch(const time::Ledger& ledger, double time) {
-  last_ledger_ = ledger;
-  observe(ledger, run_.extremes);
+std::string Results::cause_of(Fault fault) const {
+  if (run_.implicit) return likely_cause_in_implicit(fault, run_.model, run_.implicit->settings.scheme);
+  if (fault != Fault::internal || all_rigid(run_.model)) return likely_cause(fault, cause_if_rigid(run_));
+  return cause_of_given_work(run_.model, run_.links.ranks.sum(force::folded_elements(run_.model, run_.state).count));
+}
+
+double Results::rounding(const time::Ledger& ledger) const {
   double rounding =
       rounding_energy(ledger.mass, extent_, run_.contact ? run_.contact->surface.mean_edge : 0.0, run_.state.dt);
   if (run_.contact && !run_.model.bodies.empty())
@@ -99,12 +109,23 @@ void Results::watch(const time::Ledger& ledger, double time) {
         settling_energy(ledger.mass, run_.model.gravity.norm(), run_.state.dt, run_.model.contact.enforcement.tolerance,
                         run_.contact->derived.detection.tolerances->recovery);
   if (run_.implicit) rounding += implicit_rounding(run_, extent_);
+  return rounding;
+}
+
+void Results::watch(const time::Ledger& ledger, double time) {
+  last_ledger_ = ledger;
+  observe(ledger, run_.extremes);
+  const scene::Guards& limits = run_.input.guards;
+  const double of_rounding = rounding(ledger);
+  const bool later = judged_at_end(run_);
+  if (later) note_worst(ledger, gives(run_), time, run_.extremes);
   // Once exact multipliers alternate from step to step they supply energy in every step, so an energy above the warning
   // continues to grow.
   const bool trapezoidal = run_.input.implicit && run_.input.implicit->scheme == model::Scheme::newmark;
   const std::string growth =
-      energy_growth(ledger, run_.extremes, run_.overlaps.recovered, rounding, cause_if_rigid(run_));
-  for (const Finding& finding : judge(ledger, run_.extremes, rounding, gives(run_))) {
+      energy_growth(ledger, run_.extremes, run_.overlaps.recovered, of_rounding, cause_if_rigid(run_), limits);
+  for (const Finding& finding : judge(ledger, run_.extremes, of_rounding, gives(run_), limits)) {
+    if (later && finding.fault != Fault::balance) continue;
     bool& reported = reported_[static_cast<std::size_t>(finding.fault)];
     const bool makes_energy = trapezoidal && finding.fault == Fault::contact;
     const bool stop = (finding.stop || makes_energy) && growth.empty();
@@ -112,23 +133,34 @@ void Results::watch(const time::Ledger& ledger, double time) {
     reported = true;
     const std::string text = fmt::format(
         "{}{}; {}", text_of(finding, time), where(finding.fault),
-        makes_energy    ? "the trapezoidal rule with exact multipliers generates energy: use scheme: contact_implicit"
-        : run_.implicit ? likely_cause_in_implicit(finding.fault, run_.model)
-        : finding.fault == Fault::internal && !all_rigid(run_.model)
-            ? cause_of_given_work(run_.model,
-                                  run_.links.ranks.sum(force::folded_elements(run_.model, run_.state).count))
-            : likely_cause(finding.fault, cause_if_rigid(run_)));
+        makes_energy ? "the trapezoidal rule with exact multipliers generates energy: use scheme: contact_implicit"
+                     : cause_of(finding.fault));
     if (stop) throw GuardError(text);
     log_.warning(text + " (reported once)");
   }
   if (walls_make_energy(run_, ledger, run_.extremes.largest_energy))
     throw GuardError(
-        fmt::format("walls at rest have supplied {:.3g} by t = {:g}, more than 1 % of the largest energy so far; the "
-                    "exact constraints of newmark and hht generate energy in impacts: use scheme: contact_implicit",
-                    -ledger.walls, time));
+        fmt::format("walls at rest have supplied {:.3g} by t = {:g}, more than {:g} % of the largest energy so far; "
+                    "the exact constraints of newmark and hht generate energy in impacts: use scheme: contact_implicit",
+                    -ledger.walls, time, 100 * limits.energy_warning));
   if (!growth.empty())
     throw GuardError(fmt::format("energy grows at t = {:g}: {}{}", time, growth,
                                  folded_ > 0 ? fmt::format(" ({} elements are folded)", folded_) : ""));
+}
+
+void Results::judge_whole_run(bool complete) {
+  if (!judged_at_end(run_) || judged_) return;
+  judged_ = true;
+  const Extremes& seen = run_.extremes;
+  const char* of = complete ? "the largest energy of the run" : "the largest energy so far";
+  for (const Finding& finding : judge_whole(seen, rounding(last_ledger_), run_.input.guards)) {
+    const std::string text =
+        fmt::format("{} ({:.3g}; external work {:.3g}){}; {}",
+                    text_of(finding, seen.worst_time[static_cast<std::size_t>(finding.fault)], of), seen.largest_energy,
+                    last_ledger_.external, where(finding.fault), cause_of(finding.fault));
+    if (finding.stop && complete) throw GuardError(text);
+    log_.warning(text);
+  }
 }
 
 void Results::watch_folds() {
@@ -177,6 +209,7 @@ void Results::stop_if_driven() {
 }
 
 void Results::report_at_end() {
+  judge_whole_run(false);
   report_hourglass();
   report_parted();
   report_scaled();
@@ -185,12 +218,12 @@ void Results::report_at_end() {
 
 void Results::report_turned() {
   const double error = angular_error(last_ledger_, run_.extremes, extent_);
-  if (!(error > warned_angular_error)) return;
+  if (!(error > run_.input.guards.angular_momentum)) return;
   log_.warning(fmt::format(
       "contact between bodies has supplied angular momentum: angular_momentum_error is {:.2g}, {:g} at most is usual. "
       "Nodes beyond a rim are supported at the rim, and deep ones far from where they touch: use smaller elements "
       "there, or passes: two",
-      error, warned_angular_error));
+      error, run_.input.guards.angular_momentum));
 }
 
 void Results::report_scaled() {
@@ -203,8 +236,8 @@ void Results::report_scaled() {
 }
 
 void Results::report_parted() {
-  // For two equal bodies, one of them initially at rest: a restitution of 0.97, since the loss is (1 - e^2)/2.
-  constexpr double tolerated = 0.03;
+  // For two equal bodies, one of them initially at rest, a share of 0.03 is a restitution of 0.97: (1 - e^2)/2.
+  const double tolerated = run_.input.guards.parted;
   const double share = taken_by_parted(last_ledger_, run_.extremes);
   if (!(share > tolerated) || all_rigid(run_.model)) return;
   log_.warning(fmt::format(
@@ -216,9 +249,9 @@ void Results::report_parted() {
 }
 
 void Results::report_hourglass() {
-  // The usual bound in crash analysis; relative to the largest value, since bodies that separate after an impact have
-  // little internal energy.
-  constexpr double tolerated = 0.1;
+  // 10 % is the usual bound in crash analysis; relative to the largest value, since bodies that separate after an
+  // impact have little internal energy.
+  const double tolerated = run_.input.guards.hourglass;
   const double hourglass = last_ledger_.hourglass, internal = run_.extremes.largest_internal;
   if (!(hourglass > tolerated * internal) || hourglass < 1e-3 * run_.extremes.largest_energy) return;
   log_.warning(

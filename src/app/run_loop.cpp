@@ -46,10 +46,12 @@ Outcome Loop::go() {
 
 void Loop::last_record(Outcome& outcome) {
   try {
-    if (run_.implicit)
+    if (run_.implicit) {
       record_implicit(true);
-    else if (!relaxing())
+      results_.judge_whole_run(outcome.code == ExitCode::done);
+    } else if (!relaxing()) {
       pass(true);  // before t = 0 there is nothing to tell
+    }
   } catch (const GuardError& error) {
     outcome = {"guard", ExitCode::guard, error.what()};
   }

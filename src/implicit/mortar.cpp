@@ -5,6 +5,7 @@
 
 #include "brunt/contact/mortar/active_set.hpp"
 #include "brunt/contact/mortar/forces.hpp"
+#include "brunt/contact/mortar/levers.hpp"
 #include "brunt/contact/mortar/normals.hpp"
 #include "brunt/contact/mortar/tractions.hpp"
 #include "mortar_shares.hpp"
@@ -88,7 +89,15 @@ void find_tie(const MortarContact& contact, Interface& face) {
 void find_rows(const MortarContact& contact, Iterate iterate, Interface& face) {
   const ContactNodes& nodes = contact.nodes;
   search(face, nodes.x);
-  contact::mortar_rows(face.surfaces, face.topology, face.search.candidates, nodes.x, *face.scratch, face.rows);
+  if (face.consistent()) {
+    contact::mortar_rows_and_slopes(face.surfaces, face.topology, face.search.candidates, nodes.x, {}, *face.scratch,
+                                    face.rows, face.slopes);
+    contact::NodeBlocks<Vec3> gradient;
+    contact::gap_gradient(face.rows, face.slopes, gradient);
+    contact::gap_levers(face.rows, gradient, face.gap_levers);
+  } else {
+    contact::mortar_rows(face.surfaces, face.topology, face.search.candidates, nodes.x, *face.scratch, face.rows);
+  }
   if (!face.keeps(contact)) return;
   contact::gaps_at(face.rows, nodes.x_before, face.start_gaps);
   if (iterate == Iterate::later) return;
@@ -130,6 +139,8 @@ void find_contact(const comm::Communicator& ranks, MortarContact& contact, Itera
     if (face.pair.tied) continue;
     if (face.keeps(contact)) find_least_gaps(face, contact.recovery);
     find_pressures(face, iterate == Iterate::first_of_run);
+    if (face.consistent() && face.multipliers() == 0)
+      contact::add_penalty_levers(face.slopes, face.stiffness, face.z, face.gap_levers);
     find_tractions(contact.nodes, face);
   }
   sum_forces(ranks, contact);

@@ -42,6 +42,20 @@ void lever_shares_of(const ContactNodes& nodes, const Interface& face, std::size
   }
 }
 
+/// What the motion of nodes changes in the weights and the normal of a row.
+template <class Take>
+void gap_lever_shares_of(const ContactNodes& nodes, const Interface& face, std::size_t row, std::int64_t turn,
+                         const Take& take) {
+  const auto index = static_cast<LocalIndex>(row);
+  const std::span<const LocalIndex> of_row = face.gap_levers.nodes.row(index);
+  for (std::size_t k = 0; k < of_row.size() && face.z[row] != 0; ++k) {
+    const auto node = static_cast<std::size_t>(of_row[k]);
+    Share share{turn, nodes.gid[static_cast<std::size_t>(face.surfaces.rows[row])], nodes.gid[node]};
+    Eigen::Map<Vec3>(share.force.data()) = face.z[row] * face.gap_levers.row(index)[k];
+    take(nodes.source[node].rank, share);
+  }
+}
+
 /// Calls take(owner, share) for each node of each row that has a traction, in the order of the rows.
 template <class Take>
 void shares_of(const ContactNodes& nodes, const Interface& face, std::int64_t turn, const Take& take) {
@@ -64,6 +78,7 @@ void shares_of(const ContactNodes& nodes, const Interface& face, std::int64_t tu
       take(nodes.source[node].rank, share);
     }
     if (face.pair.tied) lever_shares_of(nodes, face, row, turn, take);
+    if (face.consistent()) gap_lever_shares_of(nodes, face, row, turn, take);
   }
 }
 

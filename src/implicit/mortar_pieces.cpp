@@ -13,8 +13,9 @@ namespace {
 /// Position of a piece in the order of the sums.
 struct PieceKey {
   GlobalIndex interface = 0;
-  GlobalIndex of_tractions = 0;  ///< 0: the patch of a facet; 1: weights of a row times derivatives of its traction
-  GlobalIndex source = 0;        ///< key of the facet, number of the row's node
+  /// 0: the patch of a facet; 1: weights of a row times derivatives of its traction; 2: the patch of a row's levers
+  GlobalIndex of_tractions = 0;
+  GlobalIndex source = 0;  ///< key of the facet, number of the row's node
   friend auto operator<=>(const PieceKey&, const PieceKey&) = default;
 };
 
@@ -22,8 +23,8 @@ struct PieceKey {
 struct Piece {
   PieceKey key;
   std::span<const LocalIndex> rows, columns;
-  const double* patch = nullptr;      ///< of a facet: (3 rows) x (3 columns)
-  std::span<const double> weights{};  ///< of a row: block (r, c) is weights[r] slopes[c]
+  const double* patch = nullptr;      ///< (3 rows) x (3 columns), or
+  std::span<const double> weights{};  ///< block (r, c) is weights[r] slopes[c]
   std::span<const Mat3> slopes{};
 
   [[nodiscard]] Mat3 block(std::size_t r, std::size_t c) const {
@@ -55,6 +56,12 @@ void for_each_piece(const MortarContact& contact, const std::vector<contact::Tra
                   nullptr,
                   face.rows.weights.row(row),
                   slopes.row(row)});
+    }
+    for (std::size_t p = 0; face.consistent() && p < face.lever_patches.count; ++p) {
+      const contact::Patch& patch = face.lever_patches.patch[p];
+      const auto row = static_cast<std::size_t>(face.lever_patches.source[p]);
+      const auto node = static_cast<std::size_t>(face.surfaces.rows[row]);
+      visit(Piece{{interface, 2, contact.nodes.gid[node]}, patch.rows, patch.columns, patch.values.data()});
     }
   }
 }
@@ -134,7 +141,7 @@ class Incoming {
   [[nodiscard]] std::size_t columns(std::size_t at) const { return static_cast<std::size_t>(words_[at + 4]); }
   [[nodiscard]] std::size_t length(std::size_t at) const {
     const std::size_t r = rows(at), c = columns(at);
-    return header + r + c + (words_[at + 1] == 0 ? 9 * r * c : r + 9 * c);
+    return header + r + c + (words_[at + 1] == 1 ? r + 9 * c : 9 * r * c);
   }
   [[nodiscard]] Mat3 block(std::size_t at) const {
     Mat3 block;
@@ -147,10 +154,10 @@ class Incoming {
       const LocalIndex row = nodes.place_of(words_[first + i]);
       for (std::size_t j = 0; j < c; ++j) {
         const GlobalIndex column = words_[first + r + j];
-        if (words_[at + 1] == 0)
-          take(row, column, block(values + 9 * (i * c + j)));
-        else
+        if (words_[at + 1] == 1)
           take(row, column, std::bit_cast<double>(words_[values + i]) * block(values + r + 9 * j));
+        else
+          take(row, column, block(values + 9 * (i * c + j)));
       }
     }
   }

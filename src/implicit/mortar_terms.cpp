@@ -5,6 +5,7 @@
 
 #include "brunt/comm/rendezvous.hpp"
 #include "brunt/contact/mortar/forces.hpp"
+#include "brunt/contact/mortar/levers.hpp"
 #include "brunt/contact/mortar/tractions.hpp"
 #include "brunt/implicit/mortar.hpp"
 #include "mortar_pieces.hpp"
@@ -90,6 +91,10 @@ void add_multipliers(const MortarContact& contact, const Interface& face, const 
     const auto index = static_cast<LocalIndex>(row);
     for (std::size_t k = 0; k < columns.nodes.row(index).size(); ++k)
       terms.node_multiplier(columns.nodes.row(index)[k], multiplier, columns.row(index)[k]);
+    const std::span<const LocalIndex> turned =
+        face.consistent() ? face.gap_levers.nodes.row(index) : std::span<const LocalIndex>();
+    for (std::size_t k = 0; k < turned.size(); ++k)
+      terms.node_multiplier(turned[k], multiplier, face.gap_levers.row(index)[k]);
     if (face.active[row] == 0) {
       terms.multiplier_multiplier(multiplier, multiplier, 1 / face.topology.kappa[row]);
       continue;
@@ -109,22 +114,39 @@ void add_multipliers(const MortarContact& contact, const Interface& face, const 
   }
 }
 
-/// Tractions of this rank's rows, followed by those of the rows beside. Collective.
-std::vector<Vec3> tractions_around(const Interface& face) {
+/// Vectors of this rank's rows, followed by those of the rows beside. Collective.
+std::vector<Vec3> with_those_beside(const Interface& face, std::vector<Vec3> all) {
   std::vector<double> own(3 * face.count()), others(3 * face.surfaces.rows_elsewhere.size());
-  for (std::size_t row = 0; row < face.count(); ++row) put(face.tractions[row], own, row);
+  for (std::size_t row = 0; row < face.count(); ++row) put(all[row], own, row);
   face.beside.forward(own, others, 3);
-  std::vector<Vec3> all = face.tractions;
   for (std::size_t k = 0; k < others.size(); k += 3) all.emplace_back(&others[k]);
   return all;
 }
 
+std::vector<Vec3> tractions_around(const Interface& face) {
+  return with_those_beside(face, face.tractions);
+}
+
+/// Consistent rows and the first derivatives of their forces; what second derivatives of weights and
+/// normals do is left out. Collective.
+void find_consistent_slopes(const MortarContact& contact, Interface& face) {
+  std::vector<Vec3> pressures;
+  contact::normal_tractions(face.rows, face.z, pressures);
+  contact::mortar_rows_and_slopes(face.surfaces, face.topology, face.search.candidates, contact.nodes.x,
+                                  tractions_around(face), *face.scratch, face.rows, face.slopes, {},
+                                  with_those_beside(face, std::move(pressures)));
+  contact::lever_patches(face.rows, face.slopes, face.z, face.lever_patches);
+}
+
 /// Derivatives of the rows and of their tractions. Collective.
 void find_slopes(MortarContact& contact, Interface& face, contact::TractionSlopes& tractions, Terms& terms) {
-  contact::mortar_rows_and_slopes(
-      face.surfaces, face.topology, face.search.candidates, contact.nodes.x, tractions_around(face), *face.scratch,
-      face.rows, face.slopes,
-      face.keeps(contact) ? std::span<const Vec3>(contact.nodes.x_before) : std::span<const Vec3>());
+  if (face.consistent())
+    find_consistent_slopes(contact, face);
+  else
+    contact::mortar_rows_and_slopes(
+        face.surfaces, face.topology, face.search.candidates, contact.nodes.x, tractions_around(face), *face.scratch,
+        face.rows, face.slopes,
+        face.keeps(contact) ? std::span<const Vec3>(contact.nodes.x_before) : std::span<const Vec3>());
   if (face.friction.coefficient > 0)
     contact::friction_traction_slopes(
         face.rows, face.slopes, contact.nodes.x, face.z, face.friction, face.history, tractions,
@@ -137,6 +159,9 @@ void find_slopes(MortarContact& contact, Interface& face, contact::TractionSlope
     contact::add_penalty_slopes(face.rows, gradient, face.slopes, face.stiffness, face.active, tractions);
   else
     add_multipliers(contact, face, gradient, tractions, terms);
+  if (face.consistent() && face.multipliers() == 0)
+    contact::add_penalty_lever_patches(face.rows, face.slopes, gradient, face.gap_levers, face.stiffness, face.z,
+                                       face.lever_patches);
 }
 
 /// Columns of a tie's multipliers: - the derivatives of its forces.

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "acceleration.hpp"
 #include "brunt/comm/exact_sum.hpp"
 #include "brunt/comm/newton.hpp"
 #include "brunt/core/error.hpp"
@@ -45,6 +47,7 @@ Unbalanced largest_of(const Scene& scene, const Solver& solver, std::span<const 
 struct Attempt {
   comm::NewtonResult newton;
   comm::Factorised factors;
+  int formed = 0;  ///< factorisations
   Unbalanced worst;
   std::vector<double> floating;  ///< a null direction of the matrix, if it was singular
 };
@@ -85,10 +88,30 @@ NewtonRecord record_of(const Trial& trial) {
   return {trial.time, trial.ratios, trial.stood[k] != 0};
 }
 
+/// Whether the factors of an earlier iterate do as well as new ones, where second derivatives are missing in both: the
+/// branches stand, and the residual falls by as much as the missing part lets it. Walls choose by the last matrix.
+bool keeps_factors(const Solver& solver) {
+  constexpr double near = 1e-2, falls = 0.5;
+  const std::vector<double>& ratios = solver.trial.ratios;
+  return !solver.walls.any() && solver.trial.stood.back() != 0 && ratios.back() < near &&
+         ratios.back() < falls * ratios[ratios.size() - 2];
+}
+
+bool form_factors(const Scene& scene, Solver& solver, Attempt& attempt) {
+  attempt.factors = factorise_tangent(scene, solver);
+  ++attempt.formed;
+  solver.work.factor_bytes = std::max(solver.work.factor_bytes, attempt.factors.memory);
+  solver.work.factor_flops = std::max(solver.work.factor_flops, attempt.factors.operations);
+  if (attempt.factors.status == comm::FactorStatus::singular) attempt.floating = solver.system.null_direction();
+  return attempt.factors.ok();
+}
+
 Attempt iterate(const Scene& scene, Solver& solver) {
   Attempt attempt;
   Trial& trial = solver.trial;
   comm::NewtonProblem problem;
+  Acceleration acceleration;
+  const bool inexact = std::ranges::any_of(solver.contact.interfaces, &Interface::consistent);
   problem.residual = [&](std::span<const double> u, std::span<double> residual) {
     const Measure timed(solver.work.force_seconds);
     if (!find_forces(scene, solver, u)) return false;
@@ -106,15 +129,14 @@ Attempt iterate(const Scene& scene, Solver& solver) {
     return comm::NewtonVerdict::give_up;
   };
   problem.solve = [&](std::span<const double>, std::span<const double> residual, std::span<double> correction) {
-    attempt.factors = factorise_tangent(scene, solver);
-    solver.work.factor_bytes = std::max(solver.work.factor_bytes, attempt.factors.memory);
-    solver.work.factor_flops = std::max(solver.work.factor_flops, attempt.factors.operations);
-    if (!attempt.factors.ok()) {
-      if (attempt.factors.status == comm::FactorStatus::singular) attempt.floating = solver.system.null_direction();
-      return false;
-    }
+    const bool kept = inexact && attempt.formed > 0 && keeps_factors(solver);
+    if (!kept && !form_factors(scene, solver, attempt)) return false;
     const Measure timed(solver.work.solve_seconds);
     (void)solver.system.solve(residual, correction);
+    if (inexact) {
+      if (trial.stood.back() == 0) acceleration.forget();
+      acceleration.improve(scene.links.ranks, 3 * solver.unknowns.node.size(), correction);
+    }
     std::array<comm::ExactAccumulator, 1> sum;
     for (std::size_t k = 0; k < residual.size(); ++k) sum[0].add(residual[k] * correction[k]);
     std::array<double, 1> energy{};
@@ -123,7 +145,11 @@ Attempt iterate(const Scene& scene, Solver& solver) {
     return true;
   };
   if (solver.contact.any() || solver.walls.any())
-    problem.step_length = [&](const comm::NewtonStep& step) { return share_of(step, trial); };
+    problem.step_length = [&](const comm::NewtonStep& step) {
+      const double share = share_of(step, trial);
+      acceleration.took(share);
+      return share;
+    };
   attempt.newton = comm::newton(scene.links.ranks, solver.u, problem);
   return attempt;
 }
@@ -221,7 +247,7 @@ void advance(const Scene& scene, Solver& solver, const std::function<std::string
     const std::string objected = converged && objection ? objection() : std::string();
     if (converged && objected.empty()) {
       commit_step(scene, solver);
-      count_step(solver.settings, attempt.newton.iterations, length);
+      count_step(solver.settings, attempt.formed, length);  // as many as iterations, unless factors are kept
       ++solver.work.steps;
       solver.work.most_iterations = std::max(solver.work.most_iterations, GlobalIndex{attempt.newton.iterations});
       add(solver.work.newton, record_of(solver.trial));

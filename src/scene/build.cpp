@@ -151,6 +151,7 @@ void build_mortar(const Input& input, model::Model& model) {
     if (entry.slave == ContactEntry::Slave::second) std::swap(pair.slave, pair.master);
     pair.multiplier = entry.multiplier;
     pair.enforce = entry.enforce;
+    pair.consistent = entry.consistent;
     pair.friction = entry.friction.fixed;
     pair.tied = entry.tied;
     pair.entry = input.at(fmt::format("contact.{}", k));

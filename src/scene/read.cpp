@@ -77,6 +77,7 @@ Input read_scene(const std::string& text, const std::string& file_name, std::spa
       read_contact(scene, input);
       read_probes(scene, input);
       read_run(scene, input);
+      read_guards(scene, input);
       read_solver(scene, input);
       read_scaling(scene);
       check_references(input, scene);

@@ -123,7 +123,7 @@ void read_mortar(Section& entry, ContactEntry& contact) {
   const bool named = entry.has("method") && entry.at("method").tree->kind == Tree::Kind::value;
   contact.mortar = named && entry.at("method").tree->text == "mortar";
   if (!contact.mortar) {
-    for (const char* key : {"multiplier", "enforce"})
+    for (const char* key : {"multiplier", "enforce", "consistent"})
       if (entry.has(key)) fault(entry.at(key), "invalid without method: mortar; expected no such key");
     return;
   }
@@ -133,6 +133,7 @@ void read_mortar(Section& entry, ContactEntry& contact) {
   static const Choices<Enforce> enforces{{{"lagrange", Enforce::lagrange}, {"penalty", Enforce::penalty}}, {}};
   entry.optional("multiplier", contact.multiplier, multipliers);
   entry.optional("enforce", contact.enforce, enforces);
+  entry.optional("consistent", contact.consistent);
   const auto refuse = [&](bool wrong, const char* key, const char* why) {
     if (wrong) fault(entry.at(key), why);
   };
@@ -147,6 +148,8 @@ void read_mortar(Section& entry, ContactEntry& contact) {
          "invalid friction for method: mortar, which has Coulomb's law with one coefficient; expected a number >= 0");
   refuse(contact.tied && contact.enforce == Enforce::penalty, "enforce",
          "invalid enforcement of a tie; expected lagrange");
+  refuse(contact.tied && entry.has("consistent"), "consistent",
+         "invalid with tied: true, whose forces are consistent; expected no such key");
   for (const char* key : {"passes", "tolerance", "max_iterations", "softness", "partition", "stiffness", "damping",
                           "competing", "rebuild"})
     refuse(entry.has(key), key, "invalid with method: mortar; expected multiplier, enforce, slave, friction or tied");

@@ -13,6 +13,7 @@ import scene_page  # noqa: E402
 
 INPUT, LAW, CONTACT = "include/brunt/scene/input.hpp", "include/brunt/material/law.hpp", "include/brunt/contact/data/options.hpp"
 ELEMENT, SOLVER, EROSION = "include/brunt/element/options.hpp", "include/brunt/model/implicit_solver.hpp", "include/brunt/model/erosion.hpp"
+GUARDS = "include/brunt/scene/guards.hpp"
 PARTS, METALS, READ_SOLVER = "src/scene/read_parts.cpp", "src/scene/read_metals.cpp", "src/scene/read_solver.cpp"
 FIGURES = {key: [(CONTACT, "EnforcementSettings", key)] for key in ("method", "tolerance", "max_iterations", "partition", "stiffness", "damping")}
 FIGURES |= {"softness": [(CONTACT, "EnforcementSettings", "softness"), (CONTACT, "EnforcementSettings", "softness_of_bodies")],
@@ -47,11 +48,13 @@ PLACES = {
     "contact": {**FIGURES, "friction": [(CONTACT, "FrictionLaw", "fixed")],
                 "initial_overlap": [(INPUT, "ContactEntry", "initial_overlap"), ("src/scene/read_contact.cpp", None, "contact.initial_overlap")],
                 "limit": [("src/app/placed_far.hpp", None, "most_overlaps")],
-                **{key: [(INPUT, "ContactEntry", key)] for key in ("self", "passes", "slave", "tied", "multiplier", "enforce")}},
+                **{key: [(INPUT, "ContactEntry", key)] for key in ("self", "passes", "slave", "tied", "multiplier", "enforce", "consistent")}},
     "contact.friction": {"decay": [(CONTACT, "FrictionLaw", "decay")], "lag": [(CONTACT, "FrictionLaw", "lag")]},
     "enforcement": FIGURES,
     "run": {key: [(INPUT, "Run", key)] for key in ("cfl", "step_bound", "min_step_ratio")},
     "output": {"fields": [(INPUT, "Output", "fields")]},
+    "guards": {key: [(GUARDS, "Guards", key)] for key in (
+        "energy_warning", "energy_stop", "kinetic", "depth_warning", "depth_stop", "depth_step", "parted", "hourglass", "angular_momentum")},
     "solver": {**{key: [(SOLVER, "ImplicitSolver", key)] for key in ("scheme", "tolerance", "linear", "alpha")},
                "step": [(READ_SOLVER, None, "default_steps")], "min_step": [(READ_SOLVER, None, "default_halvings")]},
 }

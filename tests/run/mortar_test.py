@@ -316,6 +316,10 @@ probes: [{name: end, set: top_zmax, field: displacement}, {name: foot, set: low_
                 "between: [low, top], method: mortar, softness: 0.1": "contact.0.softness: invalid with method: mortar",
                 "between: [low, top], method: mortar, multiplier: quad": "contact.0.multiplier: unknown value 'quad'",
                 "between: [low, top], method: rate, multiplier: dual": "contact.0.multiplier: invalid without method: mortar",
+                "between: [low, top], method: rate, consistent: true": "contact.0.consistent: invalid without method: mortar",
+                "between: [low, top], method: mortar, consistent: exact": "contact.0.consistent: invalid value 'exact'; expected true or false",
+                "between: [low, top], method: mortar, consistent: true": "contact.0.consistent: invalid without scheme: static",
+                "between: [low, top], method: mortar, tied: true, consistent: true": "contact.0.consistent: invalid with tied: true",
             },
             "solver: {scheme: contact_implicit, step: 0.01, tolerance: 1.0e-12}": {
                 "solver: explicit": "contact.0.method: invalid method: mortar contact exists in implicit scenes only"},

@@ -88,7 +88,9 @@ struct Interface {
   std::vector<std::uint8_t> pressed_before;              ///< at t_n
   std::vector<Vec3> tractions;
   std::vector<contact::FrictionState> states;
-  contact::NodeBlocks<Mat3> levers;  ///< of ties with a gap, for their forces [length^2]
+  contact::NodeBlocks<Mat3> levers;      ///< of ties with a gap, for their forces [length^2]
+  contact::NodeBlocks<Vec3> gap_levers;  ///< if consistent: of the rows, for their forces [length^2]
+  contact::Patches lever_patches;        ///< likewise the derivatives of these forces
   // of t_n and of the initial configuration
   contact::FrictionHistory history;
   contact::TieStart tie;
@@ -101,6 +103,8 @@ struct Interface {
     return pair.tied ? 3 : pair.enforce == contact::MortarPair::Enforce::penalty ? 0 : 1;
   }
   [[nodiscard]] bool presses() const { return !pair.tied; }
+  /// Whether forces are the gradient of the weighted gaps.
+  [[nodiscard]] bool consistent() const { return pair.consistent && !pair.tied; }
   /// Mean over the covered part of the row [length]; 0 if nothing is covered.
   [[nodiscard]] double mean_gap(std::size_t row) const {
     return rows.covered[row] > 0 ? rows.gaps[row] / rows.covered[row] : 0.0;

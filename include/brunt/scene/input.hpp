@@ -18,6 +18,7 @@
 #include "brunt/mesh/round_form.hpp"
 #include "brunt/model/erosion.hpp"
 #include "brunt/model/implicit_solver.hpp"
+#include "brunt/scene/guards.hpp"
 #include "brunt/scene/places.hpp"
 
 namespace brunt::scene {
@@ -187,6 +188,7 @@ struct ContactEntry {
   bool tied = false;
   bool mortar = false;  ///< of implicit scenes: segment to segment
   contact::Multiplier multiplier = contact::Multiplier::dual;
+  bool consistent = false;  ///< of mortar: forces are the gradient of the weighted gaps
   contact::MortarPair::Enforce enforce = contact::MortarPair::Enforce::lagrange;
   contact::OverlapRule initial_overlap = contact::OverlapRule::error;
   std::optional<double> limit;  ///< of `place`: largest displacement of a point of a part [length]
@@ -246,6 +248,7 @@ struct Input {
   std::vector<ContactEntry> contact;
   std::vector<Probe> probes;
   Run run;
+  Guards guards;
   std::optional<model::ImplicitSolver> implicit;  ///< absent: explicit
   Output output;
   std::optional<double> history_every;

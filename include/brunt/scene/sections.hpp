@@ -21,7 +21,8 @@ void read_removals(Section& scene, Input& input);
 void read_rigid_walls(Section& scene, Input& input);
 void read_contact(Section& scene, Input& input);
 void read_probes(Section& scene, Input& input);
-void read_run(Section& scene, Input& input);     ///< run, output, history, checkpoint
+void read_run(Section& scene, Input& input);  ///< run, output, history, checkpoint
+void read_guards(Section& scene, Input& input);
 void read_solver(Section& scene, Input& input);  ///< solver; after run
 void read_scaling(Section& scene);               ///< checked only: scripts/scaling uses it
 

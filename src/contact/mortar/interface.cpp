@@ -69,29 +69,44 @@ void take_coverage(const FacetRows& facet, bool with_slopes, FacetCoverage& cove
   }
 }
 
+struct CornerTractions {
+  std::array<Vec3, 4> of{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  bool loaded = false;
+
+  CornerTractions(const FacetNodes& slave, std::size_t corners, const MortarTopology& topology,
+                  std::span<const Vec3> tractions) {
+    for (std::size_t j = 0; j < corners && !tractions.empty(); ++j) {
+      const LocalIndex row = topology.row_of_node[static_cast<std::size_t>(slave[j])];
+      if (row != no_index) of[j] = tractions[static_cast<std::size_t>(row)];
+      loaded = loaded || !of[j].isZero(0);
+    }
+  }
+};
+
 /// The patch of one facet, unless its tractions are zero.
 void take_patch(const FacetRows& facet, std::size_t index, const FacetNodes& slave, const MortarTopology& topology,
-                std::span<const Vec3> tractions, Patches& patches) {
-  std::array<Vec3, 4> of_corner{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  bool loaded = false;
-  for (std::size_t j = 0; j < facet.corners(); ++j) {
-    const LocalIndex row = topology.row_of_node[static_cast<std::size_t>(slave[j])];
-    if (row != no_index) of_corner[j] = tractions[static_cast<std::size_t>(row)];
-    loaded = loaded || !of_corner[j].isZero(0);
-  }
-  if (!loaded) return;
+                std::span<const Vec3> tractions, std::span<const Vec3> transposed, MortarScratch& scratch,
+                Patches& patches) {
+  const CornerTractions of_corner(slave, facet.corners(), topology, tractions);
+  if (!of_corner.loaded) return;
   Patch& patch = patches.next(static_cast<LocalIndex>(index));
   patch.rows.assign(facet.nodes().begin(), facet.nodes().end());
   patch.columns = patch.rows;
-  facet.traction_patch(of_corner, patch.values);
+  facet.traction_patch(of_corner.of, patch.values);
+  const CornerTractions also(slave, facet.corners(), topology, transposed);
+  if (!also.loaded) return;
+  facet.traction_patch(also.of, scratch.transposed);
+  const std::size_t size = 3 * patch.rows.size();
+  for (std::size_t r = 0; r < size; ++r)
+    for (std::size_t c = 0; c < size; ++c) patch.values[r * size + c] += scratch.transposed[c * size + r];
 }
 
 void evaluate(const MortarSurfaces& surfaces, const MortarTopology& topology, const Ragged<LocalIndex>& candidates,
               std::span<const Vec3> x, std::span<const Vec3> tractions, MortarScratch& scratch, MortarRows& rows,
-              MortarSlopes* slopes, std::span<const Vec3> fixed) {
+              MortarSlopes* slopes, std::span<const Vec3> fixed, std::span<const Vec3> transposed) {
   const std::size_t row_count = surfaces.rows.size();
   demand(static_cast<std::size_t>(candidates.rows()) == surfaces.slave.size(), "mortar: a row of candidates a facet");
-  demand(slopes == nullptr || tractions.size() == row_count + surfaces.rows_elsewhere.size(),
+  demand(tractions.empty() || tractions.size() == row_count + surfaces.rows_elsewhere.size(),
          "mortar: a traction a row");
   rows.covered.assign(row_count, 0);
   rows.gap_vectors.assign(row_count, Vec3::Zero());
@@ -113,7 +128,8 @@ void evaluate(const MortarSurfaces& surfaces, const MortarTopology& topology, co
     take_coverage(scratch.facet, slopes != nullptr, scratch.coverage);
     take_facet(scratch.facet, surfaces.slave[facet], topology, scratch, rows, fixed, slopes != nullptr);
     if (slopes != nullptr && ours)
-      take_patch(scratch.facet, facet, surfaces.slave[facet], topology, tractions, slopes->weights);
+      take_patch(scratch.facet, facet, surfaces.slave[facet], topology, tractions, transposed, scratch,
+                 slopes->weights);
   }
   if (slopes != nullptr) scratch.coverage.slopes.nodes.close_row();
   gather(scratch.weights, row_count, scratch, rows.weights);
@@ -146,14 +162,14 @@ Patch& Patches::next(LocalIndex from) {
 
 void mortar_rows(const MortarSurfaces& surfaces, const MortarTopology& topology, const Ragged<LocalIndex>& candidates,
                  std::span<const Vec3> x, MortarScratch& scratch, MortarRows& rows) {
-  evaluate(surfaces, topology, candidates, x, {}, scratch, rows, nullptr, {});
+  evaluate(surfaces, topology, candidates, x, {}, scratch, rows, nullptr, {}, {});
 }
 
 void mortar_rows_and_slopes(const MortarSurfaces& surfaces, const MortarTopology& topology,
                             const Ragged<LocalIndex>& candidates, std::span<const Vec3> x,
                             std::span<const Vec3> tractions, MortarScratch& scratch, MortarRows& rows,
-                            MortarSlopes& slopes, std::span<const Vec3> fixed) {
-  evaluate(surfaces, topology, candidates, x, tractions, scratch, rows, &slopes, fixed);
+                            MortarSlopes& slopes, std::span<const Vec3> fixed, std::span<const Vec3> transposed) {
+  evaluate(surfaces, topology, candidates, x, tractions, scratch, rows, &slopes, fixed, transposed);
 }
 
 }  // namespace brunt::contact

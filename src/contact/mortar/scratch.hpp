@@ -22,6 +22,7 @@ struct MortarScratch {
   std::vector<Entry<Mat3>> gaps, of_fixed;
   std::vector<Entry<Vec3>> covered;
   std::vector<Mat3> gap_slopes, fixed_slopes;
+  std::vector<double> transposed;  ///< a patch, to be added transposed
   std::vector<LocalIndex> first_of_row, next_of_row, order;
   std::vector<LocalIndex> place_of_node;  ///< of the entry of a node in the current row
 };

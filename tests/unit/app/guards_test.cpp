@@ -28,6 +28,8 @@ struct Impact {
   }
 };
 
+const scene::Guards limits;
+
 using Term = double time::Ledger::*;
 struct Column {
   Term term;
@@ -84,10 +86,10 @@ TEST_CASE("guards: contact gives nothing back of what it has taken, but springs 
     const double scale = std::max(100.0, 60 + back);
     const double returned = std::min(back, 40.0) / scale;
     const auto fault = std::ranges::find(found, Fault::returned, &Finding::fault);
-    CHECK((fault != found.end()) == (returned > warned_share));
+    CHECK((fault != found.end()) == (returned > limits.energy_warning));
     if (fault != found.end()) {
       CHECK(fault->share == Approx(returned));
-      CHECK(fault->stop == (returned > stopped_share));
+      CHECK(fault->stop == (returned > limits.energy_stop));
       CHECK(text_of(*fault, 3).find("given back") != std::string::npos);
     }
     CHECK(judge(impact.ledger, impact.seen, 0, Gives::stored).size() == (back > 40 ? 1 : 0));
@@ -250,4 +252,47 @@ TEST_CASE("guards: angular momentum from contact is compared with momenta and im
   impact.ledger.contact_totals.push = 10;  // bodies at rest on each other for long
   CHECK(angular_error(impact.ledger, impact.seen, 2) == Approx(5e-2 / 20));
   CHECK(angular_error(time::Ledger{}, Extremes{}, 2) == 0);
+}
+
+TEST_CASE("guards: thresholds are those of the scene") {
+  Impact impact;
+  impact.ledger.contact = -5;
+  impact.ledger.kinetic += 5;
+  observe(impact.ledger, impact.seen);
+  scene::Guards wide, tight;
+  wide.energy_warning = 0.06;
+  tight.energy_stop = 0.04;
+  CHECK(judge(impact.ledger, impact.seen, 0, Gives::nothing, wide).empty());
+  const std::vector<Finding> found = judge(impact.ledger, impact.seen, 0, Gives::nothing, tight);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].stop);
+  impact.ledger.kinetic = 200;
+  CHECK_FALSE(energy_growth(impact.ledger, impact.seen, false, 0).empty());
+  wide.kinetic = 3;
+  CHECK(energy_growth(impact.ledger, impact.seen, false, 0, {}, wide).empty());
+}
+
+TEST_CASE("guards: a whole run is judged by its largest energy, not by what there was at first touch") {
+  Extremes seen;
+  time::Ledger ledger;
+  ledger.mass = 1;
+  observe(ledger, seen);
+  for (const auto& [internal, contact] : {std::pair{0.001, -0.0005}, std::pair{0.1, -0.004}, std::pair{1.0, 0.0}}) {
+    ledger.internal = internal;
+    ledger.contact = contact;
+    ledger.external = internal + contact;
+    observe(ledger, seen);
+    note_worst(ledger, Gives::stored, internal, seen);
+  }
+  CHECK(judge_whole(seen, 0).empty());
+  scene::Guards limits;
+  limits.energy_warning = 0.003;
+  const std::vector<Finding> found = judge_whole(seen, 0, limits);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].fault == Fault::contact);
+  CHECK(found[0].share == Approx(0.004));
+  CHECK_FALSE(found[0].stop);
+  CHECK(seen.worst_time[static_cast<int>(Fault::contact)] == 0.1);
+  CHECK(text_of(found[0], 0.1, "the largest energy of the run").find("% of the largest energy of the run") !=
+        std::string::npos);
 }

@@ -20,7 +20,8 @@ struct MortarPair {
     lagrange,  ///< exact, by the primal-dual active set
     penalty    ///< a pressure in proportion to the penetration
   } enforce = Enforce::lagrange;
-  double friction = 0;  ///< Coulomb's coefficient
+  bool consistent = false;  ///< forces are the gradient of the weighted gaps
+  double friction = 0;      ///< Coulomb's coefficient
   bool tied = false;
   std::string entry{};  ///< where it was asked for, as messages begin
 };

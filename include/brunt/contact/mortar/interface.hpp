@@ -125,11 +125,13 @@ void mortar_rows(const MortarSurfaces& surfaces, const MortarTopology& topology,
                  std::span<const Vec3> x, MortarScratch& scratch, MortarRows& rows);
 
 /// The same with derivatives; tractions: T_A of each row at which `weights` is formed, followed by those of
-/// MortarSurfaces::rows_elsewhere [force/length^2]; fixed: positions y of all nodes for MortarSlopes::of_fixed, which
-/// otherwise remains empty [length].
+/// MortarSurfaces::rows_elsewhere [force/length^2], or none: no patches; fixed: positions y of all nodes for
+/// MortarSlopes::of_fixed, which otherwise remains empty [length]; transposed: tractions, as many as T, whose patches
+/// are added transposed.
 void mortar_rows_and_slopes(const MortarSurfaces& surfaces, const MortarTopology& topology,
                             const Ragged<LocalIndex>& candidates, std::span<const Vec3> x,
                             std::span<const Vec3> tractions, MortarScratch& scratch, MortarRows& rows,
-                            MortarSlopes& slopes, std::span<const Vec3> fixed = {});
+                            MortarSlopes& slopes, std::span<const Vec3> fixed = {},
+                            std::span<const Vec3> transposed = {});
 
 }  // namespace brunt::contact
