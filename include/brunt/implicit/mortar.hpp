@@ -51,6 +51,10 @@ struct OwnMasters {
   std::vector<double> wall;                ///< as MortarSurfaces::master_wall
 };
 
+/// Share of a row's area at which its equation is half that of a pressed row: `Interface::fades`. Its pressure is then
+/// of the order of those beside it; the edge that covers it has advanced by a hundredth of a facet.
+constexpr double sliver = 1e-4;
+
 /// Search and pairs of one interface.
 struct PairSearch {
   contact::KdopTree slave, master;
@@ -107,6 +111,17 @@ struct Interface {
   /// Gap minus the gap required by the row, weighted [length^3].
   [[nodiscard]] double above(std::size_t row) const {
     return rows.gaps[row] - (least_gaps.empty() ? 0.0 : least_gaps[row]);
+  }
+  /// Share of the equation z = 0 in that of a pressed row, from 0 to 1: 1 - 1e-12 at 1e-6 of its area, 1e-12 at 1e-2. A
+  /// row that begins to be covered would otherwise need any pressure, however high, to close the gap of its sliver.
+  [[nodiscard]] double fades(std::size_t row) const {
+    const double covered = topology.kappa[row] * rows.covered[row] / sliver, square = covered * covered;
+    return 1 / (1 + square * square * square);
+  }
+  /// Its derivative by the covered area [1/length^2].
+  [[nodiscard]] double fades_by_covered(std::size_t row) const {
+    const double share = fades(row);
+    return share < 1 ? -6 * share * (1 - share) / rows.covered[row] : 0.0;
   }
   /// Whether gaps of t_n are kept: for exact multipliers with a scheme whose contact force acts at the end of the step.
   [[nodiscard]] bool keeps(const struct MortarContact& contact) const;
