@@ -72,6 +72,8 @@ void make_implicit(Prepared& run) {
       implicit::SolverOwner(new implicit::Solver(implicit::make_solver(implicit_scene(run), *run.input.implicit)));
   if (run.links.ranks.is_root())
     for (const std::string& note : run.implicit->contact.notes) run.overlaps.report.notes.push_back(note);
+  if (run.links.ranks.is_root())
+    for (const std::string& warning : run.implicit->contact.warnings) run.warnings.push_back(warning);
   if (run.links.ranks.is_root() && run.overlaps.recovered)
     for (std::string& note : notes_of_overlaps(run.input)) run.overlaps.report.notes.push_back(std::move(note));
   refuse_driven_apart(run);

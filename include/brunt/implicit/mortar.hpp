@@ -142,14 +142,15 @@ struct ContactCounts {
 struct MortarContact {
   ContactNodes nodes;
   std::vector<Interface> interfaces;
-  bool keeps_gaps = false;           ///< rows with a negative gap at t_n keep it, apart from the recovered part
-  double budget = 0;                 ///< largest energy supplied by recovery in this step, by its estimate [energy]
-  double recovery = 0;               ///< share of `recovered` in this step, 0 to 1
-  double travel = 0;                 ///< largest displacement of nodes until the next exchange of masters [length]
-  bool shares_nodes = false;         ///< on some rank there are ContactNodes::several
-  bool may_imply = false;            ///< rows may be redundant even without walls: shared nodes, slaves at supports
-  std::vector<std::string> notes{};  ///< of the set-up: omitted multipliers and the reasons
-  std::vector<double> z_before{};    ///< multipliers of all interfaces at t_n, the same on every rank: saved
+  bool keeps_gaps = false;              ///< rows with a negative gap at t_n keep it, apart from the recovered part
+  double budget = 0;                    ///< largest energy supplied by recovery in this step, by its estimate [energy]
+  double recovery = 0;                  ///< share of `recovered` in this step, 0 to 1
+  double travel = 0;                    ///< largest displacement of nodes until the next exchange of masters [length]
+  bool shares_nodes = false;            ///< on some rank there are ContactNodes::several
+  bool may_imply = false;               ///< rows may be redundant even without walls: shared nodes, slaves at supports
+  std::vector<std::string> notes{};     ///< of the set-up: omitted multipliers and the reasons
+  std::vector<std::string> warnings{};  ///< of the set-up
+  std::vector<double> z_before{};       ///< multipliers of all interfaces at t_n, the same on every rank: saved
   std::vector<double> traction_before{};  ///< tangential tractions at t_n of all rows with friction, three each: saved
   std::vector<double> impulses{};         ///< of interfaces on their slaves since t = 0, an InterfaceForce each: saved
   std::vector<double> forces_before{};    ///< likewise the forces at t_n: saved
