@@ -70,6 +70,8 @@ void make_implicit(Prepared& run) {
     for (std::string& line : warnings_of_implicit(run.input, run.model)) run.warnings.push_back(std::move(line));
   run.implicit =
       implicit::SolverOwner(new implicit::Solver(implicit::make_solver(implicit_scene(run), *run.input.implicit)));
+  if (run.input.run.end) run.implicit->stability.last_time = *run.input.run.end;
+  if (run.input.run.steps) run.implicit->stability.last_step = static_cast<double>(*run.input.run.steps);
   if (run.links.ranks.is_root())
     for (const std::string& note : run.implicit->contact.notes) run.overlaps.report.notes.push_back(note);
   if (run.links.ranks.is_root())

@@ -125,7 +125,8 @@ std::vector<Vec3> tractions_around(const Interface& face) {
 }
 
 /// Derivatives of the rows and of their tractions. Collective.
-void find_slopes(MortarContact& contact, Interface& face, contact::TractionSlopes& tractions, Terms& terms) {
+void find_slopes(MortarContact& contact, Interface& face, FrictionLimit limit, contact::TractionSlopes& tractions,
+                 Terms& terms) {
   contact::mortar_rows_and_slopes(
       face.surfaces, face.topology, face.search.candidates, contact.nodes.x, tractions_around(face), *face.scratch,
       face.rows, face.slopes,
@@ -135,6 +136,7 @@ void find_slopes(MortarContact& contact, Interface& face, contact::TractionSlope
                                       tractions, face.active, face.at_start);
   else
     contact::normal_traction_slopes(face.rows, face.slopes, face.z, tractions);
+  if (limit == FrictionLimit::given) tractions.by_pressure = face.rows.normals;
   contact::NodeBlocks<Vec3> gradient;
   contact::gap_gradient(face.rows, face.slopes, gradient);
   if (face.multipliers() == 0)
@@ -170,7 +172,8 @@ void add_tie(MortarContact& contact, Interface& face, Terms& terms) {
 
 }  // namespace
 
-void contact_terms(const comm::Communicator& ranks, MortarContact& contact, std::vector<ContactTerm>& terms) {
+void contact_terms(const comm::Communicator& ranks, MortarContact& contact, FrictionLimit limit,
+                   std::vector<ContactTerm>& terms) {
   terms.clear();
   if (!contact.any()) return;
   Terms sum(ranks, contact);
@@ -179,7 +182,7 @@ void contact_terms(const comm::Communicator& ranks, MortarContact& contact, std:
     if (contact.interfaces[k].pair.tied)
       add_tie(contact, contact.interfaces[k], sum);
     else
-      find_slopes(contact, contact.interfaces[k], tractions[k], sum);
+      find_slopes(contact, contact.interfaces[k], limit, tractions[k], sum);
   sum_pieces(ranks, contact, tractions,
              [&](LocalIndex row, GlobalIndex column, const Mat3& slope) { sum.node_node(row, column, slope); });
   sum.write(terms);

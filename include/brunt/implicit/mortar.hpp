@@ -213,10 +213,17 @@ struct ContactTerm {
   return a.row < b.row || (a.row == b.row && a.column < b.column);
 }
 
+/// What the matrix takes as the limit of friction of sliding rows and nodes.
+enum class FrictionLimit : std::int8_t {
+  follows,  ///< it follows the pressure: Newton's matrix
+  given     ///< it is a given force, as dead loads are
+};
+
 /// Derivatives of the residual with respect to positions and multipliers, for rows of this rank: by row and column,
 /// those of one entry in an order that does not depend on the ranks. To be called after find_contact at the same
 /// positions. Collective.
-void contact_terms(const comm::Communicator& ranks, MortarContact& contact, std::vector<ContactTerm>& terms);
+void contact_terms(const comm::Communicator& ranks, MortarContact& contact, FrictionLimit limit,
+                   std::vector<ContactTerm>& terms);
 
 /// Accepts the step: multipliers, histories of friction. Collective.
 void keep_contact(MortarContact& contact);
