@@ -10,6 +10,7 @@
 #include "brunt/core/error.hpp"
 #include "brunt/implicit/interface_forces.hpp"
 #include "brunt/implicit/mortar.hpp"
+#include "brunt/implicit/round_seat.hpp"
 #include "brunt/implicit/thickness.hpp"
 #include "brunt/material/law.hpp"
 #include "mortar_shares.hpp"
@@ -83,12 +84,17 @@ bool can_move(const WholeSurfaces& whole, const std::vector<FacetNodes>& facets)
 }
 
 /// The multipliers of a fully constrained slave would act only on the master's nodes, with more rows than these have
-/// degrees of freedom. The side that can move is therefore the slave, otherwise the finer side.
+/// degrees of freedom. The side that can move is therefore the slave, otherwise the finer side: where they meet at the
+/// start, or as a whole if they do not.
 bool master_is_better(const WholeSurfaces& whole, const std::vector<FacetNodes>& slave,
                       const std::vector<FacetNodes>& master) {
   const bool slave_moves = can_move(whole, slave), master_moves = can_move(whole, master);
   if (slave_moves != master_moves) return master_moves;
-  return edges_of(master, whole.reference).mean < clearly * edges_of(slave, whole.reference).mean;
+  const EdgeLengths of_slave = edges_of(slave, whole.reference), of_master = edges_of(master, whole.reference);
+  const SeatEdges at_seat =
+      edges_at_seat(slave, master, whole.reference, std::max(of_slave.largest, of_master.largest));
+  if (at_seat.area > 0) return at_seat.master < clearly * at_seat.slave;
+  return of_master.mean < clearly * of_slave.mean;
 }
 
 /// A rigid part is the master: as a slave it could not satisfy the rows of all its nodes.
@@ -178,6 +184,23 @@ WholeInterface make_interface(const model::Model& model, const WholeSurfaces& wh
   return of;
 }
 
+/// Chords of unequal length lose or gain a part of the interference of round parts.
+void warn_of_chords(const model::Model& model, const WholeSurfaces& whole, const Interface& face,
+                    std::vector<std::string>& warnings) {
+  constexpr double too_much = 0.1;  // of the interference, and so of the pressure
+  if (face.pair.tied) return;
+  const RoundSeat seat = round_seat(face.surfaces, whole.reference, face.surfaces.capture);
+  const double share = seat.of_surfaces > 0 ? seat.of_facets / seat.of_surfaces - 1 : 0.0;
+  if (seat.of_facets <= touching * face.topology.edge || std::abs(share) < too_much) return;
+  const auto part = [&](std::int32_t b) { return model.blocks[static_cast<std::size_t>(b)].part; };
+  warnings.push_back(fmt::format(
+      "{}: where parts '{}' and '{}' overlap at the start, their facets lie {:.3g} in each other on average, and the "
+      "round surfaces through their nodes {:.3g}: facets are chords. Pressures are about {:.0f} % too {}. Use as many "
+      "facets around on both sides, or smaller ones",
+      face.pair.entry, part(face.pair.slave), part(face.pair.master), seat.of_facets, seat.of_surfaces,
+      100 * std::abs(share), share < 0 ? "low" : "high"));
+}
+
 /// The positions of the multipliers in the system, and those of this rank.
 void number_multipliers(const Unknowns& unknowns, MortarContact& contact) {
   GlobalIndex next = unknowns.total;
@@ -199,7 +222,10 @@ MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& m
   if (model.mortar.empty()) return contact;
   const WholeSurfaces whole = tell_surfaces(ranks, model);
   std::vector<WholeInterface> interfaces;
-  for (const MortarPair& pair : model.mortar) interfaces.push_back(make_interface(model, whole, pair));
+  for (const MortarPair& pair : model.mortar) {
+    interfaces.push_back(make_interface(model, whole, pair));
+    warn_of_chords(model, whole, interfaces.back().face, contact.warnings);
+  }
   share_out(ranks, model, unknowns, whole, std::move(interfaces), contact);
   number_multipliers(unknowns, contact);
   find_contact(ranks, contact, Iterate::first_of_step);

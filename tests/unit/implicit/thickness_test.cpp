@@ -50,6 +50,19 @@ TEST_CASE("a hollow torus is as thick as its wall, from outside and from inside"
   }
 }
 
+TEST_CASE("edges are compared where two surfaces meet") {
+  Surface both(mesh::box("fine", {1, 1, 1}, {8, 8, 4})), coarse(mesh::box("coarse", {1, 1, 1}, {2, 2, 8}));
+  const auto first = static_cast<LocalIndex>(both.x.size());
+  for (const Vec3& x : coarse.x) both.x.push_back(x + Vec3(0, 0, 1.1));
+  for (FacetNodes& facet : coarse.facets)
+    for (LocalIndex& node : facet) node += first;
+  const implicit::SeatEdges seat = implicit::edges_at_seat(both.facets, coarse.facets, both.x, 0.5);
+  CHECK(seat.area == Approx(1));
+  CHECK(seat.slave == Approx(1.0 / 8));
+  CHECK(seat.master == Approx(1.0 / 2));
+  CHECK(implicit::edges_at_seat(both.facets, coarse.facets, both.x, 0.05).area == 0);
+}
+
 TEST_CASE("a body that is thicker than the reach has no walls, and neither has no body") {
   const Surface block(mesh::box("b", {4, 4, 4}, {2, 2, 2}));
   for (const double thickness : implicit::thickness_behind(block.facets, block.x, 2)) CHECK(std::isinf(thickness));
