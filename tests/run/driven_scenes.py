@@ -35,7 +35,7 @@ def turned(axis, degrees, v):
 
 
 def numbers(values):
-    return "[" + ", ".join(f"{v:.9g}" for v in values) + "]"
+    return "[" + ", ".join(f"{v:.15g}" for v in values) + "]"
 
 
 class Maker:
@@ -61,7 +61,7 @@ class Maker:
         if tilt:
             turns.append(f"{{axis: {numbers([self.random.uniform(-1, 1), self.random.uniform(-1, 1), 0.2])}, degrees: {tilt:.6g}}}")
         if self.degrees:
-            turns.append(f"{{axis: {numbers(self.axis)}, degrees: {self.degrees:.9g}}}")
+            turns.append(f"{{axis: {numbers(self.axis)}, degrees: {self.degrees:.15g}}}")
         rotate = f", rotate: [{', '.join(turns)}]" if turns else ""
         self.boxes.append(f"  - {{box: {{part: {part}, size: {numbers(size)}, elements: {counts}{rotate}, at: {numbers(self.along(at))}}}}}\n")
         self.parts.append(f"{part}: {{material: {material}}}")
