@@ -191,7 +191,7 @@ void warn_of_chords(const model::Model& model, const WholeSurfaces& whole, const
   if (face.pair.tied) return;
   const RoundSeat seat = round_seat(face.surfaces, whole.reference, face.surfaces.capture);
   const double share = seat.of_surfaces > 0 ? seat.of_facets / seat.of_surfaces - 1 : 0.0;
-  if (seat.of_facets <= touching * face.topology.edge || std::abs(share) < too_much) return;
+  if (!seat.conform || seat.of_facets <= touching * face.topology.edge || std::abs(share) < too_much) return;
   const auto part = [&](std::int32_t b) { return model.blocks[static_cast<std::size_t>(b)].part; };
   warnings.push_back(fmt::format(
       "{}: where parts '{}' and '{}' overlap at the start, their facets lie {:.3g} in each other on average, and the "

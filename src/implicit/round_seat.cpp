@@ -65,7 +65,7 @@ RoundSeat round_seat(const contact::MortarSurfaces& surfaces, std::span<const Ve
   std::vector<contact::FacetPair> pairs;
   contact::find_pairs(one, other, scratch, pairs);
   RoundSeat seat;
-  double area = 0;
+  double area = 0, bulge_of_slave = 0, bulge_of_master = 0;
   const std::vector<double> of_slave = bulges(surfaces.slave, x), of_master = bulges(surfaces.master, x);
   contact::SlavePlane plane;
   contact::SegmentIntegrals segment;
@@ -78,9 +78,12 @@ RoundSeat round_seat(const contact::MortarSurfaces& surfaces, std::span<const Ve
     const double depth = of_slave[s] + of_master[m] - segment.distance;
     if (!(depth > 0)) continue;
     area += segment.area;
+    bulge_of_slave += segment.area * of_slave[s];
+    bulge_of_master += segment.area * of_master[m];
     seat.of_facets -= segment.area * segment.distance;
     seat.of_surfaces += segment.area * depth;
   }
+  seat.conform = bulge_of_slave * bulge_of_master < 0;
   if (area > 0) {
     seat.of_facets /= area;
     seat.of_surfaces /= area;

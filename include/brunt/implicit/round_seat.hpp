@@ -12,6 +12,7 @@ namespace brunt::implicit {
 struct RoundSeat {
   double of_facets = 0;    ///< how deep the facets do
   double of_surfaces = 0;  ///< how deep these surfaces do
+  bool conform = false;    ///< one is convex there, the other one concave: a shaft in its bore
 };
 
 /// 0 if nothing overlaps. reach: how deep facets of a pair may lie in each other.
