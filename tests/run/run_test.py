@@ -265,7 +265,8 @@ class Stops(Program):
         self.write("guard.yaml", scenes.INVERTED_LATER)
         self.run_scene(1, "guard.yaml", "--out", "out", "--set", "checkpoint.every=1.0e-9", code=3)
         steps = sorted(int(name[len("checkpoint_"):-len(".h5")]) for name in self.checkpoints("out"))
-        self.assertGreaterEqual(steps[-1], self.summary("out")["steps"] - 1)
+        # the guard stops in the pass over the state of the step before: that checkpoint is accepted by nothing
+        self.assertGreaterEqual(steps[-1], self.summary("out")["steps"] - 2)
 
     def test_history_has_some_200_rows_unasked(self):
         self.run_scene(1, "long.yaml", "--out", "out", "--set", "run.steps=1000")
