@@ -25,7 +25,8 @@ struct Starts {
   void add(const model::Model& model, std::size_t entry, double initial, double scale) {
     const double begins = time::driven_start(model.drives[entry], initial);
     const double gap = std::abs(begins - initial);
-    if (!(gap > time::same_speed * std::max(std::abs(begins), scale)) || !(gap > difference[entry])) return;
+    if (!(gap > time::same_speed * std::max(std::abs(begins), scale)) || gap < difference[entry]) return;
+    if (gap == difference[entry] && !(initial > given[entry])) return;  // whatever the order of the nodes
     difference[entry] = gap;
     given[entry] = initial;
     start[entry] = begins;

@@ -17,16 +17,20 @@ namespace {
 
 using Corners = std::array<Vec3, 8>;
 
-double shortest_edge(const Corners& x, int corners) {
-  double shortest = std::numeric_limits<double>::infinity();
+/// Over that of the reference. Wedges have edges between corners that are one node: they are none.
+double shortest_edge(const Corners& x, const Corners& reference, int corners) {
+  double now = std::numeric_limits<double>::infinity(), first = now;
   const auto look = [&](const std::array<int, 2>& edge) {
-    shortest = std::min(shortest, (x[static_cast<std::size_t>(edge[1])] - x[static_cast<std::size_t>(edge[0])]).norm());
+    const auto a = static_cast<std::size_t>(edge[0]), b = static_cast<std::size_t>(edge[1]);
+    if (reference[a] == reference[b]) return;
+    now = std::min(now, (x[b] - x[a]).norm());
+    first = std::min(first, (reference[b] - reference[a]).norm());
   };
   if (corners == 4)
     std::ranges::for_each(cells::tet_edges, look);
   else
     std::ranges::for_each(cells::hex_edges, look);
-  return shortest;
+  return now / first;
 }
 
 double volume(const Corners& x, int corners) {
@@ -53,7 +57,7 @@ std::array<double, 5> figures_of(const Prepared& run, const model::ElementBlock&
     first[corner] = Vec3(run.model.reference[node][0], run.model.reference[node][1], run.model.reference[node][2]);
     center += now[corner] / block.corners;
   }
-  return {center[0], center[1], center[2], shortest_edge(now, block.corners) / shortest_edge(first, block.corners),
+  return {center[0], center[1], center[2], shortest_edge(now, first, block.corners),
           volume(now, block.corners) / volume(first, block.corners)};
 }
 

@@ -29,9 +29,10 @@ std::vector<std::string> report_refused_moves(const scene::Input& input, const m
   }
   if (!moves.left.empty() && faults.empty())
     faults.push_back(fmt::format(
-        "{}: invalid initial_overlap: move leaves {} overlapping nodes after {} passes (the deepest: node {}, by "
+        "{}: invalid initial_overlap: move leaves {} overlapping node{} after {} passes (the deepest: node {}, by "
         "{:.4g}); expected parts farther apart, or offset to keep the overlap",
-        where, moves.left.size(), setup::most_moving_passes, number(moves.left[0].node), moves.left[0].penetration));
+        where, moves.left.size(), moves.left.size() == 1 ? "" : "s", setup::most_moving_passes,
+        number(moves.left[0].node), moves.left[0].penetration));
   return faults;
 }
 

@@ -7,7 +7,7 @@
 namespace brunt::app {
 
 /// The surface of one block in triangles: for a warped face, the diagonal with the larger volume of the body. Points
-/// are those of the mesh, in its order.
+/// are the nodes of the surface alone.
 [[nodiscard]] TriangleSurface outer_surface(const mesh::Mesh& mesh, std::size_t block);
 
 }  // namespace brunt::app

@@ -11,6 +11,7 @@
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/closed_surface.hpp"
 #include "brunt/scene/build.hpp"
+#include "brunt/scene/rigid_parts.hpp"
 #include "brunt/scene/select.hpp"
 #include "outer_surface.hpp"
 #include "start_rules.hpp"
@@ -53,15 +54,19 @@ void join_by_nodes(const mesh::Mesh& mesh, Groups& groups) {
 
 /// Takes the direction out of the basis: what is left are translations across all directions taken so far.
 void hold(depth::Member& member, const Vec3& direction) {
+  constexpr double rounding = 1e-6;  // wider than that of unit vectors
+  member.turns = false;
+  const Vec3 within = member.basis * (member.basis.transpose() * direction);  // what earlier directions leave of it
+  if (!(within.norm() > rounding)) return;
+  const Vec3 taken = within.normalized();
   Mat3 left = Mat3::Zero();
   int count = 0;
   for (int c = 0; c < 3; ++c) {
-    Vec3 v = member.basis.col(c) - direction.dot(member.basis.col(c)) * direction;
+    Vec3 v = member.basis.col(c) - taken.dot(member.basis.col(c)) * taken;
     for (int k = 0; k < count; ++k) v -= left.col(k).dot(v) * left.col(k);
-    if (v.norm() > 1e-6) left.col(count++) = v.normalized();  // wider than rounding of unit vectors
+    if (v.norm() > rounding) left.col(count++) = v.normalized();
   }
   member.basis = left;
-  member.turns = false;
 }
 
 /// What the scene holds, of each node.
@@ -125,17 +130,13 @@ std::vector<std::size_t> members_of_blocks(const scene::Input& input, const mesh
   const std::vector<std::size_t> part_of = scene::parts_of_blocks(input, mesh);
   Groups groups(n);
   join_by_nodes(mesh, groups);
-  const auto rigid_name = [&](std::size_t b) -> std::string {
-    const scene::Part& part = input.parts[part_of[b]];
-    if (!part.rigid) return {};
-    return part.rigid->joins.empty() ? part.name : part.rigid->joins;
-  };
+  const auto name = [&](std::size_t b) -> const std::string& { return input.parts[part_of[b]].name; };
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = a + 1; b < n; ++b) {
       const bool tied =
           rules.contact.pairs.block_count() == n &&
           rules.contact.pairs.at(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)).tied != contact::Tied::no;
-      if (tied || (!rigid_name(a).empty() && rigid_name(a) == rigid_name(b))) groups.join(a, b);
+      if (tied || scene::are_one_body(input, name(a), name(b))) groups.join(a, b);
     }
   std::vector<std::size_t> member(n), number(n);
   std::size_t count = 0;

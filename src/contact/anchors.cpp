@@ -59,6 +59,29 @@ std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, c
   return moved;
 }
 
+std::optional<AnchorRecord> dragged(const AnchorScene& scene, const AnchorRecord& anchor, const Row& row,
+                                    const Vec3& slid) {
+  if (row.is_edge()) return std::nullopt;
+  AnchorRecord moved = anchor;
+  if (row.is_wall()) {
+    for (std::size_t c = 0; c < 3; ++c) moved.on_wall[c] += slid[static_cast<Eigen::Index>(c)];
+    return moved;
+  }
+  const MasterFace* face = find_face(scene.faces, scene.by_key, anchor.face);
+  if (face == nullptr) return std::nullopt;
+  std::array<Vec3, 4> corners;
+  const auto count = static_cast<std::size_t>(face->corner_count);
+  Vec3 point = slid;
+  for (std::size_t i = 0; i < count; ++i) {
+    corners[i] = scene.motion[static_cast<std::size_t>(face->nodes[i])].position;
+    point += anchor.weights[i] * corners[i];
+  }
+  const auto closest = geometry::closest_point(point, {corners.data(), count});
+  if (!closest || closest->region != geometry::Region::face) return std::nullopt;
+  moved.weights = closest->weights;
+  return moved;
+}
+
 AnchorRecord anchor_of(const AnchorScene& scene, const Row& row) {
   AnchorRecord anchor{.key = anchor_key_of(row)};
   if (row.is_edge()) {

@@ -111,6 +111,20 @@ void assign_slabs(const Contact& contact, std::span<Row> rows) {
   }
 }
 
+/// What rows with friction move within the step against their targets, across their normals.
+void measure_slid(const Contact& contact, double dt, std::vector<Vec3>& slid) {
+  const StepData& step = contact.step;
+  const EnforcementScratch& solved = step.scratch.enforcement;
+  slid.assign(step.rows.size(), Vec3::Zero());
+  for (std::size_t q = 0; q < step.rows.size(); ++q) {
+    const Row& row = step.rows[q];
+    if (!(row.friction > 0) || step.impulses[q].isZero(0)) continue;
+    Vec3 rate = relative_velocity(row, step.nodes.velocity) - row.drift;
+    if (row.softness > 0) rate += solved.compliance[q] * step.impulses[q] - solved.borne[q];
+    slid[q] = dt * (rate - row.normal.dot(rate) * row.normal);
+  }
+}
+
 }  // namespace
 
 void assemble_rows(Contact& contact, const StepInput& input) {
@@ -135,7 +149,8 @@ void remember(Contact& contact, const StepInput& input) {
     std::swap(contact.history.pairs, scratch.next_pairs);
   }
   if (!contact.derived.friction) return;
-  write_anchors(step.rows, step.impulses, anchor_scene(contact, input.walls), contact.history.anchors,
+  measure_slid(contact, input.dt, scratch.slid);
+  write_anchors(step.rows, step.impulses, scratch.slid, anchor_scene(contact, input.walls), contact.history.anchors,
                 scratch.next_anchors);
   std::swap(contact.history.anchors, scratch.next_anchors);
   write_limits(step.rows, step.impulses, input.dt, contact.history.limits);

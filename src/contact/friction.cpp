@@ -21,6 +21,13 @@ bool sticks(const Row& row, const Vec3& impulse, const Tolerances& tolerances) {
   return push > 0 && (impulse - push * row.normal).norm() < inside * friction_limit(row, push);
 }
 
+/// Null if the row has none yet, or is out of its reach.
+const AnchorRecord* anchor_within_reach(const Row& row, const AnchorScene& scene,
+                                        std::span<const AnchorRecord> anchors) {
+  const AnchorRecord* anchor = find_anchor(anchors, anchor_key_of(row));
+  return anchor != nullptr && slip(scene, *anchor, row) ? anchor : nullptr;
+}
+
 }  // namespace
 
 double friction_coefficient(const FrictionLaw& law, const Row& row, std::span<const NodeMotion> motion) {
@@ -79,15 +86,17 @@ void aim_at_anchors(std::span<Row> rows, const AnchorScene& scene, std::span<con
   }
 }
 
-void write_anchors(std::span<const Row> rows, std::span<const Vec3> impulses, const AnchorScene& scene,
-                   std::span<const AnchorRecord> before, std::vector<AnchorRecord>& after) {
+void write_anchors(std::span<const Row> rows, std::span<const Vec3> impulses, std::span<const Vec3> slid,
+                   const AnchorScene& scene, std::span<const AnchorRecord> before, std::vector<AnchorRecord>& after) {
   after.clear();
   for (std::size_t q = 0; q < rows.size(); ++q) {
     const Row& row = rows[q];
-    if (!has_anchor(row) || !sticks(row, impulses[q], *scene.tolerances)) continue;
-    const AnchorRecord* anchor = find_anchor(before, anchor_key_of(row));
-    const bool holds = anchor != nullptr && slip(scene, *anchor, row).has_value();
-    after.push_back(holds ? *anchor : anchor_of(scene, row));
+    if (!has_anchor(row) || !(row.normal.dot(impulses[q]) > 0)) continue;
+    const AnchorRecord* anchor = anchor_within_reach(row, scene, before);
+    if (sticks(row, impulses[q], *scene.tolerances))
+      after.push_back(anchor != nullptr ? *anchor : anchor_of(scene, row));
+    else if (anchor != nullptr)
+      if (const auto moved = dragged(scene, *anchor, row, slid[q])) after.push_back(*moved);
   }
   // several faces of one body may hold a node: the one of the lowest key is its anchor
   const auto order = [](const AnchorRecord& a, const AnchorRecord& b) {

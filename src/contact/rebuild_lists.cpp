@@ -136,6 +136,7 @@ void reserve_rows(const DerivedSettings& derived, const ContactLists& lists, std
   scratch.next_pairs.reserve(most_rows + sides);
   history.anchors.reserve(most_rows);
   scratch.next_anchors.reserve(most_rows);
+  scratch.slid.reserve(most_rows);
   history.limits.reserve(most_rows);
 }
 

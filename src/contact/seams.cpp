@@ -192,13 +192,27 @@ Ragged<SeamOfNode> report_seams(const comm::Communicator& ranks, const Surface& 
   return comm::exchange(ranks, nodes);
 }
 
-void mark_nodes(const Ragged<SeamOfNode>& received, Surface& surface) {
+std::vector<SeamOfNode> by_node(const Ragged<SeamOfNode>& received) {
+  std::vector<SeamOfNode> known(received.values);
+  std::ranges::stable_sort(known, {}, &SeamOfNode::node);
+  return known;
+}
+
+/// The faces that go on at a node. One that is itself the side of a seam there is none: of tiles that lie flush, four
+/// in a point, the faces between them continue in each other too, but what slides over the tiles does not slide on
+/// these.
+void mark_nodes(const Ragged<SeamOfNode>& received, const Tolerances& tolerances, Surface& surface) {
   surface.seam_sag.assign(surface.facets.values.size(), 0);
+  const std::vector<SeamOfNode> known = by_node(received);
   for (Rank rank = 0; rank < received.rows(); ++rank)
     for (const SeamOfNode& seam : received.row(rank)) {
       const std::span<const Place> facets = std::as_const(surface.facets).row(seam.node);
       const auto at = std::ranges::find(facets, Place{rank, seam.face});
       demand(at != facets.end(), "a node's owner knows its faces");
+      const auto goes_by = [&](const SeamOfNode& other) {
+        return Vec3(other.out.data()).dot(Vec3(seam.normal.data())) > tolerances.facing;
+      };
+      if (std::ranges::any_of(std::ranges::equal_range(known, seam.node, {}, &SeamOfNode::node), goes_by)) continue;
       surface.seam_sag[static_cast<std::size_t>(&*at - surface.facets.values.data())] = seam.sag;
     }
 }
@@ -231,8 +245,7 @@ std::vector<std::vector<SideAtSeam>> find_sides_at_seams(const comm::Communicato
     asked[static_cast<std::size_t>(home.rank)].push_back({home.index, as_array(faces[f].normal()), as_array(along)});
   });
   const Ragged<EndAtNode> questions = comm::exchange(ranks, asked);
-  std::vector<SeamOfNode> known(received.values);
-  std::ranges::stable_sort(known, {}, &SeamOfNode::node);
+  const std::vector<SeamOfNode> known = by_node(received);
   std::vector<std::vector<char>> answers(count);
   for (std::size_t r = 0; r < count; ++r)
     for (const EndAtNode& end : questions.row(static_cast<LocalIndex>(r))) {
@@ -310,7 +323,7 @@ void find_seams(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, co
   if (surface.flush.empty()) return;
   const std::vector<StartFace> faces = start_faces(mesh, surface, tolerances);
   const Ragged<SeamOfNode> received = report_seams(ranks, surface, faces);
-  mark_nodes(received, surface);
+  mark_nodes(received, tolerances, surface);
   mark_edges(ranks, find_sides_at_seams(ranks, surface, faces, received, tolerances), surface);
 }
 

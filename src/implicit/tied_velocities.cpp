@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "brunt/time/driven_start.hpp"
+
 namespace brunt::implicit {
 namespace {
 
@@ -36,7 +38,6 @@ Rates rates_of(const Interface& face, std::span<const Vec3> velocity) {
 
 std::vector<std::string> warnings_of_tied_velocities(const Scene& scene, const Solver& solver,
                                                      const std::string& velocity_unit) {
-  constexpr double same_speed = 1e-6;  // of the speed: velocities given with six digits
   std::vector<std::string> warnings;
   if (solver.settings.scheme == model::Scheme::statics) return warnings;
   const auto tied = [](const Interface& face) { return face.pair.tied; };
@@ -51,7 +52,7 @@ std::vector<std::string> warnings_of_tied_velocities(const Scene& scene, const S
     if (!face.pair.tied) continue;
     const Rates rates = rates_of(face, velocity);
     const double apart = scene.links.ranks.max(rates.apart), speed = scene.links.ranks.max(rates.speed);
-    if (!(apart > same_speed * speed)) continue;
+    if (!(apart > time::same_speed * speed)) continue;
     const auto part = [&](std::int32_t b) { return scene.model.blocks[static_cast<std::size_t>(b)].part; };
     warnings.push_back(fmt::format(
         "{}: the initial velocities of the tied parts {} and {} differ by {:.3g}{} at their seam; the force "

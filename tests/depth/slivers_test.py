@@ -17,6 +17,8 @@ import tempfile
 
 import numpy as np
 
+from fits import random_rotation
+
 SIDES = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
 TRIANGLES = [t for a, b, c, d in SIDES for t in ((a, b, c), (a, c, d))]
 NEAR = 1e-3  # of the depth: the accuracy of a fast answer
@@ -27,14 +29,6 @@ def corners(low, high):
     (a, b, c), (d, e, f) = low, high
     return [np.array(x, float) for x in
             ((a, b, c), (d, b, c), (d, e, c), (a, e, c), (a, b, f), (d, b, f), (d, e, f), (a, e, f))]
-
-
-def rotation(draw):
-    q = np.array([draw.gauss(0, 1) for _ in range(4)])
-    w, x, y, z = q / np.linalg.norm(q)
-    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
 
 
 def with_slivers(points, triangles, count, draw):
@@ -66,7 +60,7 @@ def write(path, points, triangles, digits):
 def fault_of(variant, folder):
     """What is wrong with the answers; empty if nothing is."""
     draw = random.Random(variant)
-    turn, shift, depth = rotation(draw), [draw.uniform(-9, 9) for _ in range(3)], draw.uniform(0.05, 0.5)
+    turn, shift, depth = random_rotation(draw), [draw.uniform(-9, 9) for _ in range(3)], draw.uniform(0.05, 0.5)
     kind = draw.choice(sorted(DIGITS))
     digits, size = draw.choice(DIGITS[kind]), 10 ** draw.uniform(-3, 3)
     placed = lambda points, lift: [size * (turn @ (x + (0, 0, lift)) + shift) for x in points]

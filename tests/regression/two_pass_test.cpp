@@ -251,7 +251,7 @@ TEST_CASE("steel blocks turned against each other: iterations of two passes", "[
 
 // In one step of the first conjugate residuals alone wandered to 17 at the limit of 200 iterations, and gave 9 % of all
 // energy: after half of them Barzilai-Borwein steps take over. That was while the shaft's facets slipped over the rims
-// of the tube between nodes; now the worst step takes 15, so that half of 28 is passed.
+// of the tube between nodes; now the worst step takes 11 or 12, so that half of 20 is passed.
 TEST_CASE("a rubber shaft turns in a steel tube in two passes: every step is solved, and contact gives nothing",
           "[regression]") {
   mesh::Mesh mesh = mesh::tube("tube", 0.05, 0.07, 0.04, {2, 24, 3});
@@ -265,11 +265,11 @@ TEST_CASE("a rubber shaft turns in a steel tube in two passes: every step is sol
                    "fixed: [{set: tube_side, dofs: [x, y, z]}, {set: shaft_bottom, dofs: [z]}]\n"
                    "curves: {ramp: [[0, 0], [0.003, 1]]}\ngravity: {vector: [0, -2000, 0], curve: ramp}\n"
                    "initial: [{part: shaft, rotation: {axis: [0, 0, 1], rate: 200}}]\n"
-                   "contact: [{between: [tube, shaft], passes: two, max_iterations: 28, softness: 0}]\n");
+                   "contact: [{between: [tube, shaft], passes: two, max_iterations: 20, softness: 0}]\n");
   const GivenBack contact = run_until(scene, 5e-3);
   const contact::ContactStatistics& seen = scene.contact->ledger.statistics;
   CAPTURE(seen.most_iterations, seen.largest_residual, contact.given / scene.ledger().kinetic);
-  CHECK(seen.most_iterations > 14);  // some step is handed over
+  CHECK(seen.most_iterations > 10);  // some step is handed over
   CHECK(seen.steps_at_limit == 0);
   CHECK(seen.largest_residual <= 1e-3);
   CHECK(contact.given <= 1e-3 * scene.ledger().kinetic);  // ours: 3.3e-4

@@ -146,7 +146,7 @@ class Depth(Program):
     def test_a_table_that_is_none_of_ours_is_refused(self):
         self.depth(1, "out", "--at", "0.5,0.4,0.1")
         os.remove(os.path.join(self.folder, "out", "depth.json"))
-        for row, said in (("1,2,3", "3 fields"), (",".join(["x"] * 30), "'x'")):
+        for row, said in (("1,2,3", "3 fields"), (",".join(["x"] * 31), "'x'")):
             self.write("out/depth.csv", self.text("out", "depth.csv").splitlines()[0] + "\n" + row + "\n")
             errors = self.ask(1, "out", "--at", "0.5,0.4,0.1", code=2)
             self.assertIn("depth.csv", errors)

@@ -4,11 +4,11 @@
 A tie neither takes nor gives energy, momentum or angular momentum. --variants N: pairs of each kind. Needs BRUNT and BRUNT_RUN (scripts/run)
 in the environment."""
 import math
-import sys
 import unittest
 
 import numpy
 
+from run_test import variants_asked
 from scene_program import SceneProgram
 
 VARIANTS = 5
@@ -163,8 +163,5 @@ probes:
 
 
 if __name__ == "__main__":
-    if "--variants" in sys.argv:
-        at = sys.argv.index("--variants")
-        VARIANTS = int(sys.argv[at + 1])
-        del sys.argv[at:at + 2]
+    VARIANTS = variants_asked(VARIANTS)
     unittest.main()

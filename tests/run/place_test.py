@@ -99,6 +99,17 @@ class Place(Program):
         moved, _ = self.placed(CUBES.replace("at: [0.9, 0, 0]", "at: [0.8, 0, 0.9]") + "symmetry: [{point: [0, 0, 0], normal: [0, 0, 1]}, {point: [0, 0, 1.9], normal: [0, 0, 1]}]\n")
         self.assert_moved(moved, left=(-0.1, 0, 0), right=(0.1, 0, 0))  # 0.1 along z would do
 
+    def test_two_planes_at_any_angle_leave_their_line_of_intersection(self):
+        """The planes hold the left cube along x and y, in any order, and so does an oblique plane with a support along x."""
+        for degrees in (20, 60, 135):
+            normal = [-round(numpy.sin(numpy.radians(degrees)), 6), round(numpy.cos(numpy.radians(degrees)), 6), 0]
+            oblique, plane = f"{{point: [0, 0, 0], normal: {normal}}}", "{point: [0, 0, 0], normal: [0, 1, 0]}"
+            for held in (f"symmetry: [{plane}, {oblique}]\n", f"symmetry: [{oblique}, {plane}]\n",
+                         f"symmetry: [{oblique}]\nfixed: [{{part: left, dofs: [x]}}]\n"):
+                with self.subTest(degrees=degrees, held=held):
+                    moved, _ = self.placed(CUBES + held)
+                    self.assert_moved(moved, right=(0.1, 0, 0))
+
     def test_rigid_parts_move_too(self):
         moved, _ = self.placed(CUBES, "--set", "parts.right.material=stiff")
         self.assert_moved(moved, left=(-0.05, 0, 0), right=(0.05, 0, 0))
@@ -111,6 +122,17 @@ class Place(Program):
         self.assertEqual(code, 0, errors)
         self.assertRegex(output, r"placed +part 'right' with 'third': moved by 0\.03333 m at most")
         self.assertRegex(output, r"placed +part 'left': moved by 0\.06667 m at most")
+
+    def test_joined_rigid_parts_move_as_one(self):
+        """The part that names the body need not have a key `rigid`."""
+        third = CUBES.replace("materials:", "  - {box: {part: third, size: [1, 1, 1], elements: [2, 2, 2], at: [1.9, 0, 0]}}\nmaterials:")
+        for lead, other in (("right", "third"), ("third", "right")):
+            with self.subTest(lead=lead):
+                code, output, errors = self.check(third.replace(
+                    "right: {material: light}}", f"{lead}: {{material: stiff}}, {other}: {{material: stiff, rigid: {{joins: {lead}}}}}}}"))
+                self.assertEqual(code, 0, errors)
+                self.assertRegex(output, r"placed +part 'right' with 'third': moved by 0\.03333 m at most")
+                self.assertRegex(output, r"placed +part 'left': moved by 0\.06667 m at most")
 
     def test_large_motions_are_refused(self):
         limited = CUBES.replace("initial_overlap: place", "initial_overlap: place, limit: LIMIT")

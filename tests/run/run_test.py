@@ -7,6 +7,7 @@ import os
 import re
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -15,6 +16,16 @@ import scenes
 
 BRUNT, RUN = os.environ["BRUNT"], os.environ["BRUNT_RUN"]
 PATIENCE = 60  # [s] until a run has done what was asked of it
+
+
+def variants_asked(default):
+    """Of a test with random scenes, how many: `--variants N` at the end of the command, or the default."""
+    if "--variants" not in sys.argv:
+        return default
+    at = sys.argv.index("--variants")
+    _, number = sys.argv[at:at + 2]
+    del sys.argv[at:at + 2]
+    return int(number)
 
 
 class Program(unittest.TestCase):

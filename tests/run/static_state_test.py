@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Rows of a static run are states at their times: reactions, walls, contact and ties balance the loads of the same time in every row, with
 steps of any length. Seeded scenes. --variants N: scenes of each kind. Needs BRUNT and BRUNT_RUN (scripts/run) in the environment."""
-import sys
 import unittest
 
 import numpy
 
+from run_test import variants_asked
 from scene_program import SceneProgram
 
 VARIANTS = 2
@@ -146,8 +146,5 @@ class StaticStates(SceneProgram):
 
 
 if __name__ == "__main__":
-    if "--variants" in sys.argv:
-        at = sys.argv.index("--variants")
-        VARIANTS = int(sys.argv[at + 1])
-        del sys.argv[at:at + 2]
+    VARIANTS = variants_asked(VARIANTS)
     unittest.main()

@@ -36,4 +36,9 @@ std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, c
 /// An anchor at the present contact point of the row's slave and master.
 AnchorRecord anchor_of(const AnchorScene& scene, const Row& row);
 
+/// The anchor of a row at its limit, which its slave drags along as far as it slid within the step [length]. Empty if
+/// it would leave its face, and for edges.
+std::optional<AnchorRecord> dragged(const AnchorScene& scene, const AnchorRecord& anchor, const Row& row,
+                                    const Vec3& slid);
+
 }  // namespace brunt::contact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Friction of rows: its coefficient, its lag behind the pressure, and the anchors of sticking nodes. A sticking node
 // has an anchor on its face (or wall). The rate target recovers its drift from the anchor, so sticking nodes do not
-// creep. The anchor is deleted when the node slides, separates, or is far from it (see `slip`).
+// creep. A node that slides drags its anchor along. The anchor is deleted when the node separates or is far from it.
 #pragma once
 #include <span>
 #include <vector>
@@ -35,9 +35,11 @@ void aim_at_anchors(std::span<Row> rows, const AnchorScene& scene, std::span<con
                     const AnchorSettings& settings, double dt);
 
 /// The anchors after a step with these impulses, in order of their keys. Sticking nodes keep their anchors; if a node
-/// has just come to rest, its contact point becomes the anchor. Edges have none. Does not allocate if `after` has room
-/// for all rows.
-void write_anchors(std::span<const Row> rows, std::span<const Vec3> impulses, const AnchorScene& scene,
-                   std::span<const AnchorRecord> before, std::vector<AnchorRecord>& after);
+/// has just come to rest, its contact point becomes the anchor. Nodes at their limit drag them along, by what they
+/// slid: where loads are shared among redundant rows, a body that sticks has rows at their limits that slide by
+/// nothing. slid: of each row with friction, what it moves within the step against its target [length]. Does not
+/// allocate if `after` has room for all rows.
+void write_anchors(std::span<const Row> rows, std::span<const Vec3> impulses, std::span<const Vec3> slid,
+                   const AnchorScene& scene, std::span<const AnchorRecord> before, std::vector<AnchorRecord>& after);
 
 }  // namespace brunt::contact

@@ -56,6 +56,7 @@ struct StepScratch {
   EnforcementScratch enforcement;
   std::vector<HistoryRecord> next_pairs;
   std::vector<AnchorRecord> next_anchors;
+  std::vector<Vec3> slid;  ///< of each row with friction, see write_anchors [length]
 };
 
 struct StepData {

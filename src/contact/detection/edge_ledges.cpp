@@ -19,19 +19,18 @@ Vec3 last_displacement(const EdgeScene& scene, const ContactEdge& slave, const C
                      met.t * last(master, 1));
 }
 
-/// Whether both ends of an edge are held along `out`: by `body`, or by any body if it is no_index.
-bool lies_along(const EdgeScene& scene, std::span<const NodeHold> holds, const ContactEdge& edge, const Vec3& out,
-                std::int32_t body) {
+/// Whether both ends of an edge are held along `out`, by whatever bodies: the front of a block that passes the seam of
+/// two plates lies on both.
+bool lies_along(const EdgeScene& scene, std::span<const NodeHold> holds, const ContactEdge& edge, const Vec3& out) {
   return std::ranges::all_of(edge.nodes, [&](LocalIndex node) {
-    const NodeHold& hold = holds[static_cast<std::size_t>(node)];
-    return (body == no_index || hold.is_on(body)) && hold.normal.dot(out) > scene.tolerances().aligned;
+    return holds[static_cast<std::size_t>(node)].normal.dot(out) > scene.tolerances().aligned;
   });
 }
 
 /// Nearly parallel edges that slide past each other on a ledge (see ledges.hpp): along a face of the master, no farther
-/// from its plane than a ledge. If the edges cross, one must lie on a face of the other with both ends constrained by
-/// it. Otherwise they constrain each other, however small their angle, since contact would supply energy without these
-/// rows.
+/// from its plane than a ledge. If the edges cross, one must lie on a face of the other with both ends constrained
+/// along its normal. Otherwise they constrain each other, however small their angle, since contact would supply energy
+/// without these rows.
 bool slide_along_ledge(const EdgeScene& scene, std::span<const NodeHold> holds, const ContactEdge& slave,
                        const ContactEdge& master, double size, const EdgeMeeting& met, const Vec3& motion) {
   const geometry::Segment own = scene.start(slave), other = scene.start(master);
@@ -45,8 +44,8 @@ bool slide_along_ledge(const EdgeScene& scene, std::span<const NodeHold> holds, 
   const auto lies_on = [&](std::size_t i, std::size_t k) {
     const Vec3 top = scene.normal(master, k), side = scene.normal(master, 1 - k);
     const double height = apart.dot(top);
-    if (sine > scene.tolerances().parallel && !lies_along(scene, holds, slave, top, master.body) &&
-        !lies_along(scene, holds, master, -top, slave.body))
+    if (sine > scene.tolerances().parallel && !lies_along(scene, holds, slave, top) &&
+        !lies_along(scene, holds, master, -top))
       return false;
     return faces(slave, i, top) && faces(slave, 1 - i, side) && std::abs(height) <= scene.tolerances().ledge * size &&
            slides_into(motion, side, top, size, scene.tolerances()) &&
@@ -112,8 +111,8 @@ std::optional<Vec3> face_below(const EdgeScene& scene, std::span<const NodeHold>
                                const ContactEdge& master) {
   if (scene.start(slave).along().cross(scene.start(master).along()).norm() >= scene.full) return std::nullopt;
   for (std::size_t k = 0; k < 2; ++k) {
-    if (const Vec3 top = scene.normal(master, k); lies_along(scene, holds, slave, top, no_index)) return top;
-    if (const Vec3 top = -scene.normal(slave, k); lies_along(scene, holds, master, top, no_index)) return top;
+    if (const Vec3 top = scene.normal(master, k); lies_along(scene, holds, slave, top)) return top;
+    if (const Vec3 top = -scene.normal(slave, k); lies_along(scene, holds, master, -top)) return top;
   }
   return std::nullopt;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sharp edges at a ledge (see ledges.hpp) are ignored as nodes are.
 #pragma once
+#include <optional>
+
 #include "edge_scene.hpp"
 
 namespace brunt::contact {
@@ -12,8 +14,8 @@ bool meet_on_ledge(const EdgeScene& scene, const EdgeCandidates& candidates, std
                    const EdgeMeeting& met);
 
 /// The normal, out of the master, of a face on which one of two nearly parallel edges lies, with both ends held along
-/// it by whatever bodies: as where a block slides over the seam of two plates. The edges meet along this normal. Along
-/// the mean of faces, as of edges on edges, their row would push against the sliding.
+/// it by whatever bodies: as where a block slides over the seam of two plates. The edges meet along this normal: a row
+/// along the mean of their faces' normals would push against the sliding.
 std::optional<Vec3> face_below(const EdgeScene& scene, std::span<const NodeHold> holds, const ContactEdge& slave,
                                const ContactEdge& master);
 

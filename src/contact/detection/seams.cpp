@@ -39,8 +39,11 @@ double own_sag(const OwnFacets& own, const Vec3& normal, const Tolerances& toler
   return sag;
 }
 
+/// A face that is itself the side of a seam is never the top: that of a tile among tiles, on which a node stands close
+/// to its rim.
 bool is_side_of_seam(const FacesInMotion& scene, const Tolerances& tolerances, const OwnFacets& own,
                      const Encounter& side, const Encounter& top) {
+  if (continues_beyond(scene, tolerances, side, top)) return false;
   const MasterFace &above = face_of(scene, top), &below = face_of(scene, side);
   double sag = own_sag(own, top.normal, tolerances);
   if (continues_beyond(scene, tolerances, top, side))
@@ -49,6 +52,13 @@ bool is_side_of_seam(const FacesInMotion& scene, const Tolerances& tolerances, c
     return false;
   return !contact::same_direction(side.normal, top.normal, tolerances.same_direction) &&
          shared_nodes(below, above) >= 1 && !concave(scene.faces, scene.motion, side, top, tolerances);
+}
+
+/// A node at the rim of the continuing face, in the seam, is in contact with that face: the side before it is no face.
+void meet_at_rim(const FacesInMotion& scene, const Tolerances& tolerances, Encounter& top) {
+  const double rim = tolerances.rim * std::min(top.size, face_of(scene, top).element_depth);
+  if (top.meeting == Meeting::none && top.beside <= rim && top.height <= 0 && -top.height <= rim)
+    top.meeting = Meeting::inside;
 }
 
 /// Of an edge that ends below a seam, the faces that are its sides begin where `other` is too deep below the end: up to
@@ -90,10 +100,11 @@ void remove_seam_sides(const FacesInMotion& scene, const Tolerances& tolerances,
   if (one_direction(encounters, tolerances.same_direction)) return;  // nearly always
   for (Encounter& side : encounters) {
     if (side.meeting == Meeting::none) continue;
-    const auto is_side = [&](const Encounter& top) {
-      return &top != &side && is_side_of_seam(scene, tolerances, own, side, top);
-    };
-    if (std::ranges::any_of(encounters, is_side)) side.meeting = Meeting::none;
+    for (Encounter& top : encounters) {
+      if (&top == &side || !is_side_of_seam(scene, tolerances, own, side, top)) continue;
+      side.meeting = Meeting::none;
+      meet_at_rim(scene, tolerances, top);
+    }
   }
 }
 

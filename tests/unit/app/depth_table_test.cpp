@@ -17,7 +17,7 @@ TEST_CASE("depth_table: a row has a field a column and reads back to the same nu
   const auto records = io::csv_records(app::csv_header() + app::csv_row(row)).records;
   REQUIRE(records.size() == 2);
   CHECK(records[0].size() == records[1].size());
-  CHECK(records[0].back() == "overlaps");
+  CHECK(records[0].back() == "proven");
   const app::EarlierRow read = app::row_of_record(records[1], "depth.csv: row 1");
   const depth::Answer &one = row.answer, &other = read.row.answer;
   CHECK(read.row.pose == row.pose);
@@ -49,7 +49,7 @@ TEST_CASE("depth_table: what is no row is refused by name") {
   cut.pop_back();
   word[6] = "deep";
   CHECK_THROWS_WITH(app::row_of_record(cut, "depth.csv: row 4"),
-                    Contains("depth.csv: row 4: invalid row of 29 fields; expected 30"));
+                    Contains("depth.csv: row 4: invalid row of 30 fields; expected 31"));
   CHECK_THROWS_WITH(app::row_of_record(word, "depth.csv: row 4"), Contains("'deep'"));
   CHECK_THROWS_AS(app::row_of_record({}, "x"), InputError);
 }

@@ -98,3 +98,19 @@ TEST_CASE("an edge holds on to the edge that it meets, at the points of both tha
   row.weights = {0.65, 0.35, -0.75, -0.25};  // it has slid along itself: now they meet elsewhere
   CHECK((*slip(squares.scene(), anchor, row) - Vec3(0.1, -1, 0)).norm() < 1e-15);
 }
+
+TEST_CASE("a node that slides drags its anchor over the face, and loses it at the rim") {
+  TwoSquares squares;
+  const AnchorRecord anchor = anchor_of(squares.scene(), squares.row());  // at (0.95, 0.5)
+  const auto moved = dragged(squares.scene(), anchor, squares.row(), Vec3(-0.125, 0.125, 0));
+  REQUIRE(moved);
+  CHECK((*slip(squares.scene(), *moved, squares.row()) - Vec3(0.125, -0.125, 0)).norm() < 1e-15);
+  CHECK_FALSE(dragged(squares.scene(), anchor, squares.row(), Vec3(0.06, 0, 0)));
+  Row at_wall{.key = {.kind = contact::RowKind::wall, .slave = 77, .master = 0}, .nodes = {6}, .node_count = 1};
+  at_wall.normal = Vec3::UnitZ();
+  const auto on_wall = dragged(squares.scene(), anchor_of(squares.scene(), at_wall), at_wall, Vec3(7, 0, 0));
+  REQUIRE(on_wall);
+  CHECK((*slip(squares.scene(), *on_wall, at_wall) - Vec3(-7, 0, 0)).norm() < 1e-14);
+  const Row edges{.key = {contact::RowKind::edge, 40, 41, 50, 51}};
+  CHECK_FALSE(dragged(squares.scene(), anchor, edges, Vec3(0.1, 0, 0)));
+}

@@ -184,16 +184,6 @@ TEST_CASE("an edge that lies on a table has no row at the table's rim, one that 
   CHECK(edges.rows().empty());  // the end that lies on the table lies at its rim and holds the edge there
 }
 
-TEST_CASE("an edge that lies flat over the seam of two tables is held along their faces, whatever its angle") {
-  for (const double degrees : {8.0, 12.0, 15.0, 19.0, 45.0}) {
-    TwoEdges edges(degrees, 0);
-    edges.facets = {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(0, 0, -1), Vec3(1, 0, 0)};
-    edges.holds[2] = {Vec3::UnitZ(), 0};
-    edges.holds[3] = {Vec3::UnitZ(), 5};
-    for (const Row& row : edges.rows()) CHECK(row.normal.z() > 1 - 1e-12);
-  }
-}
-
 TEST_CASE("edges that look the same way have nothing to do with each other, edges that have passed each other do") {
   TwoEdges edges(90, 0.01);
   std::copy(edges.facets.begin(), edges.facets.begin() + 2, edges.facets.begin() + 2);  // both bodies lie below
