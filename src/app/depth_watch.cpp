@@ -17,8 +17,8 @@ namespace {
 using geometry::Box;
 
 /// Boxes around the surface nodes of each part, of all ranks. Collective.
-std::vector<Box> boxes_of_parts(const Prepared& run, const contact::VectorView& position) {
-  const contact::Surface& surface = run.contact->surface;
+std::vector<Box> boxes_of_parts(const Prepared& run, const contact::Surface& surface,
+                                const contact::VectorView& position) {
   std::vector<double> most(6 * run.model.blocks.size(), -std::numeric_limits<double>::infinity());
   for (LocalIndex node = 0; node < static_cast<LocalIndex>(surface.gid.size()); ++node) {
     if (!surface.owns(node, run.links.ranks.rank())) continue;
@@ -37,16 +37,22 @@ std::vector<Box> boxes_of_parts(const Prepared& run, const contact::VectorView& 
   return boxes;
 }
 
-/// The elements in which a node may lie: those within the box of another part, and those at the surface, which a body
-/// meets first where it meets itself.
-std::vector<contact::GhostElement> elements_within_reach(const Prepared& run, const contact::VectorView& position) {
-  const std::vector<Box> parts = boxes_of_parts(run, position);
-  const contact::PairTable& pairs = run.contact->settings.specification.pairs;
+}  // namespace
+
+contact::WatchedSurface watched_surface(const Prepared& run) {
+  if (!run.watched) return contact::watched_surface(*run.contact);  // that of an implicit scene has walls alone
+  return {run.links.ranks, run.watched->surface, run.watched->pairs, {}, contact::standard_tolerances};
+}
+
+std::vector<contact::GhostElement> elements_within_reach(const Prepared& run, const contact::WatchedSurface& watched,
+                                                         const contact::VectorView& position) {
+  const std::vector<Box> parts = boxes_of_parts(run, watched.surface, position);
   const auto meets = [&](std::size_t one, std::size_t other) {
-    return pairs.at(static_cast<std::int32_t>(one), static_cast<std::int32_t>(other)).rule != contact::PairRule::apart;
+    return watched.pairs.at(static_cast<std::int32_t>(one), static_cast<std::int32_t>(other)).rule !=
+           contact::PairRule::apart;
   };
   std::vector<GlobalIndex> at_surface;
-  for (const contact::SurfaceFace& face : run.contact->surface.faces) at_surface.push_back(face.key / 8);
+  for (const contact::SurfaceFace& face : watched.surface.faces) at_surface.push_back(face.key / 8);
   std::vector<contact::GhostElement> elements;
   for (std::size_t b = 0; b < run.model.blocks.size(); ++b) {
     const model::ElementBlock& block = run.model.blocks[b];
@@ -92,24 +98,25 @@ std::string text_of(const Prepared& run, const contact::DeepNode& deep) {
                      static_cast<GlobalIndex>(run.state.step), deep.share);
 }
 
-}  // namespace
-
 bool DepthWatch::is_due(const Prepared& run) const {
-  return run.contact && !run.implicit && run.contact->ledger.statistics.searches >= lists_seen_ + lists_between_looks;
+  if (run.implicit) return run.watched != nullptr;  // a row of its history is far from the last
+  return run.contact && run.contact->ledger.statistics.searches >= lists_seen_ + lists_between_looks;
 }
 
 std::vector<std::string> DepthWatch::look(const Prepared& run) {
-  if (!run.contact || !run.contact->derived.bodies || run.implicit) return {};
-  lists_seen_ = run.contact->ledger.statistics.searches;
+  if (run.implicit ? run.watched == nullptr : !run.contact || !run.contact->derived.bodies) return {};
+  if (run.contact) lists_seen_ = run.contact->ledger.statistics.searches;
   const contact::VectorView position{run.state.nodes.empty() ? nullptr : run.state.nodes.front().x,
                                      sizeof(model::NodeLine) / sizeof(double)};
+  const contact::WatchedSurface watched = watched_surface(run);
   const contact::DeepNodes found =
-      contact::find_deep_nodes(*run.contact, position, elements_within_reach(run, position), warned_depth);
+      contact::find_deep_nodes(watched, position, elements_within_reach(run, watched, position), warned_depth);
   const contact::DeepNode& worst = found.worst;
   if (worst.share > deepest_.share) deepest_ = worst;
   if (!(worst.share > warned_depth)) return {};
-  const bool begins_inside = run.overlaps.recovered || !run.contact->derived.detection.accepted.empty();
-  const bool lost = worst.share >= lost_depth && !begins_inside && !run.contact->settings.erodes;
+  const bool begins_inside =
+      run.overlaps.recovered || (run.contact && !run.contact->derived.detection.accepted.empty());
+  const bool lost = worst.share >= lost_depth && !begins_inside && !(run.contact && run.contact->settings.erodes);
   const std::pair pair(worst.node_block, worst.block);
   const bool known = std::ranges::find(reported_, pair) != reported_.end();
   if (known && !lost) return {};

@@ -20,6 +20,17 @@ constexpr double warned_depth = 0.1, lost_depth = 1 - 1e-9;
 /// with one look in three, nothing moves by more than an element between two looks.
 constexpr GlobalIndex lists_between_looks = 3;
 
+/// The surface that is looked at: of explicit contact, or of implicit scenes with mortar contact.
+contact::WatchedSurface watched_surface(const Prepared& run);
+
+/// The elements of this rank in which a node may lie: those within the box of another part that may be met, and those
+/// at the surface, which a body meets first where it meets itself. position: of the mesh's local nodes. Collective.
+std::vector<contact::GhostElement> elements_within_reach(const Prepared& run, const contact::WatchedSurface& watched,
+                                                         const contact::VectorView& position);
+
+/// What a message says of it. Collective.
+std::string text_of(const Prepared& run, const contact::DeepNode& deep);
+
 class DepthWatch {
  public:
   /// Looks at x_n. Returns warnings, of each pair of parts one. Throws GuardError where a node or an edge is lost,

@@ -9,6 +9,7 @@
 
 #include "brunt/implicit/step.hpp"
 #include "driven_apart.hpp"
+#include "implicit_watch.hpp"
 
 namespace brunt::app {
 namespace {
@@ -81,7 +82,9 @@ implicit::Scene implicit_scene(Prepared& run) {
 }
 
 void implicit_step(Prepared& run) {
-  implicit::advance(implicit_scene(run), *run.implicit, [&](GlobalIndex gid) { return name_of_node(run, gid); });
+  implicit::advance(
+      implicit_scene(run), *run.implicit, [&](GlobalIndex gid) { return name_of_node(run, gid); },
+      [&] { return objection_to_step(run); });
   implicit::Solver& solver = *run.implicit;
   const bool acts = solver.contact.counts.active + implicit::pressed(run.links.ranks, solver.walls) > 0;
   solver.work.contact_steps += acts ? 1 : 0;

@@ -28,6 +28,7 @@
 #include "failure.hpp"
 #include "implicit_loop.hpp"
 #include "implicit_rules.hpp"
+#include "implicit_watch.hpp"
 #include "partition/distribute.hpp"
 #include "partition/dual_graph.hpp"
 #include "partition/split.hpp"
@@ -85,6 +86,7 @@ void make_implicit(Prepared& run) {
   if (run.links.ranks.is_root() && run.overlaps.recovered)
     for (std::string& note : notes_of_overlaps(run.input)) run.overlaps.report.notes.push_back(std::move(note));
   refuse_driven_apart(run);
+  watch_mortar(run);
 }
 
 }  // namespace

@@ -35,6 +35,15 @@ struct ErosionAccount {
   GlobalIndex steps = 0;                     ///< steps in which elements were removed
 };
 
+/// Surfaces and pairs of parts with mortar contact, for judgements by positions; see implicit_watch.hpp.
+struct WatchedBodies {
+  contact::Surface surface;
+  contact::PairTable pairs;
+  std::vector<double> thinnest;  ///< of each block: least element depth at its surface at the start [length]
+  std::vector<double> shares;    ///< depths at x_n, see DeepNodes
+  double time = -1;              ///< to which they belong
+};
+
 struct Prepared {
   scene::Input input;
   std::string fingerprint;            ///< of scene and mesh, which must not change at a restart
@@ -59,7 +68,8 @@ struct Prepared {
 
   ErosionAccount erosion{};
 
-  implicit::SolverOwner implicit{};  ///< null in explicit scenes
+  implicit::SolverOwner implicit{};          ///< null in explicit scenes
+  std::unique_ptr<WatchedBodies> watched{};  ///< null without mortar contact
 
   time::AssembledStep assembled{};  ///< sized where run.step_bound asks for it
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "brunt/core/error.hpp"
+#include "brunt/implicit/solver.hpp"
 #include "failure.hpp"
 #include "same_scene.hpp"
 
@@ -25,6 +26,17 @@ void refuse_past_end(const Prepared& run, const std::string& checkpoint) {
                     "the restart count",
                     run.input.at("run.steps"), *limits.steps, checkpoint, static_cast<GlobalIndex>(state.step),
                     static_cast<GlobalIndex>(state.step)));
+}
+
+/// A file of a program that did not save the step is continued only with the same one.
+void refuse_other_step(const Prepared& run, const std::string& checkpoint) {
+  if (!run.implicit) return;
+  const model::ImplicitSolver& settings = run.implicit->settings;
+  if (implicit::time_of(settings, run.implicit->memory.length) == run.state.time) return;
+  throw InputError(
+      fmt::format("{}: invalid for this scene: at t = {:g}, which is no multiple of solver.step {:g}, and an "
+                  "earlier version did not save its step; expected run.end of the earlier run",
+                  checkpoint, run.state.time, settings.step));
 }
 
 /// The last one before a checkpoint that can be read and is of this scene; empty where there is none. Collective.
@@ -82,6 +94,7 @@ io::CheckpointHeader restart_from(Prepared& run, const std::string& checkpoint) 
     throw InputError(std::move(faults));
   }
   run.after_restart();
+  refuse_other_step(run, checkpoint);
   refuse_past_end(run, checkpoint);
   return header;
 }

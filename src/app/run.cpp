@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "brunt/core/error.hpp"
+#include "brunt/implicit/solver.hpp"
 #include "brunt/io/checkpoint.hpp"
 #include "brunt/io/result_folder.hpp"
 #include "brunt/io/summary.hpp"
@@ -55,6 +56,12 @@ KeptRecords kept_records(const Prepared& run) {
   return {fields ? step : step - 1, row ? step : step - 1};
 }
 
+/// A restart keeps the step of an implicit run where this scene alone would have another one.
+std::string kept_step(const Prepared& run) {
+  if (!run.implicit || run.implicit->settings.step == run.input.implicit->step) return {};
+  return fmt::format(", with the step {:g} of its beginning", run.implicit->settings.step);
+}
+
 void announce(const Prepared& run, Log& log) {
   const model::Model& model = run.model;
   log.line(fmt::format("{} ({} units)", run.input.title.empty() ? run.input.file : run.input.title, run.input.units));
@@ -98,7 +105,7 @@ int run(const comm::Communicator& ranks, const RunOptions& options) {
   for (const std::string& warning : prepared->warnings) log.warning(warning);
   for (const std::string& note : prepared->overlaps.report.notes) log.line(note);
   if (was_asked_to_stop) log.line(fmt::format("removed {}/{}, which is older than this run", folder, io::stop_file));
-  if (restart) log.line(fmt::format("restart from {} at step {}", checkpoint, restart->step));
+  if (restart) log.line(fmt::format("restart from {} at step {}{}", checkpoint, restart->step, kept_step(*prepared)));
   const bool over = restart && at_end(prepared->state, prepared->input.run);
   if (over) {
     const std::optional<GlobalIndex>& steps = prepared->input.run.steps;

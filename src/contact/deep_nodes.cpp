@@ -72,7 +72,9 @@ bool touches(const Probe& probe, std::span<const GlobalIndex> element) {
 
 class Look {
  public:
-  Look(const Contact& contact, const VectorView& position) : contact_(contact), position_(position) { list_probes(); }
+  Look(const WatchedSurface& watched, const VectorView& position) : watched_(watched), position_(position) {
+    list_probes();
+  }
 
   /// Finds what of each probe is in elements.
   void find_inside(std::vector<GhostElement> elements);
@@ -98,10 +100,10 @@ class Look {
     return (1 - middle) * all.start + middle * all.end;
   }
   [[nodiscard]] Vec3 at(LocalIndex surface_node) const {
-    return position_[contact_.surface.model_node[static_cast<std::size_t>(surface_node)]];
+    return position_[watched_.surface.model_node[static_cast<std::size_t>(surface_node)]];
   }
   [[nodiscard]] bool may_meet(const Probe& probe, std::int32_t block) const {
-    const PairTable& pairs = contact_.settings.specification.pairs;
+    const PairTable& pairs = watched_.pairs;
     return std::ranges::any_of(probe.blocks, [&](std::int32_t own) {
       const PairSpecification& pair = pairs.at(own, block);
       return pair.rule != PairRule::apart && pair.tied == Tied::no;
@@ -112,17 +114,17 @@ class Look {
   [[nodiscard]] std::vector<GhostSide> own_sides() const;
   void measure(Inside& inside, const std::vector<GhostSide>& sides, std::span<const LocalIndex> near) const;
 
-  const Contact& contact_;
+  const WatchedSurface& watched_;
   const VectorView& position_;
   std::vector<Probe> probes_;
   std::vector<Inside> inside_;  ///< by probe and element
 };
 
 void Look::list_probes() {
-  const Surface& surface = contact_.surface;
+  const Surface& surface = watched_.surface;
   for (LocalIndex node = 0; node < static_cast<LocalIndex>(surface.gid.size()); ++node) {
     const auto i = static_cast<std::size_t>(node);
-    if (!surface.owns(node, contact_.ranks.rank()) || surface.blocks.row(node).empty()) continue;
+    if (!surface.owns(node, watched_.ranks.rank()) || surface.blocks.row(node).empty()) continue;
     probes_.push_back({.at = {at(node), at(node)},
                        .ends = {surface.gid[i], surface.gid[i]},
                        .blocks = surface.blocks.row(node),
@@ -142,9 +144,9 @@ void Look::list_probes() {
 void Look::find_inside(std::vector<GhostElement> elements) {
   std::vector<Box> wanted, boxes;
   for (const Probe& probe : probes_) wanted.push_back(probe.box());
-  const double finest = 2 * contact_.surface.mean_edge;
+  const double finest = 2 * watched_.surface.mean_edge;
   const std::vector<GhostElement> ghosts =
-      ghost(contact_.ranks, std::span<const GhostElement>(elements), wanted, finest);
+      ghost(watched_.ranks, std::span<const GhostElement>(elements), wanted, finest);
   elements.insert(elements.end(), ghosts.begin(), ghosts.end());
   for (const GhostElement& element : elements) boxes.push_back(element.capture.box());
   OverlapScratch scratch;
@@ -182,9 +184,9 @@ void Look::sum_chords() {
 
 std::vector<GhostSide> Look::own_sides() const {
   std::vector<GhostSide> sides;
-  for (const SurfaceFace& face : contact_.surface.faces) {
-    if (contact_.settings.blocks.thickness.size() > static_cast<std::size_t>(face.block) &&
-        contact_.settings.blocks.thickness[static_cast<std::size_t>(face.block)] > 0)
+  for (const SurfaceFace& face : watched_.surface.faces) {
+    if (watched_.thickness.size() > static_cast<std::size_t>(face.block) &&
+        watched_.thickness[static_cast<std::size_t>(face.block)] > 0)
       continue;
     GhostSide side{.key = face.key, .element = face.element, .corner_count = face.corner_count};
     side.element_depth = face.element_depth;
@@ -193,7 +195,7 @@ std::vector<GhostSide> Look::own_sides() const {
     for (std::size_t i = 0; i < side.count(); ++i) {
       const Vec3 x = at(face.nodes[i]);
       side.corner[i] = {x[0], x[1], x[2]};
-      side.gid[i] = contact_.surface.gid[static_cast<std::size_t>(face.nodes[i])];
+      side.gid[i] = watched_.surface.gid[static_cast<std::size_t>(face.nodes[i])];
       geometry::extend(box, x);
     }
     side.capture = PlainBox(geometry::grown(box, 2 * face.element_depth));
@@ -203,7 +205,7 @@ std::vector<GhostSide> Look::own_sides() const {
 }
 
 void Look::measure() {
-  if (!contact_.ranks.any(!inside_.empty())) return;
+  if (!watched_.ranks.any(!inside_.empty())) return;
   std::vector<Vec3> points;
   std::vector<Box> wanted, boxes;
   for (const Inside& inside : inside_) {
@@ -212,7 +214,7 @@ void Look::measure() {
   }
   std::vector<GhostSide> sides = own_sides();
   const std::vector<GhostSide> ghosts =
-      ghost(contact_.ranks, std::span<const GhostSide>(sides), wanted, 2 * contact_.surface.mean_edge);
+      ghost(watched_.ranks, std::span<const GhostSide>(sides), wanted, 2 * watched_.surface.mean_edge);
   sides.insert(sides.end(), ghosts.begin(), ghosts.end());
   std::ranges::sort(sides, {}, &GhostSide::key);
   for (const GhostSide& side : sides) boxes.push_back(side.capture.box());
@@ -239,7 +241,7 @@ void Look::measure(Inside& inside, const std::vector<GhostSide>& sides, std::spa
       own.push_back(side.normal());
     }
   double nearest = std::numeric_limits<double>::infinity(), opposed = nearest;
-  double element_depth = contact_.surface.mean_element_depth;
+  double element_depth = watched_.surface.mean_element_depth;
   for (const LocalIndex s : near) {
     const GhostSide& side = sides[static_cast<std::size_t>(s)];
     if (touches(probe, side.element)) continue;
@@ -252,7 +254,7 @@ void Look::measure(Inside& inside, const std::vector<GhostSide>& sides, std::spa
       element_depth = side.element_depth;
     }
     if (probe.on_edge && distance < opposed &&
-        admission({of_own, own}, side.normal(), false) >= contact_.derived.detection.tolerances->slight)
+        admission({of_own, own}, side.normal(), false) >= watched_.tolerances.slight)
       opposed = distance;
   }
   if (!(nearest < 2 * element_depth)) nearest = 2 * element_depth;  // faces farther away were not offered
@@ -261,8 +263,10 @@ void Look::measure(Inside& inside, const std::vector<GhostSide>& sides, std::spa
 }
 
 DeepNodes Look::result(double above) const {
-  const comm::Communicator& ranks = contact_.ranks;
+  const comm::Communicator& ranks = watched_.ranks;
   DeepNodes all;
+  all.shares.assign(probes_.size(), 0.0);
+  for (const Inside& inside : inside_) all.shares[inside.probe] = std::max(all.shares[inside.probe], inside.share);
   const Inside* worst = nullptr;
   std::size_t last = probes_.size();
   for (const Inside& inside : inside_) {
@@ -297,9 +301,14 @@ DeepNodes Look::result(double above) const {
 
 }  // namespace
 
-DeepNodes find_deep_nodes(const Contact& contact, const VectorView& position, const std::vector<GhostElement>& elements,
-                          double above) {
-  Look look(contact, position);
+WatchedSurface watched_surface(const Contact& contact) {
+  return {contact.ranks, contact.surface, contact.settings.specification.pairs, contact.settings.blocks.thickness,
+          *contact.derived.detection.tolerances};
+}
+
+DeepNodes find_deep_nodes(const WatchedSurface& watched, const VectorView& position,
+                          const std::vector<GhostElement>& elements, double above) {
+  Look look(watched, position);
   look.find_inside(elements);
   look.measure();
   return look.result(above);

@@ -99,6 +99,7 @@ void soften_walls(const comm::Communicator& ranks, const model::Model& model, So
   for (const RigidBodies::Place& place : bodies.place)
     if (place.body != no_index) ++nodes[static_cast<std::size_t>(place.body)];
   ranks.sum(nodes);
+  bodies.at_walls.clear();
   for (std::size_t b = 0; b < nodes.size(); ++b) {
     const double of_face = std::cbrt(static_cast<double>(nodes[b] * nodes[b]));
     const double by_inertia =

@@ -20,7 +20,8 @@ comm::LinearMethod method_of(model::LinearSolver linear) {
 
 /// Largest modulus lambda + 2 mu times the mean spacing of nodes: about the stiffness of an element. Used for
 /// constrained directions in the matrix, so that their entries have the order of the others in any units.
-void scale_supports(const Scene& scene, double step, double& spacing, double& stiffness) {
+/// Returns that spacing.
+double scale_supports(const Scene& scene, Solver& solver) {
   double modulus = 0, volume = 0;
   std::vector<double> volumes;
   const auto* reference = scene.model.reference.data();
@@ -30,12 +31,13 @@ void scale_supports(const Scene& scene, double step, double& spacing, double& st
     for (LocalIndex e = 0; e < block.count; ++e) volumes.push_back(force::element_volume(block, reference, e));
   }
   volume = comm::exact_sum(scene.links.ranks, volumes);
-  spacing = std::cbrt(volume / static_cast<double>(scene.model.mesh.global_nodes));
-  stiffness = modulus * spacing;
-  if (stiffness > 0) return;
+  const double spacing = std::cbrt(volume / static_cast<double>(scene.model.mesh.global_nodes));
+  solver.support_stiffness = modulus * spacing;
+  if (solver.support_stiffness > 0) return spacing;
   double mass = 0;  // of rigid bodies alone: their inertia in a step
   for (const model::RigidBody& body : scene.model.bodies) mass = std::max(mass, body.body.mass.mass);
-  stiffness = mass / (step * step);
+  solver.support_stiffness = mass / (solver.settings.step * solver.settings.step);
+  return spacing;
 }
 
 /// The parts of Memory that the scheme needs.
@@ -133,8 +135,7 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
     solver.held[static_cast<std::size_t>(model.constrained[k].node)] = static_cast<LocalIndex>(k);
   solver.trial.displacement.assign(3 * scene.state.nodes.size(), 0.0);
   solver.trial.velocity.assign(3 * scene.state.nodes.size(), 0.0);
-  double spacing = 0;
-  scale_supports(scene, settings.step, spacing, solver.support_stiffness);
+  const double spacing = scale_supports(scene, solver);
   solver.walls = make_walls(model, solver.unknowns, spacing);
   soften_walls(ranks, model, solver);
   if (solver.walls.any()) {
@@ -149,6 +150,8 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
 }
 
 void after_restart(const Scene& scene, Solver& solver) {
+  scale_supports(scene, solver);
+  soften_walls(scene.links.ranks, scene.model, solver);
   restore_contact(scene.links.ranks, scene.state, solver.contact);
   tally(scene.links.ranks, solver.contact);
   show_bodies(scene.model, scene.state, scene.scratch);
@@ -197,6 +200,9 @@ void add_arrays(const model::Model& model, Solver& solver, model::Registry& regi
                                1, 2, 1, 0, true, false, false});
   registry.arrays.push_back({"step_length", model::StateArray::Entity::global, -1, 1, step_length_values,
                              &memory.length.level, 1, step_length_values, 1, 0, true, true});
+  // lengths are multiples of these, which follow from run.end where the scene names none: those of the first run hold
+  registry.arrays.push_back({"step_bounds", model::StateArray::Entity::global, -1, 1, model::step_bounds,
+                             &solver.settings.step, 1, model::step_bounds, 1, 0, true, false, false});
 }
 
 }  // namespace brunt::implicit

@@ -140,6 +140,13 @@ void refuse_hopeless(const Scene& scene, const Solver& solver, const Attempt& at
                   attempt.factors.null_pivots, attempt.factors.null_pivots == 1 ? "" : "s"));
 }
 
+[[noreturn]] void stop_of_objection(const Scene& scene, const Solver& solver, const std::string& objection) {
+  throw GuardError(fmt::format(
+      "bodies pass into each other at t = {:g}, step {}, with the smallest step {:g} (solver.min_step {:g}): {}",
+      scene.state.time, static_cast<GlobalIndex>(scene.state.step), solver.trial.rule.dt, solver.settings.min_step,
+      objection));
+}
+
 [[noreturn]] void stop(const Scene& scene, const Solver& solver, const Attempt& attempt,
                        const std::function<std::string(GlobalIndex)>& place) {
   throw GuardError(fmt::format(
@@ -174,7 +181,8 @@ comm::Factorised factorise_first(const Scene& scene, Solver& solver) {
   return factors;
 }
 
-void advance(const Scene& scene, Solver& solver, const std::function<std::string(GlobalIndex gid)>& place) {
+void advance(const Scene& scene, Solver& solver, const std::function<std::string(GlobalIndex gid)>& place,
+             const std::function<std::string()>& objection) {
   StepLength& length = solver.memory.length;
   bool recovers = true;
   for (;;) {
@@ -191,7 +199,8 @@ void advance(const Scene& scene, Solver& solver, const std::function<std::string
         continue;
       }
     }
-    if (converged) {
+    const std::string objected = converged && objection ? objection() : std::string();
+    if (converged && objected.empty()) {
       watch_stability(scene, solver);
       commit_step(scene, solver);
       count_step(solver.settings, attempt.newton.iterations, length);
@@ -201,8 +210,11 @@ void advance(const Scene& scene, Solver& solver, const std::function<std::string
       return;
     }
     give_back(scene, solver);
-    refuse_hopeless(scene, solver, attempt, place);
-    if (!halve(solver.settings, length)) stop(scene, solver, attempt, place);
+    if (!converged) refuse_hopeless(scene, solver, attempt, place);
+    if (!halve(solver.settings, length)) {
+      if (converged) stop_of_objection(scene, solver, objected);
+      stop(scene, solver, attempt, place);
+    }
     ++solver.work.halved;
     recovers = true;
   }

@@ -14,6 +14,10 @@ double step_of(const model::ImplicitSolver& solver, const StepLength& length) {
   return std::ldexp(solver.step, static_cast<int>(length.level));
 }
 
+double time_of(const model::ImplicitSolver& solver, const StepLength& length) {
+  return length.count * step_of(solver, length);
+}
+
 double next_time(const model::ImplicitSolver& solver, const StepLength& length) {
   return (length.count + 1) * step_of(solver, length);
 }

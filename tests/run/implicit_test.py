@@ -61,6 +61,19 @@ class Implicit(Program):
             self.assertEqual(self.summary("part")["state_hash"], self.summary("whole")["state_hash"])
             self.assertEqual(self.text("part", "history.csv"), self.text("whole", "history.csv"))
 
+    def test_a_restart_keeps_a_step_that_followed_from_the_end(self):
+        """A hundredth of run.end: with another end the same scene alone would have another step."""
+        for scheme in ("contact_implicit", "static"):
+            small = scene(scheme=scheme, step="0.002").replace("elements: [3, 2, 8]", "elements: [1, 1, 2]")
+            self.write("given.yaml", small)
+            self.write("none.yaml", small.replace(", step: 0.002", ""))
+            self.run_scene(1, "given.yaml", "--out", "given", "--force", "--set", "run.end=0.6")
+            self.run_scene(1, "none.yaml", "--out", "none", "--force", "--set", "run.end=0.2")
+            self.run_scene(2, "none.yaml", "--out", "none", "--restart", "none", "--set", "run.end=0.6")
+            self.assertIn("with the step 0.002 of its beginning", self.text("none", "log.txt"))
+            self.assertEqual(self.summary("none")["steps"], 300)
+            self.assertEqual(self.summary("none")["state_hash"], self.summary("given")["state_hash"])
+
     def test_a_rank_without_unknowns(self):
         self.write("one.yaml", scene().replace("elements: [3, 2, 8]", "elements: [1, 1, 1]"))
         for ranks in (1, 4):

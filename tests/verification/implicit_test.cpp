@@ -26,7 +26,8 @@ struct ImplicitBody {
       : body(std::move(simulation)), solver(implicit::make_solver(scene(), settings)) {}
   implicit::Scene scene() { return {body.model, body.state, body.scratch, body.links}; }
   void steps(int count) {
-    for (int n = 0; n < count; ++n) implicit::advance(scene(), solver, [](GlobalIndex) { return std::string("node"); });
+    const auto place = [](GlobalIndex) { return std::string("node"); };
+    for (int n = 0; n < count; ++n) implicit::advance(scene(), solver, place);
   }
   time::Ledger ledger() { return implicit::ledger(scene(), solver); }
 };

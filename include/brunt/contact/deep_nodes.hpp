@@ -4,6 +4,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "brunt/contact/contact.hpp"
@@ -33,13 +34,25 @@ struct DeepNode {
 };
 
 struct DeepNodes {
-  GlobalIndex count = 0;  ///< nodes, and edges with such a point, whose share is above the limit
-  DeepNode worst{};       ///< the largest share
+  GlobalIndex count = 0;         ///< nodes, and edges with such a point, whose share is above the limit
+  DeepNode worst{};              ///< the largest share
+  std::vector<double> shares{};  ///< of each node of this rank, then of each sharp edge; the largest, 0: in no element
 };
+
+/// The surface that is looked at, with what may meet.
+struct WatchedSurface {
+  const comm::Communicator& ranks;
+  const Surface& surface;
+  const PairTable& pairs;
+  std::span<const double> thickness{};  ///< of blocks: > 0 of sheets, which have no inside [length]; or empty
+  const Tolerances& tolerances;
+};
+
+WatchedSurface watched_surface(const Contact& contact);
 
 /// position: of the mesh's local nodes, x_n. elements: of this rank. above: share from which nodes count. Pairs that
 /// may not meet or are tied are left out. The same on every rank. Collective.
-DeepNodes find_deep_nodes(const Contact& contact, const VectorView& position, const std::vector<GhostElement>& elements,
-                          double above);
+DeepNodes find_deep_nodes(const WatchedSurface& watched, const VectorView& position,
+                          const std::vector<GhostElement>& elements, double above);
 
 }  // namespace brunt::contact

@@ -19,8 +19,11 @@ namespace brunt::implicit {
 constexpr int most_iterations = 20;  ///< three times those of a difficult step that converges
 
 /// From t_n to t_{n+1}. Throws GuardError if no step down to min_step converges or a body has an unconstrained rigid
-/// motion: the state is then that of t_n. `place` describes the location of a node in a message. Collective.
-void advance(const Scene& scene, Solver& solver, const std::function<std::string(GlobalIndex gid)>& place);
+/// motion: the state is then that of t_n. `place` describes the location of a node in a message. `objection`, of the
+/// positions of a converged step: why it must be shorter, or empty; the same on all ranks; none where absent.
+/// Collective.
+void advance(const Scene& scene, Solver& solver, const std::function<std::string(GlobalIndex gid)>& place,
+             const std::function<std::string()>& objection = {});
 
 /// Assembles and factorises the first iteration of the next step, as `advance` would, and returns to t_n without a
 /// solution: what an iteration costs. Collective.

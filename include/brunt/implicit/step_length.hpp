@@ -19,6 +19,7 @@ constexpr int easy_iterations = 6;  ///< steps with more iterations are difficul
 constexpr double steps_until_growth = 2;
 
 double step_of(const model::ImplicitSolver& solver, const StepLength& length);    ///< dt [time]
+double time_of(const model::ImplicitSolver& solver, const StepLength& length);    ///< t_n [time]
 double next_time(const model::ImplicitSolver& solver, const StepLength& length);  ///< t_n + dt [time]
 
 /// Halves the step; returns false if it would be below min_step.

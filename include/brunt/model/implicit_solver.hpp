@@ -27,5 +27,6 @@ struct ImplicitSolver {
   bool stability = true;  ///< of static states: tell where they lose it and regain it
   double alpha = 0.05;    ///< of hht, 0 (trapezoidal rule) to 1/3 (most damping)
 };
+constexpr int step_bounds = 3;  ///< step, min_step, max_step: saved with the state
 
 }  // namespace brunt::model

@@ -53,7 +53,8 @@ struct BarInPlate {
         elements.push_back(element);
       }
     }
-    return contact::find_deep_nodes(contact, {reinterpret_cast<const double*>(points.x.data())}, elements, above);
+    return contact::find_deep_nodes(contact::watched_surface(contact),
+                                    {reinterpret_cast<const double*>(points.x.data())}, elements, above);
   }
 };
 

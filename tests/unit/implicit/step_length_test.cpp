@@ -25,6 +25,7 @@ TEST_CASE("halved steps meet the times of unhalved ones again") {
   REQUIRE(halve(settings, length));
   REQUIRE(halve(settings, length));
   CHECK(step_of(settings, length) == 0.025);
+  CHECK(time_of(settings, length) == 3 * 0.1);
   CHECK(next_time(settings, length) == 13 * 0.025);
   int steps = 0;
   while (step_of(settings, length) < 0.1 && steps < 100) {
