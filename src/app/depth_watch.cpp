@@ -10,6 +10,7 @@
 #include "brunt/geometry/box.hpp"
 #include "brunt/model/alive.hpp"
 #include "brunt/scene/units.hpp"
+#include "implicit_watch.hpp"
 
 namespace brunt::app {
 namespace {
@@ -35,6 +36,26 @@ std::vector<Box> boxes_of_parts(const Prepared& run, const contact::Surface& sur
   for (std::size_t b = 0; b < run.model.blocks.size(); ++b)
     boxes.push_back({-Vec3(&most[6 * b]), Vec3(&most[6 * b + 3])});
   return boxes;
+}
+
+/// Once for each rigid body that lies deep behind a wall; known: pairs that are reported. Collective.
+std::vector<std::string> warnings_of_walls(const Prepared& run,
+                                           std::vector<std::pair<std::int32_t, std::int32_t>>& known) {
+  std::vector<std::string> warnings;
+  if (!run.implicit || !run.watched) return warnings;
+  const std::vector<double> shares = shares_behind_walls(run, false);
+  for (std::size_t b = 0; b < shares.size(); ++b) {
+    const model::RigidBody& body = run.model.bodies[b];
+    const std::pair pair(body.blocks.front(), std::int32_t{no_index});
+    if (!(shares[b] > warned_depth) || std::ranges::find(known, pair) != known.end()) continue;
+    known.push_back(pair);
+    warnings.push_back(
+        fmt::format("rigid part '{}' lies {:.2g} of an element behind a rigid wall at t = {:g}, step {}: walls hold "
+                    "rigid bodies by springs, which yield by what a body travels in some steps: use a smaller "
+                    "solver.step (reported once; max_penetration in summary.json is the largest depth)",
+                    body.part, shares[b], run.state.time, static_cast<GlobalIndex>(run.state.step)));
+  }
+  return warnings;
 }
 
 }  // namespace
@@ -104,7 +125,9 @@ bool DepthWatch::is_due(const Prepared& run) const {
 }
 
 std::vector<std::string> DepthWatch::look(const Prepared& run) {
-  if (run.implicit ? run.watched == nullptr : !run.contact || !run.contact->derived.bodies) return {};
+  std::vector<std::string> warnings = warnings_of_walls(run, reported_);
+  if (run.implicit ? run.watched == nullptr || run.model.mortar.empty() : !run.contact || !run.contact->derived.bodies)
+    return warnings;
   if (run.contact) lists_seen_ = run.contact->ledger.statistics.searches;
   const contact::VectorView position{run.state.nodes.empty() ? nullptr : run.state.nodes.front().x,
                                      sizeof(model::NodeLine) / sizeof(double)};
@@ -113,26 +136,30 @@ std::vector<std::string> DepthWatch::look(const Prepared& run) {
       contact::find_deep_nodes(watched, position, elements_within_reach(run, watched, position), warned_depth);
   const contact::DeepNode& worst = found.worst;
   if (worst.share > deepest_.share) deepest_ = worst;
-  if (!(worst.share > warned_depth)) return {};
+  if (!(worst.share > warned_depth)) return warnings;
   const bool begins_inside =
       run.overlaps.recovered || (run.contact && !run.contact->derived.detection.accepted.empty());
   const bool lost = worst.share >= lost_depth && !begins_inside && !(run.contact && run.contact->settings.erodes);
   const std::pair pair(worst.node_block, worst.block);
   const bool known = std::ranges::find(reported_, pair) != reported_.end();
-  if (known && !lost) return {};
+  if (known && !lost) return warnings;
   const std::string text = text_of(run, worst);
   if (lost)
-    throw GuardError(fmt::format(
-        "contact has lost {}: {}; use smaller elements there, a smaller step, element: hex8_full, or passes: "
-        "two",
-        worst.on_edge ? "edges" : "nodes", text));
+    throw GuardError(fmt::format("contact has lost {}: {}; use {}", worst.on_edge ? "edges" : "nodes", text,
+                                 run.implicit ? "smaller elements there, the finer side as slave, or a smaller "
+                                                "solver.step"
+                                              : "smaller elements there, a smaller step, element: hex8_full, or "
+                                                "passes: two"));
   reported_.push_back(pair);
-  return {fmt::format(
-      "contact leaves penetration: {}{}; contact does not hold edges between nodes, nor nodes that "
-      "passed a folded or a very coarse element: use smaller elements there (reported once for each pair "
-      "of parts; deepest_penetration in summary.json is the largest)",
-      text,
-      found.count > 1 ? fmt::format(" ({} nodes and edges are deeper than {:g})", found.count, warned_depth) : "")};
+  warnings.push_back(fmt::format(
+      "contact leaves penetration: {}{}; {}: use smaller elements there (reported once for each pair of parts; "
+      "deepest_penetration in summary.json is the largest)",
+      text, found.count > 1 ? fmt::format(" ({} nodes and edges are deeper than {:g})", found.count, warned_depth) : "",
+      run.implicit ? "mortar contact holds mean gaps over facets of the slave, not nodes, so a coarse slave lets the "
+                     "other side in"
+                   : "contact does not hold edges between nodes, nor nodes that passed a folded or a very coarse "
+                     "element"));
+  return warnings;
 }
 
 }  // namespace brunt::app

@@ -110,6 +110,7 @@ void write_implicit_record(Prepared& run, Results& results, const ImplicitRecord
   if (record.row) results.read_probes();
   const time::Ledger ledger = implicit::ledger(implicit_scene(run), *run.implicit);
   if (record.row) results.write_history(ledger, step, at);
+  results.watch_depth(true);
   results.watch(ledger, run.state.time);
   if (record.line) results.table_line(ledger, step, at, seconds_left);
 }

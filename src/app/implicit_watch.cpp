@@ -105,6 +105,15 @@ contact::DeepNodes look_at(const Prepared& run, const std::vector<Vec3>& places)
   return contact::find_deep_nodes(watched, position, elements_within_reach(run, watched, position), warned_depth);
 }
 
+/// The rigid body that comes deeper into a wall by too much; empty if there is none. Collective.
+std::string body_that_sinks(const Prepared& run) {
+  const std::vector<double> deeper = shares_behind_walls(run, true);
+  const auto sinks = std::ranges::find_if(deeper, [](double share) { return share > most_deeper; });
+  if (sinks == deeper.end()) return {};
+  return fmt::format("rigid part '{}' comes deeper into a rigid wall by more than {:g} of an element",
+                     run.model.bodies[static_cast<std::size_t>(sinks - deeper.begin())].part, most_deeper);
+}
+
 /// Collective.
 double most_deeper_of(const Prepared& run, const std::vector<double>& before, const std::vector<double>& after) {
   double most = 0;
@@ -114,9 +123,24 @@ double most_deeper_of(const Prepared& run, const std::vector<double>& before, co
 
 }  // namespace
 
-void watch_mortar(Prepared& run) {
+std::vector<double> shares_behind_walls(const Prepared& run, bool since_last) {
+  const implicit::Solver& solver = *run.implicit;
+  std::vector<double> shares(run.model.bodies.size(), 0.0);
+  for (const implicit::WallNode& node : solver.walls.nodes) {
+    if (!node.springs) continue;
+    double& most = shares[static_cast<std::size_t>(solver.bodies.place[node.own].body)];
+    most = std::max(most, node.behind - (since_last ? node.behind_before : 0));
+  }
+  run.links.ranks.max(shares);
+  for (std::size_t b = 0; b < shares.size(); ++b)
+    shares[b] /= run.watched->thinnest[static_cast<std::size_t>(run.model.bodies[b].blocks.front())];
+  return shares;
+}
+
+void watch_implicit(Prepared& run) {
   const auto meets = [](const contact::MortarPair& pair) { return !pair.tied; };
-  if (!run.implicit || std::ranges::none_of(run.model.mortar, meets)) return;
+  const bool at_walls = !run.model.walls.empty() && !run.model.bodies.empty();
+  if (!run.implicit || (!at_walls && std::ranges::none_of(run.model.mortar, meets))) return;
   const std::size_t blocks = run.model.blocks.size();
   auto watched = std::make_unique<WatchedBodies>();
   const std::vector<char> excluded(run.model.mesh.faces.size(), 0);
@@ -137,6 +161,8 @@ void watch_mortar(Prepared& run) {
 std::string objection_to_step(Prepared& run) {
   if (!run.watched) return {};
   WatchedBodies& watched = *run.watched;
+  if (std::string sinks = body_that_sinks(run); !sinks.empty()) return sinks;
+  if (run.model.mortar.empty()) return {};  // walls alone
   const Way way = way_of(run);
   const Looks looks = looks_on(run, way);
   if (looks.count == 0) {

@@ -14,6 +14,7 @@
 
 #include "brunt/comm/communicator.hpp"
 #include "brunt/comm/session.hpp"
+#include "brunt/core/error.hpp"
 #include "brunt/core/excerpt.hpp"
 #include "commands.hpp"
 #include "failure.hpp"
@@ -263,7 +264,11 @@ int run_command(const comm::Communicator& ranks, int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return parse_failure(program, error, ranks.is_root(), argc, argv);
   }
-  return chosen(ranks);
+  const int code = chosen(ranks);
+  const bool shows_results = !program.got_subcommand("run");  // a run has them in its folder, this text in log.txt too
+  if (shows_results && ranks.is_root() && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0))
+    throw MachineError("standard output: cannot write the results");
+  return code;
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ void make_implicit(Prepared& run) {
   if (run.links.ranks.is_root() && run.overlaps.recovered)
     for (std::string& note : notes_of_overlaps(run.input)) run.overlaps.report.notes.push_back(std::move(note));
   refuse_driven_apart(run);
-  watch_mortar(run);
+  watch_implicit(run);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ struct ErosionAccount {
   GlobalIndex steps = 0;                     ///< steps in which elements were removed
 };
 
-/// Surfaces and pairs of parts with mortar contact, for judgements by positions; see implicit_watch.hpp.
+/// Surfaces and pairs of parts that meet in an implicit scene, for judgements by positions; see implicit_watch.hpp.
 struct WatchedBodies {
   contact::Surface surface;
   contact::PairTable pairs;
@@ -69,7 +69,7 @@ struct Prepared {
   ErosionAccount erosion{};
 
   implicit::SolverOwner implicit{};          ///< null in explicit scenes
-  std::unique_ptr<WatchedBodies> watched{};  ///< null without mortar contact
+  std::unique_ptr<WatchedBodies> watched{};  ///< null in explicit scenes, and where nothing is to be watched
 
   time::AssembledStep assembled{};  ///< sized where run.step_bound asks for it
 

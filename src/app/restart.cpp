@@ -48,7 +48,7 @@ std::string whole_before(Prepared& run, const std::string& checkpoint) {
   ranks.broadcast(joined);
   for (std::size_t first = 0, end = joined.find('\n'); end != std::string::npos;
        first = end + 1, end = joined.find('\n', first)) {
-    const std::string path = joined.substr(first, end - first);
+    std::string path = joined.substr(first, end - first);
     try {
       (void)io::read_checkpoint(ranks, path, run.fingerprint, run.registry());
       return path;

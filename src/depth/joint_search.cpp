@@ -168,6 +168,10 @@ void JointSearch::run() {
   finish(true);
 }
 
+void JointSearch::take(JointSearch& other) {
+  if (other.asked().found()) finished_.push_back(other.asked().best().motion);
+}
+
 int JointSearch::walks() const {
   int sum = walks_;
   for (const auto& search : searches_) sum += search ? search->walks() : 0;

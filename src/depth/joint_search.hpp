@@ -21,6 +21,8 @@ class JointSearch {
   /// From the placements of the query alone.
   void try_placements();
   void run();
+  /// The answer of a finished search, as a candidate.
+  void take(JointSearch& other);
   /// Of the overlap at q_0.
   [[nodiscard]] const SmallMotions& small_motions() const { return ways_; }
   /// Of the asked metric.

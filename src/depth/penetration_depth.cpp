@@ -93,6 +93,14 @@ void search_all(Encounter& encounter, const Query& query, const Mat3& basis, Ans
   }
   answer.overlaps = encounter.apart + (deepest > 0 ? std::clamp(sum, deepest, two_sides * deepest) : sum);
   joint.try_placements();
+  if (query.careful && !query.warm) {  // with its own bounds, on which its starts depend
+    Query quick = query;
+    quick.careful = false;
+    JointSearch fast(encounter, quick, basis, bounds_of(encounter, quick));
+    fast.try_placements();
+    fast.run();
+    joint.take(fast);
+  }
   const bool trust = query.warm && joint.asked().best().length <= trusted * answer.bound;
   if (trust)
     joint.asked().finish(query.careful);

@@ -34,10 +34,6 @@ NodeForces forces_on(const Scene& scene, const Solver& solver, std::size_t own) 
   return forces;
 }
 
-double at_walls(const RigidBodies& bodies, std::size_t own) {
-  return bodies.at_walls[static_cast<std::size_t>(bodies.place[own].body)];
-}
-
 /// Residual at a node (place in Unknowns::node) with constraints by supports and walls.
 Vec3 supported(const Scene& scene, Solver& solver, std::size_t own, Vec3 left) {
   const auto i = static_cast<std::size_t>(solver.unknowns.node[own]);
@@ -56,7 +52,7 @@ Vec3 supported(const Scene& scene, Solver& solver, std::size_t own, Vec3 left) {
     question.left = left;
     question.travel = travel;
     question.friction_before = of(solver.memory.wall_friction, i);
-    question.stiffness = solver.bodies.carries(own) ? at_walls(solver.bodies, own) : solver.support_stiffness;
+    question.stiffness = solver.bodies.carries(own) ? solver.memory.wall_stiffness[i] : solver.support_stiffness;
     const Vec3 x = Eigen::Map<const Vec3>(scene.state.nodes[i].x);
     if (const WallAction* action = meet_walls(scene.model, x, own, question, solver.walls)) left = action->left;
   }

@@ -88,7 +88,10 @@ void begin_step(const Scene& scene, Solver& solver, double dt, double time) {
   for (std::size_t i = 0; i < state.nodes.size(); ++i) put(Eigen::Map<const Vec3>(state.nodes[i].v), trial.velocity, i);
   state.time = time;
   prescribe(scene, trial);
-  if (solver.walls.any()) begin_walls(scene.model, state, solver.unknowns, trial.time_before, time, solver.walls);
+  if (solver.walls.any()) {
+    begin_walls(scene.model, state, solver.unknowns, trial.time_before, time, solver.walls);
+    fit_wall_springs(solver);
+  }
   for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k) {
     const auto i = static_cast<std::size_t>(solver.unknowns.node[k]);
     Vec3 travel = trial.rule.mass > 0 ? Vec3(dt * of(trial.velocity, i)) : Vec3(Vec3::Zero());

@@ -90,7 +90,7 @@ time::Ledger ledger(const Scene& scene, const Solver& solver) {
   const ContactCounts& counts = solver.contact.counts;
   result.contact_totals.active = counts.active + pressed(scene.links.ranks, solver.walls);
   result.contact_totals.pairs = counts.pairs;
-  result.contact_totals.penetration = solver.contact_account.penetration;
+  result.contact_totals.penetration = std::max(solver.contact_account.penetration, solver.walls.penetration);
   result.contact_totals.spin = Vec3(solver.contact_account.spin);
   result.contact_totals.push = solver.contact_account.push;
   result.contact_totals.touching = counts.touching;

@@ -99,15 +99,23 @@ void soften_walls(const comm::Communicator& ranks, const model::Model& model, So
   for (const RigidBodies::Place& place : bodies.place)
     if (place.body != no_index) ++nodes[static_cast<std::size_t>(place.body)];
   ranks.sum(nodes);
-  bodies.at_walls.clear();
   for (std::size_t b = 0; b < nodes.size(); ++b) {
     const double of_face = std::cbrt(static_cast<double>(nodes[b] * nodes[b]));
-    const double by_inertia =
-        spring_at_walls * model.bodies[b].body.mass.mass / (solver.settings.step * solver.settings.step);
-    bodies.at_walls.push_back(solver.settings.scheme == model::Scheme::statics ? solver.support_stiffness
-                                                                               : by_inertia / of_face);
+    bodies.at_walls.push_back(spring_at_walls * model.bodies[b].body.mass.mass / of_face);
   }
   for (WallNode& node : solver.walls.nodes) node.springs = bodies.carries(node.own);
+  solver.memory.wall_stiffness.assign(static_cast<std::size_t>(model.nodes()), 0.0);
+}
+
+void fit_wall_springs(Solver& solver) {
+  const bool statics = solver.settings.scheme == model::Scheme::statics;
+  const double dt = solver.trial.rule.dt;
+  for (const WallNode& node : solver.walls.nodes) {
+    if (!node.springs || (!statics && node.behind_before > 0)) continue;
+    const auto body = static_cast<std::size_t>(solver.bodies.place[node.own].body);
+    solver.memory.wall_stiffness[static_cast<std::size_t>(solver.unknowns.node[node.own])] =
+        statics ? solver.support_stiffness : solver.bodies.at_walls[body] / (dt * dt);
+  }
 }
 
 Mat3 freed_by_body(const model::Model& model, LocalIndex node) {

@@ -34,7 +34,8 @@ double place_of(const model::RigidWall& wall, double position) {
 void look_at_nearest(const model::Model& model, const WallContact& walls, const Vec3& x, WallNode& node) {
   std::vector<std::pair<double, std::int32_t>> by_gap;
   for (std::int32_t k = 0; k < node.count; ++k) {
-    const auto w = static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(node.first + k)]);
+    const std::int32_t entry = node.first + k;
+    const auto w = static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(entry)]);
     by_gap.emplace_back(model.walls[w].normal.dot(x) - walls.place[w], k);
   }
   std::ranges::sort(by_gap);
@@ -42,6 +43,17 @@ void look_at_nearest(const model::Model& model, const WallContact& walls, const 
   for (std::int32_t k = 0; k < node.looked_at; ++k)
     node.kept[k] = node.first + by_gap[static_cast<std::size_t>(k)].second;
   std::sort(node.kept, node.kept + node.looked_at);
+}
+
+/// Of a node at x; bilateral walls excepted [length].
+double depth_behind(const model::Model& model, const WallContact& walls, const WallNode& node, const Vec3& x) {
+  double depth = 0;
+  for (std::int32_t k = 0; k < node.looked_at; ++k) {
+    const auto entry = static_cast<std::size_t>(node.kept[k]);
+    const auto w = static_cast<std::size_t>(walls.wall[entry]);
+    if (walls.holds[entry] == 0) depth = std::max(depth, walls.place[w] - model.walls[w].normal.dot(x));
+  }
+  return depth;
 }
 
 /// The active set of the first iterate, from the state of t_n only, so that a restart finds the same.
@@ -95,6 +107,7 @@ void begin_walls(const model::Model& model, const model::State& state, const Unk
     const Vec3 x = of(model.reference[i]) + of(state.displacement[i]);
     look_at_nearest(model, walls, x, node);
     node.solved = first_choice(model, walls, node, x);
+    node.behind = node.behind_before = depth_behind(model, walls, node, x);
     node.action = {};
     node.tied.setZero();
   }
@@ -115,6 +128,7 @@ const WallAction* meet_walls(const model::Model& model, const Vec3& x, std::size
     const model::RigidWall& wall = model.walls[w];
     meetings[k] = {wall.normal, wall.normal.dot(x) - walls.place[w], wall.friction.fixed, walls.holds[entry] != 0};
   }
+  node.behind = depth_behind(model, walls, node, x);
   question.meetings = {meetings.data(), count};
   question.first = walls.first;
   question.tied = node.tied;
@@ -163,6 +177,9 @@ WallForces forces_of(const model::Model& model, const WallContact& walls, std::s
 
 void keep_walls(const comm::Communicator& ranks, const model::Model& model, double dt, double of_impulse,
                 WallContact& walls) {
+  double deepest = 0;
+  for (const WallNode& node : walls.nodes) deepest = std::max(deepest, node.behind);
+  walls.penetration = std::max(walls.penetration, ranks.max(deepest));
   std::vector<comm::ExactAccumulator> sums(walls.force.size());
   for (const WallNode& node : walls.nodes) {
     double largest = 0;

@@ -151,7 +151,6 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
 
 void after_restart(const Scene& scene, Solver& solver) {
   scale_supports(scene, solver);
-  soften_walls(scene.links.ranks, scene.model, solver);
   restore_contact(scene.links.ranks, scene.state, solver.contact);
   tally(scene.links.ranks, solver.contact);
   show_bodies(scene.model, scene.state, scene.scratch);
@@ -191,7 +190,12 @@ void add_arrays(const model::Model& model, Solver& solver, model::Registry& regi
     global("wall_account", &solver.walls.account.normal, wall_account_width);
     global("wall_impulses", solver.walls.impulse.data(), solver.walls.impulse.size());
     global("wall_forces", solver.walls.force.data(), solver.walls.force.size());
+    registry.arrays.push_back({"wall_penetration", model::StateArray::Entity::global, -1, 1, 1,
+                               &solver.walls.penetration, 1, 1, 1, 0, true, false, false});
   }
+  if (!model.walls.empty() && !model.bodies.empty())
+    registry.arrays.push_back({"wall_stiffness", model::StateArray::Entity::node, -1, model.nodes(), 1,
+                               memory.wall_stiffness.data(), 1, 1, 1, 0, true, false, false});
   if (!solver.driven.empty())  // a diagnostic, not a state of the bodies
     registry.arrays.push_back({"driven_through", model::StateArray::Entity::global, -1, 1,
                                static_cast<int>(solver.driven.size()), solver.driven.data(), 1, 1, 1, 0, true, false});

@@ -141,10 +141,11 @@ void refuse_hopeless(const Scene& scene, const Solver& solver, const Attempt& at
 }
 
 [[noreturn]] void stop_of_objection(const Scene& scene, const Solver& solver, const std::string& objection) {
-  throw GuardError(fmt::format(
-      "bodies pass into each other at t = {:g}, step {}, with the smallest step {:g} (solver.min_step {:g}): {}",
-      scene.state.time, static_cast<GlobalIndex>(scene.state.step), solver.trial.rule.dt, solver.settings.min_step,
-      objection));
+  throw GuardError(
+      fmt::format("bodies pass into each other or into walls at t = {:g}, step {}, with the smallest step {:g} "
+                  "(solver.min_step {:g}): {}",
+                  scene.state.time, static_cast<GlobalIndex>(scene.state.step), solver.trial.rule.dt,
+                  solver.settings.min_step, objection));
 }
 
 [[noreturn]] void stop(const Scene& scene, const Solver& solver, const Attempt& attempt,

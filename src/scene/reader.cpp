@@ -9,6 +9,7 @@
 
 #include "brunt/core/excerpt.hpp"
 #include "brunt/scene/nearest.hpp"
+#include "brunt/scene/places.hpp"
 #include "commas.hpp"
 
 namespace brunt::scene {

@@ -5,13 +5,14 @@ without area, several files in one scene. Needs BRUNT and BRUNT_RUN (scripts/run
 import os
 import re
 import struct
+import subprocess
 import sys
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "input"))
 import tiny_meshes
 from plain_files import BLANKS, FORMS, POINTS, SCENE, bar, binary_ply, msh2, msh4, obj, ply, stl
-from run_test import Program
+from run_test import BRUNT, PATIENCE, Program
 
 
 class Files(Program):
@@ -37,6 +38,16 @@ class Files(Program):
         self.assertEqual(len(lines), 1, done.stderr)
         for word in words:
             self.assertIn(word, lines[0])
+
+
+class Output(Files):
+    def test_a_full_device_is_no_success(self):
+        self.put("u.obj", obj())
+        for arguments in (("depth", "u.obj", "u.obj", "--at", "0.5,0,0", "--json"), ("info",)):
+            with open("/dev/full", "wb") as full:
+                done = subprocess.run([BRUNT, *arguments], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, text=True, timeout=PATIENCE)
+            self.assertEqual(done.returncode, 4, done.stderr)
+            self.assertIn("standard output: cannot write the results", done.stderr)
 
 
 class Forms(Files):

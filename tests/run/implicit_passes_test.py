@@ -61,6 +61,23 @@ def thrown(seed, scheme):
     return SCENE.format(boxes="\n".join(boxes), motion=motion, pair=pair, scheme=scheme, step=step * time, end=max(path, 2 * step) * time), axis
 
 
+SINKS = """\
+units: SI
+mesh:
+  - {sphere: {part: ball, radius: 0.05, elements: 4, at: [0.02, 0.01, 0.06]}}
+  - {box: {part: plate, size: [0.3, 0.3, THICK], elements: [1, 4, 1], at: [-0.15, -0.15, -THICK]}}
+materials: {rub: {model: neo_hookean, density: 1100, young: 5.0e6, poisson: 0.3}, rig: {model: rigid, density: 2000}}
+parts: {ball: {material: rig}, plate: {material: rub, element: hex8_full}}
+fixed: [{part: plate, dofs: [x, y, z]}]
+initial: [{part: ball, velocity: [0, 0, -1]}]
+contact: [{between: [ball, plate], method: mortar}]
+probes: [{name: tip, near: [0.02, 0.01, 0.01], field: position}]
+history: {every: 1.0e-6}
+run: {end: 0.05}
+solver: {scheme: contact_implicit, step: STEP}
+"""
+
+
 class ImplicitPasses(SceneProgram):
     def stays_or_stops(self, scheme):
         stopped = 0
@@ -87,6 +104,21 @@ class ImplicitPasses(SceneProgram):
         self.run_scene(1, "scene.yaml", "--out", "out", "--force", code=(0, 3))
         for row in self.rows("out"):
             self.assertGreater(row[f"b.{'xyz'[axis]}"] - row[f"a.{'xyz'[axis]}"], 0, row["time"])
+
+    def test_what_a_coarse_slave_lets_in_is_told_by_positions(self):
+        """Mean gaps over the facets of a coarse held plate stay open while a ball sinks into it."""
+        for ranks in (1, 2):
+            rows = self.go(SINKS.replace("THICK", "0.04").replace("STEP", "1.0e-3"), ranks=ranks)
+            depth = max(-row["tip.z"] for row in rows)
+            told = self.summary("out")["deepest_penetration"]
+            self.assertGreater(depth, 0.1 * 0.04)
+            self.assertAlmostEqual(told["depth"], depth, delta=0.02 * depth)
+            self.assertAlmostEqual(told["elements"], told["depth"] / 0.04, delta=1e-6)
+            self.assertRegex(self.text("out", "log.txt"), "contact leaves penetration: node .* of part 'ball' .* in part 'plate'.*a coarse slave lets")
+            self.write("scene.yaml", SINKS.replace("THICK", "0.012").replace("STEP", "2.0e-4"))  # right through, node by node
+            self.run_scene(ranks, "scene.yaml", "--out", "out", "--force", code=(0, 3))
+            self.assertGreater(self.summary("out")["deepest_penetration"]["elements"], 0.4)
+            self.assertIn("contact leaves penetration: ", self.text("out", "log.txt"))
 
     def test_pushed_bodies_do_not_pass(self):
         self.stays_or_stops("static")

@@ -97,6 +97,20 @@ class Walls(SceneProgram):
             self.assertAlmostEqual(rows[-1]["w.x"], -load, delta=1e-6)
             self.assertLess(self.summary("out")["implicit"]["iterations_mean"], 7)
 
+    def test_a_rigid_block_does_not_fall_behind_a_wall(self):
+        """Walls hold rigid bodies by springs; at 10 m/s and a step of 0.1 s the block of 0.1 m lay wholly behind the wall."""
+        scene = ("units: SI\nmesh: [{box: {part: b, size: [0.1, 0.1, 0.1], elements: [1, 1, 1], at: [0, 0, 0.05]}}]\n"
+                 "materials: {r: {model: rigid, density: 1100}}\nparts: {b: {material: r}}\ninitial: [{part: b, velocity: [0, 0, -10]}]\n"
+                 "rigid_walls: [{point: [0, 0, 0], normal: [0, 0, 1]}]\nprobes: [{name: foot, near: [0, 0, 0.05], field: position}]\n"
+                 "history: {every: 1.0e-6}\nsolver: {scheme: contact_implicit, step: STEP}\nrun: {end: END}\n")
+        for step in (0.1, 0.04, 0.004):
+            for ranks in (1, 2):
+                rows = self.go(scene.replace("STEP", str(step)).replace("END", str(max(2 * step, 0.05))), ranks=ranks)
+                depth = max(-row["foot.z"] for row in rows)
+                self.assertLess(depth, 0.03)
+                self.assertAlmostEqual(self.summary("out")["max_penetration"], depth, delta=1e-12)
+                self.assertEqual("behind a rigid wall" in self.text("out", "log.txt"), depth > 0.1 * 0.1)
+
     def test_friction_of_driven_nodes_and_of_bilateral_walls(self):
         block = BLOCK.replace("[1, 1, 2]", "[1, 1, 1]").replace("[2, 2, 4]", "[1, 1, 1]") + "probes: [{name: w, wall: w}, {name: r, set: a_zmin, field: reaction}]\n"
         rows = self.go(block + "rigid_walls: [{name: w, point: [0, 0, 0], normal: [0, 0, 1], friction: 0.3}]\ngravity: {vector: [0, 0, -10]}\n"

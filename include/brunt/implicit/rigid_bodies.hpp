@@ -57,7 +57,7 @@ struct RigidBodies {
   bool rows_here = false;        ///< this rank has the bodies' rows
   std::size_t first_here = 0;    ///< its place in Solver::u
   std::vector<double> radius;    ///< of gyration, a body each [length]
-  std::vector<double> at_walls;  ///< stiffness of walls at a node, for each body [force/length]
+  std::vector<double> at_walls;  ///< stiffness of walls at a node times dt^2, for each body [mass]
   std::vector<BodyTrial> trial;  ///< for each body
   std::vector<Place> place;      ///< by place in Unknowns::node; empty without bodies
   std::vector<comm::ExactAccumulator> sums;
@@ -74,6 +74,10 @@ RigidBodies make_bodies(const comm::Communicator& ranks, const model::Model& mod
 
 /// Walls act on nodes of bodies by springs. After make_walls. Collective.
 void soften_walls(const comm::Communicator& ranks, const model::Model& model, Solver& solver);
+
+/// Stiffness of springs for a step of the trial's length; a spring under load keeps its own, since another one would
+/// change the energy that it has stored. After begin_walls.
+void fit_wall_springs(Solver& solver);
 
 /// Directions in which supports let the body of this node move, if it has one: all if the body may rotate.
 Mat3 freed_by_body(const model::Model& model, LocalIndex node);

@@ -21,6 +21,8 @@ struct WallNode {
   std::int32_t looked_at = 0;
   bool springs = false;      ///< of a rigid body: walls act on it by springs (wall_spring.hpp)
   Mat3 tied = Mat3::Zero();  ///< projector onto directions along which a tie constrains it to its walls, at the iterate
+  double behind = 0;  ///< depth behind a wall at the iterate, 0 in front of all; bilateral ones excepted [length]
+  double behind_before = 0;  ///< likewise at t_n
   WallChoice solved;         ///< the active walls assumed in the last linear solve
   WallAction action;         ///< at the iterate
 };
@@ -40,6 +42,7 @@ struct WallContact {
   std::vector<std::uint8_t> holds;  ///< for each of `wall`: the node lay initially in the plane of a bilateral wall
   std::vector<LocalIndex> node_of;  ///< by place in Unknowns::node: index into `nodes`, or no_index
   WallAccount account;
+  double penetration = 0;       ///< the largest depth at t_n since t = 0 [length]: saved
   std::vector<double> impulse;  ///< of each wall on the bodies since t = 0, three each [momentum]: saved
   std::vector<double> force;    ///< of each wall at t_n, three each [force]: saved
   [[nodiscard]] bool any() const { return !place.empty(); }
@@ -76,7 +79,7 @@ struct WallForces {
 WallForces forces_of(const model::Model& model, const WallContact& walls, std::size_t own);
 
 /// Accepts the step of length dt: adds to the impulses of each wall the share of_impulse of the current forces and the
-/// rest of those at t_n, which are then replaced by the current ones. Collective.
+/// rest of those at t_n, which are then replaced by the current ones; records the depth. Collective.
 void keep_walls(const comm::Communicator& ranks, const model::Model& model, double dt, double of_impulse,
                 WallContact& walls);
 

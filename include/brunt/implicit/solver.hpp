@@ -31,6 +31,7 @@ struct Memory {
   /// Of contact, and of its friction only; if the scene has mortar interfaces [force].
   std::vector<double> contact_force, friction_force;
   std::vector<double> wall_force, wall_friction;  ///< likewise of rigid walls, and their friction separately
+  std::vector<double> wall_stiffness;  ///< of springs between nodes of rigid bodies and walls [force/length], one each
   StepLength length;
 };
 
