@@ -84,25 +84,24 @@ bool can_move(const WholeSurfaces& whole, const std::vector<FacetNodes>& facets)
 }
 
 /// The multipliers of a fully constrained slave would act only on the master's nodes, with more rows than these have
-/// degrees of freedom. The side that can move is therefore the slave, otherwise the finer side: where they meet at the
-/// start, or as a whole if they do not.
-bool master_is_better(const WholeSurfaces& whole, const std::vector<FacetNodes>& slave,
-                      const std::vector<FacetNodes>& master) {
-  const bool slave_moves = can_move(whole, slave), master_moves = can_move(whole, master);
+/// degrees of freedom. The side that can move is therefore the slave, otherwise the finer side: where they touch or
+/// overlap at the start, or as a whole if they do not.
+bool master_is_better(const WholeSurfaces& whole, const contact::MortarSurfaces& surfaces) {
+  const bool slave_moves = can_move(whole, surfaces.slave), master_moves = can_move(whole, surfaces.master);
   if (slave_moves != master_moves) return master_moves;
-  const EdgeLengths of_slave = edges_of(slave, whole.reference), of_master = edges_of(master, whole.reference);
-  const SeatEdges at_seat =
-      edges_at_seat(slave, master, whole.reference, std::max(of_slave.largest, of_master.largest));
+  const double slave = edges_of(surfaces.slave, whole.reference).mean,
+               master = edges_of(surfaces.master, whole.reference).mean;
+  const SeatEdges at_seat = edges_at_seat(surfaces, whole.reference, touching * slave);
   if (at_seat.area > 0) return at_seat.master < clearly * at_seat.slave;
-  return of_master.mean < clearly * of_slave.mean;
+  return master < clearly * slave;
 }
 
 /// A rigid part is the master: as a slave it could not satisfy the rows of all its nodes.
 bool is_swapped(const model::Model& model, const WholeSurfaces& whole, const MortarPair& asked,
-                const WholeInterface& of) {
+                const contact::MortarSurfaces& surfaces) {
   const auto rigid = [&](std::int32_t b) { return material::is_rigid(model.blocks[static_cast<std::size_t>(b)].law); };
   if (rigid(asked.slave) != rigid(asked.master)) return rigid(asked.slave);
-  return master_is_better(whole, of.slave.facets, of.master.facets);
+  return master_is_better(whole, surfaces);
 }
 
 /// Candidate facets, and the capture distance.
@@ -111,10 +110,6 @@ void lay_sides(const model::Model& model, const WholeSurfaces& whole, const Mort
   face.pair = asked;
   of.slave = side_of(whole, asked.slave);
   of.master = side_of(whole, asked.master);
-  if (asked.choose_slave && is_swapped(model, whole, asked, of)) {
-    std::swap(face.pair.slave, face.pair.master);
-    std::swap(of.slave, of.master);
-  }
   contact::MortarSurfaces& surfaces = face.surfaces;
   surfaces.slave = of.slave.facets;
   surfaces.master = of.master.facets;
@@ -123,6 +118,12 @@ void lay_sides(const model::Model& model, const WholeSurfaces& whole, const Mort
       std::max(edges_of(surfaces.slave, whole.reference).largest, edges_of(surfaces.master, whole.reference).largest);
   surfaces.slave_wall = thickness_behind(surfaces.slave, whole.reference, surfaces.capture);
   surfaces.master_wall = thickness_behind(surfaces.master, whole.reference, surfaces.capture);
+  if (asked.choose_slave && is_swapped(model, whole, asked, surfaces)) {
+    std::swap(face.pair.slave, face.pair.master);
+    std::swap(of.slave, of.master);
+    std::swap(surfaces.slave, surfaces.master);
+    std::swap(surfaces.slave_wall, surfaces.master_wall);
+  }
   lay_rows(whole, surfaces);
 }
 

@@ -43,26 +43,26 @@ std::vector<double> thickness_behind(const std::vector<contact::FacetNodes>& fac
   return wall;
 }
 
-SeatEdges edges_at_seat(const std::vector<contact::FacetNodes>& slave, const std::vector<contact::FacetNodes>& master,
-                        std::span<const Vec3> x, double reach) {
+SeatEdges edges_at_seat(const contact::MortarSurfaces& surfaces, std::span<const Vec3> x, double touching) {
   SeatEdges seat;
-  if (slave.empty() || master.empty()) return seat;
+  if (surfaces.slave.empty() || surfaces.master.empty()) return seat;
   contact::KdopTree one, other;
-  contact::build(one, slave, x);
-  contact::build(other, master, x);
-  contact::refit(one, x, contact::by_distance(0.5 * reach));
-  contact::refit(other, x, contact::by_distance(0.5 * reach));
+  contact::build(one, surfaces.slave, x);
+  contact::build(other, surfaces.master, x);
+  contact::refit(one, x, contact::by_distance(0.5 * surfaces.capture));
+  contact::refit(other, x, contact::by_distance(0.5 * surfaces.capture));
   contact::TraversalScratch scratch;
   std::vector<contact::FacetPair> pairs;
   contact::find_pairs(one, other, scratch, pairs);
   contact::SlavePlane plane;
   contact::SegmentIntegrals segment;
   for (const contact::FacetPair& pair : pairs) {
-    const contact::FacetNodes &from = slave[static_cast<std::size_t>(pair.slave)],
-                              &to = master[static_cast<std::size_t>(pair.master)];
+    const auto s = static_cast<std::size_t>(pair.slave), m = static_cast<std::size_t>(pair.master);
+    const contact::FacetNodes &from = surfaces.slave[s], &to = surfaces.master[m];
     if (!contact::make_slave_plane(contact::CornersOf(from, x).span(), plane) ||
-        !contact::integrate_segment(plane, contact::CornersOf(to, x).span(), reach, segment))
+        !contact::integrate_segment(plane, contact::CornersOf(to, x).span(), surfaces.capture, segment))
       continue;
+    if (segment.distance > touching || segment.distance < -surfaces.deepest(s, m)) continue;
     seat.area += segment.area;
     seat.slave += segment.area * mean_edge(from, x);
     seat.master += segment.area * mean_edge(to, x);

@@ -13,12 +13,13 @@ namespace brunt::implicit {
 std::vector<double> thickness_behind(const std::vector<contact::FacetNodes>& facets, std::span<const Vec3> x,
                                      double reach);
 
-/// Mean edges of both sides where they face each other within `reach`, weighted by the area that meets.
+/// Mean edges of both sides where they touch or overlap, weighted by the area that does. Surfaces farther apart are no
+/// seat: nobody knows yet where they will meet.
 struct SeatEdges {
-  double area = 0;               ///< that meets [length^2]
+  double area = 0;               ///< [length^2]
   double slave = 0, master = 0;  ///< [length]
 };
-SeatEdges edges_at_seat(const std::vector<contact::FacetNodes>& slave, const std::vector<contact::FacetNodes>& master,
-                        std::span<const Vec3> x, double reach);
+/// touching: greatest gap of facets that touch [length].
+SeatEdges edges_at_seat(const contact::MortarSurfaces& surfaces, std::span<const Vec3> x, double touching);
 
 }  // namespace brunt::implicit
