@@ -185,21 +185,29 @@ WholeInterface make_interface(const model::Model& model, const WholeSurfaces& wh
   return of;
 }
 
-/// Chords of unequal length lose or gain a part of the interference of round parts.
+/// Chords lose or gain a part of the interference of round parts. Heavy fits press everywhere and feel the mean
+/// overlap; light ones stand on the nodes that lie deepest, and feel that overlap.
 void warn_of_chords(const model::Model& model, const WholeSurfaces& whole, const Interface& face,
                     std::vector<std::string>& warnings) {
   constexpr double too_much = 0.1;  // of the interference, and so of the pressure
   if (face.pair.tied) return;
   const RoundSeat seat = round_seat(face.surfaces, whole.reference, face.surfaces.capture);
-  const double share = seat.of_surfaces > 0 ? seat.of_facets / seat.of_surfaces - 1 : 0.0;
-  if (!seat.conform || seat.of_facets <= touching * face.topology.edge || std::abs(share) < too_much) return;
+  const double least = touching * face.topology.edge;
+  if (!seat.conform || seat.of_surfaces <= least || seat.deepest <= least) return;
+  const double mean = std::max(0.0, seat.of_facets) / seat.of_surfaces - 1;
+  const double most = std::max(mean, seat.deepest / seat.of_surfaces - 1);
+  if (std::max(std::abs(mean), std::abs(most)) < too_much) return;
   const auto part = [&](std::int32_t b) { return model.blocks[static_cast<std::size_t>(b)].part; };
+  const auto text = [](double share) {
+    return fmt::format("{:.0f} % too {}", 100 * std::abs(share), share < 0 ? "low" : "high");
+  };
   warnings.push_back(fmt::format(
-      "{}: where parts '{}' and '{}' overlap at the start, their facets lie {:.3g} in each other on average, and the "
-      "round surfaces through their nodes {:.3g}: facets are chords. Pressures are about {:.0f} % too {}. Use as many "
-      "facets around on both sides, or smaller ones",
-      face.pair.entry, part(face.pair.slave), part(face.pair.master), seat.of_facets, seat.of_surfaces,
-      100 * std::abs(share), share < 0 ? "low" : "high"));
+      "{}: where parts '{}' and '{}' overlap at the start, their facets lie {:.3g} in each other on average and {:.3g} "
+      "at most, and the round surfaces through their nodes {:.3g}: facets are chords. Pressures are from {} (where "
+      "all is pressed) to {} (where only nodes are). Use as many facets around on both sides, at the same angles, or "
+      "smaller ones",
+      face.pair.entry, part(face.pair.slave), part(face.pair.master), seat.of_facets, seat.deepest, seat.of_surfaces,
+      text(mean), text(most)));
 }
 
 /// The positions of the multipliers in the system, and those of this rank.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/implicit/round_seat.hpp"
 
+#include <algorithm>
 #include <array>
 #include <unordered_map>
 
@@ -53,6 +54,24 @@ std::vector<double> bulges(const std::vector<FacetNodes>& facets, std::span<cons
   return heights;
 }
 
+/// How deep a corner that lies behind the facet of this plane does; 0 if none does.
+double deepest_corner(contact::FacetCorners corners, const contact::SlavePlane& plane) {
+  constexpr double beside = 1e-9;  // of a facet: a corner on its side belongs to it
+  double deepest = 0;
+  for (const Vec3& corner : corners) {
+    const Vec3 from = corner - plane.centre;
+    const double x = from.dot(plane.first), y = from.dot(plane.second);
+    bool inside = true;
+    for (std::size_t k = 0, n = static_cast<std::size_t>(plane.corners); k < n; ++k) {
+      const auto &here = plane.point[k], &next = plane.point[(k + 1) % n];
+      const double left = (next.x - here.x) * (y - here.y) - (next.y - here.y) * (x - here.x);
+      inside = inside && left >= -beside * plane.twice_area;
+    }
+    if (inside) deepest = std::max(deepest, -from.dot(plane.normal));
+  }
+  return deepest;
+}
+
 }  // namespace
 
 RoundSeat round_seat(const contact::MortarSurfaces& surfaces, std::span<const Vec3> x, double reach) {
@@ -67,14 +86,16 @@ RoundSeat round_seat(const contact::MortarSurfaces& surfaces, std::span<const Ve
   RoundSeat seat;
   double area = 0, bulge_of_slave = 0, bulge_of_master = 0;
   const std::vector<double> of_slave = bulges(surfaces.slave, x), of_master = bulges(surfaces.master, x);
-  contact::SlavePlane plane;
+  contact::SlavePlane plane, of_master_facet;
   contact::SegmentIntegrals segment;
   for (const contact::FacetPair& pair : pairs) {
     const auto s = static_cast<std::size_t>(pair.slave), m = static_cast<std::size_t>(pair.master);
-    if (!contact::make_slave_plane(contact::CornersOf(surfaces.slave[s], x).span(), plane) ||
-        !contact::integrate_segment(plane, contact::CornersOf(surfaces.master[m], x).span(), reach, segment) ||
-        segment.distance < -surfaces.deepest(s, m))
+    const contact::CornersOf slave(surfaces.slave[s], x), master(surfaces.master[m], x);
+    if (!contact::make_slave_plane(slave.span(), plane) || !contact::make_slave_plane(master.span(), of_master_facet) ||
+        !contact::integrate_segment(plane, master.span(), reach, segment) || segment.distance < -surfaces.deepest(s, m))
       continue;
+    seat.deepest =
+        std::max({seat.deepest, deepest_corner(master.span(), plane), deepest_corner(slave.span(), of_master_facet)});
     const double depth = of_slave[s] + of_master[m] - segment.distance;
     if (!(depth > 0)) continue;
     area += segment.area;

@@ -12,6 +12,7 @@ namespace brunt::implicit {
 struct RoundSeat {
   double of_facets = 0;    ///< how deep the facets do
   double of_surfaces = 0;  ///< how deep these surfaces do
+  double deepest = 0;      ///< how deep a node lies behind a facet at most: facets of thin rings meet only there
   bool conform = false;    ///< one is convex there, the other one concave: a shaft in its bore
 };
 
