@@ -131,8 +131,9 @@ void find_slopes(MortarContact& contact, Interface& face, FrictionLimit limit, c
       face.rows, face.slopes,
       face.keeps(contact) ? std::span<const Vec3>(contact.nodes.x_before) : std::span<const Vec3>());
   if (face.friction.coefficient > 0)
-    contact::friction_traction_slopes(face.rows, face.slopes, contact.nodes.x, face.z, face.friction, face.history,
-                                      tractions, face.active, face.at_start);
+    contact::friction_traction_slopes(
+        face.rows, face.slopes, contact.nodes.x, face.z, face.friction, face.history, tractions,
+        face.at_start ? std::span<const std::uint8_t>(face.active) : std::span<const std::uint8_t>(), face.at_start);
   else
     contact::normal_traction_slopes(face.rows, face.slopes, face.z, tractions);
   if (limit == FrictionLimit::given) tractions.by_pressure = face.rows.normals;
