@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "brunt/implicit/step.hpp"
 #include "driven_apart.hpp"
@@ -28,6 +29,24 @@ std::string name_of_node(const Prepared& run, GlobalIndex gid) {
   part = run.links.ranks.max(part);
   if (part < 0) return fmt::format("node {}", id);
   return fmt::format("part {}, node {}", model.blocks[static_cast<std::size_t>(part)].part, id);
+}
+
+std::string text_of(const Prepared& run, const implicit::StabilityChange& change) {
+  const std::string when = fmt::format("between t = {:g} and t = {:g}", change.time_before, change.time);
+  if (change.directions == implicit::StabilityChange::unknown)
+    return fmt::format(
+        "the stability of equilibrium at t = {:g} is unknown: its matrix could not be factorised (reported "
+        "once)",
+        change.time);
+  if (change.directions == 0) return fmt::format("equilibrium is stable again: its stability is regained {}", when);
+  return fmt::format(
+      "equilibrium loses its stability {}: {}{}. The run continues with a state that a real body leaves by buckling or "
+      "snapping. To follow the buckled state, give the shape or the load a small imperfection; to follow the motion, "
+      "use scheme: contact_implicit (solver.stability: ignore leaves this check out)",
+      when,
+      change.directions == 1 ? "one small motion releases energy"
+                             : fmt::format("{} independent small motions release energy", change.directions),
+      change.gid >= 0 ? ", and the most unstable one moves " + name_of_node(run, change.gid) + " most" : "");
 }
 
 /// Residuals of each step over the forces that act, and how many of the steps that can be judged were quadratic.
@@ -70,6 +89,13 @@ void implicit_step(Prepared& run) {
   const bool acts = solver.contact.counts.active + implicit::pressed(run.links.ranks, solver.walls) > 0;
   solver.work.contact_steps += acts ? 1 : 0;
   stop_where_driven_apart(run);
+}
+
+std::vector<std::string> warnings_of_stability(Prepared& run) {
+  std::vector<std::string> warnings;
+  for (const implicit::StabilityChange& change : std::exchange(run.implicit->stability.changes, {}))
+    warnings.push_back(text_of(run, change));
+  return warnings;
 }
 
 void write_implicit_record(Prepared& run, Results& results, const ImplicitRecord& record, double seconds_left) {
@@ -128,6 +154,8 @@ nlohmann::ordered_json implicit_summary(const Prepared& run) {
           {"tangent_s", work.tangent_seconds},
           {"factorise_s", work.factorise_seconds},
           {"solve_s", work.solve_seconds},
+          {"unstable_directions", static_cast<GlobalIndex>(solver.stability.directions)},
+          {"stability_s", work.stability_seconds},
           {"factor_bytes", work.factor_bytes},
           {"factor_flops", work.factor_flops}};
 }

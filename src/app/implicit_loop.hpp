@@ -20,6 +20,9 @@ implicit::Scene implicit_scene(Prepared& run);
 /// supports separate the two sides of a tie. Collective.
 void implicit_step(Prepared& run);
 
+/// Warnings about the stability of static states that have not been given. Collective.
+std::vector<std::string> warnings_of_stability(Prepared& run);
+
 /// Fields, history and table at t_n, between steps.
 struct ImplicitRecord {
   bool fields = false, row = false, line = false;

@@ -77,8 +77,12 @@ void make_implicit(Prepared& run) {
   for (std::string& line : implicit::warnings_of_tied_velocities(implicit_scene(run), *run.implicit,
                                                                  scene::find_unit_system(run.input.units)->velocity))
     if (run.links.ranks.is_root()) run.warnings.push_back(std::move(line));
+  if (run.input.run.end) run.implicit->stability.last_time = *run.input.run.end;
+  if (run.input.run.steps) run.implicit->stability.last_step = static_cast<double>(*run.input.run.steps);
   if (run.links.ranks.is_root())
     for (const std::string& note : run.implicit->contact.notes) run.overlaps.report.notes.push_back(note);
+  if (run.links.ranks.is_root())
+    for (const std::string& warning : run.implicit->contact.warnings) run.warnings.push_back(warning);
   if (run.links.ranks.is_root() && run.overlaps.recovered)
     for (std::string& note : notes_of_overlaps(run.input)) run.overlaps.report.notes.push_back(std::move(note));
   refuse_driven_apart(run);

@@ -166,6 +166,7 @@ void Loop::advance(const time::StepReport& step, bool sampled) {
 
 void Loop::pass_implicit() {
   implicit_step(run_);
+  for (const std::string& warning : warnings_of_stability(run_)) log_.warning(warning);
   ++passes_;
   results_.remember_good();
   record_implicit(false);

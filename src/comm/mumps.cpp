@@ -30,13 +30,15 @@ constexpr int begin = -1, end = -2, analysis = 1, factorisation = 2, solution = 
 
 // Controls of MUMPS by their numbers in its guide (5.5.1, sections 6.1 and 6.2).
 namespace control_of {
-constexpr int printing = 4, permutation = 6, ordering = 7, scaling = 8, more_room = 14, matrix = 18;
+constexpr int printing = 4, permutation = 6, ordering = 7, scaling = 8, root = 13, more_room = 14, matrix = 18;
 constexpr int detect_null = 24, null_vector = 25, analysis = 28;
 constexpr int null_threshold = 3;  // a control of real type
 }  // namespace control_of
 
 constexpr int both_sides_work = 1;  // the first rank takes part in the factorisation
-constexpr int unsymmetric = 0;
+constexpr int unsymmetric = 0, general_symmetric = 2;
+// Negative pivots are counted wherever the last front is not split by ScaLAPACK.
+constexpr int root_in_sequence = 1;
 // The analysis uses only the pattern: no permutation by values. So factors do not depend on whether the analysis was
 // repeated.
 constexpr int no_permutation = 0;
@@ -71,10 +73,10 @@ Pattern gathered_pattern(MPI_Comm comm, int rank, const RankShares& rows, const 
 
 }  // namespace
 
-Mumps::Mumps(MPI_Comm comm) : comm_(comm) {
+Mumps::Mumps(MPI_Comm comm, Kind kind) : comm_(comm), kind_(kind) {
   MPI_Comm_rank(comm_, &rank_);
   MPI_Comm_size(comm_, &ranks_);
-  solver_.sym = unsymmetric;
+  solver_.sym = kind == Kind::symmetric ? general_symmetric : unsymmetric;
   solver_.par = both_sides_work;
   solver_.comm_fortran = MPI_Comm_c2f(comm_);
   call(job::begin);
@@ -142,7 +144,8 @@ void Mumps::analyse(const RowRange& rows, int more_room) {
   control(control_of::analysis) = analysis_on_the_first_rank;
   control(control_of::scaling) = scale_by_values;
   control(control_of::more_room) = more_room;
-  control(control_of::detect_null) = 1;
+  control(control_of::detect_null) = kind_ == Kind::symmetric ? 0 : 1;
+  if (kind_ == Kind::symmetric) control(control_of::root) = root_in_sequence;
   call(job::analysis);
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// LU factors of one sparse matrix by MUMPS on the ranks of an MPI communicator. MUMPS is called directly, since PETSc
-// does not pass a user-defined elimination order to it on several ranks. Every member is collective, and every error is
-// a status known to all ranks.
+// LU or L D L^T factors of one sparse matrix by MUMPS on the ranks of an MPI communicator. MUMPS is called directly,
+// since PETSc does not pass a user-defined elimination order to it on several ranks. Every member is collective, and
+// every error is a status known to all ranks.
 #pragma once
 #include <dmumps_c.h>
 #include <mpi.h>
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -27,7 +28,15 @@ class Mumps {
   /// Status of MUMPS (its guide, 5.5.1, section 8): 0 done, below 0 an error.
   static constexpr int index_space_too_small = -8, work_space_too_small = -9, no_memory = -13;
 
-  explicit Mumps(MPI_Comm comm);
+  /// Work space beyond the estimate [%], required by delayed pivots (zeros on the diagonal). Tried one after the other.
+  static constexpr std::array<int, 4> rooms{50, 200, 800, 3200};
+
+  enum class Kind {
+    unsymmetric,
+    symmetric,  ///< of the entries (i, j) and (j, i) the sum counts for both; null pivots are not looked for
+  };
+
+  explicit Mumps(MPI_Comm comm, Kind kind = Kind::unsymmetric);
   ~Mumps();
   Mumps(const Mumps&) = delete;
   Mumps& operator=(const Mumps&) = delete;
@@ -44,7 +53,11 @@ class Mumps {
 
   [[nodiscard]] int status() const { return info(1); }
   [[nodiscard]] int detail() const { return info(2); }
+  [[nodiscard]] bool lacks_room() const {
+    return status() == work_space_too_small || status() == index_space_too_small;
+  }
   [[nodiscard]] int null_pivots() const { return info(28); }
+  [[nodiscard]] int negative_pivots() const { return info(12); }             ///< of a symmetric matrix
   [[nodiscard]] double memory() const { return 1e6 * info(19); }             ///< [bytes] of all ranks together
   [[nodiscard]] double operations() const { return solver_.rinfog[3 - 1]; }  ///< of the elimination, on all ranks
 
@@ -56,6 +69,7 @@ class Mumps {
   [[nodiscard]] MUMPS_INT& control(int which) { return solver_.icntl[which - 1]; }
 
   MPI_Comm comm_;
+  Kind kind_;
   int rank_ = 0, ranks_ = 1;
   DMUMPS_STRUC_C solver_{};
   std::vector<SolverIndex> row_, column_, position_;  // of entries, from 1; in the order of elimination, from 1

@@ -25,9 +25,6 @@ constexpr double null_if_singular = 1e-8;
 constexpr double smallest_value = 1e-14;
 constexpr int inverse_iterations = 3, scaling_sweeps = 5;
 
-// Work space beyond the estimate [%], required by delayed pivots (zeros on the diagonal). Tried one after the other.
-constexpr std::array<int, 4> rooms{50, 200, 800, 3200};
-
 constexpr int most_refinements = 2;
 constexpr double accurate = 2 * std::numeric_limits<double>::epsilon();
 
@@ -71,7 +68,7 @@ Factorised SparseFactors::factorise_with(int more_room, double null_pivot) {
 Factorised SparseFactors::factorise_with_room(double null_pivot) {
   Factorised done;
   bool analysed = false;
-  for (const int more_room : rooms) {
+  for (const int more_room : Mumps::rooms) {
     done = factorise_with(more_room, null_pivot);
     analysed = analysed || done.analysed;
     const bool again = done.status == FactorStatus::out_of_memory && factors_->status() != Mumps::no_memory;

@@ -159,7 +159,12 @@ void multiplier_residuals(const MortarContact& contact, std::span<double> residu
         for (int c = 0; c < 3; ++c) residual[next++] = given[c] + redundant[c];
       } else if (face.multipliers() == 1) {
         const bool pressed = face.active[row] != 0;
-        residual[next++] = area * (pressed ? -face.stiffness * face.above(row) / face.rows.covered[row] : face.z[row]);
+        if (!pressed) {
+          residual[next++] = area * face.z[row];
+          continue;
+        }
+        const double fades = face.fades(row), by_gap = face.stiffness * face.above(row) / face.rows.covered[row];
+        residual[next++] = -area * ((1 - fades) * by_gap + fades * face.z[row]);
       }
     }
   }

@@ -10,6 +10,7 @@
 #include "brunt/core/error.hpp"
 #include "brunt/implicit/interface_forces.hpp"
 #include "brunt/implicit/mortar.hpp"
+#include "brunt/implicit/round_seat.hpp"
 #include "brunt/implicit/thickness.hpp"
 #include "brunt/material/law.hpp"
 #include "mortar_shares.hpp"
@@ -83,20 +84,24 @@ bool can_move(const WholeSurfaces& whole, const std::vector<FacetNodes>& facets)
 }
 
 /// The multipliers of a fully constrained slave would act only on the master's nodes, with more rows than these have
-/// degrees of freedom. The side that can move is therefore the slave, otherwise the finer side.
-bool master_is_better(const WholeSurfaces& whole, const std::vector<FacetNodes>& slave,
-                      const std::vector<FacetNodes>& master) {
-  const bool slave_moves = can_move(whole, slave), master_moves = can_move(whole, master);
+/// degrees of freedom. The side that can move is therefore the slave, otherwise the finer side: where they touch or
+/// overlap at the start, or as a whole if they do not.
+bool master_is_better(const WholeSurfaces& whole, const contact::MortarSurfaces& surfaces) {
+  const bool slave_moves = can_move(whole, surfaces.slave), master_moves = can_move(whole, surfaces.master);
   if (slave_moves != master_moves) return master_moves;
-  return edges_of(master, whole.reference).mean < clearly * edges_of(slave, whole.reference).mean;
+  const double slave = edges_of(surfaces.slave, whole.reference).mean,
+               master = edges_of(surfaces.master, whole.reference).mean;
+  const SeatEdges at_seat = edges_at_seat(surfaces, whole.reference, touching * slave);
+  if (at_seat.area > 0) return at_seat.master < clearly * at_seat.slave;
+  return master < clearly * slave;
 }
 
 /// A rigid part is the master: as a slave it could not satisfy the rows of all its nodes.
 bool is_swapped(const model::Model& model, const WholeSurfaces& whole, const MortarPair& asked,
-                const WholeInterface& of) {
+                const contact::MortarSurfaces& surfaces) {
   const auto rigid = [&](std::int32_t b) { return material::is_rigid(model.blocks[static_cast<std::size_t>(b)].law); };
   if (rigid(asked.slave) != rigid(asked.master)) return rigid(asked.slave);
-  return master_is_better(whole, of.slave.facets, of.master.facets);
+  return master_is_better(whole, surfaces);
 }
 
 /// Candidate facets, and the capture distance.
@@ -105,10 +110,6 @@ void lay_sides(const model::Model& model, const WholeSurfaces& whole, const Mort
   face.pair = asked;
   of.slave = side_of(whole, asked.slave);
   of.master = side_of(whole, asked.master);
-  if (asked.choose_slave && is_swapped(model, whole, asked, of)) {
-    std::swap(face.pair.slave, face.pair.master);
-    std::swap(of.slave, of.master);
-  }
   contact::MortarSurfaces& surfaces = face.surfaces;
   surfaces.slave = of.slave.facets;
   surfaces.master = of.master.facets;
@@ -117,6 +118,12 @@ void lay_sides(const model::Model& model, const WholeSurfaces& whole, const Mort
       std::max(edges_of(surfaces.slave, whole.reference).largest, edges_of(surfaces.master, whole.reference).largest);
   surfaces.slave_wall = thickness_behind(surfaces.slave, whole.reference, surfaces.capture);
   surfaces.master_wall = thickness_behind(surfaces.master, whole.reference, surfaces.capture);
+  if (asked.choose_slave && is_swapped(model, whole, asked, surfaces)) {
+    std::swap(face.pair.slave, face.pair.master);
+    std::swap(of.slave, of.master);
+    std::swap(surfaces.slave, surfaces.master);
+    std::swap(surfaces.slave_wall, surfaces.master_wall);
+  }
   lay_rows(whole, surfaces);
 }
 
@@ -178,6 +185,31 @@ WholeInterface make_interface(const model::Model& model, const WholeSurfaces& wh
   return of;
 }
 
+/// Chords lose or gain a part of the interference of round parts. Heavy fits press everywhere and feel the mean
+/// overlap; light ones stand on the nodes that lie deepest, and feel that overlap.
+void warn_of_chords(const model::Model& model, const WholeSurfaces& whole, const Interface& face,
+                    std::vector<std::string>& warnings) {
+  constexpr double too_much = 0.1;  // of the interference, and so of the pressure
+  if (face.pair.tied) return;
+  const RoundSeat seat = round_seat(face.surfaces, whole.reference, face.surfaces.capture);
+  const double least = touching * face.topology.edge;
+  if (!seat.conform || seat.of_surfaces <= least || seat.deepest <= least) return;
+  const double mean = std::max(0.0, seat.of_facets) / seat.of_surfaces - 1;
+  const double most = std::max(mean, seat.deepest / seat.of_surfaces - 1);
+  if (std::max(std::abs(mean), std::abs(most)) < too_much) return;
+  const auto part = [&](std::int32_t b) { return model.blocks[static_cast<std::size_t>(b)].part; };
+  const auto text = [](double share) {
+    return fmt::format("{:.0f} % too {}", 100 * std::abs(share), share < 0 ? "low" : "high");
+  };
+  warnings.push_back(fmt::format(
+      "{}: where parts '{}' and '{}' overlap at the start, their facets lie {:.3g} in each other on average and {:.3g} "
+      "at most, and the round surfaces through their nodes {:.3g}: facets are chords. Pressures are from {} (where "
+      "all is pressed) to {} (where only nodes are). Use as many facets around on both sides, at the same angles, or "
+      "smaller ones",
+      face.pair.entry, part(face.pair.slave), part(face.pair.master), seat.of_facets, seat.deepest, seat.of_surfaces,
+      text(mean), text(most)));
+}
+
 /// The positions of the multipliers in the system, and those of this rank.
 void number_multipliers(const Unknowns& unknowns, MortarContact& contact) {
   GlobalIndex next = unknowns.total;
@@ -199,7 +231,10 @@ MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& m
   if (model.mortar.empty()) return contact;
   const WholeSurfaces whole = tell_surfaces(ranks, model);
   std::vector<WholeInterface> interfaces;
-  for (const MortarPair& pair : model.mortar) interfaces.push_back(make_interface(model, whole, pair));
+  for (const MortarPair& pair : model.mortar) {
+    interfaces.push_back(make_interface(model, whole, pair));
+    warn_of_chords(model, whole, interfaces.back().face, contact.warnings);
+  }
   share_out(ranks, model, unknowns, whole, std::move(interfaces), contact);
   number_multipliers(unknowns, contact);
   find_contact(ranks, contact, Iterate::first_of_step);

@@ -99,14 +99,18 @@ void add_multipliers(const MortarContact& contact, const Interface& face, const 
       terms.multiplier_multiplier(multiplier, multiplier, 1 / face.topology.kappa[row]);
       continue;
     }
-    const double covered = face.rows.covered[row], rate = -face.stiffness / (face.topology.kappa[row] * covered);
+    const double covered = face.rows.covered[row], fades = face.fades(row);
+    const double rate = -(1 - fades) * face.stiffness / (face.topology.kappa[row] * covered);
+    if (fades > 0) terms.multiplier_multiplier(multiplier, multiplier, -fades / face.topology.kappa[row]);
     for (std::size_t k = 0; k < gradient.nodes.row(index).size(); ++k)
       terms.multiplier_node(multiplier, gradient.nodes.row(index)[k], rate * gradient.row(index)[k]);
     const contact::NodeBlocks<Vec3>& area = face.slopes.covered;
     const bool keeps = face.keeps(contact);
     const double by_covered = face.above(row) / covered + (keeps ? face.least_by_covered[row] : 0.0);
+    const double by_fading = face.fades_by_covered(row) / face.topology.kappa[row] *
+                             (face.stiffness * face.above(row) / covered - face.z[row]);
     for (std::size_t k = 0; k < area.nodes.row(index).size(); ++k)
-      terms.multiplier_node(multiplier, area.nodes.row(index)[k], -rate * by_covered * area.row(index)[k]);
+      terms.multiplier_node(multiplier, area.nodes.row(index)[k], (by_fading - rate * by_covered) * area.row(index)[k]);
     if (!keeps || face.least_by_start[row] == 0) continue;
     for (std::size_t k = 0; k < of_start.nodes.row(index).size(); ++k)
       terms.multiplier_node(multiplier, of_start.nodes.row(index)[k],
@@ -139,7 +143,8 @@ void find_consistent_slopes(const MortarContact& contact, Interface& face) {
 }
 
 /// Derivatives of the rows and of their tractions. Collective.
-void find_slopes(MortarContact& contact, Interface& face, contact::TractionSlopes& tractions, Terms& terms) {
+void find_slopes(MortarContact& contact, Interface& face, FrictionLimit limit, contact::TractionSlopes& tractions,
+                 Terms& terms) {
   if (face.consistent())
     find_consistent_slopes(contact, face);
   else
@@ -150,9 +155,10 @@ void find_slopes(MortarContact& contact, Interface& face, contact::TractionSlope
   if (face.friction.coefficient > 0)
     contact::friction_traction_slopes(
         face.rows, face.slopes, contact.nodes.x, face.z, face.friction, face.history, tractions,
-        face.at_start ? std::span<const std::uint8_t>(face.active) : std::span<const std::uint8_t>());
+        face.at_start ? std::span<const std::uint8_t>(face.active) : std::span<const std::uint8_t>(), face.at_start);
   else
     contact::normal_traction_slopes(face.rows, face.slopes, face.z, tractions);
+  if (limit == FrictionLimit::given) tractions.by_pressure = face.rows.normals;
   contact::NodeBlocks<Vec3> gradient;
   contact::gap_gradient(face.rows, face.slopes, gradient);
   if (face.multipliers() == 0)
@@ -212,7 +218,8 @@ void add_tie(const MortarContact& contact, Interface& face, Terms& terms) {
 
 }  // namespace
 
-void contact_terms(const comm::Communicator& ranks, MortarContact& contact, std::vector<ContactTerm>& terms) {
+void contact_terms(const comm::Communicator& ranks, MortarContact& contact, FrictionLimit limit,
+                   std::vector<ContactTerm>& terms) {
   terms.clear();
   if (!contact.any()) return;
   Terms sum(ranks, contact);
@@ -221,7 +228,7 @@ void contact_terms(const comm::Communicator& ranks, MortarContact& contact, std:
     if (contact.interfaces[k].pair.tied)
       add_tie(contact, contact.interfaces[k], sum);
     else
-      find_slopes(contact, contact.interfaces[k], tractions[k], sum);
+      find_slopes(contact, contact.interfaces[k], limit, tractions[k], sum);
   sum_pieces(ranks, contact, tractions,
              [&](LocalIndex row, GlobalIndex column, const Mat3& slope) { sum.node_node(row, column, slope); });
   sum.write(terms);

@@ -51,13 +51,14 @@ void take_blocks(const Solver& solver, std::vector<Piece>& pieces) {
 }
 
 /// Walls at the bodies' nodes.
-void take_walls(const Solver& solver, std::vector<Piece>& pieces) {
+void take_walls(const Solver& solver, FrictionLimit limit, std::vector<Piece>& pieces) {
   for (const WallNode& node : solver.walls.nodes) {
     if (!node.springs || node.action.own.isZero(0)) continue;
     Piece piece = piece_of(solver, node.own);
+    const Mat3 own = limit == FrictionLimit::given ? Mat3(node.action.own - node.action.by_pressure) : node.action.own;
     for (int j = 0; j < 3; ++j) {
       piece.column = 3 * piece.node + j;
-      for (int i = 0; i < 3; ++i) piece.slope[i] = node.action.own(i, j);
+      for (int i = 0; i < 3; ++i) piece.slope[i] = own(i, j);
       pieces.push_back(piece);
     }
   }
@@ -101,10 +102,12 @@ void add_node_rows(const Solver& solver, std::vector<ContactTerm>& terms) {
 }
 
 /// Inertia, turned arms and supports: six rows by the body's own six unknowns.
-void add_own_block(const model::RigidBody& body, const Solver& solver, std::size_t b, std::vector<ContactTerm>& terms) {
+void add_own_block(const model::RigidBody& body, const Solver& solver, FrictionLimit limit, std::size_t b,
+                   std::vector<ContactTerm>& terms) {
   const BodyTrial& trial = solver.bodies.trial[b];
   const Rule& rule = solver.trial.rule;
-  const double radius = solver.bodies.radius[b], stiffness = solver.support_stiffness;
+  const double radius = solver.bodies.radius[b];
+  const double stiffness = limit == FrictionLimit::given ? 0 : solver.support_stiffness;
   const Mat3 &free_shift = body.support.free_shift, &free_turn = body.support.free_turn;
   const Mat3 one = Mat3::Identity();
   const Mat3 shift = rule.mass * body.body.mass.mass * free_shift + stiffness * (one - free_shift);
@@ -121,7 +124,7 @@ void add_own_block(const model::RigidBody& body, const Solver& solver, std::size
 }
 
 /// Assembles the rows of bodies from the pieces of all ranks: those of a node are of one rank, and keep their order.
-void add_body_rows(const Scene& scene, const Solver& solver, std::vector<Piece>& pieces,
+void add_body_rows(const Scene& scene, const Solver& solver, FrictionLimit limit, std::vector<Piece>& pieces,
                    std::vector<ContactTerm>& terms) {
   std::ranges::stable_sort(pieces, {}, &Piece::node);
   for (const Piece& piece : pieces) {
@@ -137,23 +140,24 @@ void add_body_rows(const Scene& scene, const Solver& solver, std::vector<Piece>&
       if (moment[i] != 0) terms.push_back({first + 3 + i, piece.column, moment[i]});
     }
   }
-  for (std::size_t b = 0; b < solver.bodies.trial.size(); ++b) add_own_block(scene.model.bodies[b], solver, b, terms);
+  for (std::size_t b = 0; b < solver.bodies.trial.size(); ++b)
+    add_own_block(scene.model.bodies[b], solver, limit, b, terms);
 }
 
 }  // namespace
 
-void body_terms(const Scene& scene, Solver& solver, std::vector<ContactTerm>& terms) {
+void body_terms(const Scene& scene, Solver& solver, FrictionLimit limit, std::vector<ContactTerm>& terms) {
   for (BodyTrial& trial : solver.bodies.trial) {  // rotations are now relative to the orientation of this iterate
     trial.base = trial.orientation;
     trial.base_arc = trial.arc;
   }
   std::vector<std::vector<Piece>> to_rank(static_cast<std::size_t>(scene.links.ranks.size()));
   take_blocks(solver, to_rank.front());
-  take_walls(solver, to_rank.front());
+  take_walls(solver, limit, to_rank.front());
   take_terms(solver, terms, to_rank.front());
   std::vector<Piece> pieces = comm::exchange(scene.links.ranks, to_rank).values;
   add_node_rows(solver, terms);
-  if (solver.bodies.rows_here) add_body_rows(scene, solver, pieces, terms);
+  if (solver.bodies.rows_here) add_body_rows(scene, solver, limit, pieces, terms);
   std::ranges::stable_sort(terms, comes_before);
 }
 

@@ -199,6 +199,9 @@ void add_arrays(const model::Model& model, Solver& solver, model::Registry& regi
   if (!solver.driven.empty())  // a diagnostic, not a state of the bodies
     registry.arrays.push_back({"driven_through", model::StateArray::Entity::global, -1, 1,
                                static_cast<int>(solver.driven.size()), solver.driven.data(), 1, 1, 1, 0, true, false});
+  if (watches_stability(solver.settings))  // a diagnostic as well
+    registry.arrays.push_back({"stability", model::StateArray::Entity::global, -1, 1, 2, &solver.stability.directions,
+                               1, 2, 1, 0, true, false, false});
   registry.arrays.push_back({"step_length", model::StateArray::Entity::global, -1, 1, step_length_values,
                              &memory.length.level, 1, step_length_values, 1, 0, true, true});
   // lengths are multiples of these, which follow from run.end where the scene names none: those of the first run hold

@@ -15,6 +15,7 @@
 #include "brunt/implicit/balance.hpp"
 #include "brunt/implicit/commit.hpp"
 #include "brunt/implicit/measure.hpp"
+#include "largest_node.hpp"
 
 namespace brunt::implicit {
 namespace {
@@ -23,32 +24,12 @@ namespace {
 /// pressures.
 constexpr double of_taken = 0.5;
 
-/// The node with the largest residual, for messages.
-struct Unbalanced {
-  double force = 0;      ///< [force]; the same on all ranks
-  GlobalIndex gid = -1;  ///< canonical number of the node
-};
-
-/// The node with the largest residual of these unknowns; of equal ones that with the lowest number. Collective.
-Unbalanced largest_of(const Scene& scene, const Solver& solver, std::span<const double> values) {
-  Unbalanced most;
-  for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k) {
-    const double size = Vec3(&values[3 * k]).norm();
-    if (size > most.force || std::isnan(size))
-      most = {size, scene.model.mesh.node_gid[static_cast<std::size_t>(solver.unknowns.node[k])]};
-  }
-  const double largest = scene.links.ranks.max(most.force);
-  const GlobalIndex mine = most.force == largest && most.gid >= 0 ? -most.gid : -scene.model.mesh.global_nodes;
-  const GlobalIndex gid = -scene.links.ranks.max(mine);
-  return {largest, gid < scene.model.mesh.global_nodes ? gid : -1};
-}
-
 /// Newton's iteration of one step and its final state.
 struct Attempt {
   comm::NewtonResult newton;
   comm::Factorised factors;
   int formed = 0;  ///< factorisations
-  Unbalanced worst;
+  LargestNode worst;             ///< with the largest unbalanced force
   std::vector<double> floating;  ///< a null direction of the matrix, if it was singular
 };
 
@@ -125,7 +106,7 @@ Attempt iterate(const Scene& scene, Solver& solver) {
         chosen_by_balance(scene.links.ranks, solver.walls))
       return comm::NewtonVerdict::converged;
     if (iteration < most_iterations && std::isfinite(now.left)) return comm::NewtonVerdict::go_on;
-    attempt.worst = largest_of(scene, solver, residual);
+    attempt.worst = largest_node(scene, solver, residual);
     return comm::NewtonVerdict::give_up;
   };
   problem.solve = [&](std::span<const double>, std::span<const double> residual, std::span<double> correction) {
@@ -177,7 +158,7 @@ void refuse_hopeless(const Scene& scene, const Solver& solver, const Attempt& at
   if (status != FactorStatus::singular || solver.settings.scheme != model::Scheme::statics) return;
   if (attempt.newton.iterations > 0 || scene.links.ranks.max(static_cast<GlobalIndex>(attempt.floating.size())) == 0)
     return;
-  const Unbalanced most = largest_of(scene, solver, attempt.floating);
+  const LargestNode most = largest_node(scene, solver, attempt.floating);
   throw GuardError(
       fmt::format("{} can move freely at t = {:g}, step {}: missing supports ({} motion{} without resistance). A "
                   "static state needs supports, symmetry or ties against each rigid-body motion",
@@ -196,12 +177,13 @@ void refuse_hopeless(const Scene& scene, const Solver& solver, const Attempt& at
 [[noreturn]] void stop(const Scene& scene, const Solver& solver, const Attempt& attempt,
                        const std::function<std::string(GlobalIndex)>& place) {
   throw GuardError(fmt::format(
-      "Newton's method fails at t = {:g}, step {}, with the smallest step {:g} (solver.min_step {:g}): {}{}",
+      "Newton's method fails at t = {:g}, step {}, with the smallest step {:g} (solver.min_step {:g}): {}{}{}",
       scene.state.time, static_cast<GlobalIndex>(scene.state.step), solver.trial.rule.dt, solver.settings.min_step,
       cause_of(attempt, solver.trial),
       attempt.worst.gid >= 0 ? fmt::format("; the largest unbalanced force is at {}, {:.3g} [force]",
-                                           place(attempt.worst.gid), attempt.worst.force)
-                             : ""));
+                                           place(attempt.worst.gid), attempt.worst.size)
+                             : "",
+      solver.stability.directions > 0 ? "; the last state that was examined is unstable" : ""));
 }
 
 /// Contact may return at most the energy that it has taken, so the energy of the bodies never exceeds the initial one.
@@ -246,6 +228,7 @@ void advance(const Scene& scene, Solver& solver, const std::function<std::string
     }
     const std::string objected = converged && objection ? objection() : std::string();
     if (converged && objected.empty()) {
+      watch_stability(scene, solver);
       commit_step(scene, solver);
       count_step(solver.settings, attempt.formed, length);  // as many as iterations, unless factors are kept
       ++solver.work.steps;

@@ -44,17 +44,22 @@ class ContactRows {
   std::size_t at_ = 0;
 };
 
+/// Factor of a node's rows at walls: without the directions in which friction follows their pressure if it is given.
+const Mat3& rows_of(const WallAction& action, FrictionLimit limit) {
+  return limit == FrictionLimit::follows ? action.rows : action.free;
+}
+
 /// The directions constrained by walls are removed from contact's rows as well.
-void take_walls_out(const WallContact& walls, ContactNodes& nodes) {
+void take_walls_out(const WallContact& walls, FrictionLimit limit, ContactNodes& nodes) {
   for (std::size_t k = 0; k < nodes.own.size(); ++k) {
     if (nodes.own[k] == no_index) continue;
     const WallAction* action = action_of(walls, static_cast<std::size_t>(nodes.own[k]));
-    nodes.rows[k] = action == nullptr ? nodes.free[k] : Mat3(action->rows * nodes.free[k]);
+    nodes.rows[k] = action == nullptr ? nodes.free[k] : Mat3(rows_of(*action, limit) * nodes.free[k]);
   }
 }
 
 /// Three rows of one node from its blocks, of bodies and inertia, without the directions of supports and walls.
-std::vector<Mat3> blocks_of(const Scene& scene, const Solver& solver, std::size_t r) {
+std::vector<Mat3> blocks_of(const Scene& scene, const Solver& solver, FrictionLimit limit, std::size_t r) {
   const NodeRows& nodes = solver.stiffness.rows();
   const Rule& rule = solver.trial.rule;
   const auto i = static_cast<std::size_t>(solver.unknowns.node[r]);
@@ -64,7 +69,7 @@ std::vector<Mat3> blocks_of(const Scene& scene, const Solver& solver, std::size_
     put_in = solver.support_stiffness * (Mat3::Identity() - taken);
   }
   if (const WallAction* walls = action_of(solver.walls, r)) {
-    taken = walls->rows * taken;
+    taken = rows_of(*walls, limit) * taken;
     put_in += walls->own;
   }
   const bool whole = taken == Mat3::Identity();
@@ -82,7 +87,7 @@ std::vector<Mat3> blocks_of(const Scene& scene, const Solver& solver, std::size_
 }
 
 /// The whole system: nodes, contact, rigid bodies.
-void lay_system(const Scene& scene, Solver& solver, const std::vector<ContactTerm>& terms) {
+void lay_system(const Scene& scene, Solver& solver, FrictionLimit limit, const std::vector<ContactTerm>& terms) {
   const NodeRows& nodes = solver.stiffness.rows();
   std::vector<GlobalIndex> all = solver.unknowns.row;
   all.insert(all.end(), solver.contact.own_rows.begin(), solver.contact.own_rows.end());
@@ -95,7 +100,7 @@ void lay_system(const Scene& scene, Solver& solver, const std::vector<ContactTer
   double value = 0;
   for (std::size_t r = 0; r < solver.unknowns.node.size(); ++r) {
     const bool carried = solver.bodies.carries(r);
-    const std::vector<Mat3> blocks = carried ? std::vector<Mat3>() : blocks_of(scene, solver, r);
+    const std::vector<Mat3> blocks = carried ? std::vector<Mat3>() : blocks_of(scene, solver, limit, r);
     for (int i = 0; i < 3; ++i) {
       const GlobalIndex row = solver.unknowns.row[3 * r + static_cast<std::size_t>(i)];
       for (std::size_t k = 0; k < blocks.size(); ++k)
@@ -117,21 +122,23 @@ void lay_system(const Scene& scene, Solver& solver, const std::vector<ContactTer
 
 }  // namespace
 
-comm::Factorised factorise_tangent(const Scene& scene, Solver& solver) {
+void assemble_tangent(const Scene& scene, Solver& solver, FrictionLimit limit) {
   std::vector<ContactTerm> terms;
   {
     const Measure timed(solver.work.contact_seconds);
-    if (solver.walls.any()) take_walls_out(solver.walls, solver.contact.nodes);
-    contact_terms(scene.links.ranks, solver.contact, terms);
+    if (solver.walls.any()) take_walls_out(solver.walls, limit, solver.contact.nodes);
+    contact_terms(scene.links.ranks, solver.contact, limit, terms);
   }
-  {
-    const Measure timed(solver.work.tangent_seconds);
-    const force::Motion motion{scene.state.nodes, solver.trial.rule.dt, false};
-    solver.stiffness.assemble(scene.model, scene.state, motion, scene.state.history);
-    if (solver.bodies.any()) body_terms(scene, solver, terms);
-    lay_system(scene, solver, terms);
-    remember_choice(solver.walls);
-  }
+  const Measure timed(solver.work.tangent_seconds);
+  const force::Motion motion{scene.state.nodes, solver.trial.rule.dt, false};
+  solver.stiffness.assemble(scene.model, scene.state, motion, scene.state.history);
+  if (solver.bodies.any()) body_terms(scene, solver, limit, terms);
+  lay_system(scene, solver, limit, terms);
+}
+
+comm::Factorised factorise_tangent(const Scene& scene, Solver& solver) {
+  assemble_tangent(scene, solver, FrictionLimit::follows);
+  remember_choice(solver.walls);
   const Measure timed(solver.work.factorise_seconds);
   return solver.system.factorise(solver.rows);
 }

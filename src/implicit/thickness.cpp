@@ -9,6 +9,18 @@
 #include "brunt/contact/search/facet_tree.hpp"
 
 namespace brunt::implicit {
+namespace {
+
+double mean_edge(const contact::FacetNodes& facet, std::span<const Vec3> x) {
+  const std::size_t n = facet[3] == no_index ? 3 : 4;
+  double sum = 0;
+  for (std::size_t k = 0; k < n; ++k)
+    sum += (x[static_cast<std::size_t>(facet[k])] - x[static_cast<std::size_t>(facet[(k + 1) % n])]).norm();
+  return sum / static_cast<double>(n);
+}
+
+}  // namespace
+
 std::vector<double> thickness_behind(const std::vector<contact::FacetNodes>& facets, std::span<const Vec3> x,
                                      double reach) {
   std::vector<double> wall(facets.size(), std::numeric_limits<double>::infinity());
@@ -29,6 +41,37 @@ std::vector<double> thickness_behind(const std::vector<contact::FacetNodes>& fac
     wall[one] = std::min(wall[one], -integrals.distance);
   }
   return wall;
+}
+
+SeatEdges edges_at_seat(const contact::MortarSurfaces& surfaces, std::span<const Vec3> x, double touching) {
+  SeatEdges seat;
+  if (surfaces.slave.empty() || surfaces.master.empty()) return seat;
+  contact::KdopTree one, other;
+  contact::build(one, surfaces.slave, x);
+  contact::build(other, surfaces.master, x);
+  contact::refit(one, x, contact::by_distance(0.5 * surfaces.capture));
+  contact::refit(other, x, contact::by_distance(0.5 * surfaces.capture));
+  contact::TraversalScratch scratch;
+  std::vector<contact::FacetPair> pairs;
+  contact::find_pairs(one, other, scratch, pairs);
+  contact::SlavePlane plane;
+  contact::SegmentIntegrals segment;
+  for (const contact::FacetPair& pair : pairs) {
+    const auto s = static_cast<std::size_t>(pair.slave), m = static_cast<std::size_t>(pair.master);
+    const contact::FacetNodes &from = surfaces.slave[s], &to = surfaces.master[m];
+    if (!contact::make_slave_plane(contact::CornersOf(from, x).span(), plane) ||
+        !contact::integrate_segment(plane, contact::CornersOf(to, x).span(), surfaces.capture, segment))
+      continue;
+    if (segment.distance > touching || segment.distance < -surfaces.deepest(s, m)) continue;
+    seat.area += segment.area;
+    seat.slave += segment.area * mean_edge(from, x);
+    seat.master += segment.area * mean_edge(to, x);
+  }
+  if (seat.area > 0) {
+    seat.slave /= seat.area;
+    seat.master /= seat.area;
+  }
+  return seat;
 }
 
 }  // namespace brunt::implicit

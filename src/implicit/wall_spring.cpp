@@ -32,8 +32,9 @@ void add_friction(const WallQuestion& question, const Friction& friction, WallAc
   if (action.choice.slides) {
     const Vec3 direction = trial / size;
     action.friction = friction.most * direction;
-    slope = friction.most * stiffness / size * (friction.along - direction * direction.transpose()) -
-            direction * friction.slope.transpose();
+    action.by_pressure = -direction * friction.slope.transpose();
+    slope =
+        friction.most * stiffness / size * (friction.along - direction * direction.transpose()) + action.by_pressure;
   }
   action.left -= action.friction;
   action.own += slope;

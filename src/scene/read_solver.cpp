@@ -18,7 +18,7 @@ constexpr double default_steps = 100;    // of a run whose scene names no step
 constexpr double default_halvings = 10;  // from `step` to `min_step`
 constexpr Range to_a_third{0, 1.0 / 3.0, true, true, "a number from 0 to 1/3"};
 constexpr std::string_view expected =
-    "implicit, explicit, or a map {scheme, step, min_step, max_step, tolerance, linear, alpha}";
+    "implicit, explicit, or a map {scheme, step, min_step, max_step, tolerance, linear, alpha, stability}";
 
 /// The bounds of the step must enclose it.
 void check_bounds(Section& section, const ImplicitSolver& solver) {
@@ -50,6 +50,9 @@ void read_map(Section& section, ImplicitSolver& solver) {
   section.optional("linear", solver.linear, linears);
   if (section.optional("alpha", solver.alpha, to_a_third) && solver.scheme != Scheme::hht)
     fault(section.at("alpha"), "invalid without scheme: hht; expected no alpha, or scheme: hht");
+  static const Choices<bool> watched{{{"warn", true}, {"ignore", false}}, {}};
+  if (section.optional("stability", solver.stability, watched) && solver.scheme != Scheme::statics)
+    fault(section.at("stability"), "invalid without scheme: static; expected no stability, or scheme: static");
   section.optional("min_step", solver.min_step, positive);
   section.optional("max_step", solver.max_step, positive);
 }

@@ -55,7 +55,7 @@ PLACES = {
     "output": {"fields": [(INPUT, "Output", "fields")]},
     "guards": {key: [(GUARDS, "Guards", key)] for key in (
         "energy_warning", "energy_stop", "kinetic", "depth_warning", "depth_stop", "depth_step", "parted", "hourglass", "angular_momentum")},
-    "solver": {**{key: [(SOLVER, "ImplicitSolver", key)] for key in ("scheme", "tolerance", "linear", "alpha")},
+    "solver": {**{key: [(SOLVER, "ImplicitSolver", key)] for key in ("scheme", "tolerance", "linear", "alpha", "stability")},
                "step": [(READ_SOLVER, None, "default_steps")], "min_step": [(READ_SOLVER, None, "default_halvings")]},
 }
 # Rows whose value is a sentence of the code, not a constant: what is absent, or taken of another key.
@@ -82,6 +82,8 @@ def in_scene(value, key):
     value = value.split("::")[-1] if "()" not in value else value
     if key == "nodes":
         return {"true": "keep", "false": "drop"}[value]
+    if key == "stability":
+        return {"true": "warn", "false": "ignore"}[value]
     if key == "min_step":
         return repr(2.0 ** float(value))  # a number of halvings
     value = re.sub('"', "", WORDS.get(value, value))

@@ -15,7 +15,11 @@ bool find_forces(const Scene& scene, Solver& solver, std::span<const double> u);
 /// support_stiffness times the missing part of the prescribed displacement; sets Trial::balance. Collective.
 void balance(const Scene& scene, Solver& solver, std::span<double> residual);
 
-/// Derivative of the residual with respect to u at the iterate, factorised. Collective.
+/// Derivative of the residual with respect to u at the iterate: Solver::rows. With FrictionLimit::given the symmetric
+/// part decides about stability; the terms of supports of rigid bodies are then left out. Collective.
+void assemble_tangent(const Scene& scene, Solver& solver, FrictionLimit limit);
+
+/// The same with FrictionLimit::follows, factorised. Collective.
 comm::Factorised factorise_tangent(const Scene& scene, Solver& solver);
 
 /// Prescribed values of supports and drives for the next step: Trial::given, given_velocity.

@@ -51,6 +51,10 @@ struct OwnMasters {
   std::vector<double> wall;                ///< as MortarSurfaces::master_wall
 };
 
+/// Share of a row's area at which its equation is half that of a pressed row: `Interface::fades`. Its pressure is then
+/// of the order of those beside it; the edge that covers it has advanced by a hundredth of a facet.
+constexpr double sliver = 1e-4;
+
 /// Search and pairs of one interface.
 struct PairSearch {
   contact::KdopTree slave, master;
@@ -113,6 +117,17 @@ struct Interface {
   [[nodiscard]] double above(std::size_t row) const {
     return rows.gaps[row] - (least_gaps.empty() ? 0.0 : least_gaps[row]);
   }
+  /// Share of the equation z = 0 in that of a pressed row, from 0 to 1: 1 - 1e-12 at 1e-6 of its area, 1e-12 at 1e-2. A
+  /// row that begins to be covered would otherwise need any pressure, however high, to close the gap of its sliver.
+  [[nodiscard]] double fades(std::size_t row) const {
+    const double covered = topology.kappa[row] * rows.covered[row] / sliver, square = covered * covered;
+    return 1 / (1 + square * square * square);
+  }
+  /// Its derivative by the covered area [1/length^2].
+  [[nodiscard]] double fades_by_covered(std::size_t row) const {
+    const double share = fades(row);
+    return share < 1 ? -6 * share * (1 - share) / rows.covered[row] : 0.0;
+  }
   /// Whether gaps of t_n are kept: for exact multipliers with a scheme whose contact force acts at the end of the step.
   [[nodiscard]] bool keeps(const struct MortarContact& contact) const;
   [[nodiscard]] std::size_t count() const { return surfaces.rows.size(); }  ///< rows of this rank
@@ -132,15 +147,16 @@ struct ContactCounts {
 struct MortarContact {
   ContactNodes nodes;
   std::vector<Interface> interfaces;
-  bool keeps_gaps = false;           ///< rows with a negative gap at t_n keep it, apart from the recovered part
-  bool mean_levers = false;          ///< ties over a gap act through the mean positions of the step
-  double budget = 0;                 ///< largest energy supplied by recovery in this step, by its estimate [energy]
-  double recovery = 0;               ///< share of `recovered` in this step, 0 to 1
-  double travel = 0;                 ///< largest displacement of nodes until the next exchange of masters [length]
-  bool shares_nodes = false;         ///< on some rank there are ContactNodes::several
-  bool may_imply = false;            ///< rows may be redundant even without walls: shared nodes, slaves at supports
-  std::vector<std::string> notes{};  ///< of the set-up: omitted multipliers and the reasons
-  std::vector<double> z_before{};    ///< multipliers of all interfaces at t_n, the same on every rank: saved
+  bool keeps_gaps = false;              ///< rows with a negative gap at t_n keep it, apart from the recovered part
+  bool mean_levers = false;             ///< ties over a gap act through the mean positions of the step
+  double budget = 0;                    ///< largest energy supplied by recovery in this step, by its estimate [energy]
+  double recovery = 0;                  ///< share of `recovered` in this step, 0 to 1
+  double travel = 0;                    ///< largest displacement of nodes until the next exchange of masters [length]
+  bool shares_nodes = false;            ///< on some rank there are ContactNodes::several
+  bool may_imply = false;               ///< rows may be redundant even without walls: shared nodes, slaves at supports
+  std::vector<std::string> notes{};     ///< of the set-up: omitted multipliers and the reasons
+  std::vector<std::string> warnings{};  ///< of the set-up
+  std::vector<double> z_before{};       ///< multipliers of all interfaces at t_n, the same on every rank: saved
   std::vector<double> traction_before{};  ///< tangential tractions at t_n of all rows with friction, three each: saved
   std::vector<double> impulses{};         ///< of interfaces on their slaves since t = 0, an InterfaceForce each: saved
   std::vector<double> forces_before{};    ///< likewise the forces at t_n: saved
@@ -207,10 +223,17 @@ struct ContactTerm {
   return a.row < b.row || (a.row == b.row && a.column < b.column);
 }
 
+/// What the matrix takes as the limit of friction of sliding rows and nodes.
+enum class FrictionLimit : std::int8_t {
+  follows,  ///< it follows the pressure: Newton's matrix
+  given     ///< it is a given force, as dead loads are
+};
+
 /// Derivatives of the residual with respect to positions and multipliers, for rows of this rank: by row and column,
 /// those of one entry in an order that does not depend on the ranks. To be called after find_contact at the same
 /// positions. Collective.
-void contact_terms(const comm::Communicator& ranks, MortarContact& contact, std::vector<ContactTerm>& terms);
+void contact_terms(const comm::Communicator& ranks, MortarContact& contact, FrictionLimit limit,
+                   std::vector<ContactTerm>& terms);
 
 /// Accepts the step: multipliers, histories of friction. Collective.
 void keep_contact(MortarContact& contact);

@@ -99,8 +99,9 @@ void balance_bodies(const Scene& scene, Solver& solver, std::span<double> residu
                     std::span<comm::ExactAccumulator, 3> sums);
 
 /// The matrix's rows of bodies and of their nodes: moves the terms of contact in rows of bodies' nodes out of `terms`,
-/// and adds the rows of this rank, sorted by row and column. After Stiffness::assemble. Collective.
-void body_terms(const Scene& scene, Solver& solver, std::vector<ContactTerm>& terms);
+/// and adds the rows of this rank, sorted by row and column. With FrictionLimit::given, supports of bodies are left
+/// out. After Stiffness::assemble. Collective.
+void body_terms(const Scene& scene, Solver& solver, FrictionLimit limit, std::vector<ContactTerm>& terms);
 
 /// Resets the sums of impulses.
 void begin_impulses(RigidBodies& bodies);

@@ -11,6 +11,7 @@
 #include "brunt/implicit/rigid_bodies.hpp"
 #include "brunt/implicit/rigid_walls.hpp"
 #include "brunt/implicit/scheme.hpp"
+#include "brunt/implicit/stability.hpp"
 #include "brunt/implicit/step_length.hpp"
 #include "brunt/implicit/stiffness.hpp"
 #include "brunt/implicit/unknowns.hpp"
@@ -76,6 +77,7 @@ struct Work {
   GlobalIndex contact_steps = 0;  ///< steps with contact, a tie or a wall active at their end
   double contact_seconds = 0;     ///< pairs, segments, rows, their derivatives
   double factorise_seconds = 0, tangent_seconds = 0, force_seconds = 0, solve_seconds = 0;
+  double stability_seconds = 0;
   double factor_bytes = 0, factor_flops = 0;  ///< largest of one factorisation
   NewtonTable newton{};
 };
@@ -100,6 +102,7 @@ struct Solver {
   Trial trial;
   Work work;
   RigidBodies bodies{};
+  Stability stability{};
 };
 
 /// The four arguments common to all functions of a step.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Thickness of a body behind the facets of its surface.
+// Surfaces of pairs at the start: the thickness of a body behind its facets, and edges where two surfaces meet.
 #pragma once
 #include <span>
 #include <vector>
@@ -12,5 +12,14 @@ namespace brunt::implicit {
 /// opposite normal [length]; infinite if there is none within `reach`. x: positions of all nodes.
 std::vector<double> thickness_behind(const std::vector<contact::FacetNodes>& facets, std::span<const Vec3> x,
                                      double reach);
+
+/// Mean edges of both sides where they touch or overlap, weighted by the area that does. Surfaces farther apart are no
+/// seat: nobody knows yet where they will meet.
+struct SeatEdges {
+  double area = 0;               ///< [length^2]
+  double slave = 0, master = 0;  ///< [length]
+};
+/// touching: greatest gap of facets that touch [length].
+SeatEdges edges_at_seat(const contact::MortarSurfaces& surfaces, std::span<const Vec3> x, double touching);
 
 }  // namespace brunt::implicit

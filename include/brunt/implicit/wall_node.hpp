@@ -30,6 +30,7 @@ struct WallAction {
   Mat3 rows = Mat3::Identity();                   ///< factor of the node's rows of the matrix
   Mat3 free = Mat3::Identity();                   ///< projector onto directions free of supports and walls
   Mat3 own = Mat3::Zero();                        ///< added to its diagonal block [force/length]
+  Mat3 by_pressure = Mat3::Zero();                ///< of springs: the part of `own` by which friction follows pressure
   Vec3 left = Vec3::Zero();                       ///< residual of the node's equations [force]
   double pressure[WallChoice::most] = {0, 0, 0};  ///< of each wall along its normal [force]
   Vec3 friction = Vec3::Zero();                   ///< of all walls on the node [force]

@@ -24,7 +24,8 @@ struct ImplicitSolver {
   double max_step = 0;       ///< [time]
   double tolerance = 1e-10;  ///< of the unbalanced forces, relative to the acting ones
   LinearSolver linear = LinearSolver::direct;
-  double alpha = 0.05;  ///< of hht, 0 (trapezoidal rule) to 1/3 (most damping)
+  bool stability = true;  ///< of static states: tell where they lose it and regain it
+  double alpha = 0.05;    ///< of hht, 0 (trapezoidal rule) to 1/3 (most damping)
 };
 constexpr int step_bounds = 3;  ///< step, min_step, max_step: saved with the state
 

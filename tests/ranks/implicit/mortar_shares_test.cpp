@@ -136,7 +136,7 @@ struct Contact {
     gather_contact(ranks, state, z, contact);
     find_contact(ranks, contact, iterate);
     tally(ranks, contact);
-    contact_terms(ranks, contact, terms);
+    contact_terms(ranks, contact, implicit::FrictionLimit::follows, terms);
   }
   [[nodiscard]] const Interface& face() const { return contact.interfaces.front(); }
 };

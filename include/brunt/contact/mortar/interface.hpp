@@ -41,8 +41,8 @@ struct MortarSurfaces {
   [[nodiscard]] bool is_ours(std::size_t slave_facet) const { return ours.empty() || ours[slave_facet] != 0; }
   /// Largest admissible penetration of the facets of a pair [length]: a deeper facet is on the far side of a wall.
   [[nodiscard]] double deepest(std::size_t slave_facet, std::size_t master_facet) const {
-    constexpr double of_wall = 0.8;  // below 1: a loaded wall is thinner than in the reference configuration
-    double wall = capture;
+    constexpr double of_wall = 0.8;   // below 1: a loaded wall is thinner than in the reference configuration
+    double wall = of_wall * capture;  // thicker walls are not seen
     if (!slave_wall.empty()) wall = std::min(wall, of_wall * slave_wall[slave_facet]);
     if (!master_wall.empty()) wall = std::min(wall, of_wall * master_wall[master_facet]);
     return wall;
