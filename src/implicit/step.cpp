@@ -28,7 +28,7 @@ constexpr double of_taken = 0.5;
 struct Attempt {
   comm::NewtonResult newton;
   comm::Factorised factors;
-  int formed = 0;  ///< factorisations
+  int formed = 0;                ///< factorisations
   LargestNode worst;             ///< with the largest unbalanced force
   std::vector<double> floating;  ///< a null direction of the matrix, if it was singular
 };
