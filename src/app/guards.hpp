@@ -41,7 +41,8 @@ struct Extremes {
   double worst[guarded_columns] = {};       ///< of runs that are judged at their end: largest of each fault [energy]
   double worst_time[guarded_columns] = {};  ///< when it was
 };
-constexpr int extremes_width = sizeof(Extremes) / sizeof(double);
+constexpr int worst_width = 2 * guarded_columns;  ///< its last members
+constexpr int extremes_width = sizeof(Extremes) / sizeof(double) - worst_width;
 
 /// Largest change of the total divided by the largest energy, both over the run so far. A ratio of each single step
 /// would divide rounding errors by zero energy in the first steps of a run from rest.

@@ -131,6 +131,8 @@ model::Registry Prepared::registry() {
   }
   registry.arrays.push_back({"extremes", model::StateArray::Entity::global, -1, 1, extremes_width,
                              reinterpret_cast<double*>(&extremes), 1, 1, 1, 0, true, false});
+  registry.arrays.push_back({"worst_energies", model::StateArray::Entity::global, -1, 1, worst_width, extremes.worst, 1,
+                             1, 1, 0, true, false, false});  // checkpoints of versions before lack it
   // these make columns go on smoothly; they say nothing of the bodies
   for (auto [name, memory] : {std::pair{"force_memory", &force_memory}, std::pair{"contact_memory", &contact_memory}})
     if (!memory->empty())
