@@ -117,8 +117,7 @@ std::string text_of(const Finding& finding, double time, const char* of) {
   if (finding.fault == Fault::returned)
     return fmt::format(
         "contact has given back {:.3g} of the energy that it had dissipated, by t = {:g}, {:.2g} % of {}, but must "
-        "only "
-        "take energy",
+        "only take energy",
         -finding.energy, time, 100 * finding.share, of);
   constexpr std::array names{"",
                              "hourglass energy",

@@ -12,10 +12,6 @@ namespace {
 
 constexpr auto width = static_cast<std::size_t>(interface_force_width);
 
-}  // namespace
-
-namespace {
-
 /// For each node up to the last one of the slave: whether it is one of them; empty unless forces are consistent.
 std::vector<bool> nodes_of_slave(const Interface& face) {
   std::vector<bool> of_slave;

@@ -155,7 +155,7 @@ void find_slopes(MortarContact& contact, Interface& face, FrictionLimit limit, c
   if (face.friction.coefficient > 0)
     contact::friction_traction_slopes(
         face.rows, face.slopes, contact.nodes.x, face.z, face.friction, face.history, tractions,
-        face.at_start ? std::span<const std::uint8_t>(face.active) : std::span<const std::uint8_t>(), face.at_start);
+        face.at_start ? std::span<const std::uint8_t>(face.active) : std::span<const std::uint8_t>());
   else
     contact::normal_traction_slopes(face.rows, face.slopes, face.z, tractions);
   if (limit == FrictionLimit::given) tractions.by_pressure = face.rows.normals;

@@ -7,7 +7,7 @@
 
 #include "brunt/contact/mortar/corners.hpp"
 #include "brunt/contact/mortar/segment.hpp"
-#include "brunt/contact/search/facet_tree.hpp"
+#include "near_facets.hpp"
 
 namespace brunt::implicit {
 namespace {
@@ -75,20 +75,12 @@ double deepest_corner(contact::FacetCorners corners, const contact::SlavePlane& 
 }  // namespace
 
 RoundSeat round_seat(const contact::MortarSurfaces& surfaces, std::span<const Vec3> x, double reach) {
-  contact::KdopTree one, other;
-  contact::build(one, surfaces.slave, x);
-  contact::build(other, surfaces.master, x);
-  contact::refit(one, x, contact::by_distance(0.5 * reach));
-  contact::refit(other, x, contact::by_distance(0.5 * reach));
-  contact::TraversalScratch scratch;
-  std::vector<contact::FacetPair> pairs;
-  contact::find_pairs(one, other, scratch, pairs);
   RoundSeat seat;
   double area = 0, bulge_of_slave = 0, bulge_of_master = 0;
   const std::vector<double> of_slave = bulges(surfaces.slave, x), of_master = bulges(surfaces.master, x);
   contact::SlavePlane plane, of_master_facet;
   contact::SegmentIntegrals segment;
-  for (const contact::FacetPair& pair : pairs) {
+  for (const contact::FacetPair& pair : near_facets(surfaces.slave, surfaces.master, x, reach)) {
     const auto s = static_cast<std::size_t>(pair.slave), m = static_cast<std::size_t>(pair.master);
     const contact::CornersOf slave(surfaces.slave[s], x), master(surfaces.master[m], x);
     if (!contact::make_slave_plane(slave.span(), plane) || !contact::make_slave_plane(master.span(), of_master_facet) ||

@@ -6,7 +6,7 @@
 
 #include "brunt/contact/mortar/corners.hpp"
 #include "brunt/contact/mortar/segment.hpp"
-#include "brunt/contact/search/facet_tree.hpp"
+#include "near_facets.hpp"
 
 namespace brunt::implicit {
 namespace {
@@ -24,16 +24,9 @@ double mean_edge(const contact::FacetNodes& facet, std::span<const Vec3> x) {
 std::vector<double> thickness_behind(const std::vector<contact::FacetNodes>& facets, std::span<const Vec3> x,
                                      double reach) {
   std::vector<double> wall(facets.size(), std::numeric_limits<double>::infinity());
-  if (facets.empty()) return wall;
-  contact::KdopTree tree;
-  contact::build(tree, facets, x);
-  contact::refit(tree, x, contact::by_distance(0.5 * reach));
-  contact::TraversalScratch scratch;
-  std::vector<contact::FacetPair> pairs;
-  contact::find_pairs(tree, tree, scratch, pairs);
   contact::SlavePlane plane;
   contact::SegmentIntegrals integrals;
-  for (const contact::FacetPair& pair : pairs) {
+  for (const contact::FacetPair& pair : near_facets(facets, facets, x, reach)) {
     const auto one = static_cast<std::size_t>(pair.slave), other = static_cast<std::size_t>(pair.master);
     if (!contact::make_slave_plane(contact::CornersOf(facets[one], x).span(), plane)) continue;
     const contact::CornersOf behind(facets[other], x);
@@ -45,18 +38,9 @@ std::vector<double> thickness_behind(const std::vector<contact::FacetNodes>& fac
 
 SeatEdges edges_at_seat(const contact::MortarSurfaces& surfaces, std::span<const Vec3> x, double touching) {
   SeatEdges seat;
-  if (surfaces.slave.empty() || surfaces.master.empty()) return seat;
-  contact::KdopTree one, other;
-  contact::build(one, surfaces.slave, x);
-  contact::build(other, surfaces.master, x);
-  contact::refit(one, x, contact::by_distance(0.5 * surfaces.capture));
-  contact::refit(other, x, contact::by_distance(0.5 * surfaces.capture));
-  contact::TraversalScratch scratch;
-  std::vector<contact::FacetPair> pairs;
-  contact::find_pairs(one, other, scratch, pairs);
   contact::SlavePlane plane;
   contact::SegmentIntegrals segment;
-  for (const contact::FacetPair& pair : pairs) {
+  for (const contact::FacetPair& pair : near_facets(surfaces.slave, surfaces.master, x, surfaces.capture)) {
     const auto s = static_cast<std::size_t>(pair.slave), m = static_cast<std::size_t>(pair.master);
     const contact::FacetNodes &from = surfaces.slave[s], &to = surfaces.master[m];
     if (!contact::make_slave_plane(contact::CornersOf(from, x).span(), plane) ||

@@ -2,14 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Mesh files with seeded damage: refused, or the counts and the mass are those that an independent reader finds. --variants N: files of
 each format. Needs BRUNT and BRUNT_RUN (scripts/run) in the environment."""
-import argparse
 import random
 import struct
-import sys
 import unittest
 
 from files_test import Files, tiny_meshes
 from plain_files import FORMS, SCENE, bar, msh2, msh4
+from run_test import variants_asked
 
 VARIANTS = 10
 
@@ -247,8 +246,5 @@ class Damage(Files):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--variants", type=int, default=VARIANTS)
-    given, others = parser.parse_known_args()
-    VARIANTS = given.variants
-    unittest.main(argv=[sys.argv[0], *others])
+    VARIANTS = variants_asked(VARIANTS)
+    unittest.main()

@@ -2,13 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Mortar contact where Newton's method stalled: blocks that slide with friction over facets, which their edges begin to cover; press fits of
 rings against Lame's pressure, with either slave and any numbers of facets. --count N: variants of each. Needs BRUNT and BRUNT_RUN."""
-import argparse
 import math
 import random
 import re
-import sys
 import unittest
 
+from run_test import number_asked
 from scene_program import SceneProgram
 
 COUNT, SEED = 3, 1
@@ -160,9 +159,5 @@ class Seats(SceneProgram):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(add_help=False)
-    parser.add_argument("--count", type=int, default=COUNT)
-    parser.add_argument("--seed", type=int, default=SEED)
-    known, rest = parser.parse_known_args()
-    COUNT, SEED = known.count, known.seed
-    unittest.main(argv=[sys.argv[0], *rest])
+    COUNT, SEED = number_asked("--count", COUNT), number_asked("--seed", SEED)
+    unittest.main()

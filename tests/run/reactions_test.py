@@ -3,14 +3,12 @@
 """Moments of the supports of turning rigid bodies, against the angular momentum of motions that are known: seeded bodies of any orientation
 and inertia, with axes held, driven and free, in explicit and implicit steps. --variants N: bodies of each kind. Needs BRUNT and BRUNT_RUN
 (scripts/run) in the environment."""
-import argparse
 import csv
-import sys
 import unittest
 
 import numpy
 
-from run_test import Program
+from run_test import Program, variants_asked
 
 VARIANTS = 10
 END = 0.2
@@ -247,8 +245,5 @@ history: {every: 1.0e-3}
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--variants", type=int, default=VARIANTS)
-    given, others = parser.parse_known_args()
-    VARIANTS = given.variants
-    unittest.main(argv=[sys.argv[0], *others])
+    VARIANTS = variants_asked(VARIANTS)
+    unittest.main()

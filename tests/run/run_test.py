@@ -18,14 +18,19 @@ BRUNT, RUN = os.environ["BRUNT"], os.environ["BRUNT_RUN"]
 PATIENCE = 60  # [s] until a run has done what was asked of it
 
 
-def variants_asked(default):
-    """Of a test with random scenes, how many: `--variants N` at the end of the command, or the default."""
-    if "--variants" not in sys.argv:
+def number_asked(option, default):
+    """`--option N` of the command, which is taken out of it, or the default."""
+    if option not in sys.argv:
         return default
-    at = sys.argv.index("--variants")
+    at = sys.argv.index(option)
     _, number = sys.argv[at:at + 2]
     del sys.argv[at:at + 2]
     return int(number)
+
+
+def variants_asked(default):
+    """Of a test with random scenes, how many."""
+    return number_asked("--variants", default)
 
 
 class Program(unittest.TestCase):

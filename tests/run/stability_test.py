@@ -2,13 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where static states lose their stability and regain it: columns against Euler's load and against their own growth under a lateral force,
 parts that ties, contact, walls and rigid bodies hold, and states that are stable. Needs BRUNT and BRUNT_RUN (scripts/run)."""
-import argparse
 import math
 import random
 import re
-import sys
 import unittest
 
+from run_test import number_asked
 from scene_program import SceneProgram
 
 LOST = re.compile(r"loses its stability between t = (\S+) and t = ([^\s:]+): (\w+) ")
@@ -181,9 +180,5 @@ run: {end: 1}
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(add_help=False)
-    parser.add_argument("--count", type=int, default=COUNT)
-    parser.add_argument("--seed", type=int, default=SEED)
-    known, rest = parser.parse_known_args()
-    COUNT, SEED = known.count, known.seed
-    unittest.main(argv=[sys.argv[0], *rest])
+    COUNT, SEED = number_asked("--count", COUNT), number_asked("--seed", SEED)
+    unittest.main()

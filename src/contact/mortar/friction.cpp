@@ -84,19 +84,19 @@ void friction_tractions(const MortarRows& rows, std::span<const Vec3> x, std::sp
 
 void friction_traction_slopes(const MortarRows& rows, const MortarSlopes& slopes, std::span<const Vec3> x,
                               std::span<const double> z, const MortarFriction& law, const FrictionHistory& history,
-                              TractionSlopes& out, std::span<const std::uint8_t> pressed, bool stick) {
+                              TractionSlopes& out, std::span<const std::uint8_t> assumed) {
   out.by_position.clear();
   out.by_pressure = rows.normals;
   for (std::size_t row = 0; row < z.size(); ++row) {
     const auto index = static_cast<LocalIndex>(row);
     if (z[row] != 0) add_row(out.by_position, z[row] * Mat3::Identity(), slopes.normals, index);
-    const bool begins = !(z[row] > 0) && !pressed.empty() && pressed[row] != 0;
-    if (z[row] > 0 || begins) {
+    const bool sticks = !(z[row] > 0) && !assumed.empty() && assumed[row] != 0;
+    if (z[row] > 0 || sticks) {
       const RowFriction friction(rows, x, history, row);
       const Vec3 trial = friction.trial(law.stiffness);
-      const double limit = begins ? 0 : law.coefficient * z[row], size = trial.norm();
+      const double limit = law.coefficient * z[row], size = trial.norm();
       Mat3 left = Mat3::Identity();
-      if (!(begins && stick) && state_of(trial, limit) == FrictionState::slip) {
+      if (!sticks && state_of(trial, limit) == FrictionState::slip) {
         left = limit / size * across(trial / size);
         out.by_pressure[row] += law.coefficient / size * trial;
       }

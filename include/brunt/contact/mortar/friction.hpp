@@ -36,12 +36,11 @@ void friction_tractions(const MortarRows& rows, std::span<const Vec3> x, std::sp
                         const MortarFriction& law, const FrictionHistory& history, std::vector<Vec3>& tractions,
                         std::vector<FrictionState>& states);
 
-/// Their derivatives, along the branch taken. Rows in `pressed` without pressure are about to have one: their
-/// derivative is that towards pressure, sliding where the trial traction points, or sticking where it is zero; with
-/// `stick` they all stick. pressed: empty, or a flag for each row.
+/// Their derivatives, along the branch taken. assumed: rows that are assumed to stick although they have no pressure;
+/// or empty.
 void friction_traction_slopes(const MortarRows& rows, const MortarSlopes& slopes, std::span<const Vec3> x,
                               std::span<const double> z, const MortarFriction& law, const FrictionHistory& history,
-                              TractionSlopes& out, std::span<const std::uint8_t> pressed = {}, bool stick = false);
+                              TractionSlopes& out, std::span<const std::uint8_t> assumed = {});
 
 /// The history of a step that is accepted.
 void keep_friction(const MortarRows& rows, std::span<const Vec3> tractions, FrictionHistory& history);

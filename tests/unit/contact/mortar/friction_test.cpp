@@ -154,21 +154,5 @@ TEST_CASE("Tangents of stick and slip, by positions and by pressures, agree with
           worst = std::max(worst, std::abs((plus[k] - minus[k]) / 2e-6 - column[row * plus.size() + k]));
       }
       CHECK(worst < 1e-8 * 0.1);  // columns are weights of about 0.1
-
-      // pressed rows without pressure: the derivative towards pressure
-      friction_traction_slopes(evaluation.rows, evaluation.slopes, two.x, z, law, history, slopes,
-                               std::vector<std::uint8_t>(rows, 1));
-      pressure_columns(evaluation.rows, slopes.by_pressure, columns);
-      const std::vector<double> towards = test::assembled(columns, two.x.size());
-      double most = 0;
-      for (std::size_t row = 0; row < rows; ++row) {
-        if (z[row] != 0) continue;
-        std::vector<double> more = z;
-        more[row] += 1e-6;
-        const auto plus = forces_at(two.x, more), here = forces(two.x);
-        for (std::size_t k = 0; k < plus.size(); ++k)
-          most = std::max(most, std::abs((plus[k] - here[k]) / 1e-6 - towards[row * plus.size() + k]));
-      }
-      CHECK(most < 1e-8);
     }
 }
