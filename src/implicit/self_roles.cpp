@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "brunt/comm/rendezvous.hpp"
 #include "brunt/contact/mortar/corners.hpp"
@@ -34,6 +35,9 @@ bool presses(const Interface& face, const contact::FacetNodes& facet, const std:
   });
 }
 
+/// A direction to which hardly any surface is parallel. A side whose normals have a component along it looks up.
+const Vec3 up(1, std::numbers::sqrt2, std::numbers::sqrt3);
+
 /// The pairs with a segment of the slave facets that this rank counts. Collective.
 std::vector<FacingPair> facing_pairs(const Interface& face, std::span<const Vec3> x) {
   std::vector<FacingPair> pairs;
@@ -52,7 +56,7 @@ std::vector<FacingPair> facing_pairs(const Interface& face, std::span<const Vec3
       if (contact::integrate_segment(plane, contact::CornersOf(face.surfaces.master[m], x).span(),
                                      face.surfaces.capture, segment) &&
           segment.distance >= -face.surfaces.deepest(facet, m))
-        pairs.push_back({face.self->slave[facet], face.self->master[m], has_pressure});
+        pairs.push_back({face.self->slave[facet], face.self->master[m], has_pressure, plane.normal.dot(up)});
     }
   }
   return pairs;

@@ -3,6 +3,7 @@
 """Mortar contact of a part with itself: two boxes of one part are a pair of parts, a ring pressed flat and a bellows have the forces of
 their explicit twins, the same bits on any number of ranks and after a restart, nothing passes. Needs BRUNT and BRUNT_RUN (scripts/run) in
 the environment. --variants N: random scenes of each kind."""
+import random
 import unittest
 
 import numpy
@@ -86,6 +87,71 @@ history: {every: 0.05}
 """
 
 
+# Three boxes whose faces are a triangle around the axis fly towards it: each of the three faces meets both others.
+LOBES = """\
+units: none
+mesh: {file: lobes.inp}
+materials: {m: {model: neo_hookean, density: 1, young: 100, poisson: 0.3}}
+parts: {a: {material: m, element: hex8_full}}
+sets: {s0: {part: a, box: [[0.31, -0.6, -1], [3, 2, 2]]}, s1: {part: a, box: [[-3, 0.05, -1], [0.3, 3, 2]]}, s2: {part: a, box: [[-3, -3, -1], [0.3, -0.05, 2]]}}
+initial: [INITIAL]
+contact: [{between: [a, a], method: mortar, friction: 0.2}]
+solver: {scheme: contact_implicit, step: 0.02, tolerance: 1.0e-12}
+probes: [{name: s0, set: s0, field: displacement}, {name: s1, set: s1, field: displacement}, {name: s2, set: s2, field: displacement}]
+run: {end: 0.6}
+"""
+
+# Two boxes of one part: the first is thrown, or pushed, at the second along an axis.
+THROWN = """\
+units: none
+mesh: {file: thrown.inp}
+materials: {m: {model: neo_hookean, density: 1000, young: 1.0e7, poisson: 0.3}}
+parts: {a: {material: m, element: hex8_full}}
+sets: {SETS}
+MOTION
+contact: [{between: [a, a], method: mortar}]
+probes: [{name: one, set: one, field: displacement}, {name: two, set: two, field: displacement}]
+"""
+
+
+def around(points, low, high):
+    """A box that holds the points with shares low to high of each axis."""
+    first, size, margin = points.min(axis=0), numpy.ptp(points, axis=0), 1e-6
+    return f"{{part: a, box: [{(first + low * size - margin).tolist()}, {(first + high * size + margin).tolist()}]}}"
+
+
+def thrown(seed, scheme):
+    """The deck, the scene, the axis along which the first box meets the second, and how far their middles are apart."""
+    rng = random.Random(seed)
+    axis = rng.randrange(3)
+    unit, sizes = numpy.eye(3)[axis], [numpy.array([rng.uniform(0.3, 1) for _ in range(3)]) for _ in range(2)]
+    for size in sizes:
+        if rng.random() < 0.4:
+            size[axis] *= 0.1  # a plate
+    counts = [[rng.randint(1, 3) for _ in range(3)] for _ in range(2)]
+    gap = rng.uniform(0.01, 2) * sizes[0][axis]
+    aside = numpy.array([rng.uniform(-0.3, 0.3) for _ in range(3)]) * sizes[1] * (1 - unit)
+    bodies = [box(sizes[k], counts[k]) for k in range(2)]
+    apart = 0.5 * (sizes[0] + sizes[1]) * unit + gap * unit
+    middles = [numpy.zeros(3), apart + aside]
+    bodies = [("a", points - 0.5 * sizes[k] + middles[k], hexes) for k, (points, hexes) in enumerate(bodies)]
+    path = gap + 1.5 * sizes[1][axis] + sizes[0][axis]  # beyond the second, were it not there
+    step = 10 ** rng.uniform(-1, 1) * min(sizes[k][axis] / counts[k][axis] for k in range(2))  # of the path
+    speed = 1.0 if scheme == "static" else 10 ** rng.uniform(0, 1.7)
+    whole = numpy.zeros(3), numpy.ones(3)
+    ends = [(0 * unit, 1 - unit), (unit, whole[1])]  # the near face of the first, the far one of the second
+    sets = {"one": around(bodies[0][1], *whole), "two": around(bodies[1][1], *whole), "push": around(bodies[0][1], *ends[0]), "end": around(bodies[1][1], *ends[1])}
+    if scheme == "static":
+        others = ", ".join(c for k, c in enumerate("xyz") if k != axis)
+        motion = (f"fixed: [{{set: end, dofs: [x, y, z]}}, {{set: push, dofs: [{others}]}}]\ncurves: {{push: [[0, 0], [{path:.9g}, {path:.9g}]]}}\n"
+                  f"prescribed: [{{set: push, dof: {'xyz'[axis]}, displacement: push}}]")
+    else:
+        motion = f"initial: [{{set: one, velocity: {(speed * unit).tolist()}}}]"
+    scene = THROWN.replace("SETS", ", ".join(f"{name}: {what}" for name, what in sets.items())).replace("MOTION", motion)
+    scene += f"solver: {{scheme: {scheme}, step: {step / speed:.9g}}}\nrun: {{end: {max(path, 2 * step) / speed:.9g}}}\n"
+    return deck(bodies), scene, "xyz"[axis], apart[axis]
+
+
 def mean_around(rows, column, time, width):
     """Mean of a column over rows around a time: vibrations of an explicit run."""
     near = [row[column] for row in rows if abs(row["time"] - time) <= width]
@@ -162,6 +228,43 @@ class SelfMortar(SceneProgram):
         self.run_scene(3, "scene.yaml", "--out", "part", "--restart", "part")
         self.assertEqual(self.summary("part")["state_hash"], self.summary("out1")["state_hash"])
         self.assertEqual(self.text("part", "history.csv"), self.text("out1", "history.csv"))
+
+    def test_three_walls_that_meet_have_a_slave_in_each_pair_and_a_warning(self):
+        bodies, starts = [], []
+        for k in range(3):
+            angle = 2 * numpy.pi * k / 3 + 0.1
+            turn = numpy.array([[numpy.cos(angle), -numpy.sin(angle), 0], [numpy.sin(angle), numpy.cos(angle), 0], [0, 0, 1]])
+            points, hexes = box([1.6, 0.85, 1.6], [1, 1, 1], [0.35, -0.425, 0])
+            bodies.append(("a", points @ turn.T, hexes))
+            starts.append(f"{{set: s{k}, velocity: {(turn @ [-1, 0, 0]).tolist()}}}")
+        self.write("lobes.inp", deck(bodies))
+        for ranks in (1, 3):
+            rows = self.go(LOBES.replace("INITIAL", ", ".join(starts)), ranks=ranks, out=f"out{ranks}")
+        self.assertEqual(self.summary("out3")["state_hash"], self.summary("out1")["state_hash"])
+        self.assertIn("contact.0: near [", self.text("out1", "log.txt"))
+        self.assertIn("no choice of slave and master suits all facets that face each other", self.text("out1", "log.txt"))
+        self.assertGreater(max(row["active_contacts"] for row in rows), 3)
+        self.assertLess(self.summary("out1")["momentum_error"], 1e-12)
+        self.assertLess(self.summary("out1")["energy"]["error_ratio"], 1e-11)
+        for k in range(3):  # all have turned back before their faces, at .35 from the axis, have passed it
+            angle = 2 * numpy.pi * k / 3 + 0.1
+            inwards = [-row[f"s{k}.x"] * numpy.cos(angle) - row[f"s{k}.y"] * numpy.sin(angle) for row in rows]
+            self.assertLess(max(inwards), 0.35)
+            self.assertLess(inwards[-1], max(inwards))
+
+    def test_nothing_passes(self):
+        stopped = 0
+        for scheme in ("contact_implicit", "static"):
+            for seed in range(1, 2 * VARIANTS + 1):
+                with self.subTest(seed=seed, scheme=scheme):
+                    mesh, scene, axis, apart = thrown(seed, scheme)
+                    self.write("thrown.inp", mesh)
+                    self.write("scene.yaml", scene)
+                    told = self.run_scene(1, "scene.yaml", "--out", "out", "--force", code=(0, 3))
+                    stopped += 1 if scheme == "contact_implicit" and "stopped" in told else 0
+                    for row in self.rows("out"):
+                        self.assertGreater(apart + row[f"two.{axis}"] - row[f"one.{axis}"], 0, row["time"])
+        self.assertLessEqual(stopped, 0.4 * VARIANTS)
 
 
 if __name__ == "__main__":

@@ -33,7 +33,15 @@ Ragged<LocalIndex> neighbours_of(const std::vector<FacingPair>& pairs, std::size
 class Colouring {
  public:
   Colouring(const std::vector<FacingPair>& pairs, std::span<const double> edge)
-      : neighbours_(neighbours_of(pairs, edge.size())), edge_(edge), role_(edge.size(), FacetRole::none) {}
+      : neighbours_(neighbours_of(pairs, edge.size())),
+        edge_(edge),
+        up_(edge.size(), 0.0),
+        role_(edge.size(), FacetRole::none) {
+    for (const FacingPair& pair : pairs) {
+      up_[static_cast<std::size_t>(pair.slave)] += pair.up;
+      up_[static_cast<std::size_t>(pair.master)] -= pair.up;
+    }
+  }
 
   void keep_pressed(const std::vector<FacingPair>& pairs) {
     std::vector<LocalIndex> front;
@@ -50,7 +58,7 @@ class Colouring {
       std::vector<LocalIndex> front;
       give(facet, FacetRole::slave, front);
       const std::vector<LocalIndex> component = spread(std::move(front));
-      if (master_is_finer(component))
+      if (master_is_better(component))
         for (const LocalIndex of : component) at(of) = opposite(at(of));
     }
   }
@@ -70,18 +78,22 @@ class Colouring {
       for (const LocalIndex other : neighbours_.row(front[next])) give(other, opposite(at(front[next])), front);
     return front;
   }
-  [[nodiscard]] bool master_is_finer(const std::vector<LocalIndex>& component) {
-    std::array<double, 2> sum{}, count{};
+  [[nodiscard]] bool master_is_better(const std::vector<LocalIndex>& component) {
+    std::array<double, 2> edges{}, count{};
+    double up = 0;
     for (const LocalIndex facet : component) {
       const std::size_t side = at(facet) == FacetRole::slave ? 0 : 1;
-      sum[side] += edge_[static_cast<std::size_t>(facet)];
+      edges[side] += edge_[static_cast<std::size_t>(facet)];
       ++count[side];
+      up += side == 0 ? up_[static_cast<std::size_t>(facet)] : -up_[static_cast<std::size_t>(facet)];
     }
-    return sum[1] * count[0] < clearly * sum[0] * count[1];
+    if (edges[1] * count[0] < clearly * edges[0] * count[1]) return true;
+    return up < 0 && !(edges[0] * count[1] < clearly * edges[1] * count[0]);
   }
 
   Ragged<LocalIndex> neighbours_;
   std::span<const double> edge_;
+  std::vector<double> up_;  ///< of each facet, over its pairs
   std::vector<FacetRole> role_;
 };
 

@@ -17,6 +17,7 @@ enum class FacetRole : std::uint8_t { none, slave, master };
 struct FacingPair {
   LocalIndex slave = no_index, master = no_index;
   std::int32_t pressed = 0;  ///< 1: a row of the slave facet has a pressure
+  double up = 0;             ///< component of the slave facet's normal in a direction common to all pairs
 
   friend bool operator<(const FacingPair& a, const FacingPair& b) {
     return a.slave < b.slave || (a.slave == b.slave && a.master < b.master);
@@ -33,8 +34,9 @@ struct FacingPair {
 /// Two-colouring of the graph of these pairs, such that facets that face each other have different roles if possible.
 /// Slaves of pressed pairs remain slaves, so their pressures and frictional histories continue. From pressed pairs the
 /// roles spread to the facets connected with them. In a component without pressure the side with the smaller mean edge
-/// is the slave, of equal ones that of the facet with the smallest number. Pairs in any order; edge: mean edge of each
-/// facet [length]. The result depends only on the set of pairs.
+/// is the slave, of equal ones the side whose facets look up on average: zones that may grow together begin with the
+/// same roles. If that does not decide it is the side of the facet with the smallest number. Pairs in any order; edge:
+/// mean edge of each facet [length]. The result depends only on the set of pairs.
 std::vector<FacetRole> roles_of_facets(std::vector<FacingPair> pairs, std::span<const double> edge);
 
 /// The first pair whose facets have the same role, or a pair of no_index. Such a pair lies where three or another odd

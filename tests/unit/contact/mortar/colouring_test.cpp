@@ -56,6 +56,18 @@ TEST_CASE("the finer side of a gap is the slave") {
   }
 }
 
+TEST_CASE("of equal sides the one that looks up is the slave, in each component") {
+  std::vector<FacingPair> pairs = gap(3);  // 0 .. 2 look down, their partners 3 .. 5 up
+  for (const FacingPair& pair : gap(3)) pairs.push_back({pair.slave + 6, pair.master + 6});
+  std::vector<double> edge(12, 1.0);
+  for (FacingPair& pair : pairs) pair.up = pair.slave % 6 < 3 ? -0.8 : 0.8;
+  const std::vector<FacetRole> roles = roles_of_facets(pairs, edge);
+  for (std::size_t k = 0; k < 12; ++k) CHECK(roles[k] == (k % 6 < 3 ? Role::master : Role::slave));
+  std::fill_n(edge.begin(), 3, 0.5);  // but the finer side comes first
+  CHECK(roles_of_facets(pairs, edge)[0] == Role::slave);
+  CHECK(roles_of_facets(pairs, edge)[6] == Role::master);
+}
+
 TEST_CASE("what is pressed remains the slave, and all that is connected with it follows") {
   std::vector<FacingPair> pairs = gap(4);
   pairs[6] = {7, 3, 1};  // facet 7 presses on 3, against order and edges
