@@ -18,7 +18,9 @@ std::string interface_line(const Prepared& run, const contact::MortarPair& pair)
   const auto part = [&](std::int32_t block) -> const std::string& {
     return run.model.blocks[static_cast<std::size_t>(block)].part;
   };
-  std::string line = fmt::format("{:<16} {} (slave) and {}: ", "mortar", part(pair.slave), part(pair.master));
+  std::string line = pair.slave == pair.master
+                         ? fmt::format("{:<16} {} with itself: ", "mortar", part(pair.slave))
+                         : fmt::format("{:<16} {} (slave) and {}: ", "mortar", part(pair.slave), part(pair.master));
   if (pair.tied) return line + "tied";
   line += pair.multiplier == contact::Multiplier::dual ? "dual" : "standard";
   line += pair.enforce == contact::MortarPair::Enforce::lagrange ? " multipliers" : " functions, penalty";

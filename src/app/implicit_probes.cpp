@@ -22,8 +22,9 @@ contact::TrackedTotals watched(const Prepared& run, const std::vector<double>& v
     const bool as_slave = slave == part && (other.empty() || master == other);
     const bool as_master = master == part && (other.empty() || slave == other);
     if (!as_slave && !as_master) continue;
+    if (as_slave && as_master && other.empty()) continue;  // what a part does to itself is no force on it
     const double* impulse = &values[width * k];
-    const double sign = as_slave ? 1 : -1;
+    const double sign = as_slave && as_master ? 0 : as_slave ? 1 : -1;  // and has no resultant
     totals.impulse += sign * Vec3(impulse);
     totals.friction += sign * Vec3(impulse + 3);
     totals.normal_size += impulse[6];

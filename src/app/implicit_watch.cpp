@@ -68,7 +68,7 @@ std::vector<Box> boxes_of_parts(const Prepared& run, const Of& of) {
   return boxes;
 }
 
-/// How far two parts may move relative to each other.
+/// How far two parts, or two points of one, may move relative to each other.
 double apart(const Box& one, const Box& other) {
   return (one.high - other.low).cwiseAbs().cwiseMax((other.high - one.low).cwiseAbs()).norm();
 }
@@ -88,7 +88,7 @@ Looks looks_on(const Prepared& run, const Way& way) {
   const WatchedBodies& watched = *run.watched;
   Looks looks;
   for (std::size_t a = 0; a < swept.size(); ++a)
-    for (std::size_t b = a + 1; b < swept.size(); ++b) {
+    for (std::size_t b = a; b < swept.size(); ++b) {
       const auto one = static_cast<std::int32_t>(a), other = static_cast<std::int32_t>(b);
       if (watched.pairs.at(one, other).rule == contact::PairRule::apart || !geometry::overlaps(swept[a], swept[b]))
         continue;

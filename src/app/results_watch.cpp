@@ -185,8 +185,12 @@ void Results::watch_folds() {
 
 void Results::watch_driven() {
   const Recording recording = record();
-  if (run_.implicit)
+  if (run_.implicit) {
     for (const std::string& warning : watch_driven_through(run_)) log_.warning(warning);
+    for (const std::string& warning :
+         implicit::warnings_of_roles(run_.links.ranks, run_.model.mesh.origin, run_.implicit->contact))
+      log_.warning(warning);
+  }
   if (!run_.contact || run_.implicit) return;
   for (const std::string& warning : run_.driven.look(run_.links.ranks, *run_.contact, run_.model, run_.state,
                                                      scene::find_unit_system(run_.input.units)->length))

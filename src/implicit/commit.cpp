@@ -11,6 +11,7 @@
 #include "brunt/model/curve.hpp"
 #include "nodal.hpp"
 #include "node_step.hpp"
+#include "self_sides.hpp"
 
 namespace brunt::implicit {
 namespace {
@@ -130,6 +131,7 @@ void commit_step(const Scene& scene, Solver& solver) {
     book_interfaces(solver.trial.rule.dt, end_shares(solver.trial.rule).of_impulse, solver.contact);
     keep_contact(solver.contact);
     tally(scene.links.ranks, solver.contact);
+    choose_roles(scene.links.ranks, solver.contact);
   }
   if (solver.walls.any()) {
     wall_sums.book(scene.links.ranks, solver.walls.account);

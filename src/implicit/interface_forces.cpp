@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "mortar_shares.hpp"
+#include "self_sides.hpp"
 
 namespace brunt::implicit {
 namespace {
@@ -32,7 +33,8 @@ Vec3 lever_force_on_slave(const Interface& face, std::size_t row, const std::vec
   const auto index = static_cast<LocalIndex>(row);
   const std::span<const LocalIndex> nodes = face.gap_levers.nodes.row(index);
   for (std::size_t k = 0; k < nodes.size(); ++k)
-    if (const auto node = static_cast<std::size_t>(nodes[k]); node < of_slave.size() && of_slave[node])
+    if (const auto node = static_cast<std::size_t>(nodes[k]);
+        face.self ? is_of_slave(face, row, nodes[k]) : node < of_slave.size() && of_slave[node])
       sum += face.z[row] * face.gap_levers.row(index)[k];
   return sum;
 }

@@ -9,6 +9,7 @@
 #include "brunt/contact/mortar/normals.hpp"
 #include "brunt/contact/mortar/tractions.hpp"
 #include "mortar_shares.hpp"
+#include "self_sides.hpp"
 
 namespace brunt::implicit {
 namespace {
@@ -190,12 +191,14 @@ void keep_contact(MortarContact& contact) {
 
 void restore_contact(const comm::Communicator& ranks, const model::State& state, MortarContact& contact) {
   if (!contact.any()) return;
+  take_roles_before(contact);
   std::vector<double> own_z;
   for (const LocalIndex k : contact.own) own_z.push_back(contact.z_before[static_cast<std::size_t>(k)]);
   gather_contact(ranks, state, own_z, contact);
   const std::vector<double> tractions = contact.traction_before;
   find_contact(ranks, contact, Iterate::first_of_step);
   keep_contact(contact);  // weights and normals follow from the positions
+  choose_roles(ranks, contact);
   std::size_t first = 0;
   for (Interface& face : contact.interfaces) {
     if (face.pair.tied || face.friction.coefficient == 0) continue;

@@ -163,11 +163,13 @@ void lay_nodes(const comm::Communicator& ranks, std::vector<NodeTold> told, Cont
 void lay_masters(const ContactNodes& nodes, std::span<const FacetTold> facets, Interface& face) {
   face.surfaces.master.clear();
   face.surfaces.master_wall.clear();
+  if (face.self) face.self->master.clear();
   for (const FacetTold& told : facets) {
     contact::FacetNodes facet{};
     for (std::size_t c = 0; c < 4; ++c) facet[c] = told.node[c] < 0 ? no_index : nodes.place_of(told.node[c]);
     face.surfaces.master.push_back(facet);
     face.surfaces.master_wall.push_back(told.wall);
+    if (face.self) face.self->master.push_back(face.self->number_of(told.key));
   }
   face.search.anew = true;
 }

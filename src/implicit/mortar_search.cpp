@@ -26,7 +26,8 @@ void search(Interface& face, std::span<const Vec3> x) {
   search.anew = false;
   auto pair = search.pairs.begin();
   for (LocalIndex facet = 0; facet < static_cast<LocalIndex>(face.surfaces.slave.size()); ++facet) {
-    for (; pair != search.pairs.end() && pair->slave == facet; ++pair) search.candidates.values.push_back(pair->master);
+    for (; pair != search.pairs.end() && pair->slave == facet; ++pair)
+      if (!face.self || face.self->admits(facet, pair->master)) search.candidates.values.push_back(pair->master);
     search.candidates.close_row();
   }
 }

@@ -14,6 +14,7 @@
 #include "brunt/implicit/thickness.hpp"
 #include "brunt/material/law.hpp"
 #include "mortar_shares.hpp"
+#include "self_sides.hpp"
 
 namespace brunt::implicit {
 namespace {
@@ -108,12 +109,17 @@ bool is_swapped(const model::Model& model, const WholeSurfaces& whole, const Mor
 void lay_sides(const model::Model& model, const WholeSurfaces& whole, const MortarPair& asked, WholeInterface& of) {
   Interface& face = of.face;
   face.pair = asked;
+  face.surfaces.multiplier = asked.multiplier;
+  if (asked.slave == asked.master) {
+    lay_self(whole, of);
+    lay_rows(whole, face.surfaces);
+    return;
+  }
   of.slave = side_of(whole, asked.slave);
   of.master = side_of(whole, asked.master);
   contact::MortarSurfaces& surfaces = face.surfaces;
   surfaces.slave = of.slave.facets;
   surfaces.master = of.master.facets;
-  surfaces.multiplier = asked.multiplier;
   surfaces.capture =
       std::max(edges_of(surfaces.slave, whole.reference).largest, edges_of(surfaces.master, whole.reference).largest);
   surfaces.slave_wall = thickness_behind(surfaces.slave, whole.reference, surfaces.capture);
@@ -190,7 +196,7 @@ WholeInterface make_interface(const model::Model& model, const WholeSurfaces& wh
 void warn_of_chords(const model::Model& model, const WholeSurfaces& whole, const Interface& face,
                     std::vector<std::string>& warnings) {
   constexpr double too_much = 0.1;  // of the interference, and so of the pressure
-  if (face.pair.tied) return;
+  if (face.pair.tied || face.self) return;
   const RoundSeat seat = round_seat(face.surfaces, whole.reference, face.surfaces.capture);
   const double least = touching * face.topology.edge;
   if (!seat.conform || seat.of_surfaces <= least || seat.deepest <= least) return;
@@ -237,6 +243,7 @@ MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& m
   }
   share_out(ranks, model, unknowns, whole, std::move(interfaces), contact);
   number_multipliers(unknowns, contact);
+  choose_roles(ranks, contact);
   find_contact(ranks, contact, Iterate::first_of_step);
   for (Interface& face : contact.interfaces)
     for (std::size_t row = 0; row < face.count() && !face.pair.tied; ++row)
@@ -245,6 +252,7 @@ MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& m
   for (const Interface& face : contact.interfaces)
     if (face.pair.tied) note_redundant(ranks, face, contact.notes);
   keep_contact(contact);
+  choose_roles(ranks, contact);
   contact.impulses.assign(contact.interfaces.size() * static_cast<std::size_t>(interface_force_width), 0.0);
   contact.forces_before = contact.impulses;
   return contact;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "self_sides.hpp"
+
 namespace brunt::implicit {
 namespace {
 
@@ -176,7 +178,8 @@ void lay_nodes(const comm::Communicator& ranks, const model::Model& model, const
   nodes.friction_force = nodes.force;
 }
 
-/// A flag for each node: whether surfaces of several interfaces with multipliers contain it.
+/// A flag for each node: whether surfaces of several interfaces with multipliers contain it, or that of a part in
+/// contact with itself, whose nodes may belong to its slave and its master.
 std::vector<std::uint8_t> nodes_of_several(const WholeSurfaces& whole, const std::vector<WholeInterface>& interfaces) {
   std::vector<std::uint8_t> several(whole.nodes.size(), 0);
   std::vector<std::int32_t> seen(whole.nodes.size(), -1);
@@ -188,7 +191,7 @@ std::vector<std::uint8_t> nodes_of_several(const WholeSurfaces& whole, const std
         for (const LocalIndex place : facet) {
           if (place == no_index) continue;
           const auto node = static_cast<std::size_t>(place);
-          if (seen[node] >= 0 && seen[node] != interface) several[node] = 1;
+          if (interfaces[k].face.self || (seen[node] >= 0 && seen[node] != interface)) several[node] = 1;
           seen[node] = interface;
         }
   }
@@ -213,6 +216,10 @@ Interface interface_of(const comm::Communicator& ranks, const WholeSurfaces& who
   face.topology = contact::make_topology(face.surfaces, reference);
   face.topology.edge = of.face.topology.edge;
   if (face.pair.tied) lay_tie(of.face, part, kept, face);
+  if (of.face.self) {
+    face.self = of.face.self;
+    share_self(of.slave.facets, whole.reference, part.facets, *face.self);
+  }
   if (face.pair.tied && ranks.is_root()) {  // initial rows: counted once
     face.rows.segments = of.face.rows.segments;
     face.search.counts = of.face.search.counts;

@@ -9,6 +9,7 @@
 #include "brunt/contact/mortar/redundant.hpp"
 #include "brunt/implicit/mortar.hpp"
 #include "mortar_shares.hpp"
+#include "self_sides.hpp"
 
 namespace brunt::implicit {
 namespace {
@@ -59,10 +60,11 @@ bool is_in_question(const MortarContact& contact) {
 /// A node with a coefficient in equations of an interface.
 struct NodeSeen {
   GlobalIndex gid = 0;
-  std::int64_t interface = 0;
+  std::int64_t interface = 0;  ///< and of which side, where a part meets itself
 };
 
-/// For each node of contact that this rank owns: whether equations of several interfaces contain it. Collective.
+/// For each node of contact that this rank owns: whether equations of several interfaces, or of both sides of one,
+/// contain it. Collective.
 std::vector<std::uint8_t> shared_nodes(const comm::Communicator& ranks, const MortarContact& contact,
                                        const std::vector<contact::Equations>& equations) {
   const ContactNodes& nodes = contact.nodes;
@@ -75,8 +77,11 @@ std::vector<std::uint8_t> shared_nodes(const comm::Communicator& ranks, const Mo
       if (equations[k].held[row].isZero(0)) continue;
       for (const LocalIndex place : equations[k].weights->nodes.row(static_cast<LocalIndex>(row))) {
         const auto node = static_cast<std::size_t>(place);
-        const auto interface = static_cast<std::int64_t>(k);
-        if (nodes.several[node] == 0 || told[node] == interface) continue;
+        if (nodes.several[node] == 0) continue;
+        const Interface& face = contact.interfaces[k];
+        const bool of_master = face.self && !is_of_slave(face, row, place);
+        const std::int64_t interface = 2 * static_cast<std::int64_t>(k) + (of_master ? 1 : 0);
+        if (told[node] == interface) continue;
         told[node] = interface;
         to_owner[static_cast<std::size_t>(nodes.source[node].rank)].push_back({nodes.gid[node], interface});
       }

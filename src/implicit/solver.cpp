@@ -182,6 +182,7 @@ void add_arrays(const model::Model& model, Solver& solver, model::Registry& regi
     global("multipliers", solver.contact.z_before.data(), solver.contact.z_before.size());
     global("interface_impulses", solver.contact.impulses.data(), solver.contact.impulses.size());
     global("interface_forces", solver.contact.forces_before.data(), solver.contact.forces_before.size());
+    global("contact_roles", solver.contact.roles_before.data(), solver.contact.roles_before.size());
     global("friction_tractions", solver.contact.traction_before.data(), solver.contact.traction_before.size());
   }
   if (!model.walls.empty()) {

@@ -22,7 +22,7 @@ double mean_edge(const contact::FacetNodes& facet, std::span<const Vec3> x) {
 }  // namespace
 
 std::vector<double> thickness_behind(const std::vector<contact::FacetNodes>& facets, std::span<const Vec3> x,
-                                     double reach) {
+                                     double reach, double flattest) {
   std::vector<double> wall(facets.size(), std::numeric_limits<double>::infinity());
   contact::SlavePlane plane;
   contact::SegmentIntegrals integrals;
@@ -31,6 +31,9 @@ std::vector<double> thickness_behind(const std::vector<contact::FacetNodes>& fac
     if (!contact::make_slave_plane(contact::CornersOf(facets[one], x).span(), plane)) continue;
     const contact::CornersOf behind(facets[other], x);
     if (!contact::integrate_segment(plane, behind.span(), reach, integrals) || integrals.distance >= 0) continue;
+    if (flattest > 0 &&
+        -integrals.distance <= flattest * std::min(mean_edge(facets[one], x), mean_edge(facets[other], x)))
+      continue;
     wall[one] = std::min(wall[one], -integrals.distance);
   }
   return wall;

@@ -140,9 +140,12 @@ void read_mortar(Section& entry, ContactEntry& contact) {
   const bool itself = contact.between.size() == 2 && contact.between[0] == contact.between[1];
   const bool all =
       entry.has("between") && entry.at("between").tree != nullptr && entry.at("between").tree->text == "all";
-  if ((all && !contact.tied) || (itself && !contact.tied))  // conflicts with ties are reported elsewhere
-    fault(entry.has("between") ? entry.at("between") : entry.key(),
-          "invalid between for method: mortar; expected two parts [a, b]");
+  if (all && !contact.tied)  // conflicts with ties are reported elsewhere
+    fault(entry.at("between"), "invalid between for method: mortar; expected two parts [a, b], or one twice [a, a]");
+  refuse(itself && contact.slave != Slave::automatic, "slave",
+         "invalid for a part with itself, whose facets are slaves and masters by turns; expected no such key");
+  refuse(itself && contact.initial_overlap != Overlap::error && entry.has("initial_overlap"), "initial_overlap",
+         "invalid for method: mortar of a part with itself; expected error");
   refuse(entry.has("exclude"), "exclude", "invalid with method: mortar; expected this key with between: all only");
   refuse(contact.friction.kinetic != contact.friction.fixed || contact.friction.lag > 0, "friction",
          "invalid friction for method: mortar, which has Coulomb's law with one coefficient; expected a number >= 0");

@@ -310,7 +310,9 @@ probes: [{name: end, set: top_zmax, field: displacement}, {name: foot, set: low_
         wrong = {
             "between: [low, top], method: mortar": {
                 "between: all, method: mortar": "invalid between for method: mortar",
-                "between: [low, low], method: mortar": "invalid between for method: mortar",
+                "between: [low, low], method: mortar, slave: low": "contact.0.slave: invalid for a part with itself",
+                "between: [low, low], method: mortar, initial_overlap: warn": "contact.0.initial_overlap: invalid for method: mortar of a part with itself",
+                "between: [low, low], method: mortar, tied: true": "contact.0.tied: invalid tied: a part cannot be tied to itself",
                 "between: [low, top]": "contact.0: invalid contact in an implicit scene",
                 "between: [low, top], method: mortar, friction: -1": "contact.0.friction: out of range: -1; expected a number >= 0",
                 "between: [low, top], method: mortar, softness: 0.1": "contact.0.softness: invalid with method: mortar",

@@ -6,6 +6,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "brunt/contact/mortar/tie.hpp"
 #include "brunt/contact/search/facet_tree.hpp"
 #include "brunt/implicit/block_sums.hpp"
+#include "brunt/implicit/self_contact.hpp"
 #include "brunt/implicit/unknowns.hpp"
 #include "brunt/model/model.hpp"
 
@@ -70,6 +72,8 @@ struct Interface {
   contact::MortarPair pair;
   contact::MortarSurfaces surfaces;  ///< of this rank; nodes: places in ContactNodes, rows: of nodes that it owns
   contact::MortarTopology topology;
+  /// If the slave and the master are one part.
+  std::optional<SelfContact> self;
   std::vector<GlobalIndex> slave_key;  ///< of the slave facets
   OwnMasters own_masters;
   PairSearch search;
@@ -147,6 +151,8 @@ struct ContactCounts {
 struct MortarContact {
   ContactNodes nodes;
   std::vector<Interface> interfaces;
+  /// FacetRole of the facets of parts in contact with themselves, in the step to t_n: saved.
+  std::vector<double> roles_before{};
   bool keeps_gaps = false;              ///< rows with a negative gap at t_n keep it, apart from the recovered part
   bool mean_levers = false;             ///< ties over a gap act through the mean positions of the step
   double budget = 0;                    ///< largest energy supplied by recovery in this step, by its estimate [energy]
