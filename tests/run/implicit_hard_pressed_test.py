@@ -8,7 +8,7 @@ import unittest
 
 from scipy.optimize import brentq
 
-from implicit_hard import HardCase, extruded
+from implicit_hard import HardCase, extruded, of_all
 from mortar_seats_test import PressFit
 
 STATIC = "solver: {scheme: static, step: 0.25}\nrun: {end: 1}\n"
@@ -64,7 +64,7 @@ class Pressed(HardCase):
                     self.is_in_series([("a", moduli[0], 1, [3, 3, 2]), ("b", moduli[1], 1, [4, 4, 2])], 0.1, [slave])
 
     def test_a_thin_plate_between_bodies(self):
-        for slaves in (("low", "low"), ("low", "top"), ("top", "low"), ("top", "top"), ("", "")):
+        for slaves in of_all((("low", "low"), ("low", "top"), ("top", "low"), ("top", "top"), ("", "")), (("low", "top"), ("", ""))):
             for plate in (1.0, 1000.0):
                 with self.subTest(slaves=slaves, plate=plate):
                     self.is_in_series([("a", 1.0, 1, [3, 3, 2]), ("p", plate, 0.01, [5, 5, 1]), ("b", 3.0, 1, [4, 4, 2])], 0.1, slaves)
@@ -186,7 +186,7 @@ probes: [{name: top, set: TOP_zmax, field: reaction}, {name: foot, set: LOW_zmin
             return tip + slope * z
 
         blocks = [("wedge", [3, 5], lambda s, t: (s * face(t * height), t * height)),
-                  ("cheek", [3, 4], lambda s, t: (face(1.4 * t - 0.2) * (1 - s) + 2 * s, 1.4 * t - 0.2))]
+                  ("cheek", [3, 4], lambda s, t: (face(1.3 * t - 0.1) * (1 - s) + 2 * s, 1.3 * t - 0.1))]
         self.write("wedge.msh", extruded(blocks, 0.5))
         return f"""\
 units: none
@@ -206,7 +206,7 @@ run: {{end: 1}}
 
     def test_a_wedge(self):
         """The force along the axis of a wedge is that of its cheeks times sin + mu cos of the half angle."""
-        for angle in (5, 15, 30, 45):
+        for angle in of_all((5, 15, 30, 45), (5, 45)):
             for friction in (0, 0.2):
                 for slave in ("wedge", "cheek"):
                     with self.subTest(angle=angle, friction=friction, slave=slave):
