@@ -38,6 +38,13 @@ std::string text_of(const Prepared& run, const implicit::StabilityChange& change
         "the stability of equilibrium at t = {:g} is unknown: its matrix could not be factorised (reported "
         "once)",
         change.time);
+  if (change.directions == implicit::StabilityChange::jump)
+    return fmt::format(
+        "equilibrium jumps {}{}: {:.0f} % of the work in this step is released, so no states of equilibrium lead from "
+        "one "
+        "to the other, as in snap-through (reported once). A real body moves there with this energy: use smaller steps "
+        "to find the limit point, prescribed displacements in place of loads, or scheme: contact_implicit",
+        when, change.gid >= 0 ? ", most at " + name_of_node(run, change.gid) : "", 100 * change.released);
   if (change.directions == 0) return fmt::format("equilibrium is stable again: its stability is regained {}", when);
   return fmt::format(
       "equilibrium loses its stability {}: {}{}. The run continues with a state that a real body leaves by buckling or "

@@ -134,6 +134,21 @@ void let_ties_carry(const Scene& scene, Solver& solver) {
 
 }  // namespace
 
+bool find_element_forces(const Scene& scene, Solver& solver, std::span<const double> displacement) {
+  const double over_dt = 1 / solver.trial.rule.dt;
+  for (std::size_t i = 0; i < scene.state.nodes.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      scene.state.nodes[i].x[c] = scene.model.reference[i][c] + displacement[3 * i + c];
+      scene.state.nodes[i].v[c] = over_dt * (displacement[3 * i + c] - scene.state.displacement[i][c]);
+    }
+  const force::Motion motion{scene.state.nodes, solver.trial.rule.dt, false};
+  const force::ElementReport report =
+      force::trial_forces(scene.model, motion, scene.state.history, solver.history, scene.scratch);
+  if (scene.links.ranks.any(report.inverted_block >= 0)) return false;
+  time::sum_forces(scene.model, scene.state, scene.scratch, scene.links);
+  return true;
+}
+
 bool find_forces(const Scene& scene, Solver& solver, std::span<const double> u) {
   Trial& trial = solver.trial;
   for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k)
@@ -141,17 +156,7 @@ bool find_forces(const Scene& scene, Solver& solver, std::span<const double> u) 
       trial.displacement[3 * static_cast<std::size_t>(solver.unknowns.node[k]) + c] = u[3 * k + c];
   share(solver.unknowns, trial.displacement);
   if (solver.bodies.any()) place_bodies(scene, solver, u);
-  const double over_dt = 1 / trial.rule.dt;
-  for (std::size_t i = 0; i < scene.state.nodes.size(); ++i)
-    for (std::size_t c = 0; c < 3; ++c) {
-      scene.state.nodes[i].x[c] = scene.model.reference[i][c] + trial.displacement[3 * i + c];
-      scene.state.nodes[i].v[c] = over_dt * (trial.displacement[3 * i + c] - scene.state.displacement[i][c]);
-    }
-  const force::Motion motion{scene.state.nodes, trial.rule.dt, false};
-  const force::ElementReport report =
-      force::trial_forces(scene.model, motion, scene.state.history, solver.history, scene.scratch);
-  if (scene.links.ranks.any(report.inverted_block >= 0)) return false;
-  time::sum_forces(scene.model, scene.state, scene.scratch, scene.links);
+  if (!find_element_forces(scene, solver, trial.displacement)) return false;
   if (solver.contact.any()) find_contact_forces(scene, solver, own_multipliers(solver, u));
   return true;
 }

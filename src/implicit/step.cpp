@@ -229,6 +229,7 @@ void advance(const Scene& scene, Solver& solver, const std::function<std::string
     const std::string objected = converged && objection ? objection() : std::string();
     if (converged && objected.empty()) {
       watch_stability(scene, solver);
+      watch_jumps(scene, solver);
       commit_step(scene, solver);
       count_step(solver.settings, attempt.formed, length);  // as many as iterations, unless factors are kept
       ++solver.work.steps;

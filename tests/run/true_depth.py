@@ -51,22 +51,23 @@ def inside(corners, points):
     return alive & (numpy.abs(xi).max(axis=1) <= 1 + 1e-9) & (left <= 1e-9 * size)
 
 
-def distance_to_triangles(point, a, b, c):
-    """Ericson: the nearest point of each triangle; distances (n,)."""
-    best = numpy.full(len(a), numpy.inf)
+def distances_to_triangles(points, a, b, c):
+    """Ericson: from each point to the nearest point of each triangle; distances (points, triangles)."""
+    points = points[:, None]
+    best = numpy.full((len(points), len(a)), numpy.inf)
     normal = numpy.cross(b - a, c - a)
     length = numpy.linalg.norm(normal, axis=1)
     flat = length > 0
     unit = normal / numpy.where(flat, length, 1)[:, None]
-    height = ((point - a) * unit).sum(axis=1)
-    foot = point - height[:, None] * unit
-    within = flat.copy()
+    height = ((points - a) * unit).sum(axis=2)
+    foot = points - height[:, :, None] * unit
+    within = numpy.broadcast_to(flat, best.shape).copy()
     for p, q in ((a, b), (b, c), (c, a)):
-        within &= (numpy.cross(q - p, foot - p) * unit).sum(axis=1) >= 0
+        within &= (numpy.cross(q - p, foot - p) * unit).sum(axis=2) >= 0
         edge = q - p
-        t = ((point - p) * edge).sum(axis=1) / numpy.maximum((edge * edge).sum(axis=1), 1e-300)
-        near = p + numpy.clip(t, 0, 1)[:, None] * edge
-        best = numpy.minimum(best, numpy.linalg.norm(point - near, axis=1))
+        t = ((points - p) * edge).sum(axis=2) / numpy.maximum((edge * edge).sum(axis=1), 1e-300)
+        near = p + numpy.clip(t, 0, 1)[:, :, None] * edge
+        best = numpy.minimum(best, numpy.linalg.norm(points - near, axis=2))
     return numpy.where(within, numpy.minimum(best, numpy.abs(height)), best)
 
 
@@ -108,11 +109,13 @@ class Body:
         found = []
         a, b, c, d = (x[self.faces[:, k]] for k in range(4))
         middle = (a + b + c + d) / 4
-        for k in numpy.unique(pair_point[holds]):
-            point = points[near[k]]
-            distance = numpy.minimum.reduce([distance_to_triangles(point, p, q, middle) for p, q in ((a, b), (b, c), (c, d), (d, a))])
-            face = int(distance.argmin())
-            found.append((int(near[k]), float(distance[face]), float(distance[face] / self.size[face])))
+        which = near[numpy.unique(pair_point[holds])]
+        for some in numpy.array_split(which, 1 + len(which) // 100):  # of a size that fits the cache
+            if len(some):
+                distance = numpy.minimum.reduce([distances_to_triangles(points[some], p, q, middle) for p, q in ((a, b), (b, c), (c, d), (d, a))])
+                face = distance.argmin(axis=1)
+                depth = distance[numpy.arange(len(some)), face]
+                found += zip(some.tolist(), depth.tolist(), (depth / self.size[face]).tolist())
         return found
 
 

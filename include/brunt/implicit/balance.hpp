@@ -11,6 +11,10 @@ namespace brunt::implicit {
 /// t_{n+1}. `u`: of Unknowns::node. Returns false if an element has no positive volume there. Collective.
 bool find_forces(const Scene& scene, Solver& solver, std::span<const double> u);
 
+/// The part of it that regards the elements: nodes at X + displacement (of all nodes of this rank, three each).
+/// Collective.
+bool find_element_forces(const Scene& scene, Solver& solver, std::span<const double> displacement);
+
 /// After find_forces: the residual of the equation of motion along free directions, and along constrained ones
 /// support_stiffness times the missing part of the prescribed displacement; sets Trial::balance. Collective.
 void balance(const Scene& scene, Solver& solver, std::span<double> residual);
