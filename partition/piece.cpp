@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/sorted.hpp"
 #include "brunt/mesh/topology.hpp"
 #include "partition/dual_graph.hpp"
 
@@ -14,11 +15,6 @@ namespace {
 template <class Index>
 std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
-}
-
-void sort_unique(std::vector<LocalIndex>& values) {
-  std::ranges::sort(values);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 std::vector<LocalIndex> nodes_without_element(const mesh::Mesh& mesh) {

@@ -24,11 +24,17 @@ comment_block() {
   awk 'NR > 2 { if (!/^#/) exit; sub(/^# ?/, ""); print }' "$1"
 }
 
+# configure PRESET: runs CMake.
+configure() {
+  (cd "$project" && cmake --preset "$1" >&2) || fail 4 "cmake failed (see above)"
+}
+
 # build PRESET [cmake --build options]: configures and builds with all cores.
 build() {
   local preset=$1
   shift
-  (cd "$project" && cmake --preset "$preset" >&2 && cmake --build --preset "$preset" --parallel "$(nproc)" "$@" >&2) ||
+  configure "$preset"
+  (cd "$project" && cmake --build --preset "$preset" --parallel "$(nproc)" "$@" >&2) ||
     fail 4 "the build failed (see above)"
 }
 

@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 
 #include "brunt/core/error.hpp"
 #include "brunt/core/excerpt.hpp"
+#include "brunt/core/letter_case.hpp"
+#include "brunt/core/sorted.hpp"
 #include "brunt/depth/encounter.hpp"
 #include "brunt/depth/samples.hpp"
 #include "depth_poses.hpp"
@@ -21,8 +22,7 @@ namespace {
 constexpr double farthest_place = 1e100;  // [length]: squares of distances stay finite
 
 bool is_scene(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string extension = lower_case(std::filesystem::path(path).extension().string());
   return extension == ".yaml" || extension == ".yml";
 }
 
@@ -129,8 +129,7 @@ DepthWork work_of_scene(const comm::Communicator& ranks, const DepthOptions& opt
 std::vector<depth::Metric> metrics_of(const DepthOptions& options) {
   std::vector<depth::Metric> metrics;
   for (const std::string& name : options.metrics) metrics.push_back(metric_named(name));
-  std::ranges::sort(metrics);  // translations first: their answers start the others
-  metrics.erase(std::ranges::unique(metrics).begin(), metrics.end());
+  sort_unique(metrics);  // translations first: their answers start the others
   return metrics;
 }
 

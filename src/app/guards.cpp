@@ -35,6 +35,10 @@ void observe(const time::Ledger& ledger, Extremes& seen) {
     seen.momentum_error = std::max(seen.momentum_error, (own_momentum - start).norm() / seen.momentum_scale);
 }
 
+double energy_change(const time::Ledger& ledger, const Extremes& seen) {
+  return seen.largest_energy > 0 ? (ledger.total() - seen.start_total) / seen.largest_energy : 0.0;
+}
+
 double error_ratio(const Extremes& seen) {
   return seen.largest_energy > 0 ? seen.largest_error / seen.largest_energy : 0.0;
 }

@@ -44,6 +44,9 @@ struct Extremes {
 constexpr int worst_width = 2 * guarded_columns;  ///< its last members
 constexpr int extremes_width = sizeof(Extremes) / sizeof(double) - worst_width;
 
+/// Change of the total since the start, divided by the largest energy so far; 0 while there was none.
+double energy_change(const time::Ledger& ledger, const Extremes& seen);
+
 /// Largest change of the total divided by the largest energy, both over the run so far. A ratio of each single step
 /// would divide rounding errors by zero energy in the first steps of a run from rest.
 double error_ratio(const Extremes& seen);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "brunt/core/sorted.hpp"
 #include "brunt/geometry/box.hpp"
 #include "brunt/geometry/closest_point.hpp"
 #include "brunt/mesh/topology.hpp"
@@ -66,9 +67,7 @@ std::vector<mesh::Side> mortar_slaves(const scene::Input& input, const mesh::Mes
       if (geometry::overlaps(reach, slave.boxes[k])) all.push_back(slave.sides[k]);
     if (all.size() == before) all.insert(all.end(), slave.sides.begin(), slave.sides.end());
   }
-  std::ranges::sort(all);
-  const auto repeated = std::ranges::unique(all);
-  all.erase(repeated.begin(), repeated.end());
+  sort_unique(all);
   return all;
 }
 

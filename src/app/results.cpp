@@ -180,7 +180,7 @@ std::string Results::save_last_good() {
   // an implicit step that fails leaves the state of t_n, which was right
   const bool before = run_.implicit ? run_.state.step <= step_of_guard : run_.state.step < step_of_guard;
   const bool newer = run_.state.step > checkpoint_step_ && before;
-  const std::string saved = newer ? write_checkpoint() : accepted_;
+  std::string saved = newer ? write_checkpoint() : accepted_;
   run_.extremes = seen;
   std::ranges::copy(driven, run_.driven.saved().begin());
   return saved;
@@ -302,8 +302,8 @@ void Results::table_line(const time::Ledger& ledger, const time::StepReport& ste
   const std::string element = controlling_element(run_, step);
   log_.line(fmt::format("{:>8} {:>11.4e} {:>10.3e} {:>9} {:>11.4e} {:>11.4e} {:>11.4e} {:>9.1e} {:>7} {:>10.2e} {:>8}",
                         at.step, at.time, step.dt, element, ledger.kinetic, ledger.internal, ledger.total(),
-                        (ledger.total() - run_.extremes.start_total) / std::max(run_.extremes.largest_energy, 1e-300),
-                        ledger.contact_totals.active, ledger.contact_totals.penetration, clock_text(seconds_left)));
+                        energy_change(ledger, run_.extremes), ledger.contact_totals.active,
+                        ledger.contact_totals.penetration, clock_text(seconds_left)));
 }
 
 }  // namespace brunt::app

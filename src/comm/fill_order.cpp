@@ -7,6 +7,7 @@
 #include <string>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/sorted.hpp"
 
 namespace brunt::comm {
 namespace {
@@ -28,9 +29,8 @@ Graph symmetric_graph(std::span<const SolverIndex> begin, std::span<const Solver
     }
   Graph graph;
   for (std::vector<idx_t>& row : rows) {
-    std::ranges::sort(row);
-    const auto repeated = std::ranges::unique(row);
-    graph.neighbour.insert(graph.neighbour.end(), row.begin(), repeated.begin());
+    sort_unique(row);
+    graph.neighbour.insert(graph.neighbour.end(), row.begin(), row.end());
     graph.begin.push_back(static_cast<idx_t>(graph.neighbour.size()));
   }
   return graph;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "brunt/core/sorted.hpp"
+
 namespace brunt::contact {
 
 HaloExchange::HaloExchange(const comm::Communicator& ranks, LocalIndex node_count, NodeLinks links, int widest)
@@ -106,7 +108,7 @@ void HaloExchange::max_to_owner(std::span<double> values, int width) {
 }
 
 void HaloExchange::unite(std::vector<double>& values) {
-  keep_distinct(values);
+  sort_unique(values);
   if (ranks_.empty() || ranks_.front().size() == 1) return;
   const comm::Communicator& ranks = ranks_.front();
   std::vector<std::byte> bytes;
@@ -115,7 +117,7 @@ void HaloExchange::unite(std::vector<double>& values) {
     for (const std::vector<std::byte>& part : gathered) bytes.insert(bytes.end(), part.begin(), part.end());
     values.resize(bytes.size() / sizeof(double));
     if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
-    keep_distinct(values);
+    sort_unique(values);
     const std::span<const std::byte> distinct = std::as_bytes(std::span(values));
     bytes.assign(distinct.begin(), distinct.end());
   }

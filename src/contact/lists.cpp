@@ -9,6 +9,7 @@
 #include "brunt/contact/data/tolerances.hpp"
 #include "brunt/contact/enforcement/system.hpp"
 #include "brunt/core/error.hpp"
+#include "brunt/core/sorted.hpp"
 #include "candidate_pairs.hpp"
 
 namespace brunt::contact {
@@ -44,12 +45,6 @@ struct NeededNode {
   Place home;
   friend auto operator<=>(const NeededNode&, const NeededNode&) = default;
 };
-
-template <class T>
-void sort_unique(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 /// The nodes needed here, and those of this rank that others need.
 NodeTable make_table(const ListBuild& build, std::vector<NeededNode> needed, Ragged<LocalIndex>& requested) {

@@ -12,6 +12,7 @@
 #include "brunt/contact/join_neighbours.hpp"
 #include "brunt/contact/search/search.hpp"
 #include "brunt/core/error.hpp"
+#include "brunt/core/sorted.hpp"
 #include "brunt/geometry/closest_point.hpp"
 
 namespace brunt::contact {
@@ -139,11 +140,6 @@ std::vector<BodyPair> mark_sides(const comm::Communicator& ranks, const mesh::Lo
   return flush;
 }
 
-void sort_unique(std::vector<BodyPair>& pairs) {
-  std::ranges::sort(pairs);
-  pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
-}
-
 /// A face that goes on beyond a side that ends in the node; the face is of the rank that says so.
 struct SeamOfNode {
   LocalIndex node = 0, face = 0;
@@ -212,7 +208,7 @@ void mark_nodes(const Ragged<SeamOfNode>& received, const Tolerances& tolerances
       const auto goes_by = [&](const SeamOfNode& other) {
         return Vec3(other.out.data()).dot(Vec3(seam.normal.data())) > tolerances.facing;
       };
-      if (std::ranges::any_of(std::ranges::equal_range(known, seam.node, {}, &SeamOfNode::node), goes_by)) continue;
+      if (std::ranges::any_of(equal_part(known, seam.node, &SeamOfNode::node), goes_by)) continue;
       surface.seam_sag[static_cast<std::size_t>(&*at - surface.facets.values.data())] = seam.sag;
     }
 }
@@ -249,7 +245,7 @@ std::vector<std::vector<SideAtSeam>> find_sides_at_seams(const comm::Communicato
   std::vector<std::vector<char>> answers(count);
   for (std::size_t r = 0; r < count; ++r)
     for (const EndAtNode& end : questions.row(static_cast<LocalIndex>(r))) {
-      const auto here = std::ranges::equal_range(known, end.node, {}, &SeamOfNode::node);
+      const auto here = equal_part(known, end.node, &SeamOfNode::node);
       const auto is_side = [&](const SeamOfNode& seam) { return ends_at_side(seam, end, tolerances); };
       answers[r].push_back(std::ranges::any_of(here, is_side) ? 1 : 0);
     }

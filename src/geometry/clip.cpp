@@ -59,7 +59,7 @@ class Clipper {
       extent_ = std::max(extent_, extent);
     }
     for (std::size_t i = 0; i < subject.size(); ++i)
-      now_.add({{Kind::subject, static_cast<std::int8_t>(i), 0}, subject[i], i});
+      now_.add({{Kind::subject, static_cast<std::uint8_t>(i), 0}, subject[i], i});
   }
 
   /// Keeps the part left of side `j` of the clip polygon; returns false if it is empty.
@@ -120,9 +120,9 @@ class Clipper {
   /// Of two sides, the second one of the clip polygon.
   [[nodiscard]] ClipCorner recipe_of(std::size_t first, std::size_t second) const {
     const std::size_t n = subject_.size(), m = clip_.size();
-    if (first >= n && after(first - n, m) == second - n) return {Kind::clip, static_cast<std::int8_t>(second - n), 0};
-    if (first >= n && after(second - n, m) == first - n) return {Kind::clip, static_cast<std::int8_t>(first - n), 0};
-    return {Kind::crossing, static_cast<std::int8_t>(first), static_cast<std::int8_t>(second)};
+    if (first >= n && after(first - n, m) == second - n) return {Kind::clip, static_cast<std::uint8_t>(second - n), 0};
+    if (first >= n && after(second - n, m) == first - n) return {Kind::clip, static_cast<std::uint8_t>(first - n), 0};
+    return {Kind::crossing, static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(second)};
   }
 
   Polygon<double> subject_, clip_;

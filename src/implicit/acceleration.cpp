@@ -11,7 +11,7 @@ namespace brunt::implicit {
 
 void Acceleration::improve(const comm::Communicator& ranks, std::size_t measured, std::span<double> correction) {
   if (!last_.empty()) {
-    std::ranges::rotate(change_, change_.end() - 1);
+    std::rotate(change_.begin(), change_.end() - 1, change_.end());
     known_ = std::min(known_ + 1, depth);
     Change& newest = change_.front();
     newest.correction.resize(correction.size());

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/core/sorted.hpp"
 #include "brunt/model/curve.hpp"
 
 namespace brunt::implicit {
@@ -175,9 +176,7 @@ std::vector<double> turning_times(const model::Model& model, double end) {
   for (const model::Drive& drive : model.drives)
     for (const auto& [time, value] : drive.curve)
       if (time > 0 && time < end) times.push_back(time);
-  std::ranges::sort(times);
-  const auto repeated = std::ranges::unique(times);
-  times.erase(repeated.begin(), repeated.end());
+  sort_unique(times);
   return times;
 }
 

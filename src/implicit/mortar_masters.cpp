@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/core/sorted.hpp"
 #include "mortar_shares.hpp"
 #include "nodal.hpp"
 
@@ -107,9 +108,7 @@ Told told_to(std::span<const Box> reach, const MortarContact& contact) {
       all.facets.push_back(told);
     }
   }
-  std::ranges::sort(nodes);
-  const auto repeated = std::ranges::unique(nodes);
-  nodes.erase(repeated.begin(), repeated.end());
+  sort_unique(nodes);
   for (const LocalIndex node : nodes) all.nodes.push_back(told(contact.nodes, node));
   return all;
 }
@@ -219,7 +218,7 @@ void tell_masters(const comm::Communicator& ranks, MortarContact& contact) {
       node = contact.nodes.place_of(before[static_cast<std::size_t>(node)]);
   for (std::size_t k = 0; k < contact.interfaces.size(); ++k) {
     if (contact.interfaces[k].pair.tied) continue;
-    const auto of_face = std::ranges::equal_range(told.facets, static_cast<std::int64_t>(k), {}, &FacetTold::interface);
+    const auto of_face = equal_part(told.facets, static_cast<std::int64_t>(k), &FacetTold::interface);
     lay_masters(contact.nodes, of_face, contact.interfaces[k]);
   }
   contact.nodes.x = from_owners(contact.nodes, contact.nodes.x);

@@ -8,6 +8,7 @@
 
 #include "brunt/contact/mortar/active_set.hpp"
 #include "brunt/core/error.hpp"
+#include "brunt/core/sorted.hpp"
 #include "brunt/implicit/interface_forces.hpp"
 #include "brunt/implicit/mortar.hpp"
 #include "brunt/implicit/round_seat.hpp"
@@ -64,12 +65,10 @@ void lay_rows(const WholeSurfaces& whole, contact::MortarSurfaces& surfaces) {
   for (const FacetNodes& facet : surfaces.slave)
     for (const LocalIndex node : facet)
       if (node != no_index) surfaces.rows.push_back(node);
-  std::ranges::sort(surfaces.rows);
-  const auto repeated = std::ranges::unique(surfaces.rows);
-  surfaces.rows.erase(repeated.begin(), repeated.end());
+  sort_unique(surfaces.rows);
   for (const LocalIndex row : surfaces.rows) {
     const GlobalIndex gid = whole.nodes[static_cast<std::size_t>(row)].gid;
-    for (const MirrorRecord& mirror : std::ranges::equal_range(whole.mirrors, gid, {}, &MirrorRecord::gid))
+    for (const MirrorRecord& mirror : equal_part(whole.mirrors, gid, &MirrorRecord::gid))
       surfaces.mirrors.values.emplace_back(mirror.normal.data());
     surfaces.mirrors.close_row();
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "brunt/core/sorted.hpp"
 #include "self_sides.hpp"
 
 namespace brunt::implicit {
@@ -75,9 +76,7 @@ Part part_of(Rank rank, const WholeSurfaces& whole, const Interface& face) {
       if (part.ours.back() != 0 && node != no_index && owner_of(whole, node) != rank)
         part.rows_beside.push_back(static_cast<std::size_t>(face.topology.row_of_node[static_cast<std::size_t>(node)]));
   }
-  std::ranges::sort(part.rows_beside);
-  const auto repeated = std::ranges::unique(part.rows_beside);
-  part.rows_beside.erase(repeated.begin(), repeated.end());
+  sort_unique(part.rows_beside);
   return part;
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/core/sorted.hpp"
 #include "brunt/force/pressure_tangent.hpp"
 #include "brunt/force/tangent.hpp"
 #include "brunt/model/curve.hpp"
@@ -103,9 +104,7 @@ void Stiffness::lay_pattern(const model::Model& model, const Unknowns& unknowns,
   }
   rows_.begin.assign(1, 0);
   for (std::size_t r = 0; r < columns.size(); ++r) {
-    std::ranges::sort(columns[r]);
-    const auto rest = std::ranges::unique(columns[r]);
-    columns[r].erase(rest.begin(), rest.end());
+    sort_unique(columns[r]);
     const GlobalIndex own = mesh.node_gid[static_cast<std::size_t>(unknowns.node[r])];
     rows_.diagonal.push_back(rows_.begin.back() + (std::ranges::lower_bound(columns[r], own) - columns[r].begin()));
     rows_.column.insert(rows_.column.end(), columns[r].begin(), columns[r].end());

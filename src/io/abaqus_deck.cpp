@@ -14,6 +14,7 @@
 #include "abaqus_keywords.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/core/excerpt.hpp"
+#include "brunt/core/letter_case.hpp"
 #include "brunt/io/csv.hpp"
 #include "brunt/io/text_file.hpp"
 
@@ -27,7 +28,7 @@ bool is_quoted(std::string_view text) {
 /// Words in capitals, separated by one blank.
 std::string spaced(std::string_view text) {
   std::string result;
-  for (const char c : in_capitals(text))
+  for (const char c : upper_case(text))
     if (c != ' ' && c != '\t')
       result += c;
     else if (!result.ends_with(' '))
@@ -37,15 +38,8 @@ std::string spaced(std::string_view text) {
 
 }  // namespace
 
-std::string in_capitals(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(),
-                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return result;
-}
-
 std::string compact(std::string_view text) {
-  std::string result = in_capitals(text);
+  std::string result = upper_case(text);
   std::erase_if(result, [](char c) { return c == ' ' || c == '\t'; });
   return result;
 }

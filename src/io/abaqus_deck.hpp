@@ -92,8 +92,6 @@ DeckLabel label_of(std::string_view text);
 /// In capitals and without blanks: as keywords and names of parameters are compared.
 std::string compact(std::string_view text);
 
-std::string in_capitals(std::string_view text);
-
 /// For messages: with '?' for control characters.
 std::string printable(std::string_view text);
 

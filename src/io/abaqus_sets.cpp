@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "brunt/core/excerpt.hpp"
+#include "brunt/core/letter_case.hpp"
 #include "brunt/io/csv.hpp"
 
 namespace brunt::io {
@@ -188,7 +189,7 @@ AbaqusChoice AbaqusSetReader::choice_of_set(const DeckLine& line, std::string_vi
 
 int AbaqusSetReader::face_of(const DeckLine& line, std::string_view field) const {
   static const std::set<std::string> shell_sides{"SPOS", "SNEG", "E1", "E2", "E3", "E4", "END1", "END2"};
-  const std::string face = in_capitals(field);
+  const std::string face = upper_case(field);
   if (shell_sides.contains(face)) return -1;
   if (face.size() != 2 || face[0] != 'S' || face[1] < '1' || face[1] > '6')
     deck_.fail(line.number, fmt::format("invalid face '{}'; expected S1 to S6, or none", excerpt(field)));

@@ -7,13 +7,13 @@
 #include <netcdf.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <limits>
 #include <optional>
 
 #include "brunt/core/error.hpp"
 #include "brunt/core/excerpt.hpp"
+#include "brunt/core/letter_case.hpp"
 #include "brunt/core/utf8.hpp"
 #include "left_out.hpp"
 #include "netcdf_layout.hpp"
@@ -86,8 +86,8 @@ struct Kind {
   int nodes;
 };
 
-bool known_kind(std::string type, std::int64_t nodes, Kind& kind) {
-  std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return std::toupper(c); });
+bool known_kind(const std::string& written, std::int64_t nodes, Kind& kind) {
+  const std::string type = upper_case(written);
   const auto is = [&](const char* start, int count) { return type.starts_with(start) && nodes == count; };
   if (is("HEX", 8)) return kind = {Shape::hex8, 8}, true;
   if (is("TET", 4)) return kind = {Shape::tet4, 4}, true;

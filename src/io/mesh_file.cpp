@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "abaqus_deck.hpp"
 #include "brunt/core/error.hpp"
+#include "brunt/core/letter_case.hpp"
 #include "brunt/io/abaqus.hpp"
 #include "brunt/io/exodus.hpp"
 #include "brunt/io/gmsh.hpp"
@@ -51,7 +51,7 @@ mesh::Mesh read_mesh(const std::string& path, const std::vector<std::string>& ig
   const std::size_t mark = start.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   const std::string text = start.substr(std::min(start.find_first_not_of(" \t\r\n", mark), start.size()));
   if (text.starts_with("$MeshFormat") || text.starts_with("$Comments")) return read_gmsh(path, ignore);
-  if (text.starts_with('*') && !in_capitals(text).starts_with("*KEYWORD")) return read_abaqus(path, ignore);
+  if (text.starts_with('*') && !upper_case(text).starts_with("*KEYWORD")) return read_abaqus(path, ignore);
   throw InputError(
       fmt::format("{}: unknown kind of mesh file; expected Exodus II, Gmsh MSH 2.2 or 4.1, or Abaqus .inp", path));
 }

@@ -8,6 +8,7 @@
 
 #include "brunt/core/error.hpp"
 #include "brunt/core/excerpt.hpp"
+#include "brunt/core/letter_case.hpp"
 #include "brunt/io/text_file.hpp"
 #include "raw_number.hpp"
 #include "surface_formats.hpp"
@@ -65,8 +66,7 @@ TriangleSurface parse_binary(std::string_view content, const std::string& name) 
 }
 
 bool same_word(std::string_view word, std::string_view keyword) {
-  return std::ranges::equal(word, keyword,
-                            [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a + 32 == b); });
+  return std::ranges::equal(word, keyword, {}, [](char c) { return lower_case(c); });
 }
 
 /// The statements of an ASCII file; keywords in upper or lower case, in any lines.

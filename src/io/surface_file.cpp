@@ -4,21 +4,17 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <limits>
 
 #include "brunt/core/error.hpp"
 #include "brunt/core/excerpt.hpp"
+#include "brunt/core/letter_case.hpp"
 #include "brunt/io/text_file.hpp"
 #include "surface_formats.hpp"
 #include "surface_text.hpp"
 
 namespace brunt::io {
 namespace {
-
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 SurfaceFile parse(std::string_view content, const std::string& name, SurfaceFormat format) {
   switch (format) {
@@ -38,8 +34,7 @@ SurfaceFormat surface_format(const std::string& path) {
   const auto folder = path.find_last_of('/');
   const std::string file = folder == std::string::npos ? path : path.substr(folder + 1);
   const auto dot = file.find_last_of('.');
-  std::string extension = dot == std::string::npos ? "" : file.substr(dot);
-  std::ranges::transform(extension, extension.begin(), lower);
+  const std::string extension = dot == std::string::npos ? "" : lower_case(file.substr(dot));
   if (extension == ".stl") return SurfaceFormat::stl;
   if (extension == ".obj") return SurfaceFormat::obj;
   if (extension == ".ply") return SurfaceFormat::ply;

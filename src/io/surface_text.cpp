@@ -11,6 +11,7 @@
 
 #include "brunt/core/error.hpp"
 #include "brunt/core/excerpt.hpp"
+#include "brunt/core/letter_case.hpp"
 #include "brunt/io/surface_file.hpp"
 
 namespace brunt::io {
@@ -129,8 +130,7 @@ std::string coordinate_fault(int axis, double value) {
 
 bool is_web_page(std::string_view text) {
   constexpr std::size_t length = 512;  // bytes: the first tags of a page
-  std::string start(text.substr(0, length));
-  std::ranges::transform(start, start.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  const std::string start = lower_case(text.substr(0, length));
   const auto first = start.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   return first != std::string::npos && start[first] == '<' && start.find("<html") != std::string::npos;
 }

@@ -28,8 +28,7 @@ Corners corners_of(const Block& block, LocalIndex e) {
   corners.fill(std::numeric_limits<LocalIndex>::max());
   std::copy_n(block.element(e), nodes_per_element(block.shape), corners.begin());
   std::ranges::sort(corners);
-  const auto repeated = std::ranges::unique(corners);
-  std::fill(repeated.begin(), repeated.end(), std::numeric_limits<LocalIndex>::max());
+  std::fill(std::unique(corners.begin(), corners.end()), corners.end(), std::numeric_limits<LocalIndex>::max());
   std::ranges::replace(corners, std::numeric_limits<LocalIndex>::max(), no_index);
   return corners;
 }
@@ -101,8 +100,8 @@ class PlaceFinder {
         cells[corner] =
             cell_of(centre + margin * Vec3(corner & 1U ? 1 : -1, corner & 2U ? 1 : -1, corner & 4U ? 1 : -1));
       std::ranges::sort(cells);
-      const auto repeated = std::ranges::unique(cells);
-      for (auto cell = cells.begin(); cell != repeated.begin(); ++cell) {
+      const auto repeated = std::unique(cells.begin(), cells.end());
+      for (auto cell = cells.begin(); cell != repeated; ++cell) {
         const auto [first, last] = grid.equal_range(*cell);
         for (auto other = first; other != last; ++other)
           if (in_same_place(other->second, element, margin)) visit(other->second, element);

@@ -3,19 +3,11 @@
 
 #include <algorithm>
 
+#include "brunt/core/sorted.hpp"
 #include "brunt/mesh/topology.hpp"
 #include "brunt/scene/select.hpp"
 
 namespace brunt::scene {
-namespace {
-
-void sort_unique(NamedNodes::Nodes& nodes) {
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-}
-
-}  // namespace
-
 NamedNodes::NamedNodes(const Input& input, const mesh::CanonicalMesh& whole) : input_(input), whole_(whole) {
   for (const std::size_t part : parts_of_blocks(input, whole.mesh)) part_of_block_.push_back(input.parts[part].name);
   Vec3 low = Vec3::Constant(1e300), high = -low;

@@ -7,15 +7,10 @@
 #include <filesystem>
 #include <initializer_list>
 
+#include "brunt/core/letter_case.hpp"
+
 namespace brunt::scene {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return result;
-}
 
 /// The first line with anything in it, and no comment of a deck ($ in LS-DYNA, ** in Abaqus).
 std::string_view first_line(std::string_view text) {
@@ -43,8 +38,8 @@ std::string named_as_mesh(std::string_view what, const std::string& file) {
 }  // namespace
 
 std::string fault_of_other_file(std::string_view text, const std::string& file) {
-  const std::string extension = lower(std::filesystem::path(file).extension().string());
-  const std::string line = lower(first_line(text));
+  const std::string extension = lower_case(std::filesystem::path(file).extension().string());
+  const std::string line = lower_case(first_line(text));
   if (text.starts_with("CDF") || text.starts_with("\x89HDF")) {
     if (is_one_of(extension, {".h5", ".hdf5"}))
       return "invalid scene: the file is an HDF5 file; expected a scene in YAML, and a checkpoint after --restart";

@@ -204,8 +204,7 @@ std::size_t read_choice(const Key& key, const std::vector<std::string>& now, con
     later(key, "'" + word + "'", expected);
     return now.size();
   }
-  fault(key, fmt::format("unknown value '{}' (did you mean '{}'?); expected {}", excerpt(word),
-                         excerpt(nearest(word, now)), expected));
+  fault(key, fmt::format("unknown value '{}'{}; expected {}", excerpt(word), did_you_mean(word, now), expected));
   return now.size();
 }
 
@@ -249,23 +248,18 @@ void Section::refuse(std::size_t position) const {
   const Tree& value = key_.tree->children[position];
   const Key key = child(key_, value, name);
   std::string meant = nearest(name, known_);
-  const auto close = [&](const std::string& known) {
-    return 2 * edit_distance(name, known) <= static_cast<int>(std::max<std::size_t>(known.size(), 2));
-  };
   std::vector<Missing>& missing = key_.findings->missing;
   for (auto lack = missing.begin(); lack != missing.end(); ++lack) {
     if (lack->path != key_.path) continue;
     const std::string wanted = nearest(name, lack->names);
-    if (!close(wanted) || edit_distance(name, wanted) > edit_distance(name, meant)) continue;
+    if (!is_near(name, wanted) || edit_distance(name, wanted) > edit_distance(name, meant)) continue;
     meant = wanted;
     key_.findings->faults.take_back(lack->fault);
     missing.erase(lack);
     break;
   }
-  fault(key, fmt::format(
-                 "unknown key{}; expected one of {}",
-                 close(meant) ? fmt::format(" (did you mean '{}'?)", meant) : fmt::format(", nearest is '{}'", meant),
-                 listed(known_)));
+  fault(key,
+        fmt::format("unknown key{}; expected one of {}", did_you_mean(name, std::span(&meant, 1)), listed(known_)));
 }
 
 void Section::know(std::string_view name) {

@@ -47,10 +47,9 @@ void check_uses(const Input& input, Section& scene) {
     const bool required = use.kind == Named::material || use.kind == Named::part;
     if (required && scene.at(sections[kind]).tree == nullptr) continue;
     const std::string what = fmt::format("unknown {} '{}'", words[kind], excerpt(use.name));
-    const std::string expected = names.empty()
-                                     ? fmt::format("; expected a name defined in {}, which is empty", sections[kind])
-                                     : fmt::format(" (did you mean '{}'?); expected one of {}",
-                                                   excerpt(nearest(use.name, names)), listed(names));
+    const std::string expected =
+        names.empty() ? fmt::format("; expected a name defined in {}, which is empty", sections[kind])
+                      : fmt::format("{}; expected one of {}", did_you_mean(use.name, names), listed(names));
     findings.faults.add(use.place, use.path, what + expected);
   }
 }
@@ -104,8 +103,8 @@ void check_bodies(const Input& input, Section& scene) {
     Section parts(scene.at("parts"), "");
     for (const std::string& name : parts.key().tree->keys) parts.has(name);
     fault(parts.at(part.name),
-          fmt::format("unknown block '{}' (did you mean '{}'?): no body of the mesh has this name; expected one of {}",
-                      excerpt(part.block), excerpt(nearest(part.block, bodies)), listed(bodies)));
+          fmt::format("unknown block '{}'{}: no body of the mesh has this name; expected one of {}",
+                      excerpt(part.block), did_you_mean(part.block, bodies), listed(bodies)));
   }
 }
 

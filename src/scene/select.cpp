@@ -239,9 +239,8 @@ class Selector {
   }
 
   static std::string expected(const std::string& word, const std::vector<std::string>& known) {
-    return known.empty()
-               ? "; expected a set of this kind, and the mesh has none"
-               : fmt::format(" (did you mean '{}'?); expected one of {}", excerpt(nearest(word, known)), listed(known));
+    return known.empty() ? "; expected a set of this kind, and the mesh has none"
+                         : fmt::format("{}; expected one of {}", did_you_mean(word, known), listed(known));
   }
 
   void undefined(const std::string& set, const std::string& key, const char* kind, const std::string& word,
@@ -283,8 +282,8 @@ class Selector {
     const std::string lists =
         fmt::format("parts: {}; sets: {}; sets of the mesh: {}", none(known), none(own), none(of_mesh));
     for (const auto* list : {&own, &of_mesh}) known.insert(known.end(), list->begin(), list->end());
-    report(key, "unknown part or set '{}' (did you mean '{}'?); expected one of the {}", excerpt(where),
-           excerpt(nearest(where, known)), lists);
+    report(key, "unknown part or set '{}'{}; expected one of the {}", excerpt(where), did_you_mean(where, known),
+           lists);
   }
 
   const Input& input_;

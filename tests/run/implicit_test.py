@@ -158,7 +158,7 @@ class Implicit(Program):
             "solver: {scheme: contact_implicit, step: 0.1}":
                 ("solver: {scheme: contact_implicit, step: 0.1, alpha: 0.1}", "solver.alpha: invalid without scheme: hht"),
             "step: 0.1}": ("step: 0.1, min_step: 0.2}", "solver.min_step: out of range: larger than step; expected a number > 0, at most step"),
-            "scheme: contact_implicit": ("scheme: implicit", "solver.scheme: unknown value 'implicit' (did you mean 'static'?); expected one of static, contact_implicit, hht, newmark"),
+            "scheme: contact_implicit": ("scheme: implicit", "solver.scheme: unknown value 'implicit'; expected one of static, contact_implicit, hht, newmark"),
             "fixed:": ("contact: [{between: all}]\nfixed:", "contact.0: invalid contact in an implicit scene"),
             "probes:": ("rigid_walls: [{point: [0, 0, -1], normal: [0, 0, 1], friction: {static: 0.3, kinetic: 0.2}}]\nprobes:", "invalid friction of a wall in an implicit scene"),
         }

@@ -37,13 +37,13 @@ constexpr double off_side = 1e-9;
 
 /// The origin of a corner of the result.
 struct ClipCorner {
-  enum class Kind : std::int8_t {
+  enum class Kind : std::uint8_t {
     subject,  ///< corner `first` of the subject
     clip,     ///< corner `first` of the clip
     crossing  ///< sides `first` and `second` cross: numbers over the subject's sides, then the clip's
   };
   Kind kind = Kind::subject;
-  std::int8_t first = 0, second = 0;
+  std::uint8_t first = 0, second = 0;
 };
 
 /// A convex polygon with three or four corners, counter-clockwise; side i runs from corner i to corner i + 1.

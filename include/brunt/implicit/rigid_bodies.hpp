@@ -34,8 +34,8 @@ struct BodyTrial {
   Vec3 given_velocity = Vec3::Zero(), given_spin = Vec3::Zero();  ///< at t_{n+1}
   Vec3 gravity = Vec3::Zero(), gravity_before = Vec3::Zero();     ///< the body's weight [force]
   // at the last assembled matrix
-  Eigen::Quaterniond base = Eigen::Quaterniond::Identity();
   Vec3 base_arc = Vec3::Zero();  ///< unknowns of rotation at that matrix [length]
+  Eigen::Quaterniond base = Eigen::Quaterniond::Identity();
   // at the iterate
   Vec3 arc = Vec3::Zero();
   Vec3 displacement = Vec3::Zero();

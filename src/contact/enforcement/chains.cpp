@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "brunt/core/sorted.hpp"
+
 namespace brunt::contact {
 namespace {
 
@@ -204,9 +206,7 @@ void note_pairs(const System& system, ChainScratch& chains) {
     for (const BodyShare& share : system.rows.bodies_of(q))
       keep_max(chains.answer[static_cast<std::size_t>(share.body)], share.along * share.along);
   }
-  std::ranges::sort(chains.own_pairs);
-  const auto repeated = std::ranges::unique(chains.own_pairs);
-  chains.own_pairs.erase(repeated.begin(), repeated.end());
+  sort_unique(chains.own_pairs);
   chains.renewed = chains.own_pairs != chains.last_own_pairs;
 }
 

@@ -64,6 +64,19 @@ TEST_CASE("guards: a column that must not be negative warns below -1 % and stops
     }
 }
 
+TEST_CASE("guards: the change of the energy is a share of the largest one, and 0 while there was none") {
+  Impact impact;
+  impact.ledger.kinetic = 98;
+  CHECK(energy_change(impact.ledger, impact.seen) == Approx(-0.02));
+  Extremes seen;
+  time::Ledger ledger;
+  observe(ledger, seen);
+  ledger.contact = -4e-27;
+  REQUIRE(ledger.total() != seen.start_total);
+  CHECK(energy_change(ledger, seen) == 0);
+  CHECK(error_ratio(seen) == 0);
+}
+
 TEST_CASE("guards: contact may give where it parts bodies that began inside each other") {
   Impact impact;
   impact.ledger.contact = -50;

@@ -93,4 +93,10 @@ TEST_CASE("the nearest known word", "[scene]") {
   CHECK(nearest("young_modulus", known) == "young");
   CHECK(nearest("x", {}).empty());
   CHECK(listed(known) == "density, young, poisson");
+  CHECK(did_you_mean("possion", known) == " (did you mean 'poisson'?)");
+  CHECK(did_you_mean("colour", known).empty());
+  CHECK(did_you_mean("x", {}).empty());
+  CHECK(is_near("si", "SI"));
+  CHECK_FALSE(is_near("mm", "SI"));
+  CHECK_FALSE(is_near("nodes", "dofs"));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One spoilt line at a time: the message must name the line, the key path, and what is wrong.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "brunt/core/error.hpp"
@@ -177,7 +178,25 @@ TEST_CASE("a mistyped key that is required is one fault", "[scene]") {
   const std::vector<std::string> two = faults_of(spoilt("density: 7800", "colour: 7800"));
   REQUIRE(two.size() == 2);
   CHECK_THAT(two[0], Catch::Contains("density: missing"));
-  CHECK_THAT(two[1], Catch::Contains("colour: unknown key, nearest is"));
+  CHECK_THAT(two[1], Catch::Contains("colour: unknown key; expected one of "));
+}
+
+TEST_CASE("only a word that is near a known one is asked for", "[scene]") {
+  const auto told = [](const std::string& good_text, const std::string& wrong) {
+    const std::vector<std::string> faults = faults_of(spoilt(good_text, wrong));
+    INFO(wrong);
+    const auto unknown = std::ranges::find_if(
+        faults, [](const std::string& fault) { return fault.find("unknown ") != std::string::npos; });
+    REQUIRE(unknown != faults.end());
+    return *unknown;
+  };
+  for (const std::string& fault : {told("units: SI", "units: mm"), told("- part: left", "- nodes: left"),
+                                   told("material: steel", "material: wood"), told("[left, right]", "[left, ground]"),
+                                   told("- part: left", "- part: ground")}) {
+    INFO(fault);
+    CHECK_THAT(fault, Catch::Contains("; expected one of "));
+    CHECK_THAT(fault, !Catch::Contains("did you mean") && !Catch::Contains("nearest"));
+  }
 }
 
 TEST_CASE("names that do not fit together", "[scene]") {

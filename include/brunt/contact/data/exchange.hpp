@@ -2,10 +2,11 @@
 // Exchange between ranks as seen by enforcement, which does not know about ranks. Arrays have `width` doubles for each
 // contact node of this rank; a node has one owner and any number of copies.
 #pragma once
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "brunt/core/sorted.hpp"
 
 namespace brunt::contact {
 
@@ -41,14 +42,7 @@ class Exchange {
   /// The owner's value becomes the maximum over all copies; copies are unchanged. Of one rank: nothing to do.
   virtual void max_to_owner(std::span<double> /*values*/, int /*width*/) {}
   /// The distinct values of all ranks, ascending, in place of this rank's. It allocates memory: not for ordinary steps.
-  virtual void unite(std::vector<double>& values) { keep_distinct(values); }
-
- protected:
-  static void keep_distinct(std::vector<double>& values) {
-    std::ranges::sort(values);
-    const auto repeated = std::ranges::unique(values);
-    values.erase(repeated.begin(), repeated.end());
-  }
+  virtual void unite(std::vector<double>& values) { sort_unique(values); }
 };
 
 /// One rank with all nodes: nothing to exchange.
