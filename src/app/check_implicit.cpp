@@ -72,7 +72,8 @@ std::vector<std::string> implicit_check(Prepared& run, const std::string& time_u
                                              "solver", name_of(settings.scheme), settings.step, time_unit,
                                              settings.min_step, settings.max_step, settings.tolerance,
                                              settings.linear == model::LinearSolver::direct ? "direct" : "mumps")};
-  for (const implicit::Interface& face : solver.contact.interfaces) lines.push_back(interface_line(run, face.pair));
+  for (const implicit::Interface& face : solver.contact.interfaces)
+    if (face.first_of_pair) lines.push_back(interface_line(run, face.pair));
   const std::size_t bodies = implicit::body_unknowns * solver.bodies.trial.size();
   lines.push_back(fmt::format("{:<16} {} displacements, {} multipliers{}", "unknowns", solver.unknowns.total,
                               solver.contact.z_before.size(),

@@ -152,7 +152,7 @@ nlohmann::ordered_json implicit_summary(const Prepared& run) {
           {"energy_last", solver.trial.energy},
           {"force_s", work.force_seconds},
           {"contact",
-           {{"interfaces", solver.contact.interfaces.size()},
+           {{"interfaces", run.model.mortar.size()},
             {"multipliers", solver.contact.z_before.size()},
             {"pairs", counts.pairs},
             {"segments", counts.segments},

@@ -93,16 +93,19 @@ std::vector<std::string> watch_driven(const Scene& scene, Solver& solver, const 
     return scene.model.blocks[static_cast<std::size_t>(block)].part;
   };
   double* next = solver.driven.data();
-  std::vector<double> depths;
-  for (const Interface& face : solver.contact.interfaces)
-    depths.push_back(face.pair.tied ? 0.0 : depth_of(solver.contact.nodes, face));
+  std::vector<double> depths(scene.model.mortar.size(), 0.0);
+  std::vector<const contact::MortarPair*> pairs(depths.size());
+  for (const Interface& face : solver.contact.interfaces) {
+    if (face.first_of_pair) pairs[face.of_pair] = &face.pair;
+    if (!face.pair.tied) depths[face.of_pair] = std::max(depths[face.of_pair], depth_of(solver.contact.nodes, face));
+  }
   if (!depths.empty()) scene.links.ranks.max(depths);
   for (std::size_t k = 0; k < depths.size(); ++k) {
-    const Interface& face = solver.contact.interfaces[k];
+    const contact::MortarPair& pair = *pairs[k];
     const double depth = depths[k];
     if (deepen(depth, scene.state.time, next))
-      warnings.push_back(warning_of(part(face.pair.slave), fmt::format("part '{}'", part(face.pair.master)), next[0],
-                                    depth, length_unit));
+      warnings.push_back(
+          warning_of(part(pair.slave), fmt::format("part '{}'", part(pair.master)), next[0], depth, length_unit));
     next += 2;
   }
   const std::vector<AtWall> here = held_behind_walls(scene, solver);

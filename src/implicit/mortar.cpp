@@ -8,6 +8,7 @@
 #include "brunt/contact/mortar/levers.hpp"
 #include "brunt/contact/mortar/normals.hpp"
 #include "brunt/contact/mortar/tractions.hpp"
+#include "interface_rows.hpp"
 #include "mortar_shares.hpp"
 #include "self_sides.hpp"
 
@@ -91,13 +92,12 @@ void find_rows(const MortarContact& contact, Iterate iterate, Interface& face) {
   const ContactNodes& nodes = contact.nodes;
   search(face, nodes.x);
   if (face.consistent()) {
-    contact::mortar_rows_and_slopes(face.surfaces, face.topology, face.search.candidates, nodes.x, {}, *face.scratch,
-                                    face.rows, face.slopes);
+    find_slopes_at(face, nodes.x, {});
     contact::NodeBlocks<Vec3> gradient;
     contact::gap_gradient(face.rows, face.slopes, gradient);
     contact::gap_levers(face.rows, gradient, face.gap_levers);
   } else {
-    contact::mortar_rows(face.surfaces, face.topology, face.search.candidates, nodes.x, *face.scratch, face.rows);
+    find_rows_at(face, nodes.x);
   }
   if (!face.keeps(contact)) return;
   contact::gaps_at(face.rows, nodes.x_before, face.start_gaps);

@@ -13,7 +13,7 @@ namespace {
 /// Contribution of one row to one node.
 struct Share {
   std::int64_t turn = 0;  ///< number of its interface
-  GlobalIndex row = 0;    ///< its slave node
+  GlobalIndex row = 0;    ///< its place among those of all ranks
   GlobalIndex node = 0;
   std::array<double, 3> force{}, friction{};
 };
@@ -36,7 +36,7 @@ void lever_shares_of(const ContactNodes& nodes, const Interface& face, std::size
   const std::span<const LocalIndex> of_row = face.levers.nodes.row(index);
   for (std::size_t k = 0; k < of_row.size(); ++k) {
     const auto node = static_cast<std::size_t>(of_row[k]);
-    Share share{turn, nodes.gid[static_cast<std::size_t>(face.surfaces.rows[row])], nodes.gid[node]};
+    Share share{turn, face.place[row], nodes.gid[node]};
     Eigen::Map<Vec3>(share.force.data()) = face.levers.row(index)[k].transpose() * face.tractions[row];
     take(nodes.source[node].rank, share);
   }
@@ -50,7 +50,7 @@ void gap_lever_shares_of(const ContactNodes& nodes, const Interface& face, std::
   const std::span<const LocalIndex> of_row = face.gap_levers.nodes.row(index);
   for (std::size_t k = 0; k < of_row.size() && face.z[row] != 0; ++k) {
     const auto node = static_cast<std::size_t>(of_row[k]);
-    Share share{turn, nodes.gid[static_cast<std::size_t>(face.surfaces.rows[row])], nodes.gid[node]};
+    Share share{turn, face.place[row], nodes.gid[node]};
     Eigen::Map<Vec3>(share.force.data()) = face.z[row] * face.gap_levers.row(index)[k];
     take(nodes.source[node].rank, share);
   }
@@ -72,7 +72,7 @@ void shares_of(const ContactNodes& nodes, const Interface& face, std::int64_t tu
     for (std::size_t k = 0; k < of_row.size(); ++k) {
       const auto node = static_cast<std::size_t>(of_row[k]);
       const double weight = weights.row(static_cast<LocalIndex>(row))[k];
-      Share share{turn, nodes.gid[static_cast<std::size_t>(face.surfaces.rows[row])], nodes.gid[node]};
+      Share share{turn, face.place[row], nodes.gid[node]};
       Eigen::Map<Vec3>(share.force.data()) = weight * traction;
       Eigen::Map<Vec3>(share.friction.data()) = weight * tangential;
       take(nodes.source[node].rank, share);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/contact/mortar/patches.hpp"
 #include "brunt/core/sorted.hpp"
 #include "mortar_shares.hpp"
 #include "nodal.hpp"
@@ -15,6 +16,10 @@ namespace {
 /// Displacement of nodes until the next exchange of masters, over the capture distance. The exchange includes all
 /// facets within reach after both sides have moved by it, and a small margin for rounding.
 constexpr double travel_of_capture = 0.5, spare = 1.1;
+
+/// Reach of rows of points over the capture distance: the normal at a facet within reach depends on the facets around
+/// its corners, which begin at most the diagonal of a facet farther away.
+constexpr double with_neighbours = 3;
 
 struct Box {
   std::array<double, 3> low{}, high{};
@@ -60,6 +65,7 @@ struct NodeTold {
 struct FacetTold {
   GlobalIndex key = 0;
   std::array<GlobalIndex, 4> node{};  ///< the last is -1 for a triangle
+  std::array<GlobalIndex, 4> patch{};
   double wall = 0;
   std::int64_t interface = 0;
 };
@@ -80,7 +86,7 @@ Ragged<Box> reaches(const comm::Communicator& ranks, const MortarContact& contac
     for (const contact::FacetNodes& facet : face.surfaces.slave)
       for (const LocalIndex node : facet)
         if (node != no_index) box.take(contact.nodes.x[static_cast<std::size_t>(node)]);
-    box.grow(face.surfaces.capture + 2 * spare * contact.travel);
+    box.grow((face.of_points ? with_neighbours : 1.0) * face.surfaces.capture + 2 * spare * contact.travel);
     mine.push_back(box);
   }
   return comm::exchange(ranks, std::vector<std::vector<Box>>(static_cast<std::size_t>(ranks.size()), mine));
@@ -99,7 +105,8 @@ Told told_to(std::span<const Box> reach, const MortarContact& contact) {
     const OwnMasters& own = contact.interfaces[k].own_masters;
     for (std::size_t facet = 0; facet < own.key.size(); ++facet) {
       if (!reach[k].meets(box_of(own.nodes[facet], contact.nodes.x))) continue;
-      FacetTold told{own.key[facet], {}, own.wall[facet], static_cast<std::int64_t>(k)};
+      FacetTold told{own.key[facet], {}, {}, own.wall[facet], static_cast<std::int64_t>(k)};
+      if (!own.patch.empty()) told.patch = own.patch[facet];
       for (std::size_t c = 0; c < 4; ++c) {
         const LocalIndex node = own.nodes[facet][c];
         told.node[c] = node == no_index ? -1 : contact.nodes.gid[static_cast<std::size_t>(node)];
@@ -162,14 +169,17 @@ void lay_nodes(const comm::Communicator& ranks, std::vector<NodeTold> told, Cont
 void lay_masters(const ContactNodes& nodes, std::span<const FacetTold> facets, Interface& face) {
   face.surfaces.master.clear();
   face.surfaces.master_wall.clear();
+  std::vector<std::array<GlobalIndex, 4>> patches;
   if (face.self) face.self->master.clear();
   for (const FacetTold& told : facets) {
     contact::FacetNodes facet{};
     for (std::size_t c = 0; c < 4; ++c) facet[c] = told.node[c] < 0 ? no_index : nodes.place_of(told.node[c]);
     face.surfaces.master.push_back(facet);
     face.surfaces.master_wall.push_back(told.wall);
+    if (face.of_points) patches.push_back(told.patch);
     if (face.self) face.self->master.push_back(face.self->number_of(told.key));
   }
+  face.surfaces.master_patches = contact::patches_of(patches);
   face.search.anew = true;
 }
 

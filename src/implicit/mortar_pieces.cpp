@@ -15,7 +15,7 @@ struct PieceKey {
   GlobalIndex interface = 0;
   /// 0: the patch of a facet; 1: weights of a row times derivatives of its traction; 2: the patch of a row's levers
   GlobalIndex of_tractions = 0;
-  GlobalIndex source = 0;  ///< key of the facet, number of the row's node
+  GlobalIndex source = 0;  ///< key of the facet, number of the row
   friend auto operator<=>(const PieceKey&, const PieceKey&) = default;
 };
 
@@ -44,13 +44,13 @@ void for_each_piece(const MortarContact& contact, const std::vector<contact::Tra
     const auto interface = static_cast<GlobalIndex>(k);
     for (std::size_t p = 0; p < face.slopes.weights.count; ++p) {
       const contact::Patch& patch = face.slopes.weights.patch[p];
-      const auto facet = static_cast<std::size_t>(face.slopes.weights.source[p]);
-      visit(Piece{{interface, 0, face.slave_key[facet]}, patch.rows, patch.columns, patch.values.data()});
+      const auto source = static_cast<std::size_t>(face.slopes.weights.source[p]);
+      const GlobalIndex key = face.of_points ? GlobalIndex{face.place[source]} : face.slave_key[source];
+      visit(Piece{{interface, 0, key}, patch.rows, patch.columns, patch.values.data()});
     }
     const contact::NodeBlocks<Mat3>& slopes = tractions[k].by_position;
     for (LocalIndex row = 0; row < slopes.nodes.rows(); ++row) {
-      const auto node = static_cast<std::size_t>(face.surfaces.rows[static_cast<std::size_t>(row)]);
-      visit(Piece{{interface, 1, contact.nodes.gid[node]},
+      visit(Piece{{interface, 1, face.place[static_cast<std::size_t>(row)]},
                   face.rows.weights.nodes.row(row),
                   slopes.nodes.row(row),
                   nullptr,
@@ -60,8 +60,7 @@ void for_each_piece(const MortarContact& contact, const std::vector<contact::Tra
     for (std::size_t p = 0; face.consistent() && p < face.lever_patches.count; ++p) {
       const contact::Patch& patch = face.lever_patches.patch[p];
       const auto row = static_cast<std::size_t>(face.lever_patches.source[p]);
-      const auto node = static_cast<std::size_t>(face.surfaces.rows[row]);
-      visit(Piece{{interface, 2, contact.nodes.gid[node]}, patch.rows, patch.columns, patch.values.data()});
+      visit(Piece{{interface, 2, face.place[row]}, patch.rows, patch.columns, patch.values.data()});
     }
   }
 }

@@ -11,6 +11,7 @@ namespace {
 /// Pairs of the slave facets that are counted on this rank.
 GlobalIndex pairs_of(const Interface& face) {
   if (face.pair.tied) return face.search.counts.pairs;
+  if (face.of_points) return 0;  // they are those of the facets' interface
   GlobalIndex pairs = 0;
   for (std::size_t facet = 0; facet < face.surfaces.slave.size(); ++facet)
     if (face.surfaces.is_ours(facet))

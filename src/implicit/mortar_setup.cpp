@@ -4,17 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "brunt/contact/mortar/active_set.hpp"
 #include "brunt/core/error.hpp"
-#include "brunt/core/sorted.hpp"
 #include "brunt/implicit/interface_forces.hpp"
 #include "brunt/implicit/mortar.hpp"
 #include "brunt/implicit/round_seat.hpp"
 #include "brunt/implicit/thickness.hpp"
 #include "brunt/material/law.hpp"
-#include "mortar_shares.hpp"
+#include "mortar_pairs.hpp"
 #include "self_sides.hpp"
 
 namespace brunt::implicit {
@@ -61,19 +61,6 @@ double young_of(const model::ElementBlock& block) {
   return moduli.mu * (3 * moduli.lambda + 2 * moduli.mu) / (moduli.lambda + moduli.mu);
 }
 
-void lay_rows(const WholeSurfaces& whole, contact::MortarSurfaces& surfaces) {
-  for (const FacetNodes& facet : surfaces.slave)
-    for (const LocalIndex node : facet)
-      if (node != no_index) surfaces.rows.push_back(node);
-  sort_unique(surfaces.rows);
-  for (const LocalIndex row : surfaces.rows) {
-    const GlobalIndex gid = whole.nodes[static_cast<std::size_t>(row)].gid;
-    for (const MirrorRecord& mirror : equal_part(whole.mirrors, gid, &MirrorRecord::gid))
-      surfaces.mirrors.values.emplace_back(mirror.normal.data());
-    surfaces.mirrors.close_row();
-  }
-}
-
 /// Whether supports leave any node a free direction.
 bool can_move(const WholeSurfaces& whole, const std::vector<FacetNodes>& facets) {
   return std::ranges::any_of(facets, [&](const FacetNodes& facet) {
@@ -111,7 +98,7 @@ void lay_sides(const model::Model& model, const WholeSurfaces& whole, const Mort
   face.surfaces.multiplier = asked.multiplier;
   if (asked.slave == asked.master) {
     lay_self(whole, of);
-    lay_rows(whole, face.surfaces);
+    lay_rows(whole, false, face.surfaces);
     return;
   }
   of.slave = side_of(whole, asked.slave);
@@ -129,7 +116,8 @@ void lay_sides(const model::Model& model, const WholeSurfaces& whole, const Mort
     std::swap(surfaces.slave, surfaces.master);
     std::swap(surfaces.slave_wall, surfaces.master_wall);
   }
-  lay_rows(whole, surfaces);
+  surfaces.fading = asked.edges;
+  lay_rows(whole, asked.edges, surfaces);
 }
 
 /// The tied rows in the reference configuration.
@@ -237,8 +225,10 @@ MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& m
   const WholeSurfaces whole = tell_surfaces(ranks, model);
   std::vector<WholeInterface> interfaces;
   for (const MortarPair& pair : model.mortar) {
-    interfaces.push_back(make_interface(model, whole, pair));
-    warn_of_chords(model, whole, interfaces.back().face, contact.warnings);
+    WholeInterface whole_pair = make_interface(model, whole, pair);
+    whole_pair.face.of_pair = static_cast<std::size_t>(&pair - model.mortar.data());
+    warn_of_chords(model, whole, whole_pair.face, contact.warnings);
+    std::ranges::move(split_at_edges(whole, std::move(whole_pair)), std::back_inserter(interfaces));
   }
   share_out(ranks, model, unknowns, whole, std::move(interfaces), contact);
   number_multipliers(unknowns, contact);

@@ -72,9 +72,11 @@ Part part_of(Rank rank, const WholeSurfaces& whole, const Interface& face) {
       continue;
     part.facets.push_back(facet);
     part.ours.push_back(owner_of(whole, nodes) == rank ? 1 : 0);
-    for (const LocalIndex node : nodes)
-      if (part.ours.back() != 0 && node != no_index && owner_of(whole, node) != rank)
-        part.rows_beside.push_back(static_cast<std::size_t>(face.topology.row_of_node[static_cast<std::size_t>(node)]));
+    for (std::size_t a = 0; a < nodes.size() && part.ours.back() != 0; ++a) {
+      const LocalIndex row = face.topology.row_of_corner[facet][a];
+      if (row != no_index && owner_of(whole, nodes[a]) != rank)
+        part.rows_beside.push_back(static_cast<std::size_t>(row));
+    }
   }
   sort_unique(part.rows_beside);
   return part;
@@ -113,11 +115,27 @@ void link_rows(const comm::Communicator& ranks, const WholeSurfaces& whole, cons
   face.beside = comm::Halo(ranks, rows, beside);
 }
 
+/// The rows of the corners of its facets, in the numbers of this rank: its own, then those beside.
+std::vector<FacetNodes> corner_rows_of(const Interface& all, const Part& part) {
+  std::vector<LocalIndex> number(all.count(), no_index);
+  LocalIndex next = 0;
+  for (const std::vector<std::size_t>* rows : {&part.rows, &part.rows_beside})
+    for (const std::size_t row : *rows) number[row] = next++;
+  std::vector<FacetNodes> of_corner;
+  for (const std::size_t facet : part.facets) {
+    FacetNodes& rows = of_corner.emplace_back(all.topology.row_of_corner[facet]);
+    for (LocalIndex& row : rows)
+      if (row != no_index) row = number[static_cast<std::size_t>(row)];
+  }
+  return of_corner;
+}
+
 void lay_surfaces(Rank rank, const WholeInterface& of, const Part& part, const Kept& kept, Interface& face) {
   const contact::MortarSurfaces& all = of.face.surfaces;
   contact::MortarSurfaces& mine = face.surfaces;
   mine.multiplier = all.multiplier;
   mine.capture = all.capture;
+  mine.fading = all.fading;
   mine.ours = part.ours;
   for (const std::size_t facet : part.facets) {
     mine.slave.push_back(kept.place(all.slave[facet]));
@@ -131,11 +149,13 @@ void lay_surfaces(Rank rank, const WholeInterface& of, const Part& part, const K
     mine.mirrors.close_row();
   }
   for (const std::size_t row : part.rows_beside) mine.rows_elsewhere.push_back(kept.place(all.rows[row]));
+  mine.corner_rows = corner_rows_of(of.face, part);
   for (std::size_t facet = 0; facet < all.master.size() && !face.pair.tied; ++facet) {
     if (of.master.rank[facet] != rank) continue;
     face.own_masters.key.push_back(of.master.key[facet]);
     face.own_masters.nodes.push_back(kept.place(all.master[facet]));
     face.own_masters.wall.push_back(all.master_wall[facet]);
+    if (face.of_points) face.own_masters.patch.push_back(of.master_patch[facet]);
   }
 }
 
@@ -177,21 +197,21 @@ void lay_nodes(const comm::Communicator& ranks, const model::Model& model, const
   nodes.friction_force = nodes.force;
 }
 
-/// A flag for each node: whether surfaces of several interfaces with multipliers contain it, or that of a part in
-/// contact with itself, whose nodes may belong to its slave and its master.
+/// A flag for each node: whether surfaces of several pairs with multipliers contain it, or that of a part in contact
+/// with itself, whose nodes may belong to its slave and its master.
 std::vector<std::uint8_t> nodes_of_several(const WholeSurfaces& whole, const std::vector<WholeInterface>& interfaces) {
   std::vector<std::uint8_t> several(whole.nodes.size(), 0);
   std::vector<std::int32_t> seen(whole.nodes.size(), -1);
   for (std::size_t k = 0; k < interfaces.size(); ++k) {
-    if (interfaces[k].face.multipliers() == 0) continue;
-    const auto interface = static_cast<std::int32_t>(k);
+    if (!interfaces[k].face.is_rigid()) continue;
+    const auto pair = static_cast<std::int32_t>(interfaces[k].face.of_pair);
     for (const WholeSide* side : {&interfaces[k].slave, &interfaces[k].master})
       for (const FacetNodes& facet : side->facets)
         for (const LocalIndex place : facet) {
           if (place == no_index) continue;
           const auto node = static_cast<std::size_t>(place);
-          if (interfaces[k].face.self || (seen[node] >= 0 && seen[node] != interface)) several[node] = 1;
-          seen[node] = interface;
+          if (interfaces[k].face.self || (seen[node] >= 0 && seen[node] != pair)) several[node] = 1;
+          seen[node] = pair;
         }
   }
   return several;
@@ -202,11 +222,19 @@ bool has_supports(const WholeSurfaces& whole, const std::vector<LocalIndex>& nod
       nodes, [&](LocalIndex node) { return !whole.free[static_cast<std::size_t>(node)].isIdentity(0); });
 }
 
+/// Whether a node has several rows, which are in ascending order of nodes.
+bool has_several(const std::vector<LocalIndex>& rows) {
+  return std::ranges::adjacent_find(rows) != rows.end();
+}
+
 /// The part of `of` on this rank, with nodes as places of the kept ones.
 Interface interface_of(const comm::Communicator& ranks, const WholeSurfaces& whole, const WholeInterface& of,
                        const Part& part, const Kept& kept, std::span<const Vec3> reference) {
   Interface face;
   face.pair = of.face.pair;
+  face.of_pair = of.face.of_pair;
+  face.first_of_pair = of.face.first_of_pair;
+  face.of_points = of.face.of_points;
   face.stiffness = of.face.stiffness;
   face.friction = of.face.friction;
   face.scratch = contact::make_mortar_scratch();
@@ -253,7 +281,8 @@ void share_out(const comm::Communicator& ranks, const model::Model& model, const
   lay_nodes(ranks, model, unknowns, whole, kept.list(), several, contact.nodes);
   contact.shares_nodes = std::ranges::count(several, std::uint8_t{1}) > 0;
   contact.may_imply = contact.shares_nodes || std::ranges::any_of(interfaces, [&](const WholeInterface& of) {
-                        return of.face.multipliers() > 0 && has_supports(whole, of.face.surfaces.rows);
+                        return of.face.is_rigid() && (has_supports(whole, of.face.surfaces.rows) ||
+                                                      !of.face.first_of_pair || has_several(of.face.surfaces.rows));
                       });
   for (std::size_t k = 0; k < interfaces.size(); ++k)
     contact.interfaces.push_back(interface_of(ranks, whole, interfaces[k], parts[k], kept, contact.nodes.x));

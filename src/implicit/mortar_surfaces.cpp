@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "brunt/comm/rendezvous.hpp"
+#include "brunt/core/sorted.hpp"
 #include "brunt/implicit/rigid_bodies.hpp"
 
 namespace brunt::implicit {
@@ -86,6 +87,17 @@ WholeSurfaces tell_surfaces(const comm::Communicator& ranks, const model::Model&
     whole.free.push_back(node.free_directions());
   }
   return whole;
+}
+
+Ragged<Vec3> mirrors_at(const WholeSurfaces& whole, std::span<const LocalIndex> rows) {
+  Ragged<Vec3> mirrors;
+  for (const LocalIndex row : rows) {
+    const GlobalIndex gid = whole.nodes[static_cast<std::size_t>(row)].gid;
+    for (const MirrorRecord& mirror : equal_part(whole.mirrors, gid, &MirrorRecord::gid))
+      mirrors.values.emplace_back(mirror.normal.data());
+    mirrors.close_row();
+  }
+  return mirrors;
 }
 
 WholeSide side_of(const WholeSurfaces& whole, std::int32_t block) {

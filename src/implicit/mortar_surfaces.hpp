@@ -53,4 +53,7 @@ struct WholeSide {
 };
 WholeSide side_of(const WholeSurfaces& whole, std::int32_t block);
 
+/// For the node of each row: unit normals of the planes of symmetry that contain it.
+Ragged<Vec3> mirrors_at(const WholeSurfaces& whole, std::span<const LocalIndex> rows);
+
 }  // namespace brunt::implicit

@@ -8,6 +8,7 @@
 #include "brunt/contact/mortar/levers.hpp"
 #include "brunt/contact/mortar/tractions.hpp"
 #include "brunt/implicit/mortar.hpp"
+#include "interface_rows.hpp"
 #include "mortar_pieces.hpp"
 #include "nodal.hpp"
 
@@ -100,7 +101,7 @@ void add_multipliers(const MortarContact& contact, const Interface& face, const 
       continue;
     }
     const double covered = face.rows.covered[row], fades = face.fades(row);
-    const double rate = -(1 - fades) * face.stiffness / (face.topology.kappa[row] * covered);
+    const double rate = -face.by_gap(row);
     if (fades > 0) terms.multiplier_multiplier(multiplier, multiplier, -fades / face.topology.kappa[row]);
     for (std::size_t k = 0; k < gradient.nodes.row(index).size(); ++k)
       terms.multiplier_node(multiplier, gradient.nodes.row(index)[k], rate * gradient.row(index)[k]);
@@ -136,9 +137,7 @@ std::vector<Vec3> tractions_around(const Interface& face) {
 void find_consistent_slopes(const MortarContact& contact, Interface& face) {
   std::vector<Vec3> pressures;
   contact::normal_tractions(face.rows, face.z, pressures);
-  contact::mortar_rows_and_slopes(face.surfaces, face.topology, face.search.candidates, contact.nodes.x,
-                                  tractions_around(face), *face.scratch, face.rows, face.slopes, {},
-                                  with_those_beside(face, std::move(pressures)));
+  find_slopes_at(face, contact.nodes.x, tractions_around(face), {}, with_those_beside(face, std::move(pressures)));
   contact::lever_patches(face.rows, face.slopes, face.z, face.lever_patches);
 }
 
@@ -148,10 +147,8 @@ void find_slopes(MortarContact& contact, Interface& face, FrictionLimit limit, c
   if (face.consistent())
     find_consistent_slopes(contact, face);
   else
-    contact::mortar_rows_and_slopes(
-        face.surfaces, face.topology, face.search.candidates, contact.nodes.x, tractions_around(face), *face.scratch,
-        face.rows, face.slopes,
-        face.keeps(contact) ? std::span<const Vec3>(contact.nodes.x_before) : std::span<const Vec3>());
+    find_slopes_at(face, contact.nodes.x, tractions_around(face),
+                   face.keeps(contact) ? std::span<const Vec3>(contact.nodes.x_before) : std::span<const Vec3>());
   if (face.friction.coefficient > 0)
     contact::friction_traction_slopes(
         face.rows, face.slopes, contact.nodes.x, face.z, face.friction, face.history, tractions,

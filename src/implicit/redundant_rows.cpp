@@ -27,7 +27,7 @@ contact::Equations equations_of(const Interface& face) {
   // of redundant rows those with previous pressure remain active: otherwise they would alternate
   equations.preferred.resize(face.count());
   equations.held.assign(face.count(), Mat3::Zero());
-  if (face.multipliers() == 0) return equations;  // a penalty has no equations
+  if (!face.is_rigid()) return equations;  // penalties and compliant rows yield to others
   for (std::size_t row = 0; row < face.count(); ++row) {
     const Vec3& normal = face.rows.normals[row];
     if (face.active[row] != 0) equations.held[row] = normal * normal.transpose();
@@ -47,12 +47,23 @@ void find_tied(MortarContact& contact) {
   }
 }
 
-/// Whether a row of this rank may be redundant. Nodes shared by several interfaces are not considered here.
+/// Adds the nodes of this rank that have several pressed rows, at sharp edges.
+std::vector<std::uint8_t> with_several_rows(const MortarContact& contact, std::vector<std::uint8_t> shared) {
+  std::vector<std::uint8_t> rows(contact.nodes.lasting, 0);
+  for (const Interface& face : contact.interfaces)
+    for (std::size_t row = 0; face.presses() && face.is_rigid() && row < face.count(); ++row) {
+      const auto node = static_cast<std::size_t>(face.surfaces.rows[row]);
+      if (face.active[row] != 0 && rows[node]++ > 0) shared[node] = 1;
+    }
+  return shared;
+}
+
+/// Whether a row of this rank may be redundant.
 bool is_in_question(const MortarContact& contact) {
   const ContactNodes& nodes = contact.nodes;
+  const std::vector<std::uint8_t> shared = with_several_rows(contact, nodes.several);
   for (const Interface& face : contact.interfaces)
-    if (face.multipliers() > 0 &&
-        !contact::lines_to_look_at(equations_of(face), {nodes.gid, nodes.movable, nodes.several}).empty())
+    if (face.is_rigid() && !contact::lines_to_look_at(equations_of(face), {nodes.gid, nodes.movable, shared}).empty())
       return true;
   return false;
 }
@@ -134,7 +145,7 @@ std::vector<std::uint8_t> implied_of(const std::vector<GlobalIndex>& words, std:
 /// Removes from Equations::held the directions implied by previous rows, preferred ones first. Collective.
 void leave_out_implied(const comm::Communicator& ranks, const MortarContact& contact,
                        std::vector<contact::Equations>& equations) {
-  const std::vector<std::uint8_t> shared = shared_nodes(ranks, contact, equations);
+  const std::vector<std::uint8_t> shared = with_several_rows(contact, shared_nodes(ranks, contact, equations));
   struct Own {
     Turn turn;
     std::size_t interface = 0;
@@ -185,7 +196,7 @@ void leave_out_redundant(const comm::Communicator& ranks, std::span<const Mat3> 
     Interface& face = contact.interfaces[k];
     if (face.pair.tied)
       face.tied = std::move(equations[k].held);
-    else if (face.multipliers() > 0)
+    else if (face.is_rigid())
       for (std::size_t row = 0; row < face.count(); ++row)
         if (equations[k].held[row].isZero()) face.active[row] = 0;
   }

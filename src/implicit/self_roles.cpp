@@ -27,12 +27,10 @@ std::vector<char> pressed_rows(const Interface& face) {
   return pressed;
 }
 
-bool presses(const Interface& face, const contact::FacetNodes& facet, const std::vector<char>& pressed) {
-  return std::ranges::any_of(facet, [&](LocalIndex node) {
-    if (node == no_index) return false;
-    const LocalIndex row = face.topology.row_of_node[static_cast<std::size_t>(node)];
-    return row != no_index && pressed[static_cast<std::size_t>(row)] != 0;
-  });
+/// rows: of the corners of a facet.
+bool presses(const contact::FacetNodes& rows, const std::vector<char>& pressed) {
+  return std::ranges::any_of(
+      rows, [&](LocalIndex row) { return row != no_index && pressed[static_cast<std::size_t>(row)] != 0; });
 }
 
 /// A direction to which hardly any surface is parallel. A side whose normals have a component along it looks up.
@@ -50,7 +48,7 @@ std::vector<FacingPair> facing_pairs(const Interface& face, std::span<const Vec3
     if (!face.surfaces.is_ours(facet) || candidates.empty() ||
         !contact::make_slave_plane(contact::CornersOf(nodes, x).span(), plane))
       continue;
-    const std::int32_t has_pressure = presses(face, nodes, pressed) ? 1 : 0;
+    const std::int32_t has_pressure = presses(face.topology.row_of_corner[facet], pressed) ? 1 : 0;
     for (const LocalIndex master : candidates) {
       const auto m = static_cast<std::size_t>(master);
       if (contact::integrate_segment(plane, contact::CornersOf(face.surfaces.master[m], x).span(),

@@ -142,7 +142,7 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
     solver.trial.wall_force.assign(3 * scene.state.nodes.size(), 0.0);
     solver.trial.wall_friction = solver.memory.wall_force = solver.memory.wall_friction = solver.trial.wall_force;
   }
-  solver.driven.assign(2 * (solver.contact.interfaces.size() + model.walls.size()), 0.0);
+  solver.driven.assign(2 * (model.mortar.size() + model.walls.size()), 0.0);
   start_memory(scene, solver);
   tally(ranks, solver.contact);
   show_bodies(model, scene.state, scene.scratch);

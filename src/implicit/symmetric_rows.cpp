@@ -147,6 +147,12 @@ Mat3 admitted_at(const Scene& scene, const Solver& solver, std::size_t own) {
   return held == no_index ? Mat3(Mat3::Identity()) : scene.model.constrained[static_cast<std::size_t>(held)].free;
 }
 
+/// Factor of the entry of a multiplier in its own equation. B is the force of a pressure times Interface::by_gap; with
+/// this factor a compliant row is the spring that it is.
+double of_own(const Interface& face, std::size_t multiplier) {
+  return face.multipliers() == 1 && face.active[multiplier] != 0 ? face.by_gap(multiplier) : 1.0;
+}
+
 /// Multipliers in action on this rank.
 GlobalIndex multipliers_in_action(const MortarContact& contact) {
   GlobalIndex count = 0;
@@ -190,10 +196,14 @@ SymmetricRows symmetric_rows(const Scene& scene, const Solver& solver) {
     const Mat3 admitted = solver.bodies.carries(own) ? Mat3(Mat3::Zero()) : admitted_at(scene, solver, own);
     add_rows<3>(of_node, first, admitted, solver.support_stiffness, 3 * own, writer, out);
   }
-  for (const GlobalIndex row : solver.contact.own_rows) {
-    for (const Entry& entry : rows_of(row, 1)) writer.push(row, entry.column, entry.value);
-    writer.close();
-  }
+  for (const Interface& face : solver.contact.interfaces)
+    for (std::size_t k = 0; k < face.count() * static_cast<std::size_t>(face.multipliers()); ++k) {
+      const auto width = static_cast<std::size_t>(face.multipliers());
+      const GlobalIndex row = face.multiplier(k / width, static_cast<int>(k % width));
+      for (const Entry& entry : rows_of(row, 1))
+        writer.push(row, entry.column, entry.column == row ? of_own(face, k) * entry.value : entry.value);
+      writer.close();
+    }
   std::vector<Entry> of_bodies = comm::exchange(ranks, to_rank).values;
   if (solver.bodies.rows_here) {
     const std::span<const Entry> own = rows_of(is.bodies, all - is.bodies);

@@ -152,6 +152,7 @@ void build_mortar(const Input& input, model::Model& model) {
     pair.multiplier = entry.multiplier;
     pair.enforce = entry.enforce;
     pair.consistent = entry.consistent;
+    pair.edges = entry.edges;
     pair.friction = entry.friction.fixed;
     pair.tied = entry.tied;
     pair.entry = input.at(fmt::format("contact.{}", k));

@@ -123,7 +123,7 @@ void read_mortar(Section& entry, ContactEntry& contact) {
   const bool named = entry.has("method") && entry.at("method").tree->kind == Tree::Kind::value;
   contact.mortar = named && entry.at("method").tree->text == "mortar";
   if (!contact.mortar) {
-    for (const char* key : {"multiplier", "enforce", "consistent"})
+    for (const char* key : {"multiplier", "enforce", "consistent", "edges"})
       if (entry.has(key)) fault(entry.at(key), "invalid without method: mortar; expected no such key");
     return;
   }
@@ -134,6 +134,7 @@ void read_mortar(Section& entry, ContactEntry& contact) {
   entry.optional("multiplier", contact.multiplier, multipliers);
   entry.optional("enforce", contact.enforce, enforces);
   entry.optional("consistent", contact.consistent);
+  entry.optional("edges", contact.edges);
   const auto refuse = [&](bool wrong, const char* key, const char* why) {
     if (wrong) fault(entry.at(key), why);
   };
@@ -146,6 +147,7 @@ void read_mortar(Section& entry, ContactEntry& contact) {
          "invalid for a part with itself, whose facets are slaves and masters by turns; expected no such key");
   refuse(itself && contact.initial_overlap != Overlap::error && entry.has("initial_overlap"), "initial_overlap",
          "invalid for method: mortar of a part with itself; expected error");
+  refuse(itself && entry.has("edges"), "edges", "invalid for a part with itself; expected no such key");
   refuse(entry.has("exclude"), "exclude", "invalid with method: mortar; expected this key with between: all only");
   refuse(contact.friction.kinetic != contact.friction.fixed || contact.friction.lag > 0, "friction",
          "invalid friction for method: mortar, which has Coulomb's law with one coefficient; expected a number >= 0");
@@ -153,6 +155,8 @@ void read_mortar(Section& entry, ContactEntry& contact) {
          "invalid enforcement of a tie; expected lagrange");
   refuse(contact.tied && entry.has("consistent"), "consistent",
          "invalid with tied: true, whose forces are consistent; expected no such key");
+  refuse(contact.tied && entry.has("edges"), "edges",
+         "invalid with tied: true, which holds what meets at the start; expected no such key");
   for (const char* key : {"passes", "tolerance", "max_iterations", "softness", "partition", "stiffness", "damping",
                           "competing", "rebuild"})
     refuse(entry.has(key), key, "invalid with method: mortar; expected multiplier, enforce, slave, friction or tied");

@@ -48,7 +48,7 @@ PLACES = {
     "contact": {**FIGURES, "friction": [(CONTACT, "FrictionLaw", "fixed")],
                 "initial_overlap": [(INPUT, "ContactEntry", "initial_overlap"), ("src/scene/read_contact.cpp", None, "contact.initial_overlap")],
                 "limit": [("src/app/placed_far.hpp", None, "most_overlaps")],
-                **{key: [(INPUT, "ContactEntry", key)] for key in ("self", "passes", "slave", "tied", "multiplier", "enforce", "consistent")}},
+                **{key: [(INPUT, "ContactEntry", key)] for key in ("self", "passes", "slave", "tied", "multiplier", "enforce", "consistent", "edges")}},
     "contact.friction": {"decay": [(CONTACT, "FrictionLaw", "decay")], "lag": [(CONTACT, "FrictionLaw", "lag")]},
     "enforcement": FIGURES,
     "run": {key: [(INPUT, "Run", key)] for key in ("cfl", "step_bound", "min_step_ratio")},

@@ -321,6 +321,9 @@ probes: [{name: end, set: top_zmax, field: displacement}, {name: foot, set: low_
                 "between: [low, top], method: rate, consistent: true": "contact.0.consistent: invalid without method: mortar",
                 "between: [low, top], method: mortar, consistent: exact": "contact.0.consistent: invalid value 'exact'; expected true or false",
                 "between: [low, top], method: mortar, consistent: true": "contact.0.consistent: invalid without scheme: static",
+                "between: [low, top], method: rate, edges: true": "contact.0.edges: invalid without method: mortar",
+                "between: [low, top], method: mortar, edges: sharp": "contact.0.edges: invalid value 'sharp'; expected true or false",
+                "between: [low, top], method: mortar, tied: true, edges: true": "contact.0.edges: invalid with tied: true",
                 "between: [low, top], method: mortar, tied: true, consistent: true": "contact.0.consistent: invalid with tied: true",
             },
             "solver: {scheme: contact_implicit, step: 0.01, tolerance: 1.0e-12}": {

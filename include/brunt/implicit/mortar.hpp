@@ -49,13 +49,20 @@ struct ContactNodes {
 /// Facets of a master that belong to elements of this rank, which sends them to others.
 struct OwnMasters {
   std::vector<GlobalIndex> key;
-  std::vector<contact::FacetNodes> nodes;  ///< places in ContactNodes
-  std::vector<double> wall;                ///< as MortarSurfaces::master_wall
+  std::vector<contact::FacetNodes> nodes;         ///< places in ContactNodes
+  std::vector<double> wall;                       ///< as MortarSurfaces::master_wall
+  std::vector<std::array<GlobalIndex, 4>> patch;  ///< for rows of points: numbers of the smooth patches of its corners
 };
 
 /// Share of a row's area at which its equation is half that of a pressed row: `Interface::fades`. Its pressure is then
 /// of the order of those beside it; the edge that covers it has advanced by a hundredth of a facet.
 constexpr double sliver = 1e-4;
+
+/// Share of the equation z = 0 in the rows of nodes of sharp edges: they are springs of 1/compliance times the
+/// stiffness of a layer of one facet. Where surfaces are flat at an edge, a mortar row requires the same as the node's
+/// row; of two equations that say the same one must yield. A node sinks in by this share of a facet's edge at a
+/// pressure of Young's modulus.
+constexpr double compliance = 1e-4;
 
 /// Search and pairs of one interface.
 struct PairSearch {
@@ -70,6 +77,9 @@ struct PairSearch {
 
 struct Interface {
   contact::MortarPair pair;
+  std::size_t of_pair = 0;           ///< number in Model::mortar, which may have several interfaces
+  bool first_of_pair = true;         ///< of these
+  bool of_points = false;            ///< rows of nodes of sharp edges on facets; otherwise of facets on facets
   contact::MortarSurfaces surfaces;  ///< of this rank; nodes: places in ContactNodes, rows: of nodes that it owns
   contact::MortarTopology topology;
   /// If the slave and the master are one part.
@@ -111,6 +121,8 @@ struct Interface {
     return pair.tied ? 3 : pair.enforce == contact::MortarPair::Enforce::penalty ? 0 : 1;
   }
   [[nodiscard]] bool presses() const { return !pair.tied; }
+  /// Whether its equations may contradict or repeat others.
+  [[nodiscard]] bool is_rigid() const { return multipliers() > 0 && !of_points; }
   /// Whether forces are the gradient of the weighted gaps.
   [[nodiscard]] bool consistent() const { return pair.consistent && !pair.tied; }
   /// Mean over the covered part of the row [length]; 0 if nothing is covered.
@@ -124,13 +136,18 @@ struct Interface {
   /// Share of the equation z = 0 in that of a pressed row, from 0 to 1: 1 - 1e-12 at 1e-6 of its area, 1e-12 at 1e-2. A
   /// row that begins to be covered would otherwise need any pressure, however high, to close the gap of its sliver.
   [[nodiscard]] double fades(std::size_t row) const {
+    if (of_points) return compliance;
     const double covered = topology.kappa[row] * rows.covered[row] / sliver, square = covered * covered;
     return 1 / (1 + square * square * square);
+  }
+  /// Derivative of a pressed row's equation by its weighted gap, without sign [force/length^3].
+  [[nodiscard]] double by_gap(std::size_t row) const {
+    return (1 - fades(row)) * stiffness / (topology.kappa[row] * rows.covered[row]);
   }
   /// Its derivative by the covered area [1/length^2].
   [[nodiscard]] double fades_by_covered(std::size_t row) const {
     const double share = fades(row);
-    return share < 1 ? -6 * share * (1 - share) / rows.covered[row] : 0.0;
+    return share < 1 && !of_points ? -6 * share * (1 - share) / rows.covered[row] : 0.0;
   }
   /// Whether gaps of t_n are kept: for exact multipliers with a scheme whose contact force acts at the end of the step.
   [[nodiscard]] bool keeps(const struct MortarContact& contact) const;

@@ -189,6 +189,7 @@ struct ContactEntry {
   bool mortar = false;  ///< of implicit scenes: segment to segment
   contact::Multiplier multiplier = contact::Multiplier::dual;
   bool consistent = false;  ///< of mortar: forces are the gradient of the weighted gaps
+  bool edges = false;       ///< of mortar: sharp edges split the surfaces and have rows of their own
   contact::MortarPair::Enforce enforce = contact::MortarPair::Enforce::lagrange;
   contact::OverlapRule initial_overlap = contact::OverlapRule::error;
   std::optional<double> limit;  ///< of `place`: largest displacement of a point of a part [length]

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "brunt/contact/mortar/corners.hpp"
+#include "fading.hpp"
 
 namespace brunt::contact {
 
@@ -39,6 +40,8 @@ void FacetRows::find_segments(const MortarSurfaces& surfaces, std::size_t facet,
                            with_slopes ? &segment_slopes_[next] : nullptr))
       continue;
     if (integrals.distance < -surfaces.deepest(facet, static_cast<std::size_t>(master))) continue;
+    if (surfaces.fading)
+      fade(plane_, corners.span(), surfaces.capture, integrals, with_slopes ? &segment_slopes_[next] : nullptr);
     integrals_.push_back(integrals);
     masters_.push_back(master);
     master_corners_.push_back(corners.count);

@@ -41,10 +41,10 @@ void gather(const std::vector<Entry<Block>>& entries, std::size_t rows, MortarSc
 }
 
 /// Entries of one facet's rows; weights, and derivatives of gap vectors on request.
-void take_facet(const FacetRows& facet, const FacetNodes& slave, const MortarTopology& topology, MortarScratch& scratch,
-                MortarRows& rows, std::span<const Vec3> fixed, bool with_slopes) {
+void take_facet(const FacetRows& facet, const FacetNodes& row_of_corner, MortarScratch& scratch, MortarRows& rows,
+                std::span<const Vec3> fixed, bool with_slopes) {
   for (std::size_t j = 0; j < facet.corners(); ++j) {
-    const LocalIndex row = topology.row_of_node[static_cast<std::size_t>(slave[j])];
+    const LocalIndex row = row_of_corner[j];
     if (row == no_index || static_cast<std::size_t>(row) >= rows.covered.size()) continue;
     rows.covered[static_cast<std::size_t>(row)] += facet.share(j);
     rows.gap_vectors[static_cast<std::size_t>(row)] += facet.gap_vector(j);
@@ -73,10 +73,9 @@ struct CornerTractions {
   std::array<Vec3, 4> of{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   bool loaded = false;
 
-  CornerTractions(const FacetNodes& slave, std::size_t corners, const MortarTopology& topology,
-                  std::span<const Vec3> tractions) {
+  CornerTractions(const FacetNodes& row_of_corner, std::size_t corners, std::span<const Vec3> tractions) {
     for (std::size_t j = 0; j < corners && !tractions.empty(); ++j) {
-      const LocalIndex row = topology.row_of_node[static_cast<std::size_t>(slave[j])];
+      const LocalIndex row = row_of_corner[j];
       if (row != no_index) of[j] = tractions[static_cast<std::size_t>(row)];
       loaded = loaded || !of[j].isZero(0);
     }
@@ -84,16 +83,16 @@ struct CornerTractions {
 };
 
 /// The patch of one facet, unless its tractions are zero.
-void take_patch(const FacetRows& facet, std::size_t index, const FacetNodes& slave, const MortarTopology& topology,
+void take_patch(const FacetRows& facet, std::size_t index, const FacetNodes& row_of_corner,
                 std::span<const Vec3> tractions, std::span<const Vec3> transposed, MortarScratch& scratch,
                 Patches& patches) {
-  const CornerTractions of_corner(slave, facet.corners(), topology, tractions);
+  const CornerTractions of_corner(row_of_corner, facet.corners(), tractions);
   if (!of_corner.loaded) return;
   Patch& patch = patches.next(static_cast<LocalIndex>(index));
   patch.rows.assign(facet.nodes().begin(), facet.nodes().end());
   patch.columns = patch.rows;
   facet.traction_patch(of_corner.of, patch.values);
-  const CornerTractions also(slave, facet.corners(), topology, transposed);
+  const CornerTractions also(row_of_corner, facet.corners(), transposed);
   if (!also.loaded) return;
   facet.traction_patch(also.of, scratch.transposed);
   const std::size_t size = 3 * patch.rows.size();
@@ -126,10 +125,9 @@ void evaluate(const MortarSurfaces& surfaces, const MortarTopology& topology, co
     const bool ours = surfaces.is_ours(facet);
     rows.segments += ours ? scratch.facet.segments() : 0;
     take_coverage(scratch.facet, slopes != nullptr, scratch.coverage);
-    take_facet(scratch.facet, surfaces.slave[facet], topology, scratch, rows, fixed, slopes != nullptr);
+    take_facet(scratch.facet, topology.row_of_corner[facet], scratch, rows, fixed, slopes != nullptr);
     if (slopes != nullptr && ours)
-      take_patch(scratch.facet, facet, surfaces.slave[facet], topology, tractions, transposed, scratch,
-                 slopes->weights);
+      take_patch(scratch.facet, facet, topology.row_of_corner[facet], tractions, transposed, scratch, slopes->weights);
   }
   if (slopes != nullptr) scratch.coverage.slopes.nodes.close_row();
   gather(scratch.weights, row_count, scratch, rows.weights);

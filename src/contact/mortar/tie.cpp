@@ -179,7 +179,7 @@ void tie_patches(const TieStart& start, const MortarSurfaces& surfaces, const Mo
     const std::size_t corners = nodes[3] == no_index ? 3 : 4;
     Vec3 q = Vec3::Zero();
     for (std::size_t k = 0; k < corners; ++k)
-      if (const LocalIndex row = topology.row_of_node[static_cast<std::size_t>(nodes[k])]; row != no_index)
+      if (const LocalIndex row = topology.row_of_corner[facet][k]; row != no_index)
         q += start.heights[facet][k] * tractions[static_cast<std::size_t>(row)];
     if (q.isZero(0)) continue;
     const NormalChange change = change_of(nodes, x_before, x);

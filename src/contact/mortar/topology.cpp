@@ -24,27 +24,40 @@ std::array<double, 4> whole_shares(FacetCorners x) {
   return {mean - by_xi - by_eta, mean + by_xi - by_eta, mean + by_xi + by_eta, mean - by_xi + by_eta};
 }
 
+/// One row for each node that has one.
+std::vector<FacetNodes> rows_of_nodes(const MortarSurfaces& surfaces, std::size_t nodes) {
+  std::vector<LocalIndex> row_of_node(nodes, no_index);
+  LocalIndex next = 0;
+  for (const std::vector<LocalIndex>* of : {&surfaces.rows, &surfaces.rows_elsewhere})
+    for (const LocalIndex node : *of) row_of_node[static_cast<std::size_t>(node)] = next++;
+  std::vector<FacetNodes> of_corner;
+  for (const FacetNodes& facet : surfaces.slave) {
+    FacetNodes& rows = of_corner.emplace_back();
+    for (std::size_t a = 0; a < facet.size(); ++a)
+      rows[a] = facet[a] == no_index ? no_index : row_of_node[static_cast<std::size_t>(facet[a])];
+  }
+  return of_corner;
+}
+
 }  // namespace
 
 MortarTopology make_topology(const MortarSurfaces& surfaces, std::span<const Vec3> reference) {
   MortarTopology topology;
   const std::size_t rows = surfaces.rows.size();
-  topology.row_of_node.assign(reference.size(), no_index);
-  for (std::size_t row = 0; row < rows; ++row)
-    topology.row_of_node[static_cast<std::size_t>(surfaces.rows[row])] = static_cast<LocalIndex>(row);
-
+  topology.row_of_corner =
+      surfaces.corner_rows.empty() ? rows_of_nodes(surfaces, reference.size()) : surfaces.corner_rows;
   Ragged<LocalIndex> rows_of_facets;
   std::vector<double> share(rows, 0);
   double edges = 0;
   std::size_t edge_count = 0;
-  for (const FacetNodes& facet : surfaces.slave) {
-    const CornersOf corners(facet, reference);
+  for (std::size_t facet = 0; facet < surfaces.slave.size(); ++facet) {
+    const CornersOf corners(surfaces.slave[facet], reference);
     const std::array<double, 4> whole = whole_shares(corners.span());
     for (std::size_t a = 0; a < corners.count; ++a) {
       edges += (corners.x[(a + 1) % corners.count] - corners.x[a]).norm();
       ++edge_count;
-      const LocalIndex row = topology.row_of_node[static_cast<std::size_t>(facet[a])];
-      if (row == no_index) continue;
+      const LocalIndex row = topology.row_of_corner[facet][a];
+      if (row == no_index || static_cast<std::size_t>(row) >= rows) continue;
       rows_of_facets.values.push_back(row);
       share[static_cast<std::size_t>(row)] += whole[a];
     }
@@ -56,8 +69,6 @@ MortarTopology make_topology(const MortarSurfaces& surfaces, std::span<const Vec
     demand(of_row > 0, "mortar: the node of a row has no slave facet of positive area");
     topology.kappa.push_back(1 / of_row);
   }
-  for (std::size_t k = 0; k < surfaces.rows_elsewhere.size(); ++k)
-    topology.row_of_node[static_cast<std::size_t>(surfaces.rows_elsewhere[k])] = static_cast<LocalIndex>(rows + k);
   return topology;
 }
 

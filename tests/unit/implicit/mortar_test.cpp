@@ -48,7 +48,8 @@ TEST_CASE("the matrix with contact is the derivative of the residual: multiplier
   const std::string contact =
       GENERATE(std::string("friction: 0"), std::string("multiplier: standard"), std::string("enforce: penalty"),
                std::string("friction: 0.05"), std::string("friction: 5"),
-               std::string("enforce: penalty, friction: 0.3"), std::string("tied: true"), std::string("tied: true "));
+               std::string("enforce: penalty, friction: 0.3"), std::string("edges: true"),
+               std::string("edges: true, friction: 0.05"), std::string("tied: true"), std::string("tied: true "));
   CAPTURE(contact, scheme);
   Simulation body = pressed(contact, contact.ends_with(' ') ? 0.06 : 0);
   const Scene scene{body.model, body.state, body.scratch, body.links};

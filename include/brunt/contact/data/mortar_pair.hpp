@@ -21,6 +21,7 @@ struct MortarPair {
     penalty    ///< a pressure in proportion to the penetration
   } enforce = Enforce::lagrange;
   bool consistent = false;  ///< forces are the gradient of the weighted gaps
+  bool edges = false;       ///< sharp edges split the surfaces, and their nodes have rows of their own
   double friction = 0;      ///< Coulomb's coefficient
   bool tied = false;
   std::string entry{};  ///< where it was asked for, as messages begin

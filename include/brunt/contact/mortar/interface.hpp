@@ -24,15 +24,26 @@ namespace brunt::contact {
 /// Nodes of a facet; a triangle's fourth is no_index.
 using FacetNodes = std::array<LocalIndex, 4>;
 
+/// Smooth patches of facets around nodes (patches.hpp).
+struct NodePatches {
+  std::vector<FacetNodes> of_corner;  ///< for each facet: the patches of its corners; no_index: no corner
+  Ragged<LocalIndex> facets;          ///< of each patch, ascending
+};
+
 struct MortarSurfaces {
   std::vector<FacetNodes> slave;   ///< in the order of their keys; those without candidates contribute to normals only
   std::vector<FacetNodes> master;  ///< nodes number one array, common to both sides
   std::vector<LocalIndex> rows;    ///< the slave node of each row
+  /// For each slave facet: the rows of its corners, those of other ranks from rows.size() on; no_index: none. Empty:
+  /// each node has one row at most.
+  std::vector<FacetNodes> corner_rows{};
   Ragged<Vec3> mirrors;  ///< for each row: unit normals of the symmetry planes that contain its node; or no rows
   Multiplier multiplier = Multiplier::dual;
-  double capture = 0;  ///< greatest distance of two facets along the normal [length]
+  double capture = 0;   ///< greatest distance of two facets along the normal [length]
+  bool fading = false;  ///< pairs come in with a share that has no jump (fading.hpp)
   /// For each facet: thickness of its own body behind it [length]; empty if all bodies are thicker than `capture`.
   std::vector<double> slave_wall{}, master_wall{};
+  NodePatches master_patches{};  ///< for rows of points; otherwise empty
   /// On distributed surfaces: slave nodes with rows on other ranks; their tractions follow those of the rows.
   std::vector<LocalIndex> rows_elsewhere{};
   /// For each slave facet: whether its segments are counted and its patch is formed here; empty: for all.
@@ -51,10 +62,11 @@ struct MortarSurfaces {
 
 /// Data that depend only on the surfaces and the reference configuration.
 struct MortarTopology {
-  std::vector<LocalIndex> row_of_node;  ///< from the number of rows on: rows of other ranks; no_index: no row
-  Ragged<LocalIndex> facets_around;     ///< for each row: slave facets, ascending
-  std::vector<double> kappa;            ///< for each row: 1 / int N_A over the reference slave surface [1/length^2]
-  double edge = 0;                      ///< mean edge of the slave facets in the reference configuration [length]
+  /// For each slave facet: the rows of its corners, from the number of rows on those of other ranks; no_index: no row.
+  std::vector<FacetNodes> row_of_corner;
+  Ragged<LocalIndex> facets_around;  ///< for each row: slave facets, ascending
+  std::vector<double> kappa;         ///< for each row: 1 / int N_A over the reference slave surface [1/length^2]
+  double edge = 0;                   ///< mean edge of the slave facets in the reference configuration [length]
 };
 
 /// reference: of all nodes. Throws (demand) if the node of a row has no slave facet of positive area.

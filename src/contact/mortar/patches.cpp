@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact/mortar/patches.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "brunt/contact/mortar/corners.hpp"
+#include "brunt/core/sorted.hpp"
+
+namespace brunt::contact {
+
+namespace {
+
+constexpr std::size_t corners_a_facet = 4;
+
+/// One side of an edge: a facet, and the corner at which the edge begins.
+struct EdgeSide {
+  LocalIndex low = no_index, high = no_index;  ///< nodes
+  std::size_t facet = 0, first = 0, second = 0;
+};
+
+std::vector<EdgeSide> edge_sides(std::span<const FacetNodes> facets) {
+  std::vector<EdgeSide> sides;
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const std::size_t n = facets[f][3] == no_index ? 3 : 4;
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t next = (k + 1) % n;
+      const auto [low, high] = std::minmax(facets[f][k], facets[f][next]);
+      sides.push_back({low, high, f, k, next});
+    }
+  }
+  std::ranges::sort(sides, {}, [](const EdgeSide& side) { return std::tuple(side.low, side.high, side.facet); });
+  return sides;
+}
+
+/// Unit normals; zero for facets without area.
+std::vector<Vec3> normals_of(std::span<const FacetNodes> facets, std::span<const Vec3> x) {
+  std::vector<Vec3> normals;
+  SlavePlane plane;
+  for (const FacetNodes& facet : facets)
+    normals.push_back(make_slave_plane(CornersOf(facet, x).span(), plane) ? plane.normal : Vec3(Vec3::Zero()));
+  return normals;
+}
+
+/// A facet without area has no normal, and no sharp edge.
+bool is_sharp(const Vec3& normal, const Vec3& other) {
+  return !normal.isZero(0) && !other.isZero(0) && normal.dot(other) <= smooth;
+}
+
+/// Calls visit(side, other side) for neighbours at each edge.
+template <class Visit>
+void for_neighbours(const std::vector<EdgeSide>& sides, const Visit& visit) {
+  for (std::size_t k = 0; k + 1 < sides.size(); ++k)
+    if (sides[k].low == sides[k + 1].low && sides[k].high == sides[k + 1].high) visit(sides[k], sides[k + 1]);
+}
+
+/// Members that are joined to groups, by the first one of each.
+class Joined {
+ public:
+  explicit Joined(std::size_t members) : first_(members) { std::iota(first_.begin(), first_.end(), std::size_t{0}); }
+  [[nodiscard]] std::size_t first(std::size_t member) {
+    while (first_[member] != member) member = first_[member] = first_[first_[member]];
+    return member;
+  }
+  void join(std::size_t one, std::size_t other) {
+    const std::size_t a = first(one), b = first(other);
+    first_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+};
+
+}  // namespace
+
+PatchRows patch_rows(std::span<const FacetNodes> facets, std::span<const Vec3> reference) {
+  const std::vector<Vec3> normals = normals_of(facets, reference);
+  Joined joined(corners_a_facet * facets.size());
+  for_neighbours(edge_sides(facets), [&](const EdgeSide& a, const EdgeSide& b) {
+    if (is_sharp(normals[a.facet], normals[b.facet])) return;
+    const bool same = facets[a.facet][a.first] == facets[b.facet][b.first];
+    joined.join(corners_a_facet * a.facet + a.first, corners_a_facet * b.facet + (same ? b.first : b.second));
+    joined.join(corners_a_facet * a.facet + a.second, corners_a_facet * b.facet + (same ? b.second : b.first));
+  });
+  std::vector<std::pair<LocalIndex, std::size_t>> rows;  // node, first corner of the patch
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (std::size_t k = 0; k < corners_a_facet; ++k)
+      if (facets[f][k] != no_index) rows.emplace_back(facets[f][k], joined.first(corners_a_facet * f + k));
+  std::vector<std::pair<LocalIndex, std::size_t>> each = rows;
+  sort_unique(each);
+  PatchRows out;
+  for (const auto& [node, first] : each) out.nodes.push_back(node);
+  auto next = rows.begin();
+  for (const FacetNodes& facet : facets) {
+    FacetNodes& of_corner = out.of_corner.emplace_back();
+    for (std::size_t k = 0; k < corners_a_facet; ++k)
+      of_corner[k] = facet[k] == no_index
+                         ? no_index
+                         : static_cast<LocalIndex>(std::ranges::lower_bound(each, *next++) - each.begin());
+  }
+  return out;
+}
+
+std::vector<std::size_t> region_colours(std::span<const FacetNodes> facets, std::span<const Vec3> reference) {
+  const std::vector<Vec3> normals = normals_of(facets, reference);
+  Joined joined(facets.size());
+  for_neighbours(edge_sides(facets), [&](const EdgeSide& a, const EdgeSide& b) {
+    if (!is_sharp(normals[a.facet], normals[b.facet])) joined.join(a.facet, b.facet);
+  });
+  std::map<LocalIndex, std::set<std::size_t>> at_node;
+  std::map<std::size_t, std::set<LocalIndex>> nodes_of;
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (const LocalIndex node : facets[f]) {
+      if (node == no_index) continue;
+      at_node[node].insert(joined.first(f));
+      nodes_of[joined.first(f)].insert(node);
+    }
+  std::map<std::size_t, std::size_t> colour;  // of a region, by its first facet
+  for (const auto& [region, nodes] : nodes_of) {
+    std::set<std::size_t> taken;
+    for (const LocalIndex node : nodes)
+      for (const std::size_t other : at_node[node])
+        if (const auto known = colour.find(other); known != colour.end()) taken.insert(known->second);
+    std::size_t free = 0;
+    while (taken.contains(free)) ++free;
+    colour[region] = free;
+  }
+  std::vector<std::size_t> colours;
+  for (std::size_t f = 0; f < facets.size(); ++f) colours.push_back(colour[joined.first(f)]);
+  return colours;
+}
+
+NodePatches patches_of(std::span<const std::array<GlobalIndex, 4>> numbers) {
+  std::vector<GlobalIndex> each;
+  for (const auto& facet : numbers)
+    for (const GlobalIndex number : facet)
+      if (number >= 0) each.push_back(number);
+  sort_unique(each);
+  NodePatches patches;
+  Ragged<LocalIndex> of_facets;
+  for (const auto& facet : numbers) {
+    FacetNodes& of_corner = patches.of_corner.emplace_back();
+    for (std::size_t k = 0; k < facet.size(); ++k) {
+      of_corner[k] =
+          facet[k] < 0 ? no_index : static_cast<LocalIndex>(std::ranges::lower_bound(each, facet[k]) - each.begin());
+      if (facet[k] >= 0) of_facets.values.push_back(of_corner[k]);
+    }
+    of_facets.close_row();
+  }
+  transpose(of_facets, each.size(), patches.facets);
+  return patches;
+}
+
+std::vector<LocalIndex> sharp_nodes(std::span<const FacetNodes> facets, std::span<const Vec3> reference) {
+  const std::vector<Vec3> normals = normals_of(facets, reference);
+  std::vector<LocalIndex> nodes;
+  for_neighbours(edge_sides(facets), [&](const EdgeSide& a, const EdgeSide& b) {
+    if (!is_sharp(normals[a.facet], normals[b.facet])) return;
+    const Vec3 along = reference[static_cast<std::size_t>(facets[a.facet][a.second])] -
+                       reference[static_cast<std::size_t>(facets[a.facet][a.first])];
+    if (normals[a.facet].cross(normals[b.facet]).dot(along) > 0) nodes.insert(nodes.end(), {a.low, a.high});
+  });
+  sort_unique(nodes);
+  return nodes;
+}
+
+}  // namespace brunt::contact
