@@ -203,7 +203,7 @@ std::vector<std::uint8_t> nodes_of_several(const WholeSurfaces& whole, const std
   std::vector<std::uint8_t> several(whole.nodes.size(), 0);
   std::vector<std::int32_t> seen(whole.nodes.size(), -1);
   for (std::size_t k = 0; k < interfaces.size(); ++k) {
-    if (!interfaces[k].face.is_rigid()) continue;
+    if (!interfaces[k].face.is_exact()) continue;
     const auto pair = static_cast<std::int32_t>(interfaces[k].face.of_pair);
     for (const WholeSide* side : {&interfaces[k].slave, &interfaces[k].master})
       for (const FacetNodes& facet : side->facets)
@@ -281,7 +281,7 @@ void share_out(const comm::Communicator& ranks, const model::Model& model, const
   lay_nodes(ranks, model, unknowns, whole, kept.list(), several, contact.nodes);
   contact.shares_nodes = std::ranges::count(several, std::uint8_t{1}) > 0;
   contact.may_imply = contact.shares_nodes || std::ranges::any_of(interfaces, [&](const WholeInterface& of) {
-                        return of.face.is_rigid() && (has_supports(whole, of.face.surfaces.rows) ||
+                        return of.face.is_exact() && (has_supports(whole, of.face.surfaces.rows) ||
                                                       !of.face.first_of_pair || has_several(of.face.surfaces.rows));
                       });
   for (std::size_t k = 0; k < interfaces.size(); ++k)

@@ -27,7 +27,7 @@ contact::Equations equations_of(const Interface& face) {
   // of redundant rows those with previous pressure remain active: otherwise they would alternate
   equations.preferred.resize(face.count());
   equations.held.assign(face.count(), Mat3::Zero());
-  if (!face.is_rigid()) return equations;  // penalties and compliant rows yield to others
+  if (!face.is_exact()) return equations;  // penalties and compliant rows yield to others
   for (std::size_t row = 0; row < face.count(); ++row) {
     const Vec3& normal = face.rows.normals[row];
     if (face.active[row] != 0) equations.held[row] = normal * normal.transpose();
@@ -51,7 +51,7 @@ void find_tied(MortarContact& contact) {
 std::vector<std::uint8_t> with_several_rows(const MortarContact& contact, std::vector<std::uint8_t> shared) {
   std::vector<std::uint8_t> rows(contact.nodes.lasting, 0);
   for (const Interface& face : contact.interfaces)
-    for (std::size_t row = 0; face.presses() && face.is_rigid() && row < face.count(); ++row) {
+    for (std::size_t row = 0; face.presses() && face.is_exact() && row < face.count(); ++row) {
       const auto node = static_cast<std::size_t>(face.surfaces.rows[row]);
       if (face.active[row] != 0 && rows[node]++ > 0) shared[node] = 1;
     }
@@ -63,7 +63,7 @@ bool is_in_question(const MortarContact& contact) {
   const ContactNodes& nodes = contact.nodes;
   const std::vector<std::uint8_t> shared = with_several_rows(contact, nodes.several);
   for (const Interface& face : contact.interfaces)
-    if (face.is_rigid() && !contact::lines_to_look_at(equations_of(face), {nodes.gid, nodes.movable, shared}).empty())
+    if (face.is_exact() && !contact::lines_to_look_at(equations_of(face), {nodes.gid, nodes.movable, shared}).empty())
       return true;
   return false;
 }
@@ -196,7 +196,7 @@ void leave_out_redundant(const comm::Communicator& ranks, std::span<const Mat3> 
     Interface& face = contact.interfaces[k];
     if (face.pair.tied)
       face.tied = std::move(equations[k].held);
-    else if (face.is_rigid())
+    else if (face.is_exact())
       for (std::size_t row = 0; row < face.count(); ++row)
         if (equations[k].held[row].isZero()) face.active[row] = 0;
   }

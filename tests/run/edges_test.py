@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """edges: true in mortar contact: bodies with sharp corners pressed into soft ones. Seeded punches (width, stiffness, meshes, corners of 60
-to 120 degrees, either slave, friction). Judged by positions of nodes in the other body, by the force on the other side, and by the explicit
-twin of the same mesh. Needs BRUNT and BRUNT_RUN (scripts/run) in the environment. --variants N: scenes."""
+to 120 degrees, either slave, friction). Judged by positions of corners in the slab, by the reaction on the other side, and by the other
+slave. Needs BRUNT and BRUNT_RUN (scripts/run) in the environment. --variants N: scenes."""
 import os
 import random
 import unittest

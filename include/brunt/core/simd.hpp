@@ -48,7 +48,7 @@ BRUNT_INLINE Pack pack_abs(Pack a) {
 }
 
 BRUNT_INLINE Pack pack_sqrt(Pack a) {
-  Pack root;
+  Pack root = a;
   for (int lane = 0; lane < pack_width; ++lane) root[lane] = std::sqrt(a[lane]);
   return root;
 }

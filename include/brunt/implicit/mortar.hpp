@@ -82,8 +82,7 @@ struct Interface {
   bool of_points = false;            ///< rows of nodes of sharp edges on facets; otherwise of facets on facets
   contact::MortarSurfaces surfaces;  ///< of this rank; nodes: places in ContactNodes, rows: of nodes that it owns
   contact::MortarTopology topology;
-  /// If the slave and the master are one part.
-  std::optional<SelfContact> self;
+  std::optional<SelfContact> self;     ///< if the slave and the master are one part
   std::vector<GlobalIndex> slave_key;  ///< of the slave facets
   OwnMasters own_masters;
   PairSearch search;
@@ -121,8 +120,8 @@ struct Interface {
     return pair.tied ? 3 : pair.enforce == contact::MortarPair::Enforce::penalty ? 0 : 1;
   }
   [[nodiscard]] bool presses() const { return !pair.tied; }
-  /// Whether its equations may contradict or repeat others.
-  [[nodiscard]] bool is_rigid() const { return multipliers() > 0 && !of_points; }
+  /// Whether its equations hold exactly, so that they may contradict or repeat others.
+  [[nodiscard]] bool is_exact() const { return multipliers() > 0 && !of_points; }
   /// Whether forces are the gradient of the weighted gaps.
   [[nodiscard]] bool consistent() const { return pair.consistent && !pair.tied; }
   /// Mean over the covered part of the row [length]; 0 if nothing is covered.
@@ -140,14 +139,14 @@ struct Interface {
     const double covered = topology.kappa[row] * rows.covered[row] / sliver, square = covered * covered;
     return 1 / (1 + square * square * square);
   }
-  /// Derivative of a pressed row's equation by its weighted gap, without sign [force/length^3].
-  [[nodiscard]] double by_gap(std::size_t row) const {
-    return (1 - fades(row)) * stiffness / (topology.kappa[row] * rows.covered[row]);
-  }
-  /// Its derivative by the covered area [1/length^2].
+  /// Derivative of `fades` by the covered area [1/length^2].
   [[nodiscard]] double fades_by_covered(std::size_t row) const {
     const double share = fades(row);
     return share < 1 && !of_points ? -6 * share * (1 - share) / rows.covered[row] : 0.0;
+  }
+  /// Derivative of a pressed row's equation by its weighted gap, without sign [force/length^3].
+  [[nodiscard]] double by_gap(std::size_t row) const {
+    return (1 - fades(row)) * stiffness / (topology.kappa[row] * rows.covered[row]);
   }
   /// Whether gaps of t_n are kept: for exact multipliers with a scheme whose contact force acts at the end of the step.
   [[nodiscard]] bool keeps(const struct MortarContact& contact) const;

@@ -14,6 +14,11 @@ Mat3 unit_slope(const Vec3& unit, double length) {
   return (Mat3::Identity() - unit * unit.transpose()) / length;
 }
 
+bool has_area(FacetCorners corners) {
+  SlavePlane plane;
+  return make_slave_plane(corners, plane);
+}
+
 }  // namespace
 
 SmoothNormal::SmoothNormal(const MortarSurfaces& surfaces, LocalIndex master, const std::array<double, 4>& weights,
@@ -25,7 +30,8 @@ SmoothNormal::SmoothNormal(const MortarSurfaces& surfaces, LocalIndex master, co
   for (std::size_t c = 0; c < patches.size() && patches[c] != no_index; ++c) {
     Vec3 of_patch = Vec3::Zero();
     for (const LocalIndex other : surfaces.master_patches.facets.row(patches[c]))
-      of_patch += NormalChange(CornersOf(surfaces.master[static_cast<std::size_t>(other)], x).span()).normal();
+      if (const CornersOf corners(surfaces.master[static_cast<std::size_t>(other)], x); has_area(corners.span()))
+        of_patch += NormalChange(corners.span()).normal();
     size_[c] = of_patch.norm();
     at_corner_[c] = of_patch / size_[c];
     sum += weights[c] * at_corner_[c];
@@ -42,6 +48,7 @@ void SmoothNormal::add_slopes(NodeBlocks<Mat3>& slopes) const {
     for (const LocalIndex other : surfaces_.master_patches.facets.row(patches[c])) {
       const FacetNodes& nodes = surfaces_.master[static_cast<std::size_t>(other)];
       const CornersOf corners(nodes, x_);
+      if (!has_area(corners.span())) continue;
       const NormalChange normal(corners.span());
       for (std::size_t k = 0; k < corners.count; ++k) add_block(slopes, nodes[k], Mat3(left * normal.by_corner(k)));
     }

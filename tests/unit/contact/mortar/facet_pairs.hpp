@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs of facets that the tests of mortar integrals share.
 #pragma once
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <vector>
 
+#include "brunt/contact/mortar/segment.hpp"
 #include "brunt/core/types.hpp"
 
 namespace brunt::test {
@@ -22,6 +24,17 @@ inline Corners turned_square() {
   for (const auto& [x, y] : {std::pair{-.5, -.5}, std::pair{-.5, .5}, std::pair{.5, .5}, std::pair{.5, -.5}})
     corners.emplace_back(.8 + c * x - s * y, .6 + s * x + c * y, .1);
   return corners;
+}
+
+/// All products of a pair: sixteen of two slave functions, sixteen of slave and master.
+inline std::array<double, 32> products_of(const contact::SegmentIntegrals& integrals) {
+  std::array<double, 32> all{};
+  for (std::size_t a = 0; a < 4; ++a)
+    for (std::size_t b = 0; b < 4; ++b) {
+      all[4 * a + b] = integrals.slave[a][b];
+      all[16 + 4 * a + b] = integrals.master[a][b];
+    }
+  return all;
 }
 
 struct FacetPair {

@@ -24,17 +24,6 @@ bool integrated(const Corners& slave, const Corners& master, bool fading, Segmen
   return true;
 }
 
-/// All products of a pair: sixteen of two slave functions, sixteen of slave and master.
-std::array<double, 32> values_of(const SegmentIntegrals& integrals) {
-  std::array<double, 32> all{};
-  for (std::size_t a = 0; a < 4; ++a)
-    for (std::size_t b = 0; b < 4; ++b) {
-      all[4 * a + b] = integrals.slave[a][b];
-      all[16 + 4 * a + b] = integrals.master[a][b];
-    }
-  return all;
-}
-
 }  // namespace
 
 TEST_CASE("Pairs enter and leave without a jump, and derivatives of their share are those of differences") {
@@ -64,7 +53,7 @@ TEST_CASE("Pairs enter and leave without a jump, and derivatives of their share 
         moved[direction / 12][corner][direction % 3] += move;
         SegmentIntegrals there;
         REQUIRE(integrated(moved[0], moved[1], true, there, nullptr));
-        return values_of(there);
+        return test::products_of(there);
       };
       const auto plus = at(step), minus = at(-step);
       const auto d = static_cast<std::size_t>(direction);

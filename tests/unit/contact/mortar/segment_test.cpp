@@ -22,17 +22,6 @@ bool integrate(const Corners& slave, const Corners& master, SegmentIntegrals& in
   return make_slave_plane(slave, plane) && integrate_segment(plane, master, capture, integrals, slopes);
 }
 
-/// All products of a pair: sixteen of two slave functions, sixteen of slave and master.
-std::array<double, 32> products_of(const SegmentIntegrals& integrals) {
-  std::array<double, 32> all{};
-  for (std::size_t a = 0; a < 4; ++a)
-    for (std::size_t b = 0; b < 4; ++b) {
-      all[4 * a + b] = integrals.slave[a][b];
-      all[16 + 4 * a + b] = integrals.master[a][b];
-    }
-  return all;
-}
-
 /// int of N_A N_B over a whole triangle: area / 6 or / 12.
 double triangle_mass(double area, std::size_t a, std::size_t b) {
   return area / (a == b ? 6 : 12);
@@ -81,7 +70,7 @@ TEST_CASE("Integrals do not depend on where the pair is") {
   for (Corners* corners : {&slave, &master})
     for (Vec3& x : *corners) x = turn * x + Vec3(10, -20, 30);
   REQUIRE(integrate(slave, master, there));
-  const auto first = products_of(here), second = products_of(there);
+  const auto first = test::products_of(here), second = test::products_of(there);
   for (std::size_t i = 0; i < first.size(); ++i) CHECK(std::abs(first[i] - second[i]) < 1e-14);
 }
 
@@ -165,7 +154,7 @@ TEST_CASE("Derivatives by all coordinates agree with central differences") {
       REQUIRE(integrate(moved.slave, moved.master, plus));
       x = at - step;
       REQUIRE(integrate(moved.slave, moved.master, minus));
-      const auto high = products_of(plus), low = products_of(minus);
+      const auto high = test::products_of(plus), low = test::products_of(minus);
       for (std::size_t a = 0; a < 4; ++a)
         for (std::size_t b = 0; b < 4; ++b) {
           const double slave = slopes.slave[SegmentSlopes::pair_of_corners(a, b)][direction];
@@ -207,7 +196,7 @@ TEST_CASE("Integrals are continuous where corners of the overlap appear and vani
     for (Vec3& x : there) x[0] += nothing;
     const bool first = integrate(slave, here, before), second = integrate(slave, there, after);
     if (!first || !second) continue;
-    const auto a = products_of(before), b = products_of(after);
+    const auto a = test::products_of(before), b = test::products_of(after);
     for (std::size_t i = 0; i < a.size(); ++i) CHECK(std::abs(a[i] - b[i]) < 10 * nothing);
   }
 }
