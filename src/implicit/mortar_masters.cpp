@@ -65,7 +65,7 @@ struct NodeTold {
 struct FacetTold {
   GlobalIndex key = 0;
   std::array<GlobalIndex, 4> node{};  ///< the last is -1 for a triangle
-  std::array<GlobalIndex, 4> patch{};
+  contact::PatchNumbers patch{};
   double wall = 0;
   std::int64_t interface = 0;
 };
@@ -169,7 +169,7 @@ void lay_nodes(const comm::Communicator& ranks, std::vector<NodeTold> told, Cont
 void lay_masters(const ContactNodes& nodes, std::span<const FacetTold> facets, Interface& face) {
   face.surfaces.master.clear();
   face.surfaces.master_wall.clear();
-  std::vector<std::array<GlobalIndex, 4>> patches;
+  std::vector<contact::PatchNumbers> patches;
   if (face.self) face.self->master.clear();
   for (const FacetTold& told : facets) {
     contact::FacetNodes facet{};

@@ -2,6 +2,8 @@
 #include "mortar_pairs.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "brunt/contact/mortar/patches.hpp"
 #include "brunt/core/sorted.hpp"
@@ -51,6 +53,31 @@ WholeInterface with_masters(const WholeInterface& pair, const std::vector<std::s
   return of;
 }
 
+/// Whether a plane of symmetry contains both nodes: a surface does not end there.
+bool in_one_mirror(const WholeSurfaces& whole, LocalIndex one, LocalIndex other) {
+  constexpr double parallel = 1 - 1e-12;  // product of unit normals
+  const Ragged<Vec3> mirrors = mirrors_at(whole, std::array{one, other});
+  return std::ranges::any_of(mirrors.row(0), [&](const Vec3& a) {
+    return std::ranges::any_of(mirrors.row(1), [&](const Vec3& b) { return std::abs(a.dot(b)) > parallel; });
+  });
+}
+
+std::vector<contact::PatchNumbers> patches_of_masters(const WholeSurfaces& whole,
+                                                      const std::vector<FacetNodes>& facets) {
+  const std::vector<FacetNodes> rows = contact::patch_rows(facets, whole.reference).of_corner;
+  const std::vector<std::uint8_t> rims = contact::rims_of(facets, whole.reference);
+  std::vector<contact::PatchNumbers> patches;
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    contact::PatchNumbers& of = patches.emplace_back();
+    std::ranges::copy(rows[f], of.of_corner.begin());
+    const std::size_t corners = facets[f][3] == no_index ? 3 : 4;
+    for (std::size_t k = 0; k < corners; ++k)
+      if ((rims[f] >> k & 1) != 0 && !in_one_mirror(whole, facets[f][k], facets[f][(k + 1) % corners]))
+        of.rims |= std::int64_t{1} << k;
+  }
+  return patches;
+}
+
 /// Rows of the nodes of sharp edges of one side on the facets of the other.
 WholeInterface points_of(const WholeSurfaces& whole, const WholeInterface& pair, bool of_slave) {
   WholeInterface of = beside(pair);
@@ -58,8 +85,7 @@ WholeInterface points_of(const WholeSurfaces& whole, const WholeInterface& pair,
   face.of_points = true;
   if (!of_slave) std::swap(face.pair.slave, face.pair.master);
   of.master = of_slave ? pair.master : pair.slave;
-  for (const FacetNodes& patches : contact::patch_rows(of.master.facets, whole.reference).of_corner)
-    of.master_patch.push_back({patches[0], patches[1], patches[2], patches[3]});
+  of.master_patch = patches_of_masters(whole, of.master.facets);
   const contact::MortarSurfaces& all = pair.face.surfaces;
   contact::MortarSurfaces& surfaces = face.surfaces;
   surfaces.capture = all.capture;

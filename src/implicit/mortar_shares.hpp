@@ -12,7 +12,7 @@ namespace brunt::implicit {
 struct WholeInterface {
   Interface face;
   WholeSide slave, master;
-  std::vector<std::array<GlobalIndex, 4>> master_patch{};  ///< for rows of points: as OwnMasters::patch
+  std::vector<contact::PatchNumbers> master_patch{};  ///< for rows of points: as OwnMasters::patch
 };
 
 /// Keeps on each rank the rows of the nodes that it owns, the slave facets around them, and their nodes; masters are

@@ -49,9 +49,9 @@ struct ContactNodes {
 /// Facets of a master that belong to elements of this rank, which sends them to others.
 struct OwnMasters {
   std::vector<GlobalIndex> key;
-  std::vector<contact::FacetNodes> nodes;         ///< places in ContactNodes
-  std::vector<double> wall;                       ///< as MortarSurfaces::master_wall
-  std::vector<std::array<GlobalIndex, 4>> patch;  ///< for rows of points: numbers of the smooth patches of its corners
+  std::vector<contact::FacetNodes> nodes;    ///< places in ContactNodes
+  std::vector<double> wall;                  ///< as MortarSurfaces::master_wall
+  std::vector<contact::PatchNumbers> patch;  ///< for rows of points: of the smooth patches around its corners
 };
 
 /// Share of a row's area at which its equation is half that of a pressed row: `Interface::fades`. Its pressure is then
@@ -132,17 +132,18 @@ struct Interface {
   [[nodiscard]] double above(std::size_t row) const {
     return rows.gaps[row] - (least_gaps.empty() ? 0.0 : least_gaps[row]);
   }
-  /// Share of the equation z = 0 in that of a pressed row, from 0 to 1: 1 - 1e-12 at 1e-6 of its area, 1e-12 at 1e-2. A
-  /// row that begins to be covered would otherwise need any pressure, however high, to close the gap of its sliver.
+  /// Least share of the equation z = 0 in that of a pressed row.
+  [[nodiscard]] double yields() const { return of_points ? compliance : 0.0; }
+  /// This share, up to 1: 1 - 1e-12 at 1e-6 of the row's area, 1e-12 at 1e-2 (more than the least share). A row that
+  /// begins to be covered would otherwise need any pressure, however high, to close the gap of its sliver.
   [[nodiscard]] double fades(std::size_t row) const {
-    if (of_points) return compliance;
     const double covered = topology.kappa[row] * rows.covered[row] / sliver, square = covered * covered;
-    return 1 / (1 + square * square * square);
+    return yields() + (1 - yields()) / (1 + square * square * square);
   }
   /// Derivative of `fades` by the covered area [1/length^2].
   [[nodiscard]] double fades_by_covered(std::size_t row) const {
-    const double share = fades(row);
-    return share < 1 && !of_points ? -6 * share * (1 - share) / rows.covered[row] : 0.0;
+    const double share = (fades(row) - yields()) / (1 - yields());
+    return share < 1 ? -6 * (1 - yields()) * share * (1 - share) / rows.covered[row] : 0.0;
   }
   /// Derivative of a pressed row's equation by its weighted gap, without sign [force/length^3].
   [[nodiscard]] double by_gap(std::size_t row) const {

@@ -59,6 +59,15 @@ void for_neighbours(const std::vector<EdgeSide>& sides, const Visit& visit) {
     if (sides[k].low == sides[k + 1].low && sides[k].high == sides[k + 1].high) visit(sides[k], sides[k + 1]);
 }
 
+/// Whether the edge is sharp and convex.
+bool is_ridge(std::span<const FacetNodes> facets, const std::vector<Vec3>& normals, std::span<const Vec3> x,
+              const EdgeSide& a, const EdgeSide& b) {
+  if (!is_sharp(normals[a.facet], normals[b.facet])) return false;
+  const FacetNodes& nodes = facets[a.facet];
+  const Vec3 along = x[static_cast<std::size_t>(nodes[a.second])] - x[static_cast<std::size_t>(nodes[a.first])];
+  return normals[a.facet].cross(normals[b.facet]).dot(along) > 0;
+}
+
 /// Members that are joined to groups, by the first one of each.
 class Joined {
  public:
@@ -135,24 +144,35 @@ std::vector<std::size_t> region_colours(std::span<const FacetNodes> facets, std:
   return colours;
 }
 
-NodePatches patches_of(std::span<const std::array<GlobalIndex, 4>> numbers) {
+NodePatches patches_of(std::span<const PatchNumbers> facets) {
   std::vector<GlobalIndex> each;
-  for (const auto& facet : numbers)
-    for (const GlobalIndex number : facet)
+  for (const PatchNumbers& facet : facets)
+    for (const GlobalIndex number : facet.of_corner)
       if (number >= 0) each.push_back(number);
   sort_unique(each);
   NodePatches patches;
   Ragged<LocalIndex> of_facets;
-  for (const auto& facet : numbers) {
+  for (const PatchNumbers& facet : facets) {
     FacetNodes& of_corner = patches.of_corner.emplace_back();
-    for (std::size_t k = 0; k < facet.size(); ++k) {
+    patches.rims.push_back(static_cast<std::uint8_t>(facet.rims));
+    for (std::size_t k = 0; k < of_corner.size(); ++k) {
+      const GlobalIndex number = facet.of_corner[k];
       of_corner[k] =
-          facet[k] < 0 ? no_index : static_cast<LocalIndex>(std::ranges::lower_bound(each, facet[k]) - each.begin());
-      if (facet[k] >= 0) of_facets.values.push_back(of_corner[k]);
+          number < 0 ? no_index : static_cast<LocalIndex>(std::ranges::lower_bound(each, number) - each.begin());
+      if (number >= 0) of_facets.values.push_back(of_corner[k]);
     }
     of_facets.close_row();
   }
   transpose(of_facets, each.size(), patches.facets);
+  patches.at_rim.assign(each.size(), 0);
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const FacetNodes& of_corner = patches.of_corner[f];
+    const std::size_t corners = of_corner[3] == no_index ? 3 : 4;
+    for (std::size_t k = 0; k < corners; ++k)
+      if ((patches.rims[f] >> k & 1) != 0)
+        for (const std::size_t end : {k, (k + 1) % corners})
+          patches.at_rim[static_cast<std::size_t>(of_corner[end])] = 1;
+  }
   return patches;
 }
 
@@ -160,13 +180,23 @@ std::vector<LocalIndex> sharp_nodes(std::span<const FacetNodes> facets, std::spa
   const std::vector<Vec3> normals = normals_of(facets, reference);
   std::vector<LocalIndex> nodes;
   for_neighbours(edge_sides(facets), [&](const EdgeSide& a, const EdgeSide& b) {
-    if (!is_sharp(normals[a.facet], normals[b.facet])) return;
-    const Vec3 along = reference[static_cast<std::size_t>(facets[a.facet][a.second])] -
-                       reference[static_cast<std::size_t>(facets[a.facet][a.first])];
-    if (normals[a.facet].cross(normals[b.facet]).dot(along) > 0) nodes.insert(nodes.end(), {a.low, a.high});
+    if (is_ridge(facets, normals, reference, a, b)) nodes.insert(nodes.end(), {a.low, a.high});
   });
   sort_unique(nodes);
   return nodes;
+}
+
+std::vector<std::uint8_t> rims_of(std::span<const FacetNodes> facets, std::span<const Vec3> reference) {
+  const std::vector<Vec3> normals = normals_of(facets, reference);
+  const std::vector<EdgeSide> sides = edge_sides(facets);
+  const auto bit = [](const EdgeSide& side) { return static_cast<std::uint8_t>(1U << side.first); };
+  std::vector<std::uint8_t> rims(facets.size(), 0);
+  for (const EdgeSide& side : sides) rims[side.facet] |= bit(side);
+  for_neighbours(sides, [&](const EdgeSide& a, const EdgeSide& b) {
+    if (is_ridge(facets, normals, reference, a, b)) return;
+    for (const EdgeSide& side : {a, b}) rims[side.facet] &= static_cast<std::uint8_t>(~bit(side));
+  });
+  return rims;
 }
 
 }  // namespace brunt::contact

@@ -17,6 +17,10 @@ namespace brunt::contact {
 
 namespace {
 
+/// Distance from a rim over which rows fade out, in widths of the facet. It is small, since a corner near a rim is held
+/// less, and large enough for Newton's method, which moves nodes by some hundredths of a facet in a correction.
+constexpr double rim_width = 0.1;
+
 /// Shape functions of a facet at the projection of a point along the facet's normal, and their gradients in space.
 struct Projection {
   std::array<double, 4> value{};
@@ -42,15 +46,19 @@ struct Hit {
   double way = 0;  ///< along the node's normal to the facet [length]
 };
 
-/// Where the line x + s along crosses the facet; false if it does not, or the facet does not face it.
-bool crosses(const Vec3& x, const Vec3& along, Hit& hit) {
-  constexpr double inside = -1e-6;  // shape functions: above their rounding, so that no line passes between two facets
-  const double facing = hit.plane.normal.dot(along);
-  if (!(facing < opposing_normals)) return false;
-  hit.way = hit.plane.normal.dot(hit.plane.centre - x) / facing;
-  const Projection at(hit.plane, x + hit.way * along);
-  return std::all_of(at.value.begin(), at.value.begin() + hit.plane.corners,
-                     [](double value) { return value >= inside; });
+/// Whether the line x + s along crosses the facet, seen along the line: two facets have their common side in common
+/// there too, so that no line passes between them, however warped they are. (Projections along the normals of both
+/// leave a gap or overlap, of the order of the warp times the angle between them.) The facet faces the line.
+bool crosses(const FacetCorners& corners, const Vec3& x, const Vec3& along) {
+  constexpr double beyond = 1e-6;  // of the facet's area: above rounding, for lines through a side
+  std::array<double, 4> side{};    // twice the areas of the triangles between the point and the sides
+  double whole = 0;
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    side[c] = along.dot((corners[c] - x).cross(corners[(c + 1) % corners.size()] - x));
+    whole += side[c];
+  }
+  return whole < 0 && std::all_of(side.begin(), side.begin() + static_cast<std::ptrdiff_t>(corners.size()),
+                                  [&](double area) { return area <= -beyond * whole; });
 }
 
 /// Finds the facet below the node of a row; none: no_index.
@@ -73,8 +81,11 @@ class Search {
       Hit hit;
       hit.master = master;
       const auto index = static_cast<std::size_t>(master);
-      if (!make_slave_plane(CornersOf(surfaces_.master[index], x_).span(), hit.plane) || !crosses(x, outward, hit))
-        continue;
+      const CornersOf corners(surfaces_.master[index], x_);
+      if (!make_slave_plane(corners.span(), hit.plane) || !crosses(corners.span(), x, outward)) continue;
+      const double facing = hit.plane.normal.dot(outward);
+      if (!(facing < opposing_normals)) continue;
+      hit.way = hit.plane.normal.dot(hit.plane.centre - x) / facing;
       const double gap = hit.plane.normal.dot(x - hit.plane.centre);
       if (gap > surfaces_.capture || -gap > deepest(around, index)) continue;
       if (nearest.master == no_index || std::abs(hit.way) < std::abs(nearest.way)) nearest = hit;
@@ -97,8 +108,42 @@ class Search {
   std::vector<LocalIndex> masters_;
 };
 
+/// Share of a row that fades out where the master ends, so that nodes that slide off a rim or lie flush with it have no
+/// row that comes and goes: product of s^2 (3 - 2 s) over the rims, with s the way from the rim over `rim_width`, both
+/// in widths of the facet. A corner at a rim of other facets only counts as well, so that the share is continuous.
+struct Fading {
+  double value = 1;
+  std::array<double, 4> slope{};  ///< by the shape functions
+
+  Fading(const NodePatches& patches, LocalIndex master, std::span<const double> shape) {
+    const auto facet = static_cast<std::size_t>(master);
+    const std::size_t corners = shape.size();
+    const unsigned rims = patches.rims[facet];
+    const auto is_rim = [&](std::size_t side) { return (rims >> side % corners & 1U) != 0; };
+    for (std::size_t k = 0; k < corners; ++k) {
+      const auto patch = static_cast<std::size_t>(patches.of_corner[facet][k]);
+      if (is_rim(k)) fade_from({k, (k + 1) % corners}, shape);
+      if (patches.at_rim[patch] != 0 && !is_rim(k) && !is_rim(k + corners - 1)) fade_from({k, k}, shape);
+    }
+  }
+
+ private:
+  /// A rim between two corners, or at one.
+  void fade_from(const std::array<std::size_t, 2>& ends, std::span<const double> shape) {
+    double way = 0;
+    for (std::size_t c = 0; c < shape.size(); ++c)
+      if (c != ends[0] && c != ends[1]) way += shape[c];
+    const double s = std::clamp(way / rim_width, 0.0, 1.0), share = s * s * (3 - 2 * s);
+    for (std::size_t c = 0; c < shape.size(); ++c) {
+      slope[c] *= share;
+      if (c != ends[0] && c != ends[1]) slope[c] += value * 6 * s * (1 - s) / rim_width;
+    }
+    value *= share;
+  }
+};
+
 /// One row: the derivative of N_C by the node is gradient_C, by corner B - gradient_C . (N_B + height dn/dx_B), with n
-/// the facet's normal.
+/// the facet's normal. All weights have the factor of `Fading`.
 class PointRow {
  public:
   PointRow(const MortarSurfaces& surfaces, LocalIndex node, double area, const Hit& hit, std::span<const Vec3> x)
@@ -108,26 +153,35 @@ class PointRow {
         area_(area),
         x_(x[static_cast<std::size_t>(node)]),
         at_(hit.plane, x_),
+        fading_(surfaces.master_patches, hit.master, {at_.value.data(), corners_.count}),
         facet_normal_(corners_.span()),
         normal_(surfaces, hit.master, at_.value, x) {
     below_.setZero();
+    for (std::size_t c = 0; c < corners_.count; ++c) fading_slope_ += fading_.slope[c] * at_.gradient[c];
     for (std::size_t c = 0; c < corners_.count; ++c) below_ += at_.value[c] * (corners_.x[c] - x_);
     height_ = -facet_normal_.normal().dot(below_);
   }
 
   [[nodiscard]] const Vec3& normal() const { return normal_.value(); }
-  [[nodiscard]] Vec3 gap_vector() const { return -area_ * below_; }
+  [[nodiscard]] double covered() const { return fading_.value * area_; }
+  [[nodiscard]] Vec3 gap_vector() const { return -covered() * below_; }
 
   void add_weights(NodeBlocks<double>& weights) const {
-    put(weights, node_, area_);
-    for (std::size_t c = 0; c < corners_.count; ++c) put(weights, facet_[c], -area_ * at_.value[c]);
+    put(weights, node_, covered());
+    for (std::size_t c = 0; c < corners_.count; ++c) put(weights, facet_[c], -covered() * at_.value[c]);
+  }
+  void add_covered_slopes(NodeBlocks<Vec3>& slopes) const {
+    put(slopes, node_, Vec3(area_ * fading_slope_));
+    for (std::size_t b = 0; b < corners_.count; ++b)
+      put(slopes, facet_[b], Vec3(-area_ * (moved(b).transpose() * fading_slope_)));
   }
   /// d(sum_L w_AL y_L)/dx at places y that do not move; with_x: they are x itself.
   void add_slopes(std::span<const Vec3> y, bool with_x, NodeBlocks<Mat3>& slopes) const {
-    const Mat3 carried = sum_of(y);
-    put(slopes, node_, Mat3(area_ * ((with_x ? 1.0 : 0.0) * Mat3::Identity() - carried)));
+    const double own = with_x ? covered() : 0.0;
+    const Mat3 carried = covered() * sum_of(y) - area_ * difference_of(y) * fading_slope_.transpose();
+    put(slopes, node_, Mat3(own * Mat3::Identity() - carried));
     for (std::size_t b = 0; b < corners_.count; ++b)
-      put(slopes, facet_[b], Mat3(area_ * (carried * moved(b) - (with_x ? at_.value[b] : 0.0) * Mat3::Identity())));
+      put(slopes, facet_[b], Mat3(carried * moved(b) - own * at_.value[b] * Mat3::Identity()));
   }
   void add_normal_slopes(NodeBlocks<Mat3>& slopes) const {
     Mat3 by_place = Mat3::Zero();
@@ -143,15 +197,15 @@ class PointRow {
     patch.columns = patch.rows;
     const std::size_t n = patch.rows.size(), width = 3 * n;
     patch.values.assign(width * width, 0.0);
-    for (std::size_t c = 0; c < corners_.count; ++c)
+    for (std::size_t k = 0; k < n; ++k)
       for (std::size_t l = 0; l < n; ++l) {
-        const Vec3 slope =
-            l == 0 ? Vec3(-area_ * at_.gradient[c]) : Vec3(area_ * (moved(l - 1).transpose() * at_.gradient[c]));
+        const Vec3 by_node = weight_slope(k);
+        const Vec3 slope = l == 0 ? by_node : Vec3(-moved(l - 1).transpose() * by_node);
         for (std::size_t i = 0; i < 3; ++i)
           for (std::size_t j = 0; j < 3; ++j) {
-            const auto of = [](const Vec3& v, std::size_t k) { return v[static_cast<Eigen::Index>(k)]; };
-            patch.values[(3 * (c + 1) + i) * width + 3 * l + j] += of(traction, i) * of(slope, j);
-            patch.values[(3 * l + j) * width + 3 * (c + 1) + i] += of(transposed, i) * of(slope, j);
+            const auto of = [](const Vec3& v, std::size_t c) { return v[static_cast<Eigen::Index>(c)]; };
+            patch.values[(3 * k + i) * width + 3 * l + j] += of(traction, i) * of(slope, j);
+            patch.values[(3 * l + j) * width + 3 * k + i] += of(transposed, i) * of(slope, j);
           }
       }
   }
@@ -165,6 +219,17 @@ class PointRow {
   /// Motion of the point of the facet below the node by that of a corner.
   [[nodiscard]] Mat3 moved(std::size_t corner) const {
     return at_.value[corner] * Mat3::Identity() + height_ * facet_normal_.by_corner(corner);
+  }
+  /// Derivative of the weight of the node (0) or of a corner (from 1 on) by the node.
+  [[nodiscard]] Vec3 weight_slope(std::size_t k) const {
+    if (k == 0) return area_ * fading_slope_;
+    return -area_ * (fading_.value * at_.gradient[k - 1] + at_.value[k - 1] * fading_slope_);
+  }
+  [[nodiscard]] Vec3 difference_of(std::span<const Vec3> y) const {
+    Vec3 difference = Vec3::Zero();
+    for (std::size_t c = 0; c < corners_.count; ++c)
+      difference += at_.value[c] * (y[static_cast<std::size_t>(node_)] - y[static_cast<std::size_t>(facet_[c])]);
+    return difference;
   }
   [[nodiscard]] Mat3 sum_of(std::span<const Vec3> y) const {
     const Vec3& origin = y[static_cast<std::size_t>(facet_[0])];
@@ -180,6 +245,8 @@ class PointRow {
   double area_;
   Vec3 x_, below_;  ///< the node; the point below it, from there
   Projection at_;
+  Fading fading_;
+  Vec3 fading_slope_ = Vec3::Zero();  ///< by the node [1/length]
   NormalChange facet_normal_;
   SmoothNormal normal_;
   double height_ = 0;  ///< of the node above the facet [length]
@@ -207,13 +274,14 @@ void evaluate(const MortarSurfaces& surfaces, const MortarTopology& topology, co
       const PointRow point(surfaces, surfaces.rows[row], 1 / topology.kappa[row], hit, x);
       rows.normals[row] = point.normal();
       rows.gap_vectors[row] = point.gap_vector();
-      rows.covered[row] = 1 / topology.kappa[row];
+      rows.covered[row] = point.covered();
       rows.gaps[row] = point.normal().dot(point.gap_vector());
       ++rows.segments;
       point.add_weights(rows.weights);
       if (slopes != nullptr) {
         point.add_slopes(x, true, slopes->gap_vectors);
         if (!fixed.empty()) point.add_slopes(fixed, false, slopes->of_fixed);
+        point.add_covered_slopes(slopes->covered);
         point.add_normal_slopes(slopes->normals);
         const Vec3 traction = tractions.empty() ? Vec3(Vec3::Zero()) : tractions[row],
                    also = transposed.empty() ? Vec3(Vec3::Zero()) : transposed[row];

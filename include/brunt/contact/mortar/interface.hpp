@@ -27,7 +27,15 @@ using FacetNodes = std::array<LocalIndex, 4>;
 /// Smooth patches of facets around nodes (patches.hpp).
 struct NodePatches {
   std::vector<FacetNodes> of_corner;  ///< for each facet: the patches of its corners; no_index: no corner
+  std::vector<std::uint8_t> rims;     ///< for each facet: sides at which the surface ends, bit k from corner k
   Ragged<LocalIndex> facets;          ///< of each patch, ascending
+  std::vector<std::uint8_t> at_rim;   ///< whether the node of each patch is the end of such a side
+};
+
+/// One facet of them, on any rank.
+struct PatchNumbers {
+  std::array<GlobalIndex, 4> of_corner{};  ///< which need not be consecutive; -1: no corner
+  std::int64_t rims = 0;                   ///< as NodePatches::rims
 };
 
 struct MortarSurfaces {

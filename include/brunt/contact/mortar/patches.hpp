@@ -4,6 +4,7 @@
 // facets on one side of the edge would balance the penetration of those on the other side.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,8 +25,11 @@ struct PatchRows {
 /// reference: positions of all nodes.
 PatchRows patch_rows(std::span<const FacetNodes> facets, std::span<const Vec3> reference);
 
-/// Patches of facets from the numbers of their corners' patches, which need not be consecutive; -1: no corner.
-NodePatches patches_of(std::span<const std::array<GlobalIndex, 4>> numbers);
+/// Patches of facets from the numbers of their corners' patches.
+NodePatches patches_of(std::span<const PatchNumbers> facets);
+
+/// As NodePatches::rims: sides without a neighbour, and convex sharp edges.
+std::vector<std::uint8_t> rims_of(std::span<const FacetNodes> facets, std::span<const Vec3> reference);
 
 /// For each facet the colour of its smooth region, which ends at sharp edges. Regions that share a node have different
 /// colours: the sides of a box have three.

@@ -71,6 +71,19 @@ TEST_CASE("Only convex edges have sharp nodes") {
   CHECK(sharp_nodes(round.facets, round.x).empty());
 }
 
+TEST_CASE("A surface ends at convex sharp edges and where it has no neighbour") {
+  const Shell box = cube();
+  for (const std::uint8_t rims : rims_of(box.facets, box.x)) CHECK(rims == 15);
+  Shell inside = box;
+  for (FacetNodes& facet : inside.facets) std::swap(facet[1], facet[3]);
+  for (const std::uint8_t rims : rims_of(inside.facets, inside.x)) CHECK(rims == 0);
+  const Shell round = ring(8);
+  for (const std::uint8_t rims : rims_of(round.facets, round.x)) CHECK(rims == 0b0101);
+  const std::vector<PatchNumbers> two{{{0, 1, 4, 3}, 0b0001}, {{1, 2, 5, 4}, 0}};
+  const NodePatches patches = patches_of(two);
+  CHECK(patches.at_rim == std::vector<std::uint8_t>{1, 1, 0, 0, 0, 0});
+}
+
 TEST_CASE("Regions that share a node have different colours") {
   const Shell box = cube();
   const std::vector<std::size_t> colours = region_colours(box.facets, box.x);

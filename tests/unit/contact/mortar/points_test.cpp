@@ -15,6 +15,22 @@ using test::TwoSurfaces;
 
 namespace {
 
+/// The patches of the master; its rim at y = mirror is in a plane of symmetry.
+void find_patches(TwoSurfaces& two, double mirror = -1) {
+  std::vector<std::uint8_t> rims = rims_of(two.surfaces.master, two.x);
+  std::vector<PatchNumbers> patches;
+  for (const FacetNodes& rows : patch_rows(two.surfaces.master, two.x).of_corner) {
+    PatchNumbers& of = patches.emplace_back();
+    std::ranges::copy(rows, of.of_corner.begin());
+    const FacetNodes& nodes = two.surfaces.master[patches.size() - 1];
+    const std::size_t corners = nodes[3] == no_index ? 3 : 4;
+    const auto y = [&](std::size_t k) { return two.x[static_cast<std::size_t>(nodes[k % corners])][1]; };
+    for (std::size_t k = 0; k < corners; ++k)
+      if (y(k) != mirror || y(k + 1) != mirror) of.rims |= rims[patches.size() - 1] & (1 << k);
+  }
+  two.surfaces.master_patches = patches_of(patches);
+}
+
 /// A ridge along y at x = .5 whose sides fall at this slope, under a surface that looks down.
 TwoSurfaces ridge_under(double slope, const TwoSurfaces::Place& above, bool triangles) {
   TwoSurfaces two(
@@ -22,20 +38,18 @@ TwoSurfaces ridge_under(double slope, const TwoSurfaces::Place& above, bool tria
       [&](double x, double y) { return Vec3(x, y + 0.02 * x, -slope * std::abs(x - 0.5)); },
       {3, 2, -0.1, 1.2, -0.1, 1.3, false, triangles}, above);
   two.surfaces.rows = sharp_nodes(two.surfaces.slave, two.x);
-  std::vector<std::array<GlobalIndex, 4>> patches;
-  for (const FacetNodes& rows : patch_rows(two.surfaces.master, two.x).of_corner)
-    patches.push_back({rows[0], rows[1], rows[2], rows[3]});
-  two.surfaces.master_patches = patches_of(patches);
+  find_patches(two);
   return two;
 }
 
-TwoSurfaces wavy(bool triangles) {
+/// with_rim: the surface above ends close to the last node of the ridge.
+TwoSurfaces wavy(bool triangles, bool with_rim = false) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> number(-0.03, 0.03);
   return ridge_under(
       1.5,
       [&](double x, double y) {
-        return Vec3(x + 0.1 * y + number(random), y + number(random),
+        return Vec3(x + 0.1 * y + number(random), (with_rim ? 0.75 : 1.0) * y + number(random),
                     0.05 + 0.1 * std::sin(3 * x + y) + number(random));
       },
       triangles);
@@ -70,6 +84,64 @@ TEST_CASE("Nodes of an edge have the distance of a plane as their gap") {
   }
 }
 
+TEST_CASE("No line passes between two facets or beside them in a plane of symmetry, however warped they are") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-0.1, 0.1);
+  for (const bool triangles : {false, true}) {
+    TwoSurfaces two(
+        {2, 2000, 0.1, 0.9, 0, 0.95, true, triangles},
+        [](double x, double y) { return Vec3(x, y, -1.5 * std::abs(x - 0.5)); },
+        {4, 5, -0.2, 1.3, 0, 1.3, false, triangles},
+        [&](double x, double y) { return Vec3(x + 0.1 * y, y, 0.3 * y + 0.1 * std::sin(5 * x + y) + number(random)); });
+    two.surfaces.rows = sharp_nodes(two.surfaces.slave, two.x);
+    find_patches(two, 0);
+    for (const LocalIndex row : two.surfaces.rows) {
+      if (two.x[static_cast<std::size_t>(row)][1] == 0) two.surfaces.mirrors.values.emplace_back(0, 1, 0);
+      two.surfaces.mirrors.close_row();
+    }
+    const Points points(two);
+    CHECK(two.surfaces.rows.size() == 2001);
+    CHECK(points.rows.segments == 2001);
+    CHECK(points.rows.covered[0] * points.topology.kappa[0] == Approx(1).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("A row fades out at a rim, and not in a plane of symmetry") {
+  TwoSurfaces two = ridge_under(
+      1, [](double x, double y) { return Vec3(x, y, 0.1 * x); }, false);
+  Points points(two);
+  const double width = 1.4 / 2;
+  const auto covered_at = [&](double way) {  // of the first node, from the rim at y = -.1
+    std::vector<Vec3> x = two.x;
+    x[static_cast<std::size_t>(two.surfaces.rows[0])][1] = -0.1 + way * width;
+    points.at(two, x);
+    return points.rows.covered[0] * points.topology.kappa[0];
+  };
+  CHECK(covered_at(-1e-3) == 0);
+  CHECK(covered_at(1e-3) == Approx(3e-4).epsilon(0.01));
+  CHECK(covered_at(0.05) == Approx(0.5).epsilon(1e-12));
+  CHECK(covered_at(0.101) == Approx(1).epsilon(1e-14));
+  find_patches(two, -0.1);
+  CHECK(covered_at(1e-3) == Approx(1).epsilon(1e-14));
+}
+
+TEST_CASE("The share of a row is continuous along a rim") {
+  for (const bool triangles : {false, true}) {
+    TwoSurfaces two = ridge_under(
+        1, [](double x, double y) { return Vec3(x, y, 0.1 * x); }, triangles);
+    Points points(two);
+    std::vector<Vec3> x = two.x;
+    double before = -1;
+    for (int k = 0; k < 1000; ++k) {
+      x[static_cast<std::size_t>(two.surfaces.rows[0])] = Vec3(0.2 + 8e-4 * k, -0.1 + 0.04 * 0.7, 0);
+      points.at(two, x);
+      const double share = points.rows.covered[0] * points.topology.kappa[0];
+      if (k > 0) CHECK(std::abs(share - before) < 0.02);
+      before = share;
+    }
+  }
+}
+
 TEST_CASE("No facet is found on the far side, beyond the capture distance, or beside") {
   TwoSurfaces two = ridge_under(
       1, [](double x, double y) { return Vec3(x, y, 0.2); }, false);
@@ -85,10 +157,14 @@ TEST_CASE("No facet is found on the far side, beyond the capture distance, or be
 }
 
 TEST_CASE("Derivatives of the rows of an edge: gaps, forces, places that do not move") {
-  for (const bool triangles : {false, true}) {
-    const TwoSurfaces two = wavy(triangles);
+  for (const int kind : {0, 1, 2, 3}) {
+    const TwoSurfaces two = wavy(kind % 2 == 1, kind >= 2);
     Points points(two);
     REQUIRE(points.rows.segments == two.surfaces.rows.size());
+    const std::size_t last = two.surfaces.rows.size() - 1;
+    const double share = points.rows.covered[last] * points.topology.kappa[last];
+    CAPTURE(share);
+    CHECK((share > 0.1 && share < 0.9) == (kind >= 2));
     const std::size_t nodes = two.x.size();
     const std::vector<double> z = test::some_pressures(two.surfaces.rows.size());
     std::vector<Vec3> tractions, fixed = two.x;
