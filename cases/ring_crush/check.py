@@ -122,6 +122,32 @@ def check_crush(case, scene, elements, ours):
               f"{ring.asymmetry(-1, 0):.0e}", f"{ring.asymmetry(-1, 1):.0e}", ours.summary["steps"], ours.summary["loop_s"]])
 
 
+def elastica_force(tube, law, half):
+    """Of a thin inextensible ring between plates, flat where it touches them, at half the distance of its middle lines (see README)."""
+    thickness = tube["outer_radius"] - tube["inner_radius"]
+    bending = law["young"] / (1 - law["poisson"]**2) * tube["length"] * thickness**3 / 12
+    root_of_sine = math.sqrt(math.pi) * math.gamma(0.75) / (2 * math.gamma(1.25))  # integral over a quarter circle
+    return bending * (root_of_sine / half)**2
+
+
+def check_static(case):
+    """Mortar contact of the ring with itself."""
+    ours, scene = case.run("static.yaml", name="static"), case.scene("static.yaml")
+    tube, law = scene["mesh"]["tube"], scene["materials"]["rubber"]
+    for time in (0.42, 0.54, 0.66, 0.78):
+        half = (tube["inner_radius"] + tube["outer_radius"]) / 2 - scene["curves"]["press"][0][1] * time
+        case.assert_close(f"static: force at h = {half:.2f} mm [N]", elastica_force(tube, law, half), ours.at("below.y", time), 0.04, "elastica")
+    other = case.run("static.yaml", ranks=4, name="static_np4")
+    case.assert_same_state("static: state on 4 ranks", ours, other)
+    case.assert_close("static: force of the upper wall at the end", ours.last("below.y"), -ours.last("above.y"), 1e-8, "equilibrium")
+    case.assert_below("static: energy given by contact / of the ring", abs(ours.last("contact") / ours.last("internal")), 1e-3, "none without friction")
+    case.assert_below("static: deepest point / element", ours.summary["deepest_penetration"]["elements"], 0.01, "positions")
+    case.row("static", ["time", "distance of the walls [mm]", "force [N]", "of the halves on each other [N]"],
+             [1.0, 3.0, f"{ours.at('below.y', 1):.3f}", f"{ours.at('self.normal', 1):.3f}"])
+    case.row("static", ["time", "distance of the walls [mm]", "force [N]", "of the halves on each other [N]"],
+             [2.0, 1.76, f"{ours.last('below.y'):.3f}", f"{ours.last('self.normal'):.3f}"])
+
+
 def main():
     case = Case(__file__)
     scene = case.scene()
@@ -135,6 +161,7 @@ def main():
     case.assert_equal(f"history.csv (force curve) on {ranks} ranks, byte for byte", True, text_of(ours) == text_of(other), "1 rank")
     case.assert_same_state(f"state on {ranks} ranks", ours, other)
     if case.long:
+        check_static(case)
         fine = [4, 480, 1]
         check_crush(case, scene, fine, case.run(overrides={"mesh.0.tube.elements": fine}, name="fine"))
     case.finish()
