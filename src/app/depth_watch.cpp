@@ -49,11 +49,14 @@ std::vector<std::string> warnings_of_walls(const Prepared& run,
     const std::pair pair(body.blocks.front(), std::int32_t{no_index});
     if (!(shares[b] > run.input.guards.depth_warning) || std::ranges::find(known, pair) != known.end()) continue;
     known.push_back(pair);
+    const bool driven = std::ranges::any_of(body.drive, [](const auto& drive) { return drive.has_value(); });
     warnings.push_back(
         fmt::format("rigid part '{}' lies {:.2g} of an element behind a rigid wall at t = {:g}, step {}: walls hold "
-                    "rigid bodies by springs, which yield by what a body travels in some steps: use a smaller "
-                    "solver.step (reported once; max_penetration in summary.json is the largest depth)",
-                    body.part, shares[b], run.state.time, static_cast<GlobalIndex>(run.state.step)));
+                    "rigid bodies by springs, which yield by what a body travels in some steps{} (reported once; "
+                    "max_penetration in summary.json is the largest depth)",
+                    body.part, shares[b], run.state.time, static_cast<GlobalIndex>(run.state.step),
+                    driven ? " and to a prescribed motion: drive it less far, or use a smaller solver.step"
+                           : ": use a smaller solver.step"));
   }
   return warnings;
 }

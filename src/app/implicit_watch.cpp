@@ -9,6 +9,7 @@
 
 #include "brunt/contact/join_surface.hpp"
 #include "brunt/geometry/box.hpp"
+#include "brunt/implicit/driven_apart.hpp"
 #include "brunt/implicit/solver.hpp"
 #include "depth_watch.hpp"
 
@@ -129,7 +130,7 @@ std::vector<double> shares_behind_walls(const Prepared& run, bool since_last) {
   const implicit::Solver& solver = *run.implicit;
   std::vector<double> shares(run.model.bodies.size(), 0.0);
   for (const implicit::WallNode& node : solver.walls.nodes) {
-    if (!node.springs) continue;
+    if (!node.springs || !implicit::yields_to_walls(run.model, solver, node)) continue;
     double& most = shares[static_cast<std::size_t>(solver.bodies.place[node.own].body)];
     most = std::max(most, node.behind - (since_last ? node.behind_before : 0));
   }

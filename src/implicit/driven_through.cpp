@@ -42,6 +42,22 @@ std::int32_t block_of(const model::Model& model, LocalIndex node) {
   return no_index;
 }
 
+/// Whether supports or ties leave the node no motion along the direction; through its body, if that is rigid.
+bool is_held(const model::Model& model, const Solver& solver, const WallNode& node, const Vec3& direction) {
+  const auto i = static_cast<std::size_t>(solver.unknowns.node[node.own]);
+  if (node.springs) {
+    const RigidBodies::Place& place = solver.bodies.place[node.own];
+    const auto b = static_cast<std::size_t>(place.body);
+    const rigid::Support& support = model.bodies[b].support;
+    const Vec3 arm = solver.bodies.trial[b].turn_now * place.arm;
+    return (support.free_shift * direction).norm() <= held &&
+           (support.free_turn * arm.cross(direction)).norm() <= held * solver.bodies.radius[b];
+  }
+  Mat3 free = Mat3::Identity() - node.tied;
+  if (solver.held[i] != no_index) free = model.constrained[static_cast<std::size_t>(solver.held[i])].free * free;
+  return (free * direction).norm() <= held;
+}
+
 /// For each wall: the deepest node of this rank with a support along its normal.
 std::vector<AtWall> held_behind_walls(const Scene& scene, const Solver& solver) {
   std::vector<AtWall> found(scene.model.walls.size());
@@ -49,17 +65,15 @@ std::vector<AtWall> held_behind_walls(const Scene& scene, const Solver& solver) 
   for (const WallNode& node : walls.nodes) {
     const auto i = static_cast<std::size_t>(solver.unknowns.node[node.own]);
     const bool carried = !node.tied.isZero(0);
-    if (solver.held[i] == no_index && !carried) continue;
-    Mat3 free = Mat3::Identity() - node.tied;
-    if (solver.held[i] != no_index)
-      free = scene.model.constrained[static_cast<std::size_t>(solver.held[i])].free * free;
+    if (solver.held[i] == no_index && !carried && !node.springs) continue;
     const Vec3 x = of(scene.model.reference[i]) + of(scene.state.displacement[i]);
     for (std::int32_t k = 0; k < node.looked_at; ++k) {
       const auto w = static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(node.kept[k])]);
       const Vec3& normal = scene.model.walls[w].normal;
       const double depth = walls.place[w] - normal.dot(x);
       const double least = carried ? of_carried : of_touching;
-      if (!(depth > least * walls.touching && depth > found[w].depth) || (free * normal).norm() > held) continue;
+      if (!(depth > least * walls.touching && depth > found[w].depth) || !is_held(scene.model, solver, node, normal))
+        continue;
       found[w] = {depth, block_of(scene.model, solver.unknowns.node[node.own])};
     }
   }
@@ -86,9 +100,17 @@ std::string warning_of(const std::string& one, const std::string& other, double 
 
 }  // namespace
 
+bool yields_to_walls(const model::Model& model, const Solver& solver, const WallNode& node) {
+  for (std::int32_t k = 0; k < node.looked_at; ++k) {
+    const auto w = static_cast<std::size_t>(solver.walls.wall[static_cast<std::size_t>(node.kept[k])]);
+    if (!is_held(model, solver, node, model.walls[w].normal)) return true;
+  }
+  return false;
+}
+
 std::vector<std::string> watch_driven(const Scene& scene, Solver& solver, const std::string& length_unit) {
   std::vector<std::string> warnings;
-  if (!scene.links.ranks.any(!scene.model.constrained.empty())) return warnings;
+  if (!scene.links.ranks.any(!scene.model.constrained.empty()) && scene.model.bodies.empty()) return warnings;
   const auto part = [&](std::int32_t block) -> const std::string& {
     return scene.model.blocks[static_cast<std::size_t>(block)].part;
   };

@@ -192,7 +192,19 @@ run: {end: 6}
         text = self.WALLS.replace("TURN", "0").replace("STEP", "0.02").replace("initial: [{part: r, velocity: [0.2, 0, -1]}]", "prescribed: [{part: r, dof: z, velocity: -1}]").replace("end: 20", "end: 1.5")
         self.write("scene.yaml", text)
         told = self.run_scene(1, "scene.yaml", "--out", "out", "--force", code=(0, 3))
-        self.assertTrue("stopped" in told or "of an element behind a rigid wall" in self.text("out", "log.txt"), told)
+        log = self.text("out", "log.txt")
+        self.assertTrue("stopped" in told or ("of an element behind a rigid wall" in log and "and to a prescribed motion: drive it less far" in log), told)
+
+    def test_a_rigid_body_that_cannot_turn_is_driven_through_a_wall(self):
+        """The depth is what the motion says; no smaller step would help."""
+        text = self.WALLS.replace("TURN", "0").replace("STEP", "0.02").replace("initial: [{part: r, velocity: [0.2, 0, -1]}]", "prescribed: [{part: r, dof: z, velocity: -1}]\nfixed: [{part: r, dofs: [rx, ry, rz]}]").replace("end: 20", "end: 1.5")
+        rows = self.go(text)
+        log, summary = self.text("out", "log.txt"), self.summary("out")
+        self.assertIn("supports move part 'r' and rigid wall", log)
+        self.assertNotIn("use a smaller solver.step", log)
+        self.assertGreater(summary["driven_penetration"], 0.1)
+        self.assertAlmostEqual(summary["driven_penetration"], summary["max_penetration"], delta=1e-9)
+        self.assertEqual(rows[-1]["time"], 1.5)
 
     SPIN = """\
 units: none

@@ -39,6 +39,9 @@ std::vector<double> turning_times(const model::Model& model, double end);
 /// nodes along the normal; updates Solver::driven. Returns a warning for each new one. Collective.
 std::vector<std::string> watch_driven(const Scene& scene, Solver& solver, const std::string& length_unit);
 
+/// Whether the node, of a rigid body, can move along the normal of a wall near it.
+bool yields_to_walls(const model::Model& model, const Solver& solver, const WallNode& node);
+
 /// Largest penetration of all of them so far [length].
 double driven_penetration(const Solver& solver);
 
