@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 
 #include "brunt/core/error.hpp"
+#include "brunt/core/union_find.hpp"
 #include "brunt/geometry/closed_surface.hpp"
 #include "brunt/scene/build.hpp"
 #include "brunt/scene/rigid_parts.hpp"
@@ -21,24 +21,8 @@ namespace {
 
 using setup::OverlapRule;
 
-/// Sets of blocks that grow together; the least number leads.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : lead_(count) { std::iota(lead_.begin(), lead_.end(), std::size_t{0}); }
-  [[nodiscard]] std::size_t lead(std::size_t i) const {
-    while (lead_[i] != i) i = lead_[i];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) {
-    const std::size_t one = lead(a), other = lead(b);
-    lead_[std::max(one, other)] = std::min(one, other);
-  }
-
- private:
-  std::vector<std::size_t> lead_;
-};
-
-void join_by_nodes(const mesh::Mesh& mesh, Groups& groups) {
+/// groups: of blocks.
+void join_by_nodes(const mesh::Mesh& mesh, UnionFind& groups) {
   constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> holder(mesh.coordinates.size(), none);
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
@@ -128,7 +112,7 @@ std::vector<std::size_t> members_of_blocks(const scene::Input& input, const mesh
                                            const setup::StartRules& rules) {
   const std::size_t n = mesh.blocks.size();
   const std::vector<std::size_t> part_of = scene::parts_of_blocks(input, mesh);
-  Groups groups(n);
+  UnionFind groups(n);
   join_by_nodes(mesh, groups);
   const auto name = [&](std::size_t b) -> const std::string& { return input.parts[part_of[b]].name; };
   for (std::size_t a = 0; a < n; ++a)
@@ -141,8 +125,8 @@ std::vector<std::size_t> members_of_blocks(const scene::Input& input, const mesh
   std::vector<std::size_t> member(n), number(n);
   std::size_t count = 0;
   for (std::size_t b = 0; b < n; ++b) {
-    if (groups.lead(b) == b) number[b] = count++;
-    member[b] = number[groups.lead(b)];
+    if (groups.first(b) == b) number[b] = count++;
+    member[b] = number[groups.first(b)];
   }
   return member;
 }

@@ -8,6 +8,7 @@
 
 #include "brunt/contact/anchors.hpp"
 #include "brunt/contact/data/tolerances.hpp"
+#include "brunt/core/cross_matrix.hpp"
 #include "brunt/core/error.hpp"
 #include "brunt/geometry/closest_point.hpp"
 #include "brunt/geometry/face_weights.hpp"
@@ -96,12 +97,6 @@ LocalIndex slave_of(const Tie& tie, const TieScene& scene) {
 
 const MasterFace* face_of(const Tie& tie, const TieScene& scene) {
   return find_face(scene.faces, scene.by_key, tie.face);
-}
-
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 matrix;
-  matrix << 0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0;
-  return matrix;
 }
 
 /// How the offset of a slave turns with the corners. What is along the normal turns with the area vector

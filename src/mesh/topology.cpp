@@ -3,8 +3,8 @@
 #include "brunt/mesh/topology.hpp"
 
 #include <algorithm>
-#include <numeric>
 
+#include "brunt/core/union_find.hpp"
 #include "brunt/mesh/face_rows.hpp"
 #include "face_corners.hpp"
 
@@ -22,15 +22,6 @@ void for_each_keyed_face(const Mesh& mesh, Visit visit) {
       visit(face, rows.side(face), shared);
     }
   });
-}
-
-LocalIndex find_root(std::vector<LocalIndex>& parent, LocalIndex i) {
-  while (parent[static_cast<std::size_t>(i)] != i) {
-    auto& above = parent[static_cast<std::size_t>(i)];
-    above = parent[static_cast<std::size_t>(above)];
-    i = above;
-  }
-  return i;
 }
 
 }  // namespace
@@ -61,15 +52,12 @@ std::vector<Side> interior_sides(const Mesh& mesh, std::span<const char> wanted)
 }
 
 std::vector<std::int32_t> bodies(const Mesh& mesh) {
-  std::vector<LocalIndex> parent(mesh.coordinates.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  UnionFind joined(mesh.coordinates.size());
+  const auto node = [](const LocalIndex* element, int k) { return static_cast<std::size_t>(element[k]); };
   for (const Block& block : mesh.blocks)
     for (LocalIndex e = 0; e < block.count(); ++e)
-      for (int k = 1; k < nodes_per_element(block.shape); ++k) {
-        const LocalIndex a = find_root(parent, block.element(e)[0]);
-        const LocalIndex b = find_root(parent, block.element(e)[k]);
-        parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-      }
+      for (int k = 1; k < nodes_per_element(block.shape); ++k)
+        joined.join(node(block.element(e), 0), node(block.element(e), k));
   std::vector<std::int32_t> number(mesh.coordinates.size(), -1), body;
   std::int32_t count = 0;
   std::size_t elements = 0;
@@ -77,7 +65,7 @@ std::vector<std::int32_t> bodies(const Mesh& mesh) {
   body.reserve(elements);
   for (const Block& block : mesh.blocks)
     for (LocalIndex e = 0; e < block.count(); ++e) {
-      auto& component = number[static_cast<std::size_t>(find_root(parent, block.element(e)[0]))];
+      auto& component = number[joined.first(node(block.element(e), 0))];
       if (component < 0) component = count++;
       body.push_back(component);
     }

@@ -8,6 +8,7 @@
 
 #include "brunt/contact/enforcement/system.hpp"
 #include "brunt/core/binned_sum.hpp"
+#include "brunt/core/cross_matrix.hpp"
 #include "brunt/core/error.hpp"
 #include "impulse_grid.hpp"
 
@@ -33,12 +34,6 @@ std::int64_t in_units(double slice, int unit) {
 double value_of(std::int64_t coarse, std::int64_t fine, const BinGrid& grid) {
   return std::ldexp(static_cast<double>(coarse), unit_of(grid.anchor[0])) +
          std::ldexp(static_cast<double>(fine), unit_of(grid.anchor[1]));
-}
-
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 matrix;
-  matrix << 0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0;
-  return matrix;
 }
 
 Vec3 arm_of(const CarriedPoint& point, const Carriers& carriers, std::span<const NodeMotion> motion) {

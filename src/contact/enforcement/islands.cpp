@@ -7,14 +7,6 @@
 namespace brunt::contact {
 namespace {
 
-std::size_t root_of(std::vector<LocalIndex>& parent, std::size_t one) {
-  while (static_cast<std::size_t>(parent[one]) != one) {
-    parent[one] = parent[static_cast<std::size_t>(parent[one])];
-    one = static_cast<std::size_t>(parent[one]);
-  }
-  return one;
-}
-
 /// Calls use(i) for each node and, behind all nodes, each body that row q can move.
 template <class Use>
 void for_each_moved(const System& system, std::size_t q, const Use& use) {
@@ -24,16 +16,13 @@ void for_each_moved(const System& system, std::size_t q, const Use& use) {
     if (share.weight > 0) use(system.motion.size() + static_cast<std::size_t>(share.body));
 }
 
-void join_rows(const System& system, std::span<const char> takes_part, std::vector<LocalIndex>& parent) {
+void join_rows(const System& system, std::span<const char> takes_part, UnionFind& joined) {
   for (std::size_t q = 0; q < system.rows.size(); ++q) {
     if (takes_part[q] == 0) continue;
-    std::size_t first = parent.size();
+    std::size_t first = joined.size();
     for_each_moved(system, q, [&](std::size_t one) {
-      const std::size_t root = root_of(parent, one);
-      if (first == parent.size())
-        first = root;
-      else
-        parent[root] = static_cast<LocalIndex>(first);
+      if (first == joined.size()) first = one;
+      joined.join(first, one);
     });
   }
 }
@@ -46,8 +35,8 @@ bool raise_labels(Islands& islands) {
   };
   bool changed = false;
   for (const bool down : {false, true})
-    for (std::size_t one = 0; one < islands.parent.size(); ++one) {
-      double &own = label_of(one), &of_root = label_of(root_of(islands.parent, one));
+    for (std::size_t one = 0; one < islands.joined.size(); ++one) {
+      double &own = label_of(one), &of_root = label_of(islands.joined.first(one));
       if (!down) of_root = std::max(of_root, own);
       if (down && own != of_root) {
         own = of_root;
@@ -70,7 +59,7 @@ void Islands::reserve(std::size_t rows, std::size_t nodes, std::size_t bodies) {
   of_row.reserve(rows);
   node_label.reserve(nodes);
   body_label.reserve(bodies);
-  parent.reserve(nodes + bodies);
+  joined.reserve(nodes + bodies);
 }
 
 void find_islands(const System& system, std::span<const char> takes_part, Exchange& exchange, Islands& islands) {
@@ -81,9 +70,8 @@ void find_islands(const System& system, std::span<const char> takes_part, Exchan
                             (system.gid.empty() ? static_cast<double>(n) : static_cast<double>(system.gid[n]));
   islands.body_label.resize(bodies);
   std::iota(islands.body_label.begin(), islands.body_label.end(), 0.0);
-  islands.parent.resize(nodes + bodies);
-  std::iota(islands.parent.begin(), islands.parent.end(), 0);
-  join_rows(system, takes_part, islands.parent);
+  islands.joined.reset(nodes + bodies);
+  join_rows(system, takes_part, islands.joined);
   raise_labels(islands);
   for (std::int64_t changed = 1; changed > 0;) {
     spread_over_ranks(exchange, islands);

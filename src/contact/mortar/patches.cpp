@@ -4,13 +4,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
 
 #include "brunt/contact/mortar/corners.hpp"
 #include "brunt/core/sorted.hpp"
+#include "brunt/core/union_find.hpp"
 
 namespace brunt::contact {
 
@@ -68,28 +68,11 @@ bool is_ridge(std::span<const FacetNodes> facets, const std::vector<Vec3>& norma
   return normals[a.facet].cross(normals[b.facet]).dot(along) > 0;
 }
 
-/// Members that are joined to groups, by the first one of each.
-class Joined {
- public:
-  explicit Joined(std::size_t members) : first_(members) { std::iota(first_.begin(), first_.end(), std::size_t{0}); }
-  [[nodiscard]] std::size_t first(std::size_t member) {
-    while (first_[member] != member) member = first_[member] = first_[first_[member]];
-    return member;
-  }
-  void join(std::size_t one, std::size_t other) {
-    const std::size_t a = first(one), b = first(other);
-    first_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> first_;
-};
-
 }  // namespace
 
 PatchRows patch_rows(std::span<const FacetNodes> facets, std::span<const Vec3> reference) {
   const std::vector<Vec3> normals = normals_of(facets, reference);
-  Joined joined(corners_a_facet * facets.size());
+  UnionFind joined(corners_a_facet * facets.size());
   for_neighbours(edge_sides(facets), [&](const EdgeSide& a, const EdgeSide& b) {
     if (is_sharp(normals[a.facet], normals[b.facet])) return;
     const bool same = facets[a.facet][a.first] == facets[b.facet][b.first];
@@ -117,7 +100,7 @@ PatchRows patch_rows(std::span<const FacetNodes> facets, std::span<const Vec3> r
 
 std::vector<std::size_t> region_colours(std::span<const FacetNodes> facets, std::span<const Vec3> reference) {
   const std::vector<Vec3> normals = normals_of(facets, reference);
-  Joined joined(facets.size());
+  UnionFind joined(facets.size());
   for_neighbours(edge_sides(facets), [&](const EdgeSide& a, const EdgeSide& b) {
     if (!is_sharp(normals[a.facet], normals[b.facet])) joined.join(a.facet, b.facet);
   });
