@@ -6,7 +6,8 @@
 // master's smooth patch, interpolated over the facet. All else is as for other rows.
 //
 // The facet is the one that the line through the node along its own outward normal crosses: of a surface without holes
-// this line finds one facet, whether the surface is convex or concave there.
+// this line finds one facet, whether the surface is convex or concave there. All weights have a factor that fades to 0
+// where the master ends (NodePatches::rims).
 #pragma once
 #include <span>
 
