@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "add_block.hpp"
 #include "brunt/contact/mortar/corners.hpp"
 #include "brunt/contact/mortar/normals.hpp"
 #include "brunt/core/sorted.hpp"
 #include "facet_map.hpp"
-#include "normal_change.hpp"
 #include "smooth_normal.hpp"
 
 namespace brunt::contact {
@@ -21,34 +21,29 @@ namespace {
 /// less, and large enough for Newton's method, which moves nodes by some hundredths of a facet in a correction.
 constexpr double rim_width = 0.1;
 
-/// Shape functions of a facet at the projection of a point along the facet's normal, and their gradients in space.
-struct Projection {
+/// Shape functions of a facet where a line through a point crosses it, and their gradients in space. Facets are seen
+/// along the line, where neighbours have their common side in common: values and functions are continuous from facet to
+/// facet, and no line passes between two of them, however warped they are. (Projections along the normals of both jump,
+/// and leave gaps and overlaps, by the warp times the angle between them.)
+struct Crossing {
   std::array<double, 4> value{};
-  std::array<Vec3, 4> gradient{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< [1/length]
+  std::array<Vec3, 4> gradient{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< across the line [1/length]
 
-  Projection(const SlavePlane& plane, const Vec3& x) {
-    const auto corners = static_cast<std::size_t>(plane.corners);
-    const Vec3 from_centre = x - plane.centre;
+  /// along: unit; the facet faces it.
+  Crossing(FacetCorners corners, const Vec3& x, const Vec3& along) {
+    const Vec3 first = along.unitOrthogonal(), second = first.cross(along);  // seen from the outside of the facet
+    std::array<geometry::PlanePoint<double>, 4> point{};
+    for (std::size_t c = 0; c < corners.size(); ++c) point[c] = {first.dot(corners[c] - x), second.dot(corners[c] - x)};
     ShapeFunctions shape;
-    shape_functions(FacetMap({plane.point.data(), corners}), broadcast(plane.first.dot(from_centre)),
-                    broadcast(plane.second.dot(from_centre)), shape);
-    for (std::size_t c = 0; c < corners; ++c) {
+    shape_functions(FacetMap({point.data(), corners.size()}), Pack{}, Pack{}, shape);
+    for (std::size_t c = 0; c < corners.size(); ++c) {
       value[c] = shape.value[c][0];
-      gradient[c] = shape.by_x[c][0] * plane.first + shape.by_y[c][0] * plane.second;
+      gradient[c] = shape.by_x[c][0] * first + shape.by_y[c][0] * second;
     }
   }
 };
 
-/// The master facet below a node.
-struct Hit {
-  LocalIndex master = no_index;
-  SlavePlane plane;
-  double way = 0;  ///< along the node's normal to the facet [length]
-};
-
-/// Whether the line x + s along crosses the facet, seen along the line: two facets have their common side in common
-/// there too, so that no line passes between them, however warped they are. (Projections along the normals of both
-/// leave a gap or overlap, of the order of the warp times the angle between them.) The facet faces the line.
+/// Whether the line x + s along crosses the facet, seen along the line. The facet faces the line.
 bool crosses(const FacetCorners& corners, const Vec3& x, const Vec3& along) {
   constexpr double beyond = 1e-6;  // of the facet's area: above rounding, for lines through a side
   std::array<double, 4> side{};    // twice the areas of the triangles between the point and the sides
@@ -69,26 +64,26 @@ class Search {
       : surfaces_(surfaces), topology_(topology), candidates_(candidates), x_(x) {}
 
   /// outward: the node's normal.
-  Hit operator()(std::size_t row, const Vec3& outward) {
-    Hit nearest;
+  LocalIndex operator()(std::size_t row, const Vec3& outward) {
+    LocalIndex nearest = no_index;
+    double least = std::numeric_limits<double>::infinity();
     const Vec3& x = x_[static_cast<std::size_t>(surfaces_.rows[row])];
     const std::span<const LocalIndex> around = topology_.facets_around.row(static_cast<LocalIndex>(row));
     masters_.clear();
     for (const LocalIndex facet : around)
       masters_.insert(masters_.end(), candidates_.row(facet).begin(), candidates_.row(facet).end());
     sort_unique(masters_);
+    SlavePlane plane;
     for (const LocalIndex master : masters_) {
-      Hit hit;
-      hit.master = master;
-      const auto index = static_cast<std::size_t>(master);
-      const CornersOf corners(surfaces_.master[index], x_);
-      if (!make_slave_plane(corners.span(), hit.plane) || !crosses(corners.span(), x, outward)) continue;
-      const double facing = hit.plane.normal.dot(outward);
-      if (!(facing < opposing_normals)) continue;
-      hit.way = hit.plane.normal.dot(hit.plane.centre - x) / facing;
-      const double gap = hit.plane.normal.dot(x - hit.plane.centre);
-      if (gap > surfaces_.capture || -gap > deepest(around, index)) continue;
-      if (nearest.master == no_index || std::abs(hit.way) < std::abs(nearest.way)) nearest = hit;
+      const CornersOf corners(surfaces_.master[static_cast<std::size_t>(master)], x_);
+      if (!make_slave_plane(corners.span(), plane) || !(plane.normal.dot(outward) < opposing_normals) ||
+          !crosses(corners.span(), x, outward))
+        continue;
+      const double gap = plane.normal.dot(x - plane.centre), way = std::abs(gap / plane.normal.dot(outward));
+      if (gap > surfaces_.capture || -gap > deepest(around, static_cast<std::size_t>(master)) || !(way < least))
+        continue;
+      nearest = master;
+      least = way;
     }
     return nearest;
   }
@@ -142,24 +137,40 @@ struct Fading {
   }
 };
 
-/// One row: the derivative of N_C by the node is gradient_C, by corner B - gradient_C . (N_B + height dn/dx_B), with n
-/// the facet's normal. All weights have the factor of `Fading`.
+/// The node of a row, and the direction in which it looks.
+struct PointNode {
+  LocalIndex node = no_index;
+  Vec3 x, outward;
+  std::span<const LocalIndex> turned_by{};  ///< nodes on whose positions the direction depends; for derivatives only
+  std::span<const Mat3> turns{};            ///< derivatives of -outward [1/length]
+};
+
+/// One row. With h the way to the facet the derivative of N_C is gradient_C . (dx - sum_B N_B dx_B + h d(outward)). All
+/// weights have the factor of `Fading`.
 class PointRow {
  public:
-  PointRow(const MortarSurfaces& surfaces, LocalIndex node, double area, const Hit& hit, std::span<const Vec3> x)
-      : node_(node),
-        facet_(surfaces.master[static_cast<std::size_t>(hit.master)]),
+  PointRow(const MortarSurfaces& surfaces, const PointNode& point, double area, LocalIndex master,
+           std::span<const Vec3> x)
+      : facet_(surfaces.master[static_cast<std::size_t>(master)]),
         corners_(facet_, x),
         area_(area),
-        x_(x[static_cast<std::size_t>(node)]),
-        at_(hit.plane, x_),
-        fading_(surfaces.master_patches, hit.master, {at_.value.data(), corners_.count}),
-        facet_normal_(corners_.span()),
-        normal_(surfaces, hit.master, at_.value, x) {
-    below_.setZero();
-    for (std::size_t c = 0; c < corners_.count; ++c) fading_slope_ += fading_.slope[c] * at_.gradient[c];
-    for (std::size_t c = 0; c < corners_.count; ++c) below_ += at_.value[c] * (corners_.x[c] - x_);
-    height_ = -facet_normal_.normal().dot(below_);
+        at_(corners_.span(), point.x, point.outward),
+        fading_(surfaces.master_patches, master, {at_.value.data(), corners_.count}),
+        normal_(surfaces, master, at_.value, x) {
+    for (std::size_t c = 0; c < corners_.count; ++c) {
+      below_ += at_.value[c] * (corners_.x[c] - point.x);
+      fading_slope_ += fading_.slope[c] * at_.gradient[c];
+    }
+    nodes_.push_back(point.node);
+    motion_.push_back(Mat3::Identity());
+    for (std::size_t c = 0; c < corners_.count; ++c) {
+      nodes_.push_back(facet_[c]);
+      motion_.push_back(-at_.value[c] * Mat3::Identity());
+    }
+    for (std::size_t k = 0; k < point.turns.size(); ++k) {
+      nodes_.push_back(point.turned_by[k]);
+      motion_.push_back(-below_.dot(point.outward) * point.turns[k]);
+    }
   }
 
   [[nodiscard]] const Vec3& normal() const { return normal_.value(); }
@@ -167,40 +178,38 @@ class PointRow {
   [[nodiscard]] Vec3 gap_vector() const { return -covered() * below_; }
 
   void add_weights(NodeBlocks<double>& weights) const {
-    put(weights, node_, covered());
-    for (std::size_t c = 0; c < corners_.count; ++c) put(weights, facet_[c], -covered() * at_.value[c]);
+    for (std::size_t k = 0; k < weighted(); ++k) add_block(weights, nodes_[k], weight(k));
   }
   void add_covered_slopes(NodeBlocks<Vec3>& slopes) const {
-    put(slopes, node_, Vec3(area_ * fading_slope_));
-    for (std::size_t b = 0; b < corners_.count; ++b)
-      put(slopes, facet_[b], Vec3(-area_ * (moved(b).transpose() * fading_slope_)));
+    for (std::size_t l = 0; l < nodes_.size(); ++l)
+      add_block(slopes, nodes_[l], Vec3(area_ * (motion_[l].transpose() * fading_slope_)));
   }
   /// d(sum_L w_AL y_L)/dx at places y that do not move; with_x: they are x itself.
   void add_slopes(std::span<const Vec3> y, bool with_x, NodeBlocks<Mat3>& slopes) const {
-    const double own = with_x ? covered() : 0.0;
-    const Mat3 carried = covered() * sum_of(y) - area_ * difference_of(y) * fading_slope_.transpose();
-    put(slopes, node_, Mat3(own * Mat3::Identity() - carried));
-    for (std::size_t b = 0; b < corners_.count; ++b)
-      put(slopes, facet_[b], Mat3(carried * moved(b) - own * at_.value[b] * Mat3::Identity()));
+    const Vec3& origin = y[static_cast<std::size_t>(nodes_[0])];
+    Mat3 carried = Mat3::Zero();
+    for (std::size_t k = 1; k < weighted(); ++k)
+      carried += (y[static_cast<std::size_t>(nodes_[k])] - origin) * weight_slope(k).transpose();
+    for (std::size_t l = 0; l < nodes_.size(); ++l) {
+      const double own = with_x && l < weighted() ? weight(l) : 0.0;
+      add_block(slopes, nodes_[l], Mat3(carried * motion_[l] + own * Mat3::Identity()));
+    }
   }
   void add_normal_slopes(NodeBlocks<Mat3>& slopes) const {
     Mat3 by_place = Mat3::Zero();
     for (std::size_t c = 0; c < corners_.count; ++c) by_place += normal_.by_weight(c) * at_.gradient[c].transpose();
-    put(slopes, node_, by_place);
-    for (std::size_t b = 0; b < corners_.count; ++b) put(slopes, facet_[b], Mat3(-by_place * moved(b)));
+    for (std::size_t l = 0; l < nodes_.size(); ++l) add_block(slopes, nodes_[l], Mat3(by_place * motion_[l]));
     normal_.add_slopes(slopes);
   }
   /// T (x) dw_AK/dx_L + (dw_AK/dx_L)^T (x) S.
   void add_patch(const Vec3& traction, const Vec3& transposed, Patch& patch) const {
-    patch.rows.assign(1, node_);
-    patch.rows.insert(patch.rows.end(), facet_.begin(), facet_.begin() + static_cast<std::ptrdiff_t>(corners_.count));
-    patch.columns = patch.rows;
-    const std::size_t n = patch.rows.size(), width = 3 * n;
+    patch.rows = nodes_;
+    patch.columns = nodes_;
+    const std::size_t n = nodes_.size(), width = 3 * n;
     patch.values.assign(width * width, 0.0);
-    for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t k = 0; k < weighted(); ++k)
       for (std::size_t l = 0; l < n; ++l) {
-        const Vec3 by_node = weight_slope(k);
-        const Vec3 slope = l == 0 ? by_node : Vec3(-moved(l - 1).transpose() * by_node);
+        const Vec3 slope = motion_[l].transpose() * weight_slope(k);
         for (std::size_t i = 0; i < 3; ++i)
           for (std::size_t j = 0; j < 3; ++j) {
             const auto of = [](const Vec3& v, std::size_t c) { return v[static_cast<Eigen::Index>(c)]; };
@@ -211,52 +220,33 @@ class PointRow {
   }
 
  private:
-  template <class Block>
-  static void put(NodeBlocks<Block>& blocks, LocalIndex node, const Block& block) {
-    blocks.nodes.values.push_back(node);
-    blocks.blocks.push_back(block);
-  }
-  /// Motion of the point of the facet below the node by that of a corner.
-  [[nodiscard]] Mat3 moved(std::size_t corner) const {
-    return at_.value[corner] * Mat3::Identity() + height_ * facet_normal_.by_corner(corner);
-  }
-  /// Derivative of the weight of the node (0) or of a corner (from 1 on) by the node.
+  /// Of the row's node (0) and of the corners (from 1 on).
+  [[nodiscard]] std::size_t weighted() const { return 1 + corners_.count; }
+  [[nodiscard]] double weight(std::size_t k) const { return k == 0 ? covered() : -covered() * at_.value[k - 1]; }
+  /// Its derivative by the place of the node relative to the facet.
   [[nodiscard]] Vec3 weight_slope(std::size_t k) const {
     if (k == 0) return area_ * fading_slope_;
     return -area_ * (fading_.value * at_.gradient[k - 1] + at_.value[k - 1] * fading_slope_);
   }
-  [[nodiscard]] Vec3 difference_of(std::span<const Vec3> y) const {
-    Vec3 difference = Vec3::Zero();
-    for (std::size_t c = 0; c < corners_.count; ++c)
-      difference += at_.value[c] * (y[static_cast<std::size_t>(node_)] - y[static_cast<std::size_t>(facet_[c])]);
-    return difference;
-  }
-  [[nodiscard]] Mat3 sum_of(std::span<const Vec3> y) const {
-    const Vec3& origin = y[static_cast<std::size_t>(facet_[0])];
-    Mat3 sum = Mat3::Zero();
-    for (std::size_t c = 1; c < corners_.count; ++c)
-      sum += (y[static_cast<std::size_t>(facet_[c])] - origin) * at_.gradient[c].transpose();
-    return sum;
-  }
 
-  LocalIndex node_;
   const FacetNodes& facet_;
   CornersOf corners_;
   double area_;
-  Vec3 x_, below_;  ///< the node; the point below it, from there
-  Projection at_;
+  Crossing at_;
   Fading fading_;
-  Vec3 fading_slope_ = Vec3::Zero();  ///< by the node [1/length]
-  NormalChange facet_normal_;
   SmoothNormal normal_;
-  double height_ = 0;  ///< of the node above the facet [length]
+  Vec3 below_ = Vec3::Zero();         ///< the point below the node, from there
+  Vec3 fading_slope_ = Vec3::Zero();  ///< [1/length]
+  std::vector<LocalIndex> nodes_;     ///< the row's node, the corners, and those that turn its direction
+  std::vector<Mat3> motion_;          ///< by each: of the node relative to the facet
 };
 
 void evaluate(const MortarSurfaces& surfaces, const MortarTopology& topology, const Ragged<LocalIndex>& candidates,
               std::span<const Vec3> x, std::span<const Vec3> tractions, MortarRows& rows, MortarSlopes* slopes,
               std::span<const Vec3> fixed, std::span<const Vec3> transposed) {
   const std::size_t count = surfaces.rows.size();
-  nodal_normals(surfaces, topology, x, rows.normals);
+  NodeBlocks<Mat3> turns;
+  nodal_normals(surfaces, topology, x, rows.normals, slopes != nullptr ? &turns : nullptr);
   rows.weights.clear();
   rows.gap_vectors.assign(count, Vec3::Zero());
   rows.covered.assign(count, 0);
@@ -269,9 +259,13 @@ void evaluate(const MortarSurfaces& surfaces, const MortarTopology& topology, co
   }
   Search search(surfaces, topology, candidates, x);
   for (std::size_t row = 0; row < count; ++row) {
-    const Hit hit = search(row, -rows.normals[row]);
-    if (hit.master != no_index) {
-      const PointRow point(surfaces, surfaces.rows[row], 1 / topology.kappa[row], hit, x);
+    PointNode node{surfaces.rows[row], x[static_cast<std::size_t>(surfaces.rows[row])], -rows.normals[row]};
+    if (slopes != nullptr) {
+      node.turned_by = turns.nodes.row(static_cast<LocalIndex>(row));
+      node.turns = turns.row(static_cast<LocalIndex>(row));
+    }
+    if (const LocalIndex master = search(row, node.outward); master != no_index) {
+      const PointRow point(surfaces, node, 1 / topology.kappa[row], master, x);
       rows.normals[row] = point.normal();
       rows.gap_vectors[row] = point.gap_vector();
       rows.covered[row] = point.covered();

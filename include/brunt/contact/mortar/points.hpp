@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of single nodes on the facets of the other side: for nodes of sharp edges, which sink between the nodes of a
 // coarse slave while the mean gaps of its rows stay open. Row A of a node over a facet:
-//   w_AA = a_A, w_AC = - a_A N_C at its projection along the facet's normal, G_A = a_A (x_A - sum_C N_C x_C),
+//   w_AA = a_A, w_AC = - a_A N_C below the node, G_A = a_A (x_A - sum_C N_C x_C),
 // with a_A the node's share of its surface in the reference configuration. The normal of the row is that of the
 // master's smooth patch, interpolated over the facet. All else is as for other rows.
 //
-// The facet is the one that the line through the node along its own outward normal crosses: of a surface without holes
-// this line finds one facet, whether the surface is convex or concave there. All weights have a factor that fades to 0
-// where the master ends (NodePatches::rims).
+// The point below the node is where the line through the node along its own outward normal crosses the master: of a
+// surface without holes this line finds one facet, whether the surface is convex or concave there. All weights have a
+// factor that fades to 0 where the master ends (NodePatches::rims).
 #pragma once
 #include <span>
 
