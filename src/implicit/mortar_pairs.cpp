@@ -112,9 +112,13 @@ WholeInterface points_of(const WholeSurfaces& whole, const WholeInterface& pair,
 void lay_rows(const WholeSurfaces& whole, bool by_patch, contact::MortarSurfaces& surfaces) {
   contact::PatchRows rows = contact::patch_rows(surfaces.slave, whole.reference);
   surfaces.rows = std::move(rows.nodes);
-  if (by_patch)
+  if (by_patch) {
     surfaces.corner_rows = std::move(rows.of_corner);
-  else
+    const std::vector<LocalIndex> sharp = contact::sharp_nodes(surfaces.slave, whole.reference);
+    for (const FacetNodes& facet : surfaces.slave)
+      surfaces.at_edge.push_back(
+          std::ranges::any_of(facet, [&](LocalIndex node) { return std::ranges::binary_search(sharp, node); }));
+  } else
     sort_unique(surfaces.rows);
   surfaces.mirrors = mirrors_at(whole, surfaces.rows);
 }

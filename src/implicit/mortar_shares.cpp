@@ -140,6 +140,7 @@ void lay_surfaces(Rank rank, const WholeInterface& of, const Part& part, const K
   for (const std::size_t facet : part.facets) {
     mine.slave.push_back(kept.place(all.slave[facet]));
     mine.slave_wall.push_back(all.slave_wall[facet]);
+    if (!all.at_edge.empty()) mine.at_edge.push_back(all.at_edge[facet]);
     face.slave_key.push_back(of.slave.key[facet]);
   }
   for (const std::size_t row : part.rows) {

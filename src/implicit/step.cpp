@@ -135,7 +135,7 @@ Attempt iterate(const Scene& scene, Solver& solver) {
   return attempt;
 }
 
-std::string cause_of(const Attempt& attempt, const Trial& trial) {
+std::string cause_of(const Attempt& attempt, const Trial& trial, double tolerance) {
   switch (attempt.newton.reason) {
     case comm::NewtonReason::inadmissible:
       return "an element loses its volume during the iteration";
@@ -144,8 +144,8 @@ std::string cause_of(const Attempt& attempt, const Trial& trial) {
     default:
       break;
   }
-  return fmt::format("unbalanced forces are {:.2g} of the acting ones after {} iterations",
-                     trial.ratios.empty() ? 1.0 : trial.ratios.back(), attempt.newton.iterations);
+  return fmt::format("unbalanced forces are {:.2g} of the acting ones after {} iterations (solver.tolerance {:g})",
+                     trial.ratios.empty() ? 1.0 : trial.ratios.back(), attempt.newton.iterations, tolerance);
 }
 
 /// Failures that a shorter step cannot avoid.
@@ -179,7 +179,7 @@ void refuse_hopeless(const Scene& scene, const Solver& solver, const Attempt& at
   throw GuardError(fmt::format(
       "Newton's method fails at t = {:g}, step {}, with the smallest step {:g} (solver.min_step {:g}): {}{}{}",
       scene.state.time, static_cast<GlobalIndex>(scene.state.step), solver.trial.rule.dt, solver.settings.min_step,
-      cause_of(attempt, solver.trial),
+      cause_of(attempt, solver.trial, solver.settings.tolerance),
       attempt.worst.gid >= 0 ? fmt::format("; the largest unbalanced force is at {}, {:.3g} [force]",
                                            place(attempt.worst.gid), attempt.worst.size)
                              : "",

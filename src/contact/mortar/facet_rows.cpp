@@ -19,7 +19,7 @@ bool FacetRows::evaluate(const MortarSurfaces& surfaces, std::size_t facet, std:
   integrals_.clear();
   if (candidates.empty() || !make_slave_plane(corners.span(), plane_)) return false;
   find_segments(surfaces, facet, candidates, x, with_slopes);
-  functions_ = multiplier_functions(plane_, integrals_, surfaces.multiplier);
+  functions_ = multiplier_functions(plane_, integrals_, surfaces.multiplier_of(facet));
   if (functions_.form == Form::none) return false;
   number_nodes(surfaces, slave, x);
   fill_weights();

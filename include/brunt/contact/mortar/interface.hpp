@@ -47,6 +47,8 @@ struct MortarSurfaces {
   std::vector<FacetNodes> corner_rows{};
   Ragged<Vec3> mirrors;  ///< for each row: unit normals of the symmetry planes that contain its node; or no rows
   Multiplier multiplier = Multiplier::dual;
+  /// For each slave facet: whether its multipliers are standard ones all the same; empty: none.
+  std::vector<std::uint8_t> at_edge{};
   double capture = 0;   ///< greatest distance of two facets along the normal [length]
   bool fading = false;  ///< pairs come in with a share that has no jump (fading.hpp)
   /// For each facet: thickness of its own body behind it [length]; empty if all bodies are thicker than `capture`.
@@ -57,6 +59,9 @@ struct MortarSurfaces {
   /// For each slave facet: whether its segments are counted and its patch is formed here; empty: for all.
   std::vector<std::uint8_t> ours{};
 
+  [[nodiscard]] Multiplier multiplier_of(std::size_t slave_facet) const {
+    return at_edge.empty() || at_edge[slave_facet] == 0 ? multiplier : Multiplier::standard;
+  }
   [[nodiscard]] bool is_ours(std::size_t slave_facet) const { return ours.empty() || ours[slave_facet] != 0; }
   /// Largest admissible penetration of the facets of a pair [length]: a deeper facet is on the far side of a wall.
   [[nodiscard]] double deepest(std::size_t slave_facet, std::size_t master_facet) const {

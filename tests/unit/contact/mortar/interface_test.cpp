@@ -57,6 +57,21 @@ TEST_CASE("Weights of a row have sum zero, so that forces have none") {
   }
 }
 
+TEST_CASE("Facets at sharp edges have standard multipliers") {
+  TwoSurfaces two = test::wavy_surfaces(1);
+  const Evaluation dual(two);
+  two.surfaces.at_edge.assign(two.surfaces.slave.size(), 1);
+  const Evaluation all(two);
+  two.surfaces.at_edge.assign(two.surfaces.slave.size(), 0);
+  const Evaluation none(two);
+  two.surfaces.at_edge.clear();
+  two.surfaces.multiplier = Multiplier::standard;
+  const Evaluation standard(two);
+  CHECK(all.rows.gaps == standard.rows.gaps);
+  CHECK(none.rows.gaps == dual.rows.gaps);
+  CHECK(dual.rows.gaps != standard.rows.gaps);
+}
+
 TEST_CASE("A pressure pushes the slave away from the master") {
   const auto flat = [](double height) { return [height](double x, double y) { return Vec3(x, y, height); }; };
   TwoSurfaces two({3, 3, 0, 1, 0, 1, true, false}, flat(0), {4, 4, 0, 1, 0, 1, false, false}, flat(0.01));
