@@ -111,9 +111,9 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
                                    input.at(fmt::format("contact.{}.consistent", k))));
   for (std::size_t k = 0; k < input.contact.size(); ++k)
     if (!input.contact[k].mortar)
-      faults.push_back(
-          fmt::format("{}: invalid contact in an implicit scene; expected {{between: [a, b], method: mortar}}, or [a, a]",
-                      input.at(fmt::format("contact.{}", k))));
+      faults.push_back(fmt::format(
+          "{}: invalid contact in an implicit scene; expected {{between: [a, b], method: mortar}}, or [a, a]",
+          input.at(fmt::format("contact.{}", k))));
   if (model.books_interface)
     faults.push_back(fmt::format(
         "{}: invalid probe of energy for parts that share nodes in an implicit scene; expected other probes",

@@ -159,7 +159,8 @@ void read_mortar(Section& entry, ContactEntry& contact) {
          "invalid with tied: true, which holds what meets at the start; expected no such key");
   for (const char* key : {"passes", "tolerance", "max_iterations", "softness", "partition", "stiffness", "damping",
                           "competing", "rebuild"})
-    refuse(entry.has(key), key, "invalid with method: mortar; expected multiplier, enforce, slave, consistent, edges, friction or tied");
+    refuse(entry.has(key), key,
+           "invalid with method: mortar; expected multiplier, enforce, slave, consistent, edges, friction or tied");
 }
 
 ContactEntry read_entry(Section& entry, contact::Passes passes_before) {

@@ -68,7 +68,9 @@ TEST_CASE("the matrix with contact is the derivative of the residual: multiplier
     solver.u[3 * static_cast<std::size_t>(at) + 2] -= 0.02;
   }
   for (std::size_t k = 3 * nodes; k < solver.u.size(); ++k) solver.u[k] = 20 + 100 * shake(engine);
-  const auto step_of = [&](std::size_t unknown) { return unknown < 3 * nodes ? 1e-6 : 1e-3; };  // a pressure is large
+  // rows of edges fade over a tenth of a facet: their third derivatives are large (the error falls with the square)
+  const double step = contact.starts_with("edges") ? 2e-7 : 1e-6;
+  const auto step_of = [&](std::size_t unknown) { return unknown < 3 * nodes ? step : 1e-3; };  // a pressure is large
   CHECK(test::tangent_error(scene, solver, step_of) < 1e-7);
 
   (void)test::residual_at(scene, solver, solver.u);
