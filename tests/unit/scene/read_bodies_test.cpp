@@ -81,7 +81,7 @@ TEST_CASE("wrong bias and sizes are refused at their key", "[scene]") {
 }
 
 TEST_CASE("sectors", "[scene]") {
-  const auto& body = std::get<TubeMesh>(tube("inner_radius: 0, elements: [4, 2, 3], sector: [-2, 3]").mesh[0].body);
+  const auto body = std::get<TubeMesh>(tube("inner_radius: 0, elements: [4, 2, 3], sector: [-2, 3]").mesh[0].body);
   CHECK(body.half.sector == mesh::Sector{-2, 3});
   CHECK(body.inner_radius == 0);
   require_fault(tube, "inner_radius: 0, elements: [4, 8, 3]", "inner_radius", "a number > 0");

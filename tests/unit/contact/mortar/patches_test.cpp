@@ -103,5 +103,6 @@ TEST_CASE("A facet without area has no sharp edge") {
   Shell box = cube();
   box.facets.push_back({0, 1, 0, 1});
   CHECK(sharp_nodes(box.facets, box.x).size() == 8);
-  for (const LocalIndex row : patch_rows(box.facets, box.x).of_corner.back()) CHECK(row >= 0);
+  const PatchRows rows = patch_rows(box.facets, box.x);
+  for (const LocalIndex row : rows.of_corner.back()) CHECK(row >= 0);
 }
