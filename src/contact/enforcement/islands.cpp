@@ -37,11 +37,11 @@ bool raise_labels(Islands& islands) {
   for (const bool down : {false, true})
     for (std::size_t one = 0; one < islands.joined.size(); ++one) {
       double &own = label_of(one), &of_root = label_of(islands.joined.first(one));
-      if (!down) of_root = std::max(of_root, own);
-      if (down && own != of_root) {
-        own = of_root;
-        changed = true;
-      }
+      double& behind = down ? own : of_root;
+      const double ahead = down ? of_root : own;
+      if (!(behind < ahead)) continue;
+      behind = ahead;
+      changed = true;  // of the first member too, which other ranks may share
     }
   return changed;
 }
