@@ -53,12 +53,16 @@ WholeInterface with_masters(const WholeInterface& pair, const std::vector<std::s
   return of;
 }
 
-/// Whether a plane of symmetry contains both nodes: a surface does not end there.
+/// Whether a plane of symmetry contains both nodes: a surface does not end there. (Opposite planes of a slice have one
+/// normal.)
 bool in_one_mirror(const WholeSurfaces& whole, LocalIndex one, LocalIndex other) {
   constexpr double parallel = 1 - 1e-12;  // product of unit normals
+  constexpr double within = 1e-6;         // sine between the plane and the way from node to node
+  const Vec3 way = whole.reference[static_cast<std::size_t>(other)] - whole.reference[static_cast<std::size_t>(one)];
   const Ragged<Vec3> mirrors = mirrors_at(whole, std::array{one, other});
   return std::ranges::any_of(mirrors.row(0), [&](const Vec3& a) {
-    return std::ranges::any_of(mirrors.row(1), [&](const Vec3& b) { return std::abs(a.dot(b)) > parallel; });
+    return std::abs(a.dot(way)) <= within * way.norm() &&
+           std::ranges::any_of(mirrors.row(1), [&](const Vec3& b) { return std::abs(a.dot(b)) > parallel; });
   });
 }
 

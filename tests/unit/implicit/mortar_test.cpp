@@ -3,6 +3,7 @@
 #include "brunt/implicit/mortar.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -42,6 +43,29 @@ model::ImplicitSolver settings_of(model::Scheme scheme) {
 }
 
 }  // namespace
+
+TEST_CASE("The surface of a slice between two planes of symmetry ends at its edges, not at the planes") {
+  mesh::Mesh mesh = mesh::box("low", {1, 0.5, 0.5}, {3, 1, 1}), above = mesh::box("top", {0.5, 0.5, 0.5}, {2, 1, 1});
+  for (Vec3& x : above.coordinates) x += Vec3(0.2, 0, 0.5);
+  mesh::append(mesh, std::move(above));
+  Simulation body{std::move(mesh),
+                  "materials: {m: {model: neo_hookean, density: 2, young: 100, poisson: 0.3}}\n"
+                  "parts: {low: {material: m, element: hex8_full}, top: {material: m, element: hex8_full}}\n"
+                  "symmetry: [{point: [0, 0, 0], normal: [0, 1, 0]}, {point: [0, 0.5, 0], normal: [0, 1, 0]}]\n"
+                  "contact: [{between: [low, top], method: mortar, edges: true}]\n"};
+  const Scene scene{body.model, body.state, body.scratch, body.links};
+  const Solver solver = make_solver(scene, settings_of(model::Scheme::statics));
+  int interfaces = 0;
+  for (const Interface& face : solver.contact.interfaces) {
+    if (!face.of_points) continue;
+    ++interfaces;
+    int rims = 0;
+    for (const contact::PatchNumbers& of : face.own_masters.patch)
+      rims += std::popcount(static_cast<std::uint64_t>(of.rims));
+    CHECK(rims == 8);  // of each body: four edges across the slice, two facets each
+  }
+  CHECK(interfaces == 2);
+}
 
 TEST_CASE("the matrix with contact is the derivative of the residual: multipliers, penalty, friction, ties") {
   const model::Scheme scheme = GENERATE(model::Scheme::contact_implicit, model::Scheme::statics);
