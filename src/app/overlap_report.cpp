@@ -204,10 +204,11 @@ OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh,
   for (const Piercing& piercing : gaps.piercings) judge(piercing.rule, false, reporter.describe(piercing));
   for (const SharedSpace& shared : gaps.shared) judge(shared.rule, false, reporter.describe(shared));
   if (refused && !untreatable)
-    report.faults.push_back(
-        input.at("contact") +
-        ": invalid initial overlap; expected parts that do not overlap, or initial_overlap: warn (recovered slowly), "
-        "place (parts moved apart before the run), move (nodes moved out) or offset (kept as zero gap)");
+    report.faults.push_back(fmt::format(
+        "{}: invalid initial overlap; expected parts that do not overlap, or initial_overlap: {}, place (parts moved "
+        "apart before the run){}",
+        input.at("contact"), input.implicit ? "warn (as notes of the run say)" : "warn (recovered slowly)",
+        input.implicit ? " or move (nodes moved out)" : ", move (nodes moved out) or offset (kept as zero gap)"));
   if (untreatable)
     report.faults.push_back(input.at("contact") +
                             ": invalid initial overlap; expected parts that do not overlap, or initial_overlap: place "

@@ -223,11 +223,12 @@ void Results::report_at_end() {
 void Results::report_turned() {
   const double error = angular_error(last_ledger_, run_.extremes, extent_);
   if (!(error > run_.input.guards.angular_momentum)) return;
+  const bool rests = run_.input.implicit && run_.input.implicit->scheme == model::Scheme::statics;
   log_.warning(fmt::format(
-      "contact between bodies has supplied angular momentum: angular_momentum_error is {:.2g}, {:g} at most is usual. "
-      "Nodes beyond a rim are supported at the rim, and deep ones far from where they touch: use smaller elements "
-      "there, or passes: two",
-      error, run_.input.guards.angular_momentum));
+      "contact {}: angular_momentum_error is {:.2g}, {:g} at most is usual. Nodes beyond a rim are supported at the rim, "
+      "and deep ones far from where they touch: use smaller elements there{}",
+      rests ? "forces of bodies on each other have a moment" : "between bodies has supplied angular momentum", error,
+      run_.input.guards.angular_momentum, run_.input.implicit ? "" : ", or passes: two"));
 }
 
 void Results::report_scaled() {

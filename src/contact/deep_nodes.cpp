@@ -7,12 +7,9 @@
 #include <span>
 #include <utility>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/detection/cones.hpp"
 #include "brunt/contact/search/box_overlaps.hpp"
-#include "brunt/contact/search/search.hpp"
-#include "brunt/geometry/closest_point.hpp"
 #include "brunt/geometry/segment_in_cell.hpp"
+#include "depth_along.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -21,53 +18,12 @@ using geometry::Box;
 using geometry::Segment;
 using geometry::Stretch;
 
-/// What may lie in an element: a node, as a segment without length, or an edge.
-struct Probe {
-  Segment at{};
-  std::array<GlobalIndex, 2> ends{};  ///< gids, a node's twice
-  std::span<const std::int32_t> blocks{};
-  std::span<const GlobalIndex> around{};  ///< nodes of its elements
-  bool on_edge = false;
-
-  [[nodiscard]] Box box() const { return geometry::bounding_box(std::array{at.start, at.end}); }
-};
-
-struct GhostSide {
-  GlobalIndex key = 0;
-  std::array<std::array<double, 3>, 4> corner{};
-  std::array<GlobalIndex, 4> gid{};
-  std::array<GlobalIndex, 8> element{};
-  std::int32_t corner_count = 4;
-  double element_depth = 0;
-  PlainBox capture{};
-
-  [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(corner_count); }
-  [[nodiscard]] std::array<Vec3, 4> corners() const {
-    std::array<Vec3, 4> at;
-    for (std::size_t i = 0; i < count(); ++i) at[i] = Vec3(corner[i].data());
-    return at;
-  }
-  /// Unit, outward; of a warped face the mean.
-  [[nodiscard]] Vec3 normal() const {
-    const std::array<Vec3, 4> at = corners();
-    return geometry::area_vector({at.data(), count()}).normalized();
-  }
-  friend bool operator<(const GhostSide& a, const GhostSide& b) { return a.key < b.key; }
-};
-
 /// What of the probe is in the element.
 Stretch part_in(const GhostElement& element, const Segment& probe) {
   std::array<Vec3, 8> corners;
   const auto count = static_cast<std::size_t>(element.corner_count);
   for (std::size_t i = 0; i < count; ++i) corners[i] = Vec3(element.corner[i].data());
   return geometry::part_in_cell(probe, {corners.data(), count});
-}
-
-/// Do the elements around the probe touch this one?
-bool touches(const Probe& probe, std::span<const GlobalIndex> element) {
-  return std::ranges::any_of(element, [&](GlobalIndex gid) {
-    return gid != no_index && std::ranges::find(probe.around, gid) != probe.around.end();
-  });
 }
 
 class Look {
@@ -90,14 +46,15 @@ class Look {
     std::int32_t block = 0;
     Stretch part{};
     double chord = 0;  ///< what of the edge is in this block [length]
-    double depth = std::numeric_limits<double>::infinity(), share = 0;
+    double depth = 0, share = 0;
   };
   void list_probes();
   [[nodiscard]] const Probe& probe_of(const Inside& inside) const { return probes_[inside.probe]; }
-  [[nodiscard]] Vec3 middle_of(const Inside& inside) const {
+  /// What is inside; of a node a segment without length.
+  [[nodiscard]] Segment part_of(const Inside& inside) const {
     const Segment& all = probe_of(inside).at;
-    const double middle = 0.5 * (inside.part.first + inside.part.last);
-    return (1 - middle) * all.start + middle * all.end;
+    const auto at = [&](double place) -> Vec3 { return (1 - place) * all.start + place * all.end; };
+    return {at(inside.part.first), at(inside.part.last)};
   }
   [[nodiscard]] Vec3 at(LocalIndex surface_node) const {
     return position_[watched_.surface.model_node[static_cast<std::size_t>(surface_node)]];
@@ -111,8 +68,7 @@ class Look {
   }
   void keep_lowest_of_nodes();
   void sum_chords();
-  [[nodiscard]] std::vector<GhostSide> own_sides() const;
-  void measure(Inside& inside, const std::vector<GhostSide>& sides, std::span<const LocalIndex> near) const;
+  [[nodiscard]] std::vector<WatchedSide> own_sides() const;
 
   const WatchedSurface& watched_;
   const VectorView& position_;
@@ -182,13 +138,13 @@ void Look::sum_chords() {
   }
 }
 
-std::vector<GhostSide> Look::own_sides() const {
-  std::vector<GhostSide> sides;
+std::vector<WatchedSide> Look::own_sides() const {
+  std::vector<WatchedSide> sides;
   for (const SurfaceFace& face : watched_.surface.faces) {
     if (watched_.thickness.size() > static_cast<std::size_t>(face.block) &&
         watched_.thickness[static_cast<std::size_t>(face.block)] > 0)
       continue;
-    GhostSide side{.key = face.key, .element = face.element, .corner_count = face.corner_count};
+    WatchedSide side{.key = face.key, .element = face.element, .corner_count = face.corner_count};
     side.element_depth = face.element_depth;
     side.gid.fill(no_index);
     Box box;
@@ -206,60 +162,29 @@ std::vector<GhostSide> Look::own_sides() const {
 
 void Look::measure() {
   if (!watched_.ranks.any(!inside_.empty())) return;
-  std::vector<Vec3> points;
   std::vector<Box> wanted, boxes;
   for (const Inside& inside : inside_) {
-    points.push_back(middle_of(inside));
-    wanted.push_back({points.back(), points.back()});
+    const Segment part = part_of(inside);
+    wanted.push_back(geometry::bounding_box(std::array{part.start, part.end}));
   }
-  std::vector<GhostSide> sides = own_sides();
-  const std::vector<GhostSide> ghosts =
-      ghost(watched_.ranks, std::span<const GhostSide>(sides), wanted, 2 * watched_.surface.mean_edge);
+  std::vector<WatchedSide> sides = own_sides();
+  const std::vector<WatchedSide> ghosts =
+      ghost(watched_.ranks, std::span<const WatchedSide>(sides), wanted, 2 * watched_.surface.mean_edge);
   sides.insert(sides.end(), ghosts.begin(), ghosts.end());
-  std::ranges::sort(sides, {}, &GhostSide::key);
-  for (const GhostSide& side : sides) boxes.push_back(side.capture.box());
-  SearchScratch scratch;
-  Ragged<LocalIndex> pairs;
-  find_pairs(boxes, points, scratch, pairs);
-  for (std::size_t k = 0; k < inside_.size(); ++k)
-    measure(inside_[k], sides, std::as_const(pairs).row(static_cast<LocalIndex>(k)));
-}
-
-/// The distance to the nearest face. An edge that passes through a plate is never far from one: there it is the shorter
-/// one of what is inside, and of the distance to the nearest face that the edge can lie on.
-void Look::measure(Inside& inside, const std::vector<GhostSide>& sides, std::span<const LocalIndex> near) const {
-  const Probe& probe = probe_of(inside);
-  const Vec3 x = middle_of(inside);
-  std::vector<Vec3> own;  // normals of the faces that meet in the edge
-  std::vector<LocalIndex> of_own;
-  if (probe.on_edge)
-    for (const LocalIndex s : near) {
-      const GhostSide& side = sides[static_cast<std::size_t>(s)];
-      const auto has = [&](GlobalIndex gid) { return std::ranges::find(side.gid, gid) != side.gid.end(); };
-      if (!std::ranges::all_of(probe.ends, has)) continue;
-      of_own.push_back(static_cast<LocalIndex>(own.size()));
-      own.push_back(side.normal());
-    }
-  double nearest = std::numeric_limits<double>::infinity(), opposed = nearest;
-  double element_depth = watched_.surface.mean_element_depth;
-  for (const LocalIndex s : near) {
-    const GhostSide& side = sides[static_cast<std::size_t>(s)];
-    if (touches(probe, side.element)) continue;
-    const std::array<Vec3, 4> corners = side.corners();
-    const auto closest = geometry::closest_point(x, {corners.data(), side.count()});
-    if (!closest) continue;
-    const double distance = (x - closest->point).norm();
-    if (distance < nearest) {
-      nearest = distance;
-      element_depth = side.element_depth;
-    }
-    if (probe.on_edge && distance < opposed &&
-        admission({of_own, own}, side.normal(), false) >= watched_.tolerances.slight)
-      opposed = distance;
+  std::ranges::sort(sides, {}, &WatchedSide::key);
+  for (const WatchedSide& side : sides) boxes.push_back(side.capture.box());
+  std::vector<std::vector<LocalIndex>> near(inside_.size());
+  OverlapScratch scratch;
+  for_each_overlap(wanted, boxes, scratch,
+                   [&](LocalIndex k, LocalIndex s) { near[static_cast<std::size_t>(k)].push_back(s); });
+  for (std::size_t k = 0; k < inside_.size(); ++k) {
+    Inside& inside = inside_[k];
+    std::ranges::sort(near[k]);
+    const DepthAlong along(probe_of(inside), inside.chord, sides, near[k], watched_);
+    const Depth deepest = along.deepest(part_of(inside));
+    inside.depth = deepest.depth;
+    inside.share = deepest.depth / deepest.of_element;
   }
-  if (!(nearest < 2 * element_depth)) nearest = 2 * element_depth;  // faces farther away were not offered
-  inside.depth = probe.on_edge ? std::max(nearest, std::min(opposed, inside.chord)) : nearest;
-  inside.share = inside.depth / element_depth;
 }
 
 DeepNodes Look::result(double above) const {

@@ -69,6 +69,8 @@ void read_settled(Section& entry) {
 
 /// Warns of settings without effect.
 void judge_passes(Section& entry, const ContactEntry& contact, Input& input) {
+  if (entry.has("self") && !contact.between.empty())
+    warn(entry.at("self"), "no effect with two parts; a part meets itself by between: all, or [a, a]", input);
   const bool two = contact.passes == contact::Passes::two || contact.passes == contact::Passes::averaged;
   if (two && contact.slave != Slave::automatic && entry.has("slave"))
     warn(entry.at("slave"), "no effect with two passes", input);

@@ -15,6 +15,27 @@ namespace {
 
 constexpr double thickness = 0.1;
 
+contact::DeepNodes look_at(const MassPoints& points, const contact::Contact& contact, double above) {
+  std::vector<contact::GhostElement> elements;
+  for (std::size_t b = 0; b < points.mesh.blocks.size(); ++b) {
+    const mesh::LocalBlock& block = points.mesh.blocks[b];
+    for (std::size_t e = 0; e < block.gid.size(); ++e) {
+      contact::GhostElement element{.gid = block.gid[e], .block = static_cast<std::int32_t>(b)};
+      geometry::Box box;
+      for (std::size_t c = 0; c < 8; ++c) {
+        const auto node = static_cast<std::size_t>(block.nodes[8 * e + c]);
+        element.nodes[c] = points.mesh.node_gid[node];
+        element.corner[c] = {points.x[node][0], points.x[node][1], points.x[node][2]};
+        geometry::extend(box, points.x[node]);
+      }
+      element.capture = contact::PlainBox(box);
+      elements.push_back(element);
+    }
+  }
+  return contact::find_deep_nodes(contact::watched_surface(contact), {reinterpret_cast<const double*>(points.x.data())},
+                                  elements, above);
+}
+
 /// A plate whose upper face is z = 0, and a bar of one element, upright with its lower end at z = `end`, then turned
 /// about x around the middle of its lower end.
 struct BarInPlate {
@@ -36,26 +57,7 @@ struct BarInPlate {
   BarInPlate(const comm::Communicator& ranks, double end, double degrees = 0)
       : points(bodies(ranks, end, degrees)), contact(points.make_contact({})) {}
 
-  [[nodiscard]] contact::DeepNodes look(double above) const {
-    std::vector<contact::GhostElement> elements;
-    for (std::size_t b = 0; b < points.mesh.blocks.size(); ++b) {
-      const mesh::LocalBlock& block = points.mesh.blocks[b];
-      for (std::size_t e = 0; e < block.gid.size(); ++e) {
-        contact::GhostElement element{.gid = block.gid[e], .block = static_cast<std::int32_t>(b)};
-        geometry::Box box;
-        for (std::size_t c = 0; c < 8; ++c) {
-          const auto node = static_cast<std::size_t>(block.nodes[8 * e + c]);
-          element.nodes[c] = points.mesh.node_gid[node];
-          element.corner[c] = {points.x[node][0], points.x[node][1], points.x[node][2]};
-          geometry::extend(box, points.x[node]);
-        }
-        element.capture = contact::PlainBox(box);
-        elements.push_back(element);
-      }
-    }
-    return contact::find_deep_nodes(contact::watched_surface(contact),
-                                    {reinterpret_cast<const double*>(points.x.data())}, elements, above);
-  }
+  [[nodiscard]] contact::DeepNodes look(double above) const { return look_at(points, contact, above); }
 };
 
 }  // namespace
@@ -98,4 +100,21 @@ TEST_CASE("deep nodes: an edge that lies in a face is as deep as it has sunk, ho
     CHECK(found.worst.depth == Approx(depth).epsilon(1e-6));
     CHECK(found.worst.share < 0.31);
   }
+}
+
+TEST_CASE("deep nodes: an edge across a ridge is as deep as the ridge, though the ridge is between two elements") {
+  // a roof of two elements with flanks of 45 degrees, its ridge at z = 1; a bar of one element across it
+  constexpr double sunk = 0.2;
+  const comm::Communicator ranks = comm::Communicator::world();
+  mesh::Mesh mesh;
+  support::append_box(mesh, {0, 0, -1}, {2, 1, 1}, {2, 1, 1});
+  for (Vec3& x : mesh.coordinates)
+    if (x[2] == 0 && x[0] == 1) x[2] = 1;
+  support::append_box(mesh, {0.1, 0.3, 1 - sunk}, {1.7, 0.4, 1}, {1, 1, 1});
+  const MassPoints points(
+      ranks, mesh, [&](GlobalIndex gid) { return static_cast<Rank>(gid * 5 % 7 % ranks.size()); },
+      [](const Vec3&) { return 1.0; }, [](const Vec3&) { return Vec3(0, 0, 0); });
+  const contact::DeepNodes found = look_at(points, points.make_contact({}), 0.01);
+  CHECK(found.worst.on_edge);
+  CHECK(found.worst.depth == Approx(sunk * std::numbers::sqrt2 / 2).epsilon(1e-9));
 }
