@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "part_sums.hpp"
-#include "prepare.hpp"
+#include "prepared.hpp"
 
 namespace brunt::app {
 

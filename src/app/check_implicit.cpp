@@ -9,7 +9,7 @@
 
 #include "brunt/implicit/solver.hpp"
 #include "brunt/implicit/step.hpp"
-#include "implicit_loop.hpp"
+#include "implicit_report.hpp"
 
 namespace brunt::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "brunt/time/step.hpp"
-#include "prepare.hpp"
+#include "prepared.hpp"
 
 namespace brunt::app {
 

@@ -22,7 +22,7 @@
 #include "brunt/scene/select.hpp"
 #include "failure.hpp"
 #include "outer_surface.hpp"
-#include "prepare.hpp"
+#include "whole_scene.hpp"
 
 namespace brunt::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "brunt/contact/deep_nodes.hpp"
-#include "prepare.hpp"
+#include "prepared.hpp"
 
 namespace brunt::app {
 

@@ -14,7 +14,7 @@
 #include "brunt/depth/encounter.hpp"
 #include "brunt/depth/samples.hpp"
 #include "depth_poses.hpp"
-#include "prepare.hpp"
+#include "whole_scene.hpp"
 
 namespace brunt::app {
 namespace {

@@ -9,7 +9,7 @@
 #include "brunt/implicit/driven_apart.hpp"
 #include "brunt/scene/select.hpp"
 #include "brunt/scene/units.hpp"
-#include "implicit_loop.hpp"
+#include "prepared.hpp"
 
 namespace brunt::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "prepare.hpp"
+#include "prepared.hpp"
 
 namespace brunt::app {
 

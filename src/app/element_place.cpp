@@ -118,4 +118,20 @@ std::string text_of_point(const Prepared& run, const Vec3& position) {
   return fmt::format("({:g}, {:g}, {:g})", place[0], place[1], place[2]);
 }
 
+std::string name_of_node(const Prepared& run, GlobalIndex gid) {
+  const model::Model& model = run.model;
+  GlobalIndex id = -1, part = -1;
+  for (const LocalIndex node : model.owned) {
+    const auto i = static_cast<std::size_t>(node);
+    if (model.mesh.node_gid[i] == gid) id = model.mesh.node_id[i];
+  }
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    for (const LocalIndex node : model.blocks[b].node)
+      if (model.mesh.node_gid[static_cast<std::size_t>(node)] == gid) part = static_cast<GlobalIndex>(b);
+  id = run.links.ranks.max(id);
+  part = run.links.ranks.max(part);
+  if (part < 0) return fmt::format("node {}", id);
+  return fmt::format("part {}, node {}", model.blocks[static_cast<std::size_t>(part)].part, id);
+}
+
 }  // namespace brunt::app

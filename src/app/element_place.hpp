@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The element of a message: its number, part, position and compression. All calls are collective, and name the same
-// element on any number of ranks.
+// The element or node of a message: number, part, position, compression. All calls are collective, and name the same one
+// on any number of ranks.
 #pragma once
 #include <string>
 
-#include "prepare.hpp"
+#include "prepared.hpp"
 
 namespace brunt::app {
 
@@ -25,6 +25,9 @@ ElementPlace place_of_least(const Prepared& run, const std::string& field);
 
 /// "element 17 (position in the input) of part 'a' at (0, 0.1, 0.2)".
 std::string text_of(const ElementPlace& place);
+
+/// "part a, node 17", the number in the input.
+std::string name_of_node(const Prepared& run, GlobalIndex gid);
 
 /// A place, the mesh's origin put back.
 std::string text_of_point(const Prepared& run, const Vec3& position);

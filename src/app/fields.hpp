@@ -6,7 +6,7 @@
 
 #include "brunt/contact/contact.hpp"
 #include "brunt/io/state_file.hpp"
-#include "prepare.hpp"
+#include "prepared.hpp"
 
 namespace brunt::app {
 

@@ -4,7 +4,7 @@
 #include "brunt/implicit/interface_forces.hpp"
 #include "brunt/implicit/solver.hpp"
 #include "brunt/implicit/static_forces.hpp"
-#include "implicit_loop.hpp"
+#include "prepared.hpp"
 
 namespace brunt::app {
 namespace {

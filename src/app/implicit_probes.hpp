@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "brunt/contact/contact_ledger.hpp"
-#include "prepare.hpp"
+#include "prepared.hpp"
 
 namespace brunt::app {
 

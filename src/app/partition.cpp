@@ -14,7 +14,7 @@
 #include "partition/measured.hpp"
 #include "partition/quality.hpp"
 #include "partition/split.hpp"
-#include "prepare.hpp"
+#include "whole_scene.hpp"
 #include "restart.hpp"
 #include "same_scene.hpp"
 #include "weights.hpp"

@@ -5,20 +5,14 @@
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
 #include <span>
 #include <type_traits>
 
-#include "bodies.hpp"
 #include "brunt/implicit/tied_velocities.hpp"
 #include "brunt/io/partition_file.hpp"
-#include "brunt/io/text_file.hpp"
 #include "brunt/scene/build.hpp"
-#include "brunt/scene/fingerprint.hpp"
-#include "brunt/scene/read.hpp"
 #include "brunt/scene/select.hpp"
 #include "brunt/scene/units.hpp"
-#include "brunt/scene/write.hpp"
 #include "brunt/time/initialise.hpp"
 #include "brunt/time/relaxation.hpp"
 #include "coarse_slave_warnings.hpp"
@@ -26,15 +20,14 @@
 #include "driven_apart.hpp"
 #include "driven_starts.hpp"
 #include "failure.hpp"
-#include "implicit_loop.hpp"
 #include "implicit_rules.hpp"
 #include "implicit_watch.hpp"
 #include "partition/distribute.hpp"
 #include "partition/dual_graph.hpp"
 #include "partition/split.hpp"
-#include "removal.hpp"
 #include "same_scene.hpp"
 #include "weights.hpp"
+#include "whole_scene.hpp"
 
 namespace brunt::app {
 namespace {
@@ -90,78 +83,6 @@ void make_implicit(Prepared& run) {
 }
 
 }  // namespace
-
-scene::Input read_input(const comm::Communicator& ranks, const std::string& scene_file,
-                        const std::vector<std::string>& overrides, std::string* fingerprint, std::string* values,
-                        std::string* yaml) {
-  std::string text;
-  on_root(ranks, [&] {
-    if (std::filesystem::is_directory(scene_file))
-      throw InputError(scene_file + ": invalid scene: it is a folder; expected the scene file in it");
-    text = io::plain_text(io::read_text(scene_file), scene_file);
-  });
-  ranks.broadcast(text);
-  if (fingerprint) *fingerprint = scene::fingerprint(text, scene_file, overrides);
-  if (values) *values = scene::decisive_values(text, scene_file, overrides);
-  if (yaml) *yaml = scene::as_yaml(text, scene_file, overrides);
-  return scene::read_scene(text, scene_file, overrides);
-}
-
-mesh::CanonicalMesh whole_mesh(const scene::Input& input, std::vector<std::string>& warnings, StartUp* start_up) {
-  mesh::Mesh bodies = assemble(input, warnings);
-  if (start_up) start_up->end(StartStage::reading);
-  mesh::CanonicalMesh whole = mesh::canonical_order(std::move(bodies));
-  scene::select(input, whole);
-  if (start_up) start_up->end(StartStage::ordering);
-  return whole;
-}
-
-model::Registry Prepared::registry() {
-  model::Registry registry = time::state_registry(model, state);
-  if (implicit) implicit::add_arrays(model, *implicit, registry);
-  if (!assembled.baseline.empty()) time::add_arrays(model, assembled, registry.arrays);
-  if (contact) {
-    contact_sums = save_sums(links.ranks, *contact);
-    registry.arrays.push_back({"contact_sums", model::StateArray::Entity::global, -1, 1,
-                               static_cast<int>(contact_sums.size()), contact_sums.data(), 1, 1, 1, 0, true, true});
-  }
-  if (contact && contact->derived.remembers) {
-    contact_history = contact::history_tables(*contact);
-    for (RecordTable& table : contact_history) registry.tables.push_back(&table);
-  }
-  registry.arrays.push_back({"extremes", model::StateArray::Entity::global, -1, 1, extremes_width,
-                             reinterpret_cast<double*>(&extremes), 1, 1, 1, 0, true, false});
-  registry.arrays.push_back({"worst_energies", model::StateArray::Entity::global, -1, 1, worst_width, extremes.worst, 1,
-                             1, 1, 0, true, false, false});  // checkpoints of versions before lack it
-  // these make columns go on smoothly; they say nothing of the bodies
-  for (auto [name, memory] : {std::pair{"force_memory", &force_memory}, std::pair{"contact_memory", &contact_memory}})
-    if (!memory->empty())
-      registry.arrays.push_back({name, model::StateArray::Entity::global, -1, 1, static_cast<int>(memory->size()),
-                                 memory->data(), 1, 1, 1, 0, true, false});
-  if (!driven.saved().empty())  // depends on when it was looked at, and says nothing of the bodies
-    registry.arrays.push_back({"driven_parts", model::StateArray::Entity::global, -1, 1,
-                               static_cast<int>(driven.saved().size()), driven.saved().data(), 1, 1, 1, 0, true,
-                               false});
-  return registry;
-}
-
-void Prepared::after_restart() {
-  time::update_positions(model, state);
-  if (implicit) implicit::after_restart(implicit_scene(*this), *implicit);
-  follow_alive(*this);
-  if (contact) driven.start_clock(state.time - contact->ledger.clock);
-  if (contact) contact->driven.clear();
-  if (contact) restore_sums(links.ranks, contact_sums, *contact);
-  if (contact && contact->derived.remembers) contact::restore_history(contact_history, *contact);
-}
-
-void begin_run(Prepared& run) {
-  time::begin_run(run.model, run.state, scene::initial_velocities(run.input, run.model));
-  if (!run.contact) return;
-  run.contact_sums = save_sums(run.links.ranks, *run.contact);
-  std::ranges::fill(run.contact_sums, 0.0);
-  restore_sums(run.links.ranks, run.contact_sums, *run.contact);
-}
 
 void refuse_overlaps(Prepared& run) {
   const OverlapReport& report = run.overlaps.report;

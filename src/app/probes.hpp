@@ -10,7 +10,7 @@
 #include "brunt/io/history.hpp"
 #include "brunt/scene/units.hpp"
 #include "part_sums.hpp"
-#include "prepare.hpp"
+#include "prepared.hpp"
 #include "sections.hpp"
 
 namespace brunt::app {

@@ -2,7 +2,7 @@
 // Removal of elements by the scene, and the data of the run that depend on their flags.
 #pragma once
 #include "log.hpp"
-#include "prepare.hpp"
+#include "prepared.hpp"
 
 namespace brunt::app {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "brunt/io/checkpoint.hpp"
-#include "prepare.hpp"
+#include "prepared.hpp"
 
 namespace brunt::app {
 

@@ -21,7 +21,7 @@
 #include "commands.hpp"
 #include "failure.hpp"
 #include "fields.hpp"
-#include "implicit_loop.hpp"
+#include "implicit_report.hpp"
 #include "parallel_report.hpp"
 
 namespace brunt::app {

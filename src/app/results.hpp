@@ -15,7 +15,7 @@
 #include "depth_watch.hpp"
 #include "guards.hpp"
 #include "log.hpp"
-#include "prepare.hpp"
+#include "prepared.hpp"
 #include "probes.hpp"
 #include "recording.hpp"
 #include "snapshot.hpp"

@@ -14,7 +14,7 @@
 #include "brunt/scene/units.hpp"
 #include "driven_apart.hpp"
 #include "element_place.hpp"
-#include "implicit_loop.hpp"
+#include "implicit_report.hpp"
 #include "implicit_rules.hpp"
 #include "results.hpp"
 #include "stop_causes.hpp"

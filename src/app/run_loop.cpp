@@ -12,6 +12,7 @@
 #include "brunt/time/step.hpp"
 #include "contact_setup.hpp"
 #include "implicit_loop.hpp"
+#include "implicit_report.hpp"
 #include "removal.hpp"
 #include "schedule.hpp"
 #include "signals.hpp"

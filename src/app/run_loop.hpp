@@ -6,7 +6,7 @@
 
 #include "failure.hpp"
 #include "log.hpp"
-#include "prepare.hpp"
+#include "prepared.hpp"
 #include "results.hpp"
 #include "schedule.hpp"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "prepare.hpp"
+#include "prepared.hpp"
 
 namespace brunt::app {
 

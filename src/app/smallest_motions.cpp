@@ -16,7 +16,7 @@
 #include "brunt/scene/select.hpp"
 #include "brunt/scene/units.hpp"
 #include "brunt/setup/initial_gaps.hpp"
-#include "prepare.hpp"
+#include "whole_scene.hpp"
 #include "scene_assembly.hpp"
 #include "start_rules.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "element_place.hpp"
-#include "prepare.hpp"
+#include "prepared.hpp"
 
 namespace brunt::app {
 

@@ -5,7 +5,6 @@
 
 #include "brunt/comm/rendezvous.hpp"
 #include "brunt/core/sorted.hpp"
-#include "brunt/implicit/rigid_bodies.hpp"
 
 namespace brunt::implicit {
 namespace {
@@ -32,6 +31,14 @@ std::vector<FaceRecord> faces_of_pairs(const comm::Communicator& ranks, const mo
   std::vector<FaceRecord> all = told_to_all(ranks, mine);
   std::ranges::sort(all, {}, &FaceRecord::key);
   return all;
+}
+
+/// Directions in which supports let the body of this node move, if it has one: all if the body may rotate.
+Mat3 freed_by_body(const model::Model& model, LocalIndex node) {
+  for (const model::RigidBody& body : model.bodies)
+    if (std::ranges::binary_search(body.nodes, node))
+      return body.support.free_turn.isZero(0) ? body.support.free_shift : Mat3(Mat3::Identity());
+  return Mat3::Identity();
 }
 
 std::vector<NodeRecord> nodes_of(const comm::Communicator& ranks, const model::Model& model,

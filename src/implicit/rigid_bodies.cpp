@@ -118,13 +118,6 @@ void fit_wall_springs(Solver& solver) {
   }
 }
 
-Mat3 freed_by_body(const model::Model& model, LocalIndex node) {
-  for (const model::RigidBody& body : model.bodies)
-    if (std::ranges::binary_search(body.nodes, node))
-      return body.support.free_turn.isZero(0) ? body.support.free_shift : Mat3(Mat3::Identity());
-  return Mat3::Identity();
-}
-
 void begin_bodies(const Scene& scene, Solver& solver, bool still) {
   RigidBodies& bodies = solver.bodies;
   const Trial& step = solver.trial;

@@ -79,9 +79,6 @@ void soften_walls(const comm::Communicator& ranks, const model::Model& model, So
 /// change the energy that it has stored. After begin_walls.
 void fit_wall_springs(Solver& solver);
 
-/// Directions in which supports let the body of this node move, if it has one: all if the body may rotate.
-Mat3 freed_by_body(const model::Model& model, LocalIndex node);
-
 /// Prescribed motion in the step from t_n, and the first iterate: bodies continue their motion, or stay at their
 /// position of t_n.
 void begin_bodies(const Scene& scene, Solver& solver, bool still);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names of schemes, steps with contact, energy that walls at rest have given.
 #include "app/implicit_loop.hpp"
+#include "app/implicit_report.hpp"
 
 #include <catch2/catch.hpp>
 

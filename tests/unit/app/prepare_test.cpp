@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From a scene file to model and state.
 #include "app/prepare.hpp"
+#include "app/whole_scene.hpp"
 
 #include <catch2/catch.hpp>
 
