@@ -3,10 +3,10 @@
 #pragma once
 #include <span>
 
-#include "brunt/comm/communicator.hpp"
-#include "brunt/core/types.hpp"
-#include "brunt/mesh/canonical.hpp"
-#include "brunt/mesh/local_mesh.hpp"
+#include "comm/communicator.hpp"
+#include "core/types.hpp"
+#include "mesh/canonical.hpp"
+#include "mesh/local_mesh.hpp"
 
 namespace brunt::partition {
 

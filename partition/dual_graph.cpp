@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "brunt/mesh/face_rows.hpp"
+#include "mesh/face_rows.hpp"
 
 namespace brunt::partition {
 

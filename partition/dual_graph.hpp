@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "brunt/core/ragged.hpp"
-#include "brunt/mesh/mesh.hpp"
+#include "core/ragged.hpp"
+#include "mesh/mesh.hpp"
 
 namespace brunt::partition {
 

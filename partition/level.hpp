@@ -6,7 +6,7 @@
 #pragma once
 #include <span>
 
-#include "brunt/core/ragged.hpp"
+#include "core/ragged.hpp"
 #include "partition/split.hpp"
 
 namespace brunt::partition {

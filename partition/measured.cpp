@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 namespace brunt::partition {
 namespace {

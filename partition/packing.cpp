@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 namespace brunt::partition {
 

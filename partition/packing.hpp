@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "brunt/mesh/local_mesh.hpp"
+#include "mesh/local_mesh.hpp"
 
 namespace brunt::partition {
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "brunt/core/error.hpp"
-#include "brunt/core/sorted.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "core/error.hpp"
+#include "core/sorted.hpp"
+#include "mesh/topology.hpp"
 #include "partition/dual_graph.hpp"
 
 namespace brunt::partition {

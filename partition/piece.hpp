@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "brunt/core/ragged.hpp"
-#include "brunt/mesh/canonical.hpp"
-#include "brunt/mesh/local_mesh.hpp"
+#include "core/ragged.hpp"
+#include "mesh/canonical.hpp"
+#include "mesh/local_mesh.hpp"
 #include "partition/sharing.hpp"
 
 namespace brunt::partition {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "partition/dual_graph.hpp"
 #include "partition/sharing.hpp"
 

@@ -3,8 +3,8 @@
 #pragma once
 #include <span>
 
-#include "brunt/core/ragged.hpp"
-#include "brunt/mesh/mesh.hpp"
+#include "core/ragged.hpp"
+#include "mesh/mesh.hpp"
 #include "partition/split.hpp"
 
 namespace brunt::partition {

@@ -9,9 +9,9 @@
 #include <map>
 #include <numeric>
 
-#include "brunt/comm/rendezvous.hpp"
-#include "brunt/core/error.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "comm/rendezvous.hpp"
+#include "core/error.hpp"
+#include "mesh/topology.hpp"
 #include "partition/dual_graph.hpp"
 #include "partition/level.hpp"
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "brunt/core/ragged.hpp"
-#include "brunt/core/types.hpp"
-#include "brunt/mesh/mesh.hpp"
+#include "core/ragged.hpp"
+#include "core/types.hpp"
+#include "mesh/mesh.hpp"
 
 namespace brunt::partition {
 

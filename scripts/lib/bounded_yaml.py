@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""YAML of bounded depth and size, as the program itself reads it (src/scene/yaml_document.hpp has the same limits)."""
+"""YAML of bounded depth and size, as the program itself reads it (src/scene/text/yaml_document.hpp has the same limits)."""
 import yaml
 
 DEEPEST = 64  # levels of lists and maps

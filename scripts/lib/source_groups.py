@@ -82,7 +82,7 @@ def text_of(path):
 def headers_of(text, folder):
     """Paths of the project's headers that a text in this folder includes."""
     for name in INCLUDE.findall(text):
-        for place in (folder, os.path.join(ROOT, "include"), ROOT, os.path.join(ROOT, "src"), os.path.join(ROOT, "tests")):
+        for place in (folder, os.path.join(ROOT, "src"), ROOT, os.path.join(ROOT, "tests")):
             if os.path.isfile(path := os.path.join(place, name)):
                 yield os.path.realpath(path)
                 break

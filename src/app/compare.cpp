@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/io/compare.hpp"
+#include "io/results/compare.hpp"
 
 #include <fmt/core.h>
 
-#include "brunt/core/error.hpp"
-#include "commands.hpp"
+#include "app/program/commands.hpp"
+#include "core/error.hpp"
 
 namespace brunt::app {
 

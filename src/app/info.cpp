@@ -6,9 +6,9 @@
 #include <CLI/Version.hpp>
 #include <Eigen/Core>
 
-#include "brunt/comm/native.hpp"
-#include "brunt/core/simd.hpp"
-#include "commands.hpp"
+#include "app/program/commands.hpp"
+#include "comm/native.hpp"
+#include "core/simd.hpp"
 
 namespace brunt::app {
 

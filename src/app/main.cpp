@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-#include "brunt/comm/communicator.hpp"
-#include "brunt/comm/session.hpp"
-#include "brunt/core/error.hpp"
-#include "brunt/core/excerpt.hpp"
-#include "commands.hpp"
-#include "failure.hpp"
-#include "run.hpp"
+#include "app/program/commands.hpp"
+#include "app/program/failure.hpp"
+#include "app/run/run.hpp"
+#include "comm/communicator.hpp"
+#include "comm/session.hpp"
+#include "core/error.hpp"
+#include "core/excerpt.hpp"
 
 namespace {
 

@@ -6,18 +6,18 @@
 #include <numeric>
 #include <optional>
 
-#include "brunt/io/checkpoint.hpp"
-#include "brunt/io/partition_file.hpp"
-#include "commands.hpp"
-#include "failure.hpp"
+#include "app/program/commands.hpp"
+#include "app/program/failure.hpp"
+#include "app/start/restart.hpp"
+#include "app/whole/same_scene.hpp"
+#include "app/whole/weights.hpp"
+#include "app/whole/whole_scene.hpp"
+#include "io/results/checkpoint.hpp"
+#include "io/results/partition_file.hpp"
 #include "partition/dual_graph.hpp"
 #include "partition/measured.hpp"
 #include "partition/quality.hpp"
 #include "partition/split.hpp"
-#include "whole_scene.hpp"
-#include "restart.hpp"
-#include "same_scene.hpp"
-#include "weights.hpp"
 
 namespace brunt::app {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/comm/communicator.hpp"
+#include "comm/communicator.hpp"
 
 #include <mpi.h>
 
@@ -10,9 +10,9 @@
 #include <cstring>
 #include <limits>
 
-#include "brunt/comm/message_time.hpp"
-#include "brunt/comm/native.hpp"
-#include "brunt/core/error.hpp"
+#include "comm/message_time.hpp"
+#include "comm/native.hpp"
+#include "core/error.hpp"
 
 namespace brunt::comm {
 

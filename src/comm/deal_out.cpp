@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/comm/deal_out.hpp"
+#include "comm/deal_out.hpp"
 
 #include <mpi.h>
 
@@ -9,8 +9,8 @@
 #include <limits>
 #include <map>
 
-#include "brunt/comm/native.hpp"
-#include "brunt/core/error.hpp"
+#include "comm/native.hpp"
+#include "core/error.hpp"
 
 namespace brunt::comm {
 namespace {

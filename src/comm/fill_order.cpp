@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <string>
 
-#include "brunt/core/error.hpp"
-#include "brunt/core/sorted.hpp"
+#include "core/error.hpp"
+#include "core/sorted.hpp"
 
 namespace brunt::comm {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "brunt/core/error.hpp"
 #include "bytes.hpp"
+#include "core/error.hpp"
 #include "row_layout.hpp"
 
 namespace brunt::comm {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/comm/halo.hpp"
+#include "comm/halo.hpp"
 
 #include <petscsf.h>
 
 #include <map>
 #include <string>
 
-#include "brunt/comm/message_time.hpp"
-#include "brunt/comm/native.hpp"
-#include "brunt/core/error.hpp"
+#include "comm/message_time.hpp"
+#include "comm/native.hpp"
+#include "core/error.hpp"
 
 namespace brunt::comm {
 

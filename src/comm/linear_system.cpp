@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/comm/linear_system.hpp"
+#include "comm/linear_system.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -7,8 +7,8 @@
 #include <limits>
 #include <optional>
 
-#include "brunt/core/error.hpp"
 #include "bytes.hpp"
+#include "core/error.hpp"
 #include "one_thread.hpp"
 #include "row_layout.hpp"
 #include "sparse_factors.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/comm/message_time.hpp"
+#include "comm/message_time.hpp"
 
 #include <ctime>
 

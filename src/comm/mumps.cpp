@@ -6,7 +6,7 @@
 #include <string>
 #include <type_traits>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "fill_order.hpp"
 
 namespace brunt::comm {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // PETSc's Newton iteration with our functions for all computations and decisions.
-#include "brunt/comm/newton.hpp"
+#include "comm/newton.hpp"
 
 #include <petscsnes.h>
 
@@ -8,8 +8,8 @@
 #include <exception>
 #include <vector>
 
-#include "brunt/comm/native.hpp"
-#include "brunt/core/error.hpp"
+#include "comm/native.hpp"
+#include "core/error.hpp"
 #include "petsc_errors.hpp"
 
 namespace brunt::comm {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/comm/ordered_sum.hpp"
+#include "comm/ordered_sum.hpp"
 
 #include <algorithm>
 #include <unordered_map>
 
-#include "brunt/comm/rendezvous.hpp"
-#include "brunt/core/error.hpp"
+#include "comm/rendezvous.hpp"
+#include "core/error.hpp"
 
 namespace brunt::comm {
 

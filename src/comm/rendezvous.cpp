@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/comm/rendezvous.hpp"
+#include "comm/rendezvous.hpp"
 
 #include <cstdint>
 #include <limits>
 #include <string>
 
-#include "brunt/comm/message_time.hpp"
-#include "brunt/comm/native.hpp"
-#include "brunt/core/error.hpp"
+#include "comm/message_time.hpp"
+#include "comm/native.hpp"
+#include "core/error.hpp"
 
 namespace brunt::comm {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "brunt/comm/native.hpp"
 #include "bytes.hpp"
+#include "comm/native.hpp"
 #include "row_layout.hpp"
 
 namespace brunt::comm {

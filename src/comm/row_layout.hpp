@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "brunt/comm/linear_system.hpp"
+#include "comm/linear_system.hpp"
 #include "row_range.hpp"
 
 namespace brunt::comm {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/comm/session.hpp"
+#include "comm/session.hpp"
 
 #include <mpi.h>
 #include <petscsys.h>
@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 namespace brunt::comm {
 

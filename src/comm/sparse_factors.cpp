@@ -8,7 +8,7 @@
 #include <new>
 #include <string>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 namespace brunt::comm {
 namespace {

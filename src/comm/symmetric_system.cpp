@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/comm/symmetric_system.hpp"
+#include "comm/symmetric_system.hpp"
 
 #include <new>
 #include <vector>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "mumps.hpp"
 #include "one_thread.hpp"
 #include "row_layout.hpp"

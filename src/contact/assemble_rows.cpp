@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/friction.hpp"
-#include "brunt/contact/passes.hpp"
+#include "contact/anchors/friction.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/passes.hpp"
 #include "slave.hpp"
 
 namespace brunt::contact {

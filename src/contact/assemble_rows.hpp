@@ -2,7 +2,7 @@
 // Properties of rows that detection does not set: their passes, friction, and the slabs of the printed method; and the
 // history of rows.
 #pragma once
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 
 namespace brunt::contact {
 

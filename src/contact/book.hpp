@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Records of the last contact step.
 #pragma once
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 
 namespace brunt::contact {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 
 namespace brunt::contact {
 

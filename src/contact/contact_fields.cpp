@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 #include "slave.hpp"
 
 namespace brunt::contact {

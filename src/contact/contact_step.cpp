@@ -9,7 +9,7 @@
 
 #include "assemble_rows.hpp"
 #include "book.hpp"
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 #include "detect.hpp"
 #include "gather.hpp"
 #include "jams.hpp"

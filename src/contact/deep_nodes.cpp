@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/deep_nodes.hpp"
+#include "contact/deep_nodes.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,9 +7,9 @@
 #include <span>
 #include <utility>
 
-#include "brunt/contact/search/box_overlaps.hpp"
-#include "brunt/geometry/segment_in_cell.hpp"
+#include "contact/search/box_overlaps.hpp"
 #include "depth_along.hpp"
+#include "geometry/segment_in_cell.hpp"
 
 namespace brunt::contact {
 namespace {

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <utility>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/detection/cones.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/detection/cones.hpp"
 
 namespace brunt::contact {
 namespace {

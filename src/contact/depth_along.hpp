@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "brunt/contact/deep_nodes.hpp"
-#include "brunt/geometry/box.hpp"
-#include "brunt/geometry/closest_point.hpp"
-#include "brunt/geometry/segments.hpp"
+#include "contact/deep_nodes.hpp"
+#include "geometry/box.hpp"
+#include "geometry/closest_point.hpp"
+#include "geometry/segments.hpp"
 
 namespace brunt::contact {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "brunt/contact/births.hpp"
-#include "brunt/contact/detection/separation.hpp"
+#include "contact/births.hpp"
+#include "contact/detection/separation.hpp"
 #include "memory.hpp"
 #include "tied_parts.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "brunt/geometry/closest_point.hpp"
+#include "geometry/closest_point.hpp"
 #include "memory.hpp"
 
 namespace brunt::contact {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From the model's nodes to contact nodes and back.
 #pragma once
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 
 namespace brunt::contact {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "brunt/comm/rendezvous.hpp"
+#include "comm/rendezvous.hpp"
 #include "detect.hpp"
 #include "gather.hpp"
 #include "rebuild_lists.hpp"

@@ -2,7 +2,7 @@
 // Initial data of contact: the overlaps that the scene keeps, as detection finds them (with the same faces and normals
 // as in a step), and the tied nodes.
 #pragma once
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 
 namespace brunt::contact {
 

@@ -8,7 +8,7 @@
 // pivoted body that is pressed beside the line to its pivot gives way by lever^2 / (2 distance) and no more. The linear
 // solution would turn it by any angle instead. Such a row is unmet (see unmet.hpp): it is left out of the step.
 #pragma once
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 
 namespace brunt::contact {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "brunt/contact/contact.hpp"
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/join_surface.hpp"
-#include "brunt/contact/passes.hpp"
+#include "contact/contact.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/joined/join_surface.hpp"
+#include "contact/passes.hpp"
 #include "initial_state.hpp"
 #include "move_history.hpp"
 #include "tied_parts.hpp"

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "brunt/contact/anchors.hpp"
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/core/error.hpp"
+#include "contact/anchors/anchors.hpp"
+#include "contact/data/tolerances.hpp"
+#include "core/error.hpp"
 #include "gather.hpp"
 #include "memory.hpp"
 #include "tied_parts.hpp"

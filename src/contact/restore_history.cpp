@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "brunt/comm/rendezvous.hpp"
-#include "brunt/contact/contact.hpp"
+#include "comm/rendezvous.hpp"
+#include "contact/contact.hpp"
 #include "move_history.hpp"
 
 namespace brunt::contact {

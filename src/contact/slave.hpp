@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The slave node of a row, in the surface and in the model.
 #pragma once
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 
 namespace brunt::contact {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/surface_nodes.hpp"
+#include "contact/surface_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/comm/rendezvous.hpp"
-#include "brunt/contact/data/tolerances.hpp"
+#include "comm/rendezvous.hpp"
+#include "contact/data/tolerances.hpp"
 
 namespace brunt::contact {
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "brunt/comm/rendezvous.hpp"
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/core/error.hpp"
+#include "comm/rendezvous.hpp"
+#include "contact/data/tolerances.hpp"
+#include "core/error.hpp"
 #include "slave.hpp"
 
 namespace brunt::contact {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ties of a run: found once at the start, on the rank of their slaves, and rows of every step.
 #pragma once
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 
 namespace brunt::contact {
 

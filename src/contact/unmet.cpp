@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/unmet.hpp"
+#include "contact/unmet.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "brunt/contact/contact.hpp"
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/core/fixed_sum.hpp"
+#include "contact/contact.hpp"
+#include "contact/data/tolerances.hpp"
+#include "core/fixed_sum.hpp"
 
 namespace brunt::contact {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "brunt/contact/anchors.hpp"
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/core/error.hpp"
-#include "brunt/geometry/closest_point.hpp"
+#include "contact/anchors/anchors.hpp"
+#include "contact/data/tolerances.hpp"
+#include "core/error.hpp"
+#include "geometry/closest_point.hpp"
 #include "slave.hpp"
 
 namespace brunt::contact {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Maintains the list of pairs that supports move through each other.
 #pragma once
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 
 namespace brunt::contact {
 

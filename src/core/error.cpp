@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 #include <utility>
 

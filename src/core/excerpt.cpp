@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/core/excerpt.hpp"
+#include "core/excerpt.hpp"
 
 #include <cstddef>
 
-#include "brunt/core/utf8.hpp"
+#include "core/utf8.hpp"
 
 namespace brunt {
 namespace {

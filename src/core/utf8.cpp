@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/core/utf8.hpp"
+#include "core/utf8.hpp"
 
 namespace brunt {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/assembly.hpp"
+#include "depth/assembly.hpp"
 
 #include <algorithm>
 #include <array>

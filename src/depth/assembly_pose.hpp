@@ -3,8 +3,8 @@
 #pragma once
 #include <vector>
 
-#include "brunt/depth/assembly.hpp"
-#include "brunt/depth/encounter.hpp"
+#include "depth/assembly.hpp"
+#include "depth/encounter.hpp"
 
 namespace brunt::depth {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/depth/penetration_depth.hpp"
+#include "depth/penetration_depth.hpp"
 #include "plane_program.hpp"
 
 namespace brunt::depth {

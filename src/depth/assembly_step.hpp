@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "assembly_pose.hpp"
-#include "brunt/depth/near_pairs.hpp"
-#include "brunt/depth/sparse_program.hpp"
+#include "depth/near_pairs.hpp"
+#include "depth/sparse_program.hpp"
 
 namespace brunt::depth {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/body.hpp"
+#include "depth/body.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -9,7 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "brunt/rigid/surface_moments.hpp"
+#include "rigid/surface_moments.hpp"
 
 namespace brunt::depth {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/convex_pair.hpp"
+#include "depth/convex_pair.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/cover.hpp"
+#include "depth/cover.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "brunt/depth/convex_pair.hpp"
+#include "depth/convex_pair.hpp"
 
 namespace brunt::depth {
 namespace {

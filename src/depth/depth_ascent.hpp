@@ -8,8 +8,8 @@
 #pragma once
 #include <vector>
 
-#include "brunt/depth/encounter.hpp"
-#include "brunt/depth/quadratic_program.hpp"
+#include "depth/encounter.hpp"
+#include "depth/quadratic_program.hpp"
 
 namespace brunt::depth {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/encounter.hpp"
+#include "depth/encounter.hpp"
 
 #include <algorithm>
 #include <cmath>

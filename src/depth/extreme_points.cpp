@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/extreme_points.hpp"
+#include "depth/extreme_points.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "brunt/depth/quadratic_program.hpp"
+#include "depth/quadratic_program.hpp"
 
 namespace brunt::depth {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "brunt/depth/penetration_depth.hpp"
+#include "depth/penetration_depth.hpp"
 #include "search.hpp"
 #include "small_motions.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/local_step.hpp"
+#include "depth/local_step.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/core/cross_matrix.hpp"
+#include "core/cross_matrix.hpp"
 
 namespace brunt::depth {
 namespace {

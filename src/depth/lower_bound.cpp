@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/lower_bound.hpp"
+#include "depth/lower_bound.hpp"
 
 #include <algorithm>
 #include <array>

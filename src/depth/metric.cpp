@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/metric.hpp"
+#include "depth/metric.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/depth/extreme_points.hpp"
+#include "depth/extreme_points.hpp"
 
 namespace brunt::depth {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/near_pairs.hpp"
+#include "depth/near_pairs.hpp"
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,7 @@
 #pragma once
 #include <vector>
 
-#include "brunt/depth/near_pairs.hpp"
+#include "depth/near_pairs.hpp"
 
 namespace brunt::depth {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/penetration_depth.hpp"
+#include "depth/penetration_depth.hpp"
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 
-#include "brunt/depth/lower_bound.hpp"
+#include "depth/lower_bound.hpp"
 #include "joint_search.hpp"
 
 namespace brunt::depth {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "brunt/depth/sparse_program.hpp"
+#include "depth/sparse_program.hpp"
 
 namespace brunt::depth {
 namespace {

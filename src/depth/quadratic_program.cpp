@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/quadratic_program.hpp"
+#include "depth/quadratic_program.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/rigid_motion.hpp"
+#include "depth/rigid_motion.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/samples.hpp"
+#include "depth/samples.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "brunt/depth/walk.hpp"
+#include "depth/walk.hpp"
 
 namespace brunt::depth {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "brunt/depth/starts.hpp"
-#include "brunt/depth/walk.hpp"
+#include "depth/starts.hpp"
+#include "depth/walk.hpp"
 
 namespace brunt::depth {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "brunt/core/cross_matrix.hpp"
+#include "core/cross_matrix.hpp"
 
 namespace brunt::depth {
 namespace {

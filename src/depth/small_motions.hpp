@@ -9,8 +9,8 @@
 #pragma once
 #include <vector>
 
-#include "brunt/depth/quadratic_program.hpp"
-#include "brunt/depth/starts.hpp"
+#include "depth/quadratic_program.hpp"
+#include "depth/starts.hpp"
 #include "overlap_rows.hpp"
 
 namespace brunt::depth {

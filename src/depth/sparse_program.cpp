@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/sparse_program.hpp"
+#include "depth/sparse_program.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/starts.hpp"
+#include "depth/starts.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/walk.hpp"
+#include "depth/walk.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/force/assembled.hpp"
+#include "force/assembled.hpp"
 
 namespace brunt::force {
 namespace {

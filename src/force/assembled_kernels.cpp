@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forces of linear elements: a reduced kernel, since a bound of the step needs tens of products with the whole mesh.
 #include "block_loop.hpp"
-#include "brunt/element/hex8.hpp"
-#include "brunt/element/tet4.hpp"
-#include "brunt/force/assembled.hpp"
+#include "element/hex8.hpp"
+#include "element/tet4.hpp"
+#include "force/assembled.hpp"
 
 namespace brunt::force {
 namespace {

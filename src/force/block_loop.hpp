@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "brunt/element/batch.hpp"
-#include "brunt/force/internal.hpp"
-#include "brunt/model/model.hpp"
+#include "element/batch.hpp"
+#include "force/internal.hpp"
 #include "kernels.hpp"
 #include "living.hpp"
+#include "model/model.hpp"
 #include "step_watch.hpp"
 
 namespace brunt::force {

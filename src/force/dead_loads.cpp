@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/force/dead_loads.hpp"
+#include "force/dead_loads.hpp"
 
 #include <Eigen/Geometry>
 
-#include "brunt/model/curve.hpp"
+#include "model/curve.hpp"
 
 namespace brunt::force {
 

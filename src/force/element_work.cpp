@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/force/element_work.hpp"
+#include "force/element_work.hpp"
 
 #include <algorithm>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/force/folded.hpp"
+#include "force/folded.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 
 #include "block_loop.hpp"
-#include "brunt/core/cells.hpp"
-#include "brunt/model/alive.hpp"
+#include "core/cells.hpp"
+#include "model/alive.hpp"
 
 namespace brunt::force {
 namespace {

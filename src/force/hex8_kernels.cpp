@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "block_loop.hpp"
-#include "brunt/element/hex8.hpp"
+#include "element/hex8.hpp"
 #include "kernels.hpp"
 #include "response_choice.hpp"
 

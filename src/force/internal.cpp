@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/force/internal.hpp"
+#include "force/internal.hpp"
 
 #include <algorithm>
 
-#include "brunt/force/trial.hpp"
+#include "force/trial.hpp"
 #include "kernels.hpp"
 
 namespace brunt::force {

@@ -4,8 +4,8 @@
 #pragma once
 #include <vector>
 
-#include "brunt/force/internal.hpp"
-#include "brunt/force/trial.hpp"
+#include "force/internal.hpp"
+#include "force/trial.hpp"
 
 namespace brunt::force {
 

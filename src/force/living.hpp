@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "brunt/core/simd.hpp"
-#include "brunt/element/batch.hpp"
-#include "brunt/model/model.hpp"
+#include "core/simd.hpp"
+#include "element/batch.hpp"
+#include "model/model.hpp"
 
 namespace brunt::force {
 

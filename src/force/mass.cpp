@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/force/mass.hpp"
+#include "force/mass.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 
-#include "brunt/core/error.hpp"
-#include "brunt/element/hex8_modes.hpp"
+#include "core/error.hpp"
+#include "element/hex8_modes.hpp"
 
 namespace brunt::force {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/force/pressure_tangent.hpp"
+#include "force/pressure_tangent.hpp"
 
-#include "brunt/core/cross_matrix.hpp"
+#include "core/cross_matrix.hpp"
 
 namespace brunt::force {
 

@@ -5,13 +5,13 @@
 #include <utility>
 #include <variant>
 
-#include "brunt/core/error.hpp"
-#include "brunt/material/elastic.hpp"
-#include "brunt/material/foam.hpp"
-#include "brunt/material/j2.hpp"
-#include "brunt/material/law.hpp"
-#include "brunt/material/metal.hpp"
-#include "brunt/material/neo_hookean.hpp"
+#include "core/error.hpp"
+#include "material/elastic.hpp"
+#include "material/foam.hpp"
+#include "material/j2.hpp"
+#include "material/law.hpp"
+#include "material/metal.hpp"
+#include "material/neo_hookean.hpp"
 
 namespace brunt::force {
 

@@ -3,8 +3,8 @@
 #pragma once
 #include <algorithm>
 
-#include "brunt/element/batch.hpp"
-#include "brunt/force/assembled.hpp"
+#include "element/batch.hpp"
+#include "force/assembled.hpp"
 #include "living.hpp"
 
 namespace brunt::force {

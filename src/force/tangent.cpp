@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/force/tangent.hpp"
+#include "force/tangent.hpp"
 
 #include <fmt/core.h>
 
 #include <variant>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "tangent_loop.hpp"
 
 namespace brunt::force {

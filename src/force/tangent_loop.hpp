@@ -4,11 +4,11 @@
 #pragma once
 #include <vector>
 
-#include "brunt/core/dual.hpp"
-#include "brunt/core/error.hpp"
-#include "brunt/element/batch.hpp"
-#include "brunt/element/memory.hpp"
-#include "brunt/force/tangent.hpp"
+#include "core/dual.hpp"
+#include "core/error.hpp"
+#include "element/batch.hpp"
+#include "element/memory.hpp"
+#include "force/tangent.hpp"
 
 namespace brunt::force {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "brunt/element/tet4.hpp"
-#include "brunt/model/model.hpp"
+#include "element/tet4.hpp"
+#include "model/model.hpp"
 #include "response_choice.hpp"
 
 namespace brunt::force {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/force/watched.hpp"
+#include "force/watched.hpp"
 
 #include <algorithm>
 

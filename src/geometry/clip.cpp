@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/geometry/clip.hpp"
+#include "geometry/clip.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 namespace brunt::geometry {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Edges, areas and shells of a surface of triangles (see the header).
-#include "brunt/geometry/closed_surface.hpp"
+#include "geometry/closed_surface.hpp"
 
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "disjoint_sets.hpp"
 #include "shells.hpp"
 

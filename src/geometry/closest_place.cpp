@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The steps are those of closest_point.cpp: changes must be made in both.
-#include "brunt/geometry/closest_place.hpp"
+#include "geometry/closest_place.hpp"
 
 #include <limits>
 
-#include "brunt/geometry/closest_point.hpp"
+#include "geometry/closest_point.hpp"
 
 namespace brunt::geometry {
 namespace {

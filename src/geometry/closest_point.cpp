@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Closest point on a bilinear quadrilateral or a triangle: Newton, then edges, then sampling as a fallback.
-#include "brunt/geometry/closest_point.hpp"
+#include "geometry/closest_point.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

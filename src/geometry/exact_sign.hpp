@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "brunt/geometry/triangle_pair.hpp"
+#include "geometry/triangle_pair.hpp"
 
 namespace brunt::geometry {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A face as a bilinear function of (u, v) in [0, 1]^2, and the inverse map to its own parameters and regions.
 #pragma once
-#include "brunt/geometry/closest_point.hpp"
-#include "brunt/geometry/first_contact.hpp"
-#include "brunt/geometry/trilinear.hpp"
+#include "geometry/closest_point.hpp"
+#include "geometry/first_contact.hpp"
+#include "geometry/trilinear.hpp"
 
 namespace brunt::geometry {
 

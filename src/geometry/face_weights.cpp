@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/geometry/face_weights.hpp"
+#include "geometry/face_weights.hpp"
 
 #include <Eigen/LU>
 
-#include "brunt/geometry/closest_point.hpp"
+#include "geometry/closest_point.hpp"
 
 namespace brunt::geometry {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // First passage of a moving point through a moving face, as the first zero of their trilinear distance.
-#include "brunt/geometry/first_contact.hpp"
+#include "geometry/first_contact.hpp"
 
 #include <Eigen/Geometry>
 

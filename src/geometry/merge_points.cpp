@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Equal points by sorting, near ones by a grid (see the header).
-#include "brunt/geometry/merge_points.hpp"
+#include "geometry/merge_points.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "disjoint_sets.hpp"
 
 namespace brunt::geometry {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "brunt/core/simd.hpp"
+#include "core/simd.hpp"
 
 #ifdef __AVX2__
 #include <immintrin.h>

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "brunt/geometry/slab_tree.hpp"
+#include "geometry/slab_tree.hpp"
 
 namespace brunt::geometry {
 

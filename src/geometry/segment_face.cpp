@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Intersection of a segment with a face, as the first zero of face(u, v) - segment(tau).
-#include "brunt/geometry/segment_face.hpp"
+#include "geometry/segment_face.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "brunt/geometry/first_contact.hpp"
 #include "face_distance.hpp"
+#include "geometry/first_contact.hpp"
 
 namespace brunt::geometry {
 

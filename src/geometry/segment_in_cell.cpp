@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/geometry/segment_in_cell.hpp"
+#include "geometry/segment_in_cell.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 
-#include "brunt/core/cells.hpp"
+#include "core/cells.hpp"
 
 namespace brunt::geometry {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nearest points, common perpendicular and first contact of segments.
-#include "brunt/geometry/segments.hpp"
+#include "geometry/segments.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/geometry/box.hpp"
-#include "brunt/geometry/closest_point.hpp"
-#include "brunt/geometry/first_contact.hpp"
-#include "brunt/geometry/trilinear.hpp"
+#include "geometry/box.hpp"
+#include "geometry/closest_point.hpp"
+#include "geometry/first_contact.hpp"
+#include "geometry/trilinear.hpp"
 
 namespace brunt::geometry {
 namespace {

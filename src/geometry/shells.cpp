@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "brunt/geometry/box.hpp"
+#include "geometry/box.hpp"
 
 namespace brunt::geometry {
 namespace {

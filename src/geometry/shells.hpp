@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "brunt/geometry/closed_surface.hpp"
+#include "geometry/closed_surface.hpp"
 
 namespace brunt::geometry {
 

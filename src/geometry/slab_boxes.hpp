@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "brunt/geometry/slab_tree.hpp"
+#include "geometry/slab_tree.hpp"
 #include "octets.hpp"
 
 namespace brunt::geometry {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/geometry/triangle_pair.hpp"
 #include "exact_sign.hpp"
+#include "geometry/triangle_pair.hpp"
 #include "triangle_point.hpp"
 
 namespace brunt::geometry {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "triangle_point.hpp"
 
-#include "brunt/geometry/triangle_pair.hpp"
+#include "geometry/triangle_pair.hpp"
 
 namespace brunt::geometry {
 namespace {

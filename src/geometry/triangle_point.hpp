@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "brunt/geometry/slab_tree.hpp"
-#include "brunt/geometry/vec_of.hpp"
+#include "geometry/slab_tree.hpp"
+#include "geometry/vec_of.hpp"
 
 namespace brunt::geometry {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Branch and bound over (u, v, tau), earliest boxes first, with an interval Newton step in each box.
-#include "brunt/geometry/trilinear.hpp"
+#include "geometry/trilinear.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

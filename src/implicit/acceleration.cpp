@@ -4,8 +4,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "brunt/comm/exact_sum.hpp"
-#include "brunt/core/types.hpp"
+#include "comm/exact_sum.hpp"
+#include "core/types.hpp"
 
 namespace brunt::implicit {
 

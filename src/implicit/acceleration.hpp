@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "brunt/comm/communicator.hpp"
+#include "comm/communicator.hpp"
 
 namespace brunt::implicit {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/balance.hpp"
+#include "implicit/balance.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "brunt/comm/exact_sum.hpp"
-#include "brunt/implicit/measure.hpp"
-#include "brunt/time/sum_forces.hpp"
-#include "nodal.hpp"
+#include "comm/exact_sum.hpp"
+#include "implicit/data/measure.hpp"
+#include "implicit/data/nodal.hpp"
+#include "time/sum_forces.hpp"
 
 namespace brunt::implicit {
 namespace {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/commit.hpp"
+#include "implicit/commit.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 
-#include "brunt/comm/exact_sum.hpp"
-#include "brunt/implicit/balance.hpp"
-#include "brunt/implicit/interface_forces.hpp"
-#include "brunt/model/curve.hpp"
-#include "nodal.hpp"
+#include "comm/exact_sum.hpp"
+#include "implicit/balance.hpp"
+#include "implicit/data/nodal.hpp"
+#include "implicit/mortar/interface_forces.hpp"
+#include "implicit/mortar/self_sides.hpp"
+#include "model/curve.hpp"
 #include "node_step.hpp"
-#include "self_sides.hpp"
 
 namespace brunt::implicit {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prescribed motion of a drive over one step.
 #pragma once
-#include "brunt/model/model.hpp"
+#include "model/model.hpp"
 
 namespace brunt::implicit {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/driven_apart.hpp"
+#include "implicit/driven_apart.hpp"
 
 #include <algorithm>
 #include <array>
 #include <tuple>
 
-#include "brunt/comm/rendezvous.hpp"
-#include "brunt/core/sorted.hpp"
-#include "brunt/model/curve.hpp"
+#include "comm/rendezvous.hpp"
+#include "core/sorted.hpp"
+#include "model/curve.hpp"
 
 namespace brunt::implicit {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "brunt/implicit/driven_apart.hpp"
-#include "nodal.hpp"
+#include "implicit/data/nodal.hpp"
+#include "implicit/driven_apart.hpp"
 
 namespace brunt::implicit {
 namespace {

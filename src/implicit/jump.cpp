@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "brunt/comm/exact_sum.hpp"
-#include "brunt/implicit/balance.hpp"
-#include "brunt/implicit/measure.hpp"
-#include "brunt/implicit/stability.hpp"
+#include "comm/exact_sum.hpp"
+#include "implicit/balance.hpp"
+#include "implicit/data/measure.hpp"
+#include "implicit/data/nodal.hpp"
+#include "implicit/stability.hpp"
 #include "largest_node.hpp"
-#include "nodal.hpp"
 
 namespace brunt::implicit {
 namespace {

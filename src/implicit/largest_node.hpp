@@ -3,7 +3,7 @@
 #pragma once
 #include <span>
 
-#include "brunt/implicit/solver.hpp"
+#include "implicit/solver.hpp"
 
 namespace brunt::implicit {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/ledger.hpp"
+#include "implicit/ledger.hpp"
 
 #include <array>
 
-#include "brunt/comm/exact_sum.hpp"
-#include "brunt/time/bodies_at_rest.hpp"
+#include "comm/exact_sum.hpp"
+#include "time/bodies_at_rest.hpp"
 
 namespace brunt::implicit {
 namespace {

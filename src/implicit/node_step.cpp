@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "node_step.hpp"
 
-#include "nodal.hpp"
+#include "implicit/data/nodal.hpp"
 
 namespace brunt::implicit {
 namespace {

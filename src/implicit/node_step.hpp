@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One node over an accepted step: its velocity, the effect of forces, reactions of supports.
 #pragma once
-#include "brunt/implicit/solver.hpp"
+#include "implicit/solver.hpp"
 
 namespace brunt::implicit {
 

@@ -4,10 +4,10 @@
 #include <array>
 #include <limits>
 
-#include "brunt/core/cross_matrix.hpp"
-#include "brunt/implicit/rigid_bodies.hpp"
-#include "brunt/implicit/solver.hpp"
-#include "brunt/rigid/rotation.hpp"
+#include "core/cross_matrix.hpp"
+#include "implicit/rigid_bodies.hpp"
+#include "implicit/solver.hpp"
+#include "rigid/rotation.hpp"
 
 namespace brunt::implicit {
 namespace {

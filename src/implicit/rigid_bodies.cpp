@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bodies at the start of a run and of a step, and their positions at an iterate.
-#include "brunt/implicit/rigid_bodies.hpp"
+#include "implicit/rigid_bodies.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
-#include "brunt/implicit/solver.hpp"
-#include "brunt/implicit/wall_spring.hpp"
-#include "brunt/model/curve.hpp"
-#include "brunt/rigid/rotation.hpp"
-#include "brunt/time/bodies.hpp"
 #include "driven.hpp"
-#include "nodal.hpp"
+#include "implicit/data/nodal.hpp"
+#include "implicit/solver.hpp"
+#include "implicit/walls/wall_spring.hpp"
+#include "model/curve.hpp"
+#include "rigid/rotation.hpp"
+#include "time/bodies.hpp"
 
 namespace brunt::implicit {
 namespace {

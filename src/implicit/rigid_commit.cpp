@@ -2,10 +2,10 @@
 // Rigid bodies in an accepted step: their motion, works and impulses.
 #include <Eigen/Geometry>
 
-#include "brunt/implicit/rigid_bodies.hpp"
-#include "brunt/implicit/solver.hpp"
-#include "brunt/rigid/rotation.hpp"
-#include "brunt/time/bodies.hpp"
+#include "implicit/rigid_bodies.hpp"
+#include "implicit/solver.hpp"
+#include "rigid/rotation.hpp"
+#include "time/bodies.hpp"
 
 namespace brunt::implicit {
 namespace {

@@ -3,11 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "brunt/comm/rendezvous.hpp"
-#include "brunt/core/cross_matrix.hpp"
-#include "brunt/implicit/rigid_bodies.hpp"
-#include "brunt/implicit/solver.hpp"
-#include "brunt/rigid/rotation.hpp"
+#include "comm/rendezvous.hpp"
+#include "core/cross_matrix.hpp"
+#include "implicit/rigid_bodies.hpp"
+#include "implicit/solver.hpp"
+#include "rigid/rotation.hpp"
 
 namespace brunt::implicit {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/solver.hpp"
+#include "implicit/solver.hpp"
 
 #include <cmath>
 
-#include "brunt/comm/exact_sum.hpp"
-#include "brunt/force/mass.hpp"
-#include "brunt/implicit/balance.hpp"
-#include "brunt/implicit/commit.hpp"
-#include "brunt/implicit/owner.hpp"
-#include "brunt/material/law.hpp"
-#include "brunt/time/sum_forces.hpp"
+#include "comm/exact_sum.hpp"
+#include "force/mass.hpp"
+#include "implicit/balance.hpp"
+#include "implicit/commit.hpp"
+#include "implicit/owner.hpp"
+#include "material/law.hpp"
+#include "time/sum_forces.hpp"
 
 namespace brunt::implicit {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/stability.hpp"
+#include "implicit/stability.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "brunt/implicit/balance.hpp"
-#include "brunt/implicit/measure.hpp"
+#include "implicit/balance.hpp"
+#include "implicit/data/measure.hpp"
 #include "largest_node.hpp"
 #include "symmetric_rows.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/static_forces.hpp"
+#include "implicit/static_forces.hpp"
 
 #include <array>
 
-#include "brunt/comm/exact_sum.hpp"
-#include "brunt/model/curve.hpp"
-#include "nodal.hpp"
+#include "comm/exact_sum.hpp"
+#include "implicit/data/nodal.hpp"
+#include "model/curve.hpp"
 
 namespace brunt::implicit {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/step.hpp"
+#include "implicit/step.hpp"
 
 #include <fmt/format.h>
 
@@ -9,12 +9,12 @@
 #include <limits>
 
 #include "acceleration.hpp"
-#include "brunt/comm/exact_sum.hpp"
-#include "brunt/comm/newton.hpp"
-#include "brunt/core/error.hpp"
-#include "brunt/implicit/balance.hpp"
-#include "brunt/implicit/commit.hpp"
-#include "brunt/implicit/measure.hpp"
+#include "comm/exact_sum.hpp"
+#include "comm/newton.hpp"
+#include "core/error.hpp"
+#include "implicit/balance.hpp"
+#include "implicit/commit.hpp"
+#include "implicit/data/measure.hpp"
 #include "largest_node.hpp"
 
 namespace brunt::implicit {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/step_length.hpp"
+#include "implicit/step_length.hpp"
 
 #include <cmath>
 

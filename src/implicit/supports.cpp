@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Constrained and driven nodes over one step.
-#include "brunt/implicit/balance.hpp"
-#include "brunt/model/curve.hpp"
 #include "driven.hpp"
+#include "implicit/balance.hpp"
+#include "model/curve.hpp"
 
 namespace brunt::implicit {
 Given driven(const model::Drive& drive, double velocity_before, double from, double to) {

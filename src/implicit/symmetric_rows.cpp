@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "brunt/comm/rendezvous.hpp"
-#include "brunt/core/cross_matrix.hpp"
+#include "comm/rendezvous.hpp"
+#include "core/cross_matrix.hpp"
 
 namespace brunt::implicit {
 namespace {

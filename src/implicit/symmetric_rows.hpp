@@ -7,7 +7,7 @@
 #pragma once
 #include <vector>
 
-#include "brunt/implicit/solver.hpp"
+#include "implicit/solver.hpp"
 
 namespace brunt::implicit {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <limits>
 
-#include "brunt/implicit/balance.hpp"
-#include "brunt/implicit/measure.hpp"
+#include "implicit/balance.hpp"
+#include "implicit/data/measure.hpp"
 
 namespace brunt::implicit {
 namespace {

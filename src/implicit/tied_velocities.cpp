@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/tied_velocities.hpp"
+#include "implicit/tied_velocities.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "brunt/time/driven_start.hpp"
+#include "time/driven_start.hpp"
 
 namespace brunt::implicit {
 namespace {

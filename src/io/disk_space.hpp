@@ -4,8 +4,8 @@
 #pragma once
 #include <string>
 
-#include "brunt/comm/communicator.hpp"
-#include "brunt/core/types.hpp"
+#include "comm/communicator.hpp"
+#include "core/types.hpp"
 
 namespace brunt::io {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Life of an HDF5 file, its groups and its attributes.
-#include "brunt/io/hdf5.hpp"
+#include "io/hdf5.hpp"
 
 #include <algorithm>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "hdf5_handle.hpp"
 
 namespace brunt::io {

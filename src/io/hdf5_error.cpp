@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Why an HDF5 call failed, in one text that is the same on all ranks.
-#include "brunt/core/error.hpp"
-#include "brunt/io/hdf5.hpp"
+#include "core/error.hpp"
 #include "hdf5_handle.hpp"
+#include "io/hdf5.hpp"
 
 namespace brunt::io {
 

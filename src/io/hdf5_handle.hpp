@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "brunt/comm/communicator.hpp"
+#include "comm/communicator.hpp"
 
 namespace brunt::io {
 

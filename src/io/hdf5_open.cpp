@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "brunt/comm/native.hpp"
+#include "comm/native.hpp"
 #include "hdf5_handle.hpp"
 
 namespace brunt::io {

@@ -2,9 +2,9 @@
 // Tables in an HDF5 file: creation, and collective transfer of each rank's rows.
 #include <array>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/hdf5.hpp"
+#include "core/error.hpp"
 #include "hdf5_handle.hpp"
+#include "io/hdf5.hpp"
 
 namespace brunt::io {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/io/json_text.hpp"
+#include "io/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 

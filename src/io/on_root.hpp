@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "brunt/comm/communicator.hpp"
-#include "brunt/core/error.hpp"
+#include "comm/communicator.hpp"
+#include "core/error.hpp"
 
 namespace brunt::io {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Text files replaced as a whole (see the header).
-#include "brunt/io/text_file.hpp"
+#include "io/text_file.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -13,8 +13,8 @@
 #include <sstream>
 #include <utility>
 
-#include "brunt/core/error.hpp"
-#include "brunt/core/utf8.hpp"
+#include "core/error.hpp"
+#include "core/utf8.hpp"
 
 namespace brunt::io {
 namespace {

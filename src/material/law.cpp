@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lame constants of the virgin material.
-#include "brunt/material/law.hpp"
+#include "material/law.hpp"
 
 namespace brunt::material {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Yield stress over equivalent plastic strain, piecewise linear.
-#include "brunt/material/yield_curve.hpp"
+#include "material/yield_curve.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 namespace brunt::material {
 namespace {

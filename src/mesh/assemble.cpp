@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Placement of bodies and their union.
-#include "brunt/mesh/assemble.hpp"
+#include "mesh/assemble.hpp"
 
 #include <fmt/core.h>
 
@@ -10,8 +10,8 @@
 #include <numbers>
 #include <set>
 
-#include "brunt/core/error.hpp"
-#include "brunt/core/excerpt.hpp"
+#include "core/error.hpp"
+#include "core/excerpt.hpp"
 
 namespace brunt::mesh {
 namespace {

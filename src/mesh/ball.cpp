@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "mesh/primitives.hpp"
+#include "mesh/topology.hpp"
 
 namespace brunt::mesh {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The hexahedra of a ball, or of its halves.
 #pragma once
-#include "brunt/mesh/mesh.hpp"
-#include "brunt/mesh/round_form.hpp"
 #include "hex_body.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/round_form.hpp"
 
 namespace brunt::mesh {
 

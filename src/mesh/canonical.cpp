@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Elements along a Hilbert curve, nodes by first touch, coordinates from a rounded origin.
-#include "brunt/mesh/canonical.hpp"
+#include "mesh/canonical.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Faults of a mesh, found before anything is computed on it.
-#include "brunt/mesh/check.hpp"
+#include "mesh/check.hpp"
 
 #include <fmt/core.h>
 
@@ -8,10 +8,10 @@
 #include <cmath>
 #include <limits>
 
-#include "brunt/core/excerpt.hpp"
-#include "brunt/mesh/duplicate_elements.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "core/excerpt.hpp"
 #include "element_shape.hpp"
+#include "mesh/duplicate_elements.hpp"
+#include "mesh/topology.hpp"
 
 namespace brunt::mesh {
 namespace {

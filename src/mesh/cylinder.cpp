@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "nose.hpp"
 
 namespace brunt::mesh {

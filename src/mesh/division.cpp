@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ends of elements along a line. A size that is linear along it gives elements in geometric progression.
-#include "brunt/mesh/division.hpp"
+#include "mesh/division.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 namespace brunt::mesh {
 namespace {

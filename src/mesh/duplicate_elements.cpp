@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/mesh/duplicate_elements.hpp"
+#include "mesh/duplicate_elements.hpp"
 
 #include <fmt/core.h>
 
@@ -12,7 +12,7 @@
 #include <map>
 #include <unordered_map>
 
-#include "brunt/core/excerpt.hpp"
+#include "core/excerpt.hpp"
 
 namespace brunt::mesh {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "brunt/core/cells.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "core/cells.hpp"
+#include "mesh/topology.hpp"
 
 namespace brunt::mesh {
 namespace {

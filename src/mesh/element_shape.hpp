@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "brunt/mesh/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace brunt::mesh {
 

@@ -3,8 +3,8 @@
 #pragma once
 #include <array>
 
-#include "brunt/core/cells.hpp"
-#include "brunt/mesh/mesh.hpp"
+#include "core/cells.hpp"
+#include "mesh/mesh.hpp"
 
 namespace brunt::mesh {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A counting sort of all faces by their lowest node.
-#include "brunt/mesh/face_rows.hpp"
+#include "mesh/face_rows.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -9,8 +9,8 @@
 #include <limits>
 #include <numeric>
 
-#include "brunt/core/error.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "core/error.hpp"
+#include "mesh/topology.hpp"
 
 namespace brunt::mesh {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "brunt/mesh/mesh.hpp"
-#include "brunt/mesh/round_form.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/round_form.hpp"
 #include "section.hpp"
 
 namespace brunt::mesh {

@@ -3,7 +3,7 @@
 #pragma once
 #include <array>
 
-#include "brunt/mesh/round_form.hpp"
+#include "mesh/round_form.hpp"
 
 namespace brunt::mesh {
 

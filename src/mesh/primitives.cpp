@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Boxes and plates: sections extruded along z.
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/primitives.hpp"
 
 #include "hex_body.hpp"
 

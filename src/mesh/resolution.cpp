@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/mesh/resolution.hpp"
+#include "mesh/resolution.hpp"
 
 #include <fmt/core.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <span>
 
-#include "brunt/core/cells.hpp"
+#include "core/cells.hpp"
 
 namespace brunt::mesh {
 namespace {

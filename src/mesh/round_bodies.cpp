@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/mesh/round_bodies.hpp"
+#include "mesh/round_bodies.hpp"
 
 #include <Eigen/LU>
 #include <array>
@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
-#include "brunt/core/cells.hpp"
-#include "brunt/mesh/assemble.hpp"
+#include "core/cells.hpp"
+#include "mesh/assemble.hpp"
 #include "outline.hpp"
 
 namespace brunt::mesh {

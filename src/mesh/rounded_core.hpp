@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "brunt/core/types.hpp"
+#include "core/types.hpp"
 
 namespace brunt::mesh {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "brunt/mesh/assemble.hpp"
+#include "mesh/assemble.hpp"
 
 namespace brunt::mesh {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "brunt/mesh/division.hpp"
-#include "brunt/mesh/mesh.hpp"
-#include "brunt/mesh/round_form.hpp"
+#include "mesh/division.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/round_form.hpp"
 #include "rounded_core.hpp"
 
 namespace brunt::mesh {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ball.hpp"
-#include "brunt/mesh/primitives.hpp"
 #include "hex_body.hpp"
+#include "mesh/primitives.hpp"
 
 namespace brunt::mesh {
 namespace {

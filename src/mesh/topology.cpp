@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Faces of elements, the outside of a mesh, connected bodies.
-#include "brunt/mesh/topology.hpp"
+#include "mesh/topology.hpp"
 
 #include <algorithm>
 
-#include "brunt/core/union_find.hpp"
-#include "brunt/mesh/face_rows.hpp"
+#include "core/union_find.hpp"
 #include "face_corners.hpp"
+#include "mesh/face_rows.hpp"
 
 namespace brunt::mesh {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "brunt/mesh/primitives.hpp"
 #include "hex_body.hpp"
+#include "mesh/primitives.hpp"
 #include "section.hpp"
 
 namespace brunt::mesh {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/model/alive.hpp"
+#include "model/alive.hpp"
 
 #include <algorithm>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 namespace brunt::model {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state hash (see the header).
-#include "brunt/model/hash.hpp"
+#include "model/hash.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/rigid/body.hpp"
+#include "rigid/body.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "brunt/core/cross_matrix.hpp"
+#include "core/cross_matrix.hpp"
 
 namespace brunt::rigid {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/rigid/mass_properties.hpp"
+#include "rigid/mass_properties.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 
-#include "brunt/core/cells.hpp"
+#include "core/cells.hpp"
 
 namespace brunt::rigid {
 namespace {

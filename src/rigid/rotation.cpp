@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/rigid/rotation.hpp"
+#include "rigid/rotation.hpp"
 
 #include <cmath>
 
-#include "brunt/core/cross_matrix.hpp"
+#include "core/cross_matrix.hpp"
 
 namespace brunt::rigid {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/rigid/support.hpp"
+#include "rigid/support.hpp"
 
 #include <Eigen/LU>
 
-#include "brunt/rigid/rotation.hpp"
+#include "rigid/rotation.hpp"
 
 namespace brunt::rigid {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/rigid/surface_moments.hpp"
+#include "rigid/surface_moments.hpp"
 
 #include <array>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/rigid/trapezoidal.hpp"
+#include "rigid/trapezoidal.hpp"
 
-#include "brunt/core/cross_matrix.hpp"
-#include "brunt/rigid/rotation.hpp"
+#include "core/cross_matrix.hpp"
+#include "rigid/rotation.hpp"
 
 namespace brunt::rigid {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/setup/accepted_overlaps.hpp"
+#include "setup/accepted_overlaps.hpp"
 
 #include <algorithm>
 #include <limits>

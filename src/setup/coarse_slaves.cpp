@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/setup/coarse_slaves.hpp"
+#include "setup/coarse_slaves.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/geometry/closest_point.hpp"
-#include "brunt/mesh/topology.hpp"
-#include "brunt/setup/likely_slaves.hpp"
+#include "contact/data/tolerances.hpp"
+#include "geometry/closest_point.hpp"
+#include "mesh/topology.hpp"
+#include "setup/likely_slaves.hpp"
 
 namespace brunt::setup {
 namespace {

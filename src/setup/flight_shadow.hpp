@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "brunt/core/types.hpp"
+#include "core/types.hpp"
 
 namespace brunt::setup {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/setup/initial_gaps.hpp"
+#include "setup/initial_gaps.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/detection/encounter.hpp"
-#include "brunt/setup/piercings.hpp"
-#include "brunt/setup/shared_space.hpp"
-#include "brunt/setup/slave_choice.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/detection/encounter.hpp"
+#include "setup/piercings.hpp"
+#include "setup/shared_space.hpp"
+#include "setup/slave_choice.hpp"
 
 namespace brunt::setup {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Faces against the boxes of possible contact partners: near now, or on a straight path.
-#include "brunt/setup/likely_slaves.hpp"
+#include "setup/likely_slaves.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,15 +10,15 @@
 #include <optional>
 #include <utility>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/passes.hpp"
-#include "brunt/core/cells.hpp"
-#include "brunt/core/error.hpp"
-#include "brunt/geometry/box.hpp"
-#include "brunt/geometry/closest_point.hpp"
-#include "brunt/geometry/shortest_edge.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/passes.hpp"
+#include "core/cells.hpp"
+#include "core/error.hpp"
 #include "flight_shadow.hpp"
+#include "geometry/box.hpp"
+#include "geometry/closest_point.hpp"
+#include "geometry/shortest_edge.hpp"
+#include "mesh/topology.hpp"
 
 namespace brunt::setup {
 namespace {

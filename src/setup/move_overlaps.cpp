@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/setup/move_overlaps.hpp"
+#include "setup/move_overlaps.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/core/cells.hpp"
-#include "brunt/geometry/closest_point.hpp"
-#include "brunt/setup/slave_choice.hpp"
+#include "contact/data/tolerances.hpp"
+#include "core/cells.hpp"
+#include "geometry/closest_point.hpp"
+#include "setup/slave_choice.hpp"
 
 namespace brunt::setup {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/setup/piercings.hpp"
+#include "setup/piercings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <map>
 #include <optional>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/search/box_overlaps.hpp"
-#include "brunt/geometry/segment_face.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/search/box_overlaps.hpp"
+#include "geometry/segment_face.hpp"
 
 namespace brunt::setup {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/setup/shared_space.hpp"
+#include "setup/shared_space.hpp"
 
 #include <utility>
 
-#include "brunt/contact/search/search.hpp"
+#include "contact/search/search.hpp"
 
 namespace brunt::setup {
 namespace {

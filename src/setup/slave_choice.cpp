@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/setup/slave_choice.hpp"
+#include "setup/slave_choice.hpp"
 
 #include <array>
 
-#include "brunt/setup/likely_slaves.hpp"
+#include "setup/likely_slaves.hpp"
 
 namespace brunt::setup {
 

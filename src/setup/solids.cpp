@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/setup/solids.hpp"
+#include "setup/solids.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/search/search.hpp"
-#include "brunt/geometry/segment_in_cell.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/search/search.hpp"
+#include "geometry/segment_in_cell.hpp"
+#include "mesh/topology.hpp"
 
 namespace brunt::setup {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/setup/start_rules.hpp"
+#include "setup/start_rules.hpp"
 
 #include <algorithm>
 
-#include "brunt/mesh/topology.hpp"
+#include "mesh/topology.hpp"
 
 namespace brunt::setup {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/surface/exposed.hpp"
+#include "surface/exposed.hpp"
 
 #include <algorithm>
 #include <array>
 #include <tuple>
 
-#include "brunt/comm/rendezvous.hpp"
-#include "brunt/core/error.hpp"
+#include "comm/rendezvous.hpp"
+#include "core/error.hpp"
 
 namespace brunt::surface {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/time/assembled_step.hpp"
+#include "time/assembled_step.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/time/lanczos.hpp"
+#include "time/lanczos.hpp"
 
 namespace brunt::time {
 namespace {

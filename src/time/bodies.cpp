@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/time/bodies.hpp"
+#include "time/bodies.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "brunt/comm/exact_sum.hpp"
-#include "brunt/model/curve.hpp"
+#include "comm/exact_sum.hpp"
+#include "model/curve.hpp"
 
 namespace brunt::time {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/time/bodies_at_rest.hpp"
+#include "time/bodies_at_rest.hpp"
 
 #include <Eigen/Geometry>
 
-#include "brunt/time/bodies.hpp"
+#include "time/bodies.hpp"
 
 namespace brunt::time {
 

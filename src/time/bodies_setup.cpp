@@ -5,9 +5,9 @@
 #include <array>
 #include <limits>
 
-#include "brunt/comm/exact_sum.hpp"
-#include "brunt/time/bodies.hpp"
-#include "brunt/time/driven_start.hpp"
+#include "comm/exact_sum.hpp"
+#include "time/bodies.hpp"
+#include "time/driven_start.hpp"
 
 namespace brunt::time {
 namespace {

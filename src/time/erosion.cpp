@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/time/erosion.hpp"
+#include "time/erosion.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 
-#include "brunt/time/removal.hpp"
+#include "time/removal.hpp"
 
 namespace brunt::time {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/time/initialise.hpp"
+#include "time/initialise.hpp"
 
 #include <algorithm>
 
-#include "brunt/force/internal.hpp"
-#include "brunt/force/mass.hpp"
-#include "brunt/time/bodies.hpp"
-#include "brunt/time/driven_start.hpp"
+#include "force/internal.hpp"
+#include "force/mass.hpp"
+#include "time/bodies.hpp"
+#include "time/driven_start.hpp"
 
 namespace brunt::time {
 namespace {

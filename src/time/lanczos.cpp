@@ -4,14 +4,14 @@
 //   w = M^-1 K q_j - beta_j-1 q_j-1,  alpha_j = q_j . M w,  beta_j q_j+1 = w - alpha_j q_j.
 // Motions are not orthogonalised to all previous ones: this only produces copies of eigenvalues, none of them above the
 // largest (B. N. Parlett, The Symmetric Eigenvalue Problem, 1980, section 13.6).
-#include "brunt/time/lanczos.hpp"
+#include "time/lanczos.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 
-#include "brunt/core/fixed_sum.hpp"
+#include "core/fixed_sum.hpp"
 
 namespace brunt::time {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/time/ledger.hpp"
+#include "time/ledger.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "brunt/comm/exact_sum.hpp"
-#include "brunt/contact/contact.hpp"
-#include "brunt/model/alive.hpp"
-#include "brunt/time/bodies_at_rest.hpp"
+#include "comm/exact_sum.hpp"
+#include "contact/contact.hpp"
+#include "model/alive.hpp"
+#include "time/bodies_at_rest.hpp"
 
 namespace brunt::time {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/time/links.hpp"
+#include "time/links.hpp"
 
-#include "brunt/comm/exact_sum.hpp"
-#include "brunt/force/dead_loads.hpp"
-#include "brunt/force/watched.hpp"
-#include "brunt/time/bodies.hpp"
+#include "comm/exact_sum.hpp"
+#include "force/dead_loads.hpp"
+#include "force/watched.hpp"
+#include "time/bodies.hpp"
 
 namespace brunt::time {
 namespace {

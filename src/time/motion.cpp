@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/time/motion.hpp"
+#include "time/motion.hpp"
 
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
-#include "brunt/model/curve.hpp"
-#include "brunt/time/driven_start.hpp"
+#include "model/curve.hpp"
+#include "time/driven_start.hpp"
 
 namespace brunt::time {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/time/relaxation.hpp"
+#include "time/relaxation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "brunt/comm/exact_sum.hpp"
-#include "brunt/core/error.hpp"
-#include "brunt/force/element_work.hpp"
-#include "brunt/force/watched.hpp"
-#include "brunt/model/hash.hpp"
-#include "brunt/time/bodies_at_rest.hpp"
-#include "brunt/time/initialise.hpp"
+#include "comm/exact_sum.hpp"
+#include "core/error.hpp"
+#include "force/element_work.hpp"
+#include "force/watched.hpp"
+#include "model/hash.hpp"
+#include "time/bodies_at_rest.hpp"
+#include "time/initialise.hpp"
 
 namespace brunt::time {
 namespace {

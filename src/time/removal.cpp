@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/time/removal.hpp"
+#include "time/removal.hpp"
 
 #include <algorithm>
 
-#include "brunt/model/alive.hpp"
-#include "brunt/surface/exposed.hpp"
+#include "model/alive.hpp"
+#include "surface/exposed.hpp"
 
 namespace brunt::time {
 namespace {

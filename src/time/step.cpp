@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/time/step.hpp"
+#include "time/step.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "brunt/contact/contact.hpp"
-#include "brunt/force/element_work.hpp"
-#include "brunt/force/loads.hpp"
-#include "brunt/force/watched.hpp"
-#include "brunt/model/curve.hpp"
-#include "brunt/time/bodies.hpp"
-#include "brunt/time/motion.hpp"
-#include "brunt/time/sum_forces.hpp"
+#include "contact/contact.hpp"
+#include "force/element_work.hpp"
+#include "force/loads.hpp"
+#include "force/watched.hpp"
+#include "model/curve.hpp"
+#include "time/bodies.hpp"
+#include "time/motion.hpp"
+#include "time/sum_forces.hpp"
 
 namespace brunt::time {
 namespace {

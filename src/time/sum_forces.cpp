@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/time/sum_forces.hpp"
+#include "time/sum_forces.hpp"
 
 #include <algorithm>
 #include <span>
 
-#include "brunt/force/dead_loads.hpp"
-#include "brunt/force/loads.hpp"
-#include "brunt/time/bodies.hpp"
+#include "force/dead_loads.hpp"
+#include "force/loads.hpp"
+#include "time/bodies.hpp"
 
 namespace brunt::time {
 

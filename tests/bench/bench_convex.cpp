@@ -10,8 +10,8 @@
 #include <ctime>
 #include <string>
 
-#include "brunt/depth/penetration_depth.hpp"
 #include "convex_peers.hpp"
+#include "depth/penetration_depth.hpp"
 #include "tests/support/random_polytopes.hpp"
 
 using namespace brunt;

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "brunt/depth/penetration_depth.hpp"
+#include "depth/penetration_depth.hpp"
 #include "tests/support/depth_bodies.hpp"
 
 using namespace brunt;

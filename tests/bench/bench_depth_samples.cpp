@@ -11,9 +11,9 @@
 #include <map>
 #include <string>
 
-#include "brunt/depth/penetration_depth.hpp"
-#include "brunt/depth/samples.hpp"
-#include "brunt/depth/walk.hpp"
+#include "depth/penetration_depth.hpp"
+#include "depth/samples.hpp"
+#include "depth/walk.hpp"
 #include "tests/support/depth_bodies.hpp"
 
 using namespace brunt;

@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "bench/prototype_hex8.hpp"
-#include "brunt/comm/session.hpp"
-#include "brunt/element/hex8.hpp"
-#include "brunt/material/elastic.hpp"
-#include "brunt/material/j2.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/time/motion.hpp"
-#include "src/force/block_loop.hpp"
+#include "comm/session.hpp"
+#include "element/hex8.hpp"
+#include "force/block_loop.hpp"
+#include "material/elastic.hpp"
+#include "material/j2.hpp"
+#include "mesh/primitives.hpp"
 #include "support/simulation.hpp"
+#include "time/motion.hpp"
 
 using namespace brunt;
 using element::Hex8;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "brunt/contact/search/facet_tree.hpp"
+#include "contact/search/facet_tree.hpp"
 #include "support/processor_time.hpp"
 #include "support/torus_facets.hpp"
 

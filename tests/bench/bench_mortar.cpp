@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "brunt/contact/mortar/tractions.hpp"
-#include "brunt/contact/search/facet_tree.hpp"
+#include "contact/mortar/tractions.hpp"
+#include "contact/search/facet_tree.hpp"
 #include "support/processor_time.hpp"
 #include "support/torus_facets.hpp"
 #include "unit/contact/mortar/facet_pairs.hpp"

@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "brunt/contact/search/binary_sort.hpp"
-#include "brunt/contact/search/bucket_sort.hpp"
-#include "brunt/contact/search/search.hpp"
+#include "contact/search/binary_sort.hpp"
+#include "contact/search/bucket_sort.hpp"
+#include "contact/search/search.hpp"
 #include "search_peers.hpp"
 #include "search_scenes.hpp"
 

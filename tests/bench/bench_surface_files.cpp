@@ -10,7 +10,7 @@
 #include <ctime>
 #include <filesystem>
 
-#include "brunt/io/surface_file.hpp"
+#include "io/surface/surface_file.hpp"
 #include "surface_peer.hpp"
 #include "tests/support/depth_bodies.hpp"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "brunt/core/triangle_surface.hpp"
+#include "core/triangle_surface.hpp"
 
 namespace brunt::bench {
 

@@ -3,7 +3,7 @@
 // of the step only, Jaumann rate without a finite rotation, hourglass stiffness that is not turned, no bulk viscosity,
 // step from sound speed and the trace of B B^T. First-order accurate in rotation: to measure against, not to use.
 #pragma once
-#include "brunt/element/hex8.hpp"
+#include "element/hex8.hpp"
 
 namespace brunt::bench {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "brunt/core/types.hpp"
-#include "brunt/geometry/box.hpp"
+#include "core/types.hpp"
+#include "geometry/box.hpp"
 
 namespace brunt::bench {
 

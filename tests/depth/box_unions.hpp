@@ -3,8 +3,8 @@
 #pragma once
 #include <vector>
 
-#include "brunt/core/triangle_surface.hpp"
-#include "brunt/geometry/box.hpp"
+#include "core/triangle_surface.hpp"
+#include "geometry/box.hpp"
 
 namespace brunt::test {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "brunt/geometry/slab_tree.hpp"
+#include "geometry/slab_tree.hpp"
 #include "tests/support/depth_bodies.hpp"
 #include "tests/support/random_motion.hpp"
 

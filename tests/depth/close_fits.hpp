@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "brunt/core/triangle_surface.hpp"
-#include "brunt/depth/rigid_motion.hpp"
+#include "core/triangle_surface.hpp"
+#include "depth/rigid_motion.hpp"
 
 namespace brunt::test {
 

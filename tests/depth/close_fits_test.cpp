@@ -12,7 +12,7 @@
 #include <ctime>
 #include <limits>
 
-#include "brunt/depth/penetration_depth.hpp"
+#include "depth/penetration_depth.hpp"
 #include "tests/support/depth_bodies.hpp"
 
 using namespace brunt;

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "brunt/depth/penetration_depth.hpp"
+#include "depth/penetration_depth.hpp"
 #include "tests/support/random_polytopes.hpp"
 
 using namespace brunt;

@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <map>
 
-#include "brunt/depth/lower_bound.hpp"
-#include "brunt/depth/penetration_depth.hpp"
+#include "depth/lower_bound.hpp"
+#include "depth/penetration_depth.hpp"
 #include "tests/support/depth_bodies.hpp"
 #include "tests/support/random_motion.hpp"
 

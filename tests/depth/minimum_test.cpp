@@ -7,8 +7,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "brunt/depth/penetration_depth.hpp"
-#include "brunt/depth/walk.hpp"
+#include "depth/penetration_depth.hpp"
+#include "depth/walk.hpp"
 #include "tests/depth/cases.hpp"
 #include "tests/support/depth_bodies.hpp"
 #include "tests/support/random_motion.hpp"

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <ctime>
 
-#include "brunt/depth/penetration_depth.hpp"
+#include "depth/penetration_depth.hpp"
 #include "tests/depth/cases.hpp"
 #include "tests/support/depth_bodies.hpp"
 

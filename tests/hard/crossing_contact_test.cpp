@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/mass_points.hpp"
 #include "support/simulation.hpp"
 

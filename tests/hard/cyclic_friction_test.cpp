@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/primitives.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;

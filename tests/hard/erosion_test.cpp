@@ -8,12 +8,12 @@
 #include <memory>
 #include <random>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/time/removal.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/given_back.hpp"
 #include "support/simulation.hpp"
 #include "support/true_depth.hpp"
+#include "time/removal.hpp"
 
 using namespace brunt;
 using test::Simulation;

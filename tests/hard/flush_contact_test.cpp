@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <map>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/simulation.hpp"
 #include "support/small_mesh.hpp"
 

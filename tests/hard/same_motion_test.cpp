@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/canonical.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/canonical.hpp"
+#include "mesh/primitives.hpp"
 #include "support/other_view.hpp"
 #include "support/simulation.hpp"
 #include "support/tetrahedra.hpp"

@@ -14,8 +14,8 @@
 #include <numbers>
 #include <string>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/given_back.hpp"
 #include "support/simulation.hpp"
 #include "support/tetrahedra.hpp"

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <set>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/mass_points.hpp"
 #include "support/simulation.hpp"
 

@@ -4,7 +4,7 @@
 
   sweep_tolerances.py BINARY [BINARY...] [--name N]... [--factors F,F...] [--tests SPEC] [--minutes M] [--jobs N]
 
-Runs each test binary (hard, unit_contact_detection) with one number of include/brunt/contact/data/tolerances.hpp
+Runs each test binary (hard, unit_contact_detection) with one number of src/contact/data/tolerances.hpp
 multiplied by each factor (default 0.1,0.25,0.5,2,4,10), and prints a markdown table: for each number the range of its
 values in which all tests pass, and the first test that fails below and above. Factors are tried outwards from 1; past
 the first that fails none is tried. SPEC chooses tests of a binary whose name begins with hard: a Catch2 specification.

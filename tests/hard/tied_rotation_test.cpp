@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "contact/data/tolerances.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "tests/support/simulation.hpp"
 
 using namespace brunt;

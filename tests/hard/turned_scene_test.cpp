@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "../../src/io/abaqus_keywords.hpp"
-#include "brunt/core/error.hpp"
-#include "brunt/io/mesh_file.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "core/error.hpp"
+#include "io/mesh/abaqus_keywords.hpp"
+#include "io/mesh/mesh_file.hpp"
+#include "mesh/topology.hpp"
 
 using namespace brunt;
 using nlohmann::json;

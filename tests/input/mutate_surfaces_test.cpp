@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <new>
 
-#include "brunt/core/error.hpp"
-#include "brunt/geometry/closed_surface.hpp"
-#include "brunt/geometry/merge_points.hpp"
-#include "brunt/io/surface_file.hpp"
+#include "core/error.hpp"
+#include "geometry/closed_surface.hpp"
+#include "geometry/merge_points.hpp"
+#include "io/surface/surface_file.hpp"
 #include "mutations.hpp"
 #include "support/surface_samples.hpp"
 

@@ -62,7 +62,7 @@ def faults_of_text(path, line, content):
 
 def check_sources(root):
     faults = []
-    paths = tree.files(root, ("include", "src", "partition"), (".cpp", ".hpp"))
+    paths = tree.files(root, ("src", "partition"), (".cpp", ".hpp"))
     for path in paths:
         text = tree.read(root, path)
         for start, content in literals(text):

@@ -11,10 +11,10 @@ import tree
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "run"))
 import scene_page  # noqa: E402
 
-INPUT, LAW, CONTACT = "include/brunt/scene/input.hpp", "include/brunt/material/law.hpp", "include/brunt/contact/data/options.hpp"
-ELEMENT, SOLVER, EROSION = "include/brunt/element/options.hpp", "include/brunt/model/implicit_solver.hpp", "include/brunt/model/erosion.hpp"
-GUARDS = "include/brunt/scene/guards.hpp"
-PARTS, METALS, READ_SOLVER = "src/scene/read_parts.cpp", "src/scene/read_metals.cpp", "src/scene/read_solver.cpp"
+INPUT, LAW, CONTACT = "src/scene/input.hpp", "src/material/law.hpp", "src/contact/data/options.hpp"
+ELEMENT, SOLVER, EROSION = "src/element/options.hpp", "src/model/implicit_solver.hpp", "src/model/erosion.hpp"
+GUARDS = "src/scene/guards.hpp"
+PARTS, METALS, READ_SOLVER = "src/scene/read/read_parts.cpp", "src/scene/read/read_metals.cpp", "src/scene/read/read_solver.cpp"
 FIGURES = {key: [(CONTACT, "EnforcementSettings", key)] for key in ("method", "tolerance", "max_iterations", "partition", "stiffness", "damping")}
 FIGURES |= {"softness": [(CONTACT, "EnforcementSettings", "softness"), (CONTACT, "EnforcementSettings", "softness_of_bodies")],
             "competing": [(INPUT, "Enforcement", "competing")], "rebuild": [(CONTACT, "Rebuild", "when")]}
@@ -23,7 +23,7 @@ FIGURES |= {"softness": [(CONTACT, "EnforcementSettings", "softness"), (CONTACT,
 PLACES = {
     "mesh": {"scale": [(INPUT, "Placement", "scale")], "at": [(INPUT, "Placement", "at")]},
     "mesh.BODY": {"scale": [(INPUT, "Placement", "scale")], "at": [(INPUT, "Placement", "at")], "finer": [(INPUT, "SphereMesh", "finer")],
-                  "bias": [("include/brunt/mesh/division.hpp", None, "bias")]},
+                  "bias": [("src/mesh/division.hpp", None, "bias")]},
     "materials": {"stress_rate": [(LAW, "Elastic", "stress_rate")], "hardening": [(LAW, "J2", "hardening")],
                   "kinematic": [(LAW, "J2", "kinematic")],
                   "rate": [(LAW, "RateFactor", "reference")], "rate_form": [(METALS, None, "law.rate.form")],
@@ -46,8 +46,8 @@ PLACES = {
     "remove": {"nodes": [(INPUT, "Removal", "keeps_nodes")]},
     "rigid_walls": {"friction": [(CONTACT, "FrictionLaw", "fixed")], "bilateral": [(INPUT, "RigidWall", "bilateral")]},
     "contact": {**FIGURES, "friction": [(CONTACT, "FrictionLaw", "fixed")],
-                "initial_overlap": [(INPUT, "ContactEntry", "initial_overlap"), ("src/scene/read_contact.cpp", None, "contact.initial_overlap")],
-                "limit": [("src/app/placed_far.hpp", None, "most_overlaps")],
+                "initial_overlap": [(INPUT, "ContactEntry", "initial_overlap"), ("src/scene/read/read_contact.cpp", None, "contact.initial_overlap")],
+                "limit": [("src/app/whole/placed_far.hpp", None, "most_overlaps")],
                 **{key: [(INPUT, "ContactEntry", key)] for key in ("self", "passes", "slave", "tied", "multiplier", "enforce", "consistent", "edges")}},
     "contact.friction": {"decay": [(CONTACT, "FrictionLaw", "decay")], "lag": [(CONTACT, "FrictionLaw", "lag")]},
     "enforcement": FIGURES,

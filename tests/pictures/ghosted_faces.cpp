@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "app/contact_setup.hpp"
-#include "app/failure.hpp"
-#include "app/prepare.hpp"
-#include "brunt/comm/session.hpp"
-#include "contact/candidate_pairs.hpp"
+#include "app/program/failure.hpp"
+#include "app/start/prepare.hpp"
+#include "app/state/contact_setup.hpp"
+#include "comm/session.hpp"
+#include "contact/lists/candidate_pairs.hpp"
 
 using namespace brunt;
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/given_back.hpp"
 #include "support/simulation.hpp"
 

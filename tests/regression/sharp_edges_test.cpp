@@ -3,8 +3,8 @@
 // nothing to do with, and edges hang over rims.
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/simulation.hpp"
 #include "support/true_depth.hpp"
 

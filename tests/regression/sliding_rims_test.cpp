@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/given_back.hpp"
 #include "support/simulation.hpp"
 

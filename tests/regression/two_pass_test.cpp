@@ -6,10 +6,10 @@
 #include <numbers>
 #include <set>
 
-#include "brunt/geometry/closest_point.hpp"
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "geometry/closest_point.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
+#include "mesh/topology.hpp"
 #include "support/given_back.hpp"
 #include "support/simulation.hpp"
 

@@ -11,7 +11,7 @@ import falling_boxes
 import true_depth
 from run_test import Program
 
-# Share of an element from which the program warns (src/app/depth_watch.hpp), and what two ways to measure it may differ
+# Share of an element from which the program warns (src/app/watch/depth_watch.hpp), and what two ways to measure it may differ
 # by: it takes six tetrahedra for a warped hexahedron, whose faces are not bilinear.
 WARNED, DIFFERENCE, WARP = 0.1, 0.05, 0.01
 SHORT = (20, 27, 34, 42, 54, 64, 67, 68, 70, 81)  # the fastest, with each law and with folds

@@ -18,7 +18,7 @@ import tempfile
 import h5py
 import numpy
 
-MOST_OVERLAPS = 5  # what the program grants (src/app/placed_far.hpp)
+MOST_OVERLAPS = 5  # what the program grants (src/app/whole/placed_far.hpp)
 TOUCHING = 1e-6  # of the bore: the gap that is left, and rounding
 PATIENCE = 120  # [s] of one run
 

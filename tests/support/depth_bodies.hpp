@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "brunt/core/triangle_surface.hpp"
+#include "core/triangle_surface.hpp"
 
 namespace brunt::test {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "brunt/element/batch.hpp"
+#include "element/batch.hpp"
 #include "support/eigenvalues.hpp"
 #include "support/material_point.hpp"
 

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <random>
 
-#include "brunt/force/mass.hpp"
-#include "brunt/force/tangent.hpp"
-#include "brunt/force/trial.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "force/mass.hpp"
+#include "force/tangent.hpp"
+#include "force/trial.hpp"
+#include "mesh/primitives.hpp"
 
 namespace brunt::test {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "brunt/mesh/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace brunt::test {
 

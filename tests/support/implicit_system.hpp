@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "brunt/implicit/balance.hpp"
+#include "implicit/balance.hpp"
 
 namespace brunt::test {
 

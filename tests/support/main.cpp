@@ -3,7 +3,7 @@
 #define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
 
-#include "brunt/comm/session.hpp"
+#include "comm/session.hpp"
 
 int main(int argc, char** argv) {
   const brunt::comm::Session session(argc, argv);

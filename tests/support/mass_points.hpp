@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "brunt/comm/communicator.hpp"
-#include "brunt/comm/exact_sum.hpp"
-#include "brunt/contact/contact.hpp"
+#include "comm/communicator.hpp"
+#include "comm/exact_sum.hpp"
+#include "contact/contact.hpp"
 #include "tests/support/small_mesh.hpp"
 
 namespace brunt::support {

@@ -6,8 +6,8 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "brunt/core/simd.hpp"
-#include "brunt/element/logarithmic_rate.hpp"
+#include "core/simd.hpp"
+#include "element/logarithmic_rate.hpp"
 
 namespace brunt::test {
 

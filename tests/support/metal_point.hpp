@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // One material point of a law that is told of circumstances, driven by velocity gradients; all lanes do the same.
 #pragma once
-#include "brunt/element/objective.hpp"
-#include "brunt/material/circumstances.hpp"
+#include "element/objective.hpp"
+#include "material/circumstances.hpp"
 #include "support/material_point.hpp"
 
 namespace brunt::test {

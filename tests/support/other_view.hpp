@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "brunt/mesh/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace brunt::test {
 

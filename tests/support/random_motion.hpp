@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <random>
 
-#include "brunt/core/triangle_surface.hpp"
+#include "core/triangle_surface.hpp"
 
 namespace brunt::test {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/simulation.hpp"
 
 namespace brunt::test {

@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/contact_setup.hpp"
-#include "app/removal.hpp"
-#include "brunt/mesh/canonical.hpp"
-#include "brunt/scene/build.hpp"
-#include "brunt/scene/read.hpp"
-#include "brunt/scene/select.hpp"
-#include "brunt/time/erosion.hpp"
-#include "brunt/time/initialise.hpp"
-#include "brunt/time/removal.hpp"
+#include "app/state/contact_setup.hpp"
+#include "app/state/removal.hpp"
+#include "mesh/canonical.hpp"
 #include "partition/distribute.hpp"
+#include "scene/build/build.hpp"
+#include "scene/build/select.hpp"
+#include "scene/read/read.hpp"
 #include "support/tolerances.hpp"
+#include "time/erosion.hpp"
+#include "time/initialise.hpp"
+#include "time/removal.hpp"
 
 namespace brunt::test {
 namespace {

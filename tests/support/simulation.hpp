@@ -9,13 +9,13 @@
 #include <span>
 #include <string>
 
-#include "brunt/contact/contact.hpp"
-#include "brunt/mesh/mesh.hpp"
-#include "brunt/model/model.hpp"
-#include "brunt/scene/input.hpp"
-#include "brunt/time/ledger.hpp"
-#include "brunt/time/links.hpp"
-#include "brunt/time/step.hpp"
+#include "contact/contact.hpp"
+#include "mesh/mesh.hpp"
+#include "model/model.hpp"
+#include "scene/input.hpp"
+#include "time/ledger.hpp"
+#include "time/links.hpp"
+#include "time/step.hpp"
 
 namespace brunt::test {
 

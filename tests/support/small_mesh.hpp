@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "brunt/mesh/local_mesh.hpp"
-#include "brunt/mesh/mesh.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "mesh/local_mesh.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/topology.hpp"
 
 namespace brunt::support {
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "brunt/comm/linear_system.hpp"
+#include "comm/linear_system.hpp"
 
 namespace brunt::test {
 

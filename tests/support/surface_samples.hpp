@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "brunt/core/triangle_surface.hpp"
+#include "core/triangle_surface.hpp"
 
 namespace brunt::test {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <utility>
 
-#include "brunt/mesh/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace brunt::test {
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "brunt/contact/data/tolerances.hpp"
+#include "contact/data/tolerances.hpp"
 
 namespace brunt::test {
 

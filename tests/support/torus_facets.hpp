@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "brunt/contact/search/facet_tree.hpp"
+#include "contact/search/facet_tree.hpp"
 
 namespace brunt::test {
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "brunt/mesh/topology.hpp"
+#include "mesh/topology.hpp"
 
 namespace brunt::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "brunt/mesh/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace brunt::test {
 

@@ -2,8 +2,8 @@
 // A time step allocates nothing, with all kinds of loads, walls and contact, but for steps that rebuild contact lists.
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/allocations.hpp"
 #include "support/simulation.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/primitives.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;

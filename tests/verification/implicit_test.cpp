@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "brunt/implicit/ledger.hpp"
-#include "brunt/implicit/step.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "implicit/ledger.hpp"
+#include "implicit/step.hpp"
+#include "mesh/primitives.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/primitives.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;

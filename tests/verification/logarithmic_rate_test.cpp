@@ -3,11 +3,11 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "brunt/element/hex8.hpp"
-#include "brunt/element/hex8_full.hpp"
-#include "brunt/element/tet4.hpp"
-#include "brunt/material/elastic.hpp"
-#include "brunt/material/j2.hpp"
+#include "element/hex8.hpp"
+#include "element/hex8_full.hpp"
+#include "element/tet4.hpp"
+#include "material/elastic.hpp"
+#include "material/j2.hpp"
 #include "support/element_bench.hpp"
 
 using namespace brunt;

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "brunt/material/elastic.hpp"
-#include "brunt/material/j2.hpp"
+#include "material/elastic.hpp"
+#include "material/j2.hpp"
 #include "support/material_point.hpp"
 
 using namespace brunt;

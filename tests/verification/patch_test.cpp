@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
-#include "brunt/mesh/topology.hpp"
+#include "mesh/topology.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Static states found before t = 0: a hanging bar, a cantilever, blocks that rest on each other.
-#include "brunt/time/relaxation.hpp"
+#include "time/relaxation.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;

@@ -7,9 +7,9 @@
 #include <limits>
 #include <random>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/model/alive.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
+#include "model/alive.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;

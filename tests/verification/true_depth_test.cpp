@@ -6,9 +6,9 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
+#include "mesh/topology.hpp"
 #include "support/tetrahedra.hpp"
 
 using namespace brunt;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/data/history.hpp"
+#include "contact/data/history.hpp"
 
 #include <algorithm>
 
-#include "brunt/contact/data/row_matrix.hpp"
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/core/error.hpp"
+#include "contact/data/row_matrix.hpp"
+#include "contact/data/tolerances.hpp"
+#include "core/error.hpp"
 
 namespace brunt::contact {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/data/row_matrix.hpp"
+#include "contact/data/row_matrix.hpp"
 
 namespace brunt::contact {
 

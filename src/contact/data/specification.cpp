@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/data/specification.hpp"
+#include "contact/data/specification.hpp"
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 namespace brunt::contact {
 namespace {

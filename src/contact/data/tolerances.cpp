@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/data/tolerances.hpp"
+#include "contact/data/tolerances.hpp"
 
 namespace brunt::contact {
 

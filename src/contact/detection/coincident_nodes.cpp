@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/detection/coincident_nodes.hpp"
+#include "contact/detection/coincident_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/detection/detection.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/detection/detection.hpp"
 
 namespace brunt::contact {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/detection/cones.hpp"
+#include "contact/detection/cones.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

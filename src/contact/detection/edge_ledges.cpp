@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/detection/ledges.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/detection/ledges.hpp"
 
 namespace brunt::contact {
 namespace {

@@ -4,10 +4,10 @@
 #include <array>
 #include <span>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/detection/edges.hpp"
-#include "brunt/geometry/box.hpp"
-#include "brunt/geometry/segments.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/detection/edges.hpp"
+#include "geometry/box.hpp"
+#include "geometry/segments.hpp"
 
 namespace brunt::contact {
 

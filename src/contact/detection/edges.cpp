@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/detection/edges.hpp"
+#include "contact/detection/edges.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <numbers>
 #include <optional>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/detection/seams.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/detection/seams.hpp"
 #include "edge_ledges.hpp"
 #include "flat_edges.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/detection/encounter.hpp"
+#include "contact/detection/encounter.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/geometry/first_contact.hpp"
+#include "contact/data/tolerances.hpp"
+#include "geometry/first_contact.hpp"
 #include "standing.hpp"
 
 namespace brunt::contact {

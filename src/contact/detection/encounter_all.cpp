@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <cstring>
 
-#include "brunt/contact/detection/encounter.hpp"
-#include "brunt/geometry/closest_place.hpp"
+#include "contact/detection/encounter.hpp"
+#include "geometry/closest_place.hpp"
 #include "motion_quads.hpp"
 #include "standing.hpp"
 

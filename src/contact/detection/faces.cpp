@@ -4,14 +4,14 @@
 #include <cmath>
 #include <utility>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/detection/coincident_nodes.hpp"
-#include "brunt/contact/detection/cones.hpp"
-#include "brunt/contact/detection/detection.hpp"
-#include "brunt/contact/detection/features.hpp"
-#include "brunt/contact/detection/ledges.hpp"
-#include "brunt/contact/detection/seams.hpp"
-#include "brunt/contact/detection/sides.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/detection/coincident_nodes.hpp"
+#include "contact/detection/cones.hpp"
+#include "contact/detection/detection.hpp"
+#include "contact/detection/features.hpp"
+#include "contact/detection/ledges.hpp"
+#include "contact/detection/seams.hpp"
+#include "contact/detection/sides.hpp"
 #include "motion_quads.hpp"
 
 namespace brunt::contact {

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/detection/seams.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/detection/seams.hpp"
 
 namespace brunt::contact {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/detection/ledges.hpp"
+#include "contact/detection/ledges.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/contact/data/tolerances.hpp"
+#include "contact/data/tolerances.hpp"
 
 namespace brunt::contact {
 namespace {

@@ -3,8 +3,8 @@
 #pragma once
 #include <cstring>
 
-#include "brunt/contact/data/constraint.hpp"
-#include "brunt/core/simd.hpp"
+#include "contact/data/constraint.hpp"
+#include "core/simd.hpp"
 
 namespace brunt::contact {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/detection/seams.hpp"
+#include "contact/detection/seams.hpp"
 
 #include <Eigen/Geometry>
 
-#include "brunt/contact/data/tolerances.hpp"
+#include "contact/data/tolerances.hpp"
 #include "edge_scene.hpp"
 
 namespace brunt::contact {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/detection/select_rows.hpp"
+#include "contact/detection/select_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "brunt/contact/data/tolerances.hpp"
+#include "contact/data/tolerances.hpp"
 
 namespace brunt::contact {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/detection/separation.hpp"
+#include "contact/detection/separation.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 
-#include "brunt/contact/data/tolerances.hpp"
+#include "contact/data/tolerances.hpp"
 #include "edge_scene.hpp"
 
 namespace brunt::contact {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/detection/sides.hpp"
+#include "contact/detection/sides.hpp"
 
 #include <algorithm>
 

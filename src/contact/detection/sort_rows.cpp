@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "brunt/contact/detection/detection.hpp"
+#include "contact/detection/detection.hpp"
 
 namespace brunt::contact {
 namespace {

@@ -4,9 +4,9 @@
 #pragma once
 #include <algorithm>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/detection/encounter.hpp"
-#include "brunt/geometry/vec_of.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/detection/encounter.hpp"
+#include "geometry/vec_of.hpp"
 
 namespace brunt::contact {
 

@@ -2,8 +2,8 @@
 // Node against rigid wall.
 #include <algorithm>
 
-#include "brunt/contact/data/tolerances.hpp"
-#include "brunt/contact/detection/detection.hpp"
+#include "contact/data/tolerances.hpp"
+#include "contact/detection/detection.hpp"
 
 namespace brunt::contact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/averaged.hpp"
+#include "contact/enforcement/averaged.hpp"
 
 #include <algorithm>
 #include <array>

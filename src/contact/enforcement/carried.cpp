@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/carried.hpp"
+#include "contact/enforcement/carried.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/contact/enforcement/system.hpp"
-#include "brunt/core/binned_sum.hpp"
-#include "brunt/core/cross_matrix.hpp"
-#include "brunt/core/error.hpp"
+#include "contact/enforcement/system.hpp"
+#include "core/binned_sum.hpp"
+#include "core/cross_matrix.hpp"
+#include "core/error.hpp"
 #include "impulse_grid.hpp"
 
 namespace brunt::contact {

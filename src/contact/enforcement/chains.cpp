@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "brunt/core/sorted.hpp"
+#include "core/sorted.hpp"
 
 namespace brunt::contact {
 namespace {

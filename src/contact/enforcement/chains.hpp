@@ -8,7 +8,7 @@
 // for none, k h / A with the ground, and at most 1, with k = chain_share.
 // Where a pair is no bridge of the graph both sides are the whole chain.
 #pragma once
-#include "brunt/contact/enforcement/system.hpp"
+#include "contact/enforcement/system.hpp"
 
 namespace brunt::contact {
 

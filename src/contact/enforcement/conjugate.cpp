@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/conjugate.hpp"
+#include "contact/enforcement/conjugate.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "brunt/contact/enforcement/rate_constraint.hpp"
-#include "brunt/core/fixed_sum.hpp"
 #include "chosen_rows.hpp"
+#include "contact/enforcement/rate_constraint.hpp"
+#include "core/fixed_sum.hpp"
 
 namespace brunt::contact {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/energy_guard.hpp"
+#include "contact/enforcement/energy_guard.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
-#include "brunt/core/fixed_sum.hpp"
+#include "core/fixed_sum.hpp"
 
 namespace brunt::contact {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/enforce.hpp"
+#include "contact/enforcement/enforce.hpp"
 
 #include <cmath>
 
-#include "brunt/contact/enforcement/averaged.hpp"
-#include "brunt/contact/enforcement/kinematic.hpp"
-#include "brunt/contact/enforcement/penalty.hpp"
-#include "brunt/contact/enforcement/printed.hpp"
-#include "brunt/contact/enforcement/rate_constraint.hpp"
-#include "brunt/contact/enforcement/reference.hpp"
 #include "chains.hpp"
+#include "contact/enforcement/averaged.hpp"
+#include "contact/enforcement/kinematic.hpp"
+#include "contact/enforcement/penalty.hpp"
+#include "contact/enforcement/printed.hpp"
+#include "contact/enforcement/rate_constraint.hpp"
+#include "contact/enforcement/reference.hpp"
 
 namespace brunt::contact {
 

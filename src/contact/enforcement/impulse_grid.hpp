@@ -3,9 +3,9 @@
 #pragma once
 #include <cstring>
 
-#include "brunt/core/binned_sum.hpp"
-#include "brunt/core/simd.hpp"
-#include "brunt/core/types.hpp"
+#include "core/binned_sum.hpp"
+#include "core/simd.hpp"
+#include "core/types.hpp"
 
 namespace brunt::contact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/islands.hpp"
+#include "contact/enforcement/islands.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/kinematic.hpp"
+#include "contact/enforcement/kinematic.hpp"
 
 namespace brunt::contact {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/penalty.hpp"
+#include "contact/enforcement/penalty.hpp"
 
 #include <algorithm>
 #include <cmath>

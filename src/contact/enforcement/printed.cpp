@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/printed.hpp"
+#include "contact/enforcement/printed.hpp"
 
-#include "brunt/contact/enforcement/rate_constraint.hpp"
+#include "contact/enforcement/rate_constraint.hpp"
 
 namespace brunt::contact {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/rate_constraint.hpp"
+#include "contact/enforcement/rate_constraint.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "brunt/contact/enforcement/conjugate.hpp"
-#include "brunt/contact/enforcement/energy_guard.hpp"
-#include "brunt/contact/enforcement/softness.hpp"
-#include "brunt/core/fixed_sum.hpp"
+#include "contact/enforcement/conjugate.hpp"
+#include "contact/enforcement/energy_guard.hpp"
+#include "contact/enforcement/softness.hpp"
+#include "core/fixed_sum.hpp"
 
 namespace brunt::contact {
 namespace {

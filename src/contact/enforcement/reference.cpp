@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/reference.hpp"
+#include "contact/enforcement/reference.hpp"
 
 #include <petsctao.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 namespace brunt::contact {
 namespace {

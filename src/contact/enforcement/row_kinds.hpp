@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "brunt/contact/enforcement/system.hpp"
+#include "contact/enforcement/system.hpp"
 
 namespace brunt::contact {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/softness.hpp"
+#include "contact/enforcement/softness.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "brunt/core/fixed_sum.hpp"
 #include "chains.hpp"
+#include "core/fixed_sum.hpp"
 
 namespace brunt::contact {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/system.hpp"
+#include "contact/enforcement/system.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "impulse_grid.hpp"
 
 namespace brunt::contact {

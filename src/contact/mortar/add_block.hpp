@@ -2,7 +2,7 @@
 #pragma once
 #include <algorithm>
 
-#include "brunt/contact/mortar/interface.hpp"
+#include "contact/mortar/interface.hpp"
 
 namespace brunt::contact {
 

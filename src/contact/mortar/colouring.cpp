@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/mortar/colouring.hpp"
+#include "contact/mortar/colouring.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "brunt/core/ragged.hpp"
+#include "core/ragged.hpp"
 
 namespace brunt::contact {
 namespace {

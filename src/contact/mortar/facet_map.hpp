@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "brunt/core/simd.hpp"
-#include "brunt/geometry/clip.hpp"
+#include "core/simd.hpp"
+#include "geometry/clip.hpp"
 
 namespace brunt::contact {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "brunt/contact/mortar/corners.hpp"
+#include "contact/mortar/corners.hpp"
 #include "fading.hpp"
 
 namespace brunt::contact {

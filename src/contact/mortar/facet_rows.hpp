@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "brunt/contact/mortar/interface.hpp"
+#include "contact/mortar/interface.hpp"
 
 namespace brunt::contact {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Share with which a pair of facets counts, so that pairs enter and leave rows without a jump.
 #pragma once
-#include "brunt/contact/mortar/segment.hpp"
+#include "contact/mortar/segment.hpp"
 
 namespace brunt::contact {
 

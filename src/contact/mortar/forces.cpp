@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/mortar/forces.hpp"
+#include "contact/mortar/forces.hpp"
 
 #include "add_block.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/mortar/friction.hpp"
+#include "contact/mortar/friction.hpp"
 
 #include "add_block.hpp"
 #include "turn.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/mortar/interface.hpp"
+#include "contact/mortar/interface.hpp"
 
-#include "brunt/contact/mortar/normals.hpp"
-#include "brunt/core/error.hpp"
+#include "contact/mortar/normals.hpp"
+#include "core/error.hpp"
 #include "scratch.hpp"
 
 namespace brunt::contact {

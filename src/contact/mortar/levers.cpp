@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/mortar/levers.hpp"
+#include "contact/mortar/levers.hpp"
 
 #include <algorithm>
 

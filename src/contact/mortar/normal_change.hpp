@@ -13,7 +13,7 @@
 #include <array>
 #include <cstddef>
 
-#include "brunt/contact/mortar/segment.hpp"
+#include "contact/mortar/segment.hpp"
 
 namespace brunt::contact {
 

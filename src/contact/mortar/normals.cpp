@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/mortar/normals.hpp"
+#include "contact/mortar/normals.hpp"
 
 #include <Eigen/Geometry>
 
 #include "add_block.hpp"
-#include "brunt/contact/mortar/corners.hpp"
-#include "brunt/core/cross_matrix.hpp"
+#include "contact/mortar/corners.hpp"
+#include "core/cross_matrix.hpp"
 
 namespace brunt::contact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/mortar/patches.hpp"
+#include "contact/mortar/patches.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,9 +8,9 @@
 #include <tuple>
 #include <utility>
 
-#include "brunt/contact/mortar/corners.hpp"
-#include "brunt/core/sorted.hpp"
-#include "brunt/core/union_find.hpp"
+#include "contact/mortar/corners.hpp"
+#include "core/sorted.hpp"
+#include "core/union_find.hpp"
 
 namespace brunt::contact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/mortar/points.hpp"
+#include "contact/mortar/points.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "add_block.hpp"
-#include "brunt/contact/mortar/corners.hpp"
-#include "brunt/contact/mortar/normals.hpp"
-#include "brunt/core/sorted.hpp"
+#include "contact/mortar/corners.hpp"
+#include "contact/mortar/normals.hpp"
+#include "core/sorted.hpp"
 #include "facet_map.hpp"
 #include "smooth_normal.hpp"
 

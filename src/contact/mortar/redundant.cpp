@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/mortar/redundant.hpp"
+#include "contact/mortar/redundant.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

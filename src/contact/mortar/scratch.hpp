@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "brunt/contact/mortar/interface.hpp"
-#include "brunt/contact/mortar/normals.hpp"
+#include "contact/mortar/interface.hpp"
+#include "contact/mortar/normals.hpp"
 #include "facet_rows.hpp"
 
 namespace brunt::contact {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/mortar/segment.hpp"
+#include "contact/mortar/segment.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A number and its derivatives by the sixteen coordinates of two facets in a plane.
 #pragma once
-#include "brunt/core/simd.hpp"
+#include "core/simd.hpp"
 
 namespace brunt::contact {
 

@@ -2,7 +2,7 @@
 #include "smooth_normal.hpp"
 
 #include "add_block.hpp"
-#include "brunt/contact/mortar/corners.hpp"
+#include "contact/mortar/corners.hpp"
 #include "normal_change.hpp"
 
 namespace brunt::contact {

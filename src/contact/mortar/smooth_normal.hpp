@@ -3,7 +3,7 @@
 // facet's corners, interpolated. A node that slides over an edge of a facet would otherwise meet a jump of the
 // direction of its force, and where it stands in a valley between two facets neither direction may balance it.
 #pragma once
-#include "brunt/contact/mortar/interface.hpp"
+#include "contact/mortar/interface.hpp"
 
 namespace brunt::contact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/mortar/tie.hpp"
+#include "contact/mortar/tie.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "add_block.hpp"
-#include "brunt/contact/mortar/corners.hpp"
-#include "brunt/geometry/closest_point.hpp"
+#include "contact/mortar/corners.hpp"
 #include "facet_rows.hpp"
+#include "geometry/closest_point.hpp"
 #include "normal_change.hpp"
 
 namespace brunt::contact {

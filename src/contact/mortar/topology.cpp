@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "brunt/contact/mortar/corners.hpp"
-#include "brunt/contact/mortar/interface.hpp"
-#include "brunt/core/error.hpp"
+#include "contact/mortar/corners.hpp"
+#include "contact/mortar/interface.hpp"
+#include "core/error.hpp"
 #include "facet_map.hpp"
 
 namespace brunt::contact {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/mortar/tractions.hpp"
+#include "contact/mortar/tractions.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The smallest rotation from one unit vector to another.
 #pragma once
-#include "brunt/core/types.hpp"
+#include "core/types.hpp"
 
 namespace brunt::contact {
 

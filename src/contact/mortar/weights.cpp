@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/mortar/weights.hpp"
+#include "contact/mortar/weights.hpp"
 
 #include <algorithm>
 #include <cmath>

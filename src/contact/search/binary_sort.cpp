@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Index and rank vectors, bisection and contraction.
-#include "brunt/contact/search/binary_sort.hpp"
+#include "contact/search/binary_sort.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/search/box_overlaps.hpp"
+#include "contact/search/box_overlaps.hpp"
 
 #include <algorithm>
 #include <cmath>

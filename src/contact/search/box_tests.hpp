@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests of one box against eight boxes, sixteen boxes or sixteen points at once.
 #pragma once
-#include "brunt/contact/search/point_blocks.hpp"
+#include "contact/search/point_blocks.hpp"
 
 namespace brunt::contact {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bucket sort of points and collection of those in the buckets of a box.
-#include "brunt/contact/search/bucket_sort.hpp"
+#include "contact/search/bucket_sort.hpp"
 
 #include <algorithm>
 #include <cmath>

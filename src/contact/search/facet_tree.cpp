@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trees of facets: build by medians, refit by unions, tandem traversal.
-#include "brunt/contact/search/facet_tree.hpp"
+#include "contact/search/facet_tree.hpp"
 
 #include <algorithm>
 
-#include "brunt/geometry/box.hpp"
+#include "geometry/box.hpp"
 
 namespace brunt::contact {
 namespace {

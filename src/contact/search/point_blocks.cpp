@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Packing of ordered points, and boxes from the bottom up.
-#include "brunt/contact/search/point_blocks.hpp"
+#include "contact/search/point_blocks.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "brunt/contact/search/search.hpp"
+#include "contact/search/search.hpp"
 
 namespace brunt::contact {
 namespace {

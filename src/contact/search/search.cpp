@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Search of boxes, sixteen neighbours at a time, through blocks of points.
-#include "brunt/contact/search/search.hpp"
+#include "contact/search/search.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "box_tests.hpp"
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 namespace brunt::contact {
 namespace {

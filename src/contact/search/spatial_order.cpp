@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Order along the Hilbert curve by radix sort, repeated within crowded cells.
-#include "brunt/contact/search/spatial_order.hpp"
+#include "contact/search/spatial_order.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rules of who may meet whom, and as what.
-#include "brunt/contact/surface/surface.hpp"
+#include "contact/surface/surface.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "brunt/contact/data/tolerances.hpp"
+#include "contact/data/tolerances.hpp"
 
 namespace brunt::contact {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reductions and transfers of the communicator on any number of ranks.
-#include "brunt/comm/communicator.hpp"
+#include "comm/communicator.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/comm/deal_out.hpp"
+#include "comm/deal_out.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

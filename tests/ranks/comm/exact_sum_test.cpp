@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exact sums over ranks: the same bits however the values are dealt out.
-#include "brunt/comm/exact_sum.hpp"
+#include "comm/exact_sum.hpp"
 
 #include <algorithm>
 #include <array>

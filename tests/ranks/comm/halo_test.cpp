@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copies between ranks: rank r has 2 + r roots, their values tell where they come from.
-#include "brunt/comm/halo.hpp"
+#include "comm/halo.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Linear systems over the ranks: the same bits as on one rank (direct), the same values (mumps).
-#include "brunt/comm/linear_system.hpp"
+#include "comm/linear_system.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "support/sparse_problems.hpp"
 
 using namespace brunt;

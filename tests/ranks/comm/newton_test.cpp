@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Newton's iteration over the ranks, with a linear system and exact sums: the same bits on any number of ranks.
-#include "brunt/comm/newton.hpp"
+#include "comm/newton.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "brunt/comm/linear_system.hpp"
+#include "comm/linear_system.hpp"
 #include "support/sparse_problems.hpp"
 
 using namespace brunt;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nodal sums of a 4 x 3 patch of quadrilaterals, split in several ways: every copy of a node holds the bits of the
 // sum in element order, and a step allocates nothing.
-#include "brunt/comm/ordered_sum.hpp"
+#include "comm/ordered_sum.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages to ranks found at run time, and the way to the block layout and back.
-#include "brunt/comm/rendezvous.hpp"
+#include "comm/rendezvous.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Counted messages of exchanges whose number is known beforehand.
-#include "brunt/comm/traffic.hpp"
+#include "comm/traffic.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "brunt/comm/halo.hpp"
-#include "brunt/comm/rendezvous.hpp"
+#include "comm/halo.hpp"
+#include "comm/rendezvous.hpp"
 
 using namespace brunt;
 using comm::Communicator;

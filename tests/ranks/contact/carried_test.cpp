@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rigid bodies whose points and rows lie on all ranks: the bits of one rank.
-#include "brunt/contact/enforcement/carried.hpp"
+#include "contact/enforcement/carried.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/contact/halo_exchange.hpp"
+#include "contact/lists/halo_exchange.hpp"
 #include "unit/contact/enforcement/random_rows.hpp"
 
 using namespace brunt;

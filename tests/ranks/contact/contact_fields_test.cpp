@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 #include "tests/support/mass_points.hpp"
 
 using namespace brunt;

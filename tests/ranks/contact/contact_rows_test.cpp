@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 #include "tests/support/mass_points.hpp"
 
 using namespace brunt;

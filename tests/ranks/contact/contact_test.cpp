@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact of mass points on any number of ranks against the same on one: the same bits, exact momentum, no energy.
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "brunt/contact/contact.hpp"
-#include "brunt/core/error.hpp"
+#include "contact/contact.hpp"
+#include "core/error.hpp"
 #include "tests/support/mass_points.hpp"
 
 using namespace brunt;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Depths by positions: a bar in a thin plate, as deep as its place says, the same on any number of ranks.
-#include "brunt/contact/deep_nodes.hpp"
+#include "contact/deep_nodes.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "brunt/contact/join_surface.hpp"
+#include "contact/joined/join_surface.hpp"
 #include "tests/support/small_mesh.hpp"
 
 using namespace brunt;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sparse grid between ranks: every box that a rank could need arrives, none that shares no cell with its wishes.
-#include "brunt/contact/ghosting.hpp"
+#include "contact/lists/ghosting.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact nodes around a ring of ranks: each rank owns two, and copies the second of the next rank.
-#include "brunt/contact/halo_exchange.hpp"
+#include "contact/lists/halo_exchange.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who owns a surface node, what lies around it, and the figures of the bodies, on any number of ranks.
-#include "brunt/contact/join_surface.hpp"
+#include "contact/joined/join_surface.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
-#include "brunt/comm/rendezvous.hpp"
+#include "comm/rendezvous.hpp"
 #include "tests/support/small_mesh.hpp"
 
 using namespace brunt;

@@ -2,7 +2,7 @@
 // Lists that last against a search in every step, where a body that lay still far away is suddenly fast.
 #include <catch2/catch.hpp>
 
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 #include "tests/support/mass_points.hpp"
 
 using namespace brunt;

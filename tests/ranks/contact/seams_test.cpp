@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Seams between boxes that are flush, counted by hand, on any number of ranks.
-#include "brunt/contact/seams.hpp"
+#include "contact/joined/seams.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <catch2/catch.hpp>
 
-#include "brunt/contact/join_surface.hpp"
+#include "contact/joined/join_surface.hpp"
 #include "tests/support/small_mesh.hpp"
 
 using namespace brunt;

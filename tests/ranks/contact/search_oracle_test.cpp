@@ -8,9 +8,9 @@
 #include <random>
 #include <utility>
 
-#include "brunt/contact/ghosting.hpp"
-#include "brunt/contact/search/box_overlaps.hpp"
-#include "brunt/contact/search/search.hpp"
+#include "contact/lists/ghosting.hpp"
+#include "contact/search/box_overlaps.hpp"
+#include "contact/search/search.hpp"
 
 using namespace brunt;
 using geometry::Box;

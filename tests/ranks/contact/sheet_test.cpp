@@ -3,7 +3,7 @@
 // the same bits on any number of ranks, whenever lists are made, and over a restart.
 #include <catch2/catch.hpp>
 
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 #include "tests/support/mass_points.hpp"
 
 using namespace brunt;

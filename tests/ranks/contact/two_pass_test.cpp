@@ -2,7 +2,7 @@
 // Two passes on any number of ranks: the same bits, also with friction, folds, a wall and a history that goes home.
 #include <catch2/catch.hpp>
 
-#include "brunt/contact/contact.hpp"
+#include "contact/contact.hpp"
 #include "tests/support/mass_points.hpp"
 
 using namespace brunt;

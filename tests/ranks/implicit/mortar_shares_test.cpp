@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "brunt/contact/mortar/interface.hpp"
-#include "brunt/contact/search/facet_tree.hpp"
-#include "brunt/implicit/mortar.hpp"
+#include "contact/mortar/interface.hpp"
+#include "contact/search/facet_tree.hpp"
+#include "implicit/mortar/mortar.hpp"
 
 using namespace brunt;
 using namespace brunt::implicit;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checkpoints written on one number of ranks and read on another restore every bit.
-#include "brunt/io/checkpoint.hpp"
+#include "io/results/checkpoint.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "brunt/core/error.hpp"
-#include "brunt/model/hash.hpp"
+#include "core/error.hpp"
+#include "model/hash.hpp"
 #include "unit/io/file_size_limit.hpp"
 #include "unit/io/scratch_folder.hpp"
 #include "unit/io/small_model.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // State files: the same content however the mesh is split; restart drops later records.
-#include "brunt/io/state_file.hpp"
+#include "io/results/state_file.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/compare.hpp"
+#include "core/error.hpp"
+#include "io/results/compare.hpp"
 #include "unit/io/file_size_limit.hpp"
 #include "unit/io/scratch_folder.hpp"
 #include "unit/io/small_mesh.hpp"

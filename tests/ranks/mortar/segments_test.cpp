@@ -6,9 +6,9 @@
 #include <random>
 #include <vector>
 
-#include "brunt/comm/communicator.hpp"
-#include "brunt/contact/mortar/interface.hpp"
-#include "brunt/contact/search/facet_tree.hpp"
+#include "comm/communicator.hpp"
+#include "contact/mortar/interface.hpp"
+#include "contact/search/facet_tree.hpp"
 
 using namespace brunt;
 using namespace brunt::contact;

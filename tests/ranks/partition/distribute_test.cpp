@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "brunt/mesh/topology.hpp"
+#include "mesh/topology.hpp"
 #include "partition/dual_graph.hpp"
 #include "partition/split.hpp"
 #include "unit/partition/meshes.hpp"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The outside of a box that loses elements, dealt out to ranks at random: against the faces counted on the whole mesh.
-#include "brunt/surface/exposed.hpp"
+#include "surface/exposed.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>
 
-#include "brunt/comm/rendezvous.hpp"
+#include "comm/rendezvous.hpp"
 #include "tests/support/small_mesh.hpp"
 
 using namespace brunt;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Generated round bodies against the exact ones; bodies that stand twice; what is said of blocks that are left out.
-#include "app/bodies.hpp"
+#include "app/whole/bodies.hpp"
 
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "brunt/core/error.hpp"
-#include "brunt/scene/read.hpp"
+#include "core/error.hpp"
+#include "scene/read/read.hpp"
 
 using namespace brunt;
 using Catch::Contains;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Quantities of rigid parts: of a free body by closed form, and of a part that is less than its body by hand.
-#include "app/body_probes.hpp"
+#include "app/report/body_probes.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Durations as brunt check tells them.
-#include "app/check_implicit.hpp"
+#include "app/check/check_implicit.hpp"
 
 #include <catch2/catch.hpp>
 

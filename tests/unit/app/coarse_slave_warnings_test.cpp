@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The coarser side named as slave is told, where the two can meet and nothing else holds the finer one.
-#include "app/coarse_slave_warnings.hpp"
+#include "app/whole/coarse_slave_warnings.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/scene/read.hpp"
-#include "brunt/scene/select.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
+#include "scene/build/select.hpp"
+#include "scene/read/read.hpp"
 
 using namespace brunt;
 using Catch::Matchers::Contains;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // When contact is made, and exact sums that go through a checkpoint unchanged.
-#include "app/contact_setup.hpp"
+#include "app/state/contact_setup.hpp"
 
 #include <catch2/catch.hpp>
 

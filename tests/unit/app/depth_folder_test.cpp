@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The result folder: a killed run is gone on with, results and other questions are left alone.
-#include "app/depth_folder.hpp"
+#include "app/depth/depth_folder.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/text_file.hpp"
+#include "core/error.hpp"
 #include "depth_rows.hpp"
+#include "io/text_file.hpp"
 #include "prepared_scene.hpp"
 
 using namespace brunt;

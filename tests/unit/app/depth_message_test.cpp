@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Answers that travel between ranks arrive whole.
-#include "app/depth_message.hpp"
+#include "app/depth/depth_message.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "depth_rows.hpp"
 
 using namespace brunt;

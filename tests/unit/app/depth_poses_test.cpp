@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the moving body stands: options and files of poses.
-#include "app/depth_poses.hpp"
+#include "app/depth/depth_poses.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "prepared_scene.hpp"
 
 using namespace brunt;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is told of an answer, on the terminal and as JSON.
-#include "app/depth_report.hpp"
+#include "app/depth/depth_report.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/io/csv.hpp"
 #include "depth_rows.hpp"
+#include "io/csv.hpp"
 
 using namespace brunt;
 using Catch::Contains;

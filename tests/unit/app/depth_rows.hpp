@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An answer of `brunt depth` with nothing left at its default.
 #pragma once
-#include "app/depth_row.hpp"
+#include "app/depth/depth_row.hpp"
 
 namespace brunt::support {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of depth.csv: what is written is read back, and rows of others are refused.
-#include "app/depth_table.hpp"
+#include "app/depth/depth_table.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/csv.hpp"
+#include "core/error.hpp"
 #include "depth_rows.hpp"
+#include "io/csv.hpp"
 
 using namespace brunt;
 using Catch::Contains;

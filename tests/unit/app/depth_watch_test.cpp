@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Penetration by positions: what is told once, what ends a run, and what is none of the watch's business.
-#include "app/depth_watch.hpp"
+#include "app/watch/depth_watch.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "prepared_scene.hpp"
 
 using namespace brunt;

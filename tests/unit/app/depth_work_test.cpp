@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a question consists of, and which questions are the same.
-#include "app/depth_work.hpp"
+#include "app/depth/depth_work.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "prepared_scene.hpp"
 
 using namespace brunt;

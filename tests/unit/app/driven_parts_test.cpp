@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts that supports move through each other or through walls: reported once, with the depth that they come to.
-#include "app/driven_parts.hpp"
+#include "app/state/driven_parts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Entries of `prescribed` that do not start with the velocity of `initial`: where the two differ most.
-#include "app/driven_starts.hpp"
+#include "app/start/driven_starts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The element that a message names: where it is, and how far it is compressed.
-#include "app/element_place.hpp"
+#include "app/watch/element_place.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/stop_causes.hpp"
+#include "app/watch/stop_causes.hpp"
 #include "prepared_scene.hpp"
 
 using namespace brunt;

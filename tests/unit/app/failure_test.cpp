@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exit codes of what goes wrong, and faults that the root tells.
-#include "app/failure.hpp"
+#include "app/program/failure.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>

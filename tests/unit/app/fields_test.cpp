@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fields of state.h5 from a state whose values are known.
-#include "app/fields.hpp"
+#include "app/report/fields.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hexahedra turned inside out at a corner are found, counted and named; wedges and sheared ones are none.
-#include "brunt/force/folded.hpp"
+#include "force/folded.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Guards on made-up ledgers: what they warn of, what they stop, and what they leave alone.
-#include "app/guards.hpp"
+#include "app/state/guards.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

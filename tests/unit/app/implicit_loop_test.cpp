@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names of schemes, steps with contact, energy that walls at rest have given.
-#include "app/implicit_loop.hpp"
-#include "app/implicit_report.hpp"
+#include "app/run/implicit_loop.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/scene/read.hpp"
+#include "app/report/implicit_report.hpp"
+#include "scene/read/read.hpp"
 #include "unit/app/prepared_scene.hpp"
 
 using namespace brunt;

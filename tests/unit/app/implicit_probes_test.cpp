@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What interfaces have pushed a part with: signs of slave and master, and sums over interfaces.
-#include "app/implicit_probes.hpp"
+#include "app/report/implicit_probes.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "brunt/implicit/interface_forces.hpp"
-#include "brunt/implicit/solver.hpp"
+#include "implicit/mortar/interface_forces.hpp"
+#include "implicit/solver.hpp"
 #include "unit/app/prepared_scene.hpp"
 
 using namespace brunt;

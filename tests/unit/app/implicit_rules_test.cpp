@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What implicit scenes may not ask for, and what is said of them: one line a fault.
-#include "app/implicit_rules.hpp"
+#include "app/start/implicit_rules.hpp"
 
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
 
-#include "brunt/scene/read.hpp"
+#include "scene/read/read.hpp"
 
 using namespace brunt;
 using Catch::Contains;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which implicit steps are inadmissible by the positions at their end and on the way, and which scenes are not watched.
-#include "app/implicit_watch.hpp"
+#include "app/watch/implicit_watch.hpp"
 
 #include <catch2/catch.hpp>
 

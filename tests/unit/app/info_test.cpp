@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "app/commands.hpp"
+#include "app/program/commands.hpp"
 #include "prepared_scene.hpp"
 
 using namespace brunt;

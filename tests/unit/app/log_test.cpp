@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Figures in messages.
-#include "app/log.hpp"
+#include "app/program/log.hpp"
 
 #include <sys/file.h>
 
@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "prepared_scene.hpp"
 
 using brunt::app::reported_from;

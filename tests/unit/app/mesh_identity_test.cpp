@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The identity of a mesh: what a run takes from it changes the digits, selections of the scene do not.
-#include "app/mesh_identity.hpp"
+#include "app/whole/mesh_identity.hpp"
 
 #include <catch2/catch.hpp>
 #include <functional>
 #include <set>
 
-#include "app/same_scene.hpp"
-#include "brunt/core/error.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "app/whole/same_scene.hpp"
+#include "core/error.hpp"
+#include "mesh/primitives.hpp"
 
 using namespace brunt;
 using app::mesh_digits;

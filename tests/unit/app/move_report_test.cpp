@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages of refused moves: which nodes, elements and parts they name, and one reason at a time.
-#include "app/move_report.hpp"
+#include "app/whole/move_report.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/scene/read.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
+#include "scene/read/read.hpp"
 
 using namespace brunt;
 using Catch::Contains;

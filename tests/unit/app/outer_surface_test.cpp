@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surfaces of blocks in triangles: closed, of known volume, on the outer side of warped faces.
-#include "app/outer_surface.hpp"
+#include "app/whole/outer_surface.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "brunt/geometry/closed_surface.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "geometry/closed_surface.hpp"
+#include "mesh/primitives.hpp"
 
 using namespace brunt;
 

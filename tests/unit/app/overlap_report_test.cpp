@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is said of overlaps: names of the input, one line a pair, advice that fits what can be done.
-#include "app/overlap_report.hpp"
+#include "app/whole/overlap_report.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/scene/read.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
+#include "scene/read/read.hpp"
 
 using namespace brunt;
 using app::OverlapReport;

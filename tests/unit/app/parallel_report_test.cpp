@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Means, maxima and imbalance over ranks, and what a run on one rank reports of them.
-#include "app/parallel_report.hpp"
+#include "app/report/parallel_report.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/recording.hpp"
+#include "app/report/recording.hpp"
 #include "prepared_scene.hpp"
 
 using namespace brunt;

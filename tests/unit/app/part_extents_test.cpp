@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where parts lie.
-#include "app/part_extents.hpp"
+#include "app/check/part_extents.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

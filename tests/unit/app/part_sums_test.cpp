@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Energies and momenta of parts, also where parts share nodes, and what they sum up to.
-#include "app/part_sums.hpp"
+#include "app/report/part_sums.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "app/probes.hpp"
-#include "brunt/time/ledger.hpp"
+#include "app/report/probes.hpp"
 #include "prepared_scene.hpp"
+#include "time/ledger.hpp"
 
 using namespace brunt;
 

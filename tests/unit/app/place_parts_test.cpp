@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // initial_overlap: place - warped faces on their outer side, parts that share nodes, surfaces that are not closed.
-#include "app/place_parts.hpp"
+#include "app/whole/place_parts.hpp"
 
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "app/scene_assembly.hpp"
-#include "app/start_rules.hpp"
-#include "app/treat_overlaps.hpp"
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/scene/read.hpp"
-#include "brunt/scene/select.hpp"
+#include "app/whole/scene_assembly.hpp"
+#include "app/whole/start_rules.hpp"
+#include "app/whole/treat_overlaps.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
+#include "scene/build/select.hpp"
+#include "scene/read/read.hpp"
 
 using namespace brunt;
 

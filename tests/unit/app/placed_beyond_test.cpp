@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts that a placement moves behind rigid walls or across planes of symmetry.
-#include "app/placed_beyond.hpp"
+#include "app/whole/placed_beyond.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/scene/read.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
+#include "scene/read/read.hpp"
 
 using namespace brunt;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // From a scene file to model and state.
-#include "app/prepare.hpp"
-#include "app/whole_scene.hpp"
+#include "app/start/prepare.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
+#include "app/whole/whole_scene.hpp"
+#include "core/error.hpp"
 #include "prepared_scene.hpp"
 
 using namespace brunt;

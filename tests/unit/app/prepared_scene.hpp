@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/prepare.hpp"
-#include "brunt/time/step.hpp"
+#include "app/start/prepare.hpp"
+#include "time/step.hpp"
 
 namespace brunt::support {
 

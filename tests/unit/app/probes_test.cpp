@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Columns and values of probes: motion of a set, force on a wall and between parts.
-#include "app/probes.hpp"
+#include "app/report/probes.hpp"
 
 #include <catch2/catch.hpp>
 

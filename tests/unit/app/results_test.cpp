@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The files of a run, and the guard that watches the energy.
-#include "app/results.hpp"
+#include "app/report/results.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/restart.hpp"
-#include "brunt/core/error.hpp"
+#include "app/start/restart.hpp"
+#include "core/error.hpp"
 #include "prepared_scene.hpp"
 
 using namespace brunt;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "app/results.hpp"
+#include "app/report/results.hpp"
 #include "prepared_scene.hpp"
 
 using namespace brunt;

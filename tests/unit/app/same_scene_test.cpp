@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files of another scene are refused with the keys that differ.
-#include "app/same_scene.hpp"
+#include "app/whole/same_scene.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 using namespace brunt;
 

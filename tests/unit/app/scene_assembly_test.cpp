@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which parts of a scene move as one, in which directions, and which pairs must come apart.
-#include "app/scene_assembly.hpp"
+#include "app/whole/scene_assembly.hpp"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/start_rules.hpp"
-#include "brunt/core/error.hpp"
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/scene/read.hpp"
-#include "brunt/scene/select.hpp"
+#include "app/whole/start_rules.hpp"
+#include "core/error.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
+#include "scene/build/select.hpp"
+#include "scene/read/read.hpp"
 
 using namespace brunt;
 using BlockNumbers = std::vector<std::size_t>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Records are due at the first step at or past each multiple of their interval, whatever the steps.
-#include "app/schedule.hpp"
+#include "app/run/schedule.hpp"
 
 #include <catch2/catch.hpp>
 

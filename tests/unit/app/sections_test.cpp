@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forces and moments through sections of bars whose loads are known.
-#include "app/sections.hpp"
+#include "app/report/sections.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "app/probes.hpp"
-#include "brunt/core/error.hpp"
-#include "brunt/time/relaxation.hpp"
+#include "app/report/probes.hpp"
+#include "core/error.hpp"
 #include "prepared_scene.hpp"
+#include "time/relaxation.hpp"
 
 using namespace brunt;
 

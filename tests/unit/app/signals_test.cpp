@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a signal asks for, and for how long.
-#include "app/signals.hpp"
+#include "app/program/signals.hpp"
 
 #include <catch2/catch.hpp>
 #include <csignal>

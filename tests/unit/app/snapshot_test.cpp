@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A snapshot gives back the saved arrays, strided ones too, and leaves the others alone.
-#include "app/snapshot.hpp"
+#include "app/report/snapshot.hpp"
 
 #include <catch2/catch.hpp>
 #include <numeric>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the geometry of the start takes for the bodies is what contact takes for them in the run.
-#include "app/start_rules.hpp"
+#include "app/whole/start_rules.hpp"
 
 #include <catch2/catch.hpp>
 

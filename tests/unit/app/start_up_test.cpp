@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stages of a start have times and memory, which only grows.
-#include "app/start_up.hpp"
+#include "app/program/start_up.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

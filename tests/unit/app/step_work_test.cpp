@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Samples add up where they are wanted; pairs of contact go to elements on the side that is searched.
-#include "app/step_work.hpp"
+#include "app/state/step_work.hpp"
 
 #include <catch2/catch.hpp>
 #include <numeric>
 
-#include "brunt/comm/message_time.hpp"
+#include "comm/message_time.hpp"
 #include "unit/app/prepared_scene.hpp"
 
 using namespace brunt;

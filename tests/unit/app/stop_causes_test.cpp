@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Causes in messages: only those that the model can have.
-#include "app/stop_causes.hpp"
+#include "app/watch/stop_causes.hpp"
 
 #include <catch2/catch.hpp>
 

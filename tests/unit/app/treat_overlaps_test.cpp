@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What becomes of overlaps at the start: nodes moved out, overlaps kept as zero gap, bodies that pierce each other, and
 // meshes with coincident or shared nodes and flat faces.
-#include "app/treat_overlaps.hpp"
+#include "app/whole/treat_overlaps.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/scene/read.hpp"
-#include "brunt/scene/select.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
+#include "scene/build/select.hpp"
+#include "scene/read/read.hpp"
 #include "unit/setup/bent_bar.hpp"
 
 using namespace brunt;

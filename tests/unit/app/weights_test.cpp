@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What elements cost a rank, and which faces bring contact its work.
-#include "app/weights.hpp"
+#include "app/whole/weights.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "app/start_rules.hpp"
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/scene/read.hpp"
-#include "brunt/scene/select.hpp"
+#include "app/whole/start_rules.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
+#include "scene/build/select.hpp"
+#include "scene/read/read.hpp"
 
 using namespace brunt;
 

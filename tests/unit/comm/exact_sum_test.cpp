@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The exact accumulator against 128-bit integers and against sums whose rounding is known by hand.
-#include "brunt/comm/exact_sum.hpp"
+#include "comm/exact_sum.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a halo does on one rank alone, and what it refuses.
-#include "brunt/comm/halo.hpp"
+#include "comm/halo.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Linear systems on one rank: accuracy, repeated use, and matrices that cannot be factorised.
-#include "brunt/comm/linear_system.hpp"
+#include "comm/linear_system.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "support/sparse_problems.hpp"
 
 using namespace brunt;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages are booked where that was asked for, and nowhere else.
-#include "brunt/comm/message_time.hpp"
+#include "comm/message_time.hpp"
 
 #include <catch2/catch.hpp>
 

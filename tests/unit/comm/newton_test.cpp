@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Newton's iteration on one rank: quadratic convergence, the ways it can end, line search, exceptions.
-#include "brunt/comm/newton.hpp"
+#include "comm/newton.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 using namespace brunt;
 using comm::Communicator;

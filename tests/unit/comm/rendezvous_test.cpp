@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The block layout: every entity in one block, blocks equal but for one.
-#include "brunt/comm/rendezvous.hpp"
+#include "comm/rendezvous.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 using namespace brunt;
 using comm::BlockLayout;

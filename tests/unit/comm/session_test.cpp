@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a session leaves to the program: its exit code, its signals, its user's files. Each test starts this test
 // program again, as a process of its own, on one of the hidden tests at the end.
-#include "brunt/comm/session.hpp"
+#include "comm/session.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>

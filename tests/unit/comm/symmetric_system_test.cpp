@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The inertia of symmetric matrices L D L^T with known D (Sylvester's law), and of saddle points.
-#include "brunt/comm/symmetric_system.hpp"
+#include "comm/symmetric_system.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

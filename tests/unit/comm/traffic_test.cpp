@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sums and differences of counters; on one rank nothing is sent.
-#include "brunt/comm/traffic.hpp"
+#include "comm/traffic.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "brunt/comm/halo.hpp"
+#include "comm/halo.hpp"
 
 using namespace brunt;
 using comm::Traffic;

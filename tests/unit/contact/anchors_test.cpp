@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Anchors move with what holds them and are dropped by distance alone.
-#include "brunt/contact/anchors.hpp"
+#include "contact/anchors/anchors.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

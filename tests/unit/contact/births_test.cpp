@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/births.hpp"
+#include "contact/births.hpp"
 
 #include <catch2/catch.hpp>
 

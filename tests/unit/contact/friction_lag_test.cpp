@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "brunt/contact/data/row_matrix.hpp"
-#include "brunt/contact/friction.hpp"
+#include "contact/anchors/friction.hpp"
+#include "contact/data/row_matrix.hpp"
 
 using namespace brunt;
 using contact::LimitRecord, contact::Row;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The second order of a gap against the exact motion of bodies that turn, and where no multiple of impulses gains
 // enough.
-#include "src/contact/jams.hpp"
+#include "contact/jams.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

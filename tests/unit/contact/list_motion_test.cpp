@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/list_motion.hpp"
+#include "contact/lists/list_motion.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

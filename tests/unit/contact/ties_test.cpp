@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ties are found once, keep their place against a face that turns, and ask for what has crept back.
-#include "brunt/contact/ties.hpp"
+#include "contact/anchors/ties.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-#include "brunt/contact/data/tolerances.hpp"
+#include "contact/data/tolerances.hpp"
 
 using namespace brunt;
 using contact::Row;

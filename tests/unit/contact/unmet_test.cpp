@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows without a solution, among bodies that move along one line: rows are then differences, and there is a solution if
 // and only if no cycle of bodies adds up to a positive rate. Cycles are counted here, the rows found by the iteration.
-#include "brunt/contact/unmet.hpp"
+#include "contact/unmet.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Binned sums: the same bits in any order and in any parts, as accurate as adding in extended precision.
-#include "brunt/core/binned_sum.hpp"
+#include "core/binned_sum.hpp"
 
 #include <catch2/catch.hpp>
 #include <numeric>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tables of corners agree with each other and with the parent cube.
-#include "brunt/core/cells.hpp"
+#include "core/cells.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <set>
 
-#include "brunt/core/types.hpp"
+#include "core/types.hpp"
 
 using namespace brunt;
 

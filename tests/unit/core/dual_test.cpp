@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/core/dual.hpp"
+#include "core/dual.hpp"
 
 #include <catch2/catch.hpp>
 

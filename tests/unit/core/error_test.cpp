@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Faults of the input line by line; faults of our own are told from them.
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Quotations in messages.
-#include "brunt/core/excerpt.hpp"
+#include "core/excerpt.hpp"
 
 #include <catch2/catch.hpp>
 

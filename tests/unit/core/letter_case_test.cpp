@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Upper and lower case of every byte.
-#include "brunt/core/letter_case.hpp"
+#include "core/letter_case.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>

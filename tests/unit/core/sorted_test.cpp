@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sorted arrays against counting by hand.
-#include "brunt/core/sorted.hpp"
+#include "core/sorted.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/core/union_find.hpp"
+#include "core/union_find.hpp"
 
 #include <catch2/catch.hpp>
 

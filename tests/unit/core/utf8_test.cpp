@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Text in UTF-8, and text that is none.
-#include "brunt/core/utf8.hpp"
+#include "core/utf8.hpp"
 
 #include <catch2/catch.hpp>
 

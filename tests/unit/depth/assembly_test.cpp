@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Placing several bodies at once: exact answers of boxes, held directions, and what cannot be separated.
-#include "brunt/depth/assembly.hpp"
+#include "depth/assembly.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "brunt/depth/encounter.hpp"
+#include "depth/encounter.hpp"
 #include "support/depth_bodies.hpp"
 #include "support/surface_samples.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Convex pairs against closed forms, and against sampling of directions: no direction separates sooner.
-#include "brunt/depth/convex_pair.hpp"
+#include "depth/convex_pair.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "brunt/depth/penetration_depth.hpp"
+#include "depth/penetration_depth.hpp"
 #include "tests/support/depth_bodies.hpp"
 #include "tests/support/random_motion.hpp"
 

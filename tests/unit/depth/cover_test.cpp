@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The certificate: proofs are checked against placements at random, bounds against closed forms.
-#include "brunt/depth/cover.hpp"
+#include "depth/cover.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/depth/penetration_depth.hpp"
+#include "depth/penetration_depth.hpp"
 #include "tests/support/depth_bodies.hpp"
 #include "tests/support/random_motion.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bodies, collisions and lower bounds of simple shapes.
-#include "brunt/depth/encounter.hpp"
+#include "depth/encounter.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/depth/lower_bound.hpp"
+#include "depth/lower_bound.hpp"
 #include "tests/support/depth_bodies.hpp"
 #include "tests/support/random_motion.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/depth/extreme_points.hpp"
+#include "depth/extreme_points.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The lower bound at one placement is the greatest over all points.
-#include "brunt/depth/lower_bound.hpp"
+#include "depth/lower_bound.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Metrics of rigid motions against their definitions: the maximum over vertices, the integral over the volume.
-#include "brunt/depth/metric.hpp"
+#include "depth/metric.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "brunt/rigid/surface_moments.hpp"
+#include "rigid/surface_moments.hpp"
 #include "tests/support/random_motion.hpp"
 
 using namespace brunt;

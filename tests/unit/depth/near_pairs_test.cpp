@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Linear conditions and their second-order corrections against the motion itself.
-#include "brunt/depth/near_pairs.hpp"
+#include "depth/near_pairs.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one call: closed forms, disjoint and contained bodies, frames, order, certificates of contact.
-#include "brunt/depth/penetration_depth.hpp"
+#include "depth/penetration_depth.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

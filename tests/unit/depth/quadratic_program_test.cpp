@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The dual active-set method against enumeration of all active sets (3 unknowns) and the conditions of Karush, Kuhn and
 // Tucker, which are sufficient here (6 and 7 unknowns); proofs of infeasibility are checked as such.
-#include "brunt/depth/quadratic_program.hpp"
+#include "depth/quadratic_program.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rigid motions against each other and against their definitions, with angles from 1e-12 to pi.
-#include "brunt/depth/rigid_motion.hpp"
+#include "depth/rigid_motion.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

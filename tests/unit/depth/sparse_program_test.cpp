@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Programs of any size with short rows: the same answers as the fixed-size method, the conditions of Karush, Kuhn and
 // Tucker with many unknowns, and proofs of infeasibility.
-#include "brunt/depth/sparse_program.hpp"
+#include "depth/sparse_program.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

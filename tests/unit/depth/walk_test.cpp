@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Starts, local steps and walks.
-#include "brunt/depth/walk.hpp"
+#include "depth/walk.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/depth/starts.hpp"
+#include "depth/starts.hpp"
 #include "tests/support/depth_bodies.hpp"
 #include "tests/support/random_motion.hpp"
 

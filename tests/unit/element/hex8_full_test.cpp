@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/element/hex8_full.hpp"
+#include "element/hex8_full.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "brunt/material/elastic.hpp"
-#include "brunt/material/j2.hpp"
-#include "brunt/material/neo_hookean.hpp"
+#include "material/elastic.hpp"
+#include "material/j2.hpp"
+#include "material/neo_hookean.hpp"
 #include "support/element_bench.hpp"
 
 using namespace brunt;

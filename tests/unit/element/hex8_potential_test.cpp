@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "brunt/element/hex8.hpp"
-#include "brunt/material/elastic.hpp"
-#include "brunt/material/neo_hookean.hpp"
+#include "element/hex8.hpp"
+#include "material/elastic.hpp"
+#include "material/neo_hookean.hpp"
 #include "support/element_bench.hpp"
 
 using namespace brunt;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/element/hex8.hpp"
+#include "element/hex8.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <numbers>
 
-#include "brunt/material/elastic.hpp"
-#include "brunt/material/j2.hpp"
-#include "brunt/material/neo_hookean.hpp"
+#include "material/elastic.hpp"
+#include "material/j2.hpp"
+#include "material/neo_hookean.hpp"
 #include "support/element_bench.hpp"
 
 using namespace brunt;

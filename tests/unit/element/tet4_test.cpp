@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/element/tet4.hpp"
+#include "element/tet4.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "brunt/material/elastic.hpp"
-#include "brunt/material/neo_hookean.hpp"
+#include "material/elastic.hpp"
+#include "material/neo_hookean.hpp"
 #include "support/element_bench.hpp"
 
 using namespace brunt;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Linear elements against the elements that they stand for.
-#include "brunt/force/assembled.hpp"
+#include "force/assembled.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mass and loads on single faces and elements, against values by hand.
-#include "brunt/force/loads.hpp"
+#include "force/loads.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
 
-#include "brunt/core/error.hpp"
-#include "brunt/force/dead_loads.hpp"
-#include "brunt/force/folded.hpp"
-#include "brunt/force/pressure_tangent.hpp"
+#include "core/error.hpp"
+#include "force/dead_loads.hpp"
+#include "force/folded.hpp"
+#include "force/pressure_tangent.hpp"
 #include "support/element_block.hpp"
 
 using namespace brunt;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // g++ 12 takes the undefined lanes of its own AVX-512 intrinsics for a fault (GCC bug 105593); Eigen brings them in
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include "brunt/force/tangent.hpp"
+#include "force/tangent.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "support/eigenvalues.hpp"
 #include "support/element_block.hpp"
 

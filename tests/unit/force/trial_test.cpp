@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/force/trial.hpp"
+#include "force/trial.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstring>

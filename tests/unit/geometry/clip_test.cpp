@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Known overlaps, polygons that touch or coincide, areas of tilings, slopes against differences.
-#include "brunt/geometry/clip.hpp"
+#include "geometry/clip.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "brunt/core/dual.hpp"
+#include "core/dual.hpp"
 
 using namespace brunt;
 using namespace brunt::geometry;

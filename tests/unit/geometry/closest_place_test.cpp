@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eight closest points at a time against closest_point, which has tests of its own.
-#include "brunt/geometry/closest_place.hpp"
+#include "geometry/closest_place.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <limits>
 #include <random>
 
-#include "brunt/geometry/closest_point.hpp"
+#include "geometry/closest_point.hpp"
 
 using namespace brunt;
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "brunt/geometry/closest_point.hpp"
+#include "geometry/closest_point.hpp"
 #include "shots.hpp"
 
 using brunt::Vec3;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Closest points against exact values on rectangles and against a dense search on warped faces.
-#include "brunt/geometry/closest_point.hpp"
+#include "geometry/closest_point.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

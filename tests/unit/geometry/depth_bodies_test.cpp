@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "brunt/geometry/slab_tree.hpp"
+#include "geometry/slab_tree.hpp"
 
 using namespace brunt;
 

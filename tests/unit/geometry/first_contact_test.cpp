@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tunnelling (case E7): shots built backwards from their meeting, and misses against independent searches.
-#include "brunt/geometry/first_contact.hpp"
+#include "geometry/first_contact.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "brunt/geometry/triangle_pair.hpp"
+#include "geometry/triangle_pair.hpp"
 
 namespace brunt::geometry::testing {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Segments through triangles and bilinear quadrilaterals.
-#include "brunt/geometry/segment_face.hpp"
+#include "geometry/segment_face.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of a segment in a cell, against points along it that are judged by planes.
-#include "brunt/geometry/segment_in_cell.hpp"
+#include "geometry/segment_in_cell.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "brunt/core/cells.hpp"
+#include "core/cells.hpp"
 
 using namespace brunt;
 using namespace brunt::geometry;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Segments: nearest points against dense search, meetings of moving edges built backwards (case E3).
-#include "brunt/geometry/segments.hpp"
+#include "geometry/segments.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

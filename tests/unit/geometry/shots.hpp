@@ -5,7 +5,7 @@
 #include <array>
 #include <random>
 
-#include "brunt/geometry/first_contact.hpp"
+#include "geometry/first_contact.hpp"
 
 namespace brunt::geometry::testing {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/block_sums.hpp"
+#include "implicit/mortar/block_sums.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "brunt/implicit/balance.hpp"
-#include "brunt/implicit/commit.hpp"
-#include "brunt/implicit/mortar.hpp"
+#include "implicit/balance.hpp"
+#include "implicit/commit.hpp"
+#include "implicit/mortar/mortar.hpp"
 #include "support/implicit_system.hpp"
 #include "support/side_by_side.hpp"
 

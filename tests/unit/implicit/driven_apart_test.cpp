@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Supports that drive the sides of a tie apart, from their curves alone and from a state.
-#include "brunt/implicit/driven_apart.hpp"
+#include "implicit/driven_apart.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;

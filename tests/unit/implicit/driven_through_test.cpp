@@ -2,11 +2,11 @@
 // Bodies that supports drive through each other or through a wall are told of once, with their depth.
 #include <catch2/catch.hpp>
 
-#include "brunt/implicit/commit.hpp"
-#include "brunt/implicit/driven_apart.hpp"
-#include "brunt/implicit/step.hpp"
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "implicit/commit.hpp"
+#include "implicit/driven_apart.hpp"
+#include "implicit/step.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;

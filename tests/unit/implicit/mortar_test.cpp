@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact as part of the system: its matrix against differences, momentum, what supports take out.
-#include "brunt/implicit/mortar.hpp"
+#include "implicit/mortar/mortar.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "brunt/implicit/balance.hpp"
-#include "brunt/implicit/commit.hpp"
-#include "brunt/implicit/step.hpp"
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "implicit/balance.hpp"
+#include "implicit/commit.hpp"
+#include "implicit/step.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/implicit_system.hpp"
 #include "support/simulation.hpp"
 

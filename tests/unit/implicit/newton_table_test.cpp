@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/newton_table.hpp"
+#include "implicit/newton_table.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "brunt/implicit/solver.hpp"
+#include "implicit/solver.hpp"
 #include "support/side_by_side.hpp"
 
 using namespace brunt;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rigid bodies as part of the system: its matrix against differences, motions with closed forms, energy.
-#include "brunt/implicit/rigid_bodies.hpp"
+#include "implicit/rigid_bodies.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "brunt/implicit/balance.hpp"
-#include "brunt/implicit/commit.hpp"
-#include "brunt/implicit/ledger.hpp"
-#include "brunt/implicit/step.hpp"
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "implicit/balance.hpp"
+#include "implicit/commit.hpp"
+#include "implicit/ledger.hpp"
+#include "implicit/step.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/implicit_system.hpp"
 #include "support/simulation.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/rigid_walls.hpp"
+#include "implicit/walls/rigid_walls.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One oscillator, m = 1, force -w^2 u: the schemes against their known amplification and order.
-#include "brunt/implicit/scheme.hpp"
+#include "implicit/data/scheme.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact of a part with itself as part of the system: its matrix against differences, what can meet and what cannot.
-#include "brunt/implicit/self_contact.hpp"
+#include "implicit/mortar/self_contact.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "brunt/contact/mortar/corners.hpp"
-#include "brunt/implicit/balance.hpp"
-#include "brunt/implicit/commit.hpp"
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "contact/mortar/corners.hpp"
+#include "implicit/balance.hpp"
+#include "implicit/commit.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/implicit_system.hpp"
 #include "support/simulation.hpp"
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The matrix of a trial step against differences of its residual, and the solver's parts on a small body.
-#include "brunt/implicit/stiffness.hpp"
+#include "implicit/data/stiffness.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "brunt/implicit/balance.hpp"
-#include "brunt/implicit/commit.hpp"
-#include "brunt/implicit/step.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "implicit/balance.hpp"
+#include "implicit/commit.hpp"
+#include "implicit/step.hpp"
+#include "mesh/primitives.hpp"
 #include "support/implicit_system.hpp"
 #include "support/simulation.hpp"
 

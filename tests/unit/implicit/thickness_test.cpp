@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/thickness.hpp"
+#include "implicit/mortar/thickness.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "mesh/primitives.hpp"
+#include "mesh/topology.hpp"
 
 using namespace brunt;
 using contact::FacetNodes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/wall_node.hpp"
+#include "implicit/walls/wall_node.hpp"
 
 #include <Eigen/Geometry>
 #include <array>

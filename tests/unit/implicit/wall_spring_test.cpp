@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/implicit/wall_spring.hpp"
+#include "implicit/walls/wall_spring.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "abaqus_text.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "mesh/topology.hpp"
 
 using namespace brunt;
 using test::fault_of;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Small Abaqus input files, in one piece and as parts with instances, and what is refused with its line.
-#include "brunt/io/abaqus.hpp"
+#include "io/mesh/abaqus.hpp"
 
 #include <fmt/core.h>
 
@@ -9,7 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "abaqus_text.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "mesh/topology.hpp"
 
 using namespace brunt;
 using test::fault_of;

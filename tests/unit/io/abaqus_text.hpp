@@ -4,8 +4,8 @@
 #include <fstream>
 #include <string>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/mesh_file.hpp"
+#include "core/error.hpp"
+#include "io/mesh/mesh_file.hpp"
 #include "own_folder.hpp"
 
 namespace brunt::test {

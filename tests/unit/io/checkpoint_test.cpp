@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checkpoints: damage is found, other models are refused, the last two are kept, a full disk loses nothing.
-#include "brunt/io/checkpoint.hpp"
+#include "io/results/checkpoint.hpp"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/hdf5.hpp"
-#include "brunt/model/hash.hpp"
+#include "core/error.hpp"
 #include "file_size_limit.hpp"
+#include "io/hdf5.hpp"
+#include "model/hash.hpp"
 #include "scratch_folder.hpp"
 #include "small_model.hpp"
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Comparison: the size, time and place of the largest difference; what cannot be compared; NaN.
-#include "brunt/io/compare.hpp"
+#include "io/results/compare.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/checkpoint.hpp"
-#include "brunt/io/text_file.hpp"
+#include "core/error.hpp"
+#include "io/results/checkpoint.hpp"
+#include "io/text_file.hpp"
 #include "scratch_folder.hpp"
 #include "small_mesh.hpp"
 #include "small_model.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fields between commas, and tables with quotes: what is written is read back.
-#include "brunt/io/csv.hpp"
+#include "io/csv.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles of polygons: their areas add up, and none is turned over.
-#include "src/io/ear_clipping.hpp"
+#include "io/surface/ear_clipping.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

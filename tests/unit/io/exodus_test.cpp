@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exodus meshes written by the library itself, then read, cut off, damaged.
-#include "brunt/io/exodus.hpp"
+#include "io/mesh/exodus.hpp"
 
 #include <exodusII.h>
 #include <netcdf.h>
@@ -12,9 +12,9 @@
 #include <fstream>
 #include <random>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/mesh_file.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "core/error.hpp"
+#include "io/mesh/mesh_file.hpp"
+#include "mesh/topology.hpp"
 
 using namespace brunt;
 using mesh::Side;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Small Gmsh files, both versions, and what is refused with its line.
-#include "brunt/io/gmsh.hpp"
+#include "io/mesh/gmsh.hpp"
 
 #include <unistd.h>
 
@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/mesh_file.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "core/error.hpp"
+#include "io/mesh/mesh_file.hpp"
+#include "mesh/topology.hpp"
 
 using namespace brunt;
 using mesh::Side;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // history.csv: exact numbers, restart, and faults with their line.
-#include "brunt/io/history.hpp"
+#include "io/results/history.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/text_file.hpp"
+#include "core/error.hpp"
+#include "io/text_file.hpp"
 #include "scratch_folder.hpp"
 
 using namespace brunt;

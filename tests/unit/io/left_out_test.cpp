@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/mesh_file.hpp"
+#include "core/error.hpp"
+#include "io/mesh/mesh_file.hpp"
 #include "unit/io/own_folder.hpp"
 
 using namespace brunt;

@@ -2,10 +2,10 @@
 // What ranks have measured is read back from a checkpoint, which is the same checkpoint without it.
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/checkpoint.hpp"
-#include "brunt/io/compare.hpp"
-#include "brunt/io/hdf5.hpp"
+#include "core/error.hpp"
+#include "io/hdf5.hpp"
+#include "io/results/checkpoint.hpp"
+#include "io/results/compare.hpp"
 #include "scratch_folder.hpp"
 #include "small_model.hpp"
 

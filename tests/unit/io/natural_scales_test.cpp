@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scales of quantities that are small differences of large ones.
-#include "src/io/natural_scales.hpp"
+#include "io/results/natural_scales.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "brunt/io/compare.hpp"
-#include "brunt/io/state_file.hpp"
-#include "brunt/io/text_file.hpp"
+#include "io/results/compare.hpp"
+#include "io/results/state_file.hpp"
+#include "io/text_file.hpp"
 #include "scratch_folder.hpp"
 #include "small_mesh.hpp"
 

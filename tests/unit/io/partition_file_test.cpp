@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A partition is read back; other files and parts out of range are refused by name.
-#include "brunt/io/partition_file.hpp"
+#include "io/results/partition_file.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/hdf5.hpp"
+#include "core/error.hpp"
+#include "io/hdf5.hpp"
 #include "scratch_folder.hpp"
 
 using namespace brunt;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Faces of more than three corners, read from OBJ text: areas, sense and the choice of diagonals.
-#include "src/io/polygons.hpp"
+#include "io/surface/polygons.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "brunt/io/surface_file.hpp"
+#include "io/surface/surface_file.hpp"
 #include "support/surface_samples.hpp"
 
 using namespace brunt;

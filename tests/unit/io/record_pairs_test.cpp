@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Records belong together by step, then by time; each has one partner at most.
-#include "brunt/io/record_pairs.hpp"
+#include "io/results/record_pairs.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The result folder and its summary.
-#include "brunt/io/result_folder.hpp"
+#include "io/results/result_folder.hpp"
 
 #include <catch2/catch.hpp>
 #include <chrono>
@@ -8,9 +8,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/summary.hpp"
-#include "brunt/io/text_file.hpp"
+#include "core/error.hpp"
+#include "io/results/summary.hpp"
+#include "io/text_file.hpp"
 #include "scratch_folder.hpp"
 
 using namespace brunt;

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "brunt/comm/communicator.hpp"
+#include "comm/communicator.hpp"
 
 namespace brunt::test {
 

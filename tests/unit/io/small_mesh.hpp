@@ -3,8 +3,8 @@
 #pragma once
 #include <vector>
 
-#include "brunt/comm/communicator.hpp"
-#include "brunt/io/state_file.hpp"
+#include "comm/communicator.hpp"
+#include "io/results/state_file.hpp"
 
 namespace brunt::test {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "brunt/comm/communicator.hpp"
-#include "brunt/model/registry.hpp"
+#include "comm/communicator.hpp"
+#include "model/registry.hpp"
 
 namespace brunt::test {
 

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "brunt/core/error.hpp"
-#include "brunt/io/surface_file.hpp"
+#include "core/error.hpp"
+#include "io/surface/surface_file.hpp"
 #include "support/surface_samples.hpp"
 
 using namespace brunt;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The same surfaces from every format, to the last bit.
-#include "brunt/io/surface_file.hpp"
+#include "io/surface/surface_file.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <numbers>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "own_folder.hpp"
 #include "support/surface_samples.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The XDMF text names the tables of state.h5 with their sizes.
-#include "brunt/io/xdmf.hpp"
+#include "io/results/xdmf.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/material/elastic.hpp"
+#include "material/elastic.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/material/exponential.hpp"
+#include "material/exponential.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/material/foam.hpp"
+#include "material/foam.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

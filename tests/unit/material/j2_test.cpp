@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/material/j2.hpp"
+#include "material/j2.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/material/logarithm.hpp"
+#include "material/logarithm.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/material/metal.hpp"
+#include "material/metal.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>

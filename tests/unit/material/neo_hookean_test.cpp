@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/material/neo_hookean.hpp"
+#include "material/neo_hookean.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/material/yield_curve.hpp"
+#include "material/yield_curve.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 using brunt::InputError;
 using brunt::material::YieldCurve;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bodies in their places, side by side in one mesh.
-#include "brunt/mesh/assemble.hpp"
+#include "mesh/assemble.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "brunt/core/error.hpp"
-#include "brunt/mesh/check.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "core/error.hpp"
+#include "mesh/check.hpp"
+#include "mesh/primitives.hpp"
+#include "mesh/topology.hpp"
 
 using namespace brunt;
 using namespace brunt::mesh;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "brunt/core/cells.hpp"
-#include "brunt/mesh/mesh.hpp"
+#include "core/cells.hpp"
+#include "mesh/mesh.hpp"
 
 namespace brunt::mesh {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The canonical order: a permutation, local, of the mesh alone, exact in its coordinates.
-#include "brunt/mesh/canonical.hpp"
+#include "mesh/canonical.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
 #include <set>
 
-#include "brunt/mesh/topology.hpp"
+#include "mesh/topology.hpp"
 
 using namespace brunt;
 using namespace brunt::mesh;

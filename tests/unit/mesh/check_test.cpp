@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every fault a mesh can have is found and named by the input's numbers; what is legal passes.
-#include "brunt/mesh/check.hpp"
+#include "mesh/check.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/primitives.hpp"
 
 using namespace brunt;
 using namespace brunt::mesh;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Elements along a line: even ones, those that grow, and those of given sizes at places.
-#include "brunt/mesh/division.hpp"
+#include "mesh/division.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
-#include "brunt/mesh/check.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "core/error.hpp"
+#include "mesh/check.hpp"
+#include "mesh/primitives.hpp"
 
 using namespace brunt;
 using namespace brunt::mesh;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Elements that are there twice, on the same nodes or in the same place, and elements too small for their coordinates.
-#include "brunt/mesh/duplicate_elements.hpp"
+#include "mesh/duplicate_elements.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/check.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/mesh/resolution.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/check.hpp"
+#include "mesh/primitives.hpp"
+#include "mesh/resolution.hpp"
 
 using namespace brunt;
 using namespace brunt::mesh;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every face is in the row of its lowest node once, and its side is told back.
-#include "brunt/mesh/face_rows.hpp"
+#include "mesh/face_rows.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/primitives.hpp"
 
 using namespace brunt;
 using namespace brunt::mesh;

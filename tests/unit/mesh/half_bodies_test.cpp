@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "brunt/core/error.hpp"
-#include "brunt/mesh/check.hpp"
-#include "brunt/mesh/round_bodies.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "core/error.hpp"
+#include "mesh/check.hpp"
+#include "mesh/round_bodies.hpp"
+#include "mesh/topology.hpp"
 
 using namespace brunt;
 using namespace brunt::mesh;

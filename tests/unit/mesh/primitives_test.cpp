@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Generated bodies against solid geometry: volume, closed surfaces, area and place of the named sets.
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/primitives.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -8,9 +8,9 @@
 #include <map>
 #include <numbers>
 
-#include "brunt/core/error.hpp"
-#include "brunt/mesh/check.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "core/error.hpp"
+#include "mesh/check.hpp"
+#include "mesh/topology.hpp"
 
 using namespace brunt;
 using namespace brunt::mesh;

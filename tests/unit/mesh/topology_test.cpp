@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Faces of full and degenerate elements, the outside of small meshes, connected bodies.
-#include "brunt/mesh/topology.hpp"
+#include "mesh/topology.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/model/curve.hpp"
+#include "model/curve.hpp"
 
 #include <catch2/catch.hpp>
 

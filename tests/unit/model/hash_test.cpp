@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state hash: sees every bit and every place, and not how the state is split or stored.
-#include "brunt/model/hash.hpp"
+#include "model/hash.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "brunt/mesh/canonical.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "mesh/canonical.hpp"
+#include "mesh/topology.hpp"
 #include "partition/dual_graph.hpp"
 #include "partition/quality.hpp"
 #include "unit/partition/meshes.hpp"

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "brunt/mesh/canonical.hpp"
+#include "mesh/canonical.hpp"
 #include "partition/dual_graph.hpp"
 #include "unit/partition/meshes.hpp"
 

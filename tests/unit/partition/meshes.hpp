@@ -5,7 +5,7 @@
 #include <numeric>
 #include <string>
 
-#include "brunt/mesh/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace brunt::partition::test {
 

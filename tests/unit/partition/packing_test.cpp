@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <span>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 
 using namespace brunt;
 

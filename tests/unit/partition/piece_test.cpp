@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "brunt/mesh/topology.hpp"
+#include "mesh/topology.hpp"
 #include "unit/partition/meshes.hpp"
 
 using namespace brunt;

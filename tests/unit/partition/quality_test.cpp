@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "brunt/mesh/topology.hpp"
+#include "mesh/topology.hpp"
 #include "partition/dual_graph.hpp"
 #include "unit/partition/meshes.hpp"
 

@@ -7,8 +7,8 @@
 #include <set>
 #include <vector>
 
-#include "brunt/mesh/canonical.hpp"
-#include "brunt/mesh/topology.hpp"
+#include "mesh/canonical.hpp"
+#include "mesh/topology.hpp"
 #include "partition/dual_graph.hpp"
 #include "partition/quality.hpp"
 #include "unit/partition/meshes.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The free rigid body against the exact solution of Euler's equations (L. D. Landau, E. M. Lifshitz, Mechanics, 37).
-#include "brunt/rigid/body.hpp"
+#include "rigid/body.hpp"
 
 #include <Eigen/LU>
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mass properties of elements against closed forms and against each other.
-#include "brunt/rigid/mass_properties.hpp"
+#include "rigid/mass_properties.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/rigid/rotation.hpp"
+#include "rigid/rotation.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bodies with held and driven degrees of freedom.
-#include "brunt/rigid/support.hpp"
+#include "rigid/support.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

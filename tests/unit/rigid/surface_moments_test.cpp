@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Moments of closed surfaces against bricks and against table D of the reference values (pawn, mallet, L).
-#include "brunt/rigid/surface_moments.hpp"
+#include "rigid/surface_moments.hpp"
 
 #include <catch2/catch.hpp>
 

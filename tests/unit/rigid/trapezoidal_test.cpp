@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/rigid/trapezoidal.hpp"
+#include "rigid/trapezoidal.hpp"
 
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
 
-#include "brunt/rigid/rotation.hpp"
+#include "rigid/rotation.hpp"
 
 using namespace brunt;
 using namespace brunt::rigid;

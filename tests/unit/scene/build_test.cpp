@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the entries of `contact` come to for each pair of blocks.
-#include "brunt/scene/build.hpp"
+#include "scene/build/build.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/scene/read.hpp"
+#include "scene/read/read.hpp"
 #include "unit/scene/good_scene.hpp"
 
 using namespace brunt;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "brunt/scene/read.hpp"
+#include "scene/read/read.hpp"
 
 using namespace brunt;
 using namespace brunt::scene;

@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
-#include "brunt/scene/read.hpp"
+#include "core/error.hpp"
+#include "scene/read/read.hpp"
 
 using namespace brunt;
 using namespace brunt::scene;

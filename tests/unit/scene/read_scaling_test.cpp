@@ -4,9 +4,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
-#include "brunt/scene/fingerprint.hpp"
-#include "brunt/scene/read.hpp"
+#include "core/error.hpp"
+#include "scene/read/read.hpp"
+#include "scene/text/fingerprint.hpp"
 #include "unit/scene/good_scene.hpp"
 
 using namespace brunt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/scene/read.hpp"
+#include "scene/read/read.hpp"
 
 #include <fmt/format.h>
 

@@ -2,11 +2,11 @@
 // The small pieces reading stands on: curves, durations, units, nearest words.
 #include <catch2/catch.hpp>
 
-#include "brunt/scene/curve.hpp"
-#include "brunt/scene/duration.hpp"
-#include "brunt/scene/input.hpp"
-#include "brunt/scene/nearest.hpp"
-#include "brunt/scene/units.hpp"
+#include "scene/curve.hpp"
+#include "scene/input.hpp"
+#include "scene/text/duration.hpp"
+#include "scene/text/nearest.hpp"
+#include "scene/text/units.hpp"
 
 using namespace brunt::scene;
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a scene selects in its mesh, and what is told of selections that the mesh does not have: the line and key of the
 // scene, what is wrong, what is accepted.
-#include "brunt/scene/select.hpp"
+#include "scene/build/select.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/local_mesh.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/scene/read.hpp"
+#include "core/error.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/local_mesh.hpp"
+#include "mesh/primitives.hpp"
+#include "scene/read/read.hpp"
 
 using namespace brunt;
 using namespace brunt::scene;

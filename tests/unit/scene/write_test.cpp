@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A tree as YAML again: what is read from it is the same tree.
-#include "brunt/scene/write.hpp"
+#include "scene/text/write.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>
 
-#include "brunt/scene/fingerprint.hpp"
+#include "scene/text/fingerprint.hpp"
 
 using namespace brunt;
 using scene::Tree;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "brunt/core/error.hpp"
-#include "brunt/scene/read.hpp"
+#include "core/error.hpp"
+#include "scene/read/read.hpp"
 #include "unit/scene/good_scene.hpp"
 
 using namespace brunt;

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "brunt/scene/tree.hpp"
+#include "scene/text/tree.hpp"
 
 using namespace brunt;
 using namespace brunt::scene;

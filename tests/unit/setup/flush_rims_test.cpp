@@ -3,10 +3,10 @@
 // that do pierce beside a sharp rim are found all the same.
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/setup/initial_gaps.hpp"
-#include "brunt/setup/piercings.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
+#include "setup/initial_gaps.hpp"
+#include "setup/piercings.hpp"
 #include "unit/setup/rules.hpp"
 
 using namespace brunt;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gaps and overlaps of two cubes at known places: depth and count.
-#include "brunt/setup/initial_gaps.hpp"
+#include "setup/initial_gaps.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "unit/setup/bent_bar.hpp"
 #include "unit/setup/rules.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two cubes of 4^3 elements: who is foretold to touch whom follows from their places and velocities.
-#include "brunt/setup/likely_slaves.hpp"
+#include "setup/likely_slaves.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "brunt/mesh/topology.hpp"
+#include "mesh/topology.hpp"
 #include "unit/partition/meshes.hpp"
 
 using namespace brunt;

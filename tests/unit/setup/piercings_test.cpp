@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A rod through a plate: no node of either is inside the other.
-#include "brunt/setup/piercings.hpp"
+#include "setup/piercings.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 
 using namespace brunt;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rules of blocks that all may touch each other, and themselves where asked.
 #pragma once
-#include "brunt/setup/start_rules.hpp"
+#include "setup/start_rules.hpp"
 
 namespace brunt::test {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The slave foretold: the finer of two bodies, or the one that the rules name.
-#include "brunt/setup/slave_choice.hpp"
+#include "setup/slave_choice.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "unit/setup/rules.hpp"
 
 using namespace brunt;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surface nodes against a solid: another one, and their own.
-#include "brunt/setup/solids.hpp"
+#include "setup/solids.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/primitives.hpp"
 #include "unit/setup/bent_bar.hpp"
 
 using namespace brunt;

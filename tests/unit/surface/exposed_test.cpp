@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The outside of a row of three cubes that loses them one by one, counted by hand; on many ranks, against the whole
 // mesh: tests/ranks/surface.
-#include "brunt/surface/exposed.hpp"
+#include "surface/exposed.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "brunt/mesh/topology.hpp"
+#include "mesh/topology.hpp"
 #include "tests/support/small_mesh.hpp"
 
 using namespace brunt;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bound of the assembled mesh against exact largest frequencies: never below them, and close.
-#include "brunt/time/assembled_step.hpp"
+#include "time/assembled_step.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
-#include "brunt/mesh/assemble.hpp"
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/assemble.hpp"
+#include "mesh/primitives.hpp"
 #include "support/dense_mesh.hpp"
 #include "support/simulation.hpp"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/time/lanczos.hpp"
+#include "time/lanczos.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "brunt/mesh/primitives.hpp"
-#include "brunt/time/assembled_step.hpp"
+#include "mesh/primitives.hpp"
 #include "support/dense_mesh.hpp"
 #include "support/simulation.hpp"
+#include "time/assembled_step.hpp"
 
 using namespace brunt;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Central differences on nodes whose forces are given: exact values of the scheme itself, no elements.
-#include "brunt/time/motion.hpp"
+#include "time/motion.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

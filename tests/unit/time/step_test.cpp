@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The size of steps, and what the ledger says of them.
-#include "brunt/time/step.hpp"
+#include "time/step.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "brunt/mesh/primitives.hpp"
+#include "mesh/primitives.hpp"
 #include "support/simulation.hpp"
 
 using namespace brunt;

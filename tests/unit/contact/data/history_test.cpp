@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Records of contact by key: what a step finds again, what it leaves, and the way through tables.
-#include "brunt/contact/data/history.hpp"
+#include "contact/data/history.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of any length in compressed storage, and keys as they are saved.
-#include "brunt/contact/data/row_matrix.hpp"
+#include "contact/data/row_matrix.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

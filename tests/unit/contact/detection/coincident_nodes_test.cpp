@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nodes that lie on each other: where one row holds both, and where it does not.
-#include "brunt/contact/detection/coincident_nodes.hpp"
+#include "contact/detection/coincident_nodes.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

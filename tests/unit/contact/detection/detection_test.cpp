@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which rows a node gets, on faces, edges and corners of a cube and on walls.
-#include "brunt/contact/detection/detection.hpp"
+#include "contact/detection/detection.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

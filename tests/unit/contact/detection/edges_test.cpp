@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Edge against edge: crossing bars, flush bodies, steps that jump across.
-#include "brunt/contact/detection/edges.hpp"
+#include "contact/detection/edges.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rims of faces and paths through them: nothing slips past an edge, nothing is met that the node never reaches.
-#include "brunt/contact/detection/encounter.hpp"
+#include "contact/detection/encounter.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "brunt/contact/detection/features.hpp"
+#include "contact/detection/features.hpp"
 #include "few_faces.hpp"
 
 using namespace brunt;

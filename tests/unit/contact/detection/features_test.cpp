@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nodes beside sharp edges: far behind the plane of one face, but outside, or come in through the other.
-#include "brunt/contact/detection/features.hpp"
+#include "contact/detection/features.hpp"
 
 #include <catch2/catch.hpp>
 

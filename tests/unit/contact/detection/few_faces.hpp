@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "brunt/contact/detection/detection.hpp"
+#include "contact/detection/detection.hpp"
 #include "support/tolerances.hpp"
 
 namespace brunt::support {

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "brunt/contact/detection/edges.hpp"
+#include "contact/detection/edges.hpp"
 #include "support/tolerances.hpp"
 
 using namespace brunt;

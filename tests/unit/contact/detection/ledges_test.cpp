@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A node that slides along the top of a cube comes to its side a little below the edge.
-#include "brunt/contact/detection/ledges.hpp"
+#include "contact/detection/ledges.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How many rows a node gets and along which normals, at edges, corners, grooves; who wins by each criterion.
-#include "brunt/contact/detection/select_rows.hpp"
+#include "contact/detection/select_rows.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

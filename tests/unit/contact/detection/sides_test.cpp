@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two-sided faces: the gap is that to half the thickness on the node's side, and a node that is pressed through the
 // middle is pushed back to where it came from.
-#include "brunt/contact/detection/sides.hpp"
+#include "contact/detection/sides.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

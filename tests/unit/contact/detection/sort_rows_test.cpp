@@ -4,7 +4,7 @@
 #include <random>
 #include <tuple>
 
-#include "brunt/contact/detection/detection.hpp"
+#include "contact/detection/detection.hpp"
 
 using namespace brunt;
 using namespace brunt::contact;

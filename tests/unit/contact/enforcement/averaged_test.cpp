@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two passes: no energy, momentum, what is to be held is held, and no side is preferred.
-#include "brunt/contact/enforcement/averaged.hpp"
+#include "contact/enforcement/averaged.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rigid bodies under the rows of their points: exact answers, conservation, and iterations that do not grow with the
 // number of points.
-#include "brunt/contact/enforcement/carried.hpp"
+#include "contact/enforcement/carried.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Factors of compliance in chains of bodies, against every side found by brute force.
-#include "src/contact/enforcement/chains.hpp"
+#include "contact/enforcement/chains.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/energy_guard.hpp"
+#include "contact/enforcement/energy_guard.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All ways to the rate constraint end at one solution.
-#include "brunt/contact/enforcement/enforce.hpp"
+#include "contact/enforcement/enforce.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "brunt/contact/enforcement/enforce.hpp"
+#include "contact/enforcement/enforce.hpp"
 #include "problem.hpp"
 
 using namespace brunt;

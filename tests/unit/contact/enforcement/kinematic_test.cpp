@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The partitioned kinematic predictor-corrector against a lone node.
-#include "brunt/contact/enforcement/kinematic.hpp"
+#include "contact/enforcement/kinematic.hpp"
 
 #include <catch2/catch.hpp>
 

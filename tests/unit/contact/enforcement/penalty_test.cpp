@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Penalties against what their equations give for a lone node.
-#include "brunt/contact/enforcement/penalty.hpp"
+#include "contact/enforcement/penalty.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The printed H against slabs that are, and are not, the masses.
-#include "brunt/contact/enforcement/printed.hpp"
+#include "contact/enforcement/printed.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

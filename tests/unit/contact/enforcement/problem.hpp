@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "brunt/contact/enforcement/enforce.hpp"
+#include "contact/enforcement/enforce.hpp"
 
 namespace brunt::contact {
 

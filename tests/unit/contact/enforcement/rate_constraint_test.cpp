@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rate constraint against impacts of mass points that have exact answers.
-#include "brunt/contact/enforcement/rate_constraint.hpp"
+#include "contact/enforcement/rate_constraint.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "brunt/core/error.hpp"
+#include "core/error.hpp"
 #include "problem.hpp"
 
 using namespace brunt;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reference solve on closed contact.
-#include "brunt/contact/enforcement/reference.hpp"
+#include "contact/enforcement/reference.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

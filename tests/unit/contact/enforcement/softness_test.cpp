@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/softness.hpp"
+#include "contact/enforcement/softness.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/enforcement/system.hpp"
+#include "contact/enforcement/system.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "brunt/contact/enforcement/rate_constraint.hpp"
+#include "contact/enforcement/rate_constraint.hpp"
 #include "problem.hpp"
 
 using namespace brunt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brunt/contact/mortar/active_set.hpp"
+#include "contact/mortar/active_set.hpp"
 
 #include <catch2/catch.hpp>
 

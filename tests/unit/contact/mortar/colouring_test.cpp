@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Slave and master among the facets of one surface.
-#include "brunt/contact/mortar/colouring.hpp"
+#include "contact/mortar/colouring.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

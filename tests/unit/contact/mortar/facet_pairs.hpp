@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "brunt/contact/mortar/segment.hpp"
-#include "brunt/core/types.hpp"
+#include "contact/mortar/segment.hpp"
+#include "core/types.hpp"
 
 namespace brunt::test {
 

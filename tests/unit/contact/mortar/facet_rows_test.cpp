@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One slave facet's part of the rows: sums of weights, areas, the gap, and slopes against differences.
-#include "src/contact/mortar/facet_rows.hpp"
+#include "contact/mortar/facet_rows.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shares of pairs that enter or leave rows.
-#include "src/contact/mortar/fading.hpp"
+#include "contact/mortar/fading.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

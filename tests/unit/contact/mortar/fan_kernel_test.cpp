@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "src/contact/mortar/fan.hpp"
+#include "contact/mortar/fan.hpp"
 
 using namespace brunt;
 using namespace brunt::contact;

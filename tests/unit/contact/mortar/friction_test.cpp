@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Slip of known motions; tangents of sticking and slipping rows against central differences.
-#include "brunt/contact/mortar/friction.hpp"
+#include "contact/mortar/friction.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "brunt/contact/mortar/forces.hpp"
+#include "contact/mortar/forces.hpp"
 #include "evaluation.hpp"
 
 using namespace brunt;

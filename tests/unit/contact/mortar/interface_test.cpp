@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of two surfaces: sums, gaps at rims, and all derivatives against central differences.
-#include "brunt/contact/mortar/interface.hpp"
+#include "contact/mortar/interface.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "brunt/contact/mortar/forces.hpp"
-#include "brunt/contact/mortar/tractions.hpp"
+#include "contact/mortar/forces.hpp"
+#include "contact/mortar/tractions.hpp"
 #include "evaluation.hpp"
 
 using namespace brunt;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Consistent forces: the gradient of the weighted gaps' work by central differences, without resultant and moment.
-#include "brunt/contact/mortar/levers.hpp"
+#include "contact/mortar/levers.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "brunt/contact/mortar/forces.hpp"
-#include "brunt/contact/mortar/tractions.hpp"
+#include "contact/mortar/forces.hpp"
+#include "contact/mortar/tractions.hpp"
 #include "evaluation.hpp"
 
 using namespace brunt;

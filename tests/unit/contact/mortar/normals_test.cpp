@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nodal normals of known surfaces, in symmetry planes, and their slopes against central differences.
-#include "brunt/contact/mortar/normals.hpp"
+#include "contact/mortar/normals.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>

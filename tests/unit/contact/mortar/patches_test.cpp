@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sharp edges, smooth patches and regions of surfaces.
-#include "brunt/contact/mortar/patches.hpp"
+#include "contact/mortar/patches.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of nodes of a sharp edge on facets: gaps of planes, forces, derivatives against differences.
-#include "brunt/contact/mortar/points.hpp"
+#include "contact/mortar/points.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/contact/mortar/forces.hpp"
-#include "brunt/contact/mortar/patches.hpp"
-#include "brunt/contact/mortar/tractions.hpp"
+#include "contact/mortar/forces.hpp"
+#include "contact/mortar/patches.hpp"
+#include "contact/mortar/tractions.hpp"
 #include "evaluation.hpp"
 
 using namespace brunt;

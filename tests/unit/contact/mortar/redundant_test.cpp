@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Equations that others imply are left out, and no others: rank of what is left against that of a dense matrix.
-#include "brunt/contact/mortar/redundant.hpp"
+#include "contact/mortar/redundant.hpp"
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 #include <numeric>
 #include <vector>
 
-#include "brunt/contact/mortar/tie.hpp"
+#include "contact/mortar/tie.hpp"
 #include "evaluation.hpp"
 
 using namespace brunt;

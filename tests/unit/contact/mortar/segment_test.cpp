@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Integrals of one pair against the values of reference-mortar.md, M1, and exact ones; derivatives against differences.
-#include "brunt/contact/mortar/segment.hpp"
+#include "contact/mortar/segment.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

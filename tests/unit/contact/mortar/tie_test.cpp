@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tied surfaces: no residual under rigid motions, with a gap across them too; the gradient against differences.
-#include "brunt/contact/mortar/tie.hpp"
+#include "contact/mortar/tie.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

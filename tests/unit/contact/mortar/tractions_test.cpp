@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Penalty pressures, and the tangent of the forces that they make, against central differences.
-#include "brunt/contact/mortar/tractions.hpp"
+#include "contact/mortar/tractions.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "brunt/contact/mortar/forces.hpp"
+#include "contact/mortar/forces.hpp"
 #include "evaluation.hpp"
 
 using namespace brunt;

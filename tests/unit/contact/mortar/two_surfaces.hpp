@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "brunt/contact/mortar/interface.hpp"
+#include "contact/mortar/interface.hpp"
 
 namespace brunt::test {
 

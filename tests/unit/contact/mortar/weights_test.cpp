@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Multiplier functions of partly covered facets: biorthogonal where most of the facet is covered, positive where little
 // is, consistent at rims; their derivative against differences.
-#include "brunt/contact/mortar/weights.hpp"
+#include "contact/mortar/weights.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The binary sort against the vectors printed by Heinstein et al. 2000, section 4.4.
-#include "brunt/contact/search/binary_sort.hpp"
+#include "contact/search/binary_sort.hpp"
 
 #include <catch2/catch.hpp>
 #include <numeric>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Overlaps of boxes against all pairs tried: sizes far apart, boxes without extent, boxes that only touch or are not
 // finite. (Random scenes over ranks: tests/ranks/contact/search_oracle_test.cpp.)
-#include "brunt/contact/search/box_overlaps.hpp"
+#include "contact/search/box_overlaps.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bucket sort against the vectors printed by Heinstein et al. 2000, section 4.3.
-#include "brunt/contact/search/bucket_sort.hpp"
+#include "contact/search/bucket_sort.hpp"
 
 #include <catch2/catch.hpp>
 #include <numeric>

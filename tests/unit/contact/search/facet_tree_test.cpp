@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trees of k-DOPs: counts of pairs and tests against reference-mortar.md M9, pairs against all pairs of facets.
-#include "brunt/contact/search/facet_tree.hpp"
+#include "contact/search/facet_tree.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

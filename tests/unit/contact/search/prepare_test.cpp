@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "brunt/contact/search/search.hpp"
+#include "contact/search/search.hpp"
 
 using namespace brunt;
 using contact::SearchScratch;

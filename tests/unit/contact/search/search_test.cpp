@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All searches against testing every point with every box.
-#include "brunt/contact/search/search.hpp"
+#include "contact/search/search.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "brunt/contact/search/binary_sort.hpp"
-#include "brunt/contact/search/bucket_sort.hpp"
+#include "contact/search/binary_sort.hpp"
+#include "contact/search/bucket_sort.hpp"
 #include "two_blocks.hpp"
 
 using namespace brunt;

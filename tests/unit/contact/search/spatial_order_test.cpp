@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The order along the curve holds every index once, and neighbours in it are neighbours in space.
-#include "brunt/contact/search/spatial_order.hpp"
+#include "contact/search/spatial_order.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

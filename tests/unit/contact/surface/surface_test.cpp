@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who is slave, and who meets whom.
-#include "brunt/contact/surface/surface.hpp"
+#include "contact/surface/surface.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>

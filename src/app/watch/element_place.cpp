@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "element_place.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+
+#include "core/cells.hpp"
+#include "model/alive.hpp"
+
+namespace brunt::app {
+namespace {
+
+using Corners = std::array<Vec3, 8>;
+
+/// Over that of the reference. Wedges have edges between corners that are one node: they are none.
+double shortest_edge(const Corners& x, const Corners& reference, int corners) {
+  double now = std::numeric_limits<double>::infinity(), first = now;
+  const auto look = [&](const std::array<int, 2>& edge) {
+    const auto a = static_cast<std::size_t>(edge[0]), b = static_cast<std::size_t>(edge[1]);
+    if (reference[a] == reference[b]) return;
+    now = std::min(now, (x[b] - x[a]).norm());
+    first = std::min(first, (reference[b] - reference[a]).norm());
+  };
+  if (corners == 4)
+    std::ranges::for_each(cells::tet_edges, look);
+  else
+    std::ranges::for_each(cells::hex_edges, look);
+  return now / first;
+}
+
+double volume(const Corners& x, int corners) {
+  const auto of = [&](const std::array<int, 4>& tet) {
+    const auto from_first = [&](std::size_t i) {
+      return Vec3(x[static_cast<std::size_t>(tet[i])] - x[static_cast<std::size_t>(tet[0])]);
+    };
+    return from_first(1).cross(from_first(2)).dot(from_first(3)) / 6;
+  };
+  if (corners == 4) return of({0, 1, 2, 3});
+  double sum = 0;
+  for (const auto& tet : cells::hex_tetrahedra) sum += of(tet);
+  return sum;
+}
+
+/// center, then ratios of edge and volume.
+std::array<double, 5> figures_of(const Prepared& run, const model::ElementBlock& block, LocalIndex element) {
+  Corners now, first;
+  Vec3 center = Vec3::Zero();
+  for (int c = 0; c < block.corners; ++c) {
+    const auto node = static_cast<std::size_t>(block.corner_node(element, c));
+    const auto corner = static_cast<std::size_t>(c);
+    now[corner] = Vec3(run.state.nodes[node].x);
+    first[corner] = Vec3(run.model.reference[node][0], run.model.reference[node][1], run.model.reference[node][2]);
+    center += now[corner] / block.corners;
+  }
+  return {center[0], center[1], center[2], shortest_edge(now, first, block.corners),
+          volume(now, block.corners) / volume(first, block.corners)};
+}
+
+}  // namespace
+
+ElementPlace place_of(const Prepared& run, std::int32_t block, LocalIndex element) {
+  const comm::Communicator& ranks = run.links.ranks;
+  GlobalIndex mine = -1;
+  if (block >= 0) mine = run.model.blocks[static_cast<std::size_t>(block)].input[static_cast<std::size_t>(element)];
+  ElementPlace place;
+  place.element = ranks.max(mine);
+  if (place.element < 0) return place;
+  const bool here = mine == place.element;
+  std::array<double, 5> figures;
+  figures.fill(-std::numeric_limits<double>::infinity());
+  if (here) figures = figures_of(run, run.model.blocks[static_cast<std::size_t>(block)], element);
+  ranks.max(figures);
+  place.block = static_cast<std::int32_t>(ranks.max(GlobalIndex{here ? block : -1}));
+  place.part = run.model.blocks[static_cast<std::size_t>(place.block)].part;
+  place.center = Vec3(figures[0], figures[1], figures[2]) + run.model.mesh.origin;
+  place.shortest_edge = figures[3];
+  place.volume = figures[4];
+  return place;
+}
+
+ElementPlace place_of_least(const Prepared& run, const std::string& field) {
+  double least = std::numeric_limits<double>::infinity();
+  std::int32_t in_block = -1;
+  LocalIndex of = -1;
+  for (std::size_t b = 0; b < run.model.blocks.size(); ++b) {
+    const model::ElementBlock& block = run.model.blocks[b];
+    const model::HistoryRange* range = block.find(field);
+    if (!range) continue;
+    for (LocalIndex e = 0; e < block.count; ++e) {
+      if (!model::lives(run.state, b, e)) continue;
+      const std::ptrdiff_t row = std::ptrdiff_t{e / pack_width} * block.history_size + range->first;
+      const double value = run.state.history[b][static_cast<std::size_t>(row * pack_width + e % pack_width)];
+      const bool later = of >= 0 && value == least &&
+                         block.input[static_cast<std::size_t>(e)] >
+                             run.model.blocks[static_cast<std::size_t>(in_block)].input[static_cast<std::size_t>(of)];
+      if (!(value < least) && !later) continue;
+      least = value;
+      in_block = static_cast<std::int32_t>(b);
+      of = e;
+    }
+  }
+  if (run.links.ranks.min(least) != least) in_block = -1;
+  return place_of(run, in_block, of);
+}
+
+std::string text_of(const ElementPlace& place) {
+  return fmt::format("element {} (position in the input) of part '{}' at ({:g}, {:g}, {:g})", place.element + 1,
+                     place.part, place.center[0], place.center[1], place.center[2]);
+}
+
+std::string text_of_point(const Prepared& run, const Vec3& position) {
+  const Vec3 place = position + run.model.mesh.origin;
+  return fmt::format("({:g}, {:g}, {:g})", place[0], place[1], place[2]);
+}
+
+std::string name_of_node(const Prepared& run, GlobalIndex gid) {
+  const model::Model& model = run.model;
+  GlobalIndex id = -1, part = -1;
+  for (const LocalIndex node : model.owned) {
+    const auto i = static_cast<std::size_t>(node);
+    if (model.mesh.node_gid[i] == gid) id = model.mesh.node_id[i];
+  }
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    for (const LocalIndex node : model.blocks[b].node)
+      if (model.mesh.node_gid[static_cast<std::size_t>(node)] == gid) part = static_cast<GlobalIndex>(b);
+  id = run.links.ranks.max(id);
+  part = run.links.ranks.max(part);
+  if (part < 0) return fmt::format("node {}", id);
+  return fmt::format("part {}, node {}", model.blocks[static_cast<std::size_t>(part)].part, id);
+}
+
+}  // namespace brunt::app

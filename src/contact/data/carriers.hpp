@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Carriers of degrees of freedom. A contact point either has its own three (described by its mobility) or belongs to a
+// body with six. A body gives velocities to its points, v = V + omega x r with r = x - centre, receives their impulses
+// as P = sum (p, r x p), and responds with W P; enforcement needs nothing else.
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+#include <span>
+
+#include "core/types.hpp"
+
+namespace brunt::contact {
+
+/// Vector of a body: three components of translation, three of rotation about its centre, in space.
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+struct Carrier {
+  Vec3 centre = Vec3::Zero();  ///< at t_n, measured as positions of contact nodes are
+  Mat6 mobility =
+      Mat6::Zero();          ///< W: (dV, domega) = W (impulse, moment); symmetric, zero along constrained directions
+  Vec3 spin = Vec3::Zero();  ///< angular velocity predicted without contact [rad/time]
+};
+
+/// A contact node of a body: its own inverse mass is zero, and its predicted velocity is that of the body.
+struct CarriedPoint {
+  LocalIndex point = 0;  ///< contact node of this rank, a copy or not
+  LocalIndex body = 0;
+  bool owned = true;  ///< by this rank
+};
+
+struct Carriers {
+  std::span<const CarriedPoint> points;  ///< of this rank, each once, ascending
+  std::span<const Carrier> bodies;       ///< of all ranks, the same bits on each; none: points carry themselves
+
+  /// The body of a contact node; null for other nodes.
+  [[nodiscard]] const Carrier* of(LocalIndex point) const {
+    if (bodies.empty()) return nullptr;
+    const auto found = std::ranges::lower_bound(points, point, {}, &CarriedPoint::point);
+    if (found == points.end() || found->point != point) return nullptr;
+    return &bodies[static_cast<std::size_t>(found->body)];
+  }
+};
+
+/// Change of a point's velocity by an impulse on it: J W J^T, J = [1, -r x]. position: measured as the carrier's
+/// centre.
+inline Mat3 answer_at(const Carrier& carrier, const Vec3& position) {
+  const Vec3 r = position - carrier.centre;
+  Eigen::Matrix<double, 3, 6> J = Eigen::Matrix<double, 3, 6>::Identity();
+  J.rightCols<3>() << 0, r[2], -r[1], -r[2], 0, r[0], r[1], -r[0], 0;
+  return J * carrier.mobility * J.transpose();
+}
+
+}  // namespace brunt::contact

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interface_rows.hpp"
+
+#include "contact/mortar/points.hpp"
+
+namespace brunt::implicit {
+
+void find_rows_at(Interface& face, std::span<const Vec3> x) {
+  if (face.of_points)
+    contact::point_rows(face.surfaces, face.topology, face.search.candidates, x, face.rows);
+  else
+    contact::mortar_rows(face.surfaces, face.topology, face.search.candidates, x, *face.scratch, face.rows);
+}
+
+void find_slopes_at(Interface& face, std::span<const Vec3> x, std::span<const Vec3> tractions,
+                    std::span<const Vec3> fixed, std::span<const Vec3> transposed) {
+  if (face.of_points)
+    contact::point_rows_and_slopes(face.surfaces, face.topology, face.search.candidates, x, tractions, face.rows,
+                                   face.slopes, fixed, transposed);
+  else
+    contact::mortar_rows_and_slopes(face.surfaces, face.topology, face.search.candidates, x, tractions, *face.scratch,
+                                    face.rows, face.slopes, fixed, transposed);
+}
+
+}  // namespace brunt::implicit

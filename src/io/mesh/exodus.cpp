@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exodus II through its library, with the checks that the library leaves out.
+#include "io/mesh/exodus.hpp"
+
+#include <exodusII.h>
+#include <fmt/core.h>
+#include <netcdf.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <optional>
+
+#include "core/error.hpp"
+#include "core/excerpt.hpp"
+#include "core/letter_case.hpp"
+#include "core/utf8.hpp"
+#include "left_out.hpp"
+#include "netcdf_layout.hpp"
+#include "set_words.hpp"
+#include "sound_mesh.hpp"
+
+namespace brunt::io {
+namespace {
+
+using mesh::Block;
+using mesh::Mesh;
+using mesh::Shape;
+using Integers = std::vector<std::int64_t>;
+
+class ExodusFile {
+ public:
+  explicit ExodusFile(const std::string& path) : path_(path) {
+    std::error_code unreadable;
+    const auto size = std::filesystem::file_size(path, unreadable);
+    if (unreadable) fail("cannot read the file (" + unreadable.message() + "); expected a readable file");
+    const std::string fault = netcdf_layout_fault(path);
+    if (!fault.empty()) fail(fault);
+    most_ = std::min<std::int64_t>(static_cast<std::int64_t>(size), std::numeric_limits<LocalIndex>::max() / 8);
+    ex_opts(0);  // the library's own messages would go to the terminal
+    int our_word = 8, file_word = 0;
+    float version = 0;
+    id_ = ex_open(path.c_str(), EX_READ | EX_ALL_INT64_API, &our_word, &file_word, &version);
+    if (id_ < 0) fail("cannot read the file: not an Exodus II file that the library can open; expected Exodus II");
+    ex_set_max_name_length(id_, name_length);
+  }
+  ~ExodusFile() {
+    if (id_ >= 0) ex_close(id_);
+  }
+  ExodusFile(const ExodusFile&) = delete;
+  ExodusFile& operator=(const ExodusFile&) = delete;
+
+  [[nodiscard]] int id() const { return id_; }
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(path_ + ": " + what); }
+  void succeed(int status, const std::string& what) const {
+    if (status < 0) fail("cannot read the " + what + "; expected an undamaged file");
+  }
+  /// Before anything is allocated: a damaged header may claim any number.
+  std::size_t plausible(std::int64_t count, const std::string& what) const {
+    if (count < 0 || count > most_)
+      fail(fmt::format("out of range: {} {} in the header; expected no more than the file can hold", count, what));
+    return static_cast<std::size_t>(count);
+  }
+  Integers ids(ex_entity_type type, std::int64_t count, const std::string& what) const {
+    Integers values(plausible(count, what));
+    if (count > 0) succeed(ex_get_ids(id_, type, values.data()), what + " ids");
+    return values;
+  }
+  std::string name(ex_entity_type type, std::int64_t id) const {
+    std::vector<char> text(name_length + 2, '\0');
+    if (ex_get_name(id_, type, id, text.data()) < 0) return {};
+    return as_utf8(std::string(text.data()));
+  }
+
+ private:
+  static constexpr int name_length = 256;
+  std::string path_;
+  std::int64_t most_ = 0;
+  int id_ = -1;
+};
+
+/// What the file's elements are called in Exodus, by first letters and number of nodes.
+struct Kind {
+  Shape shape;
+  int nodes;
+};
+
+bool known_kind(const std::string& written, std::int64_t nodes, Kind& kind) {
+  const std::string type = upper_case(written);
+  const auto is = [&](const char* start, int count) { return type.starts_with(start) && nodes == count; };
+  if (is("HEX", 8)) return kind = {Shape::hex8, 8}, true;
+  if (is("TET", 4)) return kind = {Shape::tet4, 4}, true;
+  if (is("WEDGE", 6)) return kind = {Shape::hex8, 6}, true;
+  if (is("PYRAMID", 5)) return kind = {Shape::hex8, 5}, true;
+  return false;
+}
+
+/// One block and, for side sets, how many nodes its elements have in the file; `foreign` holds a block of elements that
+/// are not read.
+struct BlockRead {
+  Block block;
+  int nodes = 0;
+  std::optional<ForeignBlock> foreign{};
+};
+
+/// Where the file's elements are: a block of the mesh (no_index: a foreign one), how many, of how many nodes.
+struct FileBlock {
+  LocalIndex block = no_index;
+  std::int64_t count = 0;
+  int nodes = 0;
+};
+
+LocalIndex zero_based(std::int64_t number) {
+  constexpr std::int64_t most = std::numeric_limits<LocalIndex>::max();
+  return number < 1 || number > most ? no_index : static_cast<LocalIndex>(number - 1);
+}
+
+BlockRead read_block(const ExodusFile& file, std::int64_t id) {
+  ex_block header{};
+  header.id = id;
+  header.type = EX_ELEM_BLOCK;
+  file.succeed(ex_get_block_param(file.id(), &header), fmt::format("element block {}", id));
+  BlockRead read;
+  read.block.name = file.name(EX_ELEM_BLOCK, id);
+  read.block.id = id;
+  const std::size_t count = file.plausible(header.num_entry, fmt::format("elements in block {}", id));
+  if (count == 0) {  // as decomposed meshes have them; of any type, often NULL
+    read.foreign = {.name = read.block.name, .id = id, .type = header.topology, .passed = true};
+    return read;
+  }
+  Kind kind{};
+  if (!known_kind(header.topology, header.num_nodes_per_entry, kind)) {
+    const std::string shown = read.block.name.empty() ? "" : " (" + excerpt(read.block.name) + ")";
+    read.foreign = {
+        .name = read.block.name,
+        .id = id,
+        .type = header.topology,
+        .count = static_cast<GlobalIndex>(count),
+        .fault = fmt::format("{}: invalid block {}{}: elements {} with {} nodes; expected HEX8, TET4, WEDGE6, PYRAMID5",
+                             file.path(), id, shown, excerpt(header.topology), header.num_nodes_per_entry)};
+    return read;
+  }
+  read.block.shape = kind.shape;
+  read.nodes = kind.nodes;
+  Integers corners(count * static_cast<std::size_t>(kind.nodes));
+  file.plausible(static_cast<std::int64_t>(corners.size()), fmt::format("element corners in block {}", id));
+  file.succeed(ex_get_conn(file.id(), EX_ELEM_BLOCK, id, corners.data(), nullptr, nullptr),
+               fmt::format("elements of block {}", id));
+  const auto order = hex_corners(kind.nodes);
+  const auto ours = static_cast<std::size_t>(nodes_per_element(kind.shape));
+  read.block.nodes.reserve(count * ours);
+  for (std::size_t e = 0; e < count; ++e)
+    for (std::size_t k = 0; k < ours; ++k)
+      read.block.nodes.push_back(
+          zero_based(corners[e * static_cast<std::size_t>(kind.nodes) + static_cast<std::size_t>(order[k])]));
+  return read;
+}
+
+/// ex_get_coord of the library's 6.02 takes the number 0 of a variable for none, and leaves that coordinate unread.
+void read_first_variable(const ExodusFile& file, const char* name, std::vector<double>& values) {
+  int variable = -1, dimensions = 0;
+  if (nc_inq_varid(file.id(), name, &variable) != NC_NOERR || variable != 0) return;
+  const std::size_t begin = 0, count = values.size();
+  const bool read = nc_inq_varndims(file.id(), variable, &dimensions) == NC_NOERR && dimensions == 1 &&
+                    nc_get_vara_double(file.id(), variable, &begin, &count, values.data()) == NC_NOERR;
+  file.succeed(read ? 0 : -1, "coordinates");
+}
+
+void read_nodes(const ExodusFile& file, const ex_init_params& sizes, Mesh& mesh) {
+  const std::size_t count = file.plausible(sizes.num_nodes, "nodes");
+  std::vector<double> x(count), y(count), z(count);
+  file.succeed(ex_get_coord(file.id(), x.data(), y.data(), z.data()), "coordinates");
+  read_first_variable(file, "coordx", x);
+  read_first_variable(file, "coordy", y);
+  read_first_variable(file, "coordz", z);
+  mesh.coordinates.reserve(count);
+  for (std::size_t n = 0; n < count; ++n) mesh.coordinates.emplace_back(x[n], y[n], z[n]);
+  mesh.node_id.resize(count);
+  file.succeed(ex_get_id_map(file.id(), EX_NODE_MAP, mesh.node_id.data()), "node numbers");
+}
+
+std::vector<FileBlock> read_blocks(const ExodusFile& file, const ex_init_params& sizes, FileContent& content) {
+  std::vector<FileBlock> blocks;
+  std::int64_t total = 0;
+  for (const std::int64_t id : file.ids(EX_ELEM_BLOCK, sizes.num_elem_blk, "element blocks")) {
+    BlockRead read = read_block(file, id);
+    if (read.foreign) {
+      blocks.push_back({no_index, read.foreign->count, 0});
+      content.foreign.push_back(std::move(*read.foreign));
+    } else {
+      blocks.push_back({static_cast<LocalIndex>(content.mesh.blocks.size()), read.block.count(), read.nodes});
+      content.mesh.blocks.push_back(std::move(read.block));
+    }
+    total += blocks.back().count;
+  }
+  if (total != sizes.num_elem)
+    file.fail(fmt::format("invalid number of elements: {} in the blocks; expected {} as in the header", total,
+                          sizes.num_elem));
+  Integers numbers(static_cast<std::size_t>(total));
+  file.succeed(ex_get_id_map(file.id(), EX_ELEM_MAP, numbers.data()), "element numbers");
+  auto next = numbers.begin();
+  for (const FileBlock& of : blocks) {
+    if (of.block != no_index)
+      content.mesh.blocks[static_cast<std::size_t>(of.block)].element_id.assign(next, next + of.count);
+    next += of.count;
+  }
+  return blocks;
+}
+
+std::vector<std::string> words_of(const ExodusFile& file, ex_entity_type type, const Integers& ids,
+                                  std::string_view kind, std::vector<std::string>& notes) {
+  std::vector<FileSet> sets;
+  for (const std::int64_t id : ids) sets.push_back({id, file.name(type, id)});
+  return set_words(kind, sets, notes);
+}
+
+std::size_t set_size(const ExodusFile& file, ex_entity_type type, std::int64_t id, const std::string& what) {
+  std::int64_t count = 0, factors = 0;
+  file.succeed(ex_get_set_param(file.id(), type, id, &count, &factors), what);
+  return file.plausible(count, "entries in " + what);
+}
+
+void read_node_sets(const ExodusFile& file, const ex_init_params& sizes, Mesh& mesh) {
+  const Integers ids = file.ids(EX_NODE_SET, sizes.num_node_sets, "node sets");
+  const std::vector<std::string> words = words_of(file, EX_NODE_SET, ids, "node set", mesh.notes);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const std::int64_t id = ids[k];
+    const std::string what = fmt::format("node set {}", id);
+    Integers nodes(set_size(file, EX_NODE_SET, id, what));
+    if (!nodes.empty()) file.succeed(ex_get_set(file.id(), EX_NODE_SET, id, nodes.data(), nullptr), what);
+    auto& set = mesh.node_sets[words[k]];
+    for (const std::int64_t n : nodes) set.push_back(zero_based(n));
+  }
+}
+
+/// Side numbers of hexahedra, tetrahedra and pyramids run as ours; a wedge has no side where its hexahedron's third is.
+int our_face(std::int64_t side, int nodes) {
+  if (side < 1 || side > (nodes == 8 ? 6 : nodes == 4 ? 4 : 5)) return -1;
+  const int face = static_cast<int>(side - 1);
+  return nodes == 6 && face >= 2 ? face + 1 : face;
+}
+
+void read_side_sets(const ExodusFile& file, const ex_init_params& sizes, const std::vector<FileBlock>& blocks,
+                    FileContent& content) {
+  Integers first{0};  // element position where each block of the file starts
+  for (const FileBlock& block : blocks) first.push_back(first.back() + block.count);
+  const Integers ids = file.ids(EX_SIDE_SET, sizes.num_side_sets, "side sets");
+  const std::vector<std::string> words = words_of(file, EX_SIDE_SET, ids, "side set", content.mesh.notes);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const std::int64_t id = ids[k];
+    const std::string what = fmt::format("side set {}", id);
+    Integers elements(set_size(file, EX_SIDE_SET, id, what)), sides(elements.size());
+    if (!elements.empty()) file.succeed(ex_get_set(file.id(), EX_SIDE_SET, id, elements.data(), sides.data()), what);
+    const std::string& name = words[k];
+    auto& set = content.mesh.side_sets[name];
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const std::int64_t element = elements[i] - 1;
+      if (element < 0 || element >= first.back())
+        file.fail(fmt::format("out of range: {} has element {}; expected 1 to {}", what, elements[i], first.back()));
+      const auto at =
+          static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), element) - first.begin() - 1);
+      if (blocks[at].block == no_index)
+        ++content.foreign_sides[name];
+      else
+        set.push_back(
+            {blocks[at].block, static_cast<LocalIndex>(element - first[at]), our_face(sides[i], blocks[at].nodes)});
+    }
+  }
+}
+
+}  // namespace
+
+Mesh read_exodus(const std::string& path, const std::vector<std::string>& ignore) {
+  const ExodusFile file(path);
+  ex_init_params sizes{};
+  file.succeed(ex_get_init_ext(file.id(), &sizes), "header");
+  if (sizes.num_dim != 3) file.fail(fmt::format("invalid number of dimensions, {}; expected 3", sizes.num_dim));
+  FileContent content;
+  read_nodes(file, sizes, content.mesh);
+  const auto blocks = read_blocks(file, sizes, content);
+  read_node_sets(file, sizes, content.mesh);
+  read_side_sets(file, sizes, blocks, content);
+  return leave_out(path, std::move(content), ignore);
+}
+
+}  // namespace brunt::io

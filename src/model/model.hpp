@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// The data of a run: Model is constant during the run, State changes with every step, Scratch is sized once and carries
+// nothing from one step to the next.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "contact/data/mortar_pair.hpp"
+#include "contact/data/specification.hpp"
+#include "core/aligned.hpp"
+#include "mesh/local_mesh.hpp"
+#include "model/element_block.hpp"
+#include "model/rigid_body.hpp"
+
+namespace brunt::model {
+
+/// One cache line for each node, so that an element gathers a corner with one load.
+struct alignas(64) NodeLine {
+  double x[3];      ///< current position, reference + displacement [length]
+  double mass;      ///< lumped [mass]
+  double v[3];      ///< velocity at the half step [length/time]
+  double deferred;  ///< 1: the node is finished after contact and constraints, not with the free ones; or `dropped`
+  static constexpr double dropped =
+      2;  ///< the node was removed with its last element: it moves on, and nothing acts on it
+  [[nodiscard]] bool is_dropped() const { return deferred == dropped; }
+  [[nodiscard]] Quad& x_mass() { return *reinterpret_cast<Quad*>(x); }
+  [[nodiscard]] Quad& v_late() { return *reinterpret_cast<Quad*>(v); }
+};
+
+/// Piecewise linear in time, constant outside its points; empty: 1.
+using Curve = std::vector<std::array<double, 2>>;
+
+/// A constrained node: velocity = free * v + prescribed part. `free` projects onto the free directions.
+struct ConstrainedNode {
+  LocalIndex node = 0;
+  Mat3 free = Mat3::Identity();
+  std::array<std::int32_t, 3> drive{-1, -1, -1};  ///< for x, y, z: index into Model::drives where the velocity is given
+};
+struct Drive {
+  Curve curve;
+  double scale = 1;
+  enum class Gives { velocity, displacement, acceleration } gives = Gives::velocity;
+};
+
+struct PressureLoad {
+  std::vector<mesh::ExteriorFace> faces;
+  double value = 0;  ///< [stress]; positive values act inwards
+  Curve curve;
+};
+/// Forces of constant direction that do not follow the motion.
+struct DeadLoad {
+  Vec3 value = Vec3::Zero();  ///< of each node [force], of all together [force], or for each area [stress]
+  enum class Kind { each_node, total, traction } kind = Kind::each_node;
+  Curve curve;
+  std::vector<mesh::ExteriorFace> faces;  ///< over which a total or a traction is spread
+  std::vector<LocalIndex> nodes;          ///< ascending; of faces they are found by time::link_ranks, with the weights
+  std::vector<double> weight;             ///< factor of `value` at each of `nodes`: 1, share of the area, or area
+};
+struct RigidWall {
+  std::string name;
+  Vec3 point = Vec3::Zero();  ///< less the mesh's origin
+  Vec3 normal = Vec3::UnitZ();
+  bool bilateral = false;
+  Curve motion;  ///< velocity along the normal
+  bool moves = false;
+  contact::FrictionLaw friction;
+  std::vector<std::int32_t> blocks{};  ///< that it acts on, ascending; empty: all
+};
+
+/// Nodes in a plane of symmetry: the other half of each body lies behind it.
+struct SymmetryNodes {
+  Vec3 normal = Vec3::UnitZ();    ///< unit
+  std::vector<LocalIndex> nodes;  ///< ascending
+};
+
+/// Elements that are removed in the first step at or after a given time.
+struct Removal {
+  double at = 0;            ///< [time]
+  bool keeps_nodes = true;  ///< nodes without an element stay as mass points, else they are dropped
+  std::vector<std::vector<LocalIndex>> elements;  ///< by block, ascending
+};
+
+/// A corner of an element whose force is available in Scratch::slots.
+struct WatchedCorner {
+  LocalIndex element = 0, node = 0, slot = 0;  ///< element: of its block
+};
+
+struct Model {
+  mesh::LocalMesh mesh;
+  std::vector<ElementBlock> blocks;
+  AlignedVector<Quad> reference;        ///< X of each node; the fourth is unused
+  std::vector<LocalIndex> owned;        ///< nodes this rank owns
+  std::vector<GlobalIndex> block_size;  ///< elements of each block on all ranks
+  bool any_constrained = false;         ///< on any rank
+  std::vector<char> erodes;             ///< by block: may it lose elements, on any rank?
+  bool books_interface = false;         ///< parts share nodes, on any rank, and their energies are recorded
+
+  std::vector<RigidBody> bodies;  ///< the same on all ranks, by block
+
+  std::vector<ConstrainedNode> constrained;  ///< ascending by node
+  std::vector<Drive> drives;
+  Vec3 gravity = Vec3::Zero();  ///< [length/time^2]
+  Curve gravity_curve;
+  double damping = 0;                       ///< alpha of the drag -alpha m v on every node [1/time]
+  double damping_from = 0, damping_to = 0;  ///< it acts on forces of t_n with from <= t_n < to
+  std::vector<PressureLoad> pressure;
+  std::vector<DeadLoad> dead_loads;
+  bool relaxes = false;  ///< a phase before t = 0 finds the static state
+  std::vector<RigidWall> walls;
+  std::vector<char> in_symmetry_plane;  ///< a flag for each of mesh.faces: not a contact face
+  contact::Specification contact;
+  std::vector<contact::MortarPair> mortar{};  ///< of implicit scenes
+  std::vector<SymmetryNodes> symmetries{};    ///< likewise
+
+  std::vector<Removal> removals;      ///< by time
+  std::vector<LocalIndex> uncovered;  ///< nodes of elements that may be removed, ascending: also of other ranks' ones
+
+  std::vector<LocalIndex> deferred;  ///< nodes finished after contact and constraints, ascending
+  std::vector<LocalIndex> watched;   ///< nodes of which every corner force stays in Scratch::slots, ascending
+  std::vector<LocalIndex>
+      between_parts;  ///< nodes of several parts, where the energies of parts are asked for; ascending
+  std::vector<std::vector<WatchedCorner>> interface_corners;  ///< on those nodes: by block, ascending by element
+  [[nodiscard]] LocalIndex nodes() const { return static_cast<LocalIndex>(mesh.node_gid.size()); }
+  [[nodiscard]] bool has_gravity() const { return gravity.squaredNorm() > 0; }
+  [[nodiscard]] bool damped() const { return damping > 0; }
+  /// Whether elements may be removed, by entries of the scene or by erosion.
+  [[nodiscard]] bool any_erosion() const {
+    for (const ElementBlock& block : blocks)
+      if (block.erosion) return true;
+    return false;
+  }
+  [[nodiscard]] bool loses_elements() const { return !removals.empty() || any_erosion(); }
+  /// Whether the work of loads is recorded. The search for a static state needs it even without loads.
+  [[nodiscard]] bool loaded() const {
+    return has_gravity() || damped() || relaxes || !pressure.empty() || !dead_loads.empty();
+  }
+};
+
+/// Progress of the search for the static state before t = 0 (time/relaxation): integers and energies.
+struct Relaxation {
+  double under_way = 0;      ///< not 0: the run has not begun; what the next step does (time/relaxation)
+  double steps = 0;          ///< of the phase
+  double stage = 1;          ///< loads stand at stage / relaxation_stages
+  double peak = 0;           ///< largest kinetic energy since the nodes were last stopped [energy]
+  double peak_step = 0;      ///< step of the phase at which it was
+  double swing_start = 0;    ///< step of the phase at which they were
+  double longest_swing = 0;  ///< between two stops [steps]
+  double quiet_since = 0;    ///< step of the phase since when no swing was too large
+  double residual = 1;       ///< unbalanced forces over loads at the last stop
+};
+constexpr int relaxation_values = 9;
+
+/// Data that depend on State::alive: recomputed by time::follow_alive whenever a flag changes, never saved.
+struct Living {
+  std::vector<std::vector<std::uint8_t>> lanes;  ///< by block and batch, a bit a lane; empty where all elements live
+  std::vector<std::vector<char>> pressed;        ///< by pressure load and face: its element lives; empty where all do
+  std::vector<LocalIndex> dropped;               ///< nodes that left with their last element, ascending
+};
+
+struct State {
+  double time = 0;          ///< t_n
+  double time_before = -1;  ///< t_{n-1}
+  double dt = 0;            ///< t_n - t_{n-1}: of the step that led here; 0 before the first
+  double step = 0;          ///< n, a whole number
+  /// Largest 1 / (stable step) so far in the span of steps under way, and that of the whole span before it [1/time].
+  double rate_now = 0, rate_before = 0;
+  /// u_n, the state of the motion. The fourth component is the work of the elements' forces on the node up to
+  /// v_{n-1/2}, where all work is impulse . (v_before + v_after)/2.
+  AlignedVector<Quad> displacement;
+  AlignedVector<NodeLine> nodes;               ///< x_n = X + u_n and v_{n-1/2}
+  std::vector<AlignedVector<double>> history;  ///< per block: [batch][component][lane]
+  std::vector<double> load_work;               ///< gravity, pressure; empty where the scene has none
+  std::vector<double> damping_work;            ///< of the drag on the mean velocity, never > 0; empty without damping
+  std::vector<double> reaction_work;           ///< of fixed and prescribed nodes; empty where the scene has none
+  std::vector<double> load_impulse;            ///< three a node: gravity, pressure, damping
+  std::vector<double> reaction_impulse;        ///< three a node: fixed and prescribed
+  std::vector<rigid::BodyState> bodies;        ///< of Model::bodies, the same on all ranks
+  std::vector<BodyAccount> body_accounts;      ///< likewise
+  std::vector<double> wall_position;           ///< travel of each wall along its normal
+  /// By block and element: work of its forces on nodes of several parts; empty unless energies of parts are asked for.
+  std::vector<std::vector<double>> interface_work;
+  /// By block and element: 1; 0 once it has been removed, -1 if its nodes are dropped with it. Empty for blocks that
+  /// never lose an element.
+  std::vector<std::vector<double>> alive;
+  /// By block and element, empty likewise: work of its forces on all its nodes up to v_{n-1/2}. Its negative is the
+  /// energy of the element, which becomes eroded energy when the element is removed.
+  std::vector<std::vector<double>> element_work;
+  Living living;
+  Relaxation relaxation;
+  /// Three a node, of the phase alone: force of contact, walls and supports in the step before the nodes are stopped.
+  std::vector<double> held_force;
+  std::vector<Wrench> held_wrench;  ///< likewise, of each body
+};
+
+struct Scratch {
+  AlignedVector<Quad> force;    ///< minus the internal force; the fourth is unused
+  AlignedVector<Quad> load;     ///< gravity, pressure; empty where the scene has neither these nor damping
+  AlignedVector<double> slots;  ///< unsummed corner forces of border nodes, four each
+  /// Of blocks that may lose elements, else empty: forces of their elements on the corners at t_n,
+  /// [batch][component][corner][lane]; their power with v_{n-1/2}, [batch][lane]; and, by element, the half of the last
+  /// step's work that was done with v_{n+1/2}.
+  std::vector<AlignedVector<double>> element_force, element_power;
+  std::vector<std::vector<double>> last_work;
+  /// Of blocks that erode, else empty: for each element at t_n, 1 / (stable step) and the volume relative to the
+  /// reference, [batch][2][lane].
+  std::vector<AlignedVector<double>> element_bounds;
+  std::vector<Vec3> before;           ///< v_{n-1/2} of the deferred nodes (with damping: of all), by node; or empty
+  std::vector<Vec3> reaction;         ///< impulse of each constrained node in this step
+  std::vector<BodyStep> bodies;       ///< of Model::bodies
+  std::vector<Vec3> contact_impulse;  ///< by node; empty unless contact or walls meet constrained nodes
+};
+
+}  // namespace brunt::model

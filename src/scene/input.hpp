@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+// The content of a scene file as typed data, with defaults filled in: the result of scene/read. Quantities are in the
+// consistent unit system of the scene.
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "contact/data/mortar_pair.hpp"
+#include "contact/data/specification.hpp"
+#include "core/types.hpp"
+#include "element/options.hpp"
+#include "material/law.hpp"
+#include "mesh/division.hpp"
+#include "mesh/round_form.hpp"
+#include "model/erosion.hpp"
+#include "model/implicit_solver.hpp"
+#include "scene/guards.hpp"
+#include "scene/text/places.hpp"
+
+namespace brunt::scene {
+
+struct Rotation {
+  Vec3 axis = Vec3::UnitZ();
+  double degrees = 0;
+};
+
+/// Placement of a generated or read body: scaled, then rotated about the origin of the scene, then translated.
+struct Placement {
+  double scale = 1;
+  std::vector<Rotation> rotate;  ///< one after the other
+  Vec3 at = Vec3::Zero();
+};
+
+struct MeshFile {
+  std::string file;                 ///< resolved path: relative to the scene file
+  std::string prefix;               ///< put before the names of its blocks and sets
+  std::vector<std::string> ignore;  ///< names or numbers of the blocks to exclude, without the prefix
+};
+struct BoxMesh {
+  std::string part;
+  Vec3 size;  ///< from the corner `at`
+  mesh::Divisions<3> elements;
+};
+struct CylinderMesh {  ///< solid, butterfly section, axis z, foot centre at the origin
+  std::string part;
+  double radius = 0, length = 0;
+  mesh::Divisions<2> elements;  ///< across the radius, along the axis
+  mesh::RoundForm half;         ///< the half that is kept, and the nose
+};
+struct SphereMesh {  ///< solid, centre at the origin
+  std::string part;
+  double radius = 0;
+  int elements = 0;   ///< across the radius
+  double finer = 1;   ///< elements at the lowest point are smaller by this factor
+  mesh::Half half{};  ///< of x, y, z: 1 keeps what is >= 0, -1 what is <= 0, 0 both
+};
+struct TubeMesh {  ///< axis z, foot centre at the origin
+  std::string part;
+  double inner_radius = 0, outer_radius = 0, length = 0;
+  mesh::Divisions<3> elements;  ///< through the wall, around the whole or the sector, along
+  mesh::RoundForm half;         ///< the half or the sector that is kept, and the nose
+};
+struct TorusMesh {  ///< hollow, axis z, centre at the origin
+  std::string part;
+  double radius = 0;            ///< of the ring
+  std::array<double, 2> tube;   ///< inner and outer radius of its section
+  mesh::Divisions<3> elements;  ///< around the ring, around the tube, through the wall
+};
+struct PlateMesh {  ///< in the x-y plane, centre of the lower face at the origin
+  std::string part;
+  std::array<double, 2> size;
+  double thickness = 0;
+  mesh::Divisions<3> elements;
+};
+struct MeshEntry {
+  std::variant<MeshFile, BoxMesh, CylinderMesh, SphereMesh, TubeMesh, TorusMesh, PlateMesh> body;
+  Placement placement;
+  std::string key;  ///< key path for messages, "mesh.0"
+};
+
+using element::BulkViscosity;
+using element::ElementKind;
+using element::Hourglass;
+using element::HourglassKind;
+
+/// Mass properties that replace those of the elements of a rigid part, or the part with which it forms one body.
+struct RigidGiven {
+  std::optional<double> mass;
+  std::optional<Vec3> centre;   ///< of mass, at the start
+  std::optional<Mat3> inertia;  ///< about the centre, in the scene's axes at the start
+  std::string joins;            ///< the part that names the common body; empty: the part names its own
+};
+
+struct Part {
+  std::string name, block, material;  ///< block: name or number as text
+  ElementKind element = ElementKind::hex8;
+  Hourglass hourglass;
+  BulkViscosity bulk;
+  std::optional<RigidGiven> rigid;
+  std::optional<model::Erosion> erosion;
+};
+
+/// A named set that the scene defines from other selections.
+struct SetEntry {
+  std::string name;
+  std::optional<std::string> part, node_set, side_set;
+  std::optional<std::array<Vec3, 2>> box;  ///< nodes of the part (or of all) inside the closed box
+};
+
+using Curve = std::vector<std::array<double, 2>>;  ///< (time, value), linear between the points, constant outside
+
+struct InitialMotion {
+  std::string where;  ///< part or set
+  Vec3 velocity = Vec3::Zero();
+  Vec3 spin_axis = Vec3::UnitZ(), spin_point = Vec3::Zero();
+  double spin_rate = 0;  ///< [rad/time]
+};
+struct Fixed {
+  std::string where;
+  std::array<bool, 3> dofs{};
+  std::array<bool, 3> turns{};  ///< about x, y, z: of a rigid part
+};
+struct Symmetry {
+  Vec3 point, normal;  ///< unit normal; all nodes in the plane; faces in it are not contact faces
+};
+struct Prescribed {
+  std::string where;
+  int dof = 0;  ///< x, y, z; 3 and more: rotation about x, y, z, of a rigid part [rad]
+  enum class Gives { velocity, displacement, acceleration } gives = Gives::velocity;
+  std::string curve;  ///< of the prescribed quantity over time, multiplied by `scale`; empty: constant 1
+  double scale = 1;
+};
+struct Pressure {
+  std::string where;  ///< side set
+  double value = 0;
+  std::string curve;
+};
+struct DeadLoad {
+  std::string where;          ///< set or part; of a traction a side set
+  Vec3 value = Vec3::Zero();  ///< [force], of a traction [stress]
+  enum class Kind { each_node, total, traction } kind = Kind::each_node;
+  std::string curve;
+};
+/// Elements that are removed from the model: those of a part, or those with all their nodes in a set.
+struct Removal {
+  std::string where;        ///< part or set
+  double at = 0;            ///< in the first step at or past this time [time]
+  bool keeps_nodes = true;  ///< nodes without an element stay as mass points; false: they are dropped
+};
+struct Relaxation {
+  double tolerance = 1e-4;
+  GlobalIndex max_steps = 100000;
+};
+struct Gravity {
+  Vec3 vector = Vec3::Zero();
+  std::string curve;
+};
+struct Damping {
+  double alpha = 0, from = 0, to = 0;  ///< f = -alpha m v while from <= t < to
+};
+struct RigidWall {
+  std::string name;
+  Vec3 point, normal;  ///< unit normal, outward, towards the bodies
+  contact::FrictionLaw friction;
+  bool bilateral = false;
+  std::string motion;                ///< curve of the wall's velocity along its normal; empty: at rest
+  std::vector<std::string> parts{};  ///< that it acts on; empty: all
+};
+
+/// Settings that apply to all contact of a scene, including rigid walls.
+struct Enforcement {
+  contact::EnforcementSettings settings;
+  contact::Criterion competing = contact::Criterion::automatic;
+  contact::Rebuild rebuild;
+};
+
+struct ContactEntry {
+  std::vector<std::string> between;  ///< empty: all; else two parts
+  std::vector<std::array<std::string, 2>> exclude;
+  contact::FrictionLaw friction;
+  enum class Slave { automatic, first, second } slave = Slave::automatic;
+  contact::Passes passes = contact::Passes::automatic;
+  bool self = true;  ///< with `all`: contact of parts with themselves
+  bool tied = false;
+  bool mortar = false;  ///< of implicit scenes: segment to segment
+  contact::Multiplier multiplier = contact::Multiplier::dual;
+  bool consistent = false;  ///< of mortar: forces are the gradient of the weighted gaps
+  bool edges = false;       ///< of mortar: sharp edges split the surfaces and have rows of their own
+  contact::MortarPair::Enforce enforce = contact::MortarPair::Enforce::lagrange;
+  contact::OverlapRule initial_overlap = contact::OverlapRule::error;
+  std::optional<double> limit;  ///< of `place`: largest displacement of a point of a part [length]
+};
+
+struct Probe {
+  std::string name;
+  enum class Kind { node, near, set, part, wall, contact, section } kind = Kind::node;
+  std::string where, other;        ///< node id as text; set or part; wall; the two parts of a contact, the same twice
+                                   ///< for one with itself, `other` empty for one with all others
+  std::string field;               ///< node, set: displacement, velocity, position, (set) reaction; of a part see below
+  Vec3 point = Vec3::Zero();       ///< near: the place whose nearest node is taken; section: of its plane
+  Vec3 normal = Vec3::Zero();      ///< section: unit normal of its plane; zero: the section is the set `where`
+  std::vector<std::string> parts;  ///< section: whose elements count
+  std::optional<Vec3> about;       ///< of moments and angular momenta
+};
+
+/// The model on which the stable step is based.
+enum class StepBound {
+  element,   ///< each element as if it were free; the fastest one determines the step
+  assembled  ///< the assembled mesh, in which neighbouring elements constrain each other
+};
+struct Run {
+  std::optional<double> end;
+  std::optional<GlobalIndex> steps;
+  double cfl = 0.9;
+  StepBound step_bound = StepBound::assembled;
+  std::optional<double> step;        ///< largest step [time]
+  double min_step_ratio = 1e-4;      ///< of the first step: below it the run stops
+  std::optional<double> wall_limit;  ///< [s] of wall-clock time
+};
+struct Output {
+  std::optional<double> every;  ///< absent: first and last state only
+  std::vector<std::string> fields{"displacement", "velocity"};
+};
+
+struct Input {
+  std::string file;  ///< the scene file, for messages
+  std::string title, units;
+  std::vector<MeshEntry> mesh;
+  std::vector<SetEntry> sets;
+  std::map<std::string, Curve> curves;
+  std::map<std::string, material::Law> materials;
+  std::vector<Part> parts;
+  std::vector<InitialMotion> initial;
+  std::vector<Fixed> fixed;
+  std::vector<Symmetry> symmetry;
+  std::vector<Prescribed> prescribed;
+  std::vector<Pressure> pressure;
+  std::vector<DeadLoad> forces, traction;
+  std::vector<Removal> remove;
+  std::optional<Relaxation> relaxation;
+  std::optional<Gravity> gravity;
+  std::optional<Damping> damping;
+  std::vector<RigidWall> rigid_walls;
+  Enforcement enforcement;
+  std::vector<ContactEntry> contact;
+  std::vector<Probe> probes;
+  Run run;
+  Guards guards;
+  std::optional<model::ImplicitSolver> implicit;  ///< absent: explicit
+  Output output;
+  std::optional<double> history_every;
+  std::optional<double> checkpoint_every;
+  std::vector<std::string> warnings;  ///< valid input that deserves a warning
+  Places places;                      ///< of all keys
+
+  /// "FILE:LINE: key.path": the beginning of messages about faults that are found after reading.
+  [[nodiscard]] std::string at(std::string_view key) const { return places.name(key, file); }
+};
+
+}  // namespace brunt::scene
