@@ -7,7 +7,7 @@
 #include "core/triangle_surface.hpp"
 #include "depth/convex_pair.hpp"
 #include "depth/metric.hpp"
-#include "geometry/slab_tree.hpp"
+#include "geometry/triangles/slab_tree.hpp"
 
 namespace brunt::depth {
 

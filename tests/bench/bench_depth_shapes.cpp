@@ -8,7 +8,7 @@
 #include <ctime>
 #include <vector>
 
-#include "geometry/slab_tree.hpp"
+#include "geometry/triangles/slab_tree.hpp"
 #include "support/depth_bodies.hpp"
 
 using namespace brunt;

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "geometry/slab_tree.hpp"
+#include "geometry/triangles/slab_tree.hpp"
 #include "tests/support/depth_bodies.hpp"
 #include "tests/support/random_motion.hpp"
 

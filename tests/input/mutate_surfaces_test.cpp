@@ -9,8 +9,8 @@
 #include <new>
 
 #include "core/error.hpp"
-#include "geometry/closed_surface.hpp"
-#include "geometry/merge_points.hpp"
+#include "geometry/triangles/closed_surface.hpp"
+#include "geometry/triangles/merge_points.hpp"
 #include "io/surface/surface_file.hpp"
 #include "mutations.hpp"
 #include "support/surface_samples.hpp"

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/union_find.hpp"
-#include "geometry/closed_surface.hpp"
+#include "geometry/triangles/closed_surface.hpp"
 #include "outer_surface.hpp"
 #include "scene/build/build.hpp"
 #include "scene/build/rigid_parts.hpp"

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "geometry/closed_surface.hpp"
+#include "geometry/triangles/closed_surface.hpp"
 #include "mesh/primitives.hpp"
 
 using namespace brunt;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Closed surfaces, and one fault of each kind with its count and first place.
-#include "geometry/closed_surface.hpp"
+#include "geometry/triangles/closed_surface.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "geometry/merge_points.hpp"
+#include "geometry/triangles/merge_points.hpp"
 #include "support/surface_samples.hpp"
 
 using namespace brunt;

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "geometry/slab_tree.hpp"
+#include "geometry/triangles/slab_tree.hpp"
 
 using namespace brunt;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Signs of determinants against 128-bit integers, for coordinates whose differences no double holds.
-#include "geometry/exact_sign.hpp"
+#include "geometry/triangles/exact_sign.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

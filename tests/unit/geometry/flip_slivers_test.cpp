@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles without area: replaced where the surface stays the same.
-#include "geometry/flip_slivers.hpp"
+#include "geometry/triangles/flip_slivers.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "geometry/closed_surface.hpp"
-#include "geometry/slab_tree.hpp"
+#include "geometry/triangles/closed_surface.hpp"
+#include "geometry/triangles/slab_tree.hpp"
 #include "support/surface_samples.hpp"
 
 using namespace brunt;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "geometry/triangle_pair.hpp"
+#include "geometry/triangles/triangle_pair.hpp"
 
 namespace brunt::geometry::testing {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points that are nearly equal, in any order.
-#include "geometry/merge_points.hpp"
+#include "geometry/triangles/merge_points.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -2,7 +2,7 @@
 // Depths of points below closed surfaces: distances against all triangles, signs against solid angles.
 #include <catch2/catch.hpp>
 
-#include "geometry/slab_tree.hpp"
+#include "geometry/triangles/slab_tree.hpp"
 #include "shots.hpp"
 #include "support/depth_bodies.hpp"
 

@@ -2,7 +2,7 @@
 // Surfaces that cross themselves, and neighbours that only share corners and edges.
 #include <catch2/catch.hpp>
 
-#include "geometry/slab_tree.hpp"
+#include "geometry/triangles/slab_tree.hpp"
 #include "support/depth_bodies.hpp"
 
 using namespace brunt;

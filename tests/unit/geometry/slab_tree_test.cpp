@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Queries of two surfaces against all pairs of triangles: the same pairs, the same doubles.
-#include "geometry/slab_tree.hpp"
+#include "geometry/triangles/slab_tree.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs of triangles against exact integer arithmetic.
-#include "geometry/triangle_pair.hpp"
+#include "geometry/triangles/triangle_pair.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/closed_surface.hpp"
+#include "geometry/triangles/closed_surface.hpp"
 
 namespace brunt::geometry {
 

@@ -2,7 +2,7 @@
 // Whether two triangles have a common point: sides of planes that the filter determines with certainty, two
 // determinants (Guigue and Devillers, Fast and robust triangle-triangle overlap test using orientation predicates,
 // 2003), or all edges by exact predicates.
-#include "geometry/triangle_pair.hpp"
+#include "geometry/triangles/triangle_pair.hpp"
 
 #include "exact_sign.hpp"
 

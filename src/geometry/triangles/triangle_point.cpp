@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "triangle_point.hpp"
 
-#include "geometry/triangle_pair.hpp"
+#include "geometry/triangles/triangle_pair.hpp"
 
 namespace brunt::geometry {
 namespace {

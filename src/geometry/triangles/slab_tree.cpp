@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Construction of the tree: triangles are bisected along the direction with the smallest resulting boxes, in whole
 // leaves, until eight groups are children of a node.
-#include "geometry/slab_tree.hpp"
+#include "geometry/triangles/slab_tree.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/flip_slivers.hpp"
+#include "geometry/triangles/flip_slivers.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/closed_surface.hpp"
+#include "geometry/triangles/closed_surface.hpp"
 
 namespace brunt::geometry {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "geometry/slab_tree.hpp"
+#include "geometry/triangles/slab_tree.hpp"
 #include "slab_boxes.hpp"
 #include "triangle_point.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/slab_tree.hpp"
+#include "geometry/triangles/slab_tree.hpp"
 #include "geometry/vec_of.hpp"
 
 namespace brunt::geometry {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "geometry/triangle_pair.hpp"
+#include "geometry/triangles/triangle_pair.hpp"
 
 namespace brunt::geometry {
 

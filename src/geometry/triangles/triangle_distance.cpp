@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "exact_sign.hpp"
-#include "geometry/triangle_pair.hpp"
+#include "geometry/triangles/triangle_pair.hpp"
 #include "triangle_point.hpp"
 
 namespace brunt::geometry {

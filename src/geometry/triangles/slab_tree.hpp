@@ -16,7 +16,7 @@
 #include "core/simd.hpp"
 #include "core/triangle_surface.hpp"
 #include "geometry/box.hpp"
-#include "geometry/triangle_pair.hpp"
+#include "geometry/triangles/triangle_pair.hpp"
 
 namespace brunt::geometry {
 

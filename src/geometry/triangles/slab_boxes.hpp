@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "geometry/slab_tree.hpp"
+#include "geometry/triangles/slab_tree.hpp"
 #include "octets.hpp"
 
 namespace brunt::geometry {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Equal points by sorting, near ones by a grid (see the header).
-#include "geometry/merge_points.hpp"
+#include "geometry/triangles/merge_points.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "disjoint_sets.hpp"
+#include "core/union_find.hpp"
 
 namespace brunt::geometry {
 namespace {
@@ -87,7 +87,7 @@ class Grid {
   }
 
   /// Joins each point with previous ones; cells are filled in the same pass.
-  DisjointSets join() {
+  UnionFind join() {
     for (LocalIndex i = 0; i < static_cast<LocalIndex>(points_.size()); ++i) {
       const Vec3& x = points_[at(i)];
       const Cell low = cell_of(x.array() - tolerance_), high = cell_of(x.array() + tolerance_);
@@ -117,7 +117,7 @@ class Grid {
 
   void join_near(LocalIndex i, const Members& members) {
     for (LocalIndex other = members.last; other != no_index; other = next_[at(other)])
-      if ((points_[at(other)] - points_[at(i)]).squaredNorm() <= tolerance_ * tolerance_) sets_.join(i, other);
+      if ((points_[at(other)] - points_[at(i)]).squaredNorm() <= tolerance_ * tolerance_) sets_.join(at(i), at(other));
   }
 
   void add(LocalIndex i, Members& members) {
@@ -127,22 +127,22 @@ class Grid {
       return;
     }
     for (LocalIndex other = members.last; members.count == crowded_cell && other != no_index; other = next_[at(other)])
-      sets_.join(members.last, other);
+      sets_.join(at(members.last), at(other));
     members.count = crowded_cell + 1;
-    sets_.join(members.last, i);
+    sets_.join(at(members.last), at(i));
   }
 
   const std::vector<Vec3>& points_;
   Vec3 origin_;
   double tolerance_;
-  DisjointSets sets_;
+  UnionFind sets_;
   std::vector<LocalIndex> next_;  // in the same cell
   std::unordered_map<Cell, Members, CellHash> cells_;
 };
 
-DisjointSets groups_of(const std::vector<Vec3>& points, double tolerance) {
+UnionFind groups_of(const std::vector<Vec3>& points, double tolerance) {
   const Extent extent = extent_of(points);
-  if (tolerance < std::ldexp(extent.diagonal, -50) || tolerance == 0) return DisjointSets(points.size());
+  if (tolerance < std::ldexp(extent.diagonal, -50) || tolerance == 0) return UnionFind(points.size());
   return Grid(points, extent.low, tolerance).join();
 }
 
@@ -158,11 +158,11 @@ double default_tolerance(const TriangleSurface& surface, bool single_precision) 
 MergedSurface merge_points(const TriangleSurface& surface, double tolerance) {
   demand(tolerance >= 0, "a tolerance of merging is not negative");
   const Distinct distinct = distinct_points(surface.points);
-  DisjointSets groups = groups_of(distinct.points, tolerance);
+  UnionFind groups = groups_of(distinct.points, tolerance);
   MergedSurface merged;
   std::vector<LocalIndex> of_group(distinct.points.size(), no_index), of_point(surface.points.size());
   for (std::size_t i = 0; i < surface.points.size(); ++i) {
-    const LocalIndex group = groups.find(distinct.of_point[i]);
+    const auto group = static_cast<LocalIndex>(groups.first(at(distinct.of_point[i])));
     const Vec3& x = distinct.points[at(group)];
     if (of_group[at(group)] == no_index) {
       of_group[at(group)] = static_cast<LocalIndex>(merged.surface.points.size());

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/slab_tree.hpp"
+#include "geometry/triangles/slab_tree.hpp"
 
 namespace brunt::geometry {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Edges, areas and shells of a surface of triangles (see the header).
-#include "geometry/closed_surface.hpp"
+#include "geometry/triangles/closed_surface.hpp"
 
 #include <fmt/core.h>
 
@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "core/error.hpp"
-#include "disjoint_sets.hpp"
+#include "core/union_find.hpp"
 #include "shells.hpp"
 
 namespace brunt::geometry {
@@ -55,11 +55,12 @@ void add(EdgeFaults& faults, const Side& side) {
 }
 
 /// Counts the errors of edges, and joins the triangles at each edge to shells.
-void check_edges(const TriangleSurface& surface, DisjointSets& shells, SurfaceFaults& faults) {
+void check_edges(const TriangleSurface& surface, UnionFind& shells, SurfaceFaults& faults) {
   const std::vector<Side> sides = sorted_sides(surface);
   for (auto begin = sides.begin(); begin != sides.end();) {
     const auto end = std::find_if_not(begin, sides.end(), [&](const Side& side) { return side.same_edge(*begin); });
-    for (auto side = begin; side != end; ++side) shells.join(begin->triangle, side->triangle);
+    for (auto side = begin; side != end; ++side)
+      shells.join(static_cast<std::size_t>(begin->triangle), static_cast<std::size_t>(side->triangle));
     if (end - begin == 1)
       add(faults.open, *begin);
     else if (end - begin > 2)
@@ -82,11 +83,11 @@ std::int64_t unused_points(const TriangleSurface& surface) {
   return std::ranges::count(used, char{0});
 }
 
-/// Numbers the shells by their first triangles; the shell of each triangle.
-std::vector<LocalIndex> number_shells(DisjointSets& sets, std::size_t triangles, std::vector<Shell>& shells) {
+/// Numbers the shells by their first triangles, those of the lowest number; the shell of each triangle.
+std::vector<LocalIndex> number_shells(UnionFind& sets, std::size_t triangles, std::vector<Shell>& shells) {
   std::vector<LocalIndex> shell_of(triangles, no_index);
   for (LocalIndex t = 0; t < static_cast<LocalIndex>(triangles); ++t) {
-    const LocalIndex first = sets.find(t);  // the triangle of the shell with the lowest number
+    const auto first = static_cast<LocalIndex>(sets.first(at(t)));
     if (first == t) {
       shell_of[at(t)] = static_cast<LocalIndex>(shells.size());
       shells.push_back({t, 0, 0});
@@ -120,7 +121,7 @@ bool SurfaceFaults::sound() const {
 
 SurfaceFaults check_closed(const TriangleSurface& surface) {
   SurfaceFaults faults;
-  DisjointSets sets(surface.triangles.size());
+  UnionFind sets(surface.triangles.size());
   check_edges(surface, sets, faults);
   check_areas(surface, faults);
   faults.unused_points = unused_points(surface);
