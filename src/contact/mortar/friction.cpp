@@ -2,11 +2,27 @@
 #include "contact/mortar/friction.hpp"
 
 #include "add_block.hpp"
-#include "turn.hpp"
 
 namespace brunt::contact {
-
 namespace {
+
+/// If 1 + from . to is smaller, the vectors are opposite, and the smallest rotation is not unique.
+constexpr double opposite = 1e-8;
+
+/// By the smallest rotation from one unit vector to another: R v = v - ((from + to) . v)/(1 + from . to) (from + to) +
+/// 2 (from . v) to; v itself if they are opposite.
+Vec3 turned(const Vec3& v, const Vec3& from, const Vec3& to) {
+  const double c = 1 + from.dot(to);
+  if (c < opposite) return v;
+  return v - (from + to).dot(v) / c * (from + to) + 2 * from.dot(v) * to;
+}
+
+/// Its derivative by `to`.
+Mat3 turned_slope(const Vec3& v, const Vec3& from, const Vec3& to) {
+  const double c = 1 + from.dot(to), q = (from + to).dot(v);
+  if (c < opposite) return Mat3::Zero();
+  return (from + to) * (q / (c * c) * from - v / c).transpose() + (2 * from.dot(v) - q / c) * Mat3::Identity();
+}
 
 Mat3 across(const Vec3& normal) {
   return Mat3::Identity() - normal * normal.transpose();
