@@ -131,7 +131,7 @@ def main():
 
 
 def check_million_steps(case):
-    million = {**overrides(10, 0.2, "contact.0.friction"), "run.end": 65.0, "history.every": 0.5}
+    million = {**overrides(10, 0.2, "contact.0.friction"), "run.end": 68.0, "history.every": 0.5}
     result = case.run("plate.yaml", overrides=million, name="million")
     place = result.history["place.x"]
     case.assert_within("steps", 1e6, math.inf, result.summary["steps"])

@@ -21,7 +21,7 @@ struct Probe {
   std::span<const GlobalIndex> around{};  ///< nodes of its elements
   bool on_edge = false;
 
-  [[nodiscard]] Box box() const { return geometry::bounding_box(std::array{at.start, at.end}); }
+  [[nodiscard]] geometry::Box box() const { return geometry::bounding_box(std::array{at.start, at.end}); }
 };
 
 /// An exterior face with its corners at x_n.

@@ -80,7 +80,8 @@ ContactLists lists_of(Contact& contact, std::span<const Wall> walls) {
                            .faces = derived.bodies,
                            .two_passes = derived.two_passes,
                            .wall_facets = contact.settings.wall_pressures,
-                           .thickness = contact.settings.blocks.thickness};
+                           .thickness = contact.settings.blocks.thickness,
+                           .search = contact.settings.search};
   return build_lists(contact.ranks, contact.surface, contact.settings.specification, derived.roles,
                      state.motion.starts().first(contact.surface.gid.size()), walls, contact.surface_nodes.held, reach,
                      state.scratch);

@@ -49,6 +49,7 @@ struct ContactSettings {
   double motion_share = 0.3;    ///< of Surface::mean_element_depth: admissible motion of nodes until lists are rebuilt
   RigidBodies rigid{};
   std::vector<TrackedContact> tracked;
+  SearchMethod search = SearchMethod::automatic;
   bool erodes = false;          ///< elements may be removed: nodes may initially lie inside
   bool wall_pressures = false;  ///< `pressures` are needed on walls: areas around nodes near walls are kept
 };

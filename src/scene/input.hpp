@@ -250,6 +250,7 @@ struct Input {
   std::vector<Probe> probes;
   Run run;
   Guards guards;
+  contact::SearchMethod search = contact::SearchMethod::automatic;
   std::optional<model::ImplicitSolver> implicit;  ///< absent: explicit
   Output output;
   std::optional<double> history_every;

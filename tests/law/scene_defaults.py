@@ -53,6 +53,7 @@ PLACES = {
     "enforcement": FIGURES,
     "run": {key: [(INPUT, "Run", key)] for key in ("cfl", "step_bound", "min_step_ratio")},
     "output": {"fields": [(INPUT, "Output", "fields")]},
+    "search": {"method": [(INPUT, "Input", "search")]},
     "guards": {key: [(GUARDS, "Guards", key)] for key in (
         "energy_warning", "energy_stop", "kinetic", "depth_warning", "depth_stop", "depth_step", "parted", "hourglass", "angular_momentum")},
     "solver": {**{key: [(SOLVER, "ImplicitSolver", key)] for key in ("scheme", "tolerance", "linear", "alpha", "stability")},

@@ -46,6 +46,21 @@ class HardCases(unittest.TestCase):
         self.assertGreater(touching, 3, "nothing touches: the test proves nothing")
         return rows
 
+    def test_every_search_finds_the_same(self):
+        """Not a key of the restart's fingerprint either, since results do not depend on it."""
+        hashes = {}
+        for method in ("auto", "blocks", "binary", "bucket"):
+            with open(os.path.join(self.folder, "scene.yaml"), "w", encoding="utf-8") as stream:
+                stream.write(scenes.ON_PLATE)
+            for ranks in (1, 3):
+                done = subprocess.run([RUN, "-np", str(ranks), "scene.yaml", "--set", f"search.method={method}", "--out", "o", "--force", "--quiet"],
+                                      cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                with open(os.path.join(self.folder, "o", "summary.json"), encoding="utf-8") as stream:
+                    hashes[method, ranks] = json.load(stream)["state_hash"]
+            self.assertGreater(float(self.rows("o")[-1]["active_contacts"]), 15)
+        self.assertEqual(len(set(hashes.values())), 1, hashes)
+
     def test_masses_a_million_apart(self):
         for name, scene in (("densities 1 and 1e6", scenes.BY_DENSITY), ("sides 1 m and 1 cm", scenes.BY_SIZE)):
             with self.subTest(name):

@@ -146,7 +146,8 @@ class Searcher {
     Timing timing = timed(
         [&] {
           contact::sort_into_buckets(
-              scene_.nodes, contact::bucket_grid(scene_.nodes, scene_.boxes, 8 * scene_.nodes.size() + 64), buckets_);
+              scene_.nodes,
+              contact::bucket_grid(scene_.nodes, scene_.boxes, contact::most_buckets(scene_.nodes.size())), buckets_);
         },
         [&] { contact::find_pairs_in_buckets(buckets_, scene_.boxes, scene_.nodes, pairs); });
     timing.memory = bytes_of({&buckets_.lbox, &buckets_.nbox, &buckets_.npoint, &buckets_.ndsort});

@@ -16,7 +16,8 @@ namespace brunt::app {
 namespace {
 
 /// Keys of explicit scenes, and their fault in an implicit one.
-constexpr std::array<std::pair<const char*, const char*>, 7> explicit_keys{{
+constexpr std::array<std::pair<const char*, const char*>, 8> explicit_keys{{
+    {"search", "invalid in an implicit scene, whose facets are searched by trees; expected no search"},
     {"run.cfl", "invalid in an implicit scene, which has no stable step; expected solver.step"},
     {"run.step_bound", "invalid in an implicit scene, which has no stable step; expected solver.step"},
     {"run.step", "invalid in an implicit scene; expected solver.step"},

@@ -12,6 +12,7 @@
 #include "app/state/contact_setup.hpp"
 #include "app/watch/driven_apart.hpp"
 #include "app/watch/implicit_watch.hpp"
+#include "app/whole/bodies.hpp"
 #include "app/whole/coarse_slave_warnings.hpp"
 #include "app/whole/same_scene.hpp"
 #include "app/whole/weights.hpp"
@@ -27,7 +28,6 @@
 #include "scene/build/select.hpp"
 #include "scene/text/units.hpp"
 #include "time/initialise.hpp"
-#include "time/relaxation.hpp"
 
 namespace brunt::app {
 namespace {

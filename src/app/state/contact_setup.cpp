@@ -153,6 +153,7 @@ void make_contact(Prepared& run) {
   if (!model.contact.pairs.any_acts() && model.walls.empty()) return;
   contact::ContactSettings settings;
   settings.specification = model.contact;
+  settings.search = run.input.search;
   settings.blocks = block_properties(model);
   settings.detection.accepted = run.overlaps.accepted;
   settings.detection.recovery_gives = run.overlaps.recovered;

@@ -8,7 +8,9 @@
 #include "contact_setup.hpp"
 #include "implicit/solver.hpp"
 #include "removal.hpp"
-#include "time/motion.hpp"
+#include "scene/build/build.hpp"
+#include "time/initialise.hpp"
+#include "time/relaxation.hpp"
 
 namespace brunt::app {
 

@@ -22,6 +22,10 @@
 #include "time/erosion.hpp"
 #include "time/links.hpp"
 
+namespace brunt::implicit {
+struct Scene;
+}
+
 namespace brunt::app {
 
 /// Of each probe in Prepared::contact_memory.

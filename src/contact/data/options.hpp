@@ -49,6 +49,15 @@ constexpr std::string_view name_of(Method method) {
   return {};
 }
 
+/// How nodes in capture boxes are found on a rank: all methods find the same pairs.
+enum class SearchMethod : std::int8_t {
+  automatic,  ///< blocks: the fastest on most scenes, and the only one whose work does not depend on the shape of the
+              ///< scene
+  blocks,     ///< blocks of points along a space-filling curve below a tree of boxes (search/search.hpp)
+  binary,     ///< bisection of lists sorted along the axes: Heinstein et al. 2000, section 4.4
+  bucket      ///< sort into buckets: section 4.3
+};
+
 /// Whether two blocks are tied.
 enum class Tied : std::int8_t {
   no,

@@ -87,7 +87,7 @@ CandidatePairs<GhostFace> find_face_pairs(const ListBuild& build) {
   add_ghosts(build, wanted, result.masters);
   const std::vector<Box> boxes = capture_boxes(result.masters);
   Ragged<LocalIndex> found;
-  find_pairs(boxes, points, build.scratch.faces, found);
+  find_pairs_by(build.settings.search, boxes, points, build.scratch.faces, found);
   for (LocalIndex s = 0; s < found.rows(); ++s) {
     const LocalIndex node = slaves[static_cast<std::size_t>(s)];
     for (const LocalIndex f : std::as_const(found).row(s))

@@ -12,7 +12,7 @@
 #include "contact/detection/edges.hpp"
 #include "contact/lists/halo_exchange.hpp"
 #include "contact/search/box_overlaps.hpp"
-#include "contact/search/search.hpp"
+#include "contact/search/methods.hpp"
 #include "contact/surface/surface.hpp"
 
 namespace brunt::contact {
@@ -50,6 +50,7 @@ struct ListSettings {
   bool two_passes = false;              ///< some pair has two passes
   bool wall_facets = false;             ///< areas around nodes near walls are wanted
   std::span<const double> thickness{};  ///< thickness of blocks that are sheets, see ContactSettings [length]
+  SearchMethod search = SearchMethod::automatic;
 
   [[nodiscard]] double thickness_of(std::int32_t block) const {
     return static_cast<std::size_t>(block) < thickness.size() ? thickness[static_cast<std::size_t>(block)] : 0.0;
@@ -60,7 +61,7 @@ struct ListSettings {
 
 /// Data that a search reuses from earlier ones; results do not depend on it.
 struct ListScratch {
-  SearchScratch faces;
+  MethodScratch faces;
   OverlapScratch bodies, rims, edges;
 };
 

@@ -30,6 +30,11 @@ BucketGrid bucket_grid(std::span<const Vec3> points, double size);
 /// that needs at most `most_buckets`: the size affects speed and memory, never the pairs.
 BucketGrid bucket_grid(std::span<const Vec3> points, std::span<const geometry::Box> boxes, std::size_t most_buckets);
 
+/// Buckets for so many points: some eight a point, so that memory stays in proportion where points are far apart.
+constexpr std::size_t most_buckets(std::size_t points) {
+  return 8 * points + 64;
+}
+
 /// The four vectors of the paper. 18 n + 2 n_b places with those of its work on candidates.
 struct BucketSort {
   BucketGrid grid;

@@ -220,7 +220,20 @@ void read_friction(Section& entry, contact::FrictionLaw& friction) {
                       friction.kinetic, friction.fixed));
 }
 
+void read_search(Section& scene, Input& input) {
+  if (!scene.has("search")) return;
+  using contact::SearchMethod;
+  static const Choices<SearchMethod> methods{{{"auto", SearchMethod::automatic},
+                                              {"blocks", SearchMethod::blocks},
+                                              {"binary", SearchMethod::binary},
+                                              {"bucket", SearchMethod::bucket}},
+                                             {}};
+  Section section(scene.at("search"), "a map {method: auto, blocks, binary or bucket}");
+  if (section.is_map()) section.optional("method", input.search, methods);
+}
+
 void read_contact(Section& scene, Input& input) {
+  read_search(scene, input);
   EnforcementReader enforcement(scene, input);
   contact::Passes passes = contact::Passes::automatic;
   if (scene.has("contact"))

@@ -19,9 +19,9 @@
 namespace brunt::scene {
 namespace {
 
-constexpr std::array<std::string_view, 10> free_to_change{
-    "title",      "output",  "scaling",   "history",        "guards",
-    "checkpoint", "run.end", "run.steps", "run.wall_limit", "run.min_step_ratio"};
+constexpr std::array<std::string_view, 11> free_to_change{"title",     "output",         "scaling",           "history",
+                                                          "guards",    "search",         "checkpoint",        "run.end",
+                                                          "run.steps", "run.wall_limit", "run.min_step_ratio"};
 
 /// A value of the scene, by the path of its key.
 using Value = std::pair<std::string, std::string>;

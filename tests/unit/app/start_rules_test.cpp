@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/whole/whole_scene.hpp"
 #include "prepared_scene.hpp"
 
 using namespace brunt;
