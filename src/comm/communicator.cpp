@@ -70,6 +70,9 @@ struct Communicator::Native {
 MPI_Comm NativeAccess::of(const Communicator& ranks) {
   return ranks.native_->comm;
 }
+Communicator NativeAccess::on(MPI_Comm ranks) {
+  return Communicator(std::make_shared<Communicator::Native>(ranks));
+}
 Traffic& NativeAccess::sent(const Communicator& ranks) {
   return ranks.native_->sent;
 }

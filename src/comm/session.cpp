@@ -12,8 +12,10 @@
 
 namespace brunt::comm {
 
-Session::Session(int& argc, char**& argv) {
-  demand(MPI_Init(&argc, &argv) == MPI_SUCCESS, "MPI starts");
+bool start_libraries(int& argc, char**& argv) {
+  int runs = 0;
+  MPI_Initialized(&runs);
+  if (runs == 0) demand(MPI_Init(&argc, &argv) == MPI_SUCCESS, "MPI starts");
   // PETSc gets neither the program's arguments nor the user's ~/.petscrc, which would change results
   std::string name = argc > 0 ? argv[0] : "brunt";
   std::string skip = "-skip_petscrc";
@@ -22,11 +24,12 @@ Session::Session(int& argc, char**& argv) {
   char** first = arguments.data();
   demand(PetscInitialize(&count, &first, nullptr, nullptr) == 0, "PETSc starts");
   demand(PetscPopSignalHandler() == 0, "PETSc gives up its signal handler");
+  return runs == 0;
 }
 
-Session::~Session() {
+void end_libraries(bool mpi_too) {
   PetscFinalize();
-  MPI_Finalize();
+  if (mpi_too) MPI_Finalize();
 }
 
 void Session::abort(int exit_code) {

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/contact_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "comm/deal_out.hpp"
+#include "comm/native.hpp"
+#include "contact/contact.hpp"
+#include "core/sorted.hpp"
+#include "gathered_mesh.hpp"
+#include "partition/distribute.hpp"
+
+namespace brunt::api {
+namespace {
+
+contact::ContactSettings internal(const ContactSettings& settings, std::size_t blocks) {
+  contact::ContactSettings inner;
+  contact::PairSpecification pair{.rule = contact::PairRule::automatic, .passes = contact::Passes::automatic};
+  pair.friction.fixed = pair.friction.kinetic = settings.friction;
+  inner.specification.pairs = contact::PairTable(blocks, pair);
+  pair.rule = contact::PairRule::apart;
+  for (std::size_t b = 0; b < blocks && !settings.self; ++b)
+    inner.specification.pairs.set(static_cast<std::int32_t>(b), static_cast<std::int32_t>(b), pair);
+  inner.specification.enforcement.tolerance = settings.tolerance;
+  inner.specification.enforcement.max_iterations = settings.iterations;
+  return inner;
+}
+
+/// An impulse on its way from the owner of a node to a copy.
+struct SentImpulse {
+  GlobalIndex gid = 0;
+  std::array<double, 3> impulse{};
+};
+
+/// The largest of each component and of its negative.
+void bound(contact::VelocitySpan& span, std::size_t place, const std::vector<Vec3>& velocities) {
+  for (const Vec3& one : velocities)
+    for (std::size_t c = 0; c < 6; ++c)
+      span[place + c] = std::max(span[place + c], (c < 3 ? 1 : -1) * one[static_cast<int>(c % 3)]);
+}
+
+}  // namespace
+
+struct ContactStep::Data {
+  comm::Communicator ranks;
+  mesh::LocalMesh mesh;
+  std::vector<std::size_t> place;  ///< of each node of `mesh` in the caller's arrays
+  contact::Contact contact;
+  std::vector<Vec3> position, position_before, velocity_before, velocity;
+  double dt_before = 0;
+
+  void take(std::span<const double> from, std::vector<Vec3>& to) const {
+    to.resize(place.size());
+    for (std::size_t n = 0; n < place.size(); ++n) to[n] = Vec3(&from[3 * place[n]]);
+  }
+  /// Of the motion since the last step, and of that to come.
+  [[nodiscard]] contact::VelocitySpan velocities() const {
+    contact::VelocitySpan span;
+    span.fill(std::numeric_limits<double>::lowest());
+    std::vector<Vec3> moved_by;
+    for (std::size_t n = 0; n < position_before.size(); ++n)
+      moved_by.push_back((position[n] - position_before[n]) / dt_before);
+    bound(span, 0, moved_by);
+    bound(span, 6, velocity);
+    ranks.max(span);
+    return span;
+  }
+  [[nodiscard]] std::vector<Vec3> impulses() const;
+};
+
+/// Of all local nodes: those of the owner on every copy.
+std::vector<Vec3> ContactStep::Data::impulses() const {
+  std::vector<Vec3> impulse(mesh.node_gid.size(), Vec3::Zero());
+  contact::add_impulses(contact, impulse);
+  std::vector<std::vector<SentImpulse>> outgoing(static_cast<std::size_t>(ranks.size()));
+  for (std::size_t s = 0; s < mesh.shared.size(); ++s) {
+    const auto node = static_cast<std::size_t>(mesh.shared[s]);
+    if (mesh.owner[node] != ranks.rank()) continue;
+    for (const Rank rank : mesh.sharers.row(static_cast<LocalIndex>(s)))
+      outgoing[static_cast<std::size_t>(rank)].push_back(
+          {mesh.node_gid[node], {impulse[node][0], impulse[node][1], impulse[node][2]}});
+  }
+  for (const SentImpulse& sent : comm::exchange(ranks, outgoing).values) {
+    const auto node = std::ranges::lower_bound(mesh.node_gid, sent.gid) - mesh.node_gid.begin();
+    impulse[static_cast<std::size_t>(node)] = Vec3(sent.impulse.data());
+  }
+  return impulse;
+}
+
+ContactStep::ContactStep(MPI_Comm on, const ContactMesh& given, const ContactSettings& settings) {
+  const comm::Communicator ranks = comm::NativeAccess::on(on);
+  const GatheredMesh whole = gather(ranks, given);
+  mesh::LocalMesh local = partition::distribute(ranks, whole.mesh, whole.rank_of_element);
+  const std::vector<std::size_t> place = places_of(given.node_number, local.node_id);
+  std::vector<double> inverse_mass;
+  std::vector<contact::ConstrainedNode> held;
+  for (std::size_t n = 0; n < place.size(); ++n) {
+    const double mass = given.mass[place[n]];
+    inverse_mass.push_back(std::isinf(mass) ? 1.0 : 1 / mass);
+    if (std::isinf(mass)) held.push_back({static_cast<LocalIndex>(n), Mat3::Zero()});
+  }
+  const std::vector<char> excluded(local.faces.size(), 0);
+  contact::Contact contact = contact::make_contact(ranks, local, excluded, inverse_mass, held, {},
+                                                   internal(settings, local.block_name.size()));
+  data_.reset(new Data{ranks, std::move(local), place, std::move(contact), {}, {}, {}, {}});
+}
+
+ContactStep::~ContactStep() = default;
+ContactStep::ContactStep(ContactStep&&) noexcept = default;
+ContactStep& ContactStep::operator=(ContactStep&&) noexcept = default;
+
+ContactReport ContactStep::correct(std::span<const double> position, std::span<const double> velocity_before,
+                                   std::span<double> velocity, double dt, std::span<double> impulse) {
+  Data& data = *data_;
+  const std::size_t most = data.place.empty() ? 0 : 3 * std::ranges::max(data.place) + 3;
+  const bool fits = position.size() >= most && velocity_before.size() == position.size() &&
+                    velocity.size() == position.size() && (impulse.empty() || impulse.size() == position.size());
+  if (data.ranks.any(!fits || !(dt > 0)))
+    throw std::invalid_argument("arrays have three numbers for each node of ContactMesh, and dt is positive");
+  data.position_before = std::exchange(data.position, {});
+  data.take(position, data.position);
+  data.take(velocity_before, data.velocity_before);
+  data.take(velocity, data.velocity);
+  const contact::StepInput input{
+      .position = {data.position.empty() ? nullptr : data.position.front().data()},
+      .old_velocity = {data.velocity_before.empty() ? nullptr : data.velocity_before.front().data()},
+      .velocity = {data.velocity.empty() ? nullptr : data.velocity.front().data()},
+      .walls = {},
+      .dt = dt};
+  contact::search(data.contact, input, data.velocities());
+  contact::correct(data.contact, input);
+  data.dt_before = dt;
+  for (std::size_t n = 0; n < data.place.size(); ++n) Eigen::Map<Vec3>(&velocity[3 * data.place[n]]) = data.velocity[n];
+  if (data.ranks.any(!impulse.empty())) {
+    const std::vector<Vec3> given = data.impulses();
+    std::ranges::fill(impulse, 0.0);
+    for (std::size_t n = 0; n < data.place.size() && !impulse.empty(); ++n)
+      Eigen::Map<Vec3>(&impulse[3 * data.place[n]]) = given[n];
+  }
+  const contact::ContactTotals totals = contact::collect(data.contact);
+  const contact::EnforcementResult& last = data.contact.ledger.statistics.last;
+  return {totals.active, last.iterations, last.residual, totals.penetration};
+}
+
+}  // namespace brunt::api

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brunt/run.hpp"
+
+#include "app/program/failure.hpp"
+#include "app/run/run.hpp"
+#include "comm/native.hpp"
+
+namespace brunt::api {
+
+int run_scene(MPI_Comm on, const RunOptions& options) {
+  const comm::Communicator ranks = comm::NativeAccess::on(on);
+  app::RunOptions inner;
+  inner.scene = options.scene;
+  inner.out = options.out;
+  inner.overrides = options.overrides;
+  inner.restart = options.restart;
+  inner.force = options.force;
+  inner.quiet = options.quiet;
+  return app::guarded(ranks, [&] { return app::run(ranks, inner); });
+}
+
+}  // namespace brunt::api
