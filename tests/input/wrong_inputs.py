@@ -184,7 +184,6 @@ SCENES = [
             "would stop before it warns", "at least depth_warning", lines=1),
     changed("unknown guard", "run:", "guards: {energy_stp: 0.2}\nrun:", "guards.energy_stp", "did you mean 'energy_stop'", lines=1),
     changed("unknown search", "run:", "search: {method: tree}\nrun:", "search.method", "tree", "auto, blocks, binary", lines=1),
-    changed("search that is no map", "run:", "search: binary\nrun:", "search", "a map", lines=1),
     changed("step factor above one", "{end: 1.0e-5}", "{end: 1.0e-5, cfl: 1.5}", "cfl", "1.5"),
     changed("unknown output field", "[displacement, velocity]", "[displacment]", "displacment", "displacement"),
     changed("output interval zero", "every: 5.0e-6", "every: 0", "output", "every"),
