@@ -6,8 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "comm/deal_out.hpp"
 #include "comm/native.hpp"
+#include "comm/rendezvous.hpp"
 #include "contact/contact.hpp"
 #include "core/sorted.hpp"
 #include "gathered_mesh.hpp"
@@ -52,6 +52,10 @@ struct ContactStep::Data {
   std::vector<Vec3> position, position_before, velocity_before, velocity;
   double dt_before = 0;
 
+  void give(const std::vector<Vec3>& from, std::span<double> to) const {
+    for (std::size_t n = 0; n < place.size(); ++n)
+      for (std::size_t c = 0; c < 3; ++c) to[3 * place[n] + c] = from[n][static_cast<int>(c)];
+  }
   void take(std::span<const double> from, std::vector<Vec3>& to) const {
     to.resize(place.size());
     for (std::size_t n = 0; n < place.size(); ++n) to[n] = Vec3(&from[3 * place[n]]);
@@ -133,12 +137,11 @@ ContactReport ContactStep::correct(std::span<const double> position, std::span<c
   contact::search(data.contact, input, data.velocities());
   contact::correct(data.contact, input);
   data.dt_before = dt;
-  for (std::size_t n = 0; n < data.place.size(); ++n) Eigen::Map<Vec3>(&velocity[3 * data.place[n]]) = data.velocity[n];
+  data.give(data.velocity, velocity);
   if (data.ranks.any(!impulse.empty())) {
     const std::vector<Vec3> given = data.impulses();
     std::ranges::fill(impulse, 0.0);
-    for (std::size_t n = 0; n < data.place.size() && !impulse.empty(); ++n)
-      Eigen::Map<Vec3>(&impulse[3 * data.place[n]]) = given[n];
+    if (!impulse.empty()) data.give(given, impulse);
   }
   const contact::ContactTotals totals = contact::collect(data.contact);
   const contact::EnforcementResult& last = data.contact.ledger.statistics.last;

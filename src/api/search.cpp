@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "brunt/search.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "comm/native.hpp"
 #include "contact/lists/ghosting.hpp"
@@ -57,7 +59,7 @@ PointsInBoxes find_points_in_boxes(MPI_Comm on, std::span<const double> points, 
   const std::vector<NumberedBox> others =
       contact::ghost(ranks, std::span<const NumberedBox>(near), wanted, contact::finest_cell(ranks, sides));
   near.insert(near.end(), others.begin(), others.end());
-  std::ranges::sort(near);
+  std::sort(near.begin(), near.end());
   sides.clear();
   for (const NumberedBox& box : near) sides.push_back(box.capture.box());
   contact::MethodScratch scratch;

@@ -13,7 +13,7 @@ namespace brunt::comm {
 
 struct NativeAccess {
   static MPI_Comm of(const Communicator& ranks);
-  static Communicator on(MPI_Comm ranks);  ///< a private copy; collective
+  static Communicator on(MPI_Comm ranks);           ///< a private copy; collective
   static Traffic& sent(const Communicator& ranks);  ///< its counters, for comm alone
 };
 inline MPI_Comm native(const Communicator& ranks) {

@@ -103,10 +103,10 @@ void contact() {
     if (mesh.node_number[n] >= 108) before[3 * n + 2] = -1;
   const double dt = 0.01;
   std::array<double, 3> sums{}, all{};  // momentum, impulse on the upper cube, impulse on both
-  api::ContactReport report;
+  std::int64_t active = 0;
   for (int k = 0; k < 3; ++k) {
     velocity = before;
-    report = step.correct(position, before, velocity, dt, impulse);
+    active = std::max(active, step.correct(position, before, velocity, dt, impulse).active);
     for (std::size_t n = 0; n < mesh.node_number.size(); ++n) {
       sums[1] += mesh.node_number[n] >= 108 ? impulse[3 * n + 2] : 0;
       sums[2] += impulse[3 * n + 2];
@@ -131,7 +131,7 @@ void contact() {
   tell("contact_impulses", all[2]);
   tell("contact_slowest", -most[0]);
   tell("contact_fastest", most[1]);
-  tell("contact_active", static_cast<double>(report.active));
+  tell("contact_active", static_cast<double>(active));
   bool refused = false;
   try {
     mesh.mass.push_back(1);
