@@ -48,6 +48,10 @@ class Look {
     double chord = 0;  ///< what of the edge is in this block [length]
     double depth = 0, share = 0;
   };
+  /// Of equally deep ones a node is named before the edge that ends there, then the lowest node.
+  [[nodiscard]] std::pair<bool, std::array<GlobalIndex, 2>> name_of(const Inside& inside) const {
+    return {probe_of(inside).on_edge, probe_of(inside).ends};
+  }
   void list_probes();
   [[nodiscard]] const Probe& probe_of(const Inside& inside) const { return probes_[inside.probe]; }
   /// What is inside; of a node a segment without length.
@@ -199,8 +203,8 @@ DeepNodes Look::result(double above) const {
       ++all.count;
       last = inside.probe;
     }
-    const bool is_equal = worst != nullptr && inside.share == worst->share;  // then the lowest node
-    if (worst == nullptr || inside.share > worst->share || (is_equal && probe_of(inside).ends < probe_of(*worst).ends))
+    const bool is_equal = worst != nullptr && inside.share == worst->share;
+    if (worst == nullptr || inside.share > worst->share || (is_equal && name_of(inside) < name_of(*worst)))
       worst = &inside;
   }
   all.count = ranks.sum(all.count);
@@ -208,19 +212,20 @@ DeepNodes Look::result(double above) const {
   if (!(most > 0)) return all;
   const bool may_be_mine = worst != nullptr && worst->share == most;
   const double infinity = std::numeric_limits<double>::infinity();
-  const double node = ranks.min(may_be_mine ? static_cast<double>(probe_of(*worst).ends[0]) : infinity);
-  std::array<double, 4> words;
+  const bool on_edge = ranks.min(may_be_mine && !probe_of(*worst).on_edge ? 0.0 : 1.0) > 0;
+  const bool is_mine = may_be_mine && probe_of(*worst).on_edge == on_edge;
+  const double node = ranks.min(is_mine ? static_cast<double>(probe_of(*worst).ends[0]) : infinity);
+  std::array<double, 3> words;
   words.fill(-infinity);
-  if (may_be_mine && static_cast<double>(probe_of(*worst).ends[0]) == node)
-    words = {static_cast<double>(probe_of(*worst).blocks.front()), static_cast<double>(worst->block), worst->depth,
-             probe_of(*worst).on_edge ? 1.0 : 0.0};
+  if (is_mine && static_cast<double>(probe_of(*worst).ends[0]) == node)
+    words = {static_cast<double>(probe_of(*worst).blocks.front()), static_cast<double>(worst->block), worst->depth};
   ranks.max(words);
   all.worst = {.node = static_cast<GlobalIndex>(node),
                .node_block = static_cast<std::int32_t>(words[0]),
                .block = static_cast<std::int32_t>(words[1]),
                .depth = words[2],
                .share = most,
-               .on_edge = words[3] > 0};
+               .on_edge = on_edge};
   return all;
 }
 

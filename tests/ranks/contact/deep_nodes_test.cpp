@@ -3,6 +3,7 @@
 #include "contact/deep_nodes.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>
 
@@ -103,7 +104,8 @@ TEST_CASE("deep nodes: an edge that lies in a face is as deep as it has sunk, ho
 }
 
 TEST_CASE("deep nodes: an edge across a ridge is as deep as the ridge, though the ridge is between two elements") {
-  // a roof of two elements with flanks of 45 degrees, its ridge at z = 1; a bar of one element across it
+  // a roof of two elements with flanks of 45 degrees, its ridge at z = 1; a bar of one element across it. The ridge is
+  // deeper in the bar than the bar's two edges in the roof, whose elements are 1 deep
   constexpr double sunk = 0.2;
   const comm::Communicator ranks = comm::Communicator::world();
   mesh::Mesh mesh;
@@ -116,5 +118,8 @@ TEST_CASE("deep nodes: an edge across a ridge is as deep as the ridge, though th
       [](const Vec3&) { return 1.0; }, [](const Vec3&) { return Vec3(0, 0, 0); });
   const contact::DeepNodes found = look_at(points, points.make_contact({}), 0.01);
   CHECK(found.worst.on_edge);
-  CHECK(found.worst.depth == Approx(sunk * std::numbers::sqrt2 / 2).epsilon(1e-9));
+  CHECK(found.worst.depth == Approx(sunk).epsilon(1e-9));
+  const double of_bar = sunk * std::numbers::sqrt2 / 2;
+  const auto right = std::ranges::count_if(found.shares, [&](double share) { return std::abs(share - of_bar) < 1e-9; });
+  CHECK(ranks.sum(static_cast<GlobalIndex>(right)) == 2);
 }
