@@ -49,6 +49,7 @@ class Package(unittest.TestCase):
             with self.subTest(ranks=ranks):
                 f = self.figures(ranks)
                 self.assertEqual(f["search_right"], [1, 1, 1])
+                self.assertEqual(f["search_odd"], [1])
                 self.assertAlmostEqual(f["depth"][0], 0.1, delta=1e-6)
                 self.assertGreaterEqual(f["depth_moved"][0], 1)
                 self.assertGreater(f["depth_bound"][0], 0.09)

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -53,6 +54,20 @@ void search() {
     MPI_Allreduce(&right, &all, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
     tell("search_right", static_cast<double>(all) / (per_rank * count));
   }
+  // one endless box of the last rank, an empty one and one of no number; a point of no number, one far away, one in the
+  // middle
+  const double none = std::numeric_limits<double>::quiet_NaN(), endless = std::numeric_limits<double>::infinity();
+  const std::vector<double> odd{-endless, -endless, -endless, endless, endless, endless, 1, 1, 1,
+                                0,        0,        0,        none,    0,       0,       1, 1, 1};
+  const api::PointsInBoxes found =
+      api::find_points_in_boxes(MPI_COMM_WORLD, std::vector<double>{none, 0, 0, 1e200, 0, 0, 0.5, 0.5, 0.5},
+                                rank == count - 1 ? odd : std::vector<double>{});
+  const bool right =
+      found.first == std::vector<std::int64_t>{0, 0, 1, 2} && found.box == std::vector<std::int64_t>{0, 0};
+  int everywhere = 0;
+  const int here = right ? 1 : 0;
+  MPI_Allreduce(&here, &everywhere, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+  tell("search_odd", everywhere);
 }
 
 /// Two unit cubes, one 0.9 above the other: 0.1 apart after the motion.
