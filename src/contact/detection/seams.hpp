@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seams between bodies that were flush at the start (contact/seams.hpp). The normal cone of an edge there is that of
-// the continuing face: for other bodies its side begins at the depth of the possible settlement.
+// Seams between bodies that were flush at the start (contact/joined/seams.hpp). The normal cone of an edge there is
+// that of the continuing face: for other bodies its side begins at the depth of the possible settlement.
 #pragma once
 #include <span>
 

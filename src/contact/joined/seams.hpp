@@ -12,8 +12,8 @@ namespace brunt::contact {
 
 /// Sets `seams` of faces, `seam` and `end_at_side` of edges, `seam_sag` of nodes and `flush`, from the reference mesh.
 /// A side of a face is a seam if a point slightly beyond it in the plane of the face, at a quarter or at three quarters
-/// of the side, lies on another face with a similar normal and without common nodes (detection/tolerances.hpp: seam).
-/// Collective.
+/// of the side, lies on another face with a similar normal and without common nodes (contact/data/tolerances.hpp:
+/// seam). Collective.
 void find_seams(const comm::Communicator& ranks, const mesh::LocalMesh& mesh, const Tolerances& tolerances,
                 Surface& surface);
 

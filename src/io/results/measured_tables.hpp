@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The group /measured of a checkpoint (brunt/io/measured_work.hpp).
+// The group /measured of a checkpoint (io/results/measured_work.hpp).
 #pragma once
 #include <string>
 #include <vector>

@@ -14,7 +14,7 @@ struct XdmfCells {
   GlobalIndex stream_length = 0;          ///< integers in the stream, where mixed
 };
 
-/// <Topology>: connectivity as in io/state_file.hpp.
+/// <Topology>: connectivity as in io/results/state_file.hpp.
 [[nodiscard]] std::string xdmf_topology(const XdmfCells& cells, GlobalIndex elements);
 
 /// The whole file: a temporal collection, each time with the one mesh of state.h5 and its fields.
