@@ -8,7 +8,7 @@ STEEL = {"model": "elastic", "density": 7800, "young": 2.0e11, "poisson": 0.3}
 METAL = {"model": "johnson_cook", "density": 7800, "young": 2.0e11, "poisson": 0.3, "A": 1.0e8, "B": 1.0e8, "n": 1, "C": 0}
 
 # Sections that are one map.
-SINGLE = ("gravity", "damping", "relaxation", "enforcement", "run", "output", "history", "checkpoint", "guards", "solver", "scaling")
+SINGLE = ("gravity", "damping", "relaxation", "enforcement", "run", "output", "history", "checkpoint", "guards", "search", "solver", "scaling")
 # Sections that are lists of maps.
 LISTS = ("initial", "fixed", "symmetry", "prescribed", "pressure", "forces", "traction", "remove", "rigid_walls", "contact", "probes")
 

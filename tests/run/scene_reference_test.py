@@ -55,7 +55,7 @@ def together(kinds):
 def top_level_keys():
     """Of the sources: a message lists the first two dozen."""
     text = ""
-    for path in glob.glob(os.path.join(ROOT, "src", "scene", "*.cpp")):
+    for path in glob.glob(os.path.join(ROOT, "src", "scene", "**", "*.cpp"), recursive=True):
         with open(path, encoding="utf-8") as stream:
             text += stream.read()
     return set(re.findall(r'\bscene\.(?:has|at|optional|required)\("(\w+)"', text)) | set(
