@@ -10,12 +10,9 @@ import os
 import re
 import sys
 
+from source_groups import code_of, declared_in, declared_in_headers, headers_of, reached_from, text_of
+
 NAMED = re.compile(r"^(inline )?namespace \w+( \{|::)", re.M)
-
-
-def text_of(path):
-    with open(path, encoding="utf-8") as stream:
-        return stream.read()
 
 
 def parted(text):
@@ -47,20 +44,41 @@ def merged(paths):
     return "\n".join([*dict.fromkeys(includes), "", *bodies])
 
 
+def functions(names, code):
+    """Those that the code calls or declares as functions; types begin with a capital."""
+    called = set(re.findall(r"\b([a-z_]\w*)\s*\(", code))
+    return names & called
+
+
+def code_of_headers(text, folder):
+    reached = set().union(*(reached_from(header) for header in headers_of(text, folder)))
+    return " ".join(code_of(text_of(header)) for header in sorted(reached))
+
+
 def groups(most, paths):
-    alone = [[path] for path in paths if parted(text_of(path)) is None]
-    found, size = [], most
+    """Each source goes to the first group with room for it, where none of its functions has the name of one in a header that it does
+    not include: a call would mean both, the other by the namespace of an argument. All other names are hidden by its own."""
+    alone, found = [], []
     for path in paths:
         text = text_of(path)
         if parted(text) is None:
+            alone.append([path])
             continue
+        code = code_of(text)
+        own = functions(declared_in(code), code)
+        of_headers = functions(declared_in_headers(text, os.path.dirname(path)), code_of_headers(text, os.path.dirname(path)))
         lines = text.count("\n")
-        if size + lines > most:
-            found.append([])
-            size = 0
-        found[-1].append(path)
-        size += lines
-    return found + alone
+        for group in found:
+            if group["lines"] + lines <= most and not own & group["of_headers"] and not of_headers & group["own"]:
+                break
+        else:
+            group = {"files": [], "lines": 0, "own": set(), "of_headers": set()}
+            found.append(group)
+        group["files"].append(path)
+        group["lines"] += lines
+        group["own"] |= own
+        group["of_headers"] |= of_headers
+    return [group["files"] for group in found] + alone
 
 
 def main():
