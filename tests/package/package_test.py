@@ -76,6 +76,7 @@ class Package(unittest.TestCase):
         headers = sorted(os.listdir(os.path.join(self.prefix, "include", "brunt")))
         self.assertEqual(headers, ["contact_step.hpp", "penetration_depth.hpp", "run.hpp", "search.hpp", "session.hpp"])
         self.assertEqual(os.listdir(os.path.join(self.prefix, "include")), ["brunt"])
+        self.assertTrue(os.path.isfile(os.path.join(self.prefix, "share", "brunt", "scene.schema.json")))
         self.assertIn("brunt", call(os.path.join(self.prefix, "bin", "brunt"), "--help"))
 
 
