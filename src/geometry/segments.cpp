@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nearest points, common perpendicular and first contact of segments.
+// Crossings and first contact of segments.
 #include "geometry/segments.hpp"
 
 #include <Eigen/Geometry>
@@ -22,11 +22,6 @@ Vec3 point_at(const Segment& a, double s) {
   return (1 - s) * a.start + s * a.end;
 }
 
-double nearest_parameter(const Vec3& x, const Segment& a) {
-  const double length2 = direction(a).squaredNorm();
-  return length2 > 0 ? std::clamp((x - a.start).dot(direction(a)) / length2, 0.0, 1.0) : 0.0;
-}
-
 Along along(double s, double tolerance) {
   if (s <= tolerance) return Along::start;
   return s >= 1 - tolerance ? Along::end : Along::inside;
@@ -44,18 +39,6 @@ std::optional<Parameters> feet_along(const Segment& a, const Segment& b, const V
   if (!(area * area > least_sine * least_sine * p.squaredNorm() * q.squaredNorm() * seen.squaredNorm()))
     return std::nullopt;
   return Parameters{offset.cross(q).dot(seen) / area, offset.cross(p).dot(seen) / area};
-}
-
-/// Feet of the common perpendicular of the two lines; none for parallel lines.
-std::optional<Parameters> feet(const Segment& a, const Segment& b, double least_sine) {
-  return feet_along(a, b, direction(a).cross(direction(b)), least_sine);
-}
-
-/// Keeps the nearer of two pairs; of equal ones the first.
-void keep_nearer(SegmentPair& best, const Segment& a, const Segment& b, const Parameters& p) {
-  const Vec3 on_a = point_at(a, p.s), on_b = point_at(b, p.t);
-  const double distance = (on_a - on_b).norm();
-  if (distance < best.distance) best = {p.s, p.t, distance, on_a, on_b, along(p.s, 0), along(p.t, 0)};
 }
 
 bool inside(double s, double tolerance) {
@@ -87,22 +70,6 @@ Trilinear distance_between(const MovingSegment& a, const MovingSegment& b) {
 }
 
 }  // namespace
-
-SegmentPair closest_points(const Segment& a, const Segment& b) {
-  SegmentPair best{.distance = std::numeric_limits<double>::infinity()};
-  keep_nearer(best, a, b, {0, nearest_parameter(a.start, b)});
-  keep_nearer(best, a, b, {1, nearest_parameter(a.end, b)});
-  keep_nearer(best, a, b, {nearest_parameter(b.start, a), 0});
-  keep_nearer(best, a, b, {nearest_parameter(b.end, a), 1});
-  const auto p = feet(a, b, 0);
-  if (p && p->s > 0 && p->s < 1 && p->t > 0 && p->t < 1) keep_nearer(best, a, b, *p);
-  return best;
-}
-
-std::optional<CommonPerpendicular> common_perpendicular(const Segment& a, const Segment& b, double kink) {
-  const Vec3 normal = direction(a).cross(direction(b));
-  return crossing_along(a, b, normal.normalized(), kink);
-}
 
 std::optional<CommonPerpendicular> crossing_along(const Segment& a, const Segment& b, const Vec3& seen, double kink) {
   const auto p = feet_along(a, b, seen, parallel_sine);

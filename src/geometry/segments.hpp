@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two straight segments: nearest points, common perpendicular, and the first contact of moving ones (edge-to-edge
-// contact).
+// Two straight segments: where they cross as seen along a direction, and the first contact of moving ones
+// (edge-to-edge contact).
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -20,34 +20,19 @@ enum class Along : std::int8_t { inside, start, end };
 /// Edges with a sine of their angle below this are parallel: they define no normal.
 constexpr double parallel_sine = 1e-6;
 
-struct SegmentPair {
-  double s = 0, t = 0;  ///< in [0, 1] along a and b
-  double distance = 0;  ///< [length]
-  Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
-  Along along_a = Along::inside, along_b = Along::inside;  ///< `inside` for s, t in (0, 1)
-};
-
-/// Nearest points of two segments. Any finite input has a result. Segments without length are points. If overlapping
-/// parallel segments have many nearest pairs, the result is one that contains an end (start of a, end of a, start of b,
-/// end of b: the first of the nearest). The distance is exact to rounding, s and t to rounding / sin^2(angle).
-SegmentPair closest_points(const Segment& a, const Segment& b);
-
 struct CommonPerpendicular {
   double s = 0, t = 0;
   Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
-  Vec3 normal = Vec3::Zero();  ///< a x b / |a x b|, or a given direction
+  Vec3 normal = Vec3::Zero();  ///< the given direction
   double gap = 0;              ///< (on_a - on_b) . normal: the sign tells on which side a lies [length]
   bool past_an_end = false;    ///< of a or b
 };
 
-/// The common perpendicular, if it meets both segments (enlarged by face_tolerance of their lengths, s and t clamped)
-/// or passes their ends at no more than `kink` |gap| times the sine of their angle. The latter is needed where two
-/// edges of a chain meet at such an angle: the foot of a perpendicular on the outer side lies on neither edge. Empty
-/// for parallel segments, segments without length, and values that are not finite.
-std::optional<CommonPerpendicular> common_perpendicular(const Segment& a, const Segment& b, double kink = 0);
-
-/// The same along a given unit direction: the crossing of the segments as seen along it. Segments that are parallel in
-/// this view do not cross.
+/// Where two segments cross as seen along a unit direction, if the line of sight meets both (enlarged by face_tolerance
+/// of their lengths, s and t clamped) or passes their ends at no more than `kink` |gap| times the sine of their angle.
+/// The latter is needed where two edges of a chain meet at such an angle: the foot of a perpendicular on the outer side
+/// lies on neither edge. Segments that are parallel in this view, segments without length, and values that are not
+/// finite do not cross.
 std::optional<CommonPerpendicular> crossing_along(const Segment& a, const Segment& b, const Vec3& direction,
                                                   double kink = 0);
 

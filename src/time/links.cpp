@@ -84,7 +84,7 @@ Links link_ranks(const comm::Communicator& ranks, model::Model& model) {
   for (const LocalIndex node : mesh.shared) shared_gid.push_back(mesh.node_gid[static_cast<std::size_t>(node)]);
 
   const std::vector<comm::Contribution> corners = number_slots(model);
-  Links links{ranks, comm::OrderedSum(ranks, corners, mesh.shared, shared_gid, mesh.sharers), {}, {}, {}, {}, {}, {}};
+  Links links{.ranks = ranks, .corner_forces = comm::OrderedSum(ranks, corners, mesh.shared, shared_gid, mesh.sharers)};
 
   link_bodies(ranks, model);
   find_interface(model);

@@ -17,13 +17,13 @@ namespace brunt::time {
 
 struct Links {
   comm::Communicator ranks;
-  comm::OrderedSum corner_forces;  ///< corner forces of elements at the border between ranks
-  std::vector<force::PressureCorner> pressure_corners;
-  comm::OrderedSum pressure;
-  AlignedVector<Quad> pressure_slots;
-  AlignedVector<Quad> pressure_sum;  ///< by node; empty without pressure
-  std::vector<contact::Wall> walls;  ///< positions of the model's walls at t_n
-  Timers timers;
+  comm::OrderedSum corner_forces{};  ///< corner forces of elements at the border between ranks
+  std::vector<force::PressureCorner> pressure_corners{};
+  comm::OrderedSum pressure{};
+  AlignedVector<Quad> pressure_slots{};
+  AlignedVector<Quad> pressure_sum{};  ///< by node; empty without pressure
+  std::vector<contact::Wall> walls{};  ///< positions of the model's walls at t_n
+  Timers timers{};
   std::vector<comm::ExactAccumulator> body_sums{};  ///< forces and moments on rigid bodies
   std::vector<double> body_forces{};                ///< the same, rounded
   std::vector<contact::Carrier> carriers{};         ///< rigid bodies in the form that contact needs

@@ -94,8 +94,7 @@ void refuse_overlaps(Prepared& run) {
 
 std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::string& scene_file,
                                   const std::vector<std::string>& overrides, const std::string& partition) {
-  auto prepared = std::make_unique<Prepared>(Prepared{
-      {}, {}, {}, {}, {}, {}, {}, time::Links{ranks, {}, {}, {}, {}, {}, {}, {}}, nullptr, {}, {}, {}, {}, {}});
+  auto prepared = std::make_unique<Prepared>(Prepared{.links = {.ranks = ranks}});
   prepared->input =
       read_input(ranks, scene_file, overrides, &prepared->fingerprint, &prepared->scene_values, &prepared->scene_yaml);
   mesh::CanonicalMesh whole;

@@ -49,21 +49,21 @@ struct WatchedBodies {
 };
 
 struct Prepared {
-  scene::Input input;
-  std::string fingerprint;            ///< of scene and mesh, which must not change at a restart
-  std::vector<std::string> warnings;  ///< on the root
-  TreatedOverlaps overlaps;           ///< on the root, but for what is accepted or recovered
-  model::Model model;
-  model::State state;
-  model::Scratch scratch;
+  scene::Input input{};
+  std::string fingerprint{};            ///< of scene and mesh, which must not change at a restart
+  std::vector<std::string> warnings{};  ///< on the root
+  TreatedOverlaps overlaps{};           ///< on the root, but for what is accepted or recovered
+  model::Model model{};
+  model::State state{};
+  model::Scratch scratch{};
   time::Links links;
-  std::unique_ptr<contact::Contact> contact;        ///< null without contact and walls
-  std::vector<std::array<std::string, 2>> tracked;  ///< parts of contacts whose impulses are summed, as in the probes
-  std::vector<double> contact_sums;                 ///< exact sums of contact in the form of a checkpoint
-  contact::HistoryTables contact_history;           ///< history of contact, likewise
+  std::unique_ptr<contact::Contact> contact{};        ///< null without contact and walls
+  std::vector<std::array<std::string, 2>> tracked{};  ///< parts of contacts whose impulses are summed, as in the probes
+  std::vector<double> contact_sums{};                 ///< exact sums of contact in the form of a checkpoint
+  contact::HistoryTables contact_history{};           ///< history of contact, likewise
 
-  std::vector<double> force_memory;  ///< of force probes: impulse (3) and time of the last row
-  Extremes extremes;                 ///< extremes since t = 0
+  std::vector<double> force_memory{};  ///< of force probes: impulse (3) and time of the last row
+  Extremes extremes{};                 ///< extremes since t = 0
 
   std::vector<std::string>
       left_out{};  ///< on the root: blocks of mesh files that are ignored, and what sets lost by it

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Segments: nearest points against dense search, meetings of moving edges built backwards (case E3).
+// Segments: crossings, and meetings of moving edges built backwards (case E3).
 #include "geometry/segments.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,23 +14,6 @@ using namespace brunt::geometry::testing;
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
-
-double distance_to(const Vec3& x, const Segment& a) {
-  const Vec3 p = a.end - a.start;
-  const double s = p.squaredNorm() > 0 ? std::clamp((x - a.start).dot(p) / p.squaredNorm(), 0.0, 1.0) : 0.0;
-  return (x - a.start - s * p).norm();
-}
-
-/// The distance to a segment is convex along another: ternary search.
-double searched_distance(const Segment& a, const Segment& b) {
-  double low = 0, high = 1;
-  const auto at = [&](double s) { return distance_to((1 - s) * a.start + s * a.end, b); };
-  for (int cut = 0; cut < 200; ++cut) {
-    const double one = low + (high - low) / 3, two = high - (high - low) / 3;
-    (at(one) < at(two) ? high : low) = at(one) < at(two) ? two : one;
-  }
-  return std::min({at(low), at(0), at(1)});
-}
 
 Segment random_segment(Random& random, double size) {
   return {random_vector(random, size), random_vector(random, size)};
@@ -64,47 +47,12 @@ Meeting meeting(Random& random, double angle, double s, double t, double tau, do
   return {moving(p, p_rate, s, carried + placed * relative), moving(q, q_rate, t, carried)};
 }
 
+/// As seen along a x b.
+std::optional<CommonPerpendicular> common_perpendicular(const Segment& a, const Segment& b, double kink = 0) {
+  return crossing_along(a, b, (a.end - a.start).cross(b.end - b.start).normalized(), kink);
+}
+
 }  // namespace
-
-TEST_CASE("nearest points of random segments agree with a search along one of them") {
-  Random random(2);
-  double worst = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const Segment a = random_segment(random, 1), b = random_segment(random, 1);
-    const SegmentPair pair = closest_points(a, b);
-    worst = std::max(worst, std::abs(pair.distance - searched_distance(a, b)));
-    worst =
-        std::max(worst, (along_segment(a, pair.s) - pair.on_a).norm() + (along_segment(b, pair.t) - pair.on_b).norm());
-    worst = std::max(worst, std::abs((pair.on_a - pair.on_b).norm() - pair.distance));
-    CHECK((pair.along_a == Along::inside) == (pair.s > 0 && pair.s < 1));
-    CHECK((pair.along_b == Along::inside) == (pair.t > 0 && pair.t < 1));
-  }
-  CHECK(worst < 1e-12);
-}
-
-TEST_CASE("nearest points of crossed, parallel, overlapping and shrunken segments") {
-  const Segment x{{-1, 0, 0}, {1, 0, 0}};
-  const SegmentPair crossed = closest_points(x, {{0.5, -1, 0.25}, {0.5, 1, 0.25}});
-  CHECK(crossed.s == Approx(0.75).epsilon(1e-15));
-  CHECK(crossed.t == Approx(0.5).epsilon(1e-15));
-  CHECK(crossed.distance == Approx(0.25).epsilon(1e-15));
-  CHECK(crossed.along_a == Along::inside);
-
-  const SegmentPair one_degree =
-      closest_points(x, {{-std::cos(degree), -std::sin(degree), 1}, {std::cos(degree), std::sin(degree), 1}});
-  CHECK(one_degree.distance == Approx(1).epsilon(1e-14));
-  CHECK(one_degree.s == Approx(0.5).margin(1e-12));
-
-  CHECK(closest_points(x, {{-0.5, 0, 1}, {0.5, 0, 1}}).distance == Approx(1).epsilon(1e-15));   // parallel
-  CHECK(closest_points(x, {{-0.5, 0, 0}, {2, 0, 0}}).distance == 0);                            // overlapping
-  CHECK(closest_points(x, {{4, 0, 0}, {3, 0, 0}}).distance == Approx(2).epsilon(1e-15));        // in a line
-  CHECK(closest_points(x, {{0, 3, 0}, {0, 3, 0}}).distance == Approx(3).epsilon(1e-15));        // a point
-  CHECK(closest_points({{1, 1, 1}, {1, 1, 1}}, {{1, 1, 2}, {1, 1, 2}}).distance == Approx(1));  // two points
-  const SegmentPair ends = closest_points(x, {{2, 1, 0}, {3, 5, 0}});
-  CHECK(ends.along_a == Along::end);
-  CHECK(ends.along_b == Along::start);
-  CHECK(ends.distance == Approx(std::sqrt(2.0)).epsilon(1e-15));
-}
 
 TEST_CASE("where segments cross as seen along a direction: points that lie over each other, and how far apart") {
   const Segment x{{-1, 0, 0}, {1, 0, 0}}, oblique{{0.5, -1, -0.5}, {0.5, 1, 0.5}};  // rises along y
