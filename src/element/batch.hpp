@@ -2,8 +2,8 @@
 // Input and output of an element kernel: a batch of elements at once (one for each lane of a pack).
 //
 // A kernel is a small struct with its constants, templated over a material response, and
-//   static constexpr int nodes;                          corners an element
-// history variables of an element, in order
+//   static constexpr int nodes, history_size;   corners an element; numbers of its history
+//   std::vector<HistoryField> history() const;  their names, in order
 //   void operator()(const BatchMotion<nodes>&, const Pack* committed, Pack* trial, BatchForce<nodes>&) const;
 // `committed` is the history at the start of the step, `trial` at its end: every entry except the mass, which no step
 // changes, is written. Both may be the same memory, as in an explicit step. A kernel knows neither MPI nor files, nor

@@ -11,7 +11,6 @@
 //   |sum_g x_g|^2 <= sum_g |x_g|^2 / theta_g   gives   H_q = w_q S_g / theta_g,  S_g = sum of w over q's group.
 // theta_g = 1/2 (1/groups + S_g / sum of all S): half of it divides a body evenly, the other half favours a group that
 // is nearly alone. Any grouping is valid, so a few groups by number (body modulo six) suffice.
-// nearly alone. Any grouping is right, so that one of few by number (body modulo six) serves.
 #pragma once
 #include <array>
 #include <cstdint>
