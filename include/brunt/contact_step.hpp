@@ -12,8 +12,9 @@
 
 namespace brunt::api {
 
-/// The piece of a mesh on this rank. A node of several ranks is on each of them, with the same number; an element is on
-/// one. Elements of different parts share no nodes.
+/// The piece of a mesh on this rank. Nodes without elements here have no contact here, copies of others among them. A
+/// node of several ranks is on each of them, with the same number; an element is on one. Elements of different parts
+/// share no nodes.
 struct ContactMesh {
   std::vector<std::int64_t> node_number;     ///< of each node of this rank, unique over all ranks, in any order
   std::vector<double> position;              ///< x, y, z of each node at the start [length]

@@ -8,6 +8,7 @@
 
 namespace brunt::api {
 
+/// The same on all ranks.
 struct RunOptions {
   std::string scene;                   ///< file
   std::string out;                     ///< result folder; empty: the scene's name with .out

@@ -57,7 +57,9 @@ def single(kind, phrase, inner):
         return inner or {"type": "object"}
     if kind == "list":
         return {"type": "array", "items": inner} if inner else listed(phrase)
-    return {"type": ["string", "number"]} if phrase == "duration" else {"type": "string"} if phrase in ("text", "word") else NAME
+    if phrase == "text":  # a title may be a number
+        return {"type": ["string", "number", "boolean"]}
+    return {"type": ["string", "number"]} if phrase == "duration" else {"type": "string"} if phrase == "word" else NAME
 
 
 def one_of_each(rows):

@@ -16,14 +16,33 @@
 namespace brunt::api {
 namespace {
 
-contact::ContactSettings internal(const ContactSettings& settings, std::size_t blocks) {
+/// Throws std::invalid_argument on all ranks.
+void judge(const comm::Communicator& ranks, const ContactSettings& settings) {
+  const std::array<double, 4> given{settings.friction, settings.self ? 1.0 : 0.0, settings.tolerance,
+                                    static_cast<double>(settings.iterations)};
+  for (const double value : given)
+    if (ranks.any(!std::isfinite(value)) || ranks.max(value) != ranks.min(value))
+      throw std::invalid_argument("settings of contact are finite, and the same on all ranks");
+  if (!(settings.friction >= 0 && settings.tolerance > 0 && settings.tolerance < 1 && settings.iterations >= 1))
+    throw std::invalid_argument("friction is at least 0, tolerance between 0 and 1, and iterations at least 1");
+}
+
+/// A part of hexahedra and tetrahedra has two blocks.
+std::string part_of(const std::string& block) {
+  return block.substr(0, block.find(" ("));
+}
+
+contact::ContactSettings internal(const ContactSettings& settings, const std::vector<std::string>& block_names) {
+  const std::size_t blocks = block_names.size();
   contact::ContactSettings inner;
   contact::PairSpecification pair{.rule = contact::PairRule::automatic, .passes = contact::Passes::automatic};
   pair.friction.fixed = pair.friction.kinetic = settings.friction;
   inner.specification.pairs = contact::PairTable(blocks, pair);
   pair.rule = contact::PairRule::apart;
-  for (std::size_t b = 0; b < blocks && !settings.self; ++b)
-    inner.specification.pairs.set(static_cast<std::int32_t>(b), static_cast<std::int32_t>(b), pair);
+  for (std::size_t a = 0; a < blocks && !settings.self; ++a)
+    for (std::size_t b = 0; b <= a; ++b)
+      if (part_of(block_names[a]) == part_of(block_names[b]))
+        inner.specification.pairs.set(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), pair);
   inner.specification.enforcement.tolerance = settings.tolerance;
   inner.specification.enforcement.max_iterations = settings.iterations;
   return inner;
@@ -48,6 +67,7 @@ struct ContactStep::Data {
   comm::Communicator ranks;
   mesh::LocalMesh mesh;
   std::vector<std::size_t> place;  ///< of each node of `mesh` in the caller's arrays
+  std::size_t numbers;             ///< of the caller's arrays: three a node
   contact::Contact contact;
   std::vector<Vec3> position, position_before, velocity_before, velocity;
   double dt_before = 0;
@@ -96,6 +116,7 @@ std::vector<Vec3> ContactStep::Data::impulses() const {
 
 ContactStep::ContactStep(MPI_Comm on, const ContactMesh& given, const ContactSettings& settings) {
   const comm::Communicator ranks = comm::NativeAccess::on(on);
+  judge(ranks, settings);
   const GatheredMesh whole = gather(ranks, given);
   mesh::LocalMesh local = partition::distribute(ranks, whole.mesh, whole.rank_of_element);
   const std::vector<std::size_t> place = places_of(given.node_number, local.node_id);
@@ -107,9 +128,9 @@ ContactStep::ContactStep(MPI_Comm on, const ContactMesh& given, const ContactSet
     if (std::isinf(mass)) held.push_back({static_cast<LocalIndex>(n), Mat3::Zero()});
   }
   const std::vector<char> excluded(local.faces.size(), 0);
-  contact::Contact contact = contact::make_contact(ranks, local, excluded, inverse_mass, held, {},
-                                                   internal(settings, local.block_name.size()));
-  data_.reset(new Data{ranks, std::move(local), place, std::move(contact), {}, {}, {}, {}});
+  contact::Contact contact =
+      contact::make_contact(ranks, local, excluded, inverse_mass, held, {}, internal(settings, local.block_name));
+  data_.reset(new Data{ranks, std::move(local), place, given.position.size(), std::move(contact), {}, {}, {}, {}});
 }
 
 ContactStep::~ContactStep() = default;
@@ -119,11 +140,14 @@ ContactStep& ContactStep::operator=(ContactStep&&) noexcept = default;
 ContactReport ContactStep::correct(std::span<const double> position, std::span<const double> velocity_before,
                                    std::span<double> velocity, double dt, std::span<double> impulse) {
   Data& data = *data_;
-  const std::size_t most = data.place.empty() ? 0 : 3 * std::ranges::max(data.place) + 3;
-  const bool fits = position.size() >= most && velocity_before.size() == position.size() &&
-                    velocity.size() == position.size() && (impulse.empty() || impulse.size() == position.size());
-  if (data.ranks.any(!fits || !(dt > 0)))
-    throw std::invalid_argument("arrays have three numbers for each node of ContactMesh, and dt is positive");
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  const bool fits = position.size() == data.numbers && velocity_before.size() == data.numbers &&
+                    velocity.size() == data.numbers && (impulse.empty() || impulse.size() == data.numbers);
+  const bool right = fits && std::ranges::all_of(position, is_finite) &&
+                     std::ranges::all_of(velocity_before, is_finite) && std::ranges::all_of(velocity, is_finite);
+  if (data.ranks.any(!right || !(dt > 0) || !std::isfinite(dt)) || data.ranks.max(dt) != data.ranks.min(dt))
+    throw std::invalid_argument(
+        "arrays have three finite numbers for each node of ContactMesh; dt is positive, and the same on all ranks");
   data.position_before = std::exchange(data.position, {});
   data.take(position, data.position);
   data.take(velocity_before, data.velocity_before);

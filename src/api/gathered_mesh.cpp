@@ -19,12 +19,14 @@ namespace {
 struct Node {
   GlobalIndex number = 0;
   std::array<double, 3> position{};
+  double mass = 0;
 };
 struct Element {
   GlobalIndex number = 0;
   std::int32_t part = 0;
   Rank rank = 0;
-  std::array<GlobalIndex, 8> corner{};  ///< numbers of nodes, no_index to fill
+  bool tetrahedron = false;
+  std::array<GlobalIndex, 8> corner{};  ///< numbers of nodes, of a tetrahedron the first four
 };
 
 std::string fault_of(const ContactMesh& given) {
@@ -69,8 +71,9 @@ std::vector<T> to_root(const comm::Communicator& ranks, const std::vector<T>& mi
 std::vector<Node> nodes_of(const ContactMesh& given) {
   std::vector<Node> mine;
   for (std::size_t n = 0; n < given.node_number.size(); ++n)
-    mine.push_back(
-        {given.node_number[n], {given.position[3 * n], given.position[3 * n + 1], given.position[3 * n + 2]}});
+    mine.push_back({given.node_number[n],
+                    {given.position[3 * n], given.position[3 * n + 1], given.position[3 * n + 2]},
+                    given.mass[n]});
   return mine;
 }
 
@@ -78,9 +81,10 @@ std::vector<Node> nodes_of(const ContactMesh& given) {
 std::vector<Node> unique_nodes(std::vector<Node> all) {
   std::ranges::stable_sort(all, {}, &Node::number);
   for (std::size_t n = 1; n < all.size(); ++n)
-    if (all[n].number == all[n - 1].number && all[n].position != all[n - 1].position)
+    if (all[n].number == all[n - 1].number &&
+        (all[n].position != all[n - 1].position || all[n].mass != all[n - 1].mass))
       throw std::invalid_argument("node " + std::to_string(all[n].number) +
-                                  " has two positions; expected one on all ranks");
+                                  " has two positions or masses; expected one on all ranks");
   const auto same = [](const Node& a, const Node& b) { return a.number == b.number; };
   all.erase(std::unique(all.begin(), all.end(), same), all.end());
   return all;
@@ -89,11 +93,9 @@ std::vector<Node> unique_nodes(std::vector<Node> all) {
 std::vector<Element> elements_of(const ContactMesh& given, Rank rank) {
   std::vector<Element> mine;
   for (std::size_t e = 0; e < given.element_number.size(); ++e) {
-    Element element{given.element_number[e], given.part[e], rank, {}};
-    const bool tetrahedron = given.corner[8 * e + 4] < 0;
-    for (std::size_t c = 0; c < 8; ++c)
-      element.corner[c] =
-          tetrahedron && c >= 4 ? no_index : given.node_number[static_cast<std::size_t>(given.corner[8 * e + c])];
+    Element element{given.element_number[e], given.part[e], rank, given.corner[8 * e + 4] < 0, {}};
+    for (std::size_t c = 0; c < (element.tetrahedron ? 4 : 8); ++c)
+      element.corner[c] = given.node_number[static_cast<std::size_t>(given.corner[8 * e + c])];
     mine.push_back(element);
   }
   return mine;
@@ -109,15 +111,27 @@ std::vector<Element> unique_elements(std::vector<Element> all) {
   return all;
 }
 
+/// Throws std::invalid_argument where elements of two parts share a node.
+void demand_parts_apart(const std::vector<Element>& elements) {
+  std::map<GlobalIndex, std::int32_t> part_of;
+  for (const Element& element : elements)
+    for (std::size_t c = 0; c < (element.tetrahedron ? 4 : 8); ++c)
+      if (const auto [known, is_new] = part_of.try_emplace(element.corner[c], element.part);
+          !is_new && known->second != element.part)
+        throw std::invalid_argument("node " + std::to_string(element.corner[c]) +
+                                    " is one of two parts; expected parts without common nodes");
+}
+
 /// Root only; throws std::invalid_argument.
 GatheredMesh joined(const std::vector<Node>& nodes, const std::vector<Element>& elements) {
+  demand_parts_apart(elements);
   mesh::Mesh whole;
   for (const Node& node : nodes) {
     whole.coordinates.emplace_back(node.position.data());
     whole.node_id.push_back(node.number);
   }
   std::map<std::pair<std::int32_t, bool>, std::vector<const Element*>> blocks;  // by part, tetrahedra last
-  for (const Element& element : elements) blocks[{element.part, element.corner[4] == no_index}].push_back(&element);
+  for (const Element& element : elements) blocks[{element.part, element.tetrahedron}].push_back(&element);
   std::vector<Rank> rank_of_input;
   for (const auto& [kind, members] : blocks) {
     mesh::Block block;

@@ -16,6 +16,9 @@ brunt::Placement internal(const Placement& placement) {
   constexpr double rounding = 1e-9;
   if (!((rotation * rotation.transpose() - Mat3::Identity()).norm() < rounding && rotation.determinant() > 0))
     throw std::invalid_argument("the rotation of a placement is proper and orthogonal");
+  constexpr double farthest = 1e100;  // squares of distances are numbers of the machine
+  if (!std::ranges::all_of(placement.translation, [](double x) { return std::abs(x) < farthest; }))
+    throw std::invalid_argument("the translation of a placement is finite, and below 1e100");
   return {rotation, Vec3(placement.translation.data())};
 }
 

@@ -45,8 +45,15 @@ double edge_of(int level, double finest) {
   return std::ldexp(finest, level);
 }
 
+/// The longest side [length]: infinite where a bound is, or where it is no number of the machine; NaN if a bound is.
+double extent_of(const geometry::Box& box) {
+  if (box.low.hasNaN() || box.high.hasNaN()) return std::numeric_limits<double>::quiet_NaN();
+  if (!box.low.allFinite() || !box.high.allFinite()) return std::numeric_limits<double>::infinity();
+  return (box.high - box.low).maxCoeff();
+}
+
 int level_of(const geometry::Box& box, double finest) {
-  const double size = (box.high - box.low).maxCoeff();
+  const double size = extent_of(box);
   int level = 0;
   while (level + 1 < grid_levels && edge_of(level, finest) < size) ++level;
   return level;
@@ -69,7 +76,7 @@ struct BoxCell {
 using Levels = std::array<double, grid_levels>;  // 1 where used
 
 bool too_large(const geometry::Box& box, double finest) {  // a run that blew up
-  return !((box.high - box.low).maxCoeff() <= edge_of(grid_levels - 1, finest));
+  return !(extent_of(box) <= edge_of(grid_levels - 1, finest));
 }
 
 Levels own_levels(const comm::Communicator& ranks, std::span<const geometry::Box> boxes, double finest) {
@@ -149,7 +156,7 @@ std::vector<CellUse> meet_at_home(const comm::Communicator& ranks, const std::ve
 double finest_cell(const comm::Communicator& ranks, std::span<const geometry::Box> boxes) {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   for (const geometry::Box& box : boxes) {
-    const double extent = (box.high - box.low).maxCoeff();
+    const double extent = extent_of(box);
     if (!(extent > 0) || !std::isfinite(extent)) continue;
     smallest = std::min(smallest, extent);
     largest = std::max(largest, extent);
@@ -175,7 +182,7 @@ std::vector<std::vector<LocalIndex>> meet_in_cells(const comm::Communicator& ran
         leaving[static_cast<std::size_t>(need.rank)].push_back(cell->box);
   }
   for (std::size_t b = 0; b < offered.size(); ++b)  // no grid holds it
-    if ((offered[b].high - offered[b].low).maxCoeff() > edge_of(grid_levels - 1, finest))
+    if (extent_of(offered[b]) > edge_of(grid_levels - 1, finest))
       for (Rank r = 0; r < ranks.size(); ++r)
         if (r != ranks.rank()) leaving[static_cast<std::size_t>(r)].push_back(static_cast<LocalIndex>(b));
   for (std::vector<LocalIndex>& boxes : leaving) {

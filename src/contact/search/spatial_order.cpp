@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "hilbert_key.hpp"
@@ -75,7 +76,7 @@ class Sorter {
     const std::span<Item> items(scratch_.items.data() + first, last - first);
     const geometry::Box around = box_around(items);
     const Cube own{around.low, (around.high - around.low).maxCoeff(), {}};
-    if (!(own.size > 0)) return;
+    if (!(own.size > 0) || !std::isfinite(own.size)) return;  // so far apart that any order serves
     if (within.size > 0) {
       within.shrink_to(around);
     } else {

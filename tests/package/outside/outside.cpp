@@ -57,8 +57,9 @@ void search() {
   // one endless box of the last rank, an empty one and one of no number; a point of no number, one far away, one in the
   // middle
   const double none = std::numeric_limits<double>::quiet_NaN(), endless = std::numeric_limits<double>::infinity();
-  const std::vector<double> odd{-endless, -endless, -endless, endless, endless, endless, 1, 1, 1,
-                                0,        0,        0,        none,    0,       0,       1, 1, 1};
+  const std::vector<double> odd{-endless, -endless, -endless, endless, endless, endless, 1,       1,
+                                1,        0,        0,        0,       none,    0,       0,       1,
+                                1,        1,        -endless, endless, 0,       endless, endless, 1};
   const api::PointsInBoxes found =
       api::find_points_in_boxes(MPI_COMM_WORLD, std::vector<double>{none, 0, 0, 1e200, 0, 0, 0.5, 0.5, 0.5},
                                 rank == count - 1 ? odd : std::vector<double>{});

@@ -111,6 +111,16 @@ TEST_CASE("a step of contact: what is wrong with a mesh is said") {
   refused([](api::ContactMesh& m) { m.corner[3] = 4; }, "corners are positions in node_number");
   refused([](api::ContactMesh& m) { m.node_number[1] = 9; }, "a rank has each node once");
   refused([](api::ContactMesh& m) { std::swap(m.corner[0], m.corner[1]); }, "element 1");  // inside out
+  refused(
+      [](api::ContactMesh& m) {  // a second one on the face of the first
+        m.node_number.push_back(11);
+        m.position.insert(m.position.end(), {1, 1, 1});
+        m.mass.push_back(1);
+        m.element_number.push_back(2);
+        m.part.push_back(4);
+        m.corner.insert(m.corner.end(), {1, 2, 3, 4, -1, -1, -1, -1});
+      },
+      "one of two parts");
   refused([](api::ContactMesh& m) { m.position[0] = std::numeric_limits<double>::quiet_NaN(); }, "");
 }
 
@@ -123,7 +133,16 @@ TEST_CASE("a step of contact: a body alone keeps its velocity, and wrong arrays 
   CHECK(impulse == std::vector<double>(12, 0.0));
   CHECK(report.active == 0);
   CHECK_THROWS_AS(step.correct(position, before, velocity, 0, impulse), std::invalid_argument);
-  velocity.pop_back();
+  velocity[4] = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_AS(step.correct(position, before, velocity, 0.01), std::invalid_argument);
+  velocity.push_back(1);
+  CHECK_THROWS_AS(step.correct(position, before, velocity, 0.01), std::invalid_argument);
+  for (const api::ContactSettings& wrong : {api::ContactSettings{.friction = -1},
+                                            {.friction = std::numeric_limits<double>::quiet_NaN()},
+                                            {.tolerance = 0},
+                                            {.iterations = 0}})
+    CHECK_THROWS_AS(api::ContactStep(MPI_COMM_WORLD, tetrahedron(), wrong), std::invalid_argument);
+  velocity.resize(11);
   CHECK_THROWS_AS(step.correct(position, before, velocity, 0.01), std::invalid_argument);
 }
 
@@ -167,5 +186,16 @@ TEST_CASE("search and depth: arrays of the wrong length are refused") {
   const std::vector<double> corners{0, 0, 0, 1, 0, 0, 0, 1, 0};
   CHECK_THROWS_AS(api::DepthBody(corners, triangle), std::invalid_argument);  // open
   const std::vector<std::int32_t> outside{0, 1, 3};
+  const std::vector<double> points{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const std::vector<std::int32_t> sides{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+  const api::DepthBody body(points, sides);
+  api::Placement nowhere;
+  nowhere.translation[1] = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(api::penetration_depth(body, body, nowhere), std::invalid_argument);
+  // as far apart as numbers allow: 40 points in a cube and two whose distance is none
+  std::vector<double> wide{1e308, 0, 0, -1e308, 0, 0};
+  for (int i = 0; i < 40; ++i) wide.insert(wide.end(), {i / 40.0, 0.5, 0.5});
+  const std::vector<double> half{0, 0, 0, 0.5, 1, 1};
+  CHECK(api::find_points_in_boxes(MPI_COMM_WORLD, wide, half).box.size() == 21);
   CHECK_THROWS_AS(api::DepthBody(corners, outside), std::invalid_argument);
 }
