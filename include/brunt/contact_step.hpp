@@ -12,11 +12,11 @@
 
 namespace brunt::api {
 
-/// The piece of a mesh on this rank. Nodes without elements here have no contact here, copies of others among them. A
-/// node of several ranks is on each of them, with the same number; an element is on one. Elements of different parts
-/// share no nodes.
+/// The piece of a mesh on this rank. A node of several ranks is on each of them, with the same number, position and
+/// mass; an element is on one. A node that no element of this rank has is left as it is here. Elements of different
+/// parts share no nodes.
 struct ContactMesh {
-  std::vector<std::int64_t> node_number;     ///< of each node of this rank, unique over all ranks, in any order
+  std::vector<std::int64_t> node_number;     ///< of each node of this rank, each once, in any order
   std::vector<double> position;              ///< x, y, z of each node at the start [length]
   std::vector<std::int64_t> element_number;  ///< of each element of this rank, unique over all ranks
   std::vector<std::int32_t> corner;          ///< eight a hexahedron, nodes of this rank, in the order of Exodus HEX8; a
