@@ -10,9 +10,9 @@ import os
 import re
 import sys
 
+import scene_page
+
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
-sys.path.insert(0, os.path.join(ROOT, "tests", "run"))
-import scene_page  # noqa: E402
 
 PAGE, SCHEMA = os.path.join(ROOT, "src", "scene", "README.md"), os.path.join(ROOT, "src", "scene", "scene.schema.json")
 BODIES = ("box", "cylinder", "sphere", "tube", "torus", "plate")

@@ -9,13 +9,13 @@ namespace brunt::api {
 
 int run_scene(MPI_Comm on, const RunOptions& options) {
   const comm::Communicator ranks = comm::NativeAccess::on(on);
-  app::RunOptions inner;
-  inner.scene = options.scene;
-  inner.out = options.out;
-  inner.overrides = options.overrides;
-  inner.restart = options.restart;
-  inner.force = options.force;
-  inner.quiet = options.quiet;
+  const app::RunOptions inner{.scene = options.scene,
+                              .out = options.out,
+                              .overrides = options.overrides,
+                              .restart = options.restart,
+                              .partition = {},
+                              .force = options.force,
+                              .quiet = options.quiet};
   return app::guarded(ranks, [&] { return app::run(ranks, inner); });
 }
 

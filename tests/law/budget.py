@@ -9,7 +9,7 @@ import sys
 import tree
 
 FILE_LINES, FUNCTION_LINES = 400, 80
-FOLDERS = ("src", "partition", "tests", "scripts", "cases")
+FOLDERS = ("include", "src", "partition", "tests", "scripts", "cases")
 CODE = (".cpp", ".hpp", ".h", ".c")
 # Comments, strings and characters may hold braces that open nothing.
 NO_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)

@@ -26,7 +26,7 @@ def read_layers(text):
 
 def room_of(path, rooms):
     """The longest room that the path lies in, None outside the rooms."""
-    path = re.sub(r"^src/", "", path)
+    path = re.sub(r"^include/brunt/", "api/", re.sub(r"^src/", "", path))
     inside = [r for r in rooms if re.match(re.escape(r) + r"([./]|$)", path)]
     return max(inside, key=len, default=None)
 
@@ -54,7 +54,7 @@ def find_circle(graph):
 
 def folder_of(path):
     """The folder of a file, by its room's name."""
-    return os.path.dirname(re.sub(r"^src/", "", path))
+    return os.path.dirname(re.sub(r"^include/brunt/", "api/", re.sub(r"^src/", "", path)))
 
 
 def folders_of(graph):
@@ -69,7 +69,7 @@ def folders_of(graph):
 
 def resolve(root, includer, included):
     """The project's own file that an include names, or None."""
-    for place in (os.path.dirname(includer), "src", ""):
+    for place in (os.path.dirname(includer), "src", "include", ""):
         path = os.path.normpath(os.path.join(place, included))
         if os.path.isfile(os.path.join(root, path)):
             return path
@@ -103,7 +103,7 @@ def check(root, layers_text):
         faults += [f"layers.txt: {room} may include {a}, which is no room" for a in allowed - set(rooms) - {"*"}]
 
     graph = {}
-    for path in tree.files(root, ("src", "partition", "tests"), CODE):
+    for path in tree.files(root, ("include", "src", "partition", "tests"), CODE):
         included = INCLUDE.findall(tree.read(root, path))
         own = [p for p in (resolve(root, path, i) for i in included) if p]
         graph[path] = set(own)

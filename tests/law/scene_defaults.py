@@ -8,7 +8,7 @@ import sys
 
 import tree
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "run"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts", "lib"))
 import scene_page  # noqa: E402
 
 INPUT, LAW, CONTACT = "src/scene/input.hpp", "src/material/law.hpp", "src/contact/data/options.hpp"

@@ -13,7 +13,7 @@ import messages
 import text
 import unit_folders
 
-LAYERS = "core:\nmesh:\ncontact: mesh\ncontact/search: contact\napp: *\nvendor mpi.h: src/comm\n"
+LAYERS = "core:\nmesh:\ncontact: mesh\ncontact/search: contact\napp: *\napi: mesh\nvendor mpi.h: src/comm\n"
 
 
 class Walls(unittest.TestCase):
@@ -42,6 +42,11 @@ class Walls(unittest.TestCase):
         self.write("src/contact/search/a.hpp", "")
         self.write("src/mesh/b.cpp", '#include "contact/search/a.hpp"\n')
         self.assertIn("mesh may not include contact/search", self.include_faults())
+
+    def test_headers_for_others_belong_to_their_room(self):
+        self.write("src/contact/a.hpp", "")
+        self.write("include/brunt/b.hpp", '#include "contact/a.hpp"\n')
+        self.assertIn("api may not include contact", self.include_faults())
 
     def test_circle_of_files(self):
         self.write("src/mesh/a.hpp", '#include "mesh/b.hpp"\n')

@@ -8,10 +8,12 @@ import json
 import os
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 
-import scene_page
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts", "lib"))
+import scene_page  # noqa: E402
 from scene_places import BODIES, CONTEXTS, LISTS, SINGLE, Scenes
 
 ROOT = os.path.dirname(os.environ["BRUNT_CASES"])

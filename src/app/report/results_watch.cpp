@@ -226,8 +226,7 @@ void Results::report_turned() {
   const bool rests = run_.input.implicit && run_.input.implicit->scheme == model::Scheme::statics;
   log_.warning(fmt::format(
       "contact {}: angular_momentum_error is {:.2g}, {:g} at most is usual. Nodes beyond a rim are supported at the "
-      "rim, "
-      "and deep ones far from where they touch: use smaller elements there{}",
+      "rim, and deep ones far from where they touch: use smaller elements there{}",
       rests ? "forces of bodies on each other have a moment" : "between bodies has supplied angular momentum", error,
       run_.input.guards.angular_momentum, run_.input.implicit ? "" : ", or passes: two"));
 }

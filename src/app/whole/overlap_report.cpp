@@ -207,7 +207,7 @@ OverlapReport report_overlaps(const scene::Input& input, const mesh::Mesh& mesh,
     report.faults.push_back(fmt::format(
         "{}: invalid initial overlap; expected parts that do not overlap, or initial_overlap: {}, place (parts moved "
         "apart before the run){}",
-        input.at("contact"), input.implicit ? "warn (as notes of the run say)" : "warn (recovered slowly)",
+        input.at("contact"), input.implicit ? "warn (kept or closed, by the scheme)" : "warn (recovered slowly)",
         input.implicit ? " or move (nodes moved out)" : ", move (nodes moved out) or offset (kept as zero gap)"));
   if (untreatable)
     report.faults.push_back(input.at("contact") +
