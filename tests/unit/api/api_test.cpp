@@ -176,6 +176,26 @@ TEST_CASE("a step of contact: random bodies keep momentum, gain next to no energ
   }
 }
 
+TEST_CASE("a step of contact: whether a part meets itself, also one of hexahedra and tetrahedra") {
+  // a cube, and a tetrahedron of the same part whose tip falls on it
+  api::ContactMesh mesh{.node_number = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11},
+                        .position = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0,   0,   1,   1,   0,   1,
+                                     1, 1, 1, 0, 1, 1, 0, 0, 2, 1, 0, 2, 0.5, 1.0, 2.0, 0.5, 0.4, 1.005},
+                        .element_number = {0, 1},
+                        .corner = {0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 9, 11, -1, -1, -1, -1},
+                        .part = {0, 0},
+                        .mass = std::vector<double>(12, 1.0)};
+  for (const bool self : {false, true}) {
+    api::ContactStep step(MPI_COMM_WORLD, mesh, {.self = self});
+    std::vector<double> velocity(36, 0.0);
+    for (std::size_t n = 8; n < 12; ++n) velocity[3 * n + 2] = -1;
+    const std::vector<double> before = velocity;
+    CAPTURE(self);
+    CHECK((step.correct(mesh.position, before, velocity, 0.01).active > 0) == self);
+    CHECK((velocity == before) == !self);
+  }
+}
+
 TEST_CASE("search and depth: arrays of the wrong length are refused") {
   const std::vector<double> five(5);
   CHECK_THROWS_AS(api::find_points_in_boxes(MPI_COMM_WORLD, five, {}), std::invalid_argument);
