@@ -51,7 +51,7 @@ Contact make_contact(const comm::Communicator& ranks, const mesh::LocalMesh& mes
 
 /// Carriers of the contact nodes in a step.
 inline Carriers carriers_of(const Contact& contact, const StepInput& input) {
-  return {contact.step.nodes.carried, input.bodies};
+  return {contact.step.nodes.carried, input.bodies, input.coupled};
 }
 
 /// After a removal of elements: recomputes the surface of the remaining bodies and all data that follow from it. The

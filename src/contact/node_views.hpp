@@ -31,8 +31,9 @@ struct StepInput {
   MutableVectorView velocity;  ///< v*; `correct` replaces it by v at n + 1/2
   std::span<const Wall> walls;
   double dt = 0;
-  std::span<const Carrier> bodies{};  ///< rigid bodies at t_n
-  double mobility_scale = 1;          ///< factor of the inverse masses in W: 1 / (1 + alpha dt / 2) with mass damping
+  std::span<const Carrier> bodies{};         ///< rigid bodies at t_n
+  std::span<const CoupledBodies> coupled{};  ///< those with joints
+  double mobility_scale = 1;  ///< factor of the inverse masses in W: 1 / (1 + alpha dt / 2) with mass damping
 
   [[nodiscard]] VectorView predicted() const { return {velocity.data, velocity.stride}; }
 };

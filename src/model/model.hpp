@@ -11,6 +11,7 @@
 #include "contact/data/specification.hpp"
 #include "core/aligned.hpp"
 #include "mesh/local_mesh.hpp"
+#include "model/body_joint.hpp"
 #include "model/element_block.hpp"
 #include "model/rigid_body.hpp"
 
@@ -98,6 +99,8 @@ struct Model {
   bool books_interface = false;         ///< parts share nodes, on any rank, and their energies are recorded
 
   std::vector<RigidBody> bodies;  ///< the same on all ranks, by block
+  std::vector<BodyJoint> joints;  ///< between them; supports of points behind those of the scene
+  std::vector<rigid::JointGroup> joint_groups;
 
   std::vector<ConstrainedNode> constrained;  ///< ascending by node
   std::vector<Drive> drives;
@@ -178,6 +181,7 @@ struct State {
   std::vector<double> reaction_impulse;        ///< three a node: fixed and prescribed
   std::vector<rigid::BodyState> bodies;        ///< of Model::bodies, the same on all ranks
   std::vector<BodyAccount> body_accounts;      ///< likewise
+  std::vector<JointAccount> joint_accounts;    ///< of Model::joints, likewise
   std::vector<double> wall_position;           ///< travel of each wall along its normal
   /// By block and element: work of its forces on nodes of several parts; empty unless energies of parts are asked for.
   std::vector<std::vector<double>> interface_work;
@@ -209,6 +213,7 @@ struct Scratch {
   std::vector<Vec3> before;           ///< v_{n-1/2} of the deferred nodes (with damping: of all), by node; or empty
   std::vector<Vec3> reaction;         ///< impulse of each constrained node in this step
   std::vector<BodyStep> bodies;       ///< of Model::bodies
+  std::vector<JointStep> joints;      ///< of Model::joint_groups
   std::vector<Vec3> contact_impulse;  ///< by node; empty unless contact or walls meet constrained nodes
 };
 

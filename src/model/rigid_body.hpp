@@ -16,8 +16,9 @@ namespace brunt::model {
 /// Given properties that replace the sums over the elements of the part.
 struct GivenMass {
   std::optional<double> mass;
-  std::optional<Vec3> centre;   ///< less the mesh's origin
-  std::optional<Mat3> inertia;  ///< about the centre
+  std::optional<Vec3> centre;       ///< less the mesh's origin
+  std::optional<Mat3> inertia;      ///< about the centre
+  std::optional<Vec3> reference{};  ///< the point that supports hold and drive, less the mesh's origin
 };
 
 /// Initial motion of a body: velocity of its point at the origin of the mesh, and angular velocity.
@@ -48,6 +49,7 @@ struct RigidBody {
   std::vector<Vec3> arm;           ///< of each: X less the body's centre
   std::vector<LocalIndex> forced;  ///< positions in `nodes` of those on which elements or loads may act, the rank's own
   bool is_forced = false;          ///< whether there are such nodes on any rank
+  bool is_jointed = false;         ///< part of a joint, or supported at a point
 };
 
 /// Sums over the steps since t = 0; doubles only, since a checkpoint stores them. Those of supports contain what the
@@ -86,6 +88,9 @@ struct BodyStep {
   BodyMomentum after;                                             ///< of v_{n+1/2}
   Vec3 given_velocity = Vec3::Zero(), given_spin = Vec3::Zero();  ///< by drives
   Wrench reaction;                                                ///< impulses of supports at t_n
+  Wrench pivot;                                                   ///< those of supports of a point, about the centre
+  double pivot_work = 0;                                          ///< of the driven ones, [energy]
+  double pivot_late = 0;                                          ///< the half of it that is done with v_{n+1/2}
   Vec3 late_turn = Vec3::Zero();  ///< angular impulse of supports on the turning body, from t_{n+1/2} to t_{n+1}
   double late_work = 0;           ///< work of supports on the turning body, from t_n to t_{n+1} [energy]
 };

@@ -18,6 +18,7 @@
 #include "mesh/round_form.hpp"
 #include "model/erosion.hpp"
 #include "model/implicit_solver.hpp"
+#include "rigid/joint.hpp"
 #include "scene/guards.hpp"
 #include "scene/text/places.hpp"
 
@@ -90,9 +91,10 @@ using element::HourglassKind;
 /// Mass properties that replace those of the elements of a rigid part, or the part with which it forms one body.
 struct RigidGiven {
   std::optional<double> mass;
-  std::optional<Vec3> centre;   ///< of mass, at the start
-  std::optional<Mat3> inertia;  ///< about the centre, in the scene's axes at the start
-  std::string joins;            ///< the part that names the common body; empty: the part names its own
+  std::optional<Vec3> centre;     ///< of mass, at the start
+  std::optional<Mat3> inertia;    ///< about the centre, in the scene's axes at the start
+  std::optional<Vec3> reference;  ///< the point that supports hold and drive, and that probes follow, at the start
+  std::string joins;              ///< the part that names the common body; empty: the part names its own
 };
 
 struct Part {
@@ -171,6 +173,18 @@ struct RigidWall {
   std::vector<std::string> parts{};  ///< that it acts on; empty: all
 };
 
+/// The word for space itself among the bodies of a joint.
+constexpr const char* ground_name = "ground";
+
+/// A joint between two rigid parts, or of one and the ground.
+struct Joint {
+  std::string name;
+  rigid::JointKind kind = rigid::JointKind::ball;
+  std::array<std::string, 2> between;  ///< parts, or `ground`
+  Vec3 point = Vec3::Zero();           ///< at the start
+  Vec3 axis = Vec3::UnitZ();           ///< unit, of a revolute joint
+};
+
 /// Settings that apply to all contact of a scene, including rigid walls.
 struct Enforcement {
   contact::EnforcementSettings settings;
@@ -197,11 +211,11 @@ struct ContactEntry {
 
 struct Probe {
   std::string name;
-  enum class Kind { node, near, set, part, wall, contact, section } kind = Kind::node;
-  std::string where, other;        ///< node id as text; set or part; wall; the two parts of a contact, the same twice
-                                   ///< for one with itself, `other` empty for one with all others
-  std::string field;               ///< node, set: displacement, velocity, position, (set) reaction; of a part see below
-  Vec3 point = Vec3::Zero();       ///< near: the place whose nearest node is taken; section: of its plane
+  enum class Kind { node, near, set, part, wall, contact, section, joint } kind = Kind::node;
+  std::string where, other;   ///< node id as text; set or part; wall; joint; the two parts of a contact, the same twice
+                              ///< for one with itself, `other` empty for one with all others
+  std::string field;          ///< node, set: displacement, velocity, position, (set) reaction; of a part see below
+  Vec3 point = Vec3::Zero();  ///< near: the place whose nearest node is taken; section: of its plane
   Vec3 normal = Vec3::Zero();      ///< section: unit normal of its plane; zero: the section is the set `where`
   std::vector<std::string> parts;  ///< section: whose elements count
   std::optional<Vec3> about;       ///< of moments and angular momenta
@@ -245,6 +259,7 @@ struct Input {
   std::optional<Gravity> gravity;
   std::optional<Damping> damping;
   std::vector<RigidWall> rigid_walls;
+  std::vector<Joint> joints;
   Enforcement enforcement;
   std::vector<ContactEntry> contact;
   std::vector<Probe> probes;

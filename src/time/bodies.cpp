@@ -8,6 +8,7 @@
 
 #include "comm/exact_sum.hpp"
 #include "model/curve.hpp"
+#include "time/joints.hpp"
 
 namespace brunt::time {
 namespace {
@@ -98,13 +99,11 @@ void widen(const Velocity& velocity, double* bounds) {
   }
 }
 
-/// Moves a body with held or driven rotations. The supports' moment is along axes that are not free; held ones do not
-/// turn, so only drives do work.
-void turn_supported(const RigidBody& body, double dt, rigid::BodyState& moving, BodyStep& now,
-                    model::BodyAccount& account) {
-  const rigid::Gyroscopic change = rigid::move_supported(body.body, body.support.free_turn, now.given_spin, dt, moving);
-  const Vec3 impulse = change.first_half + change.second_half;
-  now.late_turn = change.second_half;
+/// The supports' moment on a turning body is along axes that are not free; held ones do not turn, so only drives do
+/// work.
+void book_forced_turn(const rigid::Gyroscopic& forced, BodyStep& now, model::BodyAccount& account) {
+  const Vec3 impulse = forced.first_half + forced.second_half;
+  now.late_turn = forced.second_half;
   now.late_work = now.given_spin.dot(impulse);
   account.reaction_angular_impulse += impulse;
   account.reaction_work += now.late_work;
@@ -161,9 +160,11 @@ void sum_body_forces(const model::Model& model, const model::State& state, model
 
 void predict_bodies(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step,
                     contact::VelocitySpan& velocities) {
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    predict(model, state, model.bodies[b], state.bodies[b], step, scratch.bodies[b]);
+  hold_joints(model, state, step, scratch);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    BodyStep& now = scratch.bodies[b];
-    predict(model, state, model.bodies[b], state.bodies[b], step, now);
+    const BodyStep& now = scratch.bodies[b];
     for_nodes(model.bodies[b], [&](std::size_t, std::size_t i) {
       const Vec3 arm = Eigen::Map<const Vec3>(state.nodes[i].x) - now.centre;
       widen(scratch.before[i], velocities.data());  // with its current velocity
@@ -175,50 +176,59 @@ void predict_bodies(const model::Model& model, model::State& state, model::Scrat
   }
 }
 
-void carriers_of_bodies(const model::Model& model, const model::Scratch& scratch, double drag,
-                        std::vector<contact::Carrier>& carriers) {
-  carriers.resize(model.bodies.size());
-  for (std::size_t b = 0; b < carriers.size(); ++b) {
-    const RigidBody& body = model.bodies[b];
-    const BodyStep& now = scratch.bodies[b];
-    const double share = 1 / (1 + drag);
-    carriers[b].centre = now.centre;
-    carriers[b].spin = now.predicted.spin;
-    carriers[b].mobility.setZero();
-    carriers[b].mobility.topLeftCorner<3, 3>() = share / body.body.mass.mass * body.support.free_shift;
-    carriers[b].mobility.bottomRightCorner<3, 3>() =
-        share *
-        (body.support.holds_turn ? rigid::supported_mobility(body.support.free_turn, now.inertia) : now.inverse);
-  }
+rigid::Mat6 mobility_of(const RigidBody& body, const BodyStep& now, double drag) {
+  const double share = 1 / (1 + drag);
+  rigid::Mat6 mobility = rigid::Mat6::Zero();
+  mobility.topLeftCorner<3, 3>() = share / body.body.mass.mass * body.support.free_shift;
+  mobility.bottomRightCorner<3, 3>() =
+      share * (body.support.holds_turn ? rigid::supported_mobility(body.support.free_turn, now.inertia) : now.inverse);
+  return mobility;
 }
 
-void push_bodies(const model::Model& model, std::span<const contact::BodyAnswer> answers, double drag,
+void carriers_of_bodies(const model::Model& model, const model::Scratch& scratch, double drag,
+                        std::vector<contact::Carrier>& carriers, std::vector<contact::CoupledBodies>& coupled) {
+  carriers.resize(model.bodies.size());
+  for (std::size_t b = 0; b < carriers.size(); ++b) {
+    const BodyStep& now = scratch.bodies[b];
+    carriers[b] = {now.centre, mobility_of(model.bodies[b], now, drag), now.predicted.spin};
+  }
+  couple_carriers(model, scratch, carriers, coupled);
+}
+
+void push_body(const RigidBody& body, const rigid::Vec6& impulse, const rigid::Vec6& change, double drag,
+               BodyStep& now) {
+  now.after.velocity += change.head<3>();
+  // impulses along constrained directions act on the supports
+  if (body.support.holds_shift)
+    now.reaction.force += (1 + drag) * body.body.mass.mass * change.head<3>() - impulse.head<3>();
+  if (body.support.holds_turn) {
+    const Vec3 let_through = now.inertia * change.tail<3>();
+    now.after.angular_momentum += let_through;
+    now.reaction.moment += (1 + drag) * let_through - impulse.tail<3>();
+  } else {
+    now.after.angular_momentum += impulse.tail<3>() / (1 + drag);
+  }
+  now.after.spin = now.inverse * now.after.angular_momentum;
+}
+
+void push_bodies(const model::Model& model, std::span<const contact::BodyAnswer> answers, const Interval& step,
                  model::State& state, model::Scratch& scratch) {
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    if (!model.bodies[b].is_jointed)
+      push_body(model.bodies[b], answers[b].impulse, answers[b].change, step.drag, scratch.bodies[b]);
+  push_jointed(model, state, answers, step, scratch);
+  if (!model.books_interface) return;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const RigidBody& body = model.bodies[b];
-    BodyStep& now = scratch.bodies[b];
-    const contact::Vec6 &impulse = answers[b].impulse, &change = answers[b].change;
-    const double mass = body.body.mass.mass;
-    now.after.velocity += change.head<3>();
-    // impulses along constrained directions act on the supports
-    if (body.support.holds_shift) now.reaction.force += (1 + drag) * mass * change.head<3>() - impulse.head<3>();
-    if (body.support.holds_turn) {
-      const Vec3 let_through = now.inertia * change.tail<3>();
-      now.after.angular_momentum += let_through;
-      now.reaction.moment += (1 + drag) * let_through - impulse.tail<3>();
-    } else {
-      now.after.angular_momentum += impulse.tail<3>() / (1 + drag);
-    }
-    now.after.spin = now.inverse * now.after.angular_momentum;
-    if (!model.books_interface) continue;
-    for_nodes(body, [&](std::size_t, std::size_t i) {
+    const BodyStep& now = scratch.bodies[b];
+    for_nodes(model.bodies[b], [&](std::size_t, std::size_t i) {
       const Vec3 arm = Eigen::Map<const Vec3>(state.nodes[i].x) - now.centre;
       Eigen::Map<Vec3>(state.nodes[i].v) = now.after.velocity + now.after.spin.cross(arm);
     });
   }
 }
 
-void book_bodies(const model::Model& model, model::State& state, const model::Scratch& scratch, const Interval& step) {
+void book_bodies(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step) {
+  book_joints(model, state, scratch);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyStep& now = scratch.bodies[b];
     const double mass = model.bodies[b].body.mass.mass;
@@ -229,13 +239,23 @@ void book_bodies(const model::Model& model, model::State& state, const model::Sc
     account.element_work += work_of(now, step.dt_mean * now.elements.force, step.dt_mean * now.elements.moment);
     account.load_work += work_of(now, push, turn);
     account.damping_work += work_of(now, drag, drag_moment);
-    account.reaction_work += work_of(now, now.reaction.force, now.reaction.moment);
+    account.reaction_work += work_of(now, now.reaction.force, now.reaction.moment) + now.pivot_work;
     account.load_impulse += push + drag;
-    account.reaction_impulse += now.reaction.force;
-    account.reaction_angular_impulse += now.reaction.moment;
-    account.impulse += mass * (now.after.velocity - now.before.velocity) - now.reaction.force;
-    account.angular_impulse += now.after.angular_momentum - now.before.angular_momentum - now.reaction.moment;
+    const Vec3 force = now.reaction.force + now.pivot.force, moment = now.reaction.moment + now.pivot.moment;
+    account.reaction_impulse += force;
+    account.reaction_angular_impulse += moment;
+    account.impulse += mass * (now.after.velocity - now.before.velocity) - force;
+    account.angular_impulse += now.after.angular_momentum - now.before.angular_momentum - moment;
   }
+}
+
+rigid::Gyroscopic advance_body(const RigidBody& body, const BodyStep& now, double dt, rigid::BodyState& moving) {
+  moving.velocity = now.after.velocity;
+  moving.angular_momentum = now.after.angular_momentum;
+  if (body.support.holds_turn)
+    return rigid::move_supported(body.body, body.support.free_turn, now.given_spin, dt, moving);
+  rigid::move(body.body, dt, moving);
+  return {};
 }
 
 void move_bodies(const model::Model& model, model::State& state, model::Scratch& scratch, double dt) {
@@ -243,12 +263,8 @@ void move_bodies(const model::Model& model, model::State& state, model::Scratch&
     const RigidBody& body = model.bodies[b];
     BodyStep& now = scratch.bodies[b];
     rigid::BodyState& moving = state.bodies[b];
-    moving.velocity = now.after.velocity;
-    moving.angular_momentum = now.after.angular_momentum;
-    if (body.support.holds_turn)
-      turn_supported(body, dt, moving, now, state.body_accounts[b]);
-    else
-      rigid::move(body.body, dt, moving);
+    const rigid::Gyroscopic forced = advance_body(body, now, dt, moving);
+    if (body.support.holds_turn) book_forced_turn(forced, now, state.body_accounts[b]);
     const Mat3 turn = moving.orientation.toRotationMatrix() - Mat3::Identity();
     for_nodes(body, [&](std::size_t k, std::size_t i) {
       const Vec3 u = moving.displacement + turn * body.arm[k];

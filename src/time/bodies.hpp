@@ -38,16 +38,28 @@ void clear_body_loads(const model::Model& model, model::Scratch& scratch);
 void predict_bodies(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step,
                     contact::VelocitySpan& velocities);
 
-/// The mobilities of bodies: they contain mass damping, and are zero along directions that supports constrain.
+/// The mobilities of bodies: they contain mass damping, and are zero along directions that supports constrain. Bodies
+/// that joints connect answer together.
 void carriers_of_bodies(const model::Model& model, const model::Scratch& scratch, double drag,
-                        std::vector<contact::Carrier>& carriers);
+                        std::vector<contact::Carrier>& carriers, std::vector<contact::CoupledBodies>& coupled);
+
+/// W of one body at x_n, without its joints.
+rigid::Mat6 mobility_of(const model::RigidBody& body, const model::BodyStep& now, double drag);
+
+/// Gives a body an impulse, of which W lets `change` through; the rest acts on its supports.
+void push_body(const model::RigidBody& body, const rigid::Vec6& impulse, const rigid::Vec6& change, double drag,
+               model::BodyStep& now);
+
+/// Advances a body by the velocities after the step; the turn that supports force is told.
+rigid::Gyroscopic advance_body(const model::RigidBody& body, const model::BodyStep& now, double dt,
+                               rigid::BodyState& moving);
 
 /// Adds the effect of contact on the bodies (one answer for each), and on their nodes where their work is recorded.
-void push_bodies(const model::Model& model, std::span<const contact::BodyAnswer> answers, double drag,
+void push_bodies(const model::Model& model, std::span<const contact::BodyAnswer> answers, const Interval& step,
                  model::State& state, model::Scratch& scratch);
 
 /// After contact: work and impulses.
-void book_bodies(const model::Model& model, model::State& state, const model::Scratch& scratch, const Interval& step);
+void book_bodies(const model::Model& model, model::State& state, model::Scratch& scratch, const Interval& step);
 
 /// Advances the bodies and their nodes to t_{n+1}.
 void move_bodies(const model::Model& model, model::State& state, model::Scratch& scratch, double dt);

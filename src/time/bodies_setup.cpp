@@ -99,7 +99,11 @@ MassProperties own_properties(const comm::Communicator& ranks, const model::Mode
     own.inertia *= *given.mass / own.mass;
     own.mass = *given.mass;
   }
-  if (given.centre) own.centre = *given.centre - from;
+  if (given.centre) {
+    const Vec3 arm = *given.centre - from - own.centre;  // the parallel axis theorem
+    own.inertia += own.mass * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+    own.centre = *given.centre - from;
+  }
   if (given.inertia) own.inertia = *given.inertia;
   return own;
 }

@@ -7,6 +7,7 @@
 #include "force/mass.hpp"
 #include "time/bodies.hpp"
 #include "time/driven_start.hpp"
+#include "time/joints.hpp"
 
 namespace brunt::time {
 namespace {
@@ -108,6 +109,10 @@ void add_bodies(model::State& state, std::vector<model::StateArray>& arrays) {
   rows("body_angular_momentum", first.angular_momentum.data(), 3, sizeof first);
   model::BodyAccount& account = state.body_accounts.front();
   rows("body_accounts", &account.element_work, model::body_account_width, sizeof account);
+  if (!state.joint_accounts.empty())
+    arrays.push_back({"joint_accounts", model::StateArray::Entity::global, -1,
+                      static_cast<LocalIndex>(state.joint_accounts.size()), model::joint_account_width,
+                      state.joint_accounts.front().impulse.data(), 1, model::joint_account_width, 1, 0, true, true});
   if (!state.held_wrench.empty())
     rows("body_held", state.held_wrench.front().force.data(), 6, sizeof state.held_wrench.front());
 }
@@ -144,6 +149,7 @@ void initialise(model::Model& model, model::State& state, model::Scratch& scratc
   if (!model.bodies.empty()) {
     sum_masses(force::Lumped::deformable);
     weigh_bodies(links.ranks, model, {scratch.force.data(), scratch.force.size()});
+    place_joints(model, state, scratch);
   }
   sum_masses(force::Lumped::all);
   std::ranges::fill(scratch.slots, 0.0);  // those of rigid elements remain zero, since these have no forces

@@ -94,7 +94,8 @@ void add_body(const model::RigidBody& body, const model::BodyAccount& account, c
   sums[element_work].add(account.element_work - element_half);
   sums[load_work].add(account.load_work - load_half);
   sums[damping_work].add(account.damping_work + half(drag, drag_moment));
-  sums[reaction_work].add(account.reaction_work - now.late_work - half(now.reaction.force, now.reaction.moment));
+  sums[reaction_work].add(account.reaction_work - now.late_work - half(now.reaction.force, now.reaction.moment) -
+                          now.pivot_late);
   sums[kinetic].add(half(mass * now.before.velocity, now.before.angular_momentum));
   const Vec3 given = account.load_impulse + account.reaction_impulse;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -111,6 +112,13 @@ void add_bodies(const model::Model& model, const model::State& state, const mode
   if (!links.ranks.is_root()) return;
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     add_body(model.bodies[b], state.body_accounts[b], scratch.bodies[b], step, sums);
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    const model::BodyJoint& joint = model.joints[j];
+    if (joint.is_support() || (joint.body[0] != no_index && joint.body[1] != no_index)) continue;
+    const double sign = joint.body[0] == no_index ? -1 : 1;  // what the ground gives to the body
+    for (std::size_t c = 0; c < 3; ++c)
+      sums[impulse_x + c].add(sign * state.joint_accounts[j].impulse[static_cast<int>(c)]);
+  }
 }
 
 void add_nodes(const model::Model& model, const model::State& state, const model::Scratch& scratch,

@@ -27,6 +27,7 @@ struct Links {
   std::vector<comm::ExactAccumulator> body_sums{};  ///< forces and moments on rigid bodies
   std::vector<double> body_forces{};                ///< the same, rounded
   std::vector<contact::Carrier> carriers{};         ///< rigid bodies in the form that contact needs
+  std::vector<contact::CoupledBodies> coupled{};    ///< those with joints
   surface::InnerFaces inner_faces{};  ///< faces that removals may expose; none if the scene has no removals
 };
 

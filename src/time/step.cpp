@@ -59,7 +59,7 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
                      contact::Contact& contact, const StepReport& step, contact::VelocitySpan velocities) {
   const double dt = step.dt;
   place_walls(model, state, state.time + 0.5 * dt, links.walls);
-  carriers_of_bodies(model, scratch, step.drag(), links.carriers);
+  carriers_of_bodies(model, scratch, step.drag(), links.carriers, links.coupled);
   constexpr int line = sizeof(model::NodeLine) / sizeof(double);
   auto* nodes = reinterpret_cast<double*>(state.nodes.data());
   const contact::StepInput input{.position = {nodes, line},
@@ -68,6 +68,7 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
                                  .walls = links.walls,
                                  .dt = dt,
                                  .bodies = links.carriers,
+                                 .coupled = links.coupled,
                                  .mobility_scale = 1 / (1 + step.drag())};
   {
     const auto timed = links.timers.measure(Phase::search);
@@ -77,7 +78,8 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
   const auto timed = links.timers.measure(Phase::enforcement);
   contact::correct(contact, input);
   if (!model.bodies.empty() && contact.ledger.statistics.last.acted)
-    push_bodies(model, contact.step.scratch.enforcement.carried.answer, step.drag(), state, scratch);
+    push_bodies(model, contact.step.scratch.enforcement.carried.answer, {step.dt, step.dt_mean, step.drag()}, state,
+                scratch);
   if (scratch.contact_impulse.empty()) return;
   // impulses of contact along constrained directions act on the supports
   for (const model::ConstrainedNode& constrained : model.constrained)

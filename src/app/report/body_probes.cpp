@@ -45,9 +45,13 @@ Vec3 body_motion(const Prepared& run, std::size_t b, std::string_view field) {
   const rigid::Body& body = run.model.bodies[b].body;
   if (field == "rotation") return rotation_vector(now.orientation);
   if (field == "angular_velocity") return rigid::angular_velocity(body, now);
-  if (field == "velocity") return now.velocity;
-  if (field == "displacement") return now.displacement;
-  return body.mass.centre + now.displacement + run.model.mesh.origin;
+  // of the reference point, else of the centre of mass
+  const Vec3 start = run.model.bodies[b].given.reference.value_or(body.mass.centre);
+  const Vec3 arm = now.orientation * (start - body.mass.centre);
+  if (field == "velocity") return now.velocity + rigid::angular_velocity(body, now).cross(arm);
+  const Vec3 place = body.mass.centre + now.displacement + arm;
+  if (field == "displacement") return place - start;
+  return place + run.model.mesh.origin;
 }
 
 Vec3 body_impulse(const Prepared& run, std::size_t b, std::string_view field) {

@@ -7,6 +7,7 @@
 #include "comm/exact_sum.hpp"
 #include "implicit/static_forces.hpp"
 #include "implicit_probes.hpp"
+#include "joint_probes.hpp"
 #include "scene/build/select.hpp"
 
 namespace brunt::app {
@@ -21,6 +22,11 @@ bool is_moment(const Probe& probe) {
 bool is_force(const Probe& probe) {
   return probe.kind == Probe::Kind::wall || probe.kind == Probe::Kind::contact || probe.field == "reaction" ||
          probe.field == "force" || is_moment(probe);
+}
+
+/// One number of a joint at t_n.
+bool is_joint_place(const Probe& probe) {
+  return probe.field == "angle" || probe.field == "gap";
 }
 
 /// Sums over the elements of a part.
@@ -144,6 +150,9 @@ void Probes::add_columns(const Probe& probe, const scene::UnitSystem& units) {
   } else if (probe.field == "energy") {
     for (const char* term : {".kinetic", ".internal", ".hourglass", ".bulk"})
       columns_.push_back({probe.name + term, units.energy});
+  } else if (is_joint_place(probe)) {
+    const bool angle = probe.field == "angle";
+    columns_.push_back({probe.name + '.' + probe.field, !angle ? units.length : units.length.empty() ? "" : "rad"});
   } else if (probe.kind == Probe::Kind::section) {
     vector("", units.force);
     vector("moment_", product(units.force, units.length));
@@ -171,6 +180,8 @@ void Probes::read_motion(const Prepared& run) {
       const auto [force, moment] = section_force(run, section_[k]);
       motion_[k] = force;
       moment_[k] = moment;
+    } else if (is_joint_place(probe)) {
+      motion_[k][0] = joint_place(run, joint_of(run.model, probe.where), probe.field);
     } else if (probe.field == "center") {
       motion_[k] = body_[k] ? body_part_center(run, *body_[k]) : part_center(run, part_[k]);
     } else if (!is_force(probe) && !is_sum(probe)) {
@@ -189,6 +200,8 @@ std::vector<double> Probes::values(Prepared& run, const contact::ContactTotals& 
     const Probe& probe = run.input.probes[k];
     if (is_force(probe)) {
       add_force(run, totals, k, row);
+    } else if (is_joint_place(probe)) {
+      row.push_back(motion_[k][0]);
     } else if (probe.field == "mass") {
       row.push_back(body_[k] ? run.model.bodies[*body_[k]].own.mass : part_mass(run, part_[k]));
     } else if (probe.field == "energy") {
@@ -226,8 +239,10 @@ void Probes::add_force(Prepared& run, const contact::ContactTotals& totals, std:
   Eigen::Map<Vec3> last(memory);
   if (watched.kind != Probe::Kind::contact) {
     const Vec3 total = watched.kind == Probe::Kind::wall ? totals.wall_impulse[wall_of(run, watched.where)]
-                       : body_[probe]                    ? body_impulse(run, *body_[probe], watched.field)
-                                                         : reaction_impulse(run, probe);
+                       : watched.kind == Probe::Kind::joint
+                           ? joint_impulse(run, joint_of(run.model, watched.where), watched.field)
+                       : body_[probe] ? body_impulse(run, *body_[probe], watched.field)
+                                      : reaction_impulse(run, probe);
     add_vector(total, last, at_time ? static_force(run, probe, body_[probe]) : Vec3(Vec3::Zero()));
     last = total;
     return;

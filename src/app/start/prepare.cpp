@@ -21,6 +21,7 @@
 #include "implicit/tied_velocities.hpp"
 #include "implicit_rules.hpp"
 #include "io/results/partition_file.hpp"
+#include "joint_starts.hpp"
 #include "partition/distribute.hpp"
 #include "partition/dual_graph.hpp"
 #include "partition/split.hpp"
@@ -137,6 +138,7 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   prepared->links = time::link_ranks(ranks, prepared->model);
   const std::vector<Vec3> velocities = scene::initial_velocities(prepared->input, prepared->model);
   time::initialise(prepared->model, prepared->state, prepared->scratch, prepared->links, velocities);
+  check_joints(*prepared);
   for (std::string& line : driven_starts(*prepared, velocities)) prepared->warnings.push_back(std::move(line));
   if (bounded_by_mesh(prepared->input)) prepared->assembled.baseline = force::sized_baseline(prepared->model);
   make_implicit(*prepared);

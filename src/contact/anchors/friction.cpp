@@ -98,11 +98,12 @@ void write_anchors(std::span<const Row> rows, std::span<const Vec3> impulses, st
     else if (anchor != nullptr)
       if (const auto moved = dragged(scene, *anchor, row, slid[q])) after.push_back(*moved);
   }
-  // several faces of one body may hold a node: the one of the lowest key is its anchor
-  const auto order = [](const AnchorRecord& a, const AnchorRecord& b) {
-    return std::pair(a.key, a.face) < std::pair(b.key, b.face);
+  // several faces of one body may hold a node: the one of the lowest key is its anchor, of two rows that drag the same
+  // one the first in the order of its places, since the order of rows is not that of other ranks
+  const auto whole = [](const AnchorRecord& record) {
+    return std::tuple(record.key, record.face, record.weights, record.on_wall);
   };
-  std::sort(after.begin(), after.end(), order);
+  std::ranges::sort(after, {}, whole);
   const auto same = [](const AnchorRecord& a, const AnchorRecord& b) { return a.key == b.key; };
   after.erase(std::unique(after.begin(), after.end(), same), after.end());
 }

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <span>
+#include <vector>
 
 #include "core/types.hpp"
 
@@ -29,9 +30,17 @@ struct CarriedPoint {
   bool owned = true;  ///< by this rank
 };
 
+/// Bodies that joints connect: an impulse on one of them moves all.
+struct CoupledBodies {
+  std::vector<LocalIndex> bodies;  ///< ascending
+  Eigen::MatrixXd mobility;        ///< W of all, six rows a body; Carrier::mobility is its block of the body itself
+  std::vector<Mat6> alone;         ///< of each body as if it had no joints: G W G^T is at most that of these
+};
+
 struct Carriers {
   std::span<const CarriedPoint> points;  ///< of this rank, each once, ascending
   std::span<const Carrier> bodies;       ///< of all ranks, the same bits on each; none: points carry themselves
+  std::span<const CoupledBodies> coupled{};
 
   /// The body of a contact node; null for other nodes.
   [[nodiscard]] const Carrier* of(LocalIndex point) const {
@@ -39,6 +48,15 @@ struct Carriers {
     const auto found = std::ranges::lower_bound(points, point, {}, &CarriedPoint::point);
     if (found == points.end() || found->point != point) return nullptr;
     return &bodies[static_cast<std::size_t>(found->body)];
+  }
+
+  /// The mobility of a body without its joints.
+  [[nodiscard]] const Mat6& alone(LocalIndex body) const {
+    for (const CoupledBodies& group : coupled)
+      if (const auto found = std::ranges::lower_bound(group.bodies, body);
+          found != group.bodies.end() && *found == body)
+        return group.alone[static_cast<std::size_t>(found - group.bodies.begin())];
+    return bodies[static_cast<std::size_t>(body)].mobility;
   }
 };
 

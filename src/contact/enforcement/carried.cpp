@@ -125,6 +125,19 @@ double divide_among_groups(const BinGrid& grid, const std::int64_t* sums, std::s
   return spread;
 }
 
+/// W P of bodies that joints connect.
+void answer_together(const CoupledBodies& group, std::span<BodyAnswer> answers) {
+  const auto width = static_cast<Eigen::Index>(6 * group.bodies.size());
+  Eigen::VectorXd impulse(width);
+  const auto part = [](Eigen::VectorXd& of_all, std::size_t k) {
+    return of_all.segment<6>(static_cast<Eigen::Index>(6 * k));
+  };
+  const auto answer = [&](std::size_t k) -> BodyAnswer& { return answers[static_cast<std::size_t>(group.bodies[k])]; };
+  for (std::size_t k = 0; k < group.bodies.size(); ++k) part(impulse, k) = answer(k).impulse;
+  Eigen::VectorXd change = group.mobility * impulse;
+  for (std::size_t k = 0; k < group.bodies.size(); ++k) answer(k).change = part(change, k);
+}
+
 }  // namespace
 
 void CarriedScratch::reserve(std::size_t rows, std::size_t nodes, std::size_t bodies) {
@@ -152,8 +165,7 @@ void lay_rows_on_bodies(const Carriers& carriers, std::span<const NodeMotion> mo
   for (std::size_t q = 0; q < rows.size(); ++q) {
     const bool all_carried = find_blocks(carriers, motion, rows, q, scratch);
     for (const RowBlock& block : scratch.blocks) {
-      const Mat6& mobility = carriers.bodies[static_cast<std::size_t>(block.body)].mobility;
-      BodyShare share = share_of(block, mobility, rows.laws[q]);
+      BodyShare share = share_of(block, carriers.alone(block.body), rows.laws[q]);
       share.group = group_of(block, scratch.blocks, all_carried);
       rows.on_bodies.values.push_back(share);  // also where it is nothing: a held body is told its impulse
     }
@@ -186,6 +198,11 @@ void start_bodies(const Carriers& carriers, std::span<const NodeMotion> motion, 
   std::ranges::copy(answers.first(chains.answer.size()), chains.answer.begin());
   scratch.any_soft = bounds[2] > 0;
   chains.renewed = bounds[3] > 0;
+  for (const CoupledBodies& group : carriers.coupled) {
+    const auto acts = [&](LocalIndex body) { return scratch.largest[static_cast<std::size_t>(body)] > 0; };
+    if (std::ranges::any_of(group.bodies, acts))
+      for (const LocalIndex body : group.bodies) scratch.largest[static_cast<std::size_t>(body)] = 1;
+  }
   scratch.active.clear();
   scratch.slot.assign(bodies, 0);
   for (std::size_t b = 0; b < bodies; ++b) {
@@ -264,6 +281,8 @@ void add_answer_of_bodies(const Carriers& carriers, std::span<const NodeMotion> 
     }
     answer.change = carriers.bodies[b].mobility * answer.impulse;
   }
+  for (const CoupledBodies& group : carriers.coupled)
+    if (scratch.largest[static_cast<std::size_t>(group.bodies.front())] > 0) answer_together(group, scratch.answer);
   for (const CarriedPoint& point : carriers.points) {
     const Vec6& change = scratch.answer[static_cast<std::size_t>(point.body)].change;
     velocity[static_cast<std::size_t>(point.point)] +=

@@ -7,13 +7,20 @@
 namespace brunt::contact {
 namespace {
 
+/// The first of the bodies that joints connect with this one.
+LocalIndex first_of(const Carriers& carriers, LocalIndex body) {
+  for (const CoupledBodies& group : carriers.coupled)
+    if (std::ranges::binary_search(group.bodies, body)) return group.bodies.front();
+  return body;
+}
+
 /// Calls use(i) for each node and, behind all nodes, each body that row q can move.
 template <class Use>
 void for_each_moved(const System& system, std::size_t q, const Use& use) {
   for (std::size_t k = system.rows.begin(q); k < system.rows.end(q); ++k)
     if (const std::size_t node = system.rows.point(k); system.mobility[node].inverse_mass > 0) use(node);
   for (const BodyShare& share : system.rows.bodies_of(q))
-    if (share.weight > 0) use(system.motion.size() + static_cast<std::size_t>(share.body));
+    if (share.weight > 0) use(system.motion.size() + static_cast<std::size_t>(first_of(system.carriers, share.body)));
 }
 
 void join_rows(const System& system, std::span<const char> takes_part, UnionFind& joined) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "constraints.hpp"
+#include "scene/build/joints.hpp"
 #include "scene/build/rigid_parts.hpp"
 #include "scene/build/select.hpp"
 #include "select_removed.hpp"
@@ -178,6 +179,7 @@ model::Model build_model(const Input& input, std::span<const std::size_t> part_o
   build_loads(input, model);
   build_constraints(input, model);
   build_bodies(input, model);
+  build_joints(input, model);
   model.in_symmetry_plane = in_symmetry_plane(input, model.mesh, model.mesh.faces);
   std::vector<std::string> part_of_block;
   for (const model::ElementBlock& block : model.blocks) part_of_block.push_back(block.part);

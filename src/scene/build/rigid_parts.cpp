@@ -180,8 +180,9 @@ std::vector<LocalIndex> forced_nodes(const Input& input, const BodyOfNode& bodie
 /// The given mass properties, relative to the origin of the mesh.
 model::GivenMass given_mass(const Part& part, const Vec3& origin) {
   if (!part.rigid) return {};
-  model::GivenMass given{part.rigid->mass, part.rigid->centre, part.rigid->inertia};
+  model::GivenMass given{part.rigid->mass, part.rigid->centre, part.rigid->inertia, part.rigid->reference};
   if (given.centre) *given.centre -= origin;
+  if (given.reference) *given.reference -= origin;
   return given;
 }
 
@@ -199,17 +200,19 @@ model::StartMotion start_motion(const Input& input, const mesh::LocalMesh& mesh,
   return start;
 }
 
+/// Of the centre of mass, and of rotations. Shifts of a reference point are supports of their own (build/joints).
 void build_supports(const Input& input, const mesh::LocalMesh& mesh, model::RigidBody& body) {
+  const bool of_centre = !body.given.reference;
   for (const Fixed& entry : input.fixed) {
     if (entry.where != body.part) continue;
     for (int c = 0; c < 3; ++c) {
-      if (entry.dofs[static_cast<std::size_t>(c)]) body.held_shift.push_back(Vec3::Unit(c));
+      if (of_centre && entry.dofs[static_cast<std::size_t>(c)]) body.held_shift.push_back(Vec3::Unit(c));
       if (entry.turns[static_cast<std::size_t>(c)]) body.held_turn.push_back(Vec3::Unit(c));
     }
   }
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
     const Prescribed& entry = input.prescribed[k];
-    if (entry.where != body.part) continue;
+    if (entry.where != body.part || (entry.dof < 3 && !of_centre)) continue;
     (entry.dof < 3 ? body.held_shift : body.held_turn).push_back(Vec3::Unit(entry.dof % 3));
     body.drive[static_cast<std::size_t>(entry.dof)] = static_cast<std::int32_t>(k);
   }
@@ -232,7 +235,7 @@ void check_probes(const Input& input, std::vector<std::string>& faults) {
     const Probe& probe = input.probes[k];
     const bool of_body = probe.field == "rotation" || probe.field == "angular_velocity" || probe.field == "force" ||
                          probe.field == "moment" || probe.field == "reaction_moment";
-    if (of_body && !names_rigid_part(input, probe.where))
+    if (of_body && probe.kind != Probe::Kind::joint && !names_rigid_part(input, probe.where))
       faults.push_back(
           reported(input, fmt::format("probes.{}.field", k),
                    "invalid field '{}': it exists for rigid parts only, and '{}' is deformable; expected displacement, "

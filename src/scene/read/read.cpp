@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "scene/build/joints.hpp"
 #include "scene/build/rigid_parts.hpp"
 #include "scene/read/sections.hpp"
 #include "scene/text/nearest.hpp"
@@ -74,6 +75,7 @@ Input read_scene(const std::string& text, const std::string& file_name, std::spa
       read_forces(scene, input);
       read_removals(scene, input);
       read_rigid_walls(scene, input);
+      read_joints(scene, input);
       read_contact(scene, input);
       read_probes(scene, input);
       read_run(scene, input);
@@ -84,8 +86,9 @@ Input read_scene(const std::string& text, const std::string& file_name, std::spa
     }
   }
   findings.faults.throw_if_any();
-  if (std::vector<std::string> faults = faults_of_rigid_parts(input); !faults.empty())
-    throw InputError(std::move(faults));
+  std::vector<std::string> faults = faults_of_rigid_parts(input);
+  for (std::string& fault : faults_of_joints(input)) faults.push_back(std::move(fault));
+  if (!faults.empty()) throw InputError(std::move(faults));
   return input;
 }
 

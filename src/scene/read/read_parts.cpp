@@ -66,6 +66,10 @@ RigidGiven read_rigid(const Key& key) {
     if (section.required("centre", centre, Vector::any)) given.centre = centre;
   }
   if (section.has("inertia")) read_inertia(section.at("inertia"), given);
+  if (section.has("reference")) {
+    Vec3 reference = Vec3::Zero();
+    if (section.required("reference", reference, Vector::any)) given.reference = reference;
+  }
   section.optional("joins", given.joins, Named::part);
   return given;
 }

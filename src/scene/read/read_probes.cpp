@@ -111,10 +111,20 @@ void read_near(Section& entry, Probe& probe) {
   if (entry.has("part") || entry.has("set")) read_selection(entry, probe.where);
 }
 
+/// Of a joint, its name and a field.
+void read_joint(Section& entry, Probe& probe) {
+  probe.kind = Kind::joint;
+  entry.required("joint", probe.where, Named::joint);
+  const std::vector<std::string> fields{"force", "moment", "angle", "gap"};
+  const std::size_t chosen = read_choice(entry.at("field"), fields, {});
+  if (chosen < fields.size()) probe.field = fields[chosen];
+}
+
 void read_place(Section& entry, Probe& probe) {
   const bool near = entry.has("near"), part = entry.has("part"), set = entry.has("set");
-  const std::array given{entry.has("node"),   near, !near && (part || set), entry.has("wall"), entry.has("contact"),
-                         entry.has("section")};
+  const std::array given{
+      entry.has("node"), near, !near && (part || set), entry.has("wall"), entry.has("contact"), entry.has("section"),
+      entry.has("joint")};
   const auto places = std::ranges::count(given, true);
   if (given[0]) read_node(entry, probe);
   if (given[1]) read_near(entry, probe);
@@ -134,14 +144,17 @@ void read_place(Section& entry, Probe& probe) {
     probe.kind = Kind::section;
     read_section(entry.at("section"), probe);
   }
+  if (given[6]) read_joint(entry, probe);
   if (places != 1) {
     entry.has("field");  // a known key at any place
     const std::string what = fmt::format(
-        "invalid probe: {} places are given; expected one of node, near, set, part, wall, contact, section", places);
-    return places > 0 ? fault(entry.key(), what)
-                      : lacking(entry.key(), {"node", "near", "set", "part", "wall", "contact", "section"}, what);
+        "invalid probe: {} places are given; expected one of node, near, set, part, wall, contact, section, joint",
+        places);
+    return places > 0
+               ? fault(entry.key(), what)
+               : lacking(entry.key(), {"node", "near", "set", "part", "wall", "contact", "section", "joint"}, what);
   }
-  if (!given[3] && !given[4] && !given[5]) read_field(entry, probe);
+  if (!given[3] && !given[4] && !given[5] && !given[6]) read_field(entry, probe);
 }
 
 }  // namespace

@@ -31,6 +31,9 @@ std::vector<std::string> defined(const Input& input, Named kind) {
     case Named::wall:
       for (const RigidWall& wall : input.rigid_walls) names.push_back(wall.name);
       break;
+    case Named::joint:
+      for (const Joint& joint : input.joints) names.push_back(joint.name);
+      break;
   }
   return names;
 }
@@ -38,8 +41,8 @@ std::vector<std::string> defined(const Input& input, Named kind) {
 /// Names of a missing required section are not reported separately.
 void check_uses(const Input& input, Section& scene) {
   Findings& findings = *scene.key().findings;
-  constexpr std::array words{"material", "curve", "part", "rigid wall"};
-  constexpr std::array sections{"materials", "curves", "parts", "rigid_walls"};
+  constexpr std::array words{"material", "curve", "part", "rigid wall", "joint"};
+  constexpr std::array sections{"materials", "curves", "parts", "rigid_walls", "joints"};
   for (const Reference& use : findings.references) {
     const auto kind = static_cast<std::size_t>(use.kind);
     const std::vector<std::string> names = defined(input, use.kind);
@@ -197,6 +200,7 @@ void check_references(Input& input, Section& scene) {
   std::vector<std::string> probes;
   for (const Probe& probe : input.probes) probes.push_back(probe.name);
   check_twice(scene.at("probes"), probes, "probe");
+  check_twice(scene.at("joints"), defined(input, Named::joint), "joint");
   check_twice(scene.at("rigid_walls"), defined(input, Named::wall), "rigid wall");
   const std::vector<std::string> parts = defined(input, Named::part);
   for (const SetEntry& set : input.sets) {

@@ -19,6 +19,7 @@ void read_loads(Section& scene, Input& input);     ///< pressure, gravity, dampi
 void read_forces(Section& scene, Input& input);    ///< forces, traction, relaxation
 void read_removals(Section& scene, Input& input);
 void read_rigid_walls(Section& scene, Input& input);
+void read_joints(Section& scene, Input& input);
 void read_contact(Section& scene, Input& input);  ///< contact, enforcement, search
 void read_probes(Section& scene, Input& input);
 void read_run(Section& scene, Input& input);  ///< run, output, history, checkpoint

@@ -17,7 +17,7 @@
 namespace brunt::scene {
 
 /// The kinds of objects that a name in a scene may refer to.
-enum class Named { material, curve, part, wall };
+enum class Named { material, curve, part, wall, joint };
 
 /// A name that must be defined elsewhere in the scene; checked when everything has been read.
 struct Reference {

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "contact/anchors/friction.hpp"
+
 using namespace brunt;
 using contact::AnchorRecord;
 using contact::AnchorScene;
@@ -113,4 +115,22 @@ TEST_CASE("a node that slides drags its anchor over the face, and loses it at th
   CHECK((*slip(squares.scene(), *on_wall, at_wall) - Vec3(-7, 0, 0)).norm() < 1e-14);
   const Row edges{.key = {contact::RowKind::edge, 40, 41, 50, 51}};
   CHECK_FALSE(dragged(squares.scene(), anchor, edges, Vec3(0.1, 0, 0)));
+}
+
+TEST_CASE("two rows that drag one anchor leave the same one, whichever row comes first") {
+  TwoSquares squares;
+  std::vector<Row> rows{squares.row(), squares.row()};
+  for (Row& row : rows) row.friction = 0.1;
+  rows[1].key.master = 4;
+  const std::vector<AnchorRecord> before{anchor_of(squares.scene(), squares.row())};
+  std::vector<Vec3> impulses(2, Vec3(0.1, 0, 1)),
+      slid{Vec3(-0.1, 0, 0), Vec3(-0.2, 0.1, 0)};  // on the limit: both slide
+  std::vector<AnchorRecord> one, other;
+  write_anchors(rows, impulses, slid, squares.scene(), before, one);
+  std::swap(rows[0], rows[1]);
+  std::swap(slid[0], slid[1]);
+  write_anchors(rows, impulses, slid, squares.scene(), before, other);
+  REQUIRE(one.size() == 1);
+  REQUIRE(other.size() == 1);
+  CHECK(one[0].weights == other[0].weights);
 }
