@@ -16,8 +16,8 @@ LISTS = ("initial", "fixed", "symmetry", "prescribed", "pressure", "forces", "tr
 CONTEXTS = {
     "mesh": [("all", {"file": "none.msh"}), ("all", {})],
     "mesh.BODY": [(body, {}) for body in BODIES],
-    "mesh.BODY.nose": [("all", {"shape": "blunt"}), ("all", {"shape": "hemisphere"}), ("all", {"shape": "cone"}),
-                       ("all", {"shape": "cone", "tip_radius": 0.5, "length": 1}), ("all", {"shape": "ogive", "tip_radius": 0.5})],
+    "mesh.BODY.nose": [(shape, {"shape": shape}) for shape in ("blunt", "hemisphere", "cone", "ogive")]
+                      + [("cone", {"shape": "cone", "tip_radius": 0.5, "length": 1}), ("ogive", {"shape": "ogive", "tip_radius": 0.5})],
     "materials": [(model, {"model": model}) for model in MODELS]
                  + [(model, {"model": model, "eos": GAS}) for model in ("johnson_cook", "piecewise_linear", "hydrodynamic")]
                  + [("neo_hookean", {"model": "neo_hookean", "bulk": 1})],
