@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The keys of a map as a table: one row a key. A map is read by its table, and the reference is written from it.
 #pragma once
+#include <algorithm>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>

@@ -187,7 +187,8 @@ const std::string sides_words = fmt::format("list of {}, and of spheres `z`, `-z
 }  // namespace
 
 const Table<GivenBody> body_keys{
-    "mesh.BODY", "a map with the part, sizes and elements of the body",
+    "mesh.BODY",
+    "a map with the part, sizes and elements of the body",
     joined(
         std::vector<Row<GivenBody>>{
             {"part", value(&GivenBody::part, Text{"name", "a name for the part"}), "-",
@@ -234,7 +235,9 @@ const Table<GivenBody> body_keys{
              "A tip on the upper end, see below."},
         },
         within(&GivenBody::placement, placement_rows())),
-    judge_body, kind_of_body};
+    judge_body,
+    kind_of_body,
+};
 
 GivenBody::GivenBody(std::string_view kind_of_body) : kind(kind_of_body) {
   if (kind == "tube") elements = {1, 3, 1};  // rounds have three elements around at least

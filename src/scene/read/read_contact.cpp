@@ -202,7 +202,12 @@ std::vector<Row<Entry>> rows_of_entry() {
   return rows;
 }
 
-const Table<Entry> contact_keys{"contact", "a map {between: all} or {between: [a, b]}", rows_of_entry(), judge_entry};
+const Table<Entry> contact_keys{
+    "contact",
+    "a map {between: all} or {between: [a, b]}",
+    rows_of_entry(),
+    judge_entry,
+};
 
 /// Faults of combinations that the present method does not support.
 void judge_method(const Key& whole, const ContactEntry& contact, const Input& input) {
@@ -257,13 +262,15 @@ const Choices<SearchMethod> search_methods{{{"auto", SearchMethod::automatic},
                                             {"binary", SearchMethod::binary},
                                             {"bucket", SearchMethod::bucket}},
                                            {}};
-const Table<Input> search_keys{"search",
-                               "a map {method: auto, blocks, binary or bucket}",
-                               {
-                                   {"method", value(&Input::search, search_methods), "-",
-                                    "Blocks of points along a space-filling curve (`auto`), the binary sort or the "
-                                    "bucket sort of Heinstein et al. (2000)."},
-                               }};
+const Table<Input> search_keys{
+    "search",
+    "a map {method: auto, blocks, binary or bucket}",
+    {
+        {"method", value(&Input::search, search_methods), "-",
+         "Blocks of points along a space-filling curve (`auto`), the binary sort or the bucket sort of Heinstein et "
+         "al. (2000)."},
+    },
+};
 
 }  // namespace
 

@@ -86,8 +86,11 @@ std::vector<Row<Enforcement>> rows_of_enforcement() {
   return rows;
 }
 
-const Table<Enforcement> enforcement_keys{"enforcement", "a map {method: rate, tolerance: 1.0e-3, ...}",
-                                          enforcement_rows()};
+const Table<Enforcement> enforcement_keys{
+    "enforcement",
+    "a map {method: rate, tolerance: 1.0e-3, ...}",
+    enforcement_rows(),
+};
 
 /// The values of all keys.
 auto values_of(const Enforcement& enforcement) {

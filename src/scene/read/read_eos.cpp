@@ -59,7 +59,8 @@ const Table<GivenDamage> damage_keys{
          "Damage at which a point fails: it loses its deviatoric stress and bears no tension."},
         {"softens", value(&GivenDamage::softens), "-", "Whether the yield stress is multiplied by 1 - damage."},
     },
-    judge_damage};
+    judge_damage,
+};
 
 const Table<EquationOfState> eos_keys{
     "materials.eos",
@@ -87,6 +88,7 @@ const Table<EquationOfState> eos_keys{
          "Largest tension that the material bears (spall).", "none"},
     },
     nullptr,
-    name_of_model};
+    name_of_model,
+};
 
 }  // namespace brunt::scene

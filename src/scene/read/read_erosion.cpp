@@ -47,7 +47,8 @@ const Table<Erosion> erosion_keys{
         {"nodes", value(&Erosion::keeps_nodes, bare_nodes), "-",
          "What becomes of nodes without elements, as for `remove`."},
     },
-    judge_erosion};
+    judge_erosion,
+};
 
 void judge_erosion_of_part(const Key& map, const Part& part, const std::map<std::string, material::Law>& materials) {
   const auto found = materials.find(part.material);
@@ -65,8 +66,8 @@ void judge_erosion_of_part(const Key& map, const Part& part, const std::map<std:
               "out of range: {:g} is never reached, since damage ends at critical = {:g}; expected at most that value",
               *part.erosion->damage, metal->fracture->critical));
   if (part.erosion->plastic_strain && metal == nullptr && !std::holds_alternative<material::J2>(law))
-    fault(at(map, "plastic_strain"), fmt::format("invalid criterion: material '{}' has no plastic strain; expected "
-                                                 "a material of model j2, johnson_cook or another metal",
+    fault(at(map, "plastic_strain"), fmt::format("invalid criterion: material '{}' has no plastic strain; expected a "
+                                                 "material of model j2, johnson_cook or another metal",
                                                  excerpt(part.material)));
 }
 

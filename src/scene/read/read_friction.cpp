@@ -31,7 +31,8 @@ const Table<FrictionLaw> friction_keys{
          "[Delay](../contact/FRICTION.md#friction-with-a-lag) of the friction limit behind the pressure, for steady "
          "sliding in one pass."},
     },
-    judge_friction};
+    judge_friction,
+};
 
 void read_friction(const Key& key, FrictionLaw& law) {
   if (is_map(key)) {

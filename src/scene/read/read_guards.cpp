@@ -37,7 +37,8 @@ const Table<Guards> guards_keys{
         {"angular_momentum", value(&Guards::angular_momentum, positive), "-",
          "`angular_momentum_error` in summary.json: warning."},
     },
-    judge_guards};
+    judge_guards,
+};
 
 }  // namespace
 

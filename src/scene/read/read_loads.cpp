@@ -18,7 +18,8 @@ const Table<Pressure> pressure_keys{
         {"value", value(&Pressure::value, any_number), "stress",
          "Pressure on the current faces; positive values push inwards.", required},
         {"curve", value(&Pressure::curve, Named::curve), "-", "Factor over time.", "constant 1"},
-    }};
+    },
+};
 
 void judge_force(const Key& map, DeadLoad& load) {
   judge_selection(map);
@@ -29,7 +30,8 @@ void judge_force(const Key& map, DeadLoad& load) {
 }
 
 const Table<DeadLoad> forces_keys{
-    "forces", "{set: name, force: [x, y, z]}",
+    "forces",
+    "{set: name, force: [x, y, z]}",
     joined(selection(&DeadLoad::where),
            {
                {"force", value(&DeadLoad::value, Vector::any), "force",
@@ -38,7 +40,8 @@ const Table<DeadLoad> forces_keys{
                 "Force on the whole selection, distributed over its exterior faces by area.", "required, or `force`"},
                {"curve", value(&DeadLoad::curve, Named::curve), "-", "Factor over time.", "constant 1"},
            }),
-    judge_force};
+    judge_force,
+};
 
 const Table<DeadLoad> traction_keys{
     "traction",
@@ -49,7 +52,8 @@ const Table<DeadLoad> traction_keys{
          "Force by area of the initial configuration, of constant direction.", required},
         {"curve", value(&DeadLoad::curve, Named::curve), "-", "Factor over time.", "constant 1"},
     },
-    [](const Key&, DeadLoad& load) { load.kind = DeadLoad::Kind::traction; }};
+    [](const Key&, DeadLoad& load) { load.kind = DeadLoad::Kind::traction; },
+};
 
 const Table<Gravity> gravity_keys{
     "gravity",
@@ -57,7 +61,8 @@ const Table<Gravity> gravity_keys{
     {
         {"vector", value(&Gravity::vector, Vector::any), "length/time^2", "Acceleration on all nodes.", required},
         {"curve", value(&Gravity::curve, Named::curve), "-", "Factor over time.", "constant 1"},
-    }};
+    },
+};
 
 void judge_damping(const Key& map, Damping& damping) {
   if (damping.to <= damping.from)
@@ -74,16 +79,19 @@ const Table<Damping> damping_keys{
         {"from", value(&Damping::from, not_negative), "time", "Begin."},
         {"to", value(&Damping::to, not_negative), "time", "End, later than `from`.", "end of the run"},
     },
-    judge_damping};
+    judge_damping,
+};
 
-const Table<Relaxation> relaxation_keys{"relaxation",
-                                        "a map {tolerance: number, max_steps: count}",
-                                        {
-                                            {"tolerance", value(&Relaxation::tolerance, below_one), "-",
-                                             "Unbalanced force over the loads, and relative error in the energy norm."},
-                                            {"max_steps", value(&Relaxation::max_steps, Count{1, 1'000'000'000'000}),
-                                             "-", "Steps after which the program stops with exit code 3."},
-                                        }};
+const Table<Relaxation> relaxation_keys{
+    "relaxation",
+    "a map {tolerance: number, max_steps: count}",
+    {
+        {"tolerance", value(&Relaxation::tolerance, below_one), "-",
+         "Unbalanced force over the loads, and relative error in the energy norm."},
+        {"max_steps", value(&Relaxation::max_steps, Count{1, 1'000'000'000'000}), "-",
+         "Steps after which the program stops with exit code 3."},
+    },
+};
 
 }  // namespace
 

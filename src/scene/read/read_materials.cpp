@@ -30,7 +30,8 @@ const Table<CowperSymonds> cowper_symonds_keys{
         {"rate", value(&CowperSymonds::rate, positive), "1/time",
          "The yield stress is multiplied by 1 + (r/rate)^(1/exponent), r the strain rate.", required},
         {"exponent", value(&CowperSymonds::exponent, positive), "-", "See `rate`.", required},
-    }};
+    },
+};
 
 void read_table(const Key& key, Given& given) {
   read_hardening_table(key, given.table);
@@ -194,8 +195,12 @@ std::vector<Row<Given>> other_rows() {
 }
 
 const Table<Given> material_keys{
-    "materials", "a map {model: elastic, j2, neo_hookean, johnson_cook ... or rigid, density: ...}",
-    joined(joined(elastic_rows(), plastic_rows()), other_rows()), judge_material, model_of};
+    "materials",
+    "a map {model: elastic, j2, neo_hookean, johnson_cook ... or rigid, density: ...}",
+    joined(joined(elastic_rows(), plastic_rows()), other_rows()),
+    judge_material,
+    model_of,
+};
 
 /// `units` has been read.
 void read_material_map(const Key& map, Input& input) {

@@ -73,10 +73,13 @@ const std::vector<Row<GivenMesh>> body_rows{
     {"plate", body("plate"), "-", "Plate in the x-y plane; the centre of its lower face is the origin.",
      "required, or another body"},
 };
-const Table<GivenMesh> mesh_keys{"mesh", body_words,
-                                 joined(joined(within(&GivenMesh::file, file_rows), body_rows),
-                                        within(&GivenMesh::entry, within(&MeshEntry::placement, placement_rows()))),
-                                 judge_mesh};
+const Table<GivenMesh> mesh_keys{
+    "mesh",
+    body_words,
+    joined(joined(within(&GivenMesh::file, file_rows), body_rows),
+           within(&GivenMesh::entry, within(&MeshEntry::placement, placement_rows()))),
+    judge_mesh,
+};
 
 void read_entry(const Key& key, Input& input) {
   GivenMesh mesh;

@@ -77,8 +77,8 @@ const Choices<Form>& rate_forms() {
 
 void judge_yield(const Key& map, const char* name, double yield, double young) {
   if (!(yield > 0) || !(young > 0) || (yield >= least_yield * young && yield <= largest_yield * young)) return;
-  fault(at(map, name), fmt::format("out of range: the yield stress {:g} is {:.2g} of Young's modulus {:g}; "
-                                   "expected {:g} to {:g} of it, both in the same units",
+  fault(at(map, name), fmt::format("out of range: the yield stress {:g} is {:.2g} of Young's modulus {:g}; expected "
+                                   "{:g} to {:g} of it, both in the same units",
                                    yield, yield / young, young, least_yield, largest_yield));
 }
 

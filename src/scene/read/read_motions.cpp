@@ -22,7 +22,8 @@ const Table<InitialMotion> spin_keys{
         {"axis", value(&InitialMotion::spin_axis, Vector::direction), "-", "Axis of the rotation.", required},
         {"point", value(&InitialMotion::spin_point, Vector::any), "length", "A point of the axis."},
         {"rate", value(&InitialMotion::spin_rate, any_number), "1/time", "Angular velocity in radians.", required},
-    }};
+    },
+};
 
 void judge_initial(const Key& map, InitialMotion&) {
   judge_selection(map);
@@ -31,7 +32,8 @@ void judge_initial(const Key& map, InitialMotion&) {
 }
 
 const Table<InitialMotion> initial_keys{
-    "initial", "{part: name, velocity: [x, y, z]}",
+    "initial",
+    "{part: name, velocity: [x, y, z]}",
     joined(
         selection(&InitialMotion::where),
         {
@@ -39,7 +41,8 @@ const Table<InitialMotion> initial_keys{
              "Initial velocity. The last entry that selects a node counts."},
             {"rotation", map_of(spin_keys), "-", "Rotation that is added to `velocity`; one of the two is required."},
         }),
-    judge_initial};
+    judge_initial,
+};
 
 /// Translations, and rotations of rigid parts.
 void read_dofs(const Key& key, Fixed& fixed) {
@@ -51,15 +54,22 @@ void read_dofs(const Key& key, Fixed& fixed) {
   }
 }
 
-const Table<Fixed> fixed_keys{"fixed", "{set: name, dofs: [x, y, z]}",
-                              joined(selection(&Fixed::where),
-                                     {
-                                         {"dofs", special("list of " + phrase(0, directions), read_dofs), "-",
-                                          "Fixed directions; rotations of rigid parts only.", required},
-                                     }),
-                              [](const Key& map, Fixed&) { judge_selection(map); }};
+const Table<Fixed> fixed_keys{
+    "fixed",
+    "{set: name, dofs: [x, y, z]}",
+    joined(selection(&Fixed::where),
+           {
+               {"dofs", special("list of " + phrase(0, directions), read_dofs), "-",
+                "Fixed directions; rotations of rigid parts only.", required},
+           }),
+    [](const Key& map, Fixed&) { judge_selection(map); },
+};
 
-const Table<Rotation> turn_keys{"symmetry.rotate", "a map {axis: [x, y, z], degrees: number}", rotation_rows()};
+const Table<Rotation> turn_keys{
+    "symmetry.rotate",
+    "a map {axis: [x, y, z], degrees: number}",
+    rotation_rows(),
+};
 
 /// The normal has been read.
 void turn_normal(const Key& key, Symmetry& plane) {
@@ -77,7 +87,8 @@ const Table<Symmetry> symmetry_keys{
         {"normal", value(&Symmetry::normal, Vector::direction), "-", "Normal of the plane.", required},
         {"rotate", special("map", turn_normal, {&turn_keys}), "-",
          "Rotation of the normal: `{axis: [0, 0, 1], degrees: 4}`."},
-    }};
+    },
+};
 
 using Gives = Prescribed::Gives;
 
@@ -107,7 +118,8 @@ void judge_prescribed(const Key& map, Prescribed&) {
 }
 
 const Table<Prescribed> prescribed_keys{
-    "prescribed", "{set: name, dof: x, y or z, velocity: curve}",
+    "prescribed",
+    "{set: name, dof: x, y or z, velocity: curve}",
     joined(selection(&Prescribed::where),
            {
                {"dof", value(&Prescribed::dof, directions), "-",
@@ -120,7 +132,8 @@ const Table<Prescribed> prescribed_keys{
                {"acceleration", special("name or number", read_motion<Gives::acceleration>), "length/time^2",
                 "Curve, or constant; the velocity starts from its initial value."},
            }),
-    judge_prescribed};
+    judge_prescribed,
+};
 
 }  // namespace
 

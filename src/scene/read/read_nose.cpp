@@ -56,25 +56,27 @@ double length_of(const GivenNose& given, double radius, double tip_radius) {
 
 }  // namespace
 
-const Table<GivenNose> nose_keys{"mesh.BODY.nose",
-                                 "a map {shape: blunt, hemisphere, cone or ogive, ...}",
-                                 {
-                                     {"shape", value(&GivenNose::shape, shapes), "-", "Shape of the nose.", required},
-                                     {"half_angle", of("cone"), value(&GivenNose::half_angle, acute), "degree",
-                                      "Angle between axis and side.", "required, or `length`"},
-                                     {"length", of("cone"), value(&GivenNose::length, positive), "length",
-                                      "From shoulder to tip.", "required, or `half_angle`"},
-                                     {"crh", of("ogive"), value(&GivenNose::crh, at_least_half), "-",
-                                      "Radius of its arc over the diameter.", required},
-                                     {"chamfer", of("blunt"), value(&GivenNose::chamfer, positive), "length",
-                                      "Width of an edge that is cut at 45 degrees, below the radius."},
-                                     {"tip_radius", of("cone", "ogive"), value(&GivenNose::tip_radius, positive),
-                                      "length", "Radius of a flat tip, below the radius of the body."},
-                                     {"elements", of("cone", "ogive"), value(&GivenNose::elements, at_least_one), "-",
-                                      "With `tip_radius`: elements along the nose.", "as across the radius"},
-                                 },
-                                 judge_nose,
-                                 shape_of};
+const Table<GivenNose> nose_keys{
+    "mesh.BODY.nose",
+    "a map {shape: blunt, hemisphere, cone or ogive, ...}",
+    {
+        {"shape", value(&GivenNose::shape, shapes), "-", "Shape of the nose.", required},
+        {"half_angle", of("cone"), value(&GivenNose::half_angle, acute), "degree", "Angle between axis and side.",
+         "required, or `length`"},
+        {"length", of("cone"), value(&GivenNose::length, positive), "length", "From shoulder to tip.",
+         "required, or `half_angle`"},
+        {"crh", of("ogive"), value(&GivenNose::crh, at_least_half), "-", "Radius of its arc over the diameter.",
+         required},
+        {"chamfer", of("blunt"), value(&GivenNose::chamfer, positive), "length",
+         "Width of an edge that is cut at 45 degrees, below the radius."},
+        {"tip_radius", of("cone", "ogive"), value(&GivenNose::tip_radius, positive), "length",
+         "Radius of a flat tip, below the radius of the body."},
+        {"elements", of("cone", "ogive"), value(&GivenNose::elements, at_least_one), "-",
+         "With `tip_radius`: elements along the nose.", "as across the radius"},
+    },
+    judge_nose,
+    shape_of,
+};
 
 mesh::Nose nose_of(const Key& map_of_body, const GivenBody& body, double radius, double inner, int through) {
   if (!body.nose || radius <= inner) return {};

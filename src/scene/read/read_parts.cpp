@@ -40,7 +40,8 @@ const Table<Hourglass> hourglass_keys{
         {"coefficient", value(&Hourglass::coefficient, share), "-", "Strength of the control.",
          fmt::format("{}; viscous {}", default_stiffness, default_viscous)},
     },
-    judge_hourglass};
+    judge_hourglass,
+};
 
 const Table<BulkViscosity> bulk_keys{
     "parts.bulk",
@@ -49,7 +50,8 @@ const Table<BulkViscosity> bulk_keys{
         {"linear", value(&BulkViscosity::linear, not_negative), "-",
          "Linear coefficient; 0 for foam, whose crushing front it would overload."},
         {"quadratic", value(&BulkViscosity::quadratic, not_negative), "-", "Quadratic coefficient."},
-    }};
+    },
+};
 
 /// The tensor of [xx, yy, zz, xy, yz, zx]. Principal moments of a mass distribution are not negative, and none exceeds
 /// the sum of the others. A zero moment would allow no rotation about its axis.
@@ -85,7 +87,8 @@ const Table<RigidGiven> rigid_keys{
          "of the elements"},
         {"joins", value(&RigidGiven::joins, Named::part), "-",
          "The part is one body with this rigid part, whose mass properties count; no other key of `rigid` beside it."},
-    }};
+    },
+};
 
 const Table<Part> part_keys{
     "parts",
@@ -106,7 +109,8 @@ const Table<Part> part_keys{
         {"erosion", map_of(&Part::erosion, erosion_keys), "-", "Criteria for the [deletion of elements](#erosion)."},
         refused<Part>("thickness", {},
                       [](const Key& key, Part&) { later(key, "'thickness'", "no thickness for solid elements"); }),
-    }};
+    },
+};
 
 /// Materials have been read.
 void read_part_map(const Key& map, Input& input) {

@@ -86,7 +86,8 @@ const Table<Probe> section_keys{
          "Reference point of the moment; by default the mean current position of the nodes of the section.",
          "mean position"},
     },
-    judge_section};
+    judge_section,
+};
 
 /// The judge reads it, when the place is known.
 void read_later(const Key&, Probe&) {}
@@ -160,7 +161,8 @@ const Table<Probe> probe_keys{
          "required for nodes, sets and parts"},
         {"about", value(&Probe::about, Vector::any), "length", "Reference point of `angular_momentum`.", "origin"},
     },
-    judge_probe};
+    judge_probe,
+};
 
 }  // namespace
 

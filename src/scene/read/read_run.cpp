@@ -46,7 +46,8 @@ const Table<Run> run_keys{
         {"wall_limit", special("duration", read_wall_limit), "-",
          "Wall-clock time after which the run writes a checkpoint and stops: `3h55m`, `90s`, or seconds."},
     },
-    judge_run};
+    judge_run,
+};
 
 void read_fields(const Key& key, Output& output) {
   static const std::vector<std::string> fields{
@@ -63,14 +64,16 @@ void read_fields(const Key& key, Output& output) {
   }
 }
 
-const Table<Output> output_keys{"output",
-                                "a map {every: time, fields: [...]}",
-                                {
-                                    {"every", value(&Output::every, positive), "time",
-                                     "Interval of the records in state.h5.", "first and last state"},
-                                    {"fields", special("list of fields", read_fields), "-", "Names of the next table.",
-                                     fmt::format("`[{}]`", fmt::join(Output{}.fields, ", "))},
-                                }};
+const Table<Output> output_keys{
+    "output",
+    "a map {every: time, fields: [...]}",
+    {
+        {"every", value(&Output::every, positive), "time", "Interval of the records in state.h5.",
+         "first and last state"},
+        {"fields", special("list of fields", read_fields), "-", "Names of the next table.",
+         fmt::format("`[{}]`", fmt::join(Output{}.fields, ", "))},
+    },
+};
 
 const Table<Input> history_keys{
     "history",
@@ -78,7 +81,8 @@ const Table<Input> history_keys{
     {
         {"every", value(&Input::history_every, positive), "time",
          "Interval of the rows; without `history` some 200 rows are written, at least five steps apart.", required},
-    }};
+    },
+};
 
 const Table<Input> checkpoint_keys{
     "checkpoint",
@@ -86,7 +90,8 @@ const Table<Input> checkpoint_keys{
     {
         {"every", value(&Input::checkpoint_every, positive), "time",
          "Interval of the checkpoints; without `checkpoint` one is written at the end.", required},
-    }};
+    },
+};
 
 }  // namespace
 

@@ -109,7 +109,8 @@ const Table<Direction> direction_keys{
          special<Direction>("list",
                             [](const Key& key, Direction& growth) { read_paths(key, growth.lengths, lengths); }),
          "-", "Key paths of numbers that are multiplied likewise, so that elements keep their shape."},
-    }};
+    },
+};
 
 struct Scaling {
   std::vector<Direction> weak;
@@ -130,7 +131,8 @@ const Table<Scaling> scaling_keys{
         {"weak", special("list", read_directions, {&direction_keys}), "-",
          "One to three directions of growth. The prime factors of the number of ranks are distributed over them.",
          required},
-    }};
+    },
+};
 
 }  // namespace
 

@@ -42,7 +42,8 @@ const Table<SetEntry> set_keys{
         {"box", special("list", read_corners), "length",
          "Two corners; the nodes inside the closed box, of all bodies or of `part`."},
     },
-    judge_set};
+    judge_set,
+};
 
 void read_set_map(const Key& map, Input& input) {
   for (const auto& [name, key] : entries(map, "a map of names, each a selection")) {

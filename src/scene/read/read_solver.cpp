@@ -83,8 +83,11 @@ const std::vector<Row<ImplicitSolver>> solver_rows{
 };
 
 const Table<GivenSolver> solver_keys{
-    "solver", "implicit, explicit, or a map {scheme, step, min_step, max_step, tolerance, linear, alpha, stability}",
-    within(&GivenSolver::solver, solver_rows), judge_solver};
+    "solver",
+    "implicit, explicit, or a map {scheme, step, min_step, max_step, tolerance, linear, alpha, stability}",
+    within(&GivenSolver::solver, solver_rows),
+    judge_solver,
+};
 
 /// `implicit` or `explicit`.
 void read_word(const Key& key, Input& input) {

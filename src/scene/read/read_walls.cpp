@@ -41,7 +41,8 @@ const Table<RigidWall> wall_keys{
         {"motion", value(&RigidWall::motion, Named::curve), "velocity", "Curve of the velocity along the normal.",
          "at rest"},
         {"parts", special("list", read_wall_parts), "-", "Parts on which the wall acts.", "all"},
-    }};
+    },
+};
 
 void read_walls(const Key& list, Input& input) {
   for (const Key& key : items(list, "a list of {point: [x, y, z], normal: [x, y, z]}")) {
@@ -54,7 +55,8 @@ void read_walls(const Key& list, Input& input) {
 const Choices<bool> left_nodes{{{"keep", true}, {"drop", false}}, {}};
 
 const Table<Removal> removal_keys{
-    "remove", "{part: name, at: time}",
+    "remove",
+    "{part: name, at: time}",
     joined(selection(&Removal::where, "Part whose elements are deleted.",
                      "Elements with all nodes in the set are deleted."),
            {
@@ -62,7 +64,8 @@ const Table<Removal> removal_keys{
                {"nodes", value(&Removal::keeps_nodes, left_nodes), "-",
                 "Nodes without elements stay as mass points in contact, or nothing acts on them any more."},
            }),
-    [](const Key& map, Removal&) { judge_selection(map); }};
+    [](const Key& map, Removal&) { judge_selection(map); },
+};
 
 }  // namespace
 

@@ -113,8 +113,8 @@ void warn_of_speed(const Key& material, const material::Law& law, const UnitSyst
   if (of_waves.holds(speed) && !is_heavy_and_soft(speed, density, units)) return;
   const char* modulus = has(material, "young") ? "young" : "bulk";
   std::string what = fmt::format(
-      "this stiffness and density give a wave speed of {:.3g} m/s, outside that of known matter (metals 1000 to "
-      "6000, rubber 50 to 2000)",
+      "this stiffness and density give a wave speed of {:.3g} m/s, outside that of known matter (metals 1000 to 6000, "
+      "rubber 50 to 2000)",
       speed);
   what += better_unit(stiffness, density, units, modulus);
   warn(at(material, modulus), what);
