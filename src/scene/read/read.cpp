@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "scene/build/rigid_parts.hpp"
 #include "scene/read/sections.hpp"
+#include "scene/rules/rules.hpp"
 #include "scene/text/overrides.hpp"
 
 namespace brunt::scene {
@@ -34,8 +34,8 @@ Input read_scene(const std::string& text, const std::string& file_name, std::spa
   scene_keys().read({&tree, tree.place, "", &findings}, input);
   findings.faults.throw_if_any();
   input.warnings = std::move(findings.warnings);
-  if (std::vector<std::string> faults = faults_of_rigid_parts(input); !faults.empty())
-    throw InputError(std::move(faults));
+  for (const auto& rules : {faults_of_rigid_parts, faults_of_solver})
+    if (std::vector<std::string> faults = rules(input); !faults.empty()) throw InputError(std::move(faults));
   return input;
 }
 

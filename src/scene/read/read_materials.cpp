@@ -4,6 +4,7 @@
 
 #include "given_material.hpp"
 #include "scene/read/sections.hpp"
+#include "scene/rules/rules.hpp"
 
 namespace brunt::scene {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "read_enforcement.hpp"
 #include "scene/read/sections.hpp"
+#include "scene/rules/rules.hpp"
 #include "scene/text/units.hpp"
 
 namespace brunt::scene {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sections of a scene. Each is the value of a top-level key; its table and its judge stand in one file.
 #pragma once
-#include <string>
-
 #include "scene/input.hpp"
 #include "scene/keys/table.hpp"
 #include "scene/text/reader.hpp"
@@ -40,11 +38,5 @@ Value<Input> scaling_value();
 
 /// The keys of the top level.
 const Table<Input>& scene_keys();
-
-/// Warns of a density or wave speed outside those of known matter, where the scene names its units.
-void warn_of_units(const Key& material, const material::Law& law, const std::string& unit_system);
-
-/// Names that are used but not defined, generated parts without an entry in `parts`, names that are used twice.
-void judge_names(const Key& scene, const Input& input);
 
 }  // namespace brunt::scene

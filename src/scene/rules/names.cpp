@@ -9,7 +9,7 @@
 #include "scene/build/build.hpp"
 #include "scene/build/rigid_parts.hpp"
 #include "scene/curve.hpp"
-#include "scene/read/sections.hpp"
+#include "scene/rules/rules.hpp"
 #include "scene/text/nearest.hpp"
 
 namespace brunt::scene {

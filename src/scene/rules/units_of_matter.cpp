@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "scene/read/sections.hpp"
+#include "scene/rules/rules.hpp"
 #include "scene/text/units.hpp"
 
 namespace brunt::scene {
