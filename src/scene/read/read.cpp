@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/read/read.hpp"
 
-#include <fmt/format.h>
-
 #include "core/error.hpp"
 #include "scene/read/sections.hpp"
 #include "scene/rules/rules.hpp"

@@ -262,6 +262,8 @@ const Choices<SearchMethod> search_methods{{{"auto", SearchMethod::automatic},
                                             {"binary", SearchMethod::binary},
                                             {"bucket", SearchMethod::bucket}},
                                            {}};
+}  // namespace
+
 const Table<Input> search_keys{
     "search",
     "a map {method: auto, blocks, binary or bucket}",
@@ -272,14 +274,8 @@ const Table<Input> search_keys{
     },
 };
 
-}  // namespace
-
 Value<Input> contact_value() {
   return special("list", read_contact_list, {&contact_keys});
-}
-
-Value<Input> search_value() {
-  return map_of(search_keys);
 }
 
 }  // namespace brunt::scene

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -86,12 +85,6 @@ std::vector<Row<Enforcement>> rows_of_enforcement() {
   return rows;
 }
 
-const Table<Enforcement> enforcement_keys{
-    "enforcement",
-    "a map {method: rate, tolerance: 1.0e-3, ...}",
-    enforcement_rows(),
-};
-
 /// The values of all keys.
 auto values_of(const Enforcement& enforcement) {
   const EnforcementSettings& settings = enforcement.settings;
@@ -128,6 +121,12 @@ void warn_of_softness(const Key& scene, const Input& input) {
 
 }  // namespace
 
+const Table<Enforcement> enforcement_keys{
+    "enforcement",
+    "a map {method: rate, tolerance: 1.0e-3, ...}",
+    enforcement_rows(),
+};
+
 const Choices<Method>& methods() {
   static const Choices<Method> all{{contact::method_names.begin(), contact::method_names.end()}, {}};
   return all;
@@ -136,10 +135,6 @@ const Choices<Method>& methods() {
 const std::vector<Row<Enforcement>>& enforcement_rows() {
   static const std::vector<Row<Enforcement>> rows = rows_of_enforcement();
   return rows;
-}
-
-Value<Input> enforcement_value() {
-  return map_of(&Input::enforcement, enforcement_keys);
 }
 
 void judge_enforcement_of_entry(const Key& entry, const Enforcement& given, const Input& input) {

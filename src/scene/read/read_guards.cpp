@@ -16,6 +16,8 @@ void judge_guards(const Key& map, Guards& guards) {
           "out of range: the run would stop before it warns; expected depth_stop, at least depth_warning");
 }
 
+}  // namespace
+
 const Table<Guards> guards_keys{
     "guards",
     "a map of thresholds, such as {energy_stop: 0.1}",
@@ -39,11 +41,5 @@ const Table<Guards> guards_keys{
     },
     judge_guards,
 };
-
-}  // namespace
-
-Value<Input> guards_value() {
-  return map_of(&Input::guards, guards_keys);
-}
 
 }  // namespace brunt::scene

@@ -10,6 +10,22 @@ namespace {
 
 constexpr Text side_set{"name", "the name of a side set"};
 
+void judge_force(const Key& map, DeadLoad& load) {
+  judge_selection(map);
+  demand_one(map, {"force", "total"}, "missing force; expected force: for each node, or total: for all together",
+             "invalid entry: force and total are both given; expected one of force: for each node, or total: for all "
+             "together");
+  load.kind = has(map, "total") ? DeadLoad::Kind::total : DeadLoad::Kind::each_node;
+}
+
+void judge_damping(const Key& map, Damping& damping) {
+  if (damping.to <= damping.from)
+    fault(at(map, "to"),
+          fmt::format("invalid time {}: not later than from, {}; expected a later time", damping.to, damping.from));
+}
+
+}  // namespace
+
 const Table<Pressure> pressure_keys{
     "pressure",
     "{set: name, value: number, curve: name}",
@@ -20,14 +36,6 @@ const Table<Pressure> pressure_keys{
         {"curve", value(&Pressure::curve, Named::curve), "-", "Factor over time.", "constant 1"},
     },
 };
-
-void judge_force(const Key& map, DeadLoad& load) {
-  judge_selection(map);
-  demand_one(map, {"force", "total"}, "missing force; expected force: for each node, or total: for all together",
-             "invalid entry: force and total are both given; expected one of force: for each node, or total: for all "
-             "together");
-  load.kind = has(map, "total") ? DeadLoad::Kind::total : DeadLoad::Kind::each_node;
-}
 
 const Table<DeadLoad> forces_keys{
     "forces",
@@ -64,12 +72,6 @@ const Table<Gravity> gravity_keys{
     },
 };
 
-void judge_damping(const Key& map, Damping& damping) {
-  if (damping.to <= damping.from)
-    fault(at(map, "to"),
-          fmt::format("invalid time {}: not later than from, {}; expected a later time", damping.to, damping.from));
-}
-
 const Table<Damping> damping_keys{
     "damping",
     "a map {alpha: number, from: time, to: time}",
@@ -92,26 +94,5 @@ const Table<Relaxation> relaxation_keys{
          "Steps after which the program stops with exit code 3."},
     },
 };
-
-}  // namespace
-
-Value<Input> pressure_value() {
-  return list_of(&Input::pressure, pressure_keys);
-}
-Value<Input> forces_value() {
-  return list_of(&Input::forces, forces_keys);
-}
-Value<Input> traction_value() {
-  return list_of(&Input::traction, traction_keys);
-}
-Value<Input> gravity_value() {
-  return map_of(&Input::gravity, gravity_keys);
-}
-Value<Input> damping_value() {
-  return map_of(&Input::damping, damping_keys);
-}
-Value<Input> relaxation_value() {
-  return map_of(&Input::relaxation, relaxation_keys);
-}
 
 }  // namespace brunt::scene

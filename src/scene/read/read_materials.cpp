@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Materials by model.
-#include <fmt/format.h>
-
 #include "given_material.hpp"
 #include "scene/read/sections.hpp"
 #include "scene/rules/rules.hpp"

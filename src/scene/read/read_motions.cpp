@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Initial velocities, supports and prescribed motions.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -31,19 +29,6 @@ void judge_initial(const Key& map, InitialMotion&) {
     lacking(map, {"velocity", "rotation"}, "missing velocity or rotation; expected one of them, or both");
 }
 
-const Table<InitialMotion> initial_keys{
-    "initial",
-    "{part: name, velocity: [x, y, z]}",
-    joined(
-        selection(&InitialMotion::where),
-        {
-            {"velocity", value(&InitialMotion::velocity, Vector::any), "velocity",
-             "Initial velocity. The last entry that selects a node counts."},
-            {"rotation", map_of(spin_keys), "-", "Rotation that is added to `velocity`; one of the two is required."},
-        }),
-    judge_initial,
-};
-
 /// Translations, and rotations of rigid parts.
 void read_dofs(const Key& key, Fixed& fixed) {
   std::array<bool, 6> marked{};
@@ -53,17 +38,6 @@ void read_dofs(const Key& key, Fixed& fixed) {
     fixed.turns[c] = marked[c + 3];
   }
 }
-
-const Table<Fixed> fixed_keys{
-    "fixed",
-    "{set: name, dofs: [x, y, z]}",
-    joined(selection(&Fixed::where),
-           {
-               {"dofs", special("list of " + phrase(0, directions), read_dofs), "-",
-                "Fixed directions; rotations of rigid parts only.", required},
-           }),
-    [](const Key& map, Fixed&) { judge_selection(map); },
-};
 
 const Table<Rotation> turn_keys{
     "symmetry.rotate",
@@ -77,18 +51,6 @@ void turn_normal(const Key& key, Symmetry& plane) {
   turn_keys.read(key, turn);
   plane.normal = mesh::rotation(turn.axis, turn.degrees) * plane.normal;
 }
-
-const Table<Symmetry> symmetry_keys{
-    "symmetry",
-    "{point: [x, y, z], normal: [x, y, z]}",
-    {
-        {"point", value(&Symmetry::point, Vector::any), "length",
-         "A point of the plane. All nodes in the plane stay in it.", required},
-        {"normal", value(&Symmetry::normal, Vector::direction), "-", "Normal of the plane.", required},
-        {"rotate", special("map", turn_normal, {&turn_keys}), "-",
-         "Rotation of the normal: `{axis: [0, 0, 1], degrees: 4}`."},
-    },
-};
 
 using Gives = Prescribed::Gives;
 
@@ -117,6 +79,44 @@ void judge_prescribed(const Key& map, Prescribed&) {
   if (given == 0) demand(map, "velocity", "the name of a curve, or a number for a constant velocity");
 }
 
+}  // namespace
+
+const Table<InitialMotion> initial_keys{
+    "initial",
+    "{part: name, velocity: [x, y, z]}",
+    joined(
+        selection(&InitialMotion::where),
+        {
+            {"velocity", value(&InitialMotion::velocity, Vector::any), "velocity",
+             "Initial velocity. The last entry that selects a node counts."},
+            {"rotation", map_of(spin_keys), "-", "Rotation that is added to `velocity`; one of the two is required."},
+        }),
+    judge_initial,
+};
+
+const Table<Fixed> fixed_keys{
+    "fixed",
+    "{set: name, dofs: [x, y, z]}",
+    joined(selection(&Fixed::where),
+           {
+               {"dofs", special("list of " + phrase(0, directions), read_dofs), "-",
+                "Fixed directions; rotations of rigid parts only.", required},
+           }),
+    [](const Key& map, Fixed&) { judge_selection(map); },
+};
+
+const Table<Symmetry> symmetry_keys{
+    "symmetry",
+    "{point: [x, y, z], normal: [x, y, z]}",
+    {
+        {"point", value(&Symmetry::point, Vector::any), "length",
+         "A point of the plane. All nodes in the plane stay in it.", required},
+        {"normal", value(&Symmetry::normal, Vector::direction), "-", "Normal of the plane.", required},
+        {"rotate", special("map", turn_normal, {&turn_keys}), "-",
+         "Rotation of the normal: `{axis: [0, 0, 1], degrees: 4}`."},
+    },
+};
+
 const Table<Prescribed> prescribed_keys{
     "prescribed",
     "{set: name, dof: x, y or z, velocity: curve}",
@@ -134,20 +134,5 @@ const Table<Prescribed> prescribed_keys{
            }),
     judge_prescribed,
 };
-
-}  // namespace
-
-Value<Input> initial_value() {
-  return list_of(&Input::initial, initial_keys);
-}
-Value<Input> fixed_value() {
-  return list_of(&Input::fixed, fixed_keys);
-}
-Value<Input> symmetry_value() {
-  return list_of(&Input::symmetry, symmetry_keys);
-}
-Value<Input> prescribed_value() {
-  return list_of(&Input::prescribed, prescribed_keys);
-}
 
 }  // namespace brunt::scene

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "core/excerpt.hpp"
 #include "scene/read/sections.hpp"
@@ -136,6 +135,8 @@ void judge_probe(const Key& map, Probe& probe) {
     refuse_any(map, {"about"}, "invalid without field: angular_momentum; expected no such key");
 }
 
+}  // namespace
+
 const Table<Probe> probe_keys{
     "probes",
     "{name: ..., node: ..., field: ...}",
@@ -163,11 +164,5 @@ const Table<Probe> probe_keys{
     },
     judge_probe,
 };
-
-}  // namespace
-
-Value<Input> probes_value() {
-  return list_of(&Input::probes, probe_keys);
-}
 
 }  // namespace brunt::scene

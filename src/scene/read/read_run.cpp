@@ -28,6 +28,23 @@ void judge_run(const Key& map, Run&) {
     lacking(map, {"end", "steps"}, "missing end; expected end: time, or steps: count");
 }
 
+void read_fields(const Key& key, Output& output) {
+  static const std::vector<std::string> fields{
+      "displacement", "velocity",    "stress", "plastic_strain", "contact_pressure", "gap",
+      "mass",         "temperature", "damage", "strain_rate",    "relative_volume",  "energy"};
+  output.fields.clear();
+  for (const Key& entry : items(key, "a list of fields, such as [displacement, velocity, stress]")) {
+    const std::size_t chosen = read_choice(entry, fields, {});
+    if (chosen == fields.size()) continue;
+    if (std::find(output.fields.begin(), output.fields.end(), fields[chosen]) != output.fields.end()) {
+      fault(entry, fmt::format("invalid field '{}': listed twice; expected each field once", fields[chosen]));
+    }
+    output.fields.push_back(fields[chosen]);
+  }
+}
+
+}  // namespace
+
 const Table<Run> run_keys{
     "run",
     "a map {end: time} or {steps: count}",
@@ -48,21 +65,6 @@ const Table<Run> run_keys{
     },
     judge_run,
 };
-
-void read_fields(const Key& key, Output& output) {
-  static const std::vector<std::string> fields{
-      "displacement", "velocity",    "stress", "plastic_strain", "contact_pressure", "gap",
-      "mass",         "temperature", "damage", "strain_rate",    "relative_volume",  "energy"};
-  output.fields.clear();
-  for (const Key& entry : items(key, "a list of fields, such as [displacement, velocity, stress]")) {
-    const std::size_t chosen = read_choice(entry, fields, {});
-    if (chosen == fields.size()) continue;
-    if (std::find(output.fields.begin(), output.fields.end(), fields[chosen]) != output.fields.end()) {
-      fault(entry, fmt::format("invalid field '{}': listed twice; expected each field once", fields[chosen]));
-    }
-    output.fields.push_back(fields[chosen]);
-  }
-}
 
 const Table<Output> output_keys{
     "output",
@@ -92,20 +94,5 @@ const Table<Input> checkpoint_keys{
          "Interval of the checkpoints; without `checkpoint` one is written at the end.", required},
     },
 };
-
-}  // namespace
-
-Value<Input> run_value() {
-  return map_of(&Input::run, run_keys);
-}
-Value<Input> output_value() {
-  return map_of(&Input::output, output_keys);
-}
-Value<Input> history_value() {
-  return map_of(history_keys);
-}
-Value<Input> checkpoint_value() {
-  return map_of(checkpoint_keys);
-}
 
 }  // namespace brunt::scene

@@ -2,7 +2,6 @@
 // `solver`: implicit time integration. Read after `run`, whose end determines the default of the step.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "scene/keys/table.hpp"

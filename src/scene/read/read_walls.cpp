@@ -54,6 +54,8 @@ void read_walls(const Key& list, Input& input) {
 
 const Choices<bool> left_nodes{{{"keep", true}, {"drop", false}}, {}};
 
+}  // namespace
+
 const Table<Removal> removal_keys{
     "remove",
     "{part: name, at: time}",
@@ -67,13 +69,8 @@ const Table<Removal> removal_keys{
     [](const Key& map, Removal&) { judge_selection(map); },
 };
 
-}  // namespace
-
 Value<Input> rigid_walls_value() {
   return special("list", read_walls, {&wall_keys});
-}
-Value<Input> remove_value() {
-  return list_of(&Input::remove, removal_keys);
 }
 
 }  // namespace brunt::scene

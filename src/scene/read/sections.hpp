@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sections of a scene. Each is the value of a top-level key; its table and its judge stand in one file.
+// The sections of a scene: the tables of the maps and lists of the top level, and the values of other forms.
 #pragma once
 #include "scene/input.hpp"
 #include "scene/keys/table.hpp"
@@ -7,33 +7,34 @@
 
 namespace brunt::scene {
 
+extern const Table<InitialMotion> initial_keys;
+extern const Table<Fixed> fixed_keys;
+extern const Table<Symmetry> symmetry_keys;
+extern const Table<Prescribed> prescribed_keys;
+extern const Table<Pressure> pressure_keys;
+extern const Table<DeadLoad> forces_keys;
+extern const Table<DeadLoad> traction_keys;
+extern const Table<Gravity> gravity_keys;
+extern const Table<Damping> damping_keys;
+extern const Table<Relaxation> relaxation_keys;
+extern const Table<Removal> removal_keys;
+extern const Table<Enforcement> enforcement_keys;
+extern const Table<Input> search_keys;
+extern const Table<Probe> probe_keys;
+extern const Table<Run> run_keys;
+extern const Table<Guards> guards_keys;
+extern const Table<Output> output_keys;
+extern const Table<Input> history_keys;
+extern const Table<Input> checkpoint_keys;
+
 Value<Input> mesh_value();
 Value<Input> materials_value();
 Value<Input> parts_value();
 Value<Input> sets_value();
 Value<Input> curves_value();
-Value<Input> initial_value();
-Value<Input> fixed_value();
-Value<Input> symmetry_value();
-Value<Input> prescribed_value();
-Value<Input> pressure_value();
-Value<Input> forces_value();
-Value<Input> traction_value();
-Value<Input> gravity_value();
-Value<Input> damping_value();
-Value<Input> relaxation_value();
-Value<Input> remove_value();
 Value<Input> rigid_walls_value();
-Value<Input> enforcement_value();
 Value<Input> contact_value();
-Value<Input> search_value();
-Value<Input> probes_value();
-Value<Input> run_value();
-Value<Input> guards_value();
 Value<Input> solver_value();
-Value<Input> output_value();
-Value<Input> history_value();
-Value<Input> checkpoint_value();
 Value<Input> scaling_value();
 
 /// The keys of the top level.
