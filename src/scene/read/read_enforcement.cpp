@@ -33,7 +33,7 @@ void read_softness(const Key& key, EnforcementSettings& settings) {
 
 /// The time of rebuilding lists changes no result: this key serves tests.
 void read_rebuild(const Key& key, Rebuild& rebuild) {
-  if (names(rebuild_words(), key)) {
+  if (is_word_of(rebuild_words(), key)) {
     rebuild = {};
     read(key, rebuild.when, rebuild_words());
     return;

@@ -92,7 +92,7 @@ const Table<GivenSolver> solver_keys{
 void read_word(const Key& key, Input& input) {
   static const Choices<bool> words{{{"implicit", true}, {"explicit", false}}, {}};
   const std::string& word = key.tree->text;
-  if (names(schemes, key))
+  if (is_word_of(schemes, key))
     return fault(
         key,
         fmt::format("invalid value '{0}', which is a scheme; expected {{scheme: {0}}}, implicit or explicit", word));

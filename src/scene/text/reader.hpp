@@ -162,7 +162,7 @@ bool read(const Key& key, Value& target, const Choices<Value>& choices) {
 
 /// Whether a value is one of the words.
 template <class Value>
-bool names(const Choices<Value>& choices, const Key& key) {
+bool is_word_of(const Choices<Value>& choices, const Key& key) {
   for (const auto& [word, value] : choices.now)
     if (is_value(key) && key.tree->text == word) return true;
   return false;
